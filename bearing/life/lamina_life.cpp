@@ -105,23 +105,30 @@ double life_of_damage(double damage) {
 
 LaminaRating lamina_rating(const rating::ContactCapacities& capacities, int laminae,
                            const RaceMotions& motions) {
-  const Eigen::ArrayXd even = Eigen::ArrayXd::Ones(laminae);
-  return {weights(even, capacities.inner), weights(even, capacities.outer), motions};
+  return lamina_rating(capacities, Eigen::ArrayXd::Ones(laminae), motions);
+}
+
+LaminaRating lamina_rating(const rating::ContactCapacities& capacities, const Eigen::ArrayXd& riser,
+                           const RaceMotions& motions) {
+  return {weights(riser, capacities.inner), weights(riser, capacities.outer), motions};
 }
 
 LaminaRating lamina_rating(const Bearing& bearing, LifeMeasure measure, double reduction_factor) {
   const rating::ContactCapacities capacities = capacities_of(bearing, measure, reduction_factor);
-  const Eigen::ArrayXd riser = riser_of(std::max(bearing.rollers().laminae, 1), measure);
-  return {weights(riser, capacities.inner), weights(riser, capacities.outer), bearing.motions};
+  return lamina_rating(capacities, riser_of(std::max(bearing.rollers().laminae, 1), measure), bearing.motions);
 }
 
 BearingLife lamina_life(const LaminaRating& rating, const Loads& inner, const Loads& outer) {
-  return lives(rating, mean_power(inner, rating.motions.inner), mean_power(outer, rating.motions.outer));
+  return life_of_means(rating, means_of_loads(rating.motions, inner, outer));
 }
 
 LaminaMeans lamina_means(const RaceMotions& motions, const Eigen::Ref<const Eigen::ArrayXXd>& inner,
                          const Eigen::Ref<const Eigen::ArrayXXd>& outer) {
   return {mean_of_fourth_powers(inner, motions.inner), mean_of_fourth_powers(outer, motions.outer)};
+}
+
+LaminaMeans means_of_loads(const RaceMotions& motions, const Loads& inner, const Loads& outer) {
+  return {mean_power(inner, motions.inner), mean_power(outer, motions.outer)};
 }
 
 BearingLife life_of_means(const LaminaRating& rating, const LaminaMeans& means) {

@@ -40,6 +40,9 @@ LaminaRating lamina_rating(const Bearing& bearing, LifeMeasure measure, double r
 /// The same for stated capacities [N] of a whole contact, without stress riser.
 LaminaRating lamina_rating(const rating::ContactCapacities& capacities, int laminae,
                            const RaceMotions& motions);
+/// With a stress riser [-] (laminae).
+LaminaRating lamina_rating(const rating::ContactCapacities& capacities, const Eigen::ArrayXd& riser,
+                           const RaceMotions& motions);
 
 using LaminaLoads = Eigen::Ref<const Eigen::ArrayXXd>;  // [N]  (laminae, places)
 
@@ -52,6 +55,9 @@ using LaminaMeans = rating::ByLamina;
 /// From fourth powers [N^4] (laminae, places).
 LaminaMeans lamina_means(const RaceMotions& motions, const Eigen::Ref<const Eigen::ArrayXXd>& inner,
                          const Eigen::Ref<const Eigen::ArrayXXd>& outer);
+
+/// From loads at evenly spaced places, by (2).
+LaminaMeans means_of_loads(const RaceMotions& motions, const LaminaLoads& inner, const LaminaLoads& outer);
 
 /// Life [rev] under them; infinite at no load.
 BearingLife life_of_means(const LaminaRating& rating, const LaminaMeans& means);

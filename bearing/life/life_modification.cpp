@@ -79,8 +79,10 @@ double contamination_factor(Lubrication lubrication, Cleanliness cleanliness, do
   const double pitch_mm = kMillimetres * pitch_diameter;
   const CleanlinessTerm term = lubrication == Lubrication::grease ? grease_term(cleanliness, pitch_mm)
                                                                   : oil_term(lubrication, cleanliness);
-  const double film = std::min(1.0, term.growth * std::pow(kappa, 0.68) * std::pow(pitch_mm, 0.55));
-  return std::max(0.0, film * (1.0 - term.size / std::cbrt(pitch_mm)));
+  // std::min and std::max keep a first argument that is not a number.
+  const double counted = std::min(kappa, kLargestViscosityRatio);
+  const double film = std::min(term.growth * std::pow(counted, 0.68) * std::pow(pitch_mm, 0.55), 1.0);
+  return std::max(film * (1.0 - term.size / std::cbrt(pitch_mm)), 0.0);
 }
 
 OilCondition oil_condition(const StatedOil& oil, double speed, double pitch_diameter) {
@@ -99,14 +101,17 @@ double viscosity_ratio_of_film(double least_film, double roughness) {
 double life_modification_factor(RollingElement element, double kappa, double fatigue_ratio) {
   if (!(kappa >= kLeastViscosityRatio)) mechanics::refuse("viscosity ratio kappa", kappa, "at least 0.1, where a_ISO begins");
   if (!(fatigue_ratio >= 0.0)) mechanics::refuse("e_C C_u/P", fatigue_ratio, "at least 0");
-  const double film = std::min(kappa, 4.0);
+  const double film = std::min(kappa, kLargestViscosityRatio);
   const FilmTerm term = film_term(element, film);
-  const double thickness = term.numerator / std::pow(film, term.power);
   const bool ball = element == RollingElement::ball;
-  const double stress = ball ? std::pow(std::max(0.0, 2.5671 - thickness), 0.83) * std::cbrt(fatigue_ratio)
-                             : (1.5859 - thickness) * std::pow(fatigue_ratio, 0.4);
+  // At kappa = 0.1 the film term vanishes; rounded coefficients leave it a hair below.
+  const double left = (ball ? 2.5671 : 1.5859) - term.numerator / std::pow(film, term.power);
+  if (!(left > 0.0)) return kLeastLifeModification;
+  const double stress =
+      ball ? std::pow(left, 0.83) * std::cbrt(fatigue_ratio) : left * std::pow(fatigue_ratio, 0.4);
   if (stress >= 1.0) return kLargestLifeModification;
-  return std::min(kLargestLifeModification, 0.1 * std::pow(1.0 - stress, ball ? -9.3 : -9.185));
+  return std::min(kLargestLifeModification,
+                  kLeastLifeModification * std::pow(1.0 - stress, ball ? -9.3 : -9.185));
 }
 
 }  // namespace orbearing::bearing::rating

@@ -9,7 +9,10 @@ namespace orbearing::bearing::rating {
 
 /// The least kappa [-] for which [ISO281] gives an a_ISO.
 inline constexpr double kLeastViscosityRatio = 0.1;
-/// The largest a_ISO [-] of [ISO281].
+/// The largest kappa [-] that counts, in a_ISO and in e_C.
+inline constexpr double kLargestViscosityRatio = 4.0;
+/// The smallest a_ISO [-] of [ISO281], without any fatigue limit, and its largest.
+inline constexpr double kLeastLifeModification = 0.1;
 inline constexpr double kLargestLifeModification = 50.0;
 
 /// Viscosity nu_1 [m^2/s] that a bearing of `pitch_diameter` [m] needs at `speed` [rad/s] between its rings:
@@ -33,8 +36,8 @@ enum class Lubrication { circulating_oil, oil_bath, grease };
 enum class Cleanliness { highest, high, medium, low, lowest };
 
 /// Contamination factor e_C [-] for kappa [-] and d_m [m]: a (1 - c/d_m^(1/3)), a = min(b kappa^0.68
-/// d_m^0.55, 1), d_m in mm, of annex A of [ISO281]. Coefficients b and c are from memory of the annex. Never
-/// negative. Throws std::invalid_argument for a level that the annex does not have.
+/// d_m^0.55, 1), d_m in mm, of annex A of [ISO281]; kappa above 4 counts as 4. Coefficients b and c are from
+/// memory of the annex. Never negative; not a number where kappa is none. Throws std::invalid_argument for a level that the annex does not have.
 double contamination_factor(Lubrication lubrication, Cleanliness cleanliness, double kappa,
                             double pitch_diameter);
 
@@ -60,7 +63,7 @@ OilCondition oil_condition(const StatedOil& oil, double speed, double pitch_diam
 double viscosity_ratio_of_film(double least_film, double roughness);
 
 /// a_ISO [-] of radial bearings for kappa [-] and contamination factor times fatigue load limit over
-/// equivalent load e_C C_u/P [-]. At most 50; kappa above 4 counts as 4. Throws std::invalid_argument for
+/// equivalent load e_C C_u/P [-]. From 0.1 to 50; kappa above 4 counts as 4. Throws std::invalid_argument for
 /// kappa below 0.1, where the standard gives none.
 double life_modification_factor(RollingElement element, double kappa, double fatigue_ratio);
 

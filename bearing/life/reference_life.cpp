@@ -157,13 +157,17 @@ double equivalent_ball_load(const Eigen::Ref<const Eigen::ArrayXd>& loads, RaceM
   return power_mean(loads, ball_mean_exponent(motion));
 }
 
+BearingLife ball_reference_life(const ContactCapacities& capacities, double inner_load, double outer_load) {
+  return life_of_races(ball_damage(capacities.inner, inner_load), ball_damage(capacities.outer, outer_load),
+                       kBallSlope);
+}
+
 BearingLife ball_reference_life(const ContactCapacities& capacities,
                                 const Eigen::Ref<const Eigen::ArrayXd>& inner_loads,
                                 const Eigen::Ref<const Eigen::ArrayXd>& outer_loads,
                                 const RaceMotions& motions) {
-  return life_of_races(ball_damage(capacities.inner, equivalent_ball_load(inner_loads, motions.inner)),
-                       ball_damage(capacities.outer, equivalent_ball_load(outer_loads, motions.outer)),
-                       kBallSlope);
+  return ball_reference_life(capacities, equivalent_ball_load(inner_loads, motions.inner),
+                             equivalent_ball_load(outer_loads, motions.outer));
 }
 
 LifeGradient ball_life_gradient(const ContactCapacities& capacities,

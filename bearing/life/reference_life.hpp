@@ -64,7 +64,9 @@ LifeGradient lamina_life_gradient(const ContactCapacities& capacities,
 /// Equivalent ball load [N]: power mean over all balls, exponent 3 (turning) or 10/3 (standing).
 double equivalent_ball_load(const Eigen::Ref<const Eigen::ArrayXd>& loads, RaceMotion motion);
 
-/// L10r [rev] of a ball bearing, for ball loads [N] (balls) on both races.
+/// L10r [rev] of a ball bearing, for equivalent ball loads [N] of both races.
+BearingLife ball_reference_life(const ContactCapacities& capacities, double inner_load, double outer_load);
+/// For ball loads [N] (balls) on both races.
 BearingLife ball_reference_life(const ContactCapacities& capacities,
                                 const Eigen::Ref<const Eigen::ArrayXd>& inner_loads,
                                 const Eigen::Ref<const Eigen::ArrayXd>& outer_loads,

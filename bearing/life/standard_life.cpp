@@ -1,5 +1,7 @@
 #include "bearing/life/standard_life.hpp"
 
+#include <algorithm>
+
 #include "bearing/life/ball_capacity.hpp"
 #include "bearing/life/life_modification.hpp"
 #include "bearing/life/reference_life.hpp"
@@ -26,7 +28,7 @@ Ratings ratings_of_set(const Set& set, RollingElement element, double table_end,
   Ratings ratings{.gamma = gamma(set),
                   .capacity_factor = factor_of(set),
                   .dynamic_capacity = stated.dynamic_capacity.value_or(dynamic_capacity(set)),
-                  .static_capacity = static_capacity(set),
+                  .static_capacity = stated.static_capacity.value_or(static_capacity(set)),
                   .slenderness_limit = table_end};
   ratings.fatigue_load_limit = stated.fatigue_load_limit.value_or(
       fatigue_load_limit(element, ratings.static_capacity, set.pitch_diameter));
@@ -52,6 +54,13 @@ std::optional<double> equivalent_load(const Bearing& bearing, double radial, dou
   if (bearing.has_rollers()) return radial;
   if (bearing.contact_angle() != 0.0) return std::nullopt;
   return deep_groove_equivalent_load(ball_set(bearing), radial, axial);
+}
+
+std::optional<double> static_equivalent_load(const Bearing& bearing, double radial, double axial) {
+  constexpr double radial_share = 0.6, axial_share = 0.5;  // X_0, Y_0 of deep-groove bearings
+  if (bearing.has_rollers()) return radial;
+  if (bearing.contact_angle() != 0.0) return std::nullopt;
+  return std::max(radial, radial_share * radial + axial_share * axial);
 }
 
 BearingLife reference_life(const Bearing& bearing, const ContactCapacities& capacities,

@@ -18,6 +18,7 @@ RollingElement rolling_element(const Bearing& bearing);
 struct StatedRatings {
   std::optional<double> reduction_factor;    // [-]  reduction factor of roller bearings; none: 0.83
   std::optional<double> dynamic_capacity;    // [N]  C_r
+  std::optional<double> static_capacity{};   // [N]  C_0r; C_u follows from it unless stated
   std::optional<double> fatigue_load_limit;  // [N]  C_u
 };
 
@@ -37,6 +38,9 @@ Ratings ratings_of(const Bearing& bearing, const StatedRatings& stated = {});
 /// Equivalent load P of [ISO281] [N] under `radial` and `axial` [N]; none for balls of a nominal contact
 /// angle other than zero, whose factors X and Y are not held.
 std::optional<double> equivalent_load(const Bearing& bearing, double radial, double axial);
+
+/// Static equivalent load P_0 of [ISO76] [N], never less than the radial load; none as above.
+std::optional<double> static_equivalent_load(const Bearing& bearing, double radial, double axial);
 
 /// Loads of the elements on one race [N].
 struct ElementLoads {

@@ -4,6 +4,7 @@
 
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace orbearing::bearing::rating::life_modification_test {
@@ -36,6 +37,9 @@ TEST(LifeModification, LeastIsATenth) {
   for (const RollingElement element : kBoth) {
     EXPECT_NEAR(life_modification_factor(element, 1.0, 0.0), 0.1, kRoundOff);
     EXPECT_NEAR(life_modification_factor(element, 0.1, 1.0), 0.1, 0.1 * five_digits);
+    // Rounded coefficients make the film term of rollers there -6e-5: no a_ISO below a tenth.
+    for (const double ratio : {0.0, 5.0, 1e6, std::numeric_limits<double>::infinity()})
+      EXPECT_GE(life_modification_factor(element, 0.1, ratio), 0.1) << ratio;
   }
 }
 
@@ -80,6 +84,18 @@ TEST(Contamination, ByHandForALargeBearing) {
               kRoundOff * 10.0);
   EXPECT_NEAR(contamination_factor(Lubrication::grease, Cleanliness::medium, 1.0, 1.0),
               0.0177 * std::pow(1000.0, 0.55) * (1.0 - 0.1677), kRoundOff);
+}
+
+// Issue 44, item 1: kappa above 4 counts as 4, in e_C as in a_ISO. By hand for d_m = 35.64 mm: 0.0432 * 4^0.68 *
+// 35.64^0.55 (1 - 0.9987/35.64^(1/3)) = 0.5513.
+TEST(Contamination, KappaAboveFourCountsAsFour) {
+  const auto factor = [](double kappa, double pitch) {
+    return contamination_factor(Lubrication::circulating_oil, Cleanliness::high, kappa, pitch);
+  };
+  EXPECT_NEAR(factor(4.0, 35.64e-3), 0.5513, 5e-5);
+  for (const double kappa : {4.001, 5.48, 100.0}) EXPECT_EQ(factor(kappa, 35.64e-3), factor(4.0, 35.64e-3));
+  EXPECT_LT(factor(3.99, 35.64e-3), factor(4.0, 35.64e-3));
+  EXPECT_TRUE(std::isnan(factor(std::nan(""), 35.64e-3)));
 }
 
 // Every level is worse than the one before, and baths and greases are no better than filters.

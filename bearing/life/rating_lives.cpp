@@ -1,0 +1,162 @@
+#include "bearing/life/rating_lives.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bearing/life/basic_life.hpp"
+#include "bearing/life/reference_life.hpp"
+#include "bearing/life/roller_capacity.hpp"
+#include "bearing/units.hpp"
+
+namespace orbearing::bearing::rating {
+
+namespace {
+
+constexpr double kLineSlope = weibull_slope(RollingElement::roller);
+constexpr double kLaminaExponent = 4.5;
+
+// Rotating: of a mean of fourth powers. Stationary: the mean is of powers 4.5 already.
+double power_of_lamina(double mean, RaceMotion motion) {
+  return motion == RaceMotion::turning ? std::pow(mean, kLaminaExponent / 4.0) : mean;
+}
+
+// (q/q_c)^(9/2) with the stress riser. One mean for many laminae: each carries its even share.
+Eigen::ArrayXd damage_of(const Eigen::ArrayXd& weight, const Eigen::ArrayXd& mean, RaceMotion motion) {
+  if (mean.size() != 1 || weight.size() == 1) {
+    Eigen::ArrayXd damage = weight;
+    for (Eigen::Index k = 0; k < damage.size(); ++k) damage[k] *= power_of_lamina(mean[k], motion);
+    return damage;
+  }
+  const double even = std::pow(static_cast<double>(weight.size()), -kLaminaExponent);
+  return weight * (even * power_of_lamina(mean[0], motion));
+}
+
+BearingLife lives_of(double inner_damage, double outer_damage) {
+  return {life::life_of_damage(inner_damage), life::life_of_damage(outer_damage),
+          life::life_of_damage(inner_damage + outer_damage)};
+}
+
+BearingLife scaled(double factor, const BearingLife& life) {
+  return {factor * life.inner, factor * life.outer, factor * life.bearing};
+}
+
+// (2), with the loads of a lamina by what they do to it.
+class LaminaLoad {
+ public:
+  LaminaLoad(const BearingRating& rating, Eigen::Index laminae) {
+    const double inner = lamina_capacity(rating.ratings.contacts.inner, static_cast<int>(laminae));
+    const double ratio = kOuter * rating.ratings.contacts.inner / rating.ratings.contacts.outer;
+    scale_ = 0.323 * rating.elements * static_cast<double>(laminae) * std::cos(rating.contact_angle) * inner *
+             std::pow(1.0 + std::pow(ratio, kLaminaExponent), -1.0 / kLaminaExponent);
+  }
+  double operator()(double inner_damage, double outer_damage) const {
+    return scale_ * std::pow(inner_damage + outer_ * outer_damage, 1.0 / kLaminaExponent);
+  }
+
+ private:
+  static constexpr double kOuter = 1.038;
+  double outer_ = std::pow(kOuter, kLaminaExponent);
+  double scale_ = 0.0;  // [N]
+};
+
+double modification(const BearingRating& rating, const OilCondition& oil, double load) {
+  const double limit = oil.contamination_factor * rating.ratings.fatigue_load_limit;
+  return life_modification_factor(rating.element, oil.viscosity_ratio, load > 0.0 ? limit / load : kInfinity);
+}
+
+bool is_modified(const std::optional<OilCondition>& oil) {
+  return oil && oil->viscosity_ratio >= kLeastViscosityRatio;
+}
+
+// What loads of single elements have no part in.
+RatingLives lives_by_load(const BearingRating& rating, const RatingCondition& condition) {
+  RatingLives lives{.dynamic_capacity = rating.ratings.dynamic_capacity,
+                    .static_capacity = rating.ratings.static_capacity,
+                    .fatigue_load_limit = rating.ratings.fatigue_load_limit,
+                    .dynamic_load = condition.dynamic_load.value_or(kNotRated),
+                    .static_load = condition.static_load.value_or(kNotRated),
+                    .oil = condition.oil,
+                    .reliability_factor = condition.reliability_factor};
+  if (!condition.dynamic_load) return lives;
+  lives.basic = basic_rating_life(rating.element, lives.dynamic_capacity, lives.dynamic_load);
+  if (!is_modified(condition.oil)) return lives;
+  lives.life_modification = modification(rating, *condition.oil, lives.dynamic_load);
+  lives.modified = condition.reliability_factor * lives.life_modification * lives.basic;
+  return lives;
+}
+
+}  // namespace
+
+BearingRating bearing_rating(const Bearing& bearing, const StatedRatings& stated) {
+  BearingRating rating{.ratings = ratings_of(bearing, stated),
+                       .element = rolling_element(bearing),
+                       .elements = bearing.element_count(),
+                       .contact_angle = bearing.contact_angle(),
+                       .motions = bearing.motions,
+                       .laminae = {}};
+  if (!bearing.has_rollers()) return rating;
+  const int cut = bearing.rollers().laminae;
+  rating.laminae = life::lamina_rating(rating.ratings.contacts,
+                                       stress_riser(cut > 0 ? cut : kLeastRatedLaminae), bearing.motions);
+  return rating;
+}
+
+RatingLives rating_lives(const BearingRating& rating, const RatingCondition& condition,
+                         const life::LaminaMeans& means) {
+  RatingLives lives = lives_by_load(rating, condition);
+  const Eigen::ArrayXd inner = damage_of(rating.laminae.inner_weight, means.inner, rating.motions.inner);
+  const Eigen::ArrayXd outer = damage_of(rating.laminae.outer_weight, means.outer, rating.motions.outer);
+  lives.reference = lives_of(inner.sum(), outer.sum());
+  if (!is_modified(condition.oil)) return lives;
+  const LaminaLoad load(rating, inner.size());
+  double modified_inner = 0.0, modified_outer = 0.0;
+  for (Eigen::Index k = 0; k < inner.size(); ++k) {
+    if (inner[k] + outer[k] == 0.0) continue;
+    const double factor =
+        std::pow(modification(rating, *condition.oil, load(inner[k], outer[k])), -kLineSlope);
+    modified_inner += inner[k] * factor;
+    modified_outer += outer[k] * factor;
+  }
+  lives.modified_reference = scaled(condition.reliability_factor, lives_of(modified_inner, modified_outer));
+  const double plain = inner.sum() + outer.sum();
+  lives.reference_modification = plain > 0.0
+                                     ? std::pow((modified_inner + modified_outer) / plain, -1.0 / kLineSlope)
+                                     : modification(rating, *condition.oil, 0.0);
+  return lives;
+}
+
+RatingLives rating_lives(const BearingRating& rating, const RatingCondition& condition,
+                         const EquivalentBallLoads& loads) {
+  RatingLives lives = lives_by_load(rating, condition);
+  lives.reference = ball_reference_life(rating.ratings.contacts, loads.inner, loads.outer);
+  if (!is_modified(condition.oil)) return lives;
+  const double load = reference_load(RollingElement::ball, lives.dynamic_capacity, lives.reference.bearing);
+  lives.reference_modification = modification(rating, *condition.oil, load);
+  lives.modified_reference =
+      scaled(condition.reliability_factor * lives.reference_modification, lives.reference);
+  return lives;
+}
+
+RatingLives rating_lives(const BearingRating& rating, const RatingCondition& condition,
+                         const ElementLoads& inner, const ElementLoads& outer) {
+  if (rating.element == RollingElement::roller)
+    return rating_lives(rating, condition,
+                        life::means_of_loads(rating.motions, inner.laminae, outer.laminae));
+  return rating_lives(rating, condition,
+                      EquivalentBallLoads{equivalent_ball_load(inner.contact, rating.motions.inner),
+                                          equivalent_ball_load(outer.contact, rating.motions.outer)});
+}
+
+double life_to_go_by(LifeMethod method, double lundberg_palmgren, const RatingLives& lives) {
+  switch (method) {
+    case LifeMethod::iso281:
+      return lives.oil ? lives.modified : lives.basic;
+    case LifeMethod::iso16281:
+      return lives.oil ? lives.modified_reference.bearing : lives.reference.bearing;
+    case LifeMethod::lundberg_palmgren:
+      break;
+  }
+  return lundberg_palmgren;
+}
+
+}  // namespace orbearing::bearing::rating
