@@ -12,31 +12,31 @@ namespace orbearing::bearing::rating {
 
 namespace {
 
-constexpr double kLineSlope = weibull_slope(RollingElement::roller);
-constexpr double kLaminaExponent = 4.5;
+constexpr double kRollerLifeSlope = weibull_slope(RollingElement::roller);
+constexpr double kLaminaPower = 4.5;
 
 // Rotating: of a mean of fourth powers. Stationary: the mean is of powers 4.5 already.
 double power_of_lamina(double mean, RaceMotion motion) {
-  return motion == RaceMotion::turning ? std::pow(mean, kLaminaExponent / 4.0) : mean;
+  return motion == RaceMotion::turning ? std::pow(mean, kLaminaPower / 4.0) : mean;
 }
 
 // (q/q_c)^(9/2) with the stress riser. One mean for many laminae: each carries its even share.
-Eigen::ArrayXd damage_of(const Eigen::ArrayXd& weight, const Eigen::ArrayXd& mean, RaceMotion motion) {
+Eigen::ArrayXd lamina_damages(const Eigen::ArrayXd& weight, const Eigen::ArrayXd& mean, RaceMotion motion) {
   if (mean.size() != 1 || weight.size() == 1) {
     Eigen::ArrayXd damage = weight;
     for (Eigen::Index k = 0; k < damage.size(); ++k) damage[k] *= power_of_lamina(mean[k], motion);
     return damage;
   }
-  const double even = std::pow(static_cast<double>(weight.size()), -kLaminaExponent);
+  const double even = std::pow(static_cast<double>(weight.size()), -kLaminaPower);
   return weight * (even * power_of_lamina(mean[0], motion));
 }
 
-BearingLife lives_of(double inner_damage, double outer_damage) {
+BearingLife lives_of_damages(double inner_damage, double outer_damage) {
   return {life::life_of_damage(inner_damage), life::life_of_damage(outer_damage),
           life::life_of_damage(inner_damage + outer_damage)};
 }
 
-BearingLife scaled(double factor, const BearingLife& life) {
+BearingLife scaled_lives(double factor, const BearingLife& life) {
   return {factor * life.inner, factor * life.outer, factor * life.bearing};
 }
 
@@ -47,15 +47,15 @@ class LaminaLoad {
     const double inner = lamina_capacity(rating.ratings.contacts.inner, static_cast<int>(laminae));
     const double ratio = kOuter * rating.ratings.contacts.inner / rating.ratings.contacts.outer;
     scale_ = 0.323 * rating.elements * static_cast<double>(laminae) * std::cos(rating.contact_angle) * inner *
-             std::pow(1.0 + std::pow(ratio, kLaminaExponent), -1.0 / kLaminaExponent);
+             std::pow(1.0 + std::pow(ratio, kLaminaPower), -1.0 / kLaminaPower);
   }
   double operator()(double inner_damage, double outer_damage) const {
-    return scale_ * std::pow(inner_damage + outer_ * outer_damage, 1.0 / kLaminaExponent);
+    return scale_ * std::pow(inner_damage + outer_ * outer_damage, 1.0 / kLaminaPower);
   }
 
  private:
   static constexpr double kOuter = 1.038;
-  double outer_ = std::pow(kOuter, kLaminaExponent);
+  double outer_ = std::pow(kOuter, kLaminaPower);
   double scale_ = 0.0;  // [N]
 };
 
@@ -104,24 +104,25 @@ BearingRating bearing_rating(const Bearing& bearing, const StatedRatings& stated
 RatingLives rating_lives(const BearingRating& rating, const RatingCondition& condition,
                          const life::LaminaMeans& means) {
   RatingLives lives = lives_by_load(rating, condition);
-  const Eigen::ArrayXd inner = damage_of(rating.laminae.inner_weight, means.inner, rating.motions.inner);
-  const Eigen::ArrayXd outer = damage_of(rating.laminae.outer_weight, means.outer, rating.motions.outer);
-  lives.reference = lives_of(inner.sum(), outer.sum());
+  const Eigen::ArrayXd inner = lamina_damages(rating.laminae.inner_weight, means.inner, rating.motions.inner);
+  const Eigen::ArrayXd outer = lamina_damages(rating.laminae.outer_weight, means.outer, rating.motions.outer);
+  lives.reference = lives_of_damages(inner.sum(), outer.sum());
   if (!is_modified(condition.oil)) return lives;
   const LaminaLoad load(rating, inner.size());
   double modified_inner = 0.0, modified_outer = 0.0;
   for (Eigen::Index k = 0; k < inner.size(); ++k) {
     if (inner[k] + outer[k] == 0.0) continue;
     const double factor =
-        std::pow(modification(rating, *condition.oil, load(inner[k], outer[k])), -kLineSlope);
+        std::pow(modification(rating, *condition.oil, load(inner[k], outer[k])), -kRollerLifeSlope);
     modified_inner += inner[k] * factor;
     modified_outer += outer[k] * factor;
   }
-  lives.modified_reference = scaled(condition.reliability_factor, lives_of(modified_inner, modified_outer));
+  lives.modified_reference =
+      scaled_lives(condition.reliability_factor, lives_of_damages(modified_inner, modified_outer));
   const double plain = inner.sum() + outer.sum();
-  lives.reference_modification = plain > 0.0
-                                     ? std::pow((modified_inner + modified_outer) / plain, -1.0 / kLineSlope)
-                                     : modification(rating, *condition.oil, 0.0);
+  lives.reference_modification =
+      plain > 0.0 ? std::pow((modified_inner + modified_outer) / plain, -1.0 / kRollerLifeSlope)
+                  : modification(rating, *condition.oil, 0.0);
   return lives;
 }
 
@@ -133,7 +134,7 @@ RatingLives rating_lives(const BearingRating& rating, const RatingCondition& con
   const double load = reference_load(RollingElement::ball, lives.dynamic_capacity, lives.reference.bearing);
   lives.reference_modification = modification(rating, *condition.oil, load);
   lives.modified_reference =
-      scaled(condition.reliability_factor * lives.reference_modification, lives.reference);
+      scaled_lives(condition.reliability_factor * lives.reference_modification, lives.reference);
   return lives;
 }
 
