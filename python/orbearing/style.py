@@ -14,6 +14,8 @@ from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
+from orbearing.drawn import Panel, panels_of
+
 # Palette of Okabe and Ito, distinguished with every common colour vision deficiency.
 BLUE, ORANGE, GREEN, VERMILION = "#0072B2", "#E69F00", "#009E73", "#D55E00"
 PURPLE, SKY, BLACK, GREY = "#CC79A7", "#56B4E9", "#1a1a1a", "#767676"
@@ -123,14 +125,23 @@ def points_look(count: int, with_curve: bool = False) -> dict:
     return {} if few and with_curve else {"linestyle": "-", "linewidth": 0.9, **({} if few else {"marker": ""})}
 
 
-def to_svg(figure: Figure, slug: str, description: str) -> str:
+class Picture(str):
+    """An SVG element, with what it draws in numbers: `name` and `panels`, one for each pair of axes."""
+
+    name: str
+    panels: tuple[Panel, ...]
+
+
+def to_svg(figure: Figure, slug: str, description: str) -> Picture:
     """The figure as an inline SVG element: no outside names, no date, identifiers unique by `slug`."""
     FigureCanvasSVG(figure)
     target = io.StringIO()
     with warnings.catch_warnings():
         warnings.filterwarnings("ignore", message="Glyph .* missing")
         figure.savefig(target, format="svg", metadata={"Date": None, "Creator": None})
-    return _inline(target.getvalue(), slug, description)
+    picture = Picture(_inline(target.getvalue(), slug, description))
+    picture.name, picture.panels = slug, panels_of(figure)
+    return picture
 
 
 def _inline(text: str, slug: str, description: str) -> str:

@@ -11,6 +11,7 @@ from matplotlib.ticker import MaxNLocator
 
 from orbearing import style
 from orbearing.blocks import FigureBlock, Table, format_number, is_number
+from orbearing.drawn import states_map
 from orbearing.figures import roller_pressure
 from orbearing.result_folder import Report, record, records
 
@@ -75,7 +76,7 @@ def life_map(found: dict, crown: dict) -> FigureBlock:
         return FigureBlock("crown-map", title, missing="This study holds no lives over drop and tilt.")
     figure, axes = style.panel((6.0, 4.4))
     levels = np.geomspace(life.min(), life.max(), 15)
-    filled = axes.contourf(drop, tilt, life.T, levels=levels, norm=LogNorm(levels[0], levels[-1]), cmap=LIFE_COLOURS)
+    filled = states_map(axes.contourf(drop, tilt, life.T, levels=levels, norm=LogNorm(levels[0], levels[-1]), cmap=LIFE_COLOURS), drop, tilt, life.T)
     axes.plot(_ridge(drop, life), tilt, color=style.BLACK, linewidth=1.2, linestyle="--", label="best drop at each tilt")
     _mark_optima(axes, found, crown)
     bar = figure.colorbar(filled, ax=axes, pad=0.02, ticks=levels[::2])
@@ -251,7 +252,7 @@ def zones(found: list[dict]) -> FigureBlock:
     rows = []
     for axes, zone, (angle, x, pressure) in zip(panels.flat, drawn, grids):
         axes.grid(False)
-        filled = axes.contourf(angle, x, pressure.T, levels=levels, cmap="viridis", extend="max")
+        filled = states_map(axes.contourf(angle, x, pressure.T, levels=levels, cmap="viridis", extend="max"), angle, x, pressure.T)
         where = style.tilt_text(zone.get("tilt_mrad")) if zone.get("bearing") is None else f"bearing {zone['bearing']} of a planet"
         axes.set_title(f"{zone.get('profile')}, {where}", loc="left", fontsize=9)
         rows.append((zone.get("profile"), where, float(np.nanmax(pressure[:, 2:-2]))))

@@ -13,6 +13,7 @@ from matplotlib.figure import Figure
 
 from orbearing import style
 from orbearing.blocks import FigureBlock, Table, format_number, is_number
+from orbearing.drawn import states_map
 
 SLUG, TITLE = "roller-pressure", "Pressure along the roller"
 MAP_SLUG, MAP_TITLE = "pressure-map", "Pressure over the contact"
@@ -140,4 +141,4 @@ def _draw_map(axes: Axes, contact: dict, levels: np.ndarray):
     whole = np.concatenate([-y[:0:-1], y])
     values = np.concatenate([pressure[:, :0:-1], pressure], axis=1).T
     axes.grid(False)
-    return axes.contourf(contact["x_mm"], whole, values, levels=levels, cmap="viridis", extend="max")
+    return states_map(axes.contourf(contact["x_mm"], whole, values, levels=levels, cmap="viridis", extend="max"), contact["x_mm"], whole, values)

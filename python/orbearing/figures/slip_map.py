@@ -10,6 +10,7 @@ from matplotlib.figure import Figure
 
 from orbearing import style
 from orbearing.blocks import FigureBlock, Table, columns_table, format_number, is_number
+from orbearing.drawn import states_map
 from orbearing.result_folder import Report, lies_on, same
 
 SLUG, TITLE = "slip-map", "Slip over speed and load"
@@ -101,10 +102,10 @@ def _draw(speeds: np.ndarray, values: np.ndarray, slip: np.ndarray, load: np.nda
     if slip.size <= MOST_LABELLED:
         _number(axes, slip, load, colours, scale)
     elif np.isfinite(load).all():
-        lines = axes.contour(x, y, load, 5, colors=style.GREY, linewidths=0.8)
+        lines = states_map(axes.contour(x, y, load, 5, colors=style.GREY, linewidths=0.8), x, y, load)
         axes.clabel(lines, fmt=lambda value: f"{value:,.0f}", fontsize=7)
     if np.isfinite(slip).all() and slip.min() < 0 < slip.max():
-        axes.contour(x, y, slip, [0.0], colors=style.BLACK, linewidths=1.8)
+        states_map(axes.contour(x, y, slip, [0.0], colors=style.BLACK, linewidths=1.8), x, y, slip)
     _ticks(axes.xaxis, x, speeds)
     _ticks(axes.yaxis, y, values)
     axes.grid(False)
