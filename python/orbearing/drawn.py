@@ -118,7 +118,7 @@ def _of_collection(axes: Axes, one) -> Series:
     if isinstance(one, QuadMesh):
         return Series("map", _label(one), (*_centres(one), np.ma.filled(np.ma.asarray(one.get_array(), float), np.nan).reshape(one.get_coordinates().shape[0] - 1, -1)))
     if isinstance(one, LineCollection):
-        segments = np.array(one.get_segments(), float).reshape(-1, 2, 2)
+        segments = np.array([ends for ends in one.get_segments() if len(ends) == 2], float)
         return Series("segments", _label(one), tuple(segments.reshape(-1, 4).T))
     if isinstance(one, PolyCollection):
         corners = np.concatenate([path.vertices for path in one.get_paths()]) if one.get_paths() else np.empty((0, 2))

@@ -141,7 +141,7 @@ def faults(name, panels, expected):
                 continue  # an axis through zero
             match = next((w for w in left if w[:2] == (one.kind, one.label) and close(one.kind, one.columns, in_units(w[0], w[2], units))), None)
             if match:
-                left.remove(match)
+                left = [w for w in left if w is not match]
             else:
                 found.append(f"{where}: {one.kind} {one.label!r} is not what the results say: {[np.round(c[:3], 4).tolist() for c in one.columns]}")
         for w in left:
