@@ -74,9 +74,9 @@ def rows(points, x, y, label=""):
 
 
 def number(value, digits=5):
-    """As people read it, with thousands apart; at most five digits of what follows the point."""
-    whole = len(str(int(abs(value)))) if abs(value) >= 1 else 0
-    text = f"{value:,.{max(digits - max(whole, 1), 0)}f}" if whole < 4 else f"{value:,.0f}"
+    """As people read it: so many significant digits, thousands apart, no digit before the point left out."""
+    before = int(np.floor(np.log10(abs(value)))) + 1 if value else 1  # digits before the point
+    text = f"{value:,.{max(digits - before, 0) if before < 4 else 0}f}"
     return text.rstrip("0").rstrip(".") if "." in text else text
 
 
