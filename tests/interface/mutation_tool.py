@@ -146,7 +146,7 @@ class Glue(unittest.TestCase):
 
 class Table(unittest.TestCase):
     def results(self, folder: str, sources: str = "sources", tests: str = "tests", listed=()) -> Results:
-        return Results(pathlib.Path(folder) / "known.json", DRAWN[:8], 5, set(listed), sources, tests)
+        return Results(pathlib.Path(folder) / "known.json", DRAWN[:8], 5, set(listed), lambda mutant: sources, tests)
 
     def test_what_is_no_error_gives_way_to_the_next(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -192,6 +192,12 @@ class Beside(unittest.TestCase):
                          ["A(double b) : x_((orbearing_mutants::acts(7) ? (b - c) : (b + c))) {}"])
         self.assertEqual(self.ways("constexpr double kA = 0.5;", "0.5", "0.55")[0],
                          "const double kA = orbearing_mutants::acts(7) ? (0.55) : (0.5);")
+
+    def test_a_format_is_written_twice_with_the_call_around_it(self):
+        """A text with brackets and slashes is no code; fmt::format takes constants alone."""
+        ways = self.ways('return {fmt::format("({}) // N", load), 1};', "N", "kN")
+        self.assertEqual(ways[-1], 'return {(orbearing_mutants::acts(7) ? (fmt::format("({}) // kN", load)) : (fmt::format("({}) // N", load))), 1};')
+        self.assertIn('fmt::format((orbearing_mutants::acts(7) ? ("({}) // kN") : ("({}) // N")), load)', ways[-2])
 
     def test_lines_keep_their_numbers(self):
         for number, mutant in enumerate(DRAWN):

@@ -13,13 +13,22 @@ def acts(number: int) -> str:
     return f"orbearing_mutants::acts({number})"
 
 
+TEXT = r'"(?:\\.|[^"\\\n])*"|(?<![0-9])\'(?:\\.|[^\'\\\n])*\''
+
+
 def without_comments(text: str) -> str:
     """The text with blanks for comments, so that places stay."""
-    return re.sub(r"//[^\n]*", lambda match: " " * len(match.group()), text)
+    return re.sub(rf"({TEXT})|//[^\n]*", lambda match: match[1] or " " * len(match.group()), text)
+
+
+def without_texts(text: str) -> str:
+    """The same length, with nothing between quotes that could be read as code."""
+    return re.sub(TEXT, lambda match: match.group()[0] + "x" * (len(match.group()) - 2) + match.group()[-1], text)
 
 
 def flat(part: str) -> str:
-    return " ".join(part.split())
+    """On one line; texts stay as they are."""
+    return re.sub(rf"({TEXT})|\s+", lambda match: match[1] or " ", part).strip()
 
 
 def opens_block(text: str, brace: int) -> bool:
@@ -149,16 +158,39 @@ def expression_around(text: str, begin: int, end: int) -> tuple[int, int] | None
     return (first, last) if first <= begin and end <= last else None
 
 
+def enclosing(text: str, begin: int, end: int) -> tuple[int, int] | None:
+    """The brackets, themselves included, in which text[begin:end] stands."""
+    first, depth = begin - 1, 0
+    while first >= 0 and (depth > 0 or text[first] not in "([{"):
+        if text[first] == ";" and depth == 0:
+            return None
+        depth += (text[first] in ")]}") - (text[first] in "([{")
+        first -= 1
+    last, depth = end, 0
+    while last < len(text) and (depth > 0 or text[last] not in ")]}"):
+        depth += (text[last] in "([{") - (text[last] in ")]}")
+        last += 1
+    return (first, last + 1) if first >= 0 and last < len(text) else None
+
+
+WIDER = 2  # as often an expression is taken with the one around it, as where a format has to be a constant
+
+
 def forms(bare: str, begin: int, end: int, fresh: str, number: int) -> Iterator[tuple[int, int, str]]:
     """Ways to have both in the source: from where to where, and what to write there. Lines keep their numbers."""
     found = []
-    if (place := statement_around(bare, begin, end)) is not None:
+    code = without_texts(bare)
+    if (place := statement_around(code, begin, end)) is not None:
         text = chosen_statement(bare, place, bare[place[0]:begin] + fresh + bare[end:place[1]], number)
         if text:
             found.append((place[0], place[1] + (bare[place[1]] == ";"), text))
-    if (place := expression_around(bare, begin, end)) is not None:
-        first, last = place
-        bad, good = flat(bare[first:begin] + fresh + bare[end:last]), flat(bare[first:last])
-        found.append((first, last, f"({acts(number)} ? ({bad}) : ({good}))"))
+    around = (begin, end)
+    for _ in range(1 + WIDER):
+        if (place := expression_around(code, *around)) is not None:
+            first, last = place
+            bad, good = flat(bare[first:begin] + fresh + bare[end:last]), flat(bare[first:last])
+            found.append((first, last, f"({acts(number)} ? ({bad}) : ({good}))"))
+        if (around := enclosing(code, *around)) is None or code[around[0]] != "(" or code[around[1]:].lstrip().startswith("{"):
+            break
     for first, last, text in found:
         yield first, last, text + "\n" * bare.count("\n", first, last)

@@ -2,6 +2,7 @@
 
 import json
 import pathlib
+from collections.abc import Callable
 
 from .draw import Mutant
 from .trial import PROOFS
@@ -10,9 +11,9 @@ REDRAWN = ("no program", "same program", "equivalent")  # the next of the draw t
 
 
 class Results:
-    """`listed`: keys of errors that are the same program in other words."""
+    """`listed`: keys of errors that are the same program in other words; `sources`: what an error's folder of sources looks like, by error."""
 
-    def __init__(self, path: pathlib.Path, order: list[Mutant], count: int, listed: set[str], sources: str, tests: str):
+    def __init__(self, path: pathlib.Path, order: list[Mutant], count: int, listed: set[str], sources: Callable[[Mutant], str], tests: str):
         self.path, self.order, self.count, self.listed = path, order, count, listed
         self.sources, self.tests = sources, tests
         self.known = json.loads(path.read_text()) if path.exists() else {}
@@ -22,12 +23,12 @@ class Results:
         if self.order[number].key in self.listed:
             return {"found by": "equivalent", "test": "", "seconds": 0.0}
         entry = self.known.get(self.order[number].key)
-        if entry is None or entry["sources"] != self.sources or (entry["found by"] == "none" and entry["tests"] != self.tests):
+        if entry is None or entry["sources"] != self.sources(self.order[number]) or (entry["found by"] == "none" and entry["tests"] != self.tests):
             return None
         return entry
 
     def add(self, number: int, kind: str, test: str, seconds: float) -> None:
-        self.known[self.order[number].key] = {"sources": self.sources, "tests": self.tests, "found by": kind, "test": test,
+        self.known[self.order[number].key] = {"sources": self.sources(self.order[number]), "tests": self.tests, "found by": kind, "test": test,
                                               "seconds": round(seconds, 1)}
         aside = self.path.with_suffix(".new")
         aside.write_text(json.dumps(self.known, indent=1))

@@ -84,8 +84,9 @@ class TestFile:
 class Copy:
     """The copy of the sources in home/tree, built in home/tree/build/all, or in build/libraries without the program and its tests."""
 
-    def __init__(self, root: pathlib.Path, home: pathlib.Path, texts: dict[str, str], jobs: int, program: bool = True):
-        self.root, self.home, self.texts, self.jobs, self.program = root, home, texts, jobs, program
+    def __init__(self, root: pathlib.Path, home: pathlib.Path, texts: dict[str, str], jobs: int, program: bool = True, package: bool = False):
+        """`program`: builds it and asks its tests; `package`: its Python package, too, whose tests come by the commands' errors."""
+        self.root, self.home, self.texts, self.jobs, self.program, self.package = root, home, texts, jobs, program, package
         self.tree = home / "tree"
         self.folder = self.tree / "build" / ("all" if program else "libraries")
         self.tests = self.folder / "bin" / "orbearing_tests"
@@ -148,7 +149,8 @@ class Copy:
             self.chooser.write_text(CHOOSER)
         if not (self.folder / "build.ninja").exists():
             code, self.log = run(["cmake", "-S", self.tree, "--preset", "release", "-B", self.folder, "-DORBEARING_BUILD_WIN64=OFF",
-                                  f"-DORBEARING_BUILD_APP={'ON' if self.program else 'OFF'}", "-DORBEARING_BUILD_PYTHON=OFF",
+                                  f"-DORBEARING_BUILD_APP={'ON' if self.program else 'OFF'}",
+                                  f"-DORBEARING_BUILD_PYTHON={'ON' if self.package else 'OFF'}",
                                   "-DORBEARING_WARNINGS_AS_ERRORS=OFF"], 600.0, cwd=self.tree)
             if code != 0:
                 return False
@@ -286,7 +288,7 @@ class Copy:
         entries = json.loads((self.folder / "compile_commands.json").read_text())
         library = file.split("/")[0]
         command = next((shlex.split(entry["command"]) for entry in entries
-                        if f"/orbearing_{library}.dir/" in entry["command"] and "instruction" not in entry["command"]
+                        if re.search(rf"/orbearing_{library}(_case|_core)?\.dir/", entry["command"]) and "instruction" not in entry["command"]
                         and "-mavx" not in entry["command"]), None)
         if command is None:
             return []
@@ -305,7 +307,7 @@ class Copy:
                 skip = True
             elif word not in ("-MD", "-MMD") and not word.endswith("ccache"):
                 kept.append(word)
-        views = [f"-I{self.folder}/view/{one}" for one in ("mechanics", "gearset", "bearing", "coupling")]
+        views = [f"-I{self.folder}/view/{one}" for one in ("mechanics", "gearset", "bearing", "coupling", "app")]
         return [(self.tree / name, [*kept, *views, "-w", "-g0", "-c", str(self.tree / name)]) for name in names]
 
     def compiles(self, mutant: Mutant) -> bool:
