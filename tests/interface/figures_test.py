@@ -236,7 +236,7 @@ def drawing(content):
     for loads, foot, sign in ((d["outer_load_N"], 1.03 * d["outside_mm"] / 2, 1), (d["inner_load_N"], 0.98 * d["inner_raceway_diameter_mm"] / 2, -1)):
         for a, load in zip(angle, loads):
             ends = np.array([foot, foot + sign * 0.26 * d["outside_mm"] / 2 * load / most])
-            bars += [line(*mm(ends * np.sin(a), ends * np.cos(a)))] * (2 if load > 0 else 0)
+            bars += [line(*mm(ends * np.sin(a), ends * np.cos(a))) for _ in range(2 if load > 0 else 0)]  # with a grey edge
     title = f"{number(d['speed_rpm'])} rpm, radial clearance {number(d['clearance_um'])} µm (diametral measure)"
     colours = Expected(x_label="contact load: rollers by the greater of both races, bars by their own (N)")
     return [Expected(*(("circle", "", mm(*circle)) for circle in circles), *bars, title=title, x_label="place y along carrier rotation (mm)",
