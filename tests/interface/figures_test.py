@@ -88,8 +88,9 @@ def unit_of(label):
 class Expected:
     """One pair of axes: what must stand there. Units are those that the labels state, but where others are given."""
 
-    def __init__(self, *series, x=None, y=None, z="", title=None, x_label=None, y_label=None, texts=None, legend=None):
-        self.series, self.units = list(series), (x, y, z)
+    def __init__(self, *series, x=None, y=None, z="", title=None, x_label=None, y_label=None, texts=None, legend=None, x_limits=(), y_limits=()):
+        """Limits are in the axes' units; None for an end that data alone decide."""
+        self.series, self.units, self.x_limits, self.y_limits = list(series), (x, y, z), x_limits, y_limits
         self.title, self.x_label, self.y_label, self.texts, self.legend = title, x_label, y_label, texts, legend
 
 
@@ -132,6 +133,10 @@ def faults(name, panels, expected):
         for what in ("title", "x_label", "y_label", "texts", "legend"):
             if getattr(wanted, what) is not None and getattr(panel, what) != getattr(wanted, what):
                 found.append(f"{where}: {what} {getattr(panel, what)!r} for {getattr(wanted, what)!r}")
+        for what in ("x_limits", "y_limits"):
+            for drawn, end in zip(getattr(panel, what), getattr(wanted, what)):
+                if end is not None and abs(drawn - end) > 1e-6 * max(abs(end), 1e-9):
+                    found.append(f"{where}: {what} {getattr(panel, what)} for {getattr(wanted, what)}")
         for what, names in (("column_names", panel.ticks[0]), ("row_names", panel.ticks[1])):
             if getattr(wanted, what, names) != names:
                 found.append(f"{where}: {what} {names} for {getattr(wanted, what)}")
@@ -169,14 +174,24 @@ def life_lines(content, fine_label="quasi-static, fine grid"):
             rows(published, "speed_rpm", "life_h", f"published: {published['source']}, {number(published['life_h'])} h")]
 
 
-def campbell(gears, **more):
+def near_peak(content):
+    """An eighth of the heights that are in view on both sides, nearly."""
+    peak, fine, published = content["peak"], content["fine"], content["published"][0]
+    points = [(p["input_speed_rpm"], p["life_h"]) for p in content["points"]] + list(zip(fine["speed_rpm"], fine["life_h"]))
+    points += [(peak["speed_rpm"], peak["life_h"]), (peak["refined_speed_rpm"], peak["refined_life_h"]), (published["speed_rpm"], published["life_h"])]
+    seen = [life for speed, life in points if life and 0.7 * peak["refined_speed_rpm"] <= speed <= 1.3 * peak["refined_speed_rpm"]]
+    return min(seen) - 0.12 * (max(seen) - min(seen)), max(seen) + 0.12 * (max(seen) - min(seen))
+
+
+def campbell(gears, ends=None, **more):
     content = gears["campbell"]
     kinds = {"R": "rotational", "T": "translational", "P": "planet"}
     lines = [line(named(content, "speed_rpm"), named(mode, "frequency_Hz"), kinds[mode["name"][0]]) for mode in content["modes"]]
     mesh = np.array(content["mesh_frequency_Hz"])
     lines += [line(named(content, "speed_rpm"), Q(order * mesh, "Hz"), "mesh harmonics" if order == 1 else "") for order in (1, 2, 3, 4)]
     lines.append(rows([m for m in gears["meetings"] if m["excited"]], "speed_rpm", "frequency_Hz", "excited meeting"))
-    return [speed_axes(*lines, y_label="frequency (kHz)", **more)]
+    top = 1.06e-3 * max(max(mode["frequency_Hz"]) for mode in content["modes"])
+    return [speed_axes(*lines, y_label="frequency (kHz)", x_limits=ends or (content["speed_rpm"][0], content["speed_rpm"][-1]), y_limits=(0.0, top), **more)]
 
 
 def changes(entry, reference):
@@ -197,7 +212,8 @@ def ring_of(angle_deg, load, label):
 def polar(entry):
     series = [ring_of(entry["angle_deg"], entry[f"{race}_load_N"], f"{race} race") for race in ("inner", "outer")]
     area = ("area", "", (Q(entry["angle_deg"], "deg"), Q(entry["inner_load_N"], "N")))
-    return [Expected(*series, area, x="rad", y="N", title=f"{number(entry['speed_rpm'])} rpm, load in N", legend=("outer race", "inner race"))]
+    return [Expected(*series, area, x="rad", y="N", y_limits=(0.0, 1.12 * max(*entry["inner_load_N"], *entry["outer_load_N"])),
+                     title=f"{number(entry['speed_rpm'])} rpm, load in N", legend=("outer race", "inner race"))]
 
 
 def dynamic_polars(content, speed):
@@ -209,7 +225,9 @@ def dynamic_polars(content, speed):
     rings += [ring_of(still["angle_deg"], still[f"{race}_load_N"], f"{race}, quasi-static") for race in races if still]
     gaps = [line(Q(place, "deg"), Q(file[f"{race}_load"] - (np.interp(place, still["angle_deg"], still[f"{race}_load_N"], period=360.0) if still else np.nan), "N"))
             for race in races]
-    return [Expected(*rings, x="rad", y="N", title=f"{number(speed)} rpm, load in N"), Expected(*gaps, x="deg", y_label="difference (N)")]
+    most = max(max(file[f"{race}_load"].max(), max(still[f"{race}_load_N"]) if still else 0.0) for race in races)
+    return [Expected(*rings, x="rad", y="N", title=f"{number(speed)} rpm, load in N", y_limits=(0.0, 1.12 * most)),
+            Expected(*gaps, x="deg", y_label="difference (N)", x_limits=(0.0, 360.0))]
 
 
 def of_first_roller(speed):
@@ -238,9 +256,10 @@ def drawing(content):
             ends = np.array([foot, foot + sign * 0.26 * d["outside_mm"] / 2 * load / most])
             bars += [line(*mm(ends * np.sin(a), ends * np.cos(a))) for _ in range(2 if load > 0 else 0)]  # with a grey edge
     title = f"{number(d['speed_rpm'])} rpm, radial clearance {number(d['clearance_um'])} µm (diametral measure)"
-    colours = Expected(x_label="contact load: rollers by the greater of both races, bars by their own (N)")
+    reach = 1.22 * (1.06 + 0.26) * d["outside_mm"] / 2
+    colours = Expected(x_limits=(0.0, most), x_label="contact load: rollers by the greater of both races, bars by their own (N)")
     return [Expected(*(("circle", "", mm(*circle)) for circle in circles), *bars, title=title, x_label="place y along carrier rotation (mm)",
-                     y_label="place x outward from the sun (mm)"), colours]
+                     y_label="place x outward from the sun (mm)", x_limits=(reach, -reach), y_limits=(-reach, reach)), colours]
 
 
 LOSSES = {"rolling": "rolling resistance", "pockets": "cage pockets", "drag": "oil drag", "guidance": "cage guidance", "neighbours": "between rollers",
@@ -254,7 +273,8 @@ def losses(points, shares):
     parts = all_of_them[:-1] / (all_of_them.sum(axis=0) if shares else 1.0)
     unit, below = "1" if shares else "W", np.concatenate([np.zeros((1, len(points))), np.cumsum(parts, axis=0)])
     bands = [("band", label, (speed, Q(low, unit), Q(high, unit))) for label, low, high in zip(LOSSES.values(), below, below[1:])]
-    return [speed_axes(*bands, y_label="share of the loss (%)" if shares else "power lost in one bearing (W)")]
+    ends = min(speed.values), max(speed.values)
+    return [speed_axes(*bands, y_label="share of the loss (%)" if shares else "power lost in one bearing (W)", x_limits=ends, y_limits=(0.0, 100.0 if shares else None))]
 
 
 def effects(content):
@@ -280,7 +300,7 @@ def slips_over_time(speed):
     return [Expected(line(one.time, slip(spins[0], "roller_spin"), "one roller"), line(one.time, slip(spins.mean(axis=0), "roller_spin"), "mean of all"),
                      shade(one.time, one.zone, "load zone of the one"), x="ms", y_label="slip of rollers (%)"),
             Expected(line(one.time, slip(made.variable(speed, "cage_speed"), "cage")), x_label=f"time at {number(speed)} rpm input speed (ms)",
-                     y_label="slip of the cage (%)")]
+                     y_label="slip of the cage (%)", x_limits=(0.0, 1e3 * one.time.values[-1]))]
 
 
 def cage_orbit(content, speed):
@@ -288,8 +308,9 @@ def cage_orbit(content, speed):
     x, y = made.variable(speed, "cage_position")
     m = lambda *values: tuple(Q(np.atleast_1d(value), "m") for value in values)  # noqa: E731
     radius = 1e-3 * (content["drawing"]["guide_land_mm"] - content["drawing"]["cage_outer_mm"]) / 2
+    reach = 1.15e6 * max(radius, np.abs([x, y]).max())
     return [Expected(("circle", "", m(0, 0, radius, 0)), line(*m(0, 0)), line(*m(y, x)), line(*m(y[0], x[0])), line(*m(y.mean(), x.mean())),
-                     title=f"{number(speed)} rpm", x_label="y, along carrier rotation (µm)", y_label="x, outward from the sun (µm)")]
+                     title=f"{number(speed)} rpm", x_label="y, along carrier rotation (µm)", y_label="x, outward from the sun (µm)", x_limits=(reach, -reach), y_limits=(-reach, reach))]
 
 
 def gear_vibration(gears):
@@ -307,7 +328,7 @@ def gear_vibration(gears):
             for some, shown in ((runs, label), (swept, "")):
                 series.append(line(named(some, "speed_rpm"), Q([run["acceleration_m_per_s2"][way][key] for run in some], "m/s²"), shown))
         series += [("place", "", (Q(np.full(2, np.mean([m["speed_rpm"] for m in group])), "rpm"),)) for _, _, group in joined]
-        panels.append(Expected(*series, x="rpm", y_label=f"acceleration {way} (m/s²)"))
+        panels.append(Expected(*series, x="rpm", y_label=f"acceleration {way} (m/s²)", y_limits=(0.0, None)))
     panels[2].x_label = "input speed (rpm)"
     spectrum = gears["spectrum"]
     order, amplitude = np.array(spectrum["order"]), np.array(spectrum["amplitude_N"])
@@ -317,7 +338,8 @@ def gear_vibration(gears):
     shares = [[line(named(runs, "speed_rpm"), Q([run["load_sharing"][key][n] for run in runs], "1"), f"planet {n + 1}") for n in range(3)]
               + [("level", "", (Q(np.ones(2), "1"),))] for key in ("mean", "largest")]
     return {"gear-acceleration": panels,
-            "gear-spectrum": [Expected(*lines, x_label="frequency (kHz)", y_label="amplitude (N)", texts=("1 ×", "2 ×", "3 ×"))],
+            "gear-spectrum": [Expected(*lines, x_label="frequency (kHz)", y_label="amplitude (N)", texts=("1 ×", "2 ×", "3 ×"),
+                                       x_limits=(0.0, None), y_limits=(floor, 8 * amplitude.max()))],
             "gear-sharing": [speed_axes(*series, y_label=label) for series, label in zip(shares, ("mean share (1)", "largest share in time (1)"))]}
 
 
@@ -340,7 +362,8 @@ def gear_shapes(gears):
             angle, spoke = np.arctan2(place[1], place[0]) + times * turn / radius, np.array([0.93 if radius == ring else 0.0, 1.0]) * radius
             series.append(line(centre[0] + spoke * np.cos(angle), centre[1] + spoke * np.sin(angle)))
         twice = ", pair" if mode["multiplicity"] == 2 else ""
-        panels.append(Expected(*series, title=f"{mode['name']}: {mode['kind']}{twice}\n{number(mode['frequency_Hz'])} Hz"))
+        reach = 1.12 * ring + 0.16 * distance
+        panels.append(Expected(*series, x_limits=(-reach, reach), y_limits=(-reach, reach), title=f"{mode['name']}: {mode['kind']}{twice}\n{number(mode['frequency_Hz'])} Hz"))
     return {"gear-modes": panels}
 
 
@@ -364,6 +387,7 @@ def gear_teeth(gears):
     angle, along = np.radians(pair["working_pressure_angle_deg"]), np.array([-2 * reach, 2 * reach])
     series += [line(Q(along * np.cos(angle), "mm"), Q(along * np.sin(angle), "mm")), line(Q([pair["contact_x_mm"]], "mm"), Q([pair["contact_y_mm"]], "mm"))]
     return {"gear-teeth-1": [Expected(*series, title=f"{pair['mesh']}, working pressure angle {number(pair['working_pressure_angle_deg'], 4)}°",
+                                      x_limits=(-1.25 * reach, 1.25 * reach), y_limits=(-reach, reach),
                                       x_label="across the line of centres (mm)", y_label="from the pitch point (mm)", texts=("sun", "planet"))]}
 
 
@@ -406,15 +430,17 @@ def moving(content):
     meeting_lines = [("place", "", (Q(np.full(2, m["speed_rpm"]), "rpm"),)) for m in gears["meetings"] if m["excited"] and 0.7 * peak < m["speed_rpm"] < 1.3 * peak]
     found = {
         "life-range": [speed_axes(*life_lines(content), ("place", "point without a life", (named(bare, "input_speed_rpm"),)), y_label=LIFE)],
-        "life-peak": [speed_axes(*life_lines(content), *meeting_lines, y_label=LIFE, title="near the peak, linear scale", texts=(" 2 × T1", " 1 × P1"))],
-        "life-campbell": campbell(gears), "gear-campbell": campbell(gears),
+        "life-peak": [speed_axes(*life_lines(content), *meeting_lines, y_label=LIFE, title="near the peak, linear scale", texts=(" 2 × T1", " 1 × P1"),
+                                 x_limits=(0.7 * peak, 1.3 * peak), y_limits=near_peak(content))],
+        "life-campbell": campbell(gears, (1000, 12000)), "gear-campbell": campbell(gears),
         "planet-load": [speed_axes(*(rows(content["fine"], "speed_rpm", key, label) for key, label in parts),
                                    *(rows(points, "input_speed_rpm", key) for key, _ in parts), y_label="load on one bearing (N)")],
         **{f"polar-{n}": polar(entry) for n, entry in enumerate(content["polar"], 1)},
         "drawing": drawing(content),
         "ablation-inertia": ablations([effects_of[0], *inertial]),
         "ablation-clearance": ablations([effects_of[0], *(e for e in effects_of[1:] if e not in inertial)]),
-        "roller-loads": [speed_axes(*(rows(points, "input_speed_rpm", key, label) for key, label in loads), y_label="contact load of one roller (N)")],
+        "roller-loads": [speed_axes(*(rows(points, "input_speed_rpm", key, label) for key, label in loads), y_label="contact load of one roller (N)",
+                                    y_limits=(0.0, None))],
         "slip": [Expected(rows(points, "input_speed_rpm", "roller_slip"), x="rpm", y_label="slip of the rollers (%)"),
                  speed_axes(rows(points, "input_speed_rpm", "cage_slip"), y_label="slip of the cage (%)")],
         "power-loss-watts": losses(points, False), "power-loss-shares": losses(points, True),
@@ -424,17 +450,18 @@ def moving(content):
         **branches(content), **gear_vibration(gears), **gear_shapes(gears), **gear_teeth(gears), **mesh_stiffness(gears)}
     one = of_first_roller(peak)
     inner, outer = (one.of(f"roller_{race}_load", "N") for race in ("inner", "outer"))
+    most, last = max(inner.values.max(), outer.values.max()), 1e3 * one.time.values[-1]
     found["roller-history"] = [
         Expected(line(one.time, outer, "outer race"), line(one.time, inner, "inner race"), shade(one.time, one.zone, "load zone"), x="ms",
-                 y_label="contact load (N)"),
-        Expected(line(one.time, outer), line(one.time, inner), shade(one.time, one.zone, "load zone"), y_label="enlarged (N)",
+                 y_label="contact load (N)", x_limits=(0.0, last), y_limits=(0.0, 1.06 * most)),
+        Expected(line(one.time, outer), line(one.time, inner), shade(one.time, one.zone, "load zone"), y_label="enlarged (N)", y_limits=(-0.0018 * most, 0.06 * most),
                  x_label=f"time at {number(peak)} rpm input speed (ms)")]
     found["roller-history-round"] = [Expected(line(one.angle, outer, "outer race"), line(one.angle, inner, "inner race"), x="rad", y="N",
                                               title=f"{number(peak)} rpm, load in N")]
     films, slides = ([line(one.angle, one.of(f"roller_{race}_{what}", unit), f"{race} race") for race in ("outer", "inner")]
                      for what, unit in (("film", "m"), ("sliding", "m/s")))
     found["roller-orbit"] = [Expected(*slides, shade(one.angle, one.zone, "load zone"), x="°", y_label="sliding speed (m/s)"),
-                             Expected(*films, shade(one.angle, one.zone, "load zone"), x="°", y_label="least film (µm)",
+                             Expected(*films, shade(one.angle, one.zone, "load zone"), x="°", y_label="least film (µm)", x_limits=(0.0, 360.0), y_limits=(0.0, None),
                                       x_label=f"place of the roller, at {number(peak)} rpm input speed")]
     return found
 
@@ -443,7 +470,7 @@ def coupled(content):
     """Besides those of a sweep in motion."""
     one, points = content["coupled"]["one_way"], content["points"]
     found = {"two-way": [speed_axes(rows(one, "speed_rpm", "life_h", "one way"), rows(points, "input_speed_rpm", "life_h", "two ways (co-simulated)"), y_label=LIFE)],
-             "interface-energy": [speed_axes(rows(points, "input_speed_rpm", "interface_energy_residual"), y_label="energy residual / energy passed (%)")]}
+             "interface-energy": [speed_axes(rows(points, "input_speed_rpm", "interface_energy_residual"), y_label="energy residual / energy passed (%)", y_limits=(0.0, None))]}
     by_scheme = [(name, [r for r in content["coupled"]["convergence"]["rows"] if r["scheme"] == name]) for name in ("degree 0", "degree 1")]
     for slug, key, label in (("force", "force_error", "error of the force / force"), ("energy", "energy_residual", "energy residual / energy passed")):
         found[f"convergence-{slug}"] = [Expected(*(line([r["window_us"] for r in group], named(group, key), name) for name, group in by_scheme),
@@ -500,7 +527,8 @@ def crown(content):
              *(point(p["drop_um"], p["life_share"], "missed by one tolerance" if n == 0 else "") for n, p in enumerate(advice["missed"])),
              point(advice["by_laminae"]["drop_um"], advice["by_laminae"]["life_share"], "by laminae")]
     band = ("shade", f"at least {number(100 * advice['life_kept_in_band'])} % is left", (Q([advice["least_drop_um"], advice["most_drop_um"]], "µm"),))
-    found = {"crown-drop": [Expected(rows(advice["curve"], "drop_um", "life_share"), *marks, band, x_label=DROP, y_label="life left (% of the longest)", y="%")]}
+    found = {"crown-drop": [Expected(rows(advice["curve"], "drop_um", "life_share"), *marks, band, x_label=DROP, y_label="life left (% of the longest)", y="%",
+                                      x_limits=(0.0, max(p["drop_um"] for p in advice["curve"])), y_limits=(0.0, 105.0))]}
 
     by = figures["map"]
     drop, tilt, life = np.array(by["drop_um"]), np.array(by["tilt_mrad"]), np.array(by["life_h"])
@@ -540,11 +568,13 @@ def crown(content):
                                      x_label="mm" if factor != 1 else None))
     found["crown-outlines"] = outlines
     for slug, those, heading in (("chief", chief, "compared in this study"), ("kinds", figures["profiles"][3:], "every kind at the recommended drop")):
-        found[f"crown-{slug}"] = [Expected(*(line(named(p, "x_mm"), named(p, "drop_um"), p["profile"]) for p in those), texts=(heading,),
+        deep = max(max(p["drop_um"][3:-3]) for p in those)  # logarithms end far below
+        found[f"crown-{slug}"] = [Expected(*(line(named(p, "x_mm"), named(p, "drop_um"), p["profile"]) for p in those), texts=(heading,), y_limits=(1.15 * deep, -0.03 * deep),
                                            x_label="place along the roller (mm)", y_label="drop of one roller (µm)")]
+    top = 1.08 * max(c["peak_pressure_MPa"] for c in figures["pressure"])
     found["roller-pressure"] = [Expected(*(line(named(c, "x_mm"), named(c, "pressure_MPa"), c["profile"]) for c in figures["pressure"] if c["tilt_mrad"] == tilt),
                                          y="MPa", x_label="place along the roller (mm)", y_label="pressure at mid-width (MPa)" if tilt == 0 else "",
-                                         title=f"tilt {tilt:g} mrad") for tilt in (0.0, 0.5)]
+                                         y_limits=(0.0, top), title=f"tilt {tilt:g} mrad") for tilt in (0.0, 0.5)]
     found["crown-zone"] = [Expected(("map", "", (Q([p["angle_deg"] for p in z["places"]], "deg"), named(z, "x_mm"),
                                                  Q(np.array([p["pressure_MPa"] for p in z["places"]]).T, "MPa"))), x="degree", y="mm", z="MPa",
                                     title=f"{z['profile']}, tilt {z['tilt_mrad']:g} mrad", x_label="place around the pin (degree)" if n > 1 else "",
@@ -562,17 +592,18 @@ def scratch(content, values):
     x_label = "order of the shaft" if orders else "frequency (Hz)"
     along, key, per = (values["order"], "order", study["shaft_Hz"]) if orders else (values["frequency"], "frequency_Hz", 1.0)
 
-    def lines(name, peaks, highest):
+    def lines(name, peaks, highest, lowest=None):
         kept = (along > 0) & (along <= highest / per)
         unit = "order" if orders else "Hz"
         marked = [p for p in study[peaks[orders]] if p[key] <= highest / per]
         return [Expected(line(Q(along[kept], unit), Q(values[name][kept], "m/s²")), *(line(Q([p[key]], unit), Q([p["amplitude"]], "m/s²")) for p in marked),
-                         x="order" if orders else None, x_label=x_label, y_label="amplitude (m/s²)", texts=tuple(p["is"] for p in marked))]
+                         x="order" if orders else None, x_label=x_label, y_label="amplitude (m/s²)", texts=tuple(p["is"] for p in marked),
+                         y_limits=(lowest * values[name][kept].max(), 3 * values[name][kept].max()) if lowest else ())]
 
     return {"defect-vibration": [Expected(line(time, Q(values["acceleration"][0][brief], "m/s²"), "along the load"),
                                           line(time, over_time("envelope", "m/s²"), "envelope in the band"), x_label="time (ms)", y_label="acceleration (m/s²)")],
             "defect-envelope": lines("envelope_spectrum", ("envelope_peaks", "orders"), 8 * study["inner_pass_Hz"]),
-            "defect-spectrum": lines("acceleration_spectrum", ("spectrum_peaks", "spectrum_orders"), 2 * study["natural_frequency_Hz"]),
+            "defect-spectrum": lines("acceleration_spectrum", ("spectrum_peaks", "spectrum_orders"), 2 * study["natural_frequency_Hz"], 1e-5),
             "defect-ball-deflection": [Expected(line(time, Q(np.maximum(values["ball_deflection"][brief], 0.0), "m")), x_label="time (ms)",
                                                 y_label="deflection of both contacts (µm)")],
             "defect-ball-load": [Expected(line(time, over_time("ball_load", "N")), x_label="time (ms)", y_label="contact load (N)")]}
@@ -695,6 +726,15 @@ class Figures(unittest.TestCase):
         with style.context():
             block = roller_pressure.map_block([contact])
         self.check({picture.name: picture.panels for picture in block.pictures}, {"pressure-map": expected})
+
+    def test_the_height_of_a_picture_of_pressures_without_peaks(self):
+        """The line contact's pressure has room above; without it, and without means of peaks, the greatest pressure stands in the picture."""
+        curve = {"profile": "arc", "tilt_mrad": 0.0, "x_mm": [0.0, 1.0], "pressure_MPa": [100.0, 900.0]}
+        for hertz, top in ((None, 1.08 * 900.0), (700.0, 1.6 * 700.0)):
+            with style.context():
+                panel = roller_pressure.block([curve], hertz).pictures[0].panels[0]
+            self.assertAlmostEqual(panel.y_limits[1], top)
+            self.assertEqual([one.columns[0][0] for one in panel.series if one.kind == "level"], [hertz] if hertz else [])
 
     def test_of_an_uncertain_life(self):
         from orbearing.uncertainties.figures import figures

@@ -330,6 +330,55 @@ class BelowFigures(unittest.TestCase):
         self.check(tables_of(content, values=values), balls(content))
 
 
+@unittest.mock.patch("matplotlib.figure.Figure.savefig", without_svg)
+class Captions(unittest.TestCase):
+    """Numbers in the sentences below the figures."""
+
+    def captions(self, content, values=None):
+        with unittest.mock.patch("orbearing.point_file.read_only_point", lambda folder: PointFile(values or {})):
+            return {block.slug: block.caption for block in report.blocks_of(Report(content, None))}
+
+    def test_of_a_sweep_in_motion(self):
+        content = made.moving()
+        found = self.captions(content)
+        fine, spectrum_of = content["fine"], content["gears"]["spectrum"]
+        least = int(np.argmin(fine["planet_load_N"]))
+        self.assertIn(f": here {number(fine['planet_load_N'][least], 4)} N at {number(fine['speed_rpm'][least], 4)} rpm.", found["planet-load"])
+        self.assertEqual("Life peaks at a lower speed, 6,500 rpm" in found["planet-load"], fine["speed_rpm"][least] > 6500)
+        self.assertIn(f"{sum(p['life_h'] is None for p in content['points'])} point(s) gave no life", found["life"])
+        self.assertIn("quasi-static at 6,000 rpm", found["drawing"])
+        self.assertIn("The clearance is zero", found["drawing"])
+        content["drawing"]["clearance_um"] = 12.5
+        self.assertIn("The clearance of 12.5 µm", self.captions(content)["drawing"])
+        self.assertIn(f"at 4,000 rpm, the middle speed of the sweep; its mean is {number(spectrum_of['mean_N'], 4)} N", found["gear-spectrum"])
+        self.assertIn("orders of the mesh frequency, 1,240 Hz", found["gear-spectrum"])
+
+    def test_of_gears_and_bearings_that_act_on_each_other(self):
+        content = made.coupled()
+        one = content["coupled"]["one_way"]
+        known = dict(zip(one["speed_rpm"], one["life_h"]))
+        changes = {p["input_speed_rpm"]: p["life_h"] / known[p["input_speed_rpm"]] - 1 for p in content["points"] if p["life_h"] and p["input_speed_rpm"] in known}
+        speed = max(changes, key=lambda key: abs(changes[key]))
+        found = self.captions(content)
+        self.assertIn(f"at {number(speed)} rpm: {number(100 * abs(changes[speed]), 3)} % {'longer' if changes[speed] > 0 else 'shorter'} than one way. "
+                      "Points of this sweep: degree 1.", found["two-way"])
+        self.assertIn("during 0.4 ms", found["scheme-convergence"])
+        self.assertIn("Orders found: degree 0 0.97.", found["scheme-convergence"])
+        self.assertIn("from windows of 12 µs (degree 0) up", found["scheme-convergence"])
+
+    def test_of_a_load_spectrum(self):
+        content = made.spectrum()
+        bins = content["spectrum"]["bins"][:4]
+        worst = max(range(4), key=lambda i: bins[i]["damage_share"])
+        self.assertIn(f"One bearing lives 23,456 h under the spectrum, all together 3,456 h; bin {worst + 1} of those that turn takes "
+                      f"{number(100 * bins[worst]['share'], 3)} % of the time and {number(100 * bins[worst]['damage_share'], 3)} % of the life.",
+                      self.captions(content)["load-spectrum"])
+
+    def test_of_single_bearings(self):
+        content, values = made.scratch()
+        self.assertIn("between 900 and 1,300 Hz", self.captions(content, values)["defect-envelope"])
+
+
 class OfPages(unittest.TestCase):
     """Tables and sentences beside the figures."""
 

@@ -201,6 +201,19 @@ class ChaosExpansions(unittest.TestCase):
                 np.testing.assert_allclose(found.indices.first, first, atol=2e-3)
                 np.testing.assert_allclose(found.indices.total, total, atol=2e-3)
 
+    def test_error_at_results_left_out_is_that_of_leaving_each_out(self):
+        """Issue 44, item 16: by the hat matrix as by a fit of all others, for each number of terms."""
+        generator = np.random.default_rng(3)
+        terms = np.column_stack([np.ones(12), generator.normal(size=(12, 3))])
+        results = terms @ [2.0, 1.0, 0.3, 0.0] + 0.2 * generator.normal(size=12)
+        errors = []
+        for size in (1, 2, 3, 4):
+            left = [results[j] - terms[j, :size] @ np.linalg.lstsq(np.delete(terms[:, :size], j, 0), np.delete(results, j), rcond=None)[0] for j in range(12)]
+            errors.append(sum(e * e for e in left) / 12 / results.var())
+        count, error = chaos._best_size(terms, results)
+        self.assertEqual(count, int(np.argmin(errors)) + 1)
+        self.assertAlmostEqual(error, min(errors), delta=1e-9)
+
     def test_foretells_nothing_of_noise(self):
         inputs = UncertainInputs([POWER, MASS])
         standard, marginals = inputs.standard(design.points("sobol", 500, 2, 1))

@@ -13,7 +13,7 @@ import unittest
 from dataclasses import replace
 
 from orbearing import validation
-from orbearing.validation.guide import from_memory, guide, percent
+from orbearing.validation.guide import calibration_text, counts_table, from_memory, guide, misses, percent, rows_table, statistics_table
 from orbearing.validation.record import write_record
 from program import CASES, run
 
@@ -87,6 +87,50 @@ class Page(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             page = validation.write_guide([ROW, replace(ROW, published=3.0)], folder)
             self.assertTrue((page.parent / "slip.png").stat().st_size > 5000)
+
+
+class Tables(unittest.TestCase):
+    """Issue 44, item 16: each column of the guide's tables holds what its head says."""
+
+    ROWS = [replace(ROW, meaning="load", published=2.0, ours=2.2, tolerance=0.0525, scatter=0.031, band=band(1.9, 2.1, 2.3, 2.45), why="thermal", reading="a=1"),
+            replace(ROW, case="d", source="[B]", kind="program", published=4.0, ours=3.9, scatter=None, verdict="reproduced")]
+
+    def lines(self, text):
+        """Cells by their head, of each line."""
+        heads, _, *rows = ([cell.strip() for cell in line.strip("|").split(" | ")] for line in text.splitlines())
+        return [dict(zip(heads, row)) for row in rows]
+
+    def test_rows(self):
+        first, second = self.lines(rows_table(self.ROWS))
+        self.assertEqual(first, {"source": "[A2000], Table 1", "meaning": "load", "kind": "measurement", "published": "2", "ours": "2.2", "deviation": "+10.00 %",
+                                 "tolerance": "5.25 %", "scatter": "3.1 %", "ours, 90 %": "1.9 to 2.45", "verdict": "missed", "case and settings": "c: a=1"})
+        self.assertEqual([second[head] for head in ("kind", "published", "ours", "deviation", "scatter", "ours, 90 %", "case and settings")],
+                         ["program", "4", "3.9", "-2.50 %", "", "", "d"])
+
+    def test_statistics(self):
+        found = {row["kind"]: row for row in self.lines(statistics_table({"slip": [self.ROWS[0], replace(self.ROWS[0], published=2.0, ours=2.4, source="[C]"), self.ROWS[1]]}))}
+        ratios = [math.log(1.1), math.log(1.2)]
+        deviation = abs(ratios[1] - ratios[0]) / math.sqrt(2.0)
+        self.assertEqual(found["measurement"], {"quantity": "slip", "kind": "measurement", "values": "2", "sources": "2", "scatter of the measurement": percent(0.031),
+                                                "bias": percent(sum(ratios) / 2, True), "standard deviation": percent(deviation),
+                                                "left to the model": percent(math.sqrt(deviation**2 - 0.031**2)), "missed": "2"})
+        self.assertEqual((found["program"]["bias"], found["program"]["missed"]), ("-2.5 %", "0"))
+
+    def test_counts(self):
+        found = {row["kind of evidence"]: row for row in self.lines(counts_table([*self.ROWS, replace(ROW, kind="closed-form", verdict="trend")]))}
+        self.assertEqual(found["measurement"], {"kind of evidence": "measurement", "values": "1", "sources": "1", "reproduced": "0", "trend": "0", "missed": "1",
+                                                "input missing": "0", "counts": "yes"})
+        self.assertEqual((found["closed-form"]["trend"], found["closed-form"]["counts"], found["all that count"]["values"]), ("1", "no", "2"))
+
+    def test_misses(self):
+        self.assertEqual(self.lines(misses(self.ROWS)), [{"case": "c", "source": "[A2000], Table 1", "what": "load", "kind": "measurement", "published": "2",
+                                                          "ours": "2.2", "deviation": "+10.0 %", "reason": "thermal"}])
+
+    def test_calibration(self):
+        """Published 2.0 lies below the middle 50 % of ours, 2.1, widened 2.2 - sqrt(0.1^2 + (0.67449 x 0.031 x 2.2)^2) = 2.09, and within 90 %, 1.9."""
+        self.assertEqual(self.lines(calibration_text(self.ROWS))[0], {
+            "source": "[A2000]", "measurements with stated input uncertainty": "1", "within our 50 %": "0 (0 %)", "within our 90 %": "1 (100 %)",
+            "50 %, with the measurement's scatter": "0 (0 %)", "90 %, with the measurement's scatter": "1 (100 %)"})
 
 
 class Verdicts(unittest.TestCase):
