@@ -8,7 +8,7 @@
 #include "app/study/fidelity.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/study/rated_oil.hpp"
-#include "bearing/life/life_modification.hpp"
+#include "bearing/life/rating_lives.hpp"
 #include "coupling/study/one_way.hpp"
 
 namespace orbearing::app {
@@ -64,6 +64,22 @@ std::vector<std::string> lamina_warnings(const ResolvedCase& resolved) {
   return warnings;
 }
 
+// Where lives go by ISO/TS 16281, whose stress riser depends on the number of laminae.
+std::vector<std::string> rated_lamina_warnings(const ResolvedCase& resolved) {
+  constexpr int least = bearing::rating::kLeastRatedLaminae;
+  std::vector<std::string> warnings;
+  if (resolved.choice("life.method") != "iso-16281") return warnings;
+  const auto look = [&](const std::string& prefix) {
+    const std::string path = prefix + "bearing.laminae";
+    if (resolved.has(path) && resolved.integer(path) > 0 && resolved.integer(path) < least)
+      warnings.push_back(fmt::format("{}: {} laminae; ISO/TS 16281 requires at least {} for L10rh and L10mrh",
+                                     path, resolved.integer(path), least));
+  };
+  look("");
+  for (const std::string& set : resolved.shape().sets) look(set_prefix(set));
+  return warnings;
+}
+
 }  // namespace
 
 std::vector<std::string> sweep_warnings(const ResolvedCase& resolved, const SweepOutcome& outcome,
@@ -80,6 +96,7 @@ std::vector<std::string> sweep_warnings(const ResolvedCase& resolved, const Swee
   if (in_time(fidelity_of(outcome.header.fidelity))) add(planar_warnings(resolved));
   add(clearance_warnings(resolved));
   add(lamina_warnings(resolved));
+  add(rated_lamina_warnings(resolved));
   add(oil_warnings(resolved));
   const auto column = [&](const ResultRow& row, const char* name) {
     return value_of(outcome.head, row, name);

@@ -31,7 +31,7 @@ def parser() -> argparse.ArgumentParser:
                       help="independent points, a Latin hypercube, or Sobol's sequence shifted at random; default: %(default)s")
     made.add_argument("--seed", type=int, default=Settings.seed, help="of all designs; default: %(default)s")
     made.add_argument("--speeds", metavar="LIST", help="input speeds with their unit, comma between them, e.g. \"3000 rpm, 6000 rpm\"; default: those that the case sweeps")
-    made.add_argument("--life", metavar="COLUMN", help="which life of the sweep's table; default: L10mh where the case rates its oil, else life_h")
+    made.add_argument("--life", metavar="COLUMN", help="which life of the sweep's table; default: L10mrh where the case rates its oil, else life_h")
     made.add_argument("--motion", type=int, default=0, metavar="N", help="samples at percentiles of the life that are computed in motion too")
     made.add_argument("--jobs", type=int, default=0, help="threads; default: one for each core")
     made.add_argument("--set", metavar="PATH=VALUE", dest="settings", action="append", default=[], help="replace one independent value; repeatable")

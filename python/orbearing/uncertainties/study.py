@@ -20,6 +20,7 @@ REST = "quasi-static"
 MOTION = "dynamic"
 # Each design has a seed of its own, so that none is a part of another.
 OF_POINT, OF_CURVES, OF_INDICES, OF_INTERVALS = range(4)
+_MODIFIED = ("L10mh", "L10mrh")  # lives that hold the reliability of the case
 
 
 class Study:
@@ -60,16 +61,16 @@ class Study:
     def _life_column(self) -> tuple[str, float]:
         """The life that is studied and the share of bearings that reach it."""
         columns, status = self._evaluate((*self.inputs.paths, SPEED), self._rows(self.inputs.nominal[None], self.speed_rpm), REST)
-        known = [name for name, values in columns.items() if name.endswith(("life_h", "L10mh")) and np.isfinite(values[0])]
+        known = [name for name, values in columns.items() if name.endswith(("life_h", "L10h", "L10rh", *_MODIFIED)) and np.isfinite(values[0])]
         if not known:
             raise CaseError(f"{self.case['name']}: the case itself has no life at its operating point ({status[0]}); required: a case "
                            "that can be computed")
-        rated = [name for name in known if name == "L10mh"]
+        rated = [name for name in known if name == "L10mrh"]
         wanted = self.settings.life or (rated or known)[0]
         if wanted not in known:
             raise CaseError(f"life: {wanted!r} found; one of {', '.join(known)} is required")
         stated = self._number("life.reliability")
-        return wanted, stated if stated is not None and wanted.endswith("L10mh") else scatter.L10_RELIABILITY
+        return wanted, stated if stated is not None and wanted.endswith(_MODIFIED) else scatter.L10_RELIABILITY
 
     def _number(self, path: str) -> float | None:
         return next((one["value"] for one in self.case["inputs"] if one["path"] == path), None)
