@@ -148,11 +148,12 @@ TEST(RatedOil, MotionIsRatedByTheSameLaw) {
 }
 
 TEST(RatedOil, OfSeveralSetsAllCountTogether) {
-  const ResolvedCase in = read_point(ORBEARING_SOURCE_DIR "/cases/coupling_set_150kW/case.yaml",
+  const ResolvedCase in = read_point(ORBEARING_SOURCE_DIR "/cases/three_sets_150kW/case.yaml",
                                      {kGrade, kWarm, "life.cleanliness=high"});
   const auto sets = bearing_sets(in);
   const study::PointResult all = study::evaluate(sets, study::Fidelity::quasi_static);
   ASSERT_EQ(all.sets.size(), sets.size());
+  ASSERT_GT(sets.size(), 1u);
   for (const auto life : bearing::rating::kRatedHours) {
     double damage = 0.0;
     for (std::size_t i = 0; i < sets.size(); ++i) {
