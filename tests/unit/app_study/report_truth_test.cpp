@@ -56,8 +56,10 @@ TEST(PublishedComparison, NamesChangedInputs) {
 TEST(PublishedComparison, OfAChangedCaseNothingIsCompared) {
   const PublishedComparison same = published_comparison(reducer({"sweep={input.speed: [3000 rpm, 9000 rpm]}"}));
   EXPECT_FALSE(same.table.rows.empty());
-  for (const ValidationRow& row : same.table.rows)  // on the published grid of speeds, whatever was swept
-    if (row.published.quantity == "peak_speed_rpm") EXPECT_DOUBLE_EQ(row.ours.value(), 6000.0);
+  for (const ValidationRow& row : same.table.rows) {  // on the published grid of speeds, whatever was swept
+    if (row.published.quantity != "peak_speed_rpm") continue;
+    EXPECT_DOUBLE_EQ(row.ours.value(), 6000.0);
+  }
   const PublishedComparison other = published_comparison(reducer({"input.power=75 kW"}));
   EXPECT_THAT(other.table.rows, IsEmpty());
   EXPECT_EQ(other.changed.size(), 1U);
