@@ -17,6 +17,7 @@
 #include "app/errors.hpp"
 #include "app/results/json_number.hpp"
 #include "app/study/defect_output.hpp"
+#include "app/study/defect_study.hpp"
 #include "app/study/planetary_case.hpp"
 #include "coupling/study/planet_scratch.hpp"
 
@@ -188,6 +189,7 @@ std::vector<signals::ExpectedLine> planet_lines(const std::vector<Scratched>& sc
 }
 
 PlanetDefectStudy planet_defect_study(const ResolvedCase& in, const std::function<void(double)>& progress) {
+  require_wide_scratch(in);
   const study::PlanetaryDrivetrain drivetrain = drivetrain_of(in);
   const study::PlanetSampling sampling = from_case<study::PlanetSampling>(in);
   const std::vector<system::ScratchedPlanet> scratched = scratched_planets_of(in);

@@ -105,7 +105,7 @@ class FmuCommand(unittest.TestCase):
         result = subprocess.run(["bash", "-c", 'ulimit -f 100; exec "$@"', "fmu", *command], capture_output=True, text=True,
                                 timeout=SECONDS, check=False)
         self.assertEqual(result.returncode, 1, result.stderr)
-        self.assertIn("make room", result.stderr)
+        self.assertIn("raise the limit of the size of files (ulimit -f)", result.stderr)
         self.assertNotIn("--resume", result.stderr)
         self.assertEqual(list((self.folder / "new").iterdir()), [])
 

@@ -392,18 +392,35 @@ class OfPages(unittest.TestCase):
 
     def test_summary_of_a_sweep(self):
         content = made.moving()
+        life = content["points"][5]["life_h"]
+        content["published"][0] |= {"ours_h": life, "ours_by": "point of the sweep"}
         found = dict(summary.summary_table(Report(content)).rows)
         self.assertEqual(found["Points of the sweep"], "14, of which 1 without a life; 2 of them added around the peak")
         self.assertEqual(found["Peak of the grid"], f"6,000 rpm, {number(content['peak']['life_h'])} h")
         self.assertEqual(found["Peak of all points"], "6,500 rpm, 61,234 h")
-        life = content["points"][5]["life_h"]
-        self.assertEqual(found["Published, [Gai2025]"], f"6,000 rpm, 43,869 h; ours there {number(life)} h, {percent_change(life, 43869)}")
+        self.assertEqual(found["Published, [Gai2025]"],
+                         f"6,000 rpm, 43,869 h; ours there {number(life)} h, {percent_change(life, 43869)} (point of the sweep)")
         fine = content["fine"]
         least = int(np.argmin(fine["planet_load_N"]))
         self.assertEqual(found["Least planet load"], f"{number(fine['planet_load_N'][least], 4)} N at {number(fine['speed_rpm'][least], 4)} rpm (one bearing, quasi-static)")
         self.assertIn("at 6,500 rpm input speed: 61,234 hours", summary.headline(Report(content)))
-        between = summary.life_at(Report(content), 1500.0)
-        self.assertAlmostEqual(between, float(np.sqrt(content["points"][0]["life_h"] * content["points"][1]["life_h"])), delta=1e-6 * between)
+
+    def test_summary_of_what_is_missing_or_changed(self):
+        """Issue 52, items 1 and 4: nothing is interpolated, a part is told as one, a changed case is not compared."""
+        content = made.moving()
+        content["published"][0]["speed_rpm"] = 1500.0
+        found = dict(summary.summary_table(Report(content)).rows)
+        self.assertEqual(found["Published, [Gai2025]"], "1,500 rpm, 43,869 h; ours there is not computed: the sweep has no point at that speed")
+        self.assertNotIn("Missing", found)
+        content["missing"] = {"of": 20, "found": 14, "shard": "1/2", "points": ["input.speed = 1 rpm"], "peak_unfinished": False, "text": "six are missing"}
+        self.assertEqual(dict(summary.summary_table(Report(content)).rows)["Missing"], "Six are missing")
+        self.assertIn("Incomplete sweep, 14 of 20 points, shard 1/2: the longest life of these points is 61,234 hours", summary.headline(Report(content)))
+        content["missing"] |= {"points": [], "peak_unfinished": True}
+        self.assertIn("Peak not yet refined: the longest life of the points so far is 61,234 hours", summary.headline(Report(content)))
+        content |= {"missing": None, "published": [], "changed_inputs": ["input.power: 75 kW (published: 150 kW)"]}
+        found = dict(summary.summary_table(Report(content)).rows)
+        self.assertIn("input.power: 75 kW (published: 150 kW)", found["Published numbers"])
+        self.assertIn("<li>input.power: 75 kW (published: 150 kW)</li>", page._validation(Report(content)))
 
     def test_assumptions_validation_and_what_assumptions_are_worth(self):
         content = fixture.make_report()
