@@ -47,6 +47,7 @@ bearing::equilibrium::RowMotion row_motion_of(const ResolvedCase& in) {
 
 bearing::rating::StatedRatings stated_ratings_of(const ResolvedCase& in) {
   bearing::rating::StatedRatings ratings{.dynamic_capacity = stated(in, "bearing.dynamic_capacity"),
+                                         .static_capacity = stated(in, "bearing.static_capacity"),
                                          .fatigue_load_limit = stated(in, "bearing.fatigue_load_limit")};
   if (in.has("life.reduction_factor")) ratings.reduction_factor = in.number("life.reduction_factor");
   return ratings;

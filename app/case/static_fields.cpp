@@ -4,6 +4,7 @@
 #include "app/case/field_table.hpp"
 #include "bearing/equilibrium/moving_balls.hpp"
 #include "bearing/equilibrium/ring_balance.hpp"
+#include "bearing/life/rating_lives.hpp"
 #include "bearing/motion/balls/parameters.hpp"
 #include "bearing/parameters.hpp"
 #include "coupling/system/heated_balls.hpp"
@@ -31,6 +32,23 @@ const Use& by_rated_life() {
 
 const Use& by_any_load() {
   static const Use use(use::static_load | use::ball_run, use::stiffness);
+  return use;
+}
+
+constexpr unsigned rated_runs = use::lives & ~unsigned{use::crown};
+
+const Use& by_lives_of_planets() {
+  static const Use use(rated_runs, use::of_a_drivetrain & ~use::lives);
+  return use;
+}
+
+// Felt by the fatigue load limit alone, which a crown shows in lives with an oil.
+const Use& by_fatigue_limit() {
+  static const Use use =
+      Use(use::static_load | rated_runs, use::stiffness | (use::of_a_drivetrain & ~rated_runs))
+          .felt_too(use::crown,
+                    where_given({"lubricant.grade", "life.cleanliness", "life.contamination_factor",
+                                 "life.viscosity_ratio", "lubricant.kinematic_viscosity"}));
   return use;
 }
 
@@ -106,12 +124,18 @@ void add_operation(std::vector<Field>& fields) {
 
 void add_capacities(std::vector<Field>& fields) {
   constexpr Range above_zero{.least = 0.0, .most = 1e9, .least_allowed = false};
-  fields.push_back(optional_quantity(dimension::force, "bearing.dynamic_capacity",
-                                     "basic dynamic load rating C; without it that of ISO 281",
-                                     single_bearing, above_zero, by_any_load()));
+  const Use by_load(use::static_load | use::ball_run | use::lives,
+                    use::stiffness | (use::of_a_drivetrain & ~unsigned{use::lives}));
+  fields.push_back(optional_quantity(
+      dimension::force, "bearing.dynamic_capacity",
+      "basic dynamic load rating C, for the lives by ISO 281 and ISO/TS 16281; without it that of ISO 281",
+      single_bearing | planetary_drivetrain, above_zero, by_load));
+  fields.push_back(optional_quantity(dimension::force, "bearing.static_capacity",
+                                     "basic static load rating C_0; without it that of ISO 76", rated,
+                                     above_zero, by_fatigue_limit()));
   fields.push_back(optional_quantity(dimension::force, "bearing.fatigue_load_limit",
-                                     "fatigue load limit C_u; without it that of ISO 281 by C_0",
-                                     static_bearing, above_zero));
+                                     "fatigue load limit C_u; without it that of ISO 281 by C_0", rated,
+                                     above_zero, by_fatigue_limit()));
 }
 
 Field life_number(std::string path, std::string meaning, Range range) {
@@ -123,7 +147,24 @@ Field life_number(std::string path, std::string meaning, Range range) {
           .range = range};
 }
 
+std::vector<std::string> methods_of_life() {
+  std::vector<std::string> names;
+  for (const auto& name : names_of(bearing::rating::LifeMethod{})) names.emplace_back(name.text);
+  return names;
+}
+
 void add_life(std::vector<Field>& fields) {
+  fields.push_back({.path = "life.method",
+                    .kind = Kind::choice,
+                    .meaning =
+                        "life that peaks, crowns, spectra and sensitivities go by: life_h of Lundberg and "
+                        "Palmgren; iso-281: L10mh where the oil is stated, else L10h; iso-16281: L10mrh "
+                        "where the oil is stated, else L10rh",
+                    .use = by_lives_of_planets(),
+                    .models = planetary_drivetrain,
+                    .choices = methods_of_life(),
+                    .default_text = "lundberg-palmgren",
+                    .default_reason = "what published cases use"});
   Field reliability = life_number("life.reliability", "share of bearings that reach the life",
                                   {.least = 0.0, .most = 1.0, .least_allowed = false, .most_allowed = false});
   // A static case has a load and is rated always.

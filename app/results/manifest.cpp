@@ -51,6 +51,7 @@ ManifestHeader header_from(const Json& object) {
   if (object.contains("sets")) header.sets = object.at("sets").get<std::vector<std::string>>();
   header.refined = object.at("refined").get<bool>();
   header.resonances = object.at("resonances").get<bool>();
+  header.life = object.at("life").get<std::string>();
   if (object.contains("spectrum")) header.spectrum = spectrum_from(object.at("spectrum"));
   if (header.spectrum.points() > header.points) throw BadInput("a spectrum of more points than there are");
   return header;
@@ -82,7 +83,9 @@ bool is_number(const std::string& text, std::size_t& number) {
 }  // namespace
 
 TableHead head_of(const ManifestHeader& header) {
-  return table_head(header.axes, header.sets, header.resonances);
+  TableHead head = table_head(header.axes, header.sets, header.resonances);
+  head.life = header.life;
+  return head;
 }
 
 namespace {
@@ -182,7 +185,8 @@ std::string header_line(const ManifestHeader& header) {
                  {"shard", nullptr},
                  {"axes", Json::array()},
                  {"refined", header.refined},
-                 {"resonances", header.resonances}};
+                 {"resonances", header.resonances},
+                 {"life", header.life}};
   if (header.shard) object["shard"] = to_string(*header.shard);
   for (const SweptAxis& axis : header.axes)
     object["axes"].push_back({{"column", axis.column}, {"units", axis.units}, {"meaning", axis.meaning}});

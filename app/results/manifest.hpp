@@ -45,6 +45,7 @@ struct ManifestHeader {
   bool refined = false;                  // points are added around the peak, numbered from `points` on
   bool resonances = false;               // rows name their nearest resonance
   LoadSpectrum spectrum{};  // its points are the last of `points`: bin by bin that turns, line by line
+  std::string life{"life_h"};  // column of the life that results go by, by life.method
 
   /// Points of the grid; those of the spectrum follow.
   std::size_t grid() const { return points - spectrum.points(); }

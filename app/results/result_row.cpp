@@ -71,17 +71,81 @@ double shortest_life(const PointResult& result) {
 }
 
 using gearset::dynamics::AffineBearing;
-using study::ModifiedRecord;
 using study::OneWayRecord;
 
-// By film and cleanliness.
-Column modified_column(const std::string& name, const std::string& variable, const std::string& units,
-                       const std::string& meaning, double per_unit, double ModifiedRecord::*member) {
+using bearing::rating::RatedHours;
+using bearing::rating::RatingLives;
+
+// Of one bearing, by the standards.
+Column rating_column(const std::string& name, const std::string& variable, const std::string& units,
+                     const std::string& meaning, double per_unit, double (*part)(const RatingLives&)) {
+  return {name, variable, units, meaning, per_unit,
+          [part](const PointResult& r) { return part(r.rating.lives); }};
+}
+
+Column force_column(const std::string& symbol, const std::string& meaning, double RatingLives::*member) {
+  return {symbol + "_N", symbol, "N", meaning, 1.0,
+          [member](const PointResult& r) { return r.rating.lives.*member; }};
+}
+
+// A life in hours of one bearing.
+Column hours_column(const std::string& name, const std::string& meaning, double RatedHours::*life) {
+  return {name, name, "h", meaning, 1.0, [life](const PointResult& r) { return r.rating.hours.*life; }};
+}
+
+Column system_column(const std::string& name, const std::string& life_name, double RatedHours::*life) {
+  return {name, name, "h", life_name + " of all planet bearings together", 1.0,
+          [life](const PointResult& r) { return r.rating.system_hours.*life; }};
+}
+
+Column revolutions_column(const std::string& name, const std::string& meaning,
+                          double (*part)(const RatingLives&)) {
+  return rating_column(name + "_Mrev", name, "revolution", meaning, million_revolutions, part);
+}
+
+std::vector<Column> rating_columns() {
   return {
-      name,     variable,
-      units,    meaning,
-      per_unit, [member](const PointResult& r) {
-            return r.modified ? (*r.modified).*member : not_given; }};
+      {"life_Mrev", "life_revolutions", "revolution", "fatigue life of one bearing, in revolutions",
+       million_revolutions, [](const PointResult& r) { return r.life; }},
+      hours_column("L10h", "basic rating life of ISO 281", &RatedHours::basic),
+      hours_column("L10rh", "basic reference rating life of ISO/TS 16281", &RatedHours::reference),
+      hours_column("L10mh", "modified rating life of ISO 281: a_1 a_ISO L10h", &RatedHours::modified),
+      hours_column("L10mrh", "modified reference rating life of ISO/TS 16281, a_ISO lamina by lamina",
+                   &RatedHours::modified_reference),
+      system_column("system_L10h", "L10h", &RatedHours::basic),
+      system_column("system_L10rh", "L10rh", &RatedHours::reference),
+      system_column("system_L10mh", "L10mh", &RatedHours::modified),
+      system_column("system_L10mrh", "L10mrh", &RatedHours::modified_reference),
+      revolutions_column("L10", "basic rating life of ISO 281",
+                         [](const RatingLives& l) { return l.basic; }),
+      revolutions_column("L10r", "basic reference rating life of ISO/TS 16281",
+                         [](const RatingLives& l) { return l.reference.bearing; }),
+      revolutions_column("L10m", "modified rating life of ISO 281",
+                         [](const RatingLives& l) { return l.modified; }),
+      revolutions_column("L10mr", "modified reference rating life of ISO/TS 16281",
+                         [](const RatingLives& l) { return l.modified_reference.bearing; }),
+      revolutions_column("inner_L10m", "modified reference rating life of ISO/TS 16281 of the inner race",
+                         [](const RatingLives& l) { return l.modified_reference.inner; }),
+      revolutions_column("outer_L10m", "modified reference rating life of ISO/TS 16281 of the outer race",
+                         [](const RatingLives& l) { return l.modified_reference.outer; }),
+      force_column("C", "basic dynamic load rating", &RatingLives::dynamic_capacity),
+      force_column("C0", "basic static load rating", &RatingLives::static_capacity),
+      force_column("Cu", "fatigue load limit", &RatingLives::fatigue_load_limit),
+      force_column("P", "dynamic equivalent load of one bearing", &RatingLives::dynamic_load),
+      force_column("P0", "static equivalent load of the most loaded bearing", &RatingLives::static_load),
+      rating_column("C_over_P", "C_over_P", "1", "basic dynamic load rating over equivalent load", 1.0,
+                    [](const RatingLives& l) { return l.load_ratio(); }),
+      rating_column("S0", "S0", "1", "basic static load rating over static equivalent load", 1.0,
+                    [](const RatingLives& l) { return l.static_safety(); }),
+      rating_column("kappa", "kappa", "1", "viscosity ratio of ISO 281", 1.0,
+                    [](const RatingLives& l) { return l.oil ? l.oil->viscosity_ratio : not_given; }),
+      rating_column("e_C", "e_C", "1", "contamination factor of ISO 281", 1.0,
+                    [](const RatingLives& l) { return l.oil ? l.oil->contamination_factor : not_given; }),
+      rating_column("a_ISO", "a_ISO", "1", "life modification factor of ISO 281, from C_u/P", 1.0,
+                    [](const RatingLives& l) { return l.life_modification; }),
+      rating_column("a_ISO_r", "a_ISO_r", "1",
+                    "L10mrh over L10rh at a reliability of 90 %: life modification factor lamina by lamina", 1.0,
+                    [](const RatingLives& l) { return l.reference_modification; })};
 }
 
 // What stood for the bearings in gears that drive one of them.
@@ -146,8 +210,21 @@ const std::vector<Column>& leading_columns() {
   return columns;
 }
 
+namespace {
+
+// The lives by the standards come after `before`.
+std::vector<Column> with_ratings(std::string_view before, std::vector<Column> columns) {
+  const std::vector<Column> ratings = rating_columns();
+  const auto place = std::find_if(columns.begin(), columns.end(),
+                                  [&](const Column& column) { return column.name == before; });
+  columns.insert(place + 1, ratings.begin(), ratings.end());
+  return columns;
+}
+
+}  // namespace
+
 const std::vector<Column>& trailing_columns() {
-  static const std::vector<Column> columns = {
+  static const std::vector<Column> columns = with_ratings("rim_ovality_um", {
       {"radial_mesh_load_N", "radial_mesh_load", "N", "outward load of both meshes", 1.0,
        [](const PointResult& r) { return r.radial_mesh_load; }},
       {"axial_mesh_force_N", "axial_mesh_force", "N",
@@ -174,26 +251,10 @@ const std::vector<Column>& trailing_columns() {
          const auto [least, most] = std::minmax_element(form.begin(), form.end());
          return *most - *least;
        }},
-      modified_column("kappa", "kappa", "1", "viscosity ratio of ISO 281", 1.0,
-                      &ModifiedRecord::viscosity_ratio),
-      modified_column("e_C", "e_C", "1", "contamination factor of ISO 281", 1.0,
-                      &ModifiedRecord::contamination_factor),
-      modified_column("a_ISO", "a_ISO", "1", "life modification factor of one bearing, lamina by lamina", 1.0,
-                      &ModifiedRecord::life_modification),
-      modified_column("L10mh", "L10mh", "h", "life of one bearing with a_1 and a_ISO", 1.0,
-                      &ModifiedRecord::life_hours),
-      modified_column("system_L10mh", "system_L10mh", "h", "the same of all planet bearings together", 1.0,
-                      &ModifiedRecord::system_life_hours),
-      modified_column("inner_L10m_Mrev", "inner_L10m", "revolution",
-                      "life of the inner race with a_1 and a_ISO", million_revolutions,
-                      &ModifiedRecord::inner_life),
-      modified_column("outer_L10m_Mrev", "outer_L10m", "revolution",
-                      "life of the outer race with a_1 and a_ISO", million_revolutions,
-                      &ModifiedRecord::outer_life),
       {"static_safety", "static_safety", "1",
        "S_0 of ISO 76: static capacity over load, by the largest pressure and 4000 MPa", 1.0,
        [](const PointResult& r) {
-         return r.modified ? std::pow(static_pressure / r.contact_pressure, 2) : not_given;
+         return std::pow(static_pressure / r.contact_pressure, 2);
        }},
       {"roller_slip", "roller_slip", "1", "one less the mean roller spin over that at pure rolling", 1.0,
        [](const PointResult& r) { return r.dynamic ? r.dynamic->roller_slip : not_given; }},
@@ -286,7 +347,7 @@ const std::vector<Column>& trailing_columns() {
       law_column("damping_yx_N_s_per_m", "N s m-1", [](const AffineBearing& b) { return b.damping(1, 0); }),
       law_column("damping_yy_N_s_per_m", "N s m-1", [](const AffineBearing& b) { return b.damping(1, 1); }),
       law_column("force_x_N", "N", [](const AffineBearing& b) { return b.force.x(); }),
-      law_column("force_y_N", "N", [](const AffineBearing& b) { return b.force.y(); })};
+      law_column("force_y_N", "N", [](const AffineBearing& b) { return b.force.y(); })});
   return columns;
 }
 
@@ -303,8 +364,14 @@ const std::vector<SetColumn>& set_columns() {
        [](const SetResult& r) { return r.outer.load_max; }},
       {"life_h", "life", "h", "fatigue life of one bearing", 1.0,
        [](const SetResult& r) { return r.life_hours; }},
-      {"L10mh", "L10mh", "h", "the same with a_1 and a_ISO", 1.0,
-       [](const SetResult& r) { return r.modified ? r.modified->life_hours : not_given; }}};
+      {"L10h", "L10h", "h", "basic rating life of ISO 281", 1.0,
+       [](const SetResult& r) { return r.rating.hours.basic; }},
+      {"L10rh", "L10rh", "h", "basic reference rating life of ISO/TS 16281", 1.0,
+       [](const SetResult& r) { return r.rating.hours.reference; }},
+      {"L10mh", "L10mh", "h", "modified rating life of ISO 281", 1.0,
+       [](const SetResult& r) { return r.rating.hours.modified; }},
+      {"L10mrh", "L10mrh", "h", "modified reference rating life of ISO/TS 16281", 1.0,
+       [](const SetResult& r) { return r.rating.hours.modified_reference; }}};
   return columns;
 }
 
@@ -415,6 +482,10 @@ double value_of(const TableHead& head, const ResultRow& row, const std::string& 
   const auto place = std::find(head.names.begin(), head.names.end(), name);
   return place == head.names.end() ? not_given
                                    : row.values[static_cast<std::size_t>(place - head.names.begin())];
+}
+
+double life_to_go_by(const TableHead& head, const ResultRow& row) {
+  return value_of(head, row, head.life);
 }
 
 }  // namespace orbearing::app

@@ -60,6 +60,7 @@ struct TableHead {
   std::optional<std::size_t> set_place;          // of the limiting set's name; none with one set
   std::optional<std::size_t> refined_place{};    // of the column that says which points were added
   std::optional<std::size_t> first_resonance{};  // columns of the nearest resonance stand from here, if any
+  std::string life{"life_h"};                    // column of the life that results go by, by life.method
   bool operator==(const TableHead&) const = default;
 };
 
@@ -96,6 +97,9 @@ void add_resonance(const std::optional<Resonance>& resonance, ResultRow& row);
 
 /// Value in the column called `name`; NaN where the table has none.
 double value_of(const TableHead& head, const ResultRow& row, const std::string& name);
+
+/// The life of one bearing that results go by [h]; NaN where the row has none.
+double life_to_go_by(const TableHead& head, const ResultRow& row);
 
 /// Whether two rows of a sweep differ in speed alone: all other axes have equal values.
 bool on_one_line(const TableHead& head, const ResultRow& one, const ResultRow& other);

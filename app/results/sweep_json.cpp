@@ -19,15 +19,16 @@ Json peak_json(const LifePeak& peak) {
           {"life_h", number_or_null(peak.life_h)},
           {"refined_speed_rpm", number_or_null(peak.refined_speed_rpm)},
           {"refined_life_h", number_or_null(peak.refined_life_h)},
+          {"life_key", peak.life},
           {"between_rpm", {number_or_null(peak.lower_rpm), number_or_null(peak.upper_rpm)}}};
 }
 
 }  // namespace
 
 LifePeak grid_peak(const TableHead& head, const std::vector<ResultRow>& rows) {
-  LifePeak peak;
+  LifePeak peak{.life = head.life};
   for (const ResultRow& row : rows) {
-    const double life = value_of(head, row, "life_h");
+    const double life = life_to_go_by(head, row);
     if (row.refined || std::isnan(life) || life <= peak.life_h) continue;
     peak.life_h = life;
     peak.speed_rpm = value_of(head, row, "input_speed_rpm");

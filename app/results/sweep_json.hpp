@@ -18,6 +18,7 @@ struct LifePeak {
   double refined_life_h = std::numeric_limits<double>::quiet_NaN();
   double lower_rpm = std::numeric_limits<double>::quiet_NaN();  // neighbours of the refined peak, which live
   double upper_rpm = std::numeric_limits<double>::quiet_NaN();  // shorter; NaN beyond an end of the range
+  std::string life{"life_h"};  // column of the life whose peak it is
 };
 
 /// Best row of the grid, those added to it left out; the refined values are left for the caller. NaN where no

@@ -32,7 +32,7 @@ Curve curve_of(const TableHead& head, const std::vector<ResultRow>& rows) {
   Curve curve;
   for (const ResultRow& row : rows) {
     const double speed = value_of(head, row, "input_speed_rpm");
-    const double life = value_of(head, row, "life_h");
+    const double life = life_to_go_by(head, row);
     if (!std::isfinite(speed) || !(life > 0.0)) continue;
     curve.speed.push_back(speed);
     curve.life.push_back(life);
@@ -85,13 +85,18 @@ void draw(Canvas& canvas, const Curve& curve, const Scale& across, const Scale& 
   }
 }
 
-std::string with_life_axis(const Canvas& canvas, const Scale& up, Glyphs glyphs) {
+// "life", or the name of another that results go by.
+std::string name_of_life(const LifePeak& peak) {
+  return peak.life == "life_h" ? "life" : peak.life;
+}
+
+std::string with_life_axis(const Canvas& canvas, const Scale& up, const std::string& life, Glyphs glyphs) {
   std::vector<std::string> labels(lines);
   for (const double tick : life_ticks(up)) {
     const int line = lines - 1 - up.place(std::log10(tick)) * lines / canvas.height();
     labels[static_cast<std::size_t>(std::clamp(line, 0, lines - 1))] = fmt::format("{:.7g}", tick);
   }
-  std::string text = fmt::format("{:>{}}\n", "life [h]", label_width);
+  std::string text = fmt::format("{:>{}}\n", life + " [h]", label_width);
   const std::vector<std::string> drawn = canvas.lines();
   const bool plain = glyphs == Glyphs::ascii;
   for (std::size_t i = 0; i < drawn.size(); ++i) {
@@ -131,7 +136,8 @@ std::string drawing(const Curve& curve, const LifePeak& peak, Glyphs glyphs) {
   const double peak_life = refined ? peak.refined_life_h : peak.life_h;
   if (peak_life > 0.0)
     canvas.mark(across.place(peak_rpm), up.place(std::log10(peak_life)), glyphs == Glyphs::ascii ? "O" : "●");
-  return with_life_axis(canvas, up, glyphs) + speed_axis(across, canvas.width() / columns, glyphs);
+  return with_life_axis(canvas, up, name_of_life(peak), glyphs) +
+         speed_axis(across, canvas.width() / columns, glyphs);
 }
 
 }  // namespace
@@ -151,11 +157,12 @@ Glyphs glyphs_of_locale() {
 }
 
 std::string peak_line(const LifePeak& peak) {
-  if (!std::isfinite(peak.life_h)) return "longest life: no point has one\n";
+  const std::string longest = "longest " + name_of_life(peak) + ": ";
+  if (!std::isfinite(peak.life_h)) return longest + "no point has one\n";
   if (!std::isfinite(peak.refined_life_h))
-    return fmt::format("longest life: {:.5g} h at {:g} rpm\n", peak.life_h, peak.speed_rpm);
+    return longest + fmt::format("{:.5g} h at {:g} rpm\n", peak.life_h, peak.speed_rpm);
   std::string line =
-      fmt::format("longest life: {:.5g} h at {:g} rpm", peak.refined_life_h, peak.refined_speed_rpm);
+      longest + fmt::format("{:.5g} h at {:g} rpm", peak.refined_life_h, peak.refined_speed_rpm);
   if (peak.refined_speed_rpm != peak.speed_rpm)
     line += fmt::format("; of the grid's points {:.5g} h at {:g} rpm", peak.life_h, peak.speed_rpm);
   return line + '\n';

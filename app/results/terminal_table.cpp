@@ -62,8 +62,8 @@ ShownRows shown_rows(const TableHead& head, const std::vector<ResultRow>& rows) 
   std::size_t grid = 0, added = 0;
   for (const ResultRow& row : rows) {
     ++(row.refined ? added : grid);
-    if (!(value_of(head, row, "life_h") > life)) continue;
-    life = value_of(head, row, "life_h");
+    if (!(life_to_go_by(head, row) > life)) continue;
+    life = life_to_go_by(head, row);
     longest = &row;
   }
   const bool all = rows.size() <= most_rows;

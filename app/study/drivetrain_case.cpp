@@ -51,7 +51,7 @@ study::PlanetaryDrivetrain drivetrain_without_gear_set(const ResolvedCase& in) {
   out.bearing.inner.form = form_of(in, "bearing.inner_race");
   out.bearing.outer.form = form_of(in, "bearing.outer_race");
   out.uneven_planets = !uneven_planets_by(in).empty();
-  out.rated = rated_bearing(in, out.bearing);
+  out.rated = rated_bearing(in);
   out.mounting.unmounted_clearance = out.bearing.radial_clearance;
   // Without inner ring the pin itself carries the race and moves with it, down to its hole; of a solid one a
   // hole of no account, since a bore is above 0.

@@ -77,7 +77,7 @@ std::vector<LivedSpeed> line_through(const TableHead& head, const std::vector<Re
   SpeedLine line;
   for (const ResultRow& other : rows) {
     if (!on_one_line(head, row, other)) continue;
-    const double life = value_of(head, other, "life_h");
+    const double life = life_to_go_by(head, other);
     line.push_back({value_of(head, other, "input_speed_rpm"), life > 0.0 ? life : 0.0});
   }
   std::stable_sort(line.begin(), line.end(),
@@ -91,7 +91,7 @@ FoundPeak find_peak(const SweepOutcome& outcome) {
   // A shard's best point is not the sweep's.
   if (!(found.peak.life_h > 0.0) || header.shard) return found;
   const auto best = std::find_if(outcome.rows.begin(), outcome.rows.end(), [&](const ResultRow& row) {
-    return !row.refined && value_of(outcome.head, row, "life_h") == found.peak.life_h;
+    return !row.refined && life_to_go_by(outcome.head, row) == found.peak.life_h;
   });
   const SpeedLine line = line_through(outcome.head, outcome.rows, *best);
   if (line.size() < 2) return found;

@@ -25,7 +25,7 @@ std::optional<std::size_t> best_of_grid(const TableHead& head, const std::vector
   std::optional<std::size_t> best;
   double longest = 0.0;
   for (std::size_t point = 0; point < points; ++point) {
-    const double life = value_of(head, rows[point], "life_h");
+    const double life = life_to_go_by(head, rows[point]);
     if (!(life > longest)) continue;
     longest = life;
     best = point;

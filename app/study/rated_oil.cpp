@@ -4,6 +4,7 @@
 #include <array>
 
 #include "app/case/oil_case.hpp"
+#include "app/case/static_case.hpp"
 
 namespace orbearing::app {
 
@@ -27,6 +28,12 @@ rating::Cleanliness cleanliness_of(const std::string& found) {
   const auto level = std::find_if(levels.begin(), levels.end(),
                                   [&](const auto& names) { return found == names[0] || found == names[1]; });
   return static_cast<rating::Cleanliness>(level - levels.begin());
+}
+
+rating::LifeMethod life_method(const ResolvedCase& in) {
+  for (const auto& name : names_of(rating::LifeMethod{}))
+    if (in.choice("life.method") == name.text) return name.value;
+  return rating::LifeMethod::lundberg_palmgren;
 }
 
 bool says_cleanliness(const ResolvedCase& in) {
@@ -60,14 +67,26 @@ std::vector<std::string> oil_warnings(const ResolvedCase& in) {
   return {"life.cleanliness: not given beside the oil; 'high' (-/15/12 of ISO 4406) is taken for a_ISO"};
 }
 
-std::optional<study::RatedBearing> rated_bearing(const ResolvedCase& in, const bearing::Bearing& bearing) {
-  const std::optional<rating::StatedOil> oil = stated_oil(in);
-  if (!oil) return std::nullopt;
-  study::RatedBearing rated{.ratings = rating::ratings_of(bearing),
-                            .oil = *oil,
-                            .reliability_factor = rating::reliability_factor(in.number("life.reliability"))};
+study::RatedBearing rated_bearing(const ResolvedCase& in) {
+  study::RatedBearing rated{.stated = stated_ratings_of(in),
+                            .oil = stated_oil(in),
+                            .reliability_factor = rating::reliability_factor(in.number("life.reliability")),
+                            .method = life_method(in)};
   if (in.choice("life.viscosity_ratio_by") == "film") rated.roughness = in.quantity("contact.roughness");
   return rated;
+}
+
+std::string life_to_go_by(const ResolvedCase& in) {
+  const bool oil = stated_oil(in).has_value();
+  switch (life_method(in)) {
+    case rating::LifeMethod::iso281:
+      return oil ? "L10mh" : "L10h";
+    case rating::LifeMethod::iso16281:
+      return oil ? "L10mrh" : "L10rh";
+    case rating::LifeMethod::lundberg_palmgren:
+      break;
+  }
+  return "life_h";
 }
 
 }  // namespace orbearing::app

@@ -17,8 +17,10 @@ std::optional<bearing::rating::StatedOil> stated_oil(const ResolvedCase& resolve
 /// What it takes for granted: a cleanliness that is not said.
 std::vector<std::string> oil_warnings(const ResolvedCase& resolved);
 
-/// The same for the bearing of a set. `bearing` is that of the case.
-std::optional<study::RatedBearing> rated_bearing(const ResolvedCase& resolved,
-                                                 const bearing::Bearing& bearing);
+/// What the bearings of a set are rated by.
+study::RatedBearing rated_bearing(const ResolvedCase& resolved);
+
+/// Column of a sweep's table that holds the life that results go by: by life.method, and whether oil is stated.
+std::string life_to_go_by(const ResolvedCase& resolved);
 
 }  // namespace orbearing::app

@@ -148,16 +148,46 @@ RatingLives rating_lives(const BearingRating& rating, const RatingCondition& con
                                           equivalent_ball_load(outer.contact, rating.motions.outer)});
 }
 
-double life_to_go_by(LifeMethod method, double lundberg_palmgren, const RatingLives& lives) {
+RatedHours rated_hours(const RatingLives& lives, double speed) {
+  const auto of = [&](double life) { return std::isnan(life) ? kNotRated : hours(life, speed); };
+  return {of(lives.basic), of(lives.reference.bearing), of(lives.modified),
+          of(lives.modified_reference.bearing)};
+}
+
+RatedHours hours_together(const std::vector<RatedHours>& bearings, double slope) {
+  RatedHours together;
+  Eigen::ArrayXd lives(static_cast<Eigen::Index>(bearings.size()));
+  for (const auto life : kRatedHours) {
+    for (Eigen::Index i = 0; i < lives.size(); ++i) lives[i] = bearings[static_cast<std::size_t>(i)].*life;
+    if (!lives.isNaN().any()) together.*life = system_life(lives, slope);
+  }
+  return together;
+}
+
+RatedHours hours_of_equal(const RatedHours& one, int count, double slope) {
+  RatedHours all = one;
+  for (const auto life : kRatedHours) all.*life *= std::pow(count, -1.0 / slope);
+  return all;
+}
+
+double hours_to_go_by(LifeMethod method, double lundberg_palmgren, const RatedHours& hours,
+                      bool oil_is_stated) {
   switch (method) {
     case LifeMethod::iso281:
-      return lives.oil ? lives.modified : lives.basic;
+      return oil_is_stated ? hours.modified : hours.basic;
     case LifeMethod::iso16281:
-      return lives.oil ? lives.modified_reference.bearing : lives.reference.bearing;
+      return oil_is_stated ? hours.modified_reference : hours.reference;
     case LifeMethod::lundberg_palmgren:
       break;
   }
   return lundberg_palmgren;
+}
+
+double life_to_go_by(LifeMethod method, double lundberg_palmgren, const RatingLives& lives) {
+  return hours_to_go_by(
+      method, lundberg_palmgren,
+      {lives.basic, lives.reference.bearing, lives.modified, lives.modified_reference.bearing},
+      lives.oil.has_value());
 }
 
 }  // namespace orbearing::bearing::rating

@@ -16,8 +16,10 @@
 // bearing has. L10m and L10mr hold a_1; L10 and L10r are for a reliability of 90 %.
 #pragma once
 
+#include <array>
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include "bearing/life/lamina_life.hpp"
 #include "bearing/life/life_modification.hpp"
@@ -83,6 +85,25 @@ struct RatingLives {
   double static_safety() const { return static_capacity / static_load; }  // [-]  S_0
 };
 
+/// The same in hours, of one bearing or of several of which none may fail.
+struct RatedHours {
+  double basic = kNotRated;               // [h]  L10h
+  double reference = kNotRated;           // [h]  L10rh
+  double modified = kNotRated;            // [h]  L10mh, with a_1
+  double modified_reference = kNotRated;  // [h]  L10mrh, with a_1
+};
+
+/// All of them, in this order.
+inline constexpr std::array kRatedHours{&RatedHours::basic, &RatedHours::reference, &RatedHours::modified,
+                                        &RatedHours::modified_reference};
+
+/// At the speed of the race that rotates relative to the load [rad/s]; infinite at rest.
+RatedHours rated_hours(const RatingLives& lives, double speed);
+/// Of bearings of which none may fail: the product law with slope e, life by life.
+RatedHours hours_together(const std::vector<RatedHours>& bearings, double slope);
+/// Of `count` equal bearings.
+RatedHours hours_of_equal(const RatedHours& one, int count, double slope);
+
 /// Of rollers: means over the positions as in life::lamina_means(), for loads without stress riser; one
 /// lamina: contacts that are not cut.
 RatingLives rating_lives(const BearingRating& rating, const RatingCondition& condition,
@@ -104,5 +125,8 @@ RatingLives rating_lives(const BearingRating& rating, const RatingCondition& con
 /// The life by `method` [rev], from that of Lundberg and Palmgren and those of the standards; kNotRated where
 /// the oil is stated and kappa is below 0.1.
 double life_to_go_by(LifeMethod method, double lundberg_palmgren, const RatingLives& lives);
+/// The same in hours; `oil_is_stated` as in RatingLives.
+double hours_to_go_by(LifeMethod method, double lundberg_palmgren, const RatedHours& hours,
+                      bool oil_is_stated);
 
 }  // namespace orbearing::bearing::rating

@@ -30,6 +30,7 @@ gearset::rim::RimInfluence rim_of(const PlanetaryDrivetrain& drivetrain, const D
 
 DrivetrainGeometry derive(const PlanetaryDrivetrain& drivetrain) {
   DrivetrainGeometry geometry = derive_rigid(drivetrain);
+  geometry.rating = bearing::rating::bearing_rating(drivetrain.bearing, drivetrain.rated.stated);
   if (drivetrain.rim == PlanetRim::elastic)
     geometry.rim = std::make_shared<const gearset::rim::RimInfluence>(rim_of(drivetrain, geometry));
   return geometry;

@@ -9,7 +9,7 @@
 #include "bearing/equilibrium/quasi_static.hpp"
 #include "bearing/geometry.hpp"
 #include "bearing/life/life_modification.hpp"
-#include "bearing/life/standard_life.hpp"
+#include "bearing/life/rating_lives.hpp"
 #include "bearing/motion/parameters.hpp"
 #include "bearing/mounted_clearance.hpp"
 #include "bearing/parameters.hpp"
@@ -172,13 +172,15 @@ void describe(Visitor& visit, PinSeats& m) {
       inclination(m.tangential_inclination, "tangential", "its positive end ahead in the sense of rotation"));
 }
 
-/// What the modified life of [ISO281] asks of a bearing and its oil.
+/// What the lives by the standards rest on beside the loads of a bearing.
 struct RatedBearing {
-  bearing::rating::Ratings ratings;
-  bearing::rating::StatedOil oil;
+  bearing::rating::StatedRatings stated{};          // take the place of what the standards give
+  std::optional<bearing::rating::StatedOil> oil{};  // none: nothing is said of it
   std::optional<double>
       roughness{};  // [m]  composite: kappa by the film that was computed; none: as `oil` says
   double reliability_factor = 1.0;  // [-]  a_1
+  bearing::rating::LifeMethod method =
+      bearing::rating::LifeMethod::lundberg_palmgren;  // the life that results go by
 };
 
 /// Parameters of a planetary set and what drives it, alone or among several sets. A sweep changes one or the
@@ -210,7 +212,7 @@ struct PlanetaryDrivetrain {
   bool uneven_planets =
       false;  // of gear_set: pins off their places or at unequal steps make planets load unevenly
   bool mesh_variation = true;  // false: the meshes keep their mean stiffness, and give their mean forces
-  std::optional<RatedBearing> rated;  // none: lives of Lundberg and Palmgren alone
+  RatedBearing rated;
   int cage_positions = 16;  // cage angles over one roller pitch that the quasi-static model averages
 };
 
@@ -249,6 +251,7 @@ struct DrivetrainGeometry {
   gearset::WorkingGeometry gears;
   gearset::PlanetBody planet_gear;
   bearing::BearingGeometry bearing;
+  bearing::rating::BearingRating rating;
   double planet_mass = 0.0;  // [kg]  gear body and the outer rings of its bearings
   std::shared_ptr<const gearset::rim::RimInfluence> rim;  // none: rigid
 };

@@ -1,6 +1,7 @@
 #include "coupling/study/multi_stage.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "bearing/life/lundberg_palmgren.hpp"
@@ -16,7 +17,13 @@ SetResult summary(const std::string& name, const PointResult& point) {
           .inner = point.inner,
           .outer = point.outer,
           .life_hours = point.life_hours,
-          .modified = point.modified};
+          .rating = point.rating};
+}
+
+// What is not known, as with kappa below 0.1, is no better than the shortest.
+double life(const PointResult& point) {
+  const double hours = life_to_go_by(point);
+  return std::isnan(hours) ? 0.0 : hours;
 }
 
 PointResult evaluate_named(const NamedSet& set, Fidelity fidelity) {
@@ -35,20 +42,21 @@ PointResult evaluate(const std::vector<NamedSet>& sets, Fidelity fidelity) {
     return evaluate(sets.front().drivetrain, sets.front().geometry, fidelity);
   std::vector<PointResult> points;
   for (const NamedSet& set : sets) points.push_back(evaluate_named(set, fidelity));
-  const auto shortest = std::min_element(
-      points.begin(), points.end(),
-      [](const PointResult& a, const PointResult& b) { return a.life_hours < b.life_hours; });
+  const auto shortest =
+      std::min_element(points.begin(), points.end(),
+                       [](const PointResult& a, const PointResult& b) { return life(a) < life(b); });
   PointResult result = *shortest;
   result.limiting_set = sets[static_cast<std::size_t>(shortest - points.begin())].name;
+  std::vector<bearing::rating::RatedHours> rated;
+  for (const PointResult& point : points) rated.push_back(point.rating.system_hours);
+  result.rating.system_hours = bearing::rating::hours_together(
+      rated, bearing::rating::weibull_slope(bearing::rating::RollingElement::roller));
   const auto together = [&](auto life_of) {
     double all = life_of(points.front());
     for (std::size_t i = 1; i < points.size(); ++i) all = bearing::combined_life(all, life_of(points[i]));
     return all;
   };
   result.system_life_hours = together([](const PointResult& point) { return point.system_life_hours; });
-  if (result.modified)
-    result.modified->system_life_hours =
-        together([](const PointResult& point) { return point.modified->system_life_hours; });
   for (std::size_t i = 0; i < points.size(); ++i) result.sets.push_back(summary(sets[i].name, points[i]));
   return result;
 }

@@ -12,7 +12,7 @@
 #include "bearing/equilibrium/level_pitch.hpp"
 #include "bearing/equilibrium/race_equilibrium.hpp"
 #include "bearing/life/lundberg_palmgren.hpp"
-#include "bearing/life/modified_life.hpp"
+#include "bearing/life/rating_lives.hpp"
 #include "bearing/motion/model.hpp"
 #include "coupling/cosim/planetary_coupling.hpp"
 #include "coupling/study/bearing_tangent.hpp"
@@ -27,6 +27,9 @@ namespace orbearing::study {
 namespace {
 
 using bearing::Race;
+
+constexpr double kRollerSlope = bearing::rating::weibull_slope(bearing::rating::RollingElement::roller);
+
 using bearing::vectorised::LevelPitch;
 
 std::vector<double> as_vector(const Eigen::ArrayXd& array) {
@@ -36,12 +39,6 @@ std::vector<double> as_vector(const Eigen::ArrayXd& array) {
 // The film is a result whether or not it takes part in the approach.
 double least_film(const bearing::Film& film, double load) {
   return film.cap() > 0.0 ? film.least(load) : std::numeric_limits<double>::quiet_NaN();
-}
-
-// Of revolutions of the race that turns relative to the load.
-double hours_of(const bearing::BearingLife& life, const PlanetaryDrivetrain& drivetrain,
-                const BearingDuty& duty) {
-  return bearing::hours(life.bearing, turning_speed(drivetrain.bearing, duty.point));
 }
 
 std::vector<double> as_vector(const Eigen::ArrayXXd& array) {
@@ -175,58 +172,89 @@ bearing::BearingLife life_under_means(const PlanetaryDrivetrain& drivetrain, con
                                      damage_of(means.outer), powers);
 }
 
-bearing::rating::OilCondition oil_of(const PlanetaryDrivetrain& drivetrain, const BearingDuty& duty,
-                                     const WindowStatistics& means) {
-  bearing::rating::StatedOil oil = drivetrain.rated->oil;
-  if (drivetrain.rated->roughness)
-    oil.viscosity_ratio = bearing::rating::viscosity_ratio_of_film(
-        std::min(means.inner.least_film, means.outer.least_film), *drivetrain.rated->roughness);
-  return bearing::rating::oil_condition(oil, turning_speed(drivetrain.bearing, duty.point),
-                                        drivetrain.bearing.pitch_diameter);
-}
+// Loads and lives of the bearings of one point, which share speeds, oil and ratings.
+class Rating {
+ public:
+  /// `duty`: whose speeds count.
+  Rating(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry, const BearingDuty& duty)
+      : drivetrain_(drivetrain), geometry_(geometry), speed_(turning_speed(drivetrain.bearing, duty.point)) {}
 
-// Of one bearing; the system's life follows where its planets are known.
-struct LifeRecord {
-  bearing::BearingLife life;  // [rev]
-  std::optional<ModifiedRecord> modified;
+  /// Of one bearing under a radial load [N].
+  struct Lives {
+    bearing::BearingLife life;  // [rev]  of Lundberg and Palmgren
+    double hours = 0.0;         // [h]
+    bearing::rating::RatingLives rating;
+    bearing::rating::RatedHours rated_hours;
+  };
+
+  Lives of(const WindowStatistics& means, double load) const { return of(means, load, load); }
+
+  Lives of(const WindowStatistics& means, double load, double largest_load) const {
+    const bearing::life::LaminaMeans powers = bearing::motion::means_of(
+        drivetrain_.bearing.motions, damage_of(means.inner), damage_of(means.outer));
+    Lives lives{.life = life_under_means(drivetrain_, means, &powers)};
+    lives.hours = bearing::hours(lives.life.bearing, speed_);
+    const RatedBearing& rated = drivetrain_.rated;
+    lives.rating = bearing::rating::rating_lives(geometry_.rating,
+                                                 {.dynamic_load = load,
+                                                  .static_load = largest_load,
+                                                  .oil = oil_under(means),
+                                                  .reliability_factor = rated.reliability_factor},
+                                                 powers);
+    lives.rated_hours = bearing::rating::rated_hours(lives.rating, speed_);
+    return lives;
+  }
+
+  /// Radial load of the whole on one bore [N], as PointResult::planet_load.
+  double load_of(const BearingDuty& duty) const {
+    return bearing::total_bore_load(drivetrain_.bearing, geometry_.bearing, duty.point, drivetrain_.inertia)
+        .norm();
+  }
+
+  const PlanetaryDrivetrain& drivetrain() const { return drivetrain_; }
+
+ private:
+  std::optional<bearing::rating::OilCondition> oil_under(const WindowStatistics& means) const {
+    const RatedBearing& rated = drivetrain_.rated;
+    if (!rated.oil) return std::nullopt;
+    bearing::rating::StatedOil oil = *rated.oil;
+    if (rated.roughness)
+      oil.viscosity_ratio = bearing::rating::viscosity_ratio_of_film(
+          std::min(means.inner.least_film, means.outer.least_film), *rated.roughness);
+    return bearing::rating::oil_condition(oil, speed_, drivetrain_.bearing.pitch_diameter);
+  }
+
+  const PlanetaryDrivetrain& drivetrain_;
+  const DrivetrainGeometry& geometry_;
+  double speed_ = 0.0;  // [rad/s]  of the race that turns relative to the load
 };
 
-ModifiedRecord modified_record(const PlanetaryDrivetrain& drivetrain, const BearingDuty& duty,
-                               const WindowStatistics& means, const bearing::life::LaminaMeans& powers) {
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  const bearing::rating::OilCondition oil = oil_of(drivetrain, duty, means);
-  ModifiedRecord record{oil.viscosity_ratio, oil.contamination_factor, none, none, none, none, none};
-  const auto modified = bearing::rating::modified_life(drivetrain.bearing, drivetrain.reduction_factor,
-                                                       drivetrain.rated->ratings, oil, powers);
-  if (!modified) return record;
-  const double reliability = drivetrain.rated->reliability_factor;
-  record.life_modification = modified->factor;
-  record.inner_life = reliability * modified->life.inner;
-  record.outer_life = reliability * modified->life.outer;
-  record.life_hours = reliability * hours_of(modified->life, drivetrain, duty);
-  return record;
+// P of loads that take turns: [ISO281] by the exponent of its life.
+double mean_by_basic_life(const std::vector<double>& loads) {
+  const double p = bearing::rating::life_exponent(bearing::rating::RollingElement::roller);
+  if (loads.size() == 1) return loads.front();
+  const double largest = *std::max_element(loads.begin(), loads.end());
+  if (!(largest > 0.0)) return largest;
+  double sum = 0.0;
+  for (const double load : loads) sum += std::pow(load / largest, p);
+  return largest * std::pow(sum / static_cast<double>(loads.size()), 1.0 / p);
 }
 
-// Both lives take the same means of the loads' powers.
-LifeRecord lives_under_means(const PlanetaryDrivetrain& drivetrain, const BearingDuty& duty,
-                             const WindowStatistics& means) {
-  if (!drivetrain.rated) return {life_under_means(drivetrain, means), std::nullopt};
-  const bearing::life::LaminaMeans powers =
-      bearing::motion::means_of(drivetrain.bearing.motions, damage_of(means.inner), damage_of(means.outer));
-  return {life_under_means(drivetrain, means, &powers), modified_record(drivetrain, duty, means, powers)};
-}
-
-void put_life(const PlanetaryDrivetrain& drivetrain, const BearingDuty& duty, const WindowStatistics& means,
+// `means` of one bearing, or of unlike ones under `loads` [N] as passages of one.
+void put_life(const Rating& rating, const WindowStatistics& means, const std::vector<double>& loads,
               PointResult& result) {
-  const auto [life, modified] = lives_under_means(drivetrain, duty, means);
+  const Rating::Lives lives =
+      rating.of(means, mean_by_basic_life(loads), *std::max_element(loads.begin(), loads.end()));
+  const PlanetaryDrivetrain& drivetrain = rating.drivetrain();
   const int bearings = drivetrain.set.planets * drivetrain.bearings_per_planet;
-  result.inner.life = life.inner;
-  result.outer.life = life.outer;
-  result.life_hours = hours_of(life, drivetrain, duty);
+  result.inner.life = lives.life.inner;
+  result.outer.life = lives.life.outer;
+  result.life = lives.life.bearing;
+  result.life_hours = lives.hours;
   result.system_life_hours = bearing::system_life(result.life_hours, bearings);
-  result.modified = modified;
-  if (result.modified)
-    result.modified->system_life_hours = bearing::system_life(result.modified->life_hours, bearings);
+  result.rating = {lives.rating, lives.rated_hours,
+                   bearing::rating::hours_of_equal(lives.rated_hours, bearings, kRollerSlope)};
+  result.life_method = drivetrain.rated.method;
 }
 
 // Bearings of which none may fail: the product law over unlike lives.
@@ -242,37 +270,49 @@ Eigen::Vector2d mean_bore_force(const RaceStatistics& outer, const Eigen::ArrayX
   return rollers * Eigen::Vector2d((load * angle.cos()).mean(), (load * angle.sin()).mean());
 }
 
-// Planet by planet, from the means of one bearing of each.
-void put_planets(const PlanetaryDrivetrain& drivetrain, const BearingDuty& duty, const Eigen::ArrayXd& angle,
-                 const std::vector<WindowStatistics>& means, PointResult& result) {
-  double tangential = 0.0;
+// Loads [N] of bearings whose mean is `mean`, as their rollers carry.
+std::vector<double> shared_loads(double mean, const std::vector<WindowStatistics>& means,
+                                 const Eigen::ArrayXd& angle, int rollers) {
+  std::vector<double> loads;
+  double sum = 0.0;
   for (const WindowStatistics& one : means) {
-    const Eigen::Vector2d force = mean_bore_force(one.outer, angle, drivetrain.bearing.rollers().count);
-    const auto [life, modified] = lives_under_means(drivetrain, duty, one);
+    loads.push_back(mean_bore_force(one.outer, angle, rollers).norm());
+    sum += loads.back();
+  }
+  const double count = static_cast<double>(loads.size());
+  for (double& load : loads) load = sum > 0.0 ? mean * count * load / sum : mean;
+  return loads;
+}
+
+// Planet by planet, from the means of one bearing of each and the load on its bore [N].
+void put_planets(const Rating& rating, const Eigen::ArrayXd& angle,
+                 const std::vector<WindowStatistics>& means, const std::vector<double>& loads,
+                 PointResult& result) {
+  double tangential = 0.0;
+  for (std::size_t i = 0; i < means.size(); ++i) {
+    const Eigen::Vector2d force =
+        mean_bore_force(means[i].outer, angle, rating.drivetrain().bearing.rollers().count);
+    const Rating::Lives lives = rating.of(means[i], loads[i]);
     result.planets.push_back({.load_share = force.y(),
                               .load = force.norm(),
-                              .life_hours = hours_of(life, drivetrain, duty),
-                              .modified_life_hours = modified ? modified->life_hours : 0.0});
+                              .life_hours = lives.hours,
+                              .rated_hours = lives.rated_hours});
     tangential += force.y() / static_cast<double>(means.size());
   }
   for (PlanetResult& planet : result.planets) planet.load_share /= tangential;
 }
 
-double system_life_of(const std::vector<PlanetResult>& planets, int bearings_per_planet,
-                      double PlanetResult::*hours) {
-  std::vector<double> lives;
-  for (const PlanetResult& planet : planets)
-    lives.push_back(bearing::system_life(planet.*hours, bearings_per_planet));
-  return life_together(lives);
-}
-
 // Of unlike planets.
 void put_system_life(const PlanetaryDrivetrain& drivetrain, PointResult& result) {
   const int per_planet = drivetrain.bearings_per_planet;
-  result.system_life_hours = system_life_of(result.planets, per_planet, &PlanetResult::life_hours);
-  if (result.modified)
-    result.modified->system_life_hours =
-        system_life_of(result.planets, per_planet, &PlanetResult::modified_life_hours);
+  std::vector<double> lives;
+  std::vector<bearing::rating::RatedHours> rated;
+  for (const PlanetResult& planet : result.planets) {
+    lives.push_back(bearing::system_life(planet.life_hours, per_planet));
+    rated.push_back(bearing::rating::hours_of_equal(planet.rated_hours, per_planet, kRollerSlope));
+  }
+  result.system_life_hours = life_together(lives);
+  result.rating.system_hours = bearing::rating::hours_together(rated, kRollerSlope);
 }
 
 std::size_t shortest_lived(const std::vector<PlanetResult>& planets) {
@@ -282,27 +322,36 @@ std::size_t shortest_lived(const std::vector<PlanetResult>& planets) {
   return static_cast<std::size_t>(shortest - planets.begin());
 }
 
-// Bearing by bearing of a planet whose tilt is computed: their means, and tilts of bore against pin.
-void put_seats(const PlanetaryDrivetrain& drivetrain, const BearingDuty& duty, const Eigen::ArrayXd& angle,
-               const std::vector<WindowStatistics>& means, const std::vector<Eigen::Vector2d>& tilts,
+// Bearing by bearing of a planet whose tilt is computed: their means, the loads on their bores [N], and tilts
+// of bore against pin.
+void put_seats(const Rating& rating, const Eigen::ArrayXd& angle, const std::vector<WindowStatistics>& means,
+               const std::vector<double>& loads, const std::vector<Eigen::Vector2d>& tilts,
                PointResult& result) {
+  const PlanetaryDrivetrain& drivetrain = rating.drivetrain();
   const std::vector<double> places = axial_places(drivetrain);
-  std::vector<double> lives, modified_lives;
+  std::vector<double> lives;
+  std::vector<bearing::rating::RatedHours> rated;
   for (std::size_t k = 0; k < means.size(); ++k) {
-    const auto [life, modified] = lives_under_means(drivetrain, duty, means[k]);
-    lives.push_back(hours_of(life, drivetrain, duty));
-    modified_lives.push_back(modified ? modified->life_hours : 0.0);
+    const Rating::Lives one = rating.of(means[k], loads[k]);
+    lives.push_back(one.hours);
+    rated.push_back(one.rated_hours);
     result.seats.push_back(
         {.place = places[k],
          .load = mean_bore_force(means[k].outer, angle, drivetrain.bearing.rollers().count).norm(),
          .tilt = tilts[k],
-         .life_hours = lives.back(),
-         .modified_life_hours = modified_lives.back()});
+         .life_hours = one.hours,
+         .rated_hours = one.rated_hours});
   }
-  result.system_life_hours = bearing::system_life(life_together(lives), drivetrain.set.planets);
-  if (result.modified)
-    result.modified->system_life_hours =
-        bearing::system_life(life_together(modified_lives), drivetrain.set.planets);
+  const int planets = drivetrain.set.planets;
+  result.system_life_hours = bearing::system_life(life_together(lives), planets);
+  result.rating.system_hours = bearing::rating::hours_of_equal(
+      bearing::rating::hours_together(rated, kRollerSlope), planets, kRollerSlope);
+}
+
+std::vector<double> loads_of(const Rating& rating, const std::vector<BearingDuty>& duties) {
+  std::vector<double> loads;
+  for (const BearingDuty& duty : duties) loads.push_back(rating.load_of(duty));
+  return loads;
 }
 
 PointResult quasi_static_point(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
@@ -316,19 +365,24 @@ PointResult quasi_static_point(const PlanetaryDrivetrain& drivetrain, const Driv
       bearings.push_back(std::move(one));
     }
   const WindowStatistics all = system::pooled(means);
+  const Rating rating(drivetrain, geometry, duties.front());
   PointResult result;
   result.inner = race_result(all.inner);
   result.outer = race_result(all.outer);
   const Eigen::ArrayXd& angle = bearings.front().angle;
   result.distribution = {as_vector(angle), as_vector(all.inner.mean_load), as_vector(all.outer.mean_load),
                          as_vector(bearings.front().race_form)};
-  put_life(drivetrain, duties.front(), all, result);
-  if (drivetrain.seats.tilt == TiltState::computed) {
+  const bool seated = drivetrain.seats.tilt == TiltState::computed;
+  const std::vector<double> loads =
+      seated ? shared_loads(rating.load_of(duties.front()), means, angle, drivetrain.bearing.rollers().count)
+             : loads_of(rating, duties);
+  put_life(rating, all, loads, result);
+  if (seated) {
     std::vector<Eigen::Vector2d> tilts;
     for (const QuasiStaticBearing& one : bearings) tilts.push_back(one.tilt);
-    put_seats(drivetrain, duties.front(), angle, means, tilts, result);
+    put_seats(rating, angle, means, loads, tilts, result);
   } else if (duties.size() > 1) {
-    put_planets(drivetrain, duties.front(), angle, means, result);
+    put_planets(rating, angle, means, loads, result);
     put_system_life(drivetrain, result);
   }
   const std::size_t shown = result.planets.empty() ? 0 : shortest_lived(result.planets);
@@ -390,25 +444,27 @@ BearingDuty mean_duty(const PlanetaryDrivetrain& drivetrain, BearingDuty duty) {
   return duty;
 }
 
-PointResult dynamic_point(const PlanetaryDrivetrain& drivetrain, const BearingDuty& duty,
+// Of one bearing, or of unlike ones under `loads` [N] as passages of one.
+PointResult dynamic_point(const Rating& rating, const std::vector<double>& loads,
                           const system::SteadyStateResult& run) {
   if (!run.completed) throw std::runtime_error(run.message);
   PointResult result;
   result.inner = race_result(run.statistics.inner);
   result.outer = race_result(run.statistics.outer);
   result.dynamic = record_of(run);
-  if (drivetrain.bearing.has_cage())
+  if (rating.drivetrain().bearing.has_cage())
     result.cage_slip = run.orbit_slip();
   else
     result.dynamic->orbit_slip = run.orbit_slip();
   result.distribution = distribution_of(run.statistics);
-  put_life(drivetrain, mean_duty(drivetrain, duty), run.statistics, result);
+  put_life(rating, run.statistics, loads, result);
   return result;
 }
 
-PointResult driven_point(const PlanetaryDrivetrain& drivetrain, const BearingDuty& duty,
-                         const OneWayRun& run) {
-  PointResult result = dynamic_point(drivetrain, duty, run.bearing);
+PointResult driven_point(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                         const BearingDuty& duty, const OneWayRun& run) {
+  const Rating rating(drivetrain, geometry, mean_duty(drivetrain, duty));
+  PointResult result = dynamic_point(rating, {rating.load_of(duty)}, run.bearing);
   result.dynamic->one_way = run.fit;
   return result;
 }
@@ -435,9 +491,12 @@ PointResult seated_point(const PlanetaryDrivetrain& drivetrain, const Drivetrain
     means.push_back(runs.back().statistics);
     tilts.push_back(one.duty.point.bore_tilt);
   }
-  PointResult result = dynamic_point(drivetrain, duty, together(runs, means));
-  put_seats(drivetrain, mean_duty(drivetrain, duty), place_angles(means.front().outer.mean_load.size()),
-            means, tilts, result);
+  const Rating rating(drivetrain, geometry, mean_duty(drivetrain, duty));
+  const Eigen::ArrayXd angle = place_angles(means.front().outer.mean_load.size());
+  const std::vector<double> loads =
+      shared_loads(rating.load_of(duty), means, angle, drivetrain.bearing.rollers().count);
+  PointResult result = dynamic_point(rating, loads, together(runs, means));
+  put_seats(rating, angle, means, loads, tilts, result);
   return result;
 }
 
@@ -447,7 +506,8 @@ PointResult one_way_point(const PlanetaryDrivetrain& drivetrain, const Drivetrai
   if (drivetrain.seats.tilt == TiltState::computed)
     return seated_point(drivetrain, geometry, duties.front(), gears);
   if (duties.size() == 1)
-    return driven_point(drivetrain, duties.front(), motion_of(drivetrain, geometry, duties.front(), gears));
+    return driven_point(drivetrain, geometry, duties.front(),
+                        motion_of(drivetrain, geometry, duties.front(), gears));
   std::vector<system::SteadyStateResult> runs;
   std::vector<WindowStatistics> means;
   for (const BearingDuty& duty : duties) {
@@ -455,9 +515,10 @@ PointResult one_way_point(const PlanetaryDrivetrain& drivetrain, const Drivetrai
     if (!runs.back().completed) throw std::runtime_error(runs.back().message);
     means.push_back(runs.back().statistics);
   }
-  PointResult result = dynamic_point(drivetrain, duties.front(), together(runs, means));
-  put_planets(drivetrain, mean_duty(drivetrain, duties.front()),
-              place_angles(means.front().outer.mean_load.size()), means, result);
+  const Rating rating(drivetrain, geometry, mean_duty(drivetrain, duties.front()));
+  const std::vector<double> loads = loads_of(rating, duties);
+  PointResult result = dynamic_point(rating, loads, together(runs, means));
+  put_planets(rating, place_angles(means.front().outer.mean_load.size()), means, loads, result);
   put_system_life(drivetrain, result);
   return result;
 }
@@ -495,13 +556,23 @@ PointResult coupled_point(const PlanetaryDrivetrain& drivetrain, const Drivetrai
                           const BearingDuty& duty, Fidelity fidelity) {
   CoupledRecord record;
   const system::SteadyStateResult run = run_coupled(drivetrain, geometry, duty.point, fidelity, record);
-  PointResult result = dynamic_point(drivetrain, duty, run);
-  for (const WindowStatistics& one : run.bearings)
-    record.bearing_life_hours.push_back(hours_of(life_under_means(drivetrain, one), drivetrain, duty));
-  put_planets(drivetrain, duty, place_angles(run.statistics.outer.mean_load.size()),
-              by_planet(run.bearings, drivetrain.bearings_per_planet), result);
-  put_system_life(drivetrain, result);
+  const Rating rating(drivetrain, geometry, mean_duty(drivetrain, duty));
+  const Eigen::ArrayXd angle = place_angles(run.statistics.outer.mean_load.size());
+  const auto loads_under = [&](const std::vector<WindowStatistics>& means) {
+    return shared_loads(rating.load_of(duty), means, angle, drivetrain.bearing.rollers().count);
+  };
+  const std::vector<double> loads = loads_under(run.bearings);
+  PointResult result = dynamic_point(rating, loads, run);
+  std::vector<bearing::rating::RatedHours> rated;
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    const Rating::Lives lives = rating.of(run.bearings[i], loads[i]);
+    record.bearing_life_hours.push_back(lives.hours);
+    rated.push_back(lives.rated_hours);
+  }
+  const std::vector<WindowStatistics> planets = by_planet(run.bearings, drivetrain.bearings_per_planet);
+  put_planets(rating, angle, planets, loads_under(planets), result);
   result.system_life_hours = life_together(record.bearing_life_hours);
+  result.rating.system_hours = bearing::rating::hours_together(rated, kRollerSlope);
   result.coupled = record;
   return result;
 }
@@ -553,6 +624,11 @@ PointResult completed(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeo
 
 }  // namespace
 
+double life_to_go_by(const PointResult& result) {
+  return bearing::rating::hours_to_go_by(result.life_method, result.life_hours, result.rating.hours,
+                                         result.rating.lives.oil.has_value());
+}
+
 bearing::motion::DynamicsParameters dynamics_parameters(const PlanetaryDrivetrain& drivetrain,
                                                         const DrivetrainGeometry& geometry,
                                                         const BearingDuty& duty,
@@ -587,7 +663,7 @@ PointResult evaluate_from(const PlanetaryDrivetrain& drivetrain, const Drivetrai
         "required: a stated tilt, or points that start from their quasi-static states");
   const BearingDuty duty = bearing_duty(drivetrain, geometry);
   return completed(drivetrain, geometry, {duty},
-                   driven_point(drivetrain, duty, motion_from(start, drivetrain, geometry, duty)));
+                   driven_point(drivetrain, geometry, duty, motion_from(start, drivetrain, geometry, duty)));
 }
 
 }  // namespace orbearing::study

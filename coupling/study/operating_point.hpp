@@ -22,7 +22,7 @@ enum class Fidelity {
 struct RaceResult {
   double load_max = 0.0;    // [N]    largest load of one roller
   double load_rms = 0.0;    // [N]    over time for one roller, unloaded time included
-  double life = 0.0;        // [rev]  revolutions of the turning race
+  double life = 0.0;        // [rev]  revolutions of the turning race, Lundberg and Palmgren
   double least_film = 0.0;  // [m]    under the most loaded roller; NaN where nothing rolls or no oil is given
   double lamina_load_max = 0.0;  // [N]  largest load of one lamina; 0: all carry alike
 };
@@ -66,16 +66,11 @@ struct CoupledRecord {
   double window = 0.0;                     // [s]  mean time between exchanges; 0: one system
 };
 
-/// Life by film and cleanliness [ISO281], beside that of Lundberg and Palmgren and on the same loads.
-struct ModifiedRecord {
-  double viscosity_ratio = 0.0;       // [-]  kappa
-  double contamination_factor = 0.0;  // [-]  e_C
-  // Not numbers where kappa is below 0.1, where the standard gives none:
-  double life_modification = 0.0;  // [-]    a_ISO of one bearing
-  double inner_life = 0.0;         // [rev]  with a_1
-  double outer_life = 0.0;         // [rev]
-  double life_hours = 0.0;         // [h]    L_10mh of one bearing; with a_1 L_nmh
-  double system_life_hours = 0.0;  // [h]    of all planet bearings of all sets
+/// Lives of one bearing by the standards, beside that of Lundberg and Palmgren and on the same loads.
+struct RatingRecord {
+  bearing::rating::RatingLives lives;
+  bearing::rating::RatedHours hours;         // of one bearing
+  bearing::rating::RatedHours system_hours;  // of all planet bearings of all sets
 };
 
 /// One planet where planets differ or were computed one by one. Loads and life are those of one bearing.
@@ -83,7 +78,7 @@ struct PlanetResult {
   double load_share = 1.0;           // [-]  tangential load, mean over time, over the mean of all planets
   double load = 0.0;                 // [N]  of the rollers on the bore, mean over time
   double life_hours = 0.0;           // [h]
-  double modified_life_hours = 0.0;  // [h]  zero where nothing is said of the oil
+  bearing::rating::RatedHours rated_hours{};
 };
 
 /// One bearing of a planet whose tilt is computed.
@@ -92,7 +87,7 @@ struct SeatResult {
   double load = 0.0;                               // [N]    of its rollers on the bore
   Eigen::Vector2d tilt = Eigen::Vector2d::Zero();  // [rad]  of its bore against the pin, outward and ahead
   double life_hours = 0.0;                         // [h]
-  double modified_life_hours = 0.0;                // [h]  zero where nothing is said of the oil
+  bearing::rating::RatedHours rated_hours{};
 };
 
 /// One of several sets at an operating point. Loads and life are those of one bearing.
@@ -103,7 +98,7 @@ struct SetResult {
   RaceResult inner;
   RaceResult outer;
   double life_hours = 0.0;  // [h]
-  std::optional<ModifiedRecord> modified{};
+  RatingRecord rating{};
 };
 
 /// What one operating point gives. Loads and lives are those of one bearing: of several sets, of the one
@@ -120,6 +115,7 @@ struct PointResult {
   double sun_thrust = 0.0;          // [N]    z: of all planets on the sun; the ring's is opposite
   RaceResult inner;
   RaceResult outer;
+  double life = 0.0;               // [rev]  one bearing, Lundberg and Palmgren, as the three that follow
   double life_hours = 0.0;         // [h]  one bearing
   double system_life_hours = 0.0;  // [h]  all planet bearings of all sets
   double contact_pressure =
@@ -127,7 +123,8 @@ struct PointResult {
   double cage_slip = 0.0;  // [-]  1 - cage speed / kinematic cage speed; 0 at rest
   bool caged = true;       // else there is nothing of a cage to tell
   double radial_clearance = 0.0;           // [m]  of the running bearing
-  std::optional<ModifiedRecord> modified;  // none where nothing is said of the oil
+  RatingRecord rating;
+  bearing::rating::LifeMethod life_method = bearing::rating::LifeMethod::lundberg_palmgren;
   LoadDistribution distribution;
   std::optional<DynamicRecord> dynamic;  // none from the quasi-static model
   std::optional<LaminaRecord> laminae;   // none from whole contacts
@@ -138,6 +135,10 @@ struct PointResult {
   std::vector<SetResult> sets;           // of several sets, all with bearings, in the order given
   std::string status = "ok";             // "ok" or why the point failed
 };
+
+/// The life of one bearing that results go by, by the drivetrain's method [h]; not a number where the standards
+/// give none.
+double life_to_go_by(const PointResult& result);
 
 /// bearing_dynamics() with what `gears` give at this duty.
 bearing::motion::DynamicsParameters dynamics_parameters(const PlanetaryDrivetrain& drivetrain,

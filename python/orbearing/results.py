@@ -303,7 +303,7 @@ class SweepResult(Result):
         from orbearing import style
 
         axes = axes or _new_axes()
-        speed, life = self.input_speed_rpm, self.life_h
+        speed, life = self.input_speed_rpm, self.column(self.peak.get("life_key", "life_h"))
         order = np.argsort(speed, kind="stable")
         grid = ~self.refined[order]
         axes.plot(speed[order], np.where(life[order] > 0, life[order], np.nan), color=style.BLUE, linewidth=1.0)

@@ -25,7 +25,10 @@ ordered_json point_json(const CrownPoint& point, const std::string& profile, boo
           {"peak_pressure_MPa", ok ? number_or_null(kMega * point.pressure.peak) : nullptr},
           {"edge_ratio", ok ? number_or_null(point.pressure.edge_ratio) : nullptr},
           {"profile", profile},
-          {"L10mh", number_or_null(point.modified_life_hours)},
+          {"L10h", number_or_null(point.rated_hours.basic)},
+          {"L10rh", number_or_null(point.rated_hours.reference)},
+          {"L10mh", number_or_null(point.rated_hours.modified)},
+          {"L10mrh", number_or_null(point.rated_hours.modified_reference)},
           {"status", point.status}};
 }
 
@@ -37,7 +40,10 @@ ordered_json design_json(const CrownDesign& design, LifeMeasure measure) {
                       {"peak_pressure_MPa", number_or_null(kMega * design.peak_pressure)},
                       {"edge_ratio", number_or_null(design.edge_ratio)},
                       {other, number_or_null(design.other_life_hours)},
-                      {"L10mh", number_or_null(design.modified_life_hours)},
+                      {"L10h", number_or_null(design.rated_hours.basic)},
+                      {"L10rh", number_or_null(design.rated_hours.reference)},
+                      {"L10mh", number_or_null(design.rated_hours.modified)},
+                      {"L10mrh", number_or_null(design.rated_hours.modified_reference)},
                       {"half_space_life_h", number_or_null(design.pressure_life_hours)}};
   if (std::isfinite(design.untilted_life_hours)) {
     object["untilted_life_h"] = design.untilted_life_hours;
@@ -301,8 +307,14 @@ PointContent crown_content(const CrownStudy& study) {
   add("largest_tilt", "rad", "largest tilt of a bore on its pin, computed or stated",
       [](const CrownPoint& p) { return p.largest_tilt; });
   add("life", "h", "life of one bearing", [](const CrownPoint& p) { return p.life_hours; });
-  add("L10mh", "h", "life of one bearing by film and cleanliness",
-      [](const CrownPoint& p) { return p.modified_life_hours; });
+  add("L10h", "h", "life of one bearing by ISO 281",
+      [](const CrownPoint& p) { return p.rated_hours.basic; });
+  add("L10rh", "h", "life of one bearing by ISO/TS 16281",
+      [](const CrownPoint& p) { return p.rated_hours.reference; });
+  add("L10mh", "h", "life of one bearing by ISO 281, with a_ISO",
+      [](const CrownPoint& p) { return p.rated_hours.modified; });
+  add("L10mrh", "h", "life of one bearing by ISO/TS 16281, with a_ISO of each lamina",
+      [](const CrownPoint& p) { return p.rated_hours.modified_reference; });
   add("peak_pressure", "Pa",
       "greatest pressure of the most loaded roller, mean over a hundredth of its length",
       [](const CrownPoint& p) { return p.pressure.peak; });

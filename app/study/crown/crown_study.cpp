@@ -57,13 +57,14 @@ CrownDesign design_of(const Bench& bench, const std::string& name, const Profile
   const std::vector<double>& tilts = bench.request.tilts;
   const auto points = crown_grid(bench.problem, bench.pressure, {made}, {drop}, tilts, bench.jobs, {});
   CrownDesign design{.profile = name, .crown = {drop, 1.0}, .made = made};
-  design.life_hours = design.other_life_hours = design.modified_life_hours =
-      std::numeric_limits<double>::infinity();
+  design.life_hours = design.other_life_hours = std::numeric_limits<double>::infinity();
+  design.rated_hours = points.front().rated_hours;
   for (const CrownPoint& point : points) {
     if (point.status != "ok") throw ComputationFailed("crown: profile " + name + ": " + point.status);
     design.life_hours = std::min(design.life_hours, point.life_hours);
-    if (!(point.modified_life_hours >= design.modified_life_hours))
-      design.modified_life_hours = point.modified_life_hours;
+    for (const auto life : bearing::rating::kRatedHours)
+      if (!(point.rated_hours.*life >= design.rated_hours.*life))
+        design.rated_hours.*life = point.rated_hours.*life;
     design.other_life_hours =
         std::min(design.other_life_hours, life_hours(bench.other, made, lean_by(bench.other, point.tilt)));
     if (point.pressure.peak <= design.peak_pressure) continue;

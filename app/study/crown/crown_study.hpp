@@ -21,7 +21,7 @@ struct CrownDesign {
   double life_hours = 0.0;                    // [h]
   double peak_pressure = 0.0;                 // [Pa]
   double edge_ratio = 0.0;                    // [-]   at that pressure
-  double modified_life_hours = 0.0;           // [h]  worst, by film and cleanliness; NaN without an oil
+  bearing::rating::RatedHours rated_hours{};  // worst of each, by the standards; NaN where they give none
   double untilted_life_hours = 0.0;           // [h]   NaN where tilts are computed, as below
   double other_life_hours = 0.0;              // [h]   worst, by the measure that is not optimised
   double pressure_life_hours = 0.0;           // [h]  worst, from half-space pressures

@@ -18,16 +18,16 @@ using bearing::profile::Profile;
 void put_duties(const CrownProblem& problem, const RollerPressure& pressure, const Profile& profile,
                 CrownPoint& point) {
   std::vector<DutyLoads> loads;
-  Eigen::ArrayXd hours(static_cast<Eigen::Index>(problem.duties.size())), modified(hours.size());
+  Eigen::ArrayXd hours(static_cast<Eigen::Index>(problem.duties.size()));
+  std::vector<bearing::rating::RatedHours> rated;
   for (std::size_t duty = 0; duty < problem.duties.size(); ++duty) {
     loads.push_back(loads_at(problem, profile, lean_by(problem, point.tilt), duty));
     point.largest_tilt = std::max(point.largest_tilt, loads.back().tilt);
     hours[static_cast<Eigen::Index>(duty)] = duty_hours(problem, loads.back(), duty);
-    modified[static_cast<Eigen::Index>(duty)] = modified_duty_hours(problem, loads.back(), duty);
+    rated.push_back(rated_duty_hours(problem, loads.back(), duty));
   }
   point.life_hours = life_of_duties(problem, hours);
-  point.modified_life_hours =
-      modified.isNaN().any() ? std::numeric_limits<double>::quiet_NaN() : life_of_duties(problem, modified);
+  point.rated_hours = life_of_duties(problem, rated);
   point.pressure = peak_pressure(problem, pressure, profile, loads);
 }
 
@@ -37,7 +37,8 @@ CrownPoint point_at(const CrownProblem& problem, const RollerPressure& pressure,
   try {
     put_duties(problem, pressure, profile, point);
   } catch (const std::exception& error) {
-    point.life_hours = point.modified_life_hours = std::numeric_limits<double>::quiet_NaN();
+    point.life_hours = std::numeric_limits<double>::quiet_NaN();
+    point.rated_hours = {};
     point.status = error.what();
   }
   return point;

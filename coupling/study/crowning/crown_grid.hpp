@@ -15,7 +15,7 @@ struct CrownPoint {
   double tilt = 0.0;                 // [rad]  as stated, of the bore on its pin, or as lean_by() takes it
   double largest_tilt = 0.0;         // [rad]  largest of a bore against its pin over bearings and duties
   double life_hours = 0.0;           // [h]
-  double modified_life_hours = 0.0;  // [h]  by film and cleanliness; not a number without an oil
+  bearing::rating::RatedHours rated_hours{};  // by the standards
   PeakPressure pressure;             // greatest over the spectrum
   std::string status = "ok";         // "ok" or why there is no balance
 };

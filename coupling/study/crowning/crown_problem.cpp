@@ -7,7 +7,7 @@
 
 #include "bearing/equilibrium/drop_gradient.hpp"
 #include "bearing/life/basic_life.hpp"
-#include "bearing/life/modified_life.hpp"
+#include "bearing/life/rating_lives.hpp"
 
 namespace orbearing::study::crowning {
 
@@ -72,12 +72,11 @@ std::vector<DropSlope> lamina_slopes(const LaminaBearing& bearing, const Profile
 CrownProblem crown_problem(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                            const std::vector<SpectrumPoint>& spectrum, LifeMeasure measure, int laminae) {
   require_whole(spectrum);
-  CrownProblem problem{.bearing = drivetrain.bearing,
-                       .options = quasi_static_options(drivetrain),
-                       .rated = drivetrain.rated,
-                       .reduction_factor = drivetrain.reduction_factor};
+  CrownProblem problem{
+      .bearing = drivetrain.bearing, .options = quasi_static_options(drivetrain), .rated = drivetrain.rated};
   if (drivetrain.seats.tilt == TiltState::computed) problem.seat = planet_seat(drivetrain);
   problem.bearing.rollers().laminae = laminae;
+  problem.rating = bearing::rating::bearing_rating(problem.bearing, problem.rated.stated);
   for (const SpectrumPoint& at : spectrum) {
     if (at.speed <= 0.0 || at.share <= 0.0) continue;
     PlanetaryDrivetrain there = drivetrain;
@@ -182,16 +181,23 @@ double duty_hours(const CrownProblem& problem, const DutyLoads& loads, std::size
   return bearing::hours(revolutions, turning_speed(problem.bearing, problem.duties[duty].point));
 }
 
-double modified_duty_hours(const CrownProblem& problem, const DutyLoads& loads, std::size_t duty) {
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  if (!problem.rated) return none;
-  const double speed = turning_speed(problem.bearing, problem.duties[duty].point);
-  const auto oil = bearing::rating::oil_condition(problem.rated->oil, speed, problem.bearing.pitch_diameter);
-  const auto modified =
-      bearing::rating::modified_life(problem.bearing, problem.reduction_factor, problem.rated->ratings, oil,
-                                     bearing::motion::RaceDamage{{}, loads.inner_lamina_load().pow(4)},
-                                     bearing::motion::RaceDamage{{}, loads.outer_lamina_load().pow(4)});
-  return modified ? problem.rated->reliability_factor * bearing::hours(modified->life.bearing, speed) : none;
+bearing::rating::RatedHours rated_duty_hours(const CrownProblem& problem, const DutyLoads& loads,
+                                             std::size_t duty) {
+  using namespace bearing::rating;
+  const bearing::OperatingPoint& point = problem.duties[duty].point;
+  const double speed = turning_speed(problem.bearing, point);
+  const double load =
+      bearing::total_bore_load(problem.bearing, geometry_of(problem.bearing), point, problem.options.inertia)
+          .norm();
+  RatingCondition condition{.dynamic_load = load,
+                            .static_load = load,
+                            .oil = std::nullopt,
+                            .reliability_factor = problem.rated.reliability_factor};
+  if (problem.rated.oil)
+    condition.oil = oil_condition(*problem.rated.oil, speed, problem.bearing.pitch_diameter);
+  const auto means = bearing::life::means_of_loads(problem.bearing.motions, loads.inner_lamina_load(),
+                                                   loads.outer_lamina_load());
+  return rated_hours(rating_lives(problem.rating, condition, means), speed);
 }
 
 double life_hours(const CrownProblem& problem, const Profile& profile, const Lean& lean) {
@@ -210,6 +216,19 @@ double life_of_duties(const CrownProblem& problem, const Eigen::Ref<const Eigen:
   shares[duties] = std::max(0.0, 1.0 - shares.head(duties).sum());
   lives << hours, std::numeric_limits<double>::infinity();
   return bearing::rating::spectrum_life(shares, lives);
+}
+
+bearing::rating::RatedHours life_of_duties(const CrownProblem& problem,
+                                           const std::vector<bearing::rating::RatedHours>& hours) {
+  using bearing::rating::RatedHours;
+  RatedHours all;
+  Eigen::ArrayXd lives(static_cast<Eigen::Index>(hours.size()));
+  for (const auto life : bearing::rating::kRatedHours) {
+    for (Eigen::Index duty = 0; duty < lives.size(); ++duty)
+      lives[duty] = hours[static_cast<std::size_t>(duty)].*life;
+    if (!lives.isNaN().any()) all.*life = life_of_duties(problem, lives);
+  }
+  return all;
 }
 
 // L = 1/sum(s_i/L_i): d ln L = sum of the duties' d ln L_i, weighted by the part of life each uses up.

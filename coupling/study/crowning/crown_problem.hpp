@@ -30,8 +30,8 @@ struct CrownProblem {
   bearing::QuasiStaticOptions options;
   std::vector<Duty> duties;
   std::vector<LaminaRating> ratings;  // (duties)
-  std::optional<RatedBearing> rated;  // none: no life by film and cleanliness
-  double reduction_factor = 0.83;     // [-]  of Lundberg and Palmgren's capacities, whatever the measure
+  RatedBearing rated;
+  bearing::rating::BearingRating rating;  // with as many laminae
   std::optional<PlanetSeat> seat{};   // where the tilt is computed; none: it is stated
 };
 
@@ -85,13 +85,16 @@ bearing::OperatingPoint tilted(const Duty& duty, const Lean& lean);
 /// Life [h] of one bearing at one duty alone, whose loads are known.
 double duty_hours(const CrownProblem& problem, const DutyLoads& loads, std::size_t duty);
 
-/// The same by film and cleanliness, L_10mh [h]: kappa by speed and viscosity. Not a number where nothing is
-/// said of the oil, or kappa is below 0.1.
-double modified_duty_hours(const CrownProblem& problem, const DutyLoads& loads, std::size_t duty);
+/// The same by the standards, kappa by speed and viscosity.
+bearing::rating::RatedHours rated_duty_hours(const CrownProblem& problem, const DutyLoads& loads,
+                                             std::size_t duty);
 
 /// The rule of Palmgren and Miner: life [h] of all, given that of each duty alone. What the duties leave of
 /// the time is rest.
 double life_of_duties(const CrownProblem& problem, const Eigen::Ref<const Eigen::ArrayXd>& hours);
+/// Life by life (duties); not a number where one is not.
+bearing::rating::RatedHours life_of_duties(const CrownProblem& problem,
+                                           const std::vector<bearing::rating::RatedHours>& hours);
 
 /// Life [h] of one bearing over the duties; of one duty, its own.
 double life_hours(const CrownProblem& problem, const bearing::profile::Profile& profile, const Lean& lean);

@@ -57,6 +57,7 @@ inline std::string point_result(const ResolvedCase& in, study::Fidelity fidelity
   std::vector<double> numbers;
   for (const Column& column : leading_columns()) numbers.push_back(column.value(point));
   for (const Column& column : trailing_columns()) numbers.push_back(column.value(point));
+  numbers.push_back(study::life_to_go_by(point));
   for (const study::SetResult& set : point.sets)
     for (const SetColumn& column : set_columns()) numbers.push_back(column.value(set));
   std::string text =
@@ -80,7 +81,8 @@ inline std::string crown_result(const ResolvedCase& in) {
       crown_grid(problem, RollerPressure(problem), {profile_of(family, {drop, usual_share(family)})}, {drop},
                  {tilt}, 1, {})
           .front();
-  return digits(std::vector{point.life_hours, point.modified_life_hours, point.pressure.peak,
+  return digits(std::vector{point.life_hours, point.rated_hours.basic, point.rated_hours.reference,
+                            point.rated_hours.modified_reference, point.pressure.peak,
                             point.pressure.edge_ratio}) +
          point.status;
 }

@@ -39,13 +39,32 @@ const std::vector<std::string> promised = {"input_speed_rpm",
                                            "contact_pressure_max_MPa",
                                            "operating_clearance_um",
                                            "rim_ovality_um",
+                                           "life_Mrev",
+                                           "L10h",
+                                           "L10rh",
+                                           "L10mh",
+                                           "L10mrh",
+                                           "system_L10h",
+                                           "system_L10rh",
+                                           "system_L10mh",
+                                           "system_L10mrh",
+                                           "L10_Mrev",
+                                           "L10r_Mrev",
+                                           "L10m_Mrev",
+                                           "L10mr_Mrev",
+                                           "inner_L10m_Mrev",
+                                           "outer_L10m_Mrev",
+                                           "C_N",
+                                           "C0_N",
+                                           "Cu_N",
+                                           "P_N",
+                                           "P0_N",
+                                           "C_over_P",
+                                           "S0",
                                            "kappa",
                                            "e_C",
                                            "a_ISO",
-                                           "L10mh",
-                                           "system_L10mh",
-                                           "inner_L10m_Mrev",
-                                           "outer_L10m_Mrev",
+                                           "a_ISO_r",
                                            "static_safety",
                                            "roller_slip",
                                            "orbit_slip",
@@ -133,7 +152,21 @@ TEST(ResultRow, EveryNumberStandsUnderItsNameInItsUnit) {
   result.contact_pressure = 20e6;
   result.radial_clearance = 67e-6;
   result.distribution.race_form = {-1e-6, 2.5e-6, 0.0};
-  result.modified = study::ModifiedRecord{60.0, 61.0, 62.0, 65e6, 66e6, 63.0, 64.0};
+  result.life = 102e6;
+  result.rating = {.lives = {.dynamic_capacity = 160.0,
+                             .static_capacity = 243.0,
+                             .fatigue_load_limit = 82.0,
+                             .dynamic_load = 80.0,
+                             .static_load = 81.0,
+                             .oil = bearing::rating::OilCondition{60.0, 61.0},
+                             .life_modification = 62.0,
+                             .reference_modification = 62.5,
+                             .basic = 90e6,
+                             .reference = {1e6, 2e6, 91e6},
+                             .modified = 92e6,
+                             .modified_reference = {65e6, 66e6, 93e6}},
+                   .hours = {94.0, 95.0, 96.0, 97.0},
+                   .system_hours = {98.0, 99.0, 100.0, 101.0}};
   result.dynamic = study::DynamicRecord{.steady = true,
                                         .roller_slip = 18.0,
                                         .orbit_slip = 75.0,
@@ -167,10 +200,12 @@ TEST(ResultRow, EveryNumberStandsUnderItsNameInItsUnit) {
     const double slip = caged ? 16.0 : not_given, pockets = caged ? 32.0 : not_given,
                  guidance = caged ? 64.0 : not_given, neighbours = caged ? not_given : 256.0;
     const std::vector<double> expected = {
-        0,  1,  2,  3,  4,    6,       7,        10,         11,  8,  12, 14, 15,  slip,  9,    13, -1, 5,
-        72, 73, 74, 20, 67,   3.5,     60,       61,         62,  63, 64, 65, 66,  40000, 18,   75, 19, 511,
-        1,  2,  4,  8,  16,   pockets, guidance, neighbours, 128, 1,  21, 2,  1.5, 5,     1.25, 23, 24, 40,
-        1,  41, 42, 43, 43.5, 44,      45,       46,         47,  48, 49, 50, 51,  52,    53,   -1, 17};
+        0,       1,        2,          3,   4,    6,     7,  10,  11,  8,    12,  14, 15, slip, 9,
+        13,      -1,       5,          72,  73,   74,    20, 67,  3.5, 102,  94,  95, 96, 97,   98,
+        99,      100,      101,        90,  91,   92,    93, 65,  66,  160,  243, 82, 80, 81,   2,
+        3,       60,       61,         62,  62.5, 40000, 18, 75,  19,  511,  1,   2,  4,  8,    16,
+        pockets, guidance, neighbours, 128, 1,    21,    2,  1.5, 5,   1.25, 23,  24, 40, 1,    41,
+        42,      43,       43.5,       44,  45,   46,    47, 48,  49,  50,   51,  52, 53, -1,   17};
     ASSERT_EQ(expected.size(), head.names.size());
     for (std::size_t i = 0; i < expected.size(); ++i)
       if (i != head.status_place && i != head.refined_place) {
@@ -178,6 +213,20 @@ TEST(ResultRow, EveryNumberStandsUnderItsNameInItsUnit) {
                     (std::isnan(row.values.at(i)) && std::isnan(expected[i])))
             << head.names[i] << ": " << row.values.at(i);
       }
+  }
+}
+
+// Issue 44, Build 1: the life that peaks go by is one of the columns.
+TEST(ResultRow, TheLifeToGoByIsNamedByTheHead) {
+  study::PointResult result = at_6000_rpm();
+  result.rating.hours = {94.0, 95.0, 96.0, 97.0};
+  TableHead head = table_head({});
+  const ResultRow row = result_row(result, {});
+  EXPECT_EQ(life_to_go_by(head, row), result.life_hours);
+  for (const auto& [name, life] :
+       {std::pair{"L10h", 94.0}, {"L10rh", 95.0}, {"L10mh", 96.0}, {"L10mrh", 97.0}}) {
+    head.life = name;
+    EXPECT_EQ(life_to_go_by(head, row), life) << name;
   }
 }
 
