@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "app/case/printable.hpp"
 #include "app/case/resolved_writer.hpp"
 #include "app/commands/presentation.hpp"
 #include "app/results/point_file.hpp"
@@ -66,7 +67,7 @@ void present_lone_result(const nlohmann::ordered_json& object, const std::string
   } else if (!options.quiet) {
     fmt::print("{}", text);
     for (const nlohmann::ordered_json& warning : object.at("warnings"))
-      fmt::print("warning: {}\n", warning.get<std::string>());
+      fmt::print("warning: {}\n", printable(warning.get<std::string>()));
   }
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <memory>
 #include <mutex>
@@ -13,10 +14,29 @@
 #include "bearing/profile/design.hpp"
 #include "coupling/study/tilting_planet.hpp"
 #include "gearset/drivetrain/power_flow.hpp"
+#include "gearset/planet_angles.hpp"
 
 namespace orbearing::app {
 
 namespace {
+
+// Those at which teeth fit, on which stated ones are rounded.
+void add_planet_angles(const gearset::PlanetarySet& set, std::vector<Derived>& rows) {
+  std::vector<double> angles = gearset::angles_of_planets(set);
+  angles.push_back(angles.front() + 2.0 * boost::math::double_constants::pi);
+  double least = angles.back(), most = 0.0;
+  for (std::size_t n = 0; n + 1 < angles.size(); ++n) {
+    least = std::min(least, angles[n + 1] - angles[n]);
+    most = std::max(most, angles[n + 1] - angles[n]);
+  }
+  const std::string path = "gearset.planet_angle";
+  if (!gearset::stands_unevenly(set)) {
+    rows.push_back({path, kDegree * most, "deg", "between neighbouring planets"});
+    return;
+  }
+  rows.push_back({path + ".least", kDegree * least, "deg", "between neighbouring planets"});
+  rows.push_back({path + ".most", kDegree * most, "deg", "between neighbouring planets"});
+}
 
 void add_gears(const study::PlanetaryDrivetrain& drivetrain, const study::DrivetrainGeometry& geometry,
                std::vector<Derived>& rows) {
@@ -41,8 +61,7 @@ void add_gears(const study::PlanetaryDrivetrain& drivetrain, const study::Drivet
         {"gearset.base_helix_angle", kDegree * gears.base_helix_angle, "deg", "at the base cylinders"});
     rows.push_back({"gearset.overlap_ratio", gears.overlap_ratio, "1", "face width in axial pitches"});
   }
-  rows.push_back(
-      {"gearset.planet_angle", 360.0 / drivetrain.set.planets, "deg", "between neighbouring planets"});
+  add_planet_angles(drivetrain.set, rows);
   rows.push_back(
       {"gearset.planet_mass", geometry.planet_mass, "kg", "gear body and outer rings of its bearings"});
 }

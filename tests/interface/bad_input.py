@@ -20,7 +20,7 @@ SECONDS = 20  # a mistake is found at once; this stops a hang
 # What is wrong: what to replace in the shipped case, by what, the line of the message and a part of it.
 CHANGED_FILES = {
     "wrong syntax": ("  power: 150 kW", "   power: 150 kW", 6, r"\(file\): wrong YAML"),
-    "tab for indentation": ("  power: 150 kW", "\tpower: 150 kW", 6, r"\(file\): wrong YAML"),
+    "tab for indentation": ("  power: 150 kW", "\tpower: 150 kW", 6, r"\(file\): a tab in the indentation"),
     "quotation not closed": ('reduction set"', "reduction set", None, r"\(file\): "),
     "second document": ("assumed:\n", "---\nassumed:\n", None, r"\(file\): a second YAML document"),
     "anchor": ("power: 150 kW", "power: &p 150 kW", 6, r"\(file\): an anchor"),
@@ -40,7 +40,7 @@ CHANGED_FILES = {
 
 # Settings of the shipped case, the key of the message and a part of it.
 SETTINGS = {
-    "no unit": ("bearing.roller_diameter=5.24", "bearing.roller_diameter", "no unit, write it as in '5.24 mm'"),
+    "no unit": ("bearing.roller_diameter=5.24", "bearing.roller_diameter", "no unit; write number and unit, as in '3 mm'"),
     "unknown unit": ("gearset.module=3 mmm", "gearset.module", "unit 'mmm' is not known"),
     "wrong dimension": ("gearset.module=3 kg", "gearset.module", "does not measure the same"),
     "speed in hertz": ("input.speed=100 Hz", "input.speed", "how much angle"),
