@@ -56,6 +56,7 @@ int check_command(const Options& options) {
   if (resolved.model() == planetary_drivetrain) {
     for (std::string& warning : overturning_warnings(resolved.without_sweep()))
       checked.warnings.push_back(std::move(warning));
+    for (std::string& warning : cage_warnings(resolved)) checked.warnings.push_back(std::move(warning));
     for (std::string& warning : clearance_warnings(resolved)) checked.warnings.push_back(std::move(warning));
   }
   for (const Derived& row : bought_quantities(resolved)) checked.derived.push_back(row);

@@ -148,6 +148,20 @@ bool states_any(const ResolvedCase& in, const std::string& set, std::initializer
 
 }  // namespace
 
+std::vector<std::string> cage_warnings(const ResolvedCase& resolved) {
+  std::vector<std::string> warnings;
+  for (const Input& input : resolved.inputs()) {
+    if (input.field->path != "bearing.cage.inner_diameter" || !resolved.has(input.path)) continue;
+    const std::string set = input.path.substr(0, set_prefix_length(input.path));
+    const std::string land = set + "bearing.cage.guide_land_diameter", complement = set + "bearing.complement";
+    if (resolved.has(land) || (resolved.has(complement) && resolved.choice(complement) == "full")) continue;
+    warnings.push_back(land +
+                       ": not stated; no land guides the cage in motion (--fidelity dynamic and above), only its "
+                       "pockets hold it, and it may come out");
+  }
+  return warnings;
+}
+
 std::vector<std::string> clearance_warnings(const ResolvedCase& resolved) {
   std::vector<std::string> warnings;
   std::vector<std::string> sets = resolved.shape().sets;

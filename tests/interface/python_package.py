@@ -91,6 +91,45 @@ class TheSameNumbers(unittest.TestCase):
         self.assertTrue((np.diff(life[:, 5]) < 0).all())  # less life by more clearance
 
 
+# Issue 44, item 9: what is read is round, and may be written back.
+class WhatIsReadMayBeWritten(unittest.TestCase):
+    def test_values_are_round(self):
+        case = orbearing.load(REDUCER)
+        case["bearing.radial_clearance"] = "80 um"
+        self.assertEqual(repr(case["bearing.radial_clearance"]), "8e-05")
+        self.assertEqual(repr(case["gearset.module"]), "0.003")
+        self.assertEqual(repr(case["input.power"]), "150000.0")
+
+    def test_numbers_are_in_si(self):
+        case = orbearing.load(REDUCER)
+        case["bearing.radial_clearance"] = 8e-5
+        self.assertEqual(case["bearing.radial_clearance"], 8e-5)
+        self.assertEqual(case.copy({"bearing.radial_clearance": "80 um"})["bearing.radial_clearance"], 8e-5)
+        case["bearing.cage"] = {"inner_diameter": np.float64(0.034), "outer_diameter": 0.0376, "width": "9.5 mm", "density": 1140}
+        self.assertEqual(case["bearing.cage.inner_diameter"], 0.034)
+        case["sweep.input.speed"] = {"from": 100.0, "to": 300.0, "step": 100.0}
+        self.assertEqual(len(case.core.axes()["input.speed"]), 3)
+        with self.assertRaisesRegex(orbearing.CaseError, "out of range"):
+            case["bearing.radial_clearance"] = 80
+
+    def test_every_value_of_every_case_goes_round(self):
+        count = 0
+        for name, file in orbearing.cases().items():
+            case = orbearing.load(file)
+            texts = []
+            for row in case.inputs:
+                path = row["path"]
+                if row["source"] in ("absent", "default") or path in ("model",):
+                    continue
+                texts.append((path, case[path]))
+            again = case.copy(dict(texts))
+            for path, value in texts:
+                with self.subTest(case=name, path=path):
+                    self.assertEqual(again[path], value)
+                    count += 1
+        self.assertGreater(count, 1000)
+
+
 class ErrorsSayWhere(unittest.TestCase):
     def test_unknown_key(self):
         case = orbearing.load(REDUCER)
