@@ -85,12 +85,14 @@ void add_motion(const gearset::PlanetarySet& set, const gearset::MeanLoads& gear
   rows.push_back({"operation.thrust.ring", held.ring, "N", "from the housing on the ring"});
 }
 
-void add_duty(const gearset::PlanetarySet& set, const study::BearingDuty& duty, std::vector<Derived>& rows) {
-  add_motion(set, duty.gears, rows);
+void add_duty(const study::PlanetaryDrivetrain& drivetrain, const study::BearingDuty& duty,
+              std::vector<Derived>& rows) {
+  add_motion(drivetrain.set, duty.gears, rows);
+  const std::string whose = drivetrain.uneven_planets ? "; planets carry unlike loads, this is their mean" : "";
   rows.push_back({"operation.bore_load_x", duty.point.bore_load.x(), "N",
-                  "gears and planet on one bearing, outward; cage and rollers not included"});
+                  "gears and planet on one bearing, outward; cage and rollers not included" + whose});
   rows.push_back(
-      {"operation.bore_load_y", duty.point.bore_load.y(), "N", "the same, in the sense of rotation"});
+      {"operation.bore_load_y", duty.point.bore_load.y(), "N", "the same, in the sense of rotation" + whose});
 }
 
 void add_profile(const bearing::Bearing& bearing, std::vector<Derived>& rows) {
@@ -111,7 +113,8 @@ void add_bearing(const study::PlanetaryDrivetrain& drivetrain, const study::Driv
   rows.push_back(
       {"bearing.outer_raceway_diameter", 2e3 * g.outer_radius, "mm", "pitch + roller + half clearance"});
   rows.push_back({"bearing.roller_mass", 1e3 * g.element_mass, "g", "one roller"});
-  rows.push_back({"bearing.cage.mass", 1e3 * g.cage_mass, "g", "ring less pockets"});
+  if (drivetrain.bearing.has_cage())
+    rows.push_back({"bearing.cage.mass", 1e3 * g.cage_mass, "g", "ring less pockets"});
 }
 
 // From the shelf to the running bearing, and how it runs at each swept speed.
@@ -286,7 +289,7 @@ std::vector<Derived> derived_quantities(const ResolvedCase& resolved) {
     add_gears(set.drivetrain, set.geometry, of_set);
     add_bearing(set.drivetrain, set.geometry, of_set);
     add_clearance(resolved, set, of_set);
-    add_duty(set.drivetrain.set, study::bearing_duty(set.drivetrain, set.geometry), of_set);
+    add_duty(set.drivetrain, study::bearing_duty(set.drivetrain, set.geometry), of_set);
     if (!resolved.has("support.stiffness"))  // of several sets, each has its own pin
       of_set.push_back({"support.stiffness", set.drivetrain.dynamics.support.stiffness, "N/m",
                         "of the pin at one bearing, from its dimensions"});

@@ -6,6 +6,8 @@ import json
 import os
 import pathlib
 import pickle
+import re
+import shutil
 import signal
 import subprocess
 import sys
@@ -128,6 +130,38 @@ class WhatIsReadMayBeWritten(unittest.TestCase):
                     self.assertEqual(again[path], value)
                     count += 1
         self.assertGreater(count, 1000)
+
+
+# Issue 44, item 6: a host with a decimal comma (Qt, GTK and R set it), before the first case and after it.
+class UnderADecimalComma(unittest.TestCase):
+    SCRIPT = """
+import json, locale, sys, orbearing
+before = sys.argv[1] == "before"
+if not before:
+    orbearing.load(sys.argv[2])
+locale.setlocale(locale.LC_ALL, "de_DE.UTF-8")
+assert locale.localeconv()["decimal_point"] == ","
+case = orbearing.load(sys.argv[2])
+case["lubricant.grade"] = "ISO VG 220"
+case["sweep.input.speed"] = "{from: 10 rpm, to: 250 rpm, step: 40 rpm}"
+sweep = case.sweep()
+print(json.dumps([case.resolved, sweep.data], sort_keys=True))
+"""
+
+    def test_numbers_are_those_of_a_point(self):
+        with tempfile.TemporaryDirectory() as folder:
+            made = subprocess.run(["localedef", "-i", "de_DE", "-f", "UTF-8", folder + "/de_DE.UTF-8"], capture_output=True,
+                                  check=False) if shutil.which("localedef") else None
+            if made is None or not pathlib.Path(folder, "de_DE.UTF-8").exists():
+                self.skipTest("localedef cannot make a locale with a decimal comma")
+            environment = {**os.environ, "LOCPATH": folder, "PYTHONPATH": str(pathlib.Path(orbearing.__file__).parents[1])}
+            found = [subprocess.run([sys.executable, "-c", script, when, str(REDUCER)], capture_output=True, text=True, env=environment, check=False)
+                     for when, script in (("before", self.SCRIPT), ("after", self.SCRIPT),
+                                          ("never", re.sub("(?m)^(locale.set|assert).*$", "", self.SCRIPT)))]
+            for one in found:
+                self.assertEqual(one.returncode, 0, one.stderr)
+            self.assertEqual(found[0].stdout, found[2].stdout)
+            self.assertEqual(found[1].stdout, found[2].stdout)
 
 
 class ErrorsSayWhere(unittest.TestCase):
