@@ -6,7 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 
+#include "app/case/units.hpp"
+#include "app/case/yaml_tree.hpp"
 #include "app/errors.hpp"
 #include "app/resources.hpp"
 #include "app/study/fidelity.hpp"
@@ -38,11 +42,21 @@ void require_known_keys(const YAML::Node& node) {
 
 std::string text_of(const YAML::Node& node, const char* key) {
   if (!node[key]) throw YAML::Exception(node.Mark(), std::string(key) + ": missing");
-  return node[key].as<std::string>();
+  return printable(node[key].as<std::string>());
+}
+
+// By the decimal point whatever the locale; yaml-cpp reads by a stream.
+double number_of(const YAML::Node& node, const char* key) {
+  const Reading<double> number = read_number(node.IsScalar() ? node.Scalar() : "");
+  if (!number.value)
+    throw YAML::Exception(node.Mark(), fmt::format("{}: found {}, {}", key,
+                                                   node.IsScalar() ? quote(node.Scalar()) : "no number",
+                                                   number.fault));
+  return *number.value;
 }
 
 double positive_number(const YAML::Node& node, const char* key) {
-  const double number = node.as<double>();
+  const double number = number_of(node, key);
   if (!(number >= 0.0)) throw YAML::Exception(node.Mark(), std::string(key) + ": found a number below zero");
   return number;
 }
@@ -73,7 +87,7 @@ PublishedValue published_value(const YAML::Node& node) {
   row.fidelity = fidelity_of_row(node, row.quantity);
   if (node["settings"]) row.settings = node["settings"].as<std::vector<std::string>>();
   if (!node["value"]) throw YAML::Exception(node.Mark(), "value: missing");
-  if (!node["value"].IsNull()) row.value = node["value"].as<double>();
+  if (!node["value"].IsNull()) row.value = number_of(node["value"], "value");
   if (node["scatter"]) row.scatter = positive_number(node["scatter"], "scatter");
   return row;
 }
@@ -84,8 +98,9 @@ NamedChange alternative(const YAML::Node& node) {
 }
 
 MotionPlan motion_plan(const YAML::Node& node) {
-  MotionPlan plan{.fidelity = node["fidelity"].as<std::string>(),
-                  .speed_rpm = node["speeds_rpm"].as<std::vector<double>>()};
+  MotionPlan plan{.fidelity = node["fidelity"].as<std::string>(), .speed_rpm = {}};
+  for (const YAML::Node& speed : node["speeds_rpm"])
+    plan.speed_rpm.push_back(number_of(speed, "motion.speeds_rpm"));
   const std::vector<std::string>& names = fidelity_names();
   if (std::find(names.begin(), names.end(), plan.fidelity) == names.end())
     throw YAML::Exception(node["fidelity"].Mark(), "motion.fidelity: found " + plan.fidelity);
@@ -135,10 +150,27 @@ std::optional<ResultPointer> result_pointer(const std::string& quantity) {
   return ResultPointer{quantity.substr(0, colon), quantity.substr(colon + 1)};
 }
 
+namespace {
+
+// yaml-cpp repairs bytes that are not UTF-8 in silence.
+std::string text_of_file(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  if (!stream) throw BadInput(fmt::format("{}: found a file that cannot be read; required: one that can", file));
+  try {
+    check_text(text);
+  } catch (const YamlFault& fault) {
+    throw BadInput(describe({fault.place, "(file)", fault.complaint}, file));
+  }
+  return text;
+}
+
+}  // namespace
+
 ExpectedFile read_expected(const std::string& file) {
   if (!fs::exists(file)) return {};
   try {
-    const YAML::Node root = YAML::LoadFile(file);
+    const YAML::Node root = YAML::Load(text_of_file(file));
     ExpectedFile expected;
     for (const YAML::Node& node : root["published"]) expected.published.push_back(published_value(node));
     for (const YAML::Node& node : root["alternatives"]) expected.alternatives.push_back(alternative(node));
