@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "app/case/resolved_writer.hpp"
+#include "app/checksum.hpp"
 #include "app/commands/presentation.hpp"
 #include "app/results/point_file.hpp"
 #include "app/results/result_folder.hpp"
@@ -26,13 +27,17 @@ nlohmann::ordered_json whole_json(const ResolvedCase& resolved, const LoneResult
   return object;
 }
 
-void write_files(const std::filesystem::path& folder, const LoneAnalysis& analysis, const LoneResult& result,
-                 const nlohmann::ordered_json& object) {
+/// Returns their check sums by name.
+std::map<std::string, std::string> write_files(const std::filesystem::path& folder, const LoneAnalysis& analysis,
+                                               const LoneResult& result, const nlohmann::ordered_json& object) {
   std::vector<FileContent> files;
   const std::string printed = object.dump(2) + "\n";
   if (analysis.json_file != nullptr) files.push_back({folder / analysis.json_file, printed});
   for (const auto& [name, content] : result.files) files.push_back({folder / name, content});
   write_aside_and_rename(files);
+  std::map<std::string, std::string> sums;
+  for (const FileContent& file : files) sums[file.file.filename().string()] = checksum(file.content);
+  return sums;
 }
 
 }  // namespace
@@ -45,9 +50,10 @@ int run_alone(const ResolvedCase& resolved, const Options& options, const LoneAn
   const LoneResult result = compute();
   const nlohmann::ordered_json object = whole_json(resolved, result);
   if (!folder.finished().contains(0)) {
-    if (!folder.path().empty()) write_files(folder.path(), analysis, result, object);
+    std::map<std::string, std::string> others;
+    if (!folder.path().empty()) others = write_files(folder.path(), analysis, result, object);
     folder.keep({{0, lone_result_file(header, analysis.title, result.content, result.status),
-                  lone_row(folder.head(), result.row)}});
+                  lone_row(folder.head(), result.row), std::move(others)}});
   }
   present_lone_result(object, result.text, options);
   return result.failed ? 1 : 0;

@@ -5,10 +5,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
+#include <set>
 
+#include "app/case/yaml_tree.hpp"
 #include "app/errors.hpp"
 #include "app/resources.hpp"
+#include "app/results/durable_file.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/version.hpp"
 
@@ -41,10 +45,40 @@ std::string text_of(const YAML::Node& node, const char* key) {
   return node[key].as<std::string>();
 }
 
-double positive_number(const YAML::Node& node, const char* key) {
+double finite_number(const YAML::Node& node, const char* key) {
   const double number = node.as<double>();
+  if (!std::isfinite(number))
+    throw YAML::Exception(node.Mark(), fmt::format("{}: found {}, which is no finite number", key, node.Scalar()));
+  return number;
+}
+
+double positive_number(const YAML::Node& node, const char* key) {
+  const double number = finite_number(node, key);
   if (!(number >= 0.0)) throw YAML::Exception(node.Mark(), std::string(key) + ": found a number below zero");
   return number;
+}
+
+// yaml-cpp's nodes take the first of two members with one key and drop the other.
+void require_each_key_once(const Entry& entry, const std::string& file, std::vector<std::string>& mistakes) {
+  std::set<std::string> seen;
+  for (const Entry& item : entry.items) require_each_key_once(item, file, mistakes);
+  for (const Member& member : entry.members) {
+    if (!seen.insert(member.key).second)
+      mistakes.push_back(fmt::format("{}:{}:{}: {}: found twice; required: once", file, member.place.line,
+                                     member.place.column, member.key));
+    require_each_key_once(member.value, file, mistakes);
+  }
+}
+
+void require_each_key_once(const std::string& file) {
+  std::vector<std::string> mistakes;
+  try {
+    require_each_key_once(read_yaml(read_file(file)), file, mistakes);
+  } catch (const YamlFault& fault) {
+    throw BadInput(fmt::format("{}:{}:{}: {}; {}", file, fault.place.line, fault.place.column, fault.complaint.found,
+                               fault.complaint.required));
+  }
+  if (!mistakes.empty()) throw BadInput(mistakes);
 }
 
 std::string fidelity_of_row(const YAML::Node& node, const std::string& quantity) {
@@ -73,7 +107,7 @@ PublishedValue published_value(const YAML::Node& node) {
   row.fidelity = fidelity_of_row(node, row.quantity);
   if (node["settings"]) row.settings = node["settings"].as<std::vector<std::string>>();
   if (!node["value"]) throw YAML::Exception(node.Mark(), "value: missing");
-  if (!node["value"].IsNull()) row.value = node["value"].as<double>();
+  if (!node["value"].IsNull()) row.value = finite_number(node["value"], "value");
   if (node["scatter"]) row.scatter = positive_number(node["scatter"], "scatter");
   return row;
 }
@@ -85,7 +119,8 @@ NamedChange alternative(const YAML::Node& node) {
 
 MotionPlan motion_plan(const YAML::Node& node) {
   MotionPlan plan{.fidelity = node["fidelity"].as<std::string>(),
-                  .speed_rpm = node["speeds_rpm"].as<std::vector<double>>()};
+                  .speed_rpm = {}};
+  for (const YAML::Node& speed : node["speeds_rpm"]) plan.speed_rpm.push_back(positive_number(speed, "motion.speeds_rpm"));
   const std::vector<std::string>& names = fidelity_names();
   if (std::find(names.begin(), names.end(), plan.fidelity) == names.end())
     throw YAML::Exception(node["fidelity"].Mark(), "motion.fidelity: found " + plan.fidelity);
@@ -137,6 +172,7 @@ std::optional<ResultPointer> result_pointer(const std::string& quantity) {
 
 ExpectedFile read_expected(const std::string& file) {
   if (!fs::exists(file)) return {};
+  require_each_key_once(file);
   try {
     const YAML::Node root = YAML::LoadFile(file);
     ExpectedFile expected;
