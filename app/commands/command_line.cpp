@@ -4,11 +4,17 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cerrno>
 #include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <iostream>
+#include <system_error>
 
 #include "app/case/printable.hpp"
 #include "app/commands/python_part.hpp"
 #include "app/errors.hpp"
+#include "app/results/durable_file.hpp"
 #include "app/results/interruption.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/version.hpp"
@@ -358,6 +364,20 @@ int parse_and_run(int argc, char** argv) {
   return chosen(options);
 }
 
+// What was printed is on its way only now: a full disk shows here and not when it was printed.
+void require_printed() {
+  std::cout.flush();
+  errno = 0;
+  const bool failed = std::fflush(stdout) != 0 || std::ferror(stdout) != 0 || !std::cout;
+  if (!failed) return;
+  const int error = errno;
+  std::clearerr(stdout);
+  std::cout.clear();
+  throw WriteFailed(fmt::format("standard output: cannot be written{}{}", error == 0 ? "" : ": ",
+                                error == 0 ? "" : std::strerror(error)),
+                    remedy_of(error));
+}
+
 }  // namespace
 
 void require_place_of_results(const Options& options) {
@@ -372,12 +392,21 @@ int run_command_line(int argc, char** argv) {
   // A file grown beyond the user's limit is an error of the write then, which cleans up, not the end.
   std::signal(SIGXFSZ, SIG_IGN);
   try {
-    return parse_and_run(argc, argv);
+    const int code = parse_and_run(argc, argv);
+    require_printed();
+    return code;
   } catch (const BadInput& error) {
     for (const std::string& line : error.messages) print_error(line);
     return kBadInput;
   } catch (const ComputationFailed& error) {
     print_error(error.what());
+    return kFailed;
+  } catch (const std::system_error& error) {
+    if (std::ferror(stdout) != 0)
+      fmt::print(stderr, "standard output: {}; {}, then give the command again\n", error.what(),
+                 remedy_of(error.code().value()));
+    else
+      fmt::print(stderr, "orbearing: {}\n", error.what());
     return kFailed;
   } catch (const std::exception& error) {
     print_error(std::string("orbearing: ") + error.what());

@@ -94,8 +94,12 @@ int crown_command(const Options& options) {
   } else {
     const CrownStudy study = computed(request, options);
     result = {result_json(resolved, options.crown, noted, study), crown_text(study), study.failed};
-    if (!options.output.empty()) write_crown(options.output, result);
-    folder.keep({{0, netcdf_of(header, study), done_row(folder.head())}});
+    std::map<std::string, std::string> others;
+    if (!options.output.empty()) {
+      write_crown(options.output, result);
+      others = checksums_of(options.output, {crown_file_name});
+    }
+    folder.keep({{0, netcdf_of(header, study), done_row(folder.head()), std::move(others)}});
   }
   if (options.json)
     print_object(result.object, options);

@@ -92,7 +92,7 @@ void write_fmu(const fs::path& file, const std::string& content) {
   try {
     write_aside_and_rename(file, content);
   } catch (const WriteFailed& error) {
-    throw ComputationFailed(error.cause + "; no FMU was written: make room, then run it again");
+    throw ComputationFailed(error.cause + "; no FMU was written: " + error.remedy + ", then run it again");
   }
 }
 

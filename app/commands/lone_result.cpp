@@ -8,6 +8,7 @@
 
 #include "app/case/printable.hpp"
 #include "app/case/resolved_writer.hpp"
+#include "app/checksum.hpp"
 #include "app/commands/presentation.hpp"
 #include "app/results/point_file.hpp"
 #include "app/results/result_folder.hpp"
@@ -40,13 +41,17 @@ void judge_plausibility(const ResolvedCase& resolved, LoneResult& result) {
   result.text = judgement.status + "\n\n" + result.text;
 }
 
-void write_files(const std::filesystem::path& folder, const LoneAnalysis& analysis, const LoneResult& result,
-                 const nlohmann::ordered_json& object) {
+/// Returns their check sums by name.
+std::map<std::string, std::string> write_files(const std::filesystem::path& folder, const LoneAnalysis& analysis,
+                                               const LoneResult& result, const nlohmann::ordered_json& object) {
   std::vector<FileContent> files;
   const std::string printed = object.dump(2) + "\n";
   if (analysis.json_file != nullptr) files.push_back({folder / analysis.json_file, printed});
   for (const auto& [name, content] : result.files) files.push_back({folder / name, content});
   write_aside_and_rename(files);
+  std::map<std::string, std::string> sums;
+  for (const FileContent& file : files) sums[file.file.filename().string()] = checksum(file.content);
+  return sums;
 }
 
 }  // namespace
@@ -60,9 +65,10 @@ int run_alone(const ResolvedCase& resolved, const Options& options, const LoneAn
   judge_plausibility(resolved, result);
   const nlohmann::ordered_json object = whole_json(resolved, result);
   if (!folder.finished().contains(0)) {
-    if (!folder.path().empty()) write_files(folder.path(), analysis, result, object);
+    std::map<std::string, std::string> others;
+    if (!folder.path().empty()) others = write_files(folder.path(), analysis, result, object);
     folder.keep({{0, lone_result_file(header, analysis.title, result.content, result.status),
-                  lone_row(folder.head(), result.row)}});
+                  lone_row(folder.head(), result.row), std::move(others)}});
   }
   present_lone_result(object, result.text, options);
   return result.failed ? 1 : 0;

@@ -30,17 +30,28 @@ class LeftToTheChild {
   void (*terminate_)(int);
 };
 
+// Runs the module that its first argument names as `python3 -m` does, yet without the working folder among the
+// places where Python finds modules: a file json.py that lies there is not the user's wish to run it. (The option -P
+// does the same from Python 3.11 on.)
+constexpr const char* start_isolated =
+    "import sys\n"
+    "sys.path[:] = [place for place in sys.path if place]\n"
+    "import runpy\n"
+    "sys.argv[:] = sys.argv[1:]\n"
+    "runpy.run_module(sys.argv[0], run_name='__main__', alter_sys=True)\n";
+
 // Puts the interpreter in this process's place; comes back only where it cannot be started.
 void become_python(const std::string& module, const std::vector<std::string>& arguments) {
   const std::string interpreter = resources().interpreter.string(), package = resources().package.string();
   // By its first argument Python finds its packages: a bare name would lead to another on the PATH, as that
   // of a virtual environment.
-  std::vector<std::string> words{interpreter, "-m", module};
+  std::vector<std::string> words{interpreter, "-c", start_isolated, module};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> pointers;
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
   setenv("PYTHONPATH", package.c_str(), 1);
+  setenv("PYTHONSAFEPATH", "1", 1);  // of interpreters that this one starts
   unsetenv("PYTHONHOME");
   execv(interpreter.c_str(), pointers.data());
 }

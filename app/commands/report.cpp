@@ -1,9 +1,12 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "app/case/case_file.hpp"
+#include "app/case/printable.hpp"
+#include "app/checksum.hpp"
 #include "app/commands/lone_runs.hpp"
 #include "app/commands/presentation.hpp"
 #include "app/commands/python_part.hpp"
@@ -16,6 +19,7 @@
 #include "app/study/crown/crown_figures.hpp"
 #include "app/study/crown/crown_files.hpp"
 #include "app/study/defect_study.hpp"
+#include "app/study/fidelity.hpp"
 #include "app/study/report_data.hpp"
 
 namespace orbearing::app {
@@ -31,7 +35,7 @@ void write_data(const fs::path& file, const nlohmann::ordered_json& data) {
   try {
     write_aside_and_rename(file, data.dump(1) + '\n');
   } catch (const WriteFailed& error) {
-    throw ComputationFailed(error.cause + "; no report was written: make room, then run it again");
+    throw ComputationFailed(error.cause + "; no report was written: " + error.remedy + ", then run it again");
   }
 }
 
@@ -80,15 +84,39 @@ nlohmann::ordered_json sweep_data(const ResolvedCase& resolved, const Manifest& 
   return data;
 }
 
-}  // namespace
+/// What is read from the folder must be what was written there.
+void require_undamaged(const fs::path& folder, const Manifest& manifest) {
+  std::vector<std::string> faults;
+  const fs::path resolved = folder / "case.resolved.yaml";
+  if (checksum(read_file(resolved)) != manifest.header->case_hash)
+    faults.push_back(resolved.string() + ": differs from what its run wrote");
+  for (const auto& [point, entry] : manifest.entries)
+    if (const std::string fault = entry.others.empty() ? "" : fault_of_point(folder, entry); !fault.empty())
+      faults.push_back(fault);
+  for (std::string& fault : faults)
+    fault += "; required: an undamaged result. Give its command again with --resume, or into another folder";
+  if (!faults.empty()) throw BadInput(faults);
+}
 
-int report_command(const Options& options) {
-  if (!options.settings.empty())
-    throw BadInput("--set: " + options.settings.front() +
-                   ": found with report; required: set it in the sweep");
+/// Of the kinds of results that have a page, one of which there is something.
+void require_results(const fs::path& folder, const ResolvedCase& resolved, const Manifest& manifest) {
+  const std::vector<std::string>& names = fidelity_names();
+  const bool sweep = std::find(names.begin(), names.end(), manifest.header->fidelity) != names.end();
+  if (manifest.entries.empty())
+    throw BadInput(folder.string() +
+                   ": found no finished point; required: at least one. Give its command again with --resume");
+  if (resolved.model() == planetary_drivetrain && !is_defect(resolved) && !sweep && !holds_crown(folder))
+    throw BadInput(fmt::format("{}: found results of '{}'; required: a sweep, a run or a crowning study that is complete "
+                               "({}), of which pages are drawn",
+                               folder.string(), printable(manifest.header->fidelity), crown_file_name));
+}
+
+int report_of(const Options& options) {
   const fs::path folder = options.folders.front();
   const Manifest manifest = read_results(folder);
   require_writable(folder);
+  const FolderLock lock(folder);
+  require_undamaged(folder, manifest);
   const ResolvedCase resolved = read_case((folder / "case.resolved.yaml").string());
   if (resolved.model() != planetary_drivetrain && !is_defect(resolved) && !is_ball_run(resolved))
     throw BadInput(
@@ -104,6 +132,7 @@ int report_command(const Options& options) {
         folder.string() +
         ": found a set of signals; required: the folder of one run, of which a page is drawn; labels.csv "
         "lists the set");
+  require_results(folder, resolved, manifest);
   const fs::path page = folder / page_name;
   const nlohmann::ordered_json data = is_defect(resolved) ? printed_data(folder / defect_file_name, "defect")
                                       : is_ball_run(resolved) ? printed_data(folder / ball_file_name, "balls")
@@ -119,7 +148,17 @@ int report_command(const Options& options) {
     print_object(nlohmann::ordered_json{{"report", page.string()}}, options);
   else if (!options.quiet)
     fmt::print("{}\n", page.string());
+  if (!options.json && !options.quiet && data.contains("missing") && data["missing"].is_object())
+    print_warnings({data["missing"]["text"].get<std::string>()});
   return 0;
+}
+
+}  // namespace
+
+int report_command(const Options& options) {
+  if (!options.settings.empty())
+    throw BadInput("--set: " + options.settings.front() + ": found with report; required: set it in the sweep");
+  return report_of(options);
 }
 
 }  // namespace orbearing::app

@@ -8,6 +8,7 @@
 #include "app/case/case_file.hpp"
 #include "app/commands/presentation.hpp"
 #include "app/errors.hpp"
+#include "app/study/published_comparison.hpp"
 #include "app/study/sensitivity.hpp"
 #include "app/study/validation_table.hpp"
 #include "gearset/drivetrain/power_flow.hpp"
@@ -48,7 +49,16 @@ ValidationTable stage_validation() {
                           1e-3 * load)}};
 }
 
-nlohmann::ordered_json validation_json(const std::vector<ValidationTable>& tables) {
+// Published numbers belong to the case as its file states it.
+void add_changed_inputs(const std::string& file, const std::vector<std::string>& settings,
+                        std::vector<std::string>& warnings) {
+  if (settings.empty()) return;
+  for (const std::string& changed : changed_inputs(read_case(file, settings), read_case(file)))
+    warnings.push_back(fmt::format("{}: --set: {}: published numbers are of the case as its file states it", file, changed));
+}
+
+nlohmann::ordered_json validation_json(const std::vector<ValidationTable>& tables,
+                                       const std::vector<std::string>& warnings) {
   const ValidationCount count = counted(tables);
   const auto all = [&tables](nlohmann::ordered_json (*part)(const ValidationTable&)) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
@@ -65,7 +75,8 @@ nlohmann::ordered_json validation_json(const std::vector<ValidationTable>& table
           {"verdicts", count.verdicts},
           {"rows", all(rows_json)},
           {"other_readings", all(other_readings_json)},
-          {"assumptions", all(sensitivities_json)}};
+          {"assumptions", all(sensitivities_json)},
+          {"warnings", warnings}};
 }
 
 using Command = int (*)(const Options&);
@@ -128,12 +139,16 @@ int validate_command(const Options& options) {
     tables.push_back(std::move(table));
     if (text) fmt::print("{}", validation_text(tables.back()));
   };
-  for (const std::string& file : case_files(options.cases))
+  std::vector<std::string> warnings;
+  for (const std::string& file : case_files(options.cases)) {
+    add_changed_inputs(file, options.settings, warnings);
     add(validation_table_of(read_case(file, options.settings), read_expected(expected_beside(file)),
                             {.jobs = options.jobs, .result_of = command_result, .samples = options.samples}));
+  }
   if (options.cases.empty()) add(stage_validation());
   if (text) fmt::print("{}", count_text(tables));
-  if (options.json) print_object(validation_json(tables), options);
+  if (text) print_warnings(warnings);
+  if (options.json) print_object(validation_json(tables, warnings), options);
   return 0;
 }
 

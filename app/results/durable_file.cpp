@@ -20,7 +20,14 @@ namespace {
 
 [[noreturn]] void fail_to_write(const std::filesystem::path& file, int error) {
   throw WriteFailed(fmt::format("{}: cannot be written: {}", file.string(), std::strerror(error)),
-                    "finished points are kept: make room, then go on with --resume");
+                    remedy_of(error));
+}
+
+/// Something there already that is neither a file nor a link, as /dev/stdout leads to.
+bool is_device(const std::filesystem::path& file) {
+  std::error_code ignored;
+  const std::filesystem::file_status status = std::filesystem::status(file, ignored);
+  return std::filesystem::is_character_file(status) || std::filesystem::is_fifo(status);
 }
 
 /// Closes what it holds; `release` first where the result of closing matters.
@@ -47,7 +54,8 @@ int write_all(int descriptor, std::string_view text) {
 }
 
 std::filesystem::path aside_of(const std::filesystem::path& file) {
-  return file.string() + aside_ending;
+  if (is_device(file)) return file;
+  return fmt::format("{}.{}{}", file.string(), ::getpid(), aside_ending);
 }
 
 /// Writes the content beside its file and waits until the disk has it; errno of the first failure, else 0.
@@ -56,7 +64,8 @@ int write_aside(const FileContent& file) {
   if (opened.number < 0) return errno;
   const int error = write_all(opened.number, file.content);
   if (error != 0) return error;
-  if (::fsync(opened.number) != 0) return errno;
+  // A device or a pipe has nothing to bring to a disk.
+  if (::fsync(opened.number) != 0 && errno != EINVAL) return errno;
   return ::close(opened.release()) != 0 ? errno : 0;
 }
 
@@ -73,20 +82,52 @@ void bring_to_disk(const std::vector<FileContent>& files, std::vector<int>& erro
   write_share(0);
 }
 
+void remove_aside(const std::vector<FileContent>& files) {
+  for (const FileContent& file : files)
+    if (!is_device(file.file)) ::unlink(aside_of(file.file).c_str());
+}
+
 }  // namespace
+
+std::string remedy_of(int error) {
+  switch (error) {
+    case ENOSPC:
+    case EDQUOT:
+      return "make room on the disk";
+    case EFBIG:
+      return "raise the limit of the size of files (ulimit -f)";
+    case EMFILE:
+    case ENFILE:
+      return "raise the number of open files (ulimit -n)";
+    case EACCES:
+    case EPERM:
+    case EROFS:
+      return "make it a place that may be written to";
+    default:
+      return "mend the cause";
+  }
+}
+
+void require_no_link(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (std::filesystem::is_symlink(std::filesystem::symlink_status(path, ignored)))
+    throw BadInput(fmt::format("{}: found a link to {}; required: a file or folder of its own, so that nothing outside "
+                               "is written to. Give another folder",
+                               path.string(), std::filesystem::read_symlink(path, ignored).string()));
+}
 
 void write_aside_and_rename(const std::vector<FileContent>& files) {
   std::vector<int> errors(files.size(), 0);
   bring_to_disk(files, errors);
   for (std::size_t i = 0; i < files.size(); ++i) {
     if (errors[i] == 0) continue;
-    for (const FileContent& file : files) ::unlink(aside_of(file.file).c_str());
+    remove_aside(files);
     fail_to_write(files[i].file, errors[i]);
   }
   for (const FileContent& file : files) {
-    if (::rename(aside_of(file.file).c_str(), file.file.c_str()) == 0) continue;
+    if (is_device(file.file) || ::rename(aside_of(file.file).c_str(), file.file.c_str()) == 0) continue;
     const int error = errno;
-    for (const FileContent& left : files) ::unlink(aside_of(left.file).c_str());
+    remove_aside(files);
     fail_to_write(file.file, error);
   }
 }
@@ -100,7 +141,7 @@ void require_writable(const std::filesystem::path& folder) {
   const Descriptor made(::mkstemps(probe.data(), static_cast<int>(std::strlen(aside_ending))));
   if (made.number >= 0) {
     ::unlink(probe.c_str());
-  } else if (errno == ENOSPC || errno == EDQUOT) {
+  } else if (errno == ENOSPC || errno == EDQUOT || errno == EMFILE || errno == ENFILE) {
     fail_to_write(folder, errno);
   } else {
     throw BadInput(fmt::format("{}: cannot be written to: {}; a folder that may be written to is required",
@@ -127,8 +168,22 @@ std::string read_file(const std::filesystem::path& file) {
   return content;
 }
 
+FolderLock::FolderLock(const std::filesystem::path& folder) {
+  Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (opened.number < 0) fail_to_write(folder, errno);
+  if (::flock(opened.number, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+    throw BadInput(fmt::format("{}: another command is writing here; wait for its end", folder.string()));
+  descriptor_ = opened.release();
+}
+
+FolderLock::~FolderLock() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
 AppendOnlyFile::AppendOnlyFile(const std::filesystem::path& file) : file_(file) {
-  Descriptor opened(::open(file.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666));
+  require_no_link(file);
+  Descriptor opened(::open(file.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC | O_NOFOLLOW, 0666));
+  if (opened.number < 0 && (errno == EMFILE || errno == ENFILE)) fail_to_write(file, errno);
   if (opened.number < 0)
     throw BadInput(fmt::format("{}: cannot be written: {}; a folder that may be written to is required",
                                file.string(), std::strerror(errno)));
@@ -165,6 +220,16 @@ void AppendOnlyFile::truncate(std::size_t length) {
   if (length == length_) return;
   if (::ftruncate(descriptor_, static_cast<off_t>(length)) != 0) fail_to_write(file_, errno);
   length_ = length;
+}
+
+void AppendOnlyFile::blank(std::size_t begin, std::size_t length) {
+  // A descriptor that appends writes at the end, wherever it is told to.
+  const Descriptor opened(::open(file_.c_str(), O_WRONLY | O_CLOEXEC | O_NOFOLLOW));
+  if (opened.number < 0 || ::lseek(opened.number, static_cast<off_t>(begin), SEEK_SET) < 0)
+    fail_to_write(file_, errno);
+  const int error = write_all(opened.number, std::string(length, ' '));
+  if (error != 0) fail_to_write(file_, error);
+  if (::fsync(opened.number) != 0) fail_to_write(file_, errno);
 }
 
 void AppendOnlyFile::append(std::string_view text) {

@@ -14,12 +14,20 @@ namespace orbearing::app {
 /// Ending of files being written; a kill may leave them behind.
 inline constexpr const char* aside_ending = ".tmp";
 
-/// The disk does not take a file. `cause` says which and why, without the remedy.
+/// A file cannot be written. `cause` says which and why, `remedy` what to do before the command is given again.
 struct WriteFailed : ComputationFailed {
-  WriteFailed(const std::string& cause_text, const std::string& remedy)
-      : ComputationFailed(cause_text + "; " + remedy), cause(cause_text) {}
-  std::string cause;
+  WriteFailed(const std::string& cause_text, const std::string& remedy_text)
+      : ComputationFailed(cause_text + "; " + remedy_text + ", then give the command again"),
+        cause(cause_text),
+        remedy(remedy_text) {}
+  std::string cause, remedy;
 };
+
+/// What mends a failure of the system with this `errno`: "make room" of a full disk.
+std::string remedy_of(int error);
+
+/// Throws BadInput where `path` is a symbolic link: what stands in a folder of results is no link to elsewhere.
+void require_no_link(const std::filesystem::path& path);
 
 struct FileContent {
   std::filesystem::path file;
@@ -27,7 +35,8 @@ struct FileContent {
 };
 
 /// Replaces each file by its content in one step. The contents are on the disk then; the names are after the
-/// next `sync_folder`. Where one cannot be written WriteFailed is thrown and nothing is left aside.
+/// next `sync_folder`. Where one cannot be written WriteFailed is thrown and nothing is left aside. A device or a
+/// pipe is written into.
 void write_aside_and_rename(const std::vector<FileContent>& files);
 void write_aside_and_rename(const std::filesystem::path& file, std::string_view content);
 
@@ -39,6 +48,19 @@ void sync_folder(const std::filesystem::path& folder);
 
 /// Whole content. Throws BadInput where the file cannot be read or is none, as a pipe is.
 std::string read_file(const std::filesystem::path& file);
+
+/// Keeps others that ask for the same folder out for as long as it lives, and leaves no file behind. Throws BadInput
+/// where another holds it.
+class FolderLock {
+ public:
+  explicit FolderLock(const std::filesystem::path& folder);
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+  ~FolderLock();
+
+ private:
+  int descriptor_ = -1;
+};
 
 /// A file that only grows, locked against other programs that open it in this way.
 class AppendOnlyFile {
@@ -57,6 +79,8 @@ class AppendOnlyFile {
   /// Adds `text` and brings it to the disk. Where that fails the file is cut to its former length and
   /// WriteFailed thrown.
   void append(std::string_view text);
+  /// Writes spaces over a part, which is damaged. [bytes]
+  void blank(std::size_t begin, std::size_t length);
 
  private:
   std::filesystem::path file_;

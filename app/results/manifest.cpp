@@ -7,6 +7,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "app/checksum.hpp"
 #include "app/errors.hpp"
 #include "app/results/row_text.hpp"
 
@@ -15,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int manifest_format = 2;
+constexpr int manifest_format = 3;
 constexpr std::size_t most_shards = 1'000'000;  // as many as a sweep may have points
 
 Json spectrum_line(const LoadSpectrum& spectrum) {
@@ -62,8 +63,32 @@ void add_entry(Manifest& manifest, const Json& object) {
   if (!manifest.header->holds(point) && !manifest.header->adds(point))
     throw BadInput("a point that is not of this sweep");
   if (object.at("file") != point_file_name(point)) throw BadInput("a file of another name");
-  manifest.entries[point] = {point_file_name(point), object.at("checksum").get<std::string>(),
-                             row_from_json(head_of(*manifest.header), object.at("row"))};
+  ManifestEntry entry{point_file_name(point), object.at("checksum").get<std::string>(),
+                      row_from_json(head_of(*manifest.header), object.at("row"))};
+  if (object.contains("others"))
+    entry.others = object.at("others").get<std::map<std::string, std::string>>();
+  manifest.entries[point] = std::move(entry);
+}
+
+constexpr std::string_view sum_opening = ",\"line_checksum\":\"", sum_end = "\"}";
+constexpr std::size_t sum_digits = 16;
+
+/// The object as a line whose last member is the check sum of the rest.
+std::string sealed(const Json& object) {
+  const std::string text = object.dump();
+  return fmt::format("{}{}{}{}\n", text.substr(0, text.size() - 1), sum_opening, checksum(text), sum_end);
+}
+
+bool is_sound(std::string_view line) {
+  const std::size_t length = sum_opening.size() + sum_digits + sum_end.size();
+  if (line.size() < length || !line.ends_with(sum_end)) return false;
+  const std::string_view sum = line.substr(line.size() - length);
+  const std::string content = std::string(line.substr(0, line.size() - length)) + "}";
+  return sum.starts_with(sum_opening) && sum.substr(sum_opening.size(), sum_digits) == checksum(content);
+}
+
+bool is_blank(std::string_view line) {
+  return line.find_first_not_of(' ') == std::string_view::npos;
 }
 
 void add_line(Manifest& manifest, std::string_view line) {
@@ -193,15 +218,16 @@ std::string header_line(const ManifestHeader& header) {
   if (header.continued) object["continue"] = to_string(*header.continued);
   if (!header.sets.empty()) object["sets"] = header.sets;
   if (header.spectrum.lines > 0) object["spectrum"] = spectrum_line(header.spectrum);
-  return object.dump() + '\n';
+  return sealed(object);
 }
 
 std::string entry_line(const TableHead& head, std::size_t point, const ManifestEntry& entry) {
-  const Json object = {{"point", point},
-                       {"file", entry.file},
-                       {"checksum", entry.checksum},
-                       {"row", row_json(head, entry.row)}};
-  return object.dump() + '\n';
+  Json object = {{"point", point},
+                 {"file", entry.file},
+                 {"checksum", entry.checksum},
+                 {"row", row_json(head, entry.row)}};
+  if (!entry.others.empty()) object["others"] = entry.others;
+  return sealed(object);
 }
 
 Manifest parse_manifest(std::string_view text, const std::string& place) {
@@ -209,15 +235,22 @@ Manifest parse_manifest(std::string_view text, const std::string& place) {
   for (std::size_t line = 1; manifest.sound_bytes < text.size(); ++line) {
     const std::size_t end = text.find('\n', manifest.sound_bytes);
     if (end == std::string_view::npos) break;
-    try {
-      add_line(manifest, text.substr(manifest.sound_bytes, end - manifest.sound_bytes));
-    } catch (const std::exception&) {
+    const DamagedLine here{line, manifest.sound_bytes, end - manifest.sound_bytes};
+    const std::string_view content = text.substr(here.begin, here.length);
+    if (manifest.header && !is_sound(content)) {
+      if (!is_blank(content)) manifest.damaged.push_back(here);
       // After a loss of power the last line may have its end, yet not its content.
-      if (manifest.header && end + 1 == text.size()) break;
-      throw BadInput(
-          fmt::format("{}:{}:1: not a line that this program wrote; an undamaged result folder is "
-                      "required, or an empty one to start afresh",
-                      place, line));
+      if (!is_blank(content) && end + 1 == text.size()) break;
+    } else {
+      try {
+        if (!is_sound(content)) throw BadInput("damaged, or written by another program");
+        add_line(manifest, content);
+      } catch (const std::exception&) {
+        throw BadInput(
+            fmt::format("{}:{}:1: not a line that this version of the program wrote; an undamaged result folder "
+                        "is required, or an empty one to start afresh",
+                        place, line));
+      }
     }
     manifest.sound_bytes = end + 1;
   }

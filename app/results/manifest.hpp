@@ -66,20 +66,30 @@ struct ManifestEntry {
   std::string file;      // point_file_name of the point
   std::string checksum;  // of the file's bytes
   ResultRow row;
+  std::map<std::string, std::string> others{};  // further files of the result, by name: check sums
+};
+
+/// A line after the first whose check sum is not that of its content.
+struct DamagedLine {
+  std::size_t number = 0;  // from 1
+  std::size_t begin = 0;   // [bytes]
+  std::size_t length = 0;  // [bytes]  line end excluded
 };
 
 struct Manifest {
   std::optional<ManifestHeader> header;          // none where not even the first line is complete
   std::map<std::size_t, ManifestEntry> entries;  // by point; of two lines for one point the later counts
-  std::size_t sound_bytes = 0;                   // length without a last line torn by a kill
+  std::size_t sound_bytes = 0;                   // length without a last line that is torn or damaged
+  std::vector<DamagedLine> damaged;              // their points count as missing
 };
 
-/// One line each, line end included.
+/// One line each with its own check sum, line end included.
 std::string header_line(const ManifestHeader& header);
 std::string entry_line(const TableHead& head, std::size_t point, const ManifestEntry& entry);
 
-/// Reads the text of a manifest; a torn last line is left out. Throws BadInput with file and line where
-/// another line is not what this program writes. `place` is the file's name for messages.
+/// Reads the text of a manifest. A last line without its end is left out, a line whose check sum is wrong is
+/// listed as damaged, and a blank line is skipped. Throws BadInput with file and line where the first line is
+/// damaged, or a sound one does not belong to this sweep. `place` is the file's name for messages.
 Manifest parse_manifest(std::string_view text, const std::string& place);
 
 /// Rows as a table shows them: the grid's points in their order, each followed by the points that were added

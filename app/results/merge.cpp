@@ -51,6 +51,15 @@ void check_alike(const std::vector<ShardResults>& shards, std::vector<std::strin
   }
 }
 
+/// Rows that differ from what their sweep wrote.
+void check_rows(const std::vector<ShardResults>& shards, std::vector<std::string>& messages) {
+  for (const ShardResults& shard : shards)
+    for (const DamagedLine& line : shard.manifest.damaged)
+      messages.push_back(fmt::format("{}:{}:1: differs from what its sweep wrote; required: run the shard's sweep with "
+                                     "--resume, which computes the point anew",
+                                     (shard.folder / "manifest.jsonl").string(), line.number));
+}
+
 void check_unfinished(const std::vector<ShardResults>& shards, std::vector<std::string>& messages) {
   for (const ShardResults& shard : shards) {
     const ManifestHeader& header = *shard.manifest.header;
@@ -94,9 +103,9 @@ void check_files(const std::vector<ShardResults>& shards, std::vector<std::strin
       const std::string fault = fault_of_point(shard.folder, entry);
       if (!fault.empty() && ++faults <= most_told)
         messages.push_back(
-            fmt::format("{}: {}; the file as its sweep wrote it is required: remove it and "
-                        "run the shard's sweep with --resume",
-                        (shard.folder / entry.file).string(), fault));
+            fmt::format("{}; the file as its sweep wrote it is required: run the shard's sweep with --resume, which "
+                        "computes the point anew",
+                        fault));
     }
   }
   if (faults > most_told)
@@ -105,7 +114,8 @@ void check_files(const std::vector<ShardResults>& shards, std::vector<std::strin
 
 void check(const std::vector<ShardResults>& shards) {
   std::vector<std::string> messages;
-  check_alike(shards, messages);
+  check_rows(shards, messages);
+  if (messages.empty()) check_alike(shards, messages);
   if (messages.empty()) check_complete(shards, messages);
   if (messages.empty()) check_unfinished(shards, messages);
   if (messages.empty()) check_files(shards, messages);
@@ -171,7 +181,7 @@ SweepOutcome merge_shards(const std::vector<fs::path>& folders, const fs::path& 
     return write_merged(shards, folder, grid_only);
   } catch (const WriteFailed& error) {
     remove_made();
-    throw ComputationFailed(error.cause + "; nothing of the merge is kept: make room, then merge again");
+    throw ComputationFailed(error.cause + "; nothing of the merge is kept: " + error.remedy + ", then merge again");
   } catch (...) {
     remove_made();
     throw;

@@ -71,6 +71,7 @@ void require_same(const fs::path& folder, const ManifestHeader& found, const Man
 void require_usable(const fs::path& folder, const ManifestHeader& header, OpenMode mode) {
   const std::vector<std::string> names = names_in(folder);
   if (names.empty()) return;
+  for (const char* name : {manifest_name, points_name}) require_no_link(folder / name);
   const bool has_manifest = std::binary_search(names.begin(), names.end(), manifest_name);
   if (!has_manifest) refuse_foreign(folder, names.front());
   if (mode == OpenMode::fresh)
@@ -107,13 +108,29 @@ void write_where_unlike(const fs::path& file, const std::string& content) {
 
 }  // namespace
 
-std::string fault_of_point(const fs::path& folder, const ManifestEntry& entry) {
-  const fs::path file = folder / entry.file;
+namespace {
+
+std::string fault_of_file(const fs::path& file, const std::string& sum) {
   std::error_code error;
-  if (!fs::exists(file, error)) return "is missing";
-  if (!fs::is_regular_file(file, error)) return "is not a file";
-  if (fs::file_size(file, error) == 0) return "is empty";
-  return checksum(read_file(file)) == entry.checksum ? "" : "differs from what its sweep wrote";
+  const char* fault = nullptr;
+  if (!fs::exists(file, error))
+    fault = "is missing";
+  else if (!fs::is_regular_file(file, error))
+    fault = "is not a file";
+  else if (fs::file_size(file, error) == 0)
+    fault = "is empty";
+  else if (checksum(read_file(file)) != sum)
+    fault = "differs from what its sweep wrote";
+  return fault == nullptr ? "" : fmt::format("{}: {}", file.string(), fault);
+}
+
+}  // namespace
+
+std::string fault_of_point(const fs::path& folder, const ManifestEntry& entry) {
+  std::string fault = fault_of_file(folder / entry.file, entry.checksum);
+  for (const auto& [name, sum] : entry.others)
+    if (fault.empty()) fault = fault_of_file(folder / name, sum);
+  return fault;
 }
 
 ResultFolder::ResultFolder(fs::path folder, const ManifestHeader& header, const std::string& resolved_case,
@@ -135,6 +152,11 @@ void ResultFolder::begin(const ManifestHeader& header, const std::string& resolv
   Manifest manifest = parse_manifest(manifest_.content(), (folder_ / manifest_name).string());
   // Another sweep may have come between the look and the lock.
   if (manifest.header) require_same(folder_, *manifest.header, header);
+  for (const DamagedLine& line : manifest.damaged) {
+    damaged_.push_back(fmt::format("{}:{}:1: differs from what its sweep wrote", (folder_ / manifest_name).string(),
+                                   line.number));
+    if (line.begin < manifest.sound_bytes) manifest_.blank(line.begin, line.length);
+  }
   manifest_.truncate(manifest.sound_bytes);
   if (!manifest.header) manifest_.append(header_line(header));
   make_folder(folder_ / points_name);
@@ -145,8 +167,7 @@ void ResultFolder::begin(const ManifestHeader& header, const std::string& resolv
   finished_ = std::move(manifest.entries);
   std::erase_if(finished_, [&](const auto& entry) {
     const std::string fault = fault_of_point(folder_, entry.second);
-    if (!fault.empty())
-      damaged_.push_back(fmt::format("{}: {}", (folder_ / entry.second.file).string(), fault));
+    if (!fault.empty()) damaged_.push_back(fault);
     return !fault.empty();
   });
 }
@@ -163,7 +184,8 @@ void ResultFolder::keep(std::vector<FinishedPoint> points) {
   std::map<std::size_t, ManifestEntry> kept;
   for (FinishedPoint& point : points) {
     assert(point.row.values.size() == head_.names.size());
-    ManifestEntry entry{point_file_name(point.index), checksum(point.content), std::move(point.row)};
+    ManifestEntry entry{point_file_name(point.index), checksum(point.content), std::move(point.row),
+                        std::move(point.others)};
     lines += entry_line(head_, point.index, entry);
     kept.insert_or_assign(point.index, std::move(entry));
   }
@@ -173,10 +195,9 @@ void ResultFolder::keep(std::vector<FinishedPoint> points) {
 
 void ResultFolder::discard() {
   std::error_code ignored;
-  for (const char* name : {points_name, resolved_name, table_name, spectrum_name, manifest_name}) {
+  for (const char* name : {points_name, resolved_name, table_name, spectrum_name, manifest_name})
     fs::remove_all(folder_ / name, ignored);
-    fs::remove((folder_ / name).string() + aside_ending, ignored);
-  }
+  remove_leftovers(folder_);
   finished_.clear();
 }
 
@@ -197,6 +218,12 @@ ResultFolder open_results(const fs::path& folder, const ManifestHeader& header,
   for (const std::string& file : opened.damaged())
     if (!quiet) fmt::print(stderr, "{}; its point is computed again\n", file);
   return opened;
+}
+
+std::map<std::string, std::string> checksums_of(const fs::path& folder, const std::vector<std::string>& names) {
+  std::map<std::string, std::string> sums;
+  for (const std::string& name : names) sums[name] = checksum(read_file(folder / name));
+  return sums;
 }
 
 Manifest read_results(const fs::path& folder) {

@@ -18,10 +18,11 @@ struct FinishedPoint {
   std::size_t index = 0;
   std::string content;  // bytes of its netCDF file
   ResultRow row;
+  std::map<std::string, std::string> others{};  // further files, which stand in the folder: check sums by name
 };
 
-/// What is wrong with the file of a finished point: "is missing", "is empty", "differs from what its sweep
-/// wrote"; empty for a sound one.
+/// What is wrong with the files of a finished point, "FILE: is missing", "FILE: is empty", "FILE: differs from what
+/// its sweep wrote"; empty for sound ones.
 std::string fault_of_point(const std::filesystem::path& folder, const ManifestEntry& entry);
 
 /// An open result folder, locked against a second writer for as long as the object lives.
@@ -41,8 +42,8 @@ class ResultFolder {
   /// Points that stand whole in the folder, by number.
   const std::map<std::size_t, ManifestEntry>& finished() const { return finished_; }
 
-  /// Files of finished points that were found missing or damaged, one line each; their points are not among
-  /// `finished`.
+  /// Files of finished points and lines of the manifest that were found missing or damaged, one line each; their
+  /// points are not among `finished`.
   const std::vector<std::string>& damaged() const { return damaged_; }
 
   /// Writes the files of `points`, then their manifest lines; all on the disk when it returns.
@@ -75,6 +76,10 @@ class ResultFolder {
 /// damaged are reported on standard error unless `quiet`.
 ResultFolder open_results(const std::filesystem::path& folder, const ManifestHeader& header,
                           const std::string& resolved_case, bool resume, bool quiet);
+
+/// Check sums of files in `folder`, by name.
+std::map<std::string, std::string> checksums_of(const std::filesystem::path& folder,
+                                                const std::vector<std::string>& names);
 
 /// Reads the manifest of a result folder without changing anything. Throws BadInput where it holds none.
 Manifest read_results(const std::filesystem::path& folder);

@@ -219,8 +219,9 @@ SweepOutcome outcome_of(const ManifestHeader& header, const std::map<std::size_t
   return outcome;
 }
 
-SweepOutcome run_sweep(const SweepRequest& request) {
-  assert(request.header.points == request.points.size());
+namespace {
+
+SweepOutcome swept(const SweepRequest& request) {
   ResultFolder folder =
       open_results(request.folder, request.header, request.resolved_case, request.resume, request.quiet);
   const std::size_t kept = folder.finished().size();
@@ -239,6 +240,16 @@ SweepOutcome run_sweep(const SweepRequest& request) {
                     folder.finished().size() - request.header.points, request.header.points)));
   folder.write_table();
   return outcome_of(request.header, folder, kept);
+}
+
+}  // namespace
+
+SweepOutcome run_sweep(const SweepRequest& request) try {
+  assert(request.header.points == request.points.size());
+  return swept(request);
+} catch (const WriteFailed& error) {
+  throw ComputationFailed(error.cause + "; finished points are kept: " + error.remedy +
+                          ", then go on with --resume");
 }
 
 }  // namespace orbearing::app

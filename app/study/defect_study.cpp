@@ -83,6 +83,16 @@ void warn(const ResolvedCase& in, DefectStudy& study) {
                     in.given("signal.sampling_rate"), study.at_rest.natural_frequency));
 }
 
+// A ring on its contacts is no rigid body at such frequencies, and its motion would take hours in silence.
+void require_few_steps(const ResolvedCase& in, double natural_frequency) {
+  constexpr double most = 1e6;  // [Hz]
+  if (natural_frequency > most)
+    throw BadInput(fmt::format(
+        "{}: bearing.outer_ring_mass: found {}, with which the ring vibrates at {:.3g} Hz on its contacts; required: a "
+        "mass with at most {:.0f} Hz, far above which no ring is rigid",
+        in.origin("bearing.outer_ring_mass"), in.given("bearing.outer_ring_mass"), natural_frequency, most));
+}
+
 // Balls pass where the cage takes them, whatever its slip.
 defect::PassingFrequencies as_turned(const defect::ScratchedBearing& scratched, const DefectStudy& study) {
   const double balls = scratched.bearing.element_count();
@@ -179,6 +189,7 @@ DefectStudy defect_study(const ResolvedCase& in, DefectRung rung, const std::fun
     study.inner_sinking = defect::deepest_sinking(scratched.scratch.width, bearing::Race::inner, geometry);
     study.outer_sinking = defect::deepest_sinking(scratched.scratch.width, bearing::Race::outer, geometry);
   }
+  require_few_steps(in, study.at_rest.natural_frequency);
   study.rollers = scratched.bearing.has_rollers();
   study.moving = rung == DefectRung::all;
   study.vibration = study.moving ? study::sample_vibration(scratched, scratched_motion_of(in),

@@ -8,11 +8,13 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <set>
 
 #include "app/case/units.hpp"
 #include "app/case/yaml_tree.hpp"
 #include "app/errors.hpp"
 #include "app/resources.hpp"
+#include "app/results/durable_file.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/version.hpp"
 
@@ -45,7 +47,7 @@ std::string text_of(const YAML::Node& node, const char* key) {
   return printable(node[key].as<std::string>());
 }
 
-// By the decimal point whatever the locale; yaml-cpp reads by a stream.
+// A finite number, by the decimal point whatever the locale; yaml-cpp reads by a stream.
 double number_of(const YAML::Node& node, const char* key) {
   const Reading<double> number = read_number(node.IsScalar() ? node.Scalar() : "");
   if (!number.value)
@@ -59,6 +61,29 @@ double positive_number(const YAML::Node& node, const char* key) {
   const double number = number_of(node, key);
   if (!(number >= 0.0)) throw YAML::Exception(node.Mark(), std::string(key) + ": found a number below zero");
   return number;
+}
+
+// yaml-cpp's nodes take the first of two members with one key and drop the other.
+void require_each_key_once(const Entry& entry, const std::string& file, std::vector<std::string>& mistakes) {
+  std::set<std::string> seen;
+  for (const Entry& item : entry.items) require_each_key_once(item, file, mistakes);
+  for (const Member& member : entry.members) {
+    if (!seen.insert(member.key).second)
+      mistakes.push_back(fmt::format("{}:{}:{}: {}: found twice; required: once", file, member.place.line,
+                                     member.place.column, member.key));
+    require_each_key_once(member.value, file, mistakes);
+  }
+}
+
+void require_each_key_once(const std::string& file) {
+  std::vector<std::string> mistakes;
+  try {
+    require_each_key_once(read_yaml(read_file(file)), file, mistakes);
+  } catch (const YamlFault& fault) {
+    throw BadInput(fmt::format("{}:{}:{}: {}; {}", file, fault.place.line, fault.place.column, fault.complaint.found,
+                               fault.complaint.required));
+  }
+  if (!mistakes.empty()) throw BadInput(mistakes);
 }
 
 std::string fidelity_of_row(const YAML::Node& node, const std::string& quantity) {
@@ -98,9 +123,9 @@ NamedChange alternative(const YAML::Node& node) {
 }
 
 MotionPlan motion_plan(const YAML::Node& node) {
-  MotionPlan plan{.fidelity = node["fidelity"].as<std::string>(), .speed_rpm = {}};
-  for (const YAML::Node& speed : node["speeds_rpm"])
-    plan.speed_rpm.push_back(number_of(speed, "motion.speeds_rpm"));
+  MotionPlan plan{.fidelity = node["fidelity"].as<std::string>(),
+                  .speed_rpm = {}};
+  for (const YAML::Node& speed : node["speeds_rpm"]) plan.speed_rpm.push_back(positive_number(speed, "motion.speeds_rpm"));
   const std::vector<std::string>& names = fidelity_names();
   if (std::find(names.begin(), names.end(), plan.fidelity) == names.end())
     throw YAML::Exception(node["fidelity"].Mark(), "motion.fidelity: found " + plan.fidelity);
@@ -169,6 +194,7 @@ std::string text_of_file(const std::string& file) {
 
 ExpectedFile read_expected(const std::string& file) {
   if (!fs::exists(file)) return {};
+  require_each_key_once(file);
   try {
     const YAML::Node root = YAML::Load(text_of_file(file));
     ExpectedFile expected;

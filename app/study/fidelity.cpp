@@ -1,6 +1,11 @@
 #include "app/study/fidelity.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <map>
+
+#include "app/errors.hpp"
 
 namespace orbearing::app {
 
@@ -15,7 +20,10 @@ study::Fidelity fidelity_of(const std::string& name) {
                                                      {"dynamic", Fidelity::dynamic},
                                                      {"co-simulated", Fidelity::co_simulated},
                                                      {"monolithic", Fidelity::monolithic}};
-  return rungs.at(name);
+  const auto found = rungs.find(name);
+  if (found == rungs.end())
+    throw BadInput(fmt::format("fidelity: found '{}'; required: {}", name, fmt::join(fidelity_names(), ", ")));
+  return found->second;
 }
 
 }  // namespace orbearing::app

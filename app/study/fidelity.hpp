@@ -12,7 +12,7 @@ namespace orbearing::app {
 const std::vector<std::string>& fidelity_names();
 
 /// The rung called `name`. @throws std::out_of_range for any other name
-study::Fidelity fidelity_of(const std::string& name);
+study::Fidelity fidelity_of(const std::string& name);  // throws BadInput for another name
 
 /// Whether the bearing moves in time.
 inline bool in_time(study::Fidelity fidelity) {

@@ -221,11 +221,13 @@ Json campbell(const std::vector<SpeedPoint>& points) {
   return result;
 }
 
-Json meetings_json(const std::vector<SpeedPoint>& points, const gearset::PlanetarySet& set) {
+Json meetings_json(const ResolvedCase& resolved, const std::vector<SpeedPoint>& points,
+                   const gearset::PlanetarySet& set) {
   std::vector<ModesAtSpeed> modes;
   for (const SpeedPoint& point : points) modes.push_back(point.modes);
   Json list = Json::array();
-  for (const Meeting& meeting : meetings(modes, set))
+  const ModesAt modes_at = [&](double rpm) { return modes_at_rpm(resolved, rpm); };
+  for (const Meeting& meeting : meetings(modes, set, modes_at))
     list.push_back({{"order", meeting.order},
                     {"mode", meeting.mode.name},
                     {"speed_rpm", meeting.rpm},
@@ -316,7 +318,7 @@ nlohmann::ordered_json gear_report(const ResolvedCase& resolved, std::vector<dou
           {"meshes", one_of_each_kind(mesh_study(at_middle))},
           {"mode_shapes", mode_shapes(gear_model_of(at_middle))},
           {"campbell", campbell(points)},
-          {"meetings", meetings_json(points, set)},
+          {"meetings", meetings_json(fixed, points, set)},
           {"runs", runs_json(points, speeds_rpm)},
           {"spectrum", spectrum(fixed, middle)}};
 }

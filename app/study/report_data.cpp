@@ -15,8 +15,10 @@
 #include "app/study/fidelity.hpp"
 #include "app/study/gear_report.hpp"
 #include "app/study/life_peak.hpp"
+#include "app/study/missing_points.hpp"
 #include "app/study/named_change.hpp"
 #include "app/study/planetary_case.hpp"
+#include "app/study/published_comparison.hpp"
 #include "app/study/speed_slice.hpp"
 #include "app/study/sweep_study.hpp"
 #include "app/study/sweep_warnings.hpp"
@@ -289,22 +291,6 @@ Json assumptions_with_sensitivity(const ResolvedCase& resolved, const std::vecto
   return list;
 }
 
-Json published_points(const std::vector<ValidationRow>& rows) {
-  Json list = Json::array();
-  Json speed;
-  for (const ValidationRow& row : rows)
-    if (row.reading.empty() && row.published.quantity == "peak_speed_rpm" && row.published.value)
-      speed = *row.published.value;
-  for (const ValidationRow& row : rows)
-    if (row.reading.empty() && row.published.quantity == "peak_life_h" && row.published.value &&
-        !speed.is_null())
-      list.push_back({{"source", row.published.source},
-                      {"quantity", row.published.quantity},
-                      {"speed_rpm", speed},
-                      {"life_h", *row.published.value}});
-  return list;
-}
-
 // Life and load over speed as the sweep itself computed them.
 LifeCurve swept_curve(const SweepOutcome& outcome) {
   std::map<double, const ResultRow*> by_speed;
@@ -320,8 +306,8 @@ LifeCurve swept_curve(const SweepOutcome& outcome) {
 }
 
 // Beside what the quasi-static model gives for each published number: what the points of the sweep give.
-void add_numbers_of_sweep(const SweepOutcome& outcome, Json& rows) {
-  if (!outcome.header.axes.empty()) return;  // several curves
+void add_numbers_of_sweep(const SweepOutcome& outcome, bool whole, Json& rows) {
+  if (!outcome.header.axes.empty() || !whole) return;  // several curves, or a part of one
   const LifeCurve curve = swept_curve(outcome);
   for (Json& row : rows) {
     row["of_sweep"] = nullptr;
@@ -349,25 +335,30 @@ nlohmann::ordered_json report_data(const ResolvedCase& resolved, const Manifest&
   const SweepOutcome outcome = outcome_of(*manifest.header, manifest.entries);
   const FoundPeak found = find_peak(outcome);
   const std::vector<double> fine = fine_speeds(grid);
-  // The published numbers belong to the shipped case of this name, changed by the user or not.
-  const ValidationTable table =
-      validation_table_of(resolved, read_expected(shipped_expected(resolved.text("name"))));
+  const MissingPoints missing = missing_points(resolved, manifest);
+  const PublishedComparison published = published_comparison(slice.at);
+  // What assumptions are worth in this case, as it is.
+  ExpectedFile readings = read_expected(shipped_expected(resolved.text("name")));
+  readings.published.clear();
+  const ValidationTable table = validation_table_of(resolved, readings);
   Json data = sweep_json(outcome, found.peak, assumptions_with_sensitivity(resolved, table.sensitivities),
                          sweep_warnings(resolved, outcome, found), versions_json());
   data["case"] = {{"name", set.empty() ? resolved.text("name") : resolved.text("name") + ", set " + set},
                   {"source", resolved.text("source")},
                   {"model", resolved.choice("model")}};
   data["fidelity"] = outcome.header.fidelity;
+  data["missing"] = missing_json(missing, manifest);
   data["axes"] = axes_json(outcome.header);
   data["slice"] = slice.columns;
   data["kinematics"] = kinematics(drivetrain, geometry);
-  data["published"] = published_points(table.rows);
+  data["published"] = published_points(published.table.rows, outcome, resolved);
+  data["changed_inputs"] = published.changed;
   data["fine"] = fine_curve(drivetrain, geometry, fine);
   data["polar"] = polar(drivetrain, geometry, shown_speeds(grid));
   data["drawing"] = drawing(drivetrain, geometry, property(grid, "peak_speed_rpm"));
   data["ablation"] = effect_curves(slice.at, shown, fine);
-  data["validation"] = rows_json(table);
-  add_numbers_of_sweep(outcome, data["validation"]);
+  data["validation"] = rows_json(published.table);
+  add_numbers_of_sweep(outcome, missing.none(), data["validation"]);
   data["sensitivities"] = sensitivities_json(table);
   if (has_gear_report(slice.at)) data["gears"] = gear_report(slice.at, grid.speed_rpm);
   data["dynamic"] = nullptr;

@@ -3,8 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <cstdint>
 #include <map>
+#include <numeric>
+#include <stdexcept>
 
 #include "app/study/gear_case.hpp"
 #include "app/study/gear_output.hpp"
@@ -91,7 +95,44 @@ ModesAtSpeed modes_at_rpm(const ResolvedCase& resolved, double rpm) {
           named_frequencies(modes_at_speed(model), model.parameters.planets)};
 }
 
-std::vector<Meeting> meetings(const std::vector<ModesAtSpeed>& points, const gearset::PlanetarySet& set) {
+namespace {
+
+/// A harmonic of the mesh frequency and a mode that lies above it at one speed and below at a higher one.
+struct Crossing {
+  int order = 0;
+  NamedFrequency mode;  // at the lower speed
+  double lower = 0.0, upper = 0.0;              // [rpm]
+  double above_lower = 0.0, above_upper = 0.0;  // [Hz]  harmonic less mode
+};
+
+// By a root of the difference, in modes at the speed itself: those of neighbours would miss by up to a part in 500.
+std::optional<Meeting> meeting_at(const Crossing& crossing, const ModesAt& modes_at) try {
+  constexpr double same_speed = 1e-10;  // relative
+  constexpr std::uintmax_t most = 60;
+  const auto difference = [&](double rpm) {
+    const ModesAtSpeed found = modes_at(rpm);
+    const NamedFrequency* mode = same_mode(crossing.mode, found);
+    if (!mode) throw std::runtime_error("no such mode");
+    return crossing.order * found.mesh_frequency - mode->frequency;
+  };
+  const auto near = [&](double one, double other) { return std::abs(other - one) <= same_speed * other; };
+  std::uintmax_t tries = most;
+  const auto [low, high] = boost::math::tools::toms748_solve(
+      difference, crossing.lower, crossing.upper, crossing.above_lower, crossing.above_upper, near, tries);
+  Meeting meeting{crossing.order, crossing.mode, std::midpoint(low, high)};
+  const ModesAtSpeed there = modes_at(meeting.rpm);
+  const NamedFrequency* mode = same_mode(crossing.mode, there);
+  if (!mode) return std::nullopt;
+  meeting.mode.frequency = mode->frequency;
+  return meeting;
+} catch (const std::runtime_error&) {
+  return std::nullopt;  // no balance of the bearing there
+}
+
+}  // namespace
+
+std::vector<Meeting> meetings(const std::vector<ModesAtSpeed>& points, const gearset::PlanetarySet& set,
+                              const ModesAt& modes_at) {
   std::vector<Meeting> list;
   const std::vector<double> places = angles_of_planets(set);
   for (int order = 1; order <= kMetHarmonics; ++order)
@@ -102,11 +143,11 @@ std::vector<Meeting> meetings(const std::vector<ModesAtSpeed>& points, const gea
         const double before = order * points[i].mesh_frequency - mode.frequency;
         const double after = order * points[i + 1].mesh_frequency - next->frequency;
         if (before > 0.0 || after <= 0.0) continue;
-        const double share = before / (before - after);
-        Meeting meeting{order, mode, std::lerp(points[i].rpm, points[i + 1].rpm, share),
-                        excites(places, order * set.sun_teeth, mode.kind)};
-        meeting.mode.frequency = std::lerp(mode.frequency, next->frequency, share);
-        list.push_back(std::move(meeting));
+        std::optional<Meeting> meeting =
+            meeting_at({order, mode, points[i].rpm, points[i + 1].rpm, before, after}, modes_at);
+        if (!meeting) continue;
+        meeting->excited = excites(places, order * set.sun_teeth, mode.kind);
+        list.push_back(std::move(*meeting));
       }
   return list;
 }
@@ -120,7 +161,8 @@ bool has_resonances(const ResolvedCase& resolved) {
 std::vector<Resonance> resonances(const ResolvedCase& resolved, double lowest_rpm, double highest_rpm) {
   const gearset::PlanetarySet set = drivetrain_of(resolved).set;
   std::vector<Resonance> list;
-  for (const Meeting& meeting : meetings(modes_between(resolved, lowest_rpm, highest_rpm), set))
+  const ModesAt modes_at = [&](double rpm) { return modes_at_rpm(resolved, rpm); };
+  for (const Meeting& meeting : meetings(modes_between(resolved, lowest_rpm, highest_rpm), set, modes_at))
     if (meeting.excited) list.push_back(resonance_of(meeting));
   std::sort(list.begin(), list.end(),
             [](const Resonance& one, const Resonance& other) { return one.speed < other.speed; });

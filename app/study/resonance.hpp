@@ -1,6 +1,7 @@
 // Where harmonics of the mesh frequency meet natural frequencies of a gear set.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -43,10 +44,15 @@ struct Meeting {
   bool excited = false;  // whether the meshes can excite it; Eq. (14) of gearset/dynamics
 };
 
-/// All meetings of harmonics 1 to 4 between the first and the last of `points`, on straight lines between
-/// neighbours; by order, then by speed.
+/// Modes at a speed [rpm]; throws std::runtime_error where the bearings find no balance.
+using ModesAt = std::function<ModesAtSpeed(double rpm)>;
+
+/// All meetings of harmonics 1 to 4 between the first and the last of `points`, by order, then by speed. `points`
+/// say between which of them a meeting is; it is found by the modes at its own speed. Left out where these cannot
+/// be computed.
 /// @param set whose teeth and places of planets decide what is excited
-std::vector<Meeting> meetings(const std::vector<ModesAtSpeed>& points, const gearset::PlanetarySet& set);
+std::vector<Meeting> meetings(const std::vector<ModesAtSpeed>& points, const gearset::PlanetarySet& set,
+                              const ModesAt& modes_at);
 
 /// Whether the motion of a case's bearings feels resonances of its gears: one set with bearings, whose meshes
 /// vary. Several sets have no gear dynamics yet.

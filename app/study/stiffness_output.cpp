@@ -196,7 +196,7 @@ std::string ross_table(const StiffnessStudy& study, std::size_t series) {
             [](const StiffnessPoint* a, const StiffnessPoint* b) { return a->speed < b->speed; });
   Worksheet sheet;
   constexpr std::array<const char*, 9> heads{"kxx", "kxy", "kyx", "kyy",      "cxx",
-                                             "cxy", "cyx", "cyy", "frequency"};
+                                             "cxy", "cyx", "cyy", "speed"};
   for (std::size_t i = 0; i < heads.size(); ++i) sheet.label(0, i, heads[i]);
   const auto put_row = [&](std::size_t row, const StiffnessPoint& point, double speed) {
     const std::array<double, 9> values{entry(point, 0, 0),

@@ -134,8 +134,8 @@ ManifestHeader manifest_header(const ResolvedCase& resolved, const std::string& 
 SweepRequest sweep_request(const ResolvedCase& resolved, const std::string& fidelity) {
   if (resolved.model() != planetary_drivetrain)
     throw BadInput(resolved.origin("model") + ": model: found " + resolved.choice("model") +
-                   "; required: planetary-drivetrain, the one model with a sweep" +
-                   (resolved.model() == gear_pair ? "; orbearing mesh shows a pair's stiffness"
+                   "; required: planetary-drivetrain, for the life of its planet bearings" +
+                   (resolved.model() == gear_pair ? "; orbearing mesh gives the stiffness of a pair"
                                                   : "; orbearing run computes a single bearing"));
   if (!resolved.shape().bearing)
     throw BadInput(resolved.file() +

@@ -11,6 +11,9 @@ namespace {
 
 // Importers add step sizes up or multiply them: both differ by round-off.
 constexpr double kStepShare = 1e-6, kTimeShare = 1e-12;
+// An instance takes ten million steps of its own in one step at most, and none of a millisecond.
+constexpr double kLongestStep = 1e4;  // [s]
+constexpr const char* kTooManySteps = "largest number of steps";
 
 double slack(double time, double size) {
   return kStepShare * size + kTimeShare * std::fabs(time);
@@ -77,6 +80,9 @@ void Instance::require_step(double point, double size) const {
   require_phase({Phase::stepping}, "step");
   if (!std::isfinite(size) || !(size > 0.0))
     throw Refused("step size: found " + seconds(size) + "; required: a finite number greater than 0");
+  if (size > kLongestStep)
+    throw Refused("step size: found " + seconds(size) + "; required: at most " + seconds(kLongestStep) +
+                  ", which ten million steps of an instance's own do not exceed");
   if (!std::isfinite(point) || std::fabs(point - state_.time) > slack(state_.time, size))
     throw Refused("communication point: found " + seconds(point) + "; required: where the instance stands, " +
                   seconds(state_.time));
@@ -110,6 +116,10 @@ double Instance::accepted_length(double length, const std::vector<system::InputP
 
 void Instance::refuse_step(double length, const std::vector<system::InputPolynomial>& inputs,
                            const std::string& reason) {
+  // A trial of half the length would take as many steps again before it gives up.
+  if (reason.find(kTooManySteps) != std::string::npos)
+    throw Refused(Status::discard,
+                  "step too long: found " + seconds(length) + ", in which " + reason + "; required: shorter steps");
   const double accepted = accepted_length(length, inputs);
   if (accepted > 0.0)
     throw Refused(Status::discard, "step too long: found " + seconds(length) + ", in which " + reason +

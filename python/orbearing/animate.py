@@ -13,6 +13,8 @@ from typing import Any
 
 import numpy as np
 
+from orbearing.terminal import finished
+
 STEEL, BALL, CAGE, MARK = "0.82", "#1f4e79", "#b5651d", "#c0392b"
 NEEDED = ("time", "first_ball_angle", "first_ball_inner_load", "inner_speed", "cage_x", "cage_y", "inner_x", "inner_y")
 LENGTHS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "um": 1e-6}
@@ -183,4 +185,4 @@ def main(arguments: list[str] | None = None) -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(finished(main))

@@ -42,7 +42,8 @@ def _summary(study: Report) -> Table:
     speeds = [format_number(point.get("input_speed_rpm")) for point in spectrum]
     where = f"{speeds[0]} rpm" if len(speeds) == 1 else f"{len(speeds)} points, {speeds[0]} to {speeds[-1]} rpm, by Miner's sum"
     advice = study.record("recommended")
-    band = f"{format_number(advice.get('least_drop_um'), 3)} to {format_quantity(advice.get('most_drop_um'), 'µm', 3)}"
+    beyond = "beyond " if advice.get("most_is_greatest_studied") else ""
+    band = f"{format_number(advice.get('least_drop_um'), 3)} to {beyond}{format_quantity(advice.get('most_drop_um'), 'µm', 3)}"
     kept = format_number(100 * advice.get("life_kept_in_band", 0), 3)
     computed = study.content.get("tilt") == "computed"
     tilts = sorted({point["tilt_mrad"] for point in (records(advice.get("points")) if computed else study.records("points"))})

@@ -119,6 +119,10 @@ def _warnings(report: Report) -> str:
 
 def _validation(report: Report) -> str:
     rows = [row for row in report.records("validation") if not row.get("reading")]
+    changed = report.content.get("changed_inputs")
+    if changed:
+        items = "\n".join(f"<li>{escape(str(text))}</li>" for text in changed)
+        return _section("Published numbers beside ours", f"<p>Not compared: the published numbers are of a case with other inputs.</p>\n<ul>{items}</ul>")
     if not rows:
         return _section("Published numbers beside ours", "<p>No published numbers are compared for this case.</p>")
     moving = report.fidelity != "quasi-static"
@@ -126,7 +130,7 @@ def _validation(report: Report) -> str:
     cells = [(row.get("source"), row.get("quantity"), row.get("published"), row.get("ours"), _percent(row.get("deviation")),
               f"{100 * row['tolerance']:.1f} %" if is_number(row.get("tolerance")) else None, row.get("verdict"),
               *((row.get("of_sweep"),) if moving else ())) for row in rows]
-    note = "<p>The values of this run's case, computed by the quasi-static model on the grid of its speeds, as the sources did theirs."
+    note = "<p>The case as published, computed by the quasi-static model on the speeds of its own sweep, as the sources did theirs."
     if moving:
         note += f" The last column holds the same quantities of the points of this sweep ({escape(report.fidelity)})."
     note += "</p>"

@@ -61,6 +61,9 @@ def write_all(folder: Path, pages: dict[str, str]) -> None:
     try:
         for name, text in pages.items():
             path = folder / name
+            if path.parent != folder and path.parent.is_symlink():
+                raise CaseError(f"{path.parent}: found a link to {os.readlink(path.parent)}; required: a folder of its own, so that nothing outside is "
+                                "written to. Remove the link")
             if not path.parent.exists():
                 path.parent.mkdir()
                 made.append(path.parent)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import html
+import inspect
 import json
 import re
 import shutil
@@ -464,7 +465,9 @@ class StiffnessResult(Result):
         speeds = [point["speed_rpm"] * np.pi / 30 for point in points]
         if len(points) == 1:
             return ross.BearingElement(n=n, cxx=0.0, **{name: values[0] for name, values in terms.items()})
-        return ross.BearingElement(n=n, cxx=[0.0] * len(points), frequency=speeds, **terms)
+        # `frequency` is that of the excitation from release 3 on; `speed` is the rotor's in each release that knows it.
+        known = inspect.signature(ross.BearingElement.__init__).parameters
+        return ross.BearingElement(n=n, cxx=[0.0] * len(points), **{"speed" if "speed" in known else "frequency": speeds}, **terms)
 
     def plot(self, axes=None):
         """Diagonal terms in translation over the points."""

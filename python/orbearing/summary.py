@@ -39,6 +39,13 @@ def headline(report: Report) -> str:
     if speed is None:
         return "No point of this sweep gave a life, so there is no peak to report."
     where = f"at {format_number(speed, 4)} rpm input speed{others}"
+    missing = report.record("missing")
+    if missing.get("points"):
+        shard = f", shard {missing['shard']}" if missing.get("shard") else ""
+        return (f"Incomplete sweep, {missing.get('found')} of {missing.get('of')} points{shard}: the longest life of these points is {format_number(life, 3)} hours, "
+                f"{where}; the missing points may have longer ones.")
+    if missing:
+        return f"Peak not yet refined: the longest life of the points so far is {format_number(life, 3)} hours, {where}{HOW.get(report.fidelity, '')}."
     if len(report.records("points")) == 1:
         return f"{_capital(where)} the planet bearing lives {format_number(life, 3)} hours (a single point, no peak)."
     return f"The planet bearing lives longest {where}: {format_number(life, 3)} hours{HOW.get(report.fidelity, '')}."
@@ -54,6 +61,7 @@ def summary_table(report: Report) -> Table:
         ("Source", case.get("source")),
         ("Fidelity", f"{report.fidelity}{FIDELITIES.get(report.fidelity, '')}"),
         ("Points of the sweep", f"{len(points)}, of which {len(failed)} without a life{_added(points)}"),
+        *([("Missing", _capital(str(report.record("missing").get("text"))))] if report.record("missing") else []),
         *([("Shown over speed", f"the points with {line}, nearest to the case's own")] if line else []),
         ("Peak of the grid", _speed_and_life(peak.get("speed_rpm"), peak.get("life_h"))),
         ("Peak of all points", _speed_and_life(*best(report)) + _edge_note(report)),
@@ -64,24 +72,16 @@ def summary_table(report: Report) -> Table:
     return Table(("Result", "Value"), rows)
 
 
-def life_at(report: Report, speed_rpm: float) -> float | None:
-    """Our life [h] at a speed: the sweep's own point there, else between its points, never beyond them."""
-    speed, life = report.point_column("input_speed_rpm"), report.point_column("life_h")
-    known = np.isfinite(speed) & (life > 0)
-    order = np.argsort(speed[known], kind="stable")
-    speed, life = speed[known][order], life[known][order]
-    if not len(speed) or not speed[0] <= speed_rpm <= speed[-1]:
-        return None
-    return float(np.exp(np.interp(speed_rpm, speed, np.log(life))))
-
-
 def _published_rows(report: Report) -> list[tuple[str, str]]:
-    rows = []
+    changed = report.content.get("changed_inputs")
+    rows = [("Published numbers", f"not compared, since this case is another than the published one: {'; '.join(map(str, changed))}")] if changed else []
     for item in report.records("published"):
         speed, life = item.get("speed_rpm"), item.get("life_h")
         if is_number(speed) and is_number(life):
-            ours = life_at(report, speed)
-            text = f"{_speed_and_life(speed, life)}; ours there {format_quantity(ours, 'h')}, {format_change(ours, life)}"
+            ours = item.get("ours_h")
+            text = f"{_speed_and_life(speed, life)}; " + (
+                f"ours there {format_quantity(ours, 'h')}, {format_change(ours, life)} ({item.get('ours_by') or 'computed'})" if is_number(ours)
+                else "ours there is not computed: the sweep has no point at that speed")
             rows.append((f"Published, {item.get('source') or 'unnamed source'}", text))
     return rows
 

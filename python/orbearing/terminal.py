@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import os
 import sys
 import time
+from typing import Callable
 
 from orbearing.errors import CaseError
 
@@ -18,6 +20,27 @@ def settings_of(options: list[str]) -> list[tuple[str, str]]:
     if wrong:
         raise CaseError([f"--set: found '{option}'; required: path=value" for option in wrong])
     return [(path.strip(), value.strip()) for path, _, value in pairs]
+
+
+def place_of(error: OSError) -> str:
+    """The file of an error; without one it is that of a line that was printed."""
+    return str(error.filename) if error.filename else "standard output"
+
+
+def finished(command: Callable[[], int]) -> int:
+    """The exit code of a command once all that it printed is written; 1 where that fails, as on a full disk."""
+    try:
+        code = command()
+    except SystemExit as end:  # of --help, and of wrong options
+        code = end.code if isinstance(end.code, int) else int(end.code is not None)
+    try:
+        sys.stdout.flush()
+    except OSError as error:
+        print(f"standard output: cannot be written: {error.strerror}; make room, then give the command again", file=sys.stderr)
+        # What is left in the buffer would be written once more at the end.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return code or 1
+    return code
 
 
 class StatusLine:

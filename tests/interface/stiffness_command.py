@@ -161,7 +161,7 @@ class Files(unittest.TestCase):
                 row, column, _, size = struct.unpack_from("<HHHH", data)
                 cells[row, column] = data[8:8 + size].decode()
         heads = [cells[0, i] for i in range(9)]
-        self.assertEqual(heads, ["kxx", "kxy", "kyx", "kyy", "cxx", "cxy", "cyx", "cyy", "frequency"])
+        self.assertEqual(heads, ["kxx", "kxy", "kyx", "kyy", "cxx", "cxy", "cyx", "cyy", "speed"])
         for row, point in enumerate(points, 1):
             self.assertEqual([cells[row, i] for i in range(4)], [point["stiffness"][i][j] for i in (0, 1) for j in (0, 1)])
             self.assertAlmostEqual(cells[row, 8], point["speed_rpm"] * math.pi / 30, places=9)

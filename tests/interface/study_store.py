@@ -319,7 +319,7 @@ class Interrupted(InFolder):
             held = journal.Journal(self.place / "whole" / JOURNAL)
             self.addCleanup(held.close)
             study(self.place / "whole", resume=True)
-        self.assertIn("another study is writing here", str(caught.exception))
+        self.assertIn("another run is writing here", str(caught.exception))
 
     def test_a_disk_that_takes_no_more(self):
         folder = self.place / "full"

@@ -61,11 +61,44 @@ class SweepFolder(unittest.TestCase):
         self.expect_refused(sweep(self.place / "file" / "below"), str(self.place / "file"))
         self.expect_refused(sweep("/proc/results"), "/proc/results")
 
-    def test_damaged_manifest_is_named_by_line(self):
+    def test_damaged_manifest_is_named_by_line_and_computed_again(self):
+        """Issue 52, item 3: a changed digit, or a line that is none of ours."""
         finished = self.finished()
-        lines = (finished / "manifest.jsonl").read_text().splitlines(keepends=True)
-        (finished / "manifest.jsonl").write_text("".join([lines[0], "nonsense\n", *lines[2:]]))
-        self.expect_refused(sweep(finished, "--resume"), "manifest.jsonl:2:1")
+        whole, file = table(finished), finished / "manifest.jsonl"
+        lines = file.read_text().splitlines(keepends=True)
+        changed = lines[5].replace('"life_h":', '"life_h":1', 1)
+        file.write_text("".join([lines[0], "nonsense\n", *lines[2:5], changed, *lines[6:]]))
+        result = run([part for part in sweep_call(finished, "--resume") if part != "--quiet"])
+        self.assertEqual(result.returncode, 0, result.stderr)
+        for line in (2, 6):
+            self.assertIn(f"manifest.jsonl:{line}:1: differs from what its sweep wrote; its point is computed again", result.stderr)
+        self.assertEqual(table(finished), whole)
+        self.assertNotIn("differs", run([part for part in sweep_call(finished, "--resume") if part != "--quiet"]).stderr)
+
+    def test_changed_digit_of_a_shard_is_not_merged(self):
+        """Issue 52, item 3."""
+        first, second = self.finished("s1", "--shard", "1/2"), self.finished("s2", "--shard", "2/2")
+        file = first / "manifest.jsonl"
+        file.write_text(file.read_text().replace('"life_h":', '"life_h":1', 1))
+        self.expect_refused(self.merge(first, second), "manifest.jsonl:2:1", "--resume")
+        self.assertFalse((self.place / "merged").exists())
+
+    def test_links_are_not_written_through(self):
+        """Issue 44, item 17."""
+        finished = self.finished()
+        (finished / "points" / "00000.nc").unlink()
+        (finished / "points").rename(self.place / "elsewhere")
+        (finished / "points").symlink_to(self.place / "elsewhere")
+        before = snapshot(self.place)
+        self.expect_refused(sweep(finished, "--resume"), "found a link to")
+        self.assertEqual(snapshot(self.place), before)
+
+    def test_shards_of_the_grid_alone_are_merged_without_more(self):
+        """Issue 44, item 17."""
+        shards = [self.finished(f"s{i}", "--shard", f"{i}/2", "--grid-only") for i in (1, 2)]
+        self.assertEqual(self.merge(*shards).returncode, 0)
+        self.assertEqual(table(self.place / "merged"), table(self.finished("grid", "--grid-only")))
+        self.assertNotIn(b",true,", table(self.place / "merged"))
 
     def test_bad_shards(self):
         for shard in ("0/2", "3/2", "2", "a/b", "1/0", "1/99999999999"):

@@ -34,7 +34,7 @@ def manifest_points(folder):
     """Numbers of the points in the manifest, in its order; a torn last line is left out."""
     file = Path(folder) / "manifest.jsonl"
     text = file.read_bytes() if file.exists() else b""
-    return [json.loads(line)["point"] for line in text.split(b"\n")[1:-1]]
+    return [json.loads(line)["point"] for line in text.split(b"\n")[1:-1] if line.strip()]
 
 
 def point_files(folder):

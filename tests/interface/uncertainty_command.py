@@ -51,7 +51,7 @@ class Command(unittest.TestCase):
     def test_writes_what_it_found(self):
         self.assertEqual(self.done.returncode, 0, self.done.stderr)
         self.assertEqual(sorted(file.name for file in self.folder.iterdir()),
-                         sorted(["uncertainty.json", "samples.nc", "uncertainty.html", "case.resolved.yaml",
+                         sorted(["uncertainty.json", "uncertainty.journal", "samples.nc", "uncertainty.html", "case.resolved.yaml",
                                  *(f"{name}.{ending}" for name in ("life_band", "peak", "indices") for ending in ("svg", "png"))]))
         self.assertIn("measure", self.done.stdout)
         page = (self.folder / "uncertainty.html").read_text()
@@ -93,7 +93,7 @@ class Command(unittest.TestCase):
             self.assertLess(both["L10"], both["percentiles"]["25"])
 
     def test_refuses_what_is_of_no_use(self):
-        for words, text in ((("-o", self.folder), "holds something already"), ((), "--output: missing"),
+        for words, text in ((("-o", self.folder), "holds a study of uncertainty"), ((), "--output: missing"),
                             (("--json", "--samples", "1"), "at least 2"), (("--json", "--speeds", "3 mm"), "does not measure"),
                             (("--json", "--life", "cage_slip"), "one of life_h"), (("--json", "--method", "grid"), "invalid choice"),
                             (("--json", "--set", "uncertain.input.speed={uniform: {from: 1 rpm, to: 2 rpm}}"), "uncertain speed"),

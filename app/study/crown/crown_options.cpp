@@ -13,6 +13,7 @@
 #include "app/errors.hpp"
 #include "app/study/crown/quantity_list.hpp"
 #include "app/study/planetary_case.hpp"
+#include "app/units.hpp"
 
 namespace orbearing::app {
 
@@ -39,15 +40,6 @@ std::vector<double> usual_drops(const bearing::Bearing& bearing) {
   return drops;
 }
 
-void require_range(const std::string& option, const std::vector<double>& values, double most,
-                   const std::string& required, Mistakes& mistakes) {
-  for (const double value : values)
-    if (!(value >= 0.0 && value <= most)) {
-      mistakes.push_back(fmt::format("{}: found {:.6g}; required: {}", option, value, required));
-      return;
-    }
-}
-
 bool states_computed_tilt(const ResolvedCase& resolved) {
   const char* state = "bearing.tilt_state";
   return resolved.has(state) && resolved.choice(state) == "computed";
@@ -69,8 +61,8 @@ std::vector<double> tilts_of(const CrownOptions& options, bool computed, Mistake
     mistakes.push_back("--tilts: found beside bearing.tilt_state: computed; required: one of both");
   if (computed) return {0.0};
   if (options.tilts.empty()) return {0.0, 1e-3, 2e-3};
-  std::vector<double> tilts = quantity_list("--tilts", options.tilts, kTilt, mistakes);
-  require_range("--tilts", tilts, kMostTilt, "tilts from 0 to 100 mrad", mistakes);
+  std::vector<double> tilts =
+      quantity_list("--tilts", options.tilts, kTilt, {0.0, kMostTilt, "tilts from 0 to 100 mrad"}, mistakes);
   std::sort(tilts.begin(), tilts.end());
   tilts.erase(std::unique(tilts.begin(), tilts.end()), tilts.end());
   return tilts;
@@ -80,8 +72,8 @@ std::vector<double> drops_of(const CrownOptions& options, const bearing::Bearing
                              Mistakes& mistakes) {
   if (options.drops.empty()) return usual_drops(bearing);
   const std::size_t before = mistakes.size();
-  std::vector<double> drops = quantity_list("--drops", options.drops, kDrop, mistakes);
-  require_range("--drops", drops, kMostDrop, "drops from 0 to 1000 um", mistakes);
+  std::vector<double> drops =
+      quantity_list("--drops", options.drops, kDrop, {0.0, kMostDrop, "drops from 0 to 1000 um"}, mistakes);
   std::sort(drops.begin(), drops.end());
   drops.erase(std::unique(drops.begin(), drops.end()), drops.end());
   if (mistakes.size() == before && drops.back() <= 0.0)
@@ -90,13 +82,12 @@ std::vector<double> drops_of(const CrownOptions& options, const bearing::Bearing
 }
 
 double tolerance_of(const std::string& option, const std::string& text, const Dimension& dimension,
-                    double most, Mistakes& mistakes) {
+                    double most, const std::string& words, Mistakes& mistakes) {
   if (text.empty()) return 0.0;
   const double value = option_quantity(option, text, dimension, mistakes);
   if (!(value >= 0.0 && value < most))
     mistakes.push_back(
-        fmt::format("{}: found {}; required: at least 0 and less than the greatest drop or 100 mrad", option,
-                    quote(text)));
+        fmt::format("{}: found {}; required: at least 0 and less than {}", option, quote(text), words));
   return value;
 }
 
@@ -301,8 +292,10 @@ CrownRequest crown_request(const ResolvedCase& resolved, const CrownOptions& opt
                        .distribution = distribution_of(options, computed, mistakes),
                        .starts = options.starts};
   const double greatest = request.drops.empty() ? kMostDrop : request.drops.back();
-  request.tolerance = {tolerance_of("--tolerance", options.tolerance, kDrop, greatest, mistakes),
-                       tolerance_of("--tilt-tolerance", options.tilt_tolerance, kTilt, kMostTilt, mistakes)};
+  request.tolerance = {
+      tolerance_of("--tolerance", options.tolerance, kDrop, greatest,
+                   fmt::format("the greatest drop, {:.6g} um", kMicro * greatest), mistakes),
+      tolerance_of("--tilt-tolerance", options.tilt_tolerance, kTilt, kMostTilt, "100 mrad", mistakes)};
   if (!mistakes.empty()) throw BadInput(mistakes);
   request.drivetrain = std::move(set.drivetrain);
   request.geometry = set.geometry;

@@ -163,13 +163,14 @@ std::string tolerance_text(const CrownStudy& study) {
 std::string recommended_text(const CrownStudy& study) {
   const auto& [design, advice, duties] = study.recommended;
   std::string text = fmt::format(
-      "recommended by half-space pressures{}:\n  {}, drop {:.3g} um{}; from {:.3g} to {:.3g} um{} at least "
+      "recommended by half-space pressures{}:\n  {}, drop {:.3g} um{}; from {:.3g} to {}{:.3g} um{} at least "
       "{:.0f} % of its life is left\n  straight rollers leave {:.1f} %, {:.3g} um {:.1f} %, {:.3g} um {:.1f} "
       "%, "
       "the drop by laminae ({:.3g} um) {:.1f} %\n",
       tolerance_text(study), design.profile, kMicro * design.crown.drop,
       advice.no_crown_needed() ? " (no crown is needed)" : "", kMicro * advice.band.least,
-      kMicro * advice.band.most, advice.band.open ? " (the greatest studied)" : "", 100.0 * kKeptLife,
+      advice.band.open ? "beyond " : "", kMicro * advice.band.most,
+      advice.band.open ? " (the greatest studied)" : "", 100.0 * kKeptLife,
       100.0 * advice.straight_life_hours / advice.life_hours, kMicro * advice.low.drop,
       100.0 * advice.low.life_share, kMicro * advice.high.drop, 100.0 * advice.high.life_share,
       kMicro * advice.other.drop, 100.0 * advice.other.life_share);

@@ -147,6 +147,11 @@ void add_pressure_warning(CrownStudy& study) {
 void add_advice_warnings(CrownStudy& study) {
   constexpr double noted = 0.01;  // of a life
   const HalfSpaceAdvice& advice = study.recommended.advice;
+  if (advice.band.open)
+    study.warnings.push_back(fmt::format(
+        "recommended: the band of drops ends at {:.3g} um because greater ones were not studied; its upper end lies "
+        "beyond. Give --drops that reach further",
+        1e6 * advice.band.most));
   if (advice.interpolation_error > noted)
     study.warnings.push_back(fmt::format(
         "recommended: lives between the drops at which they were computed miss by {:.2g} of themselves",

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "app/case/printable.hpp"
 
@@ -55,14 +57,19 @@ double option_quantity(const std::string& option, const std::string& text, const
   return 0.0;
 }
 
-std::vector<double> quantity_list(const std::string& option, const std::string& text,
-                                  const Dimension& dimension, std::vector<std::string>& mistakes) {
+std::vector<double> quantity_list(const std::string& option, const std::string& text, const Dimension& dimension,
+                                  const ListRange& range, std::vector<std::string>& mistakes) {
   std::vector<double> values;
   for (const std::string& part : parts_of(text, ',')) {
+    const std::size_t before = values.size(), wrong = mistakes.size();
     if (part.find(':') != std::string::npos)
       append_range(option, part, dimension, values, mistakes);
     else
       values.push_back(option_quantity(option, part, dimension, mistakes));
+    const bool inside = std::all_of(values.begin() + static_cast<std::ptrdiff_t>(before), values.end(),
+                                    [&](double value) { return value >= range.least && value <= range.most; });
+    if (!inside && mistakes.size() == wrong)
+      mistakes.push_back(fmt::format("{}: found {}; required: {}", option, quote(part), range.words));
   }
   return values;
 }

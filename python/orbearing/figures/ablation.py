@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 
 from orbearing import style
 from orbearing.blocks import FigureBlock, Table, format_change, is_number
-from orbearing.result_folder import Report, curve
+from orbearing.result_folder import Report, curve, same
 
 REFERENCE = "all effects"
 INERTIA, CLEARANCE = "inertia", "clearance"
@@ -64,12 +64,12 @@ def _has_curve(entry: dict) -> bool:
 
 
 def change_percent(entry: dict, reference: dict) -> tuple[np.ndarray, np.ndarray]:
-    """Speed [rpm] and change of life [%] against the reference, where both curves reach."""
+    """Speed [rpm] and change of life [%] against the reference, at speeds at which both were computed."""
     speed, life = _curve(entry)
     base_speed, base_life = _curve(reference)
-    inside = (speed >= base_speed[0]) & (speed <= base_speed[-1])
-    base = np.exp(np.interp(speed[inside], base_speed, np.log(base_life)))
-    return speed[inside], 100 * (life[inside] / base - 1)
+    pairs = [(i, j) for i, one in enumerate(speed) for j in [int(np.argmin(np.abs(base_speed - one)))] if same(float(one), float(base_speed[j]))]
+    at, of = (np.array([pair[side] for pair in pairs], dtype=int) for side in (0, 1))
+    return speed[at], 100 * (life[at] / base_life[of] - 1)
 
 
 def _draw(entries: list[dict], reference: dict | None, slug: str) -> str:

@@ -161,5 +161,5 @@ def _caption(report: Report) -> str:
     if report.failed_points:
         text += f"{len(report.failed_points)} point(s) gave no life; crosses on the axis mark their speeds. "
     if not _published(report):
-        text += "No published life is given for this case. "
+        text += "No published life is compared with this case. "
     return text.strip()

@@ -14,7 +14,7 @@ import time
 from pathlib import Path
 
 from orbearing.errors import CaseError, ComputationError
-from orbearing.terminal import StatusLine, settings_of
+from orbearing.terminal import StatusLine, finished, place_of, settings_of
 
 MOST_ROWS = 40  # of variants on a terminal
 
@@ -266,9 +266,9 @@ def main(arguments: list[str]) -> int:
     except ComputationError as error:
         print(f"study: {error}{stays}", file=sys.stderr)
     except OSError as error:
-        print(f"study: {error.filename or options.output}: {error.strerror}{stays}", file=sys.stderr)
+        print(f"study: {place_of(error)}: {error.strerror}{stays}", file=sys.stderr)
     return 1
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(finished(lambda: main(sys.argv[1:])))

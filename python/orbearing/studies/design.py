@@ -23,6 +23,7 @@ SAMPLERS = ("grid", "sobol", "lhs")
 ROW, SAMPLE = "row", "sample"
 MOST_POINTS = 10_000_000
 END_TOLERANCE = 1e-9  # part of a step by which rounding may put the last value beside `to`, as in the sweep of a case
+SAME_VALUE = 1e-12  # relative: what the conversion of a unit may round off
 NUMBERS = ("quantity", "number", "integer")  # kinds of fields that are numbers
 DIGITS = 15  # of a coordinate: what a double keeps of a decimal number, so that 10 um reads 10 and not 9.999999999999999
 
@@ -126,6 +127,18 @@ def from_content(content: dict) -> Design:
     return Design(parameters, tuple((name, length) for name, length in content["dimensions"]), content["sampler"], content["seed"])
 
 
+def _require_unlike(parameter: Parameter) -> None:
+    """Refuses a value that stands twice in different words, as 5 um and 0.005 mm."""
+    if parameter.si is None or len(parameter.si) < 2:
+        return
+    order = np.argsort(parameter.si, kind="stable")
+    sorted_si = parameter.si[order]
+    equal = np.flatnonzero(np.diff(sorted_si) <= SAME_VALUE * np.abs(sorted_si[1:]))
+    if len(equal):
+        one, other = (parameter.texts[order[equal[0] + i]] for i in (0, 1))
+        raise CaseError(f"{parameter.path}: '{one}' and '{other}' are one value; each value once is required")
+
+
 def _first_of_equals(texts: Sequence[str]) -> np.ndarray:
     first: dict[str, int] = {}
     return np.array([first.setdefault(text, index) for index, text in enumerate(texts)])
@@ -153,12 +166,14 @@ def design_of(core, varied: Mapping[str, Any], *, sampler: str = "grid", samples
         raise CaseError(f"{twice[0]}: found in the rows of the table and beside them; required: one of both")
     parameters = [reader.parameter(path, ROW, values) for path, values in rows.items()]
     dimensions = [(ROW, len(paired))] if rows else []
+    _require_few(sampler, varied, rows, axes)
     if sampler == "grid":
         if samples is not None:
             raise CaseError("samples: found with a grid; required: the sampler sobol or lhs")
         for path, stated in varied.items():
             texts = reader.grid(path, stated)
             parameters.append(reader.parameter(path, path, texts))
+            _require_unlike(parameters[-1])
             dimensions.append((path, len(texts)))
     elif varied:
         drawn = _drawn(sampler, len(varied), samples, seed)
@@ -176,10 +191,32 @@ def design_of(core, varied: Mapping[str, Any], *, sampler: str = "grid", samples
     order = [name for name, _ in dimensions]
     parameters.sort(key=lambda parameter: order.index(parameter.dimension))
     design = Design(tuple(parameters), tuple(dimensions), sampler, seed)
-    if design.points > MOST_POINTS:
-        raise CaseError(f"study: found {design.points} points; at most {MOST_POINTS} are required")
+    _require_few_points(design.points)
     _require_possible(core, design)
     return design
+
+
+def _require_few_points(points: int) -> None:
+    if points > MOST_POINTS:
+        raise CaseError(f"study: found {points} points; at most {MOST_POINTS} are required: vary fewer values, or sample them (--sampler sobol)")
+
+
+def _require_few(sampler: str, varied: Mapping[str, Any], rows: Mapping[str, list], axes: Mapping[str, list[str]]) -> None:
+    """Counts the points before a value is read: a range of many values costs as much as they are."""
+    lengths = [len(texts) for path, texts in axes.items() if path not in varied and path not in rows]
+    lengths += [len(next(iter(rows.values())))] if rows else []
+    if sampler == "grid":
+        lengths += [_count_of(path, stated) for path, stated in varied.items()]
+    _require_few_points(math.prod(lengths))
+
+
+def _count_of(path: str, stated: Any) -> int:
+    """How many values an axis of a grid states; 1 where that is seen only when they are read."""
+    if isinstance(stated, Mapping):
+        return _range_of(path, stated)[3]
+    if isinstance(stated, tuple) and len(stated) == 2 and isinstance(stated[1], str) and not isinstance(stated[0], str) and hasattr(stated[0], "__len__"):
+        return len(stated[0])
+    return len(stated) if hasattr(stated, "__len__") and not isinstance(stated, str) else 1
 
 
 def _require_possible(core, design: Design) -> None:
@@ -273,6 +310,14 @@ def _number_text(value: float, unit: str) -> str:
 
 def _range_texts(path: str, stated: Mapping[str, Any]) -> list[str]:
     """The values of {from, to, step} or {from, to, count}, in the unit of `from`."""
+    first, last, step, count, unit = _range_of(path, stated)
+    if step is None:
+        return [_number_text(float(f"{value:.{DIGITS}g}"), unit) for value in np.linspace(first, last, count)]
+    return [_number_text(first + index * step, unit) for index in range(count)]
+
+
+def _range_of(path: str, stated: Mapping[str, Any]) -> tuple[float, float, float | None, int, str]:
+    """First, last, step (None of a count), number of values and unit."""
     keys = set(stated)
     if keys not in ({"from", "to", "step"}, {"from", "to", "count"}):
         raise CaseError(f"{path}: found a range of {', '.join(sorted(keys)) or 'nothing'}; required: {{from: ..., to: ..., step: ...}} or {{from: ..., to: ..., count: ...}}")
@@ -280,15 +325,16 @@ def _range_texts(path: str, stated: Mapping[str, Any]) -> list[str]:
     if unit != other:
         raise CaseError(f"{path}: found a range from '{stated['from']}' to '{stated['to']}'; required: one unit for both")
     if "count" in keys:
-        count = _whole(path, stated["count"])
-        return [_number_text(float(f"{value:.{DIGITS}g}"), unit) for value in np.linspace(first, last, count)]
+        return first, last, None, _whole(path, stated["count"]), unit
     step, step_unit = _quantity(path, stated["step"])
     if step_unit != unit or not step > 0 or last < first:
         raise CaseError(f"{path}: found a step of '{stated['step']}' from '{stated['from']}' to '{stated['to']}'; required: a positive one in the same unit, upwards")
     steps = (last - first) / step
-    if abs(steps - round(steps)) > END_TOLERANCE or steps > MOST_POINTS:
+    if steps > MOST_POINTS:
+        raise CaseError(f"{path}: found {steps + 1:.4g} values from '{stated['from']}' to '{stated['to']}'; at most {MOST_POINTS} are required")
+    if abs(steps - round(steps)) > END_TOLERANCE:
         raise CaseError(f"{path}: a step of '{stated['step']}' from '{stated['from']}' does not end at '{stated['to']}'; required: one that does")
-    return [_number_text(first + index * step, unit) for index in range(round(steps) + 1)]
+    return first, last, step, round(steps) + 1, unit
 
 
 def _whole(path: str, value: Any) -> int:
@@ -297,7 +343,7 @@ def _whole(path: str, value: Any) -> int:
     except ValueError:
         count = 0
     if not 1 < count <= MOST_POINTS:
-        raise CaseError(f"{path}: found a count of '{value}'; required: a whole number of at least 2")
+        raise CaseError(f"{path}: found a count of '{value}'; required: a whole number from 2 to {MOST_POINTS}")
     return count
 
 

@@ -82,6 +82,9 @@ def _require_usable(folder: Path, header: dict, resume: bool) -> None:
         return
     if JOURNAL not in names:
         raise CaseError(f"{folder}: holds '{names[0]}', which is no result of a study; a new or empty folder is required")
+    if (folder / POINTS).is_symlink():
+        raise CaseError(f"{folder / POINTS}: found a link to {os.readlink(folder / POINTS)}; required: a folder of its own, so that nothing outside is "
+                        "written to. Give another folder")
     if not resume:
         raise CaseError(f"{folder}: holds results; a new or empty folder is required, or --resume to go on with these")
     path = folder / JOURNAL

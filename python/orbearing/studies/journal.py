@@ -102,14 +102,14 @@ class Journal:
         """Opens or makes the file. Raises CaseError where another study writes into it."""
         self.path = path
         try:
-            self._file = os.open(path, os.O_RDWR | os.O_CREAT | os.O_APPEND | os.O_CLOEXEC, 0o666)
+            self._file = os.open(path, os.O_RDWR | os.O_CREAT | os.O_APPEND | os.O_CLOEXEC | os.O_NOFOLLOW, 0o666)
         except OSError as error:
             raise CaseError(f"{path}: cannot be written: {error.strerror}; a folder that may be written to is required") from error
         try:
             fcntl.flock(self._file, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError as error:
             os.close(self._file)
-            raise CaseError(f"{path}: another study is writing here; wait for its end, or give another folder") from error
+            raise CaseError(f"{path}: another run is writing here; wait for its end, or give another folder") from error
         except OSError:
             pass  # a file system without locks is no reason to refuse
         self._length = os.fstat(self._file).st_size
@@ -128,9 +128,9 @@ class Journal:
             while rest:
                 rest = rest[os.write(self._file, rest):]
             os.fsync(self._file)
-        except OSError:
+        except OSError as error:
             os.ftruncate(self._file, self._length)
-            raise
+            raise OSError(error.errno, error.strerror, str(self.path)) from error
         self._length += len(data)
 
     def close(self) -> None:

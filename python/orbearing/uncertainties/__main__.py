@@ -6,11 +6,12 @@ Exit codes as of the command line: 0 done, 1 the computation failed, wholly or a
 from __future__ import annotations
 
 import argparse
+import signal
 import sys
 from pathlib import Path
 
 from orbearing.errors import CaseError, ComputationError
-from orbearing.terminal import StatusLine, settings_of
+from orbearing.terminal import StatusLine, finished, place_of, settings_of
 from orbearing.uncertainties.design import METHODS
 from orbearing.uncertainties.settings import Settings
 
@@ -34,6 +35,7 @@ def parser() -> argparse.ArgumentParser:
     made.add_argument("--life", metavar="COLUMN", help="which life of the sweep's table; default: L10mh where the case rates its oil, else life_h")
     made.add_argument("--motion", type=int, default=0, metavar="N", help="samples at percentiles of the life that are computed in motion too")
     made.add_argument("--jobs", type=int, default=0, help="threads; default: one for each core")
+    made.add_argument("--resume", action="store_true", help="go on in DIR with the lives that are missing")
     made.add_argument("--set", metavar="PATH=VALUE", dest="settings", action="append", default=[], help="replace one independent value; repeatable")
     made.add_argument("--json", action="store_true", help="print the result as one JSON object and nothing else")
     made.add_argument("--quiet", action="store_true", help="print nothing but errors")
@@ -41,19 +43,16 @@ def parser() -> argparse.ArgumentParser:
 
 
 def _folder(options: argparse.Namespace) -> Path | None:
-    """Where the results go. Raises CaseError where they would go nowhere or over others."""
+    """Where the results go. Raises CaseError where they would go nowhere."""
     if options.output is None:
         if not options.json:
             raise CaseError("--output: missing; required: a folder for the results, or --json to print them alone")
+        if options.resume:
+            raise CaseError("--resume: found without --output; required: the folder to go on with")
         return None
-    folder = Path(options.output)
     if not options.output:
         raise CaseError("--output: found an empty name; required: a folder")
-    if folder.exists() and not folder.is_dir():
-        raise CaseError(f"{folder}: found a file; required: a folder for the results")
-    if folder.is_dir() and any(folder.iterdir()):
-        raise CaseError(f"{folder}: found a folder that holds something already; required: an empty one, or one that does not exist yet")
-    return folder
+    return Path(options.output)
 
 
 def _speeds(core, text: str | None) -> tuple[float, ...] | None:
@@ -103,7 +102,7 @@ def run(options: argparse.Namespace) -> int:
     """The study of the options; the exit code."""
     from orbearing import _core
     from orbearing.uncertainties.parts import openturns, xarray
-    from orbearing.uncertainties.study import of_case
+    from orbearing.uncertainties.study import of_case, open_store
 
     openturns()  # before any work
     folder = _folder(options)
@@ -113,13 +112,15 @@ def run(options: argparse.Namespace) -> int:
     settings = Settings(options.samples, options.curves, options.index_samples, options.seed, options.method, _speeds(core, options.speeds),
                         options.life, options.motion, options.jobs)
     line = _Line(not options.quiet and not options.json)
+    store = open_store(folder, core, settings, options.resume) if folder else None
     try:
-        result = of_case(core, settings, line)
+        result = of_case(core, settings, line, store)
+        if folder:
+            result.save(folder, core.resolved())
     finally:
         line.end()
-    if folder:
-        result.save(folder)
-        (folder / "case.resolved.yaml").write_text(core.resolved(), encoding="utf-8")
+        if store:
+            store.close()
     if options.json:
         print(result.json(), end="")
     elif not options.quiet:
@@ -133,21 +134,23 @@ def run(options: argparse.Namespace) -> int:
 def main(arguments: list[str]) -> int:
     """Compute a study; messages go to standard error."""
     options = parser().parse_args(arguments)
+    signal.signal(signal.SIGTERM, signal.default_int_handler)  # a wish to stop, as SIGINT
+    stays = f"; what is done stays in {options.output}, --resume goes on" if options.output else ""
     try:
         return run(options)
     except CaseError as error:
         print(error, file=sys.stderr)
         return 2
     except KeyboardInterrupt:
-        print("uncertainty: interrupted; nothing was written", file=sys.stderr)
+        print(f"uncertainty: interrupted{stays}", file=sys.stderr)
     except ComputationError as error:
-        print(f"uncertainty: {error}", file=sys.stderr)
+        print(f"uncertainty: {error}{stays}", file=sys.stderr)
     except ImportError as error:
         print(f"uncertainty: {error}; required: numpy, matplotlib, OpenTURNS (Debian: python3-numpy python3-matplotlib python3-openturns)", file=sys.stderr)
     except OSError as error:
-        print(f"uncertainty: {error.filename or options.output}: {error.strerror}", file=sys.stderr)
+        print(f"uncertainty: {place_of(error)}: {error.strerror}{stays}", file=sys.stderr)
     return 1
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(finished(lambda: main(sys.argv[1:])))

@@ -16,8 +16,10 @@ SAMPLES = "samples.nc"
 DOTS_PER_INCH = 160
 
 
-def save(result, folder: Path) -> Path:
+def save(result, folder: Path, resolved: str | None = None) -> Path:
     folder.mkdir(parents=True, exist_ok=True)
+    if resolved is not None:
+        _write(folder / "case.resolved.yaml", resolved.encode())
     for name, content in _pictures(result).items():
         _write(folder / name, content)
     _write(folder / "uncertainty.html", page(result).encode())

@@ -83,11 +83,11 @@ class UncertaintyResult:
         """`data` as JSON text."""
         return json.dumps(self._data, indent=1, ensure_ascii=False) + "\n"
 
-    def save(self, folder) -> Path:
-        """uncertainty.json, samples.nc, uncertainty.html and the figures as SVG and PNG."""
+    def save(self, folder, resolved: str | None = None) -> Path:
+        """uncertainty.json, samples.nc, uncertainty.html and the figures as SVG and PNG; case.resolved.yaml where its text is given."""
         from orbearing.uncertainties.files import save
 
-        return save(self, Path(folder))
+        return save(self, Path(folder), resolved)
 
     def __repr__(self) -> str:
         point = self._data["operating_point"]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import json
 
 import numpy as np
@@ -12,6 +13,7 @@ from orbearing.uncertainties.inputs import UncertainInputs
 from orbearing.uncertainties.lives import RPM, SPEED, Evaluate, Peaks, refined_peaks
 from orbearing.uncertainties.result import UncertaintyResult
 from orbearing.uncertainties.settings import Settings
+from orbearing.uncertainties.store import Store, header_of
 
 PERCENTILES = (5, 25, 50, 75, 95)
 LEAST_PREDICTIVITY = 0.5
@@ -240,8 +242,17 @@ def _finite(record):
     return None if isinstance(record, float) and not np.isfinite(record) else record
 
 
-def of_case(core, settings: Settings, progress=None) -> UncertaintyResult:
-    """The study of a case as the compiled module holds it (`orbearing._core.CoreCase`)."""
+def open_store(folder, core, settings: Settings, resume: bool) -> Store:
+    """The folder that keeps the lives of a study. Raises CaseError where it holds another study, or another program writes there."""
+    from orbearing.studies.engine import program
+
+    stated = {key: value for key, value in dataclasses.asdict(settings).items() if key != "jobs"}
+    stated["speeds_rpm"] = list(settings.speeds_rpm) if settings.speeds_rpm else None
+    return Store(folder, header_of(core.name(), core.hash(), program(), stated), resume)
+
+
+def of_case(core, settings: Settings, progress=None, store: Store | None = None) -> UncertaintyResult:
+    """The study of a case as the compiled module holds it (`orbearing._core.CoreCase`); with a store it keeps the lives there."""
     from orbearing import _core  # the mathematics needs none of it
 
     record = json.loads(_core.compute(core, "check", {})[0])
@@ -255,7 +266,7 @@ def of_case(core, settings: Settings, progress=None) -> UncertaintyResult:
         columns, table, status = _core.evaluate(core, list(paths), np.ascontiguousarray(values), fidelity, settings.jobs, progress)
         return dict(zip(columns, np.asarray(table).T)), status
 
-    return Study(record, rpm(speed), _swept_speeds(record), evaluate, settings).run()
+    return Study(record, rpm(speed), _swept_speeds(record), store.keeping(evaluate) if store else evaluate, settings).run()
 
 
 def _swept_speeds(record: dict) -> list[float]:

@@ -11,6 +11,7 @@ import argparse
 import sys
 from pathlib import Path
 
+from orbearing.terminal import finished
 from orbearing.validation.guide import write_guide
 from orbearing.validation.record import write_record
 from orbearing.validation.rows import changed_verdicts, read
@@ -36,4 +37,4 @@ def main(arguments: list[str]) -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(finished(lambda: main(sys.argv[1:])))

@@ -14,7 +14,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 std::vector<double> lengths(const std::string& text, std::vector<std::string>& mistakes) {
-  return quantity_list("--drops", text, dimension::small_length, mistakes);
+  return quantity_list("--drops", text, dimension::small_length, {0.0, 1.0, "lengths from 0 to 1 m"}, mistakes);
 }
 
 TEST(QuantityList, TakesSingleQuantitiesAndRanges) {
@@ -32,6 +32,15 @@ TEST(QuantityList, TellsEveryMistake) {
   EXPECT_THAT(mistakes, ElementsAre(HasSubstr("no unit"), HasSubstr("3 kg"), HasSubstr("--drops"),
                                     HasSubstr("FROM : TO : STEP"), HasSubstr("FROM : TO : STEP"),
                                     HasSubstr("FROM : TO : STEP")));
+}
+
+/// Issue 52, item 13: what was found is said as it was written, in the user's unit.
+TEST(QuantityList, RefusesWhatIsOutOfRangeAsItWasWritten) {
+  for (const char* wrong : {"2000 mm", "-3 um", "0 m : 4 m : 2 m"}) {
+    std::vector<std::string> mistakes;
+    lengths(std::string("1 um, ") + wrong, mistakes);
+    EXPECT_THAT(mistakes, ElementsAre("--drops: found '" + std::string(wrong) + "'; required: lengths from 0 to 1 m"));
+  }
 }
 
 TEST(CrownOptions, GoThroughJsonUnchanged) {

@@ -65,19 +65,45 @@ TEST(Manifest, LastLineOfZerosIsTakenForTorn) {
   EXPECT_EQ(parse_manifest(sound + std::string(40, '\0') + "\n", "m").sound_bytes, sound.size());
 }
 
-TEST(Manifest, DamageElsewhereIsNamedByLine) {
+/// Issue 52, item 3: every changed character of a row is found; the row counts as missing and is named by its line.
+TEST(Manifest, AnyChangedCharacterOfARowIsFound) {
   const ManifestHeader header = fake_sweep::fake_header(10);
-  EXPECT_THAT(message_of(header_line(header) + "{}\n" + line_of(header, 1)),
-              HasSubstr("DIR/manifest.jsonl:2:1: "));
+  const std::string first = header_line(header), row = line_of(header, 1), last = line_of(header, 2);
+  for (std::size_t at = 0; at + 1 < row.size(); ++at) {
+    std::string changed = row;
+    changed[at] = changed[at] == '9' ? '8' : '9';
+    const Manifest manifest = parse_manifest(first + changed + last, "m");
+    EXPECT_FALSE(manifest.entries.contains(1)) << changed;
+    EXPECT_TRUE(manifest.entries.contains(2)) << changed;
+    ASSERT_EQ(manifest.damaged.size(), 1U) << changed;
+    EXPECT_EQ(manifest.damaged.front().number, 2U);
+    EXPECT_EQ(manifest.damaged.front().begin, first.size());
+    EXPECT_EQ(manifest.damaged.front().length, row.size() - 1);
+    EXPECT_EQ(manifest.sound_bytes, first.size() + row.size() + last.size());
+  }
+}
+
+TEST(Manifest, AChangedHeaderIsRefusedAndABlankLineSkipped) {
+  const ManifestHeader header = fake_sweep::fake_header(10);
+  const std::string first = header_line(header), row = line_of(header, 1);
+  for (std::size_t at = 0; at + 1 < first.size(); ++at) {
+    std::string changed = first;
+    changed[at] = changed[at] == '9' ? '8' : '9';
+    EXPECT_THAT(message_of(changed + row), HasSubstr("DIR/manifest.jsonl:1:1: ")) << changed;
+  }
   EXPECT_THAT(message_of("some text\n"), HasSubstr("DIR/manifest.jsonl:1:1: "));
+  const Manifest blank = parse_manifest(first + std::string(row.size() - 1, ' ') + "\n" + row, "m");
+  EXPECT_EQ(blank.entries.size(), 1U);
+  EXPECT_TRUE(blank.damaged.empty());
 }
 
 TEST(Manifest, PointOfAnotherShardOrFileOutsideIsRefused) {
   const ManifestHeader header = header_with_all();
   const std::string sound = line_of(header, 1);
   EXPECT_THAT(message_of(header_line(header) + line_of(header, 2) + sound), HasSubstr(":2:1: "));
-  std::string outside = sound;
-  outside.replace(outside.find("points/"), 6, "../../");
+  // Its check sum is right, its file outside of the folder.
+  const ResultRow row = result_row(fake_sweep::fake_result(1), std::vector<double>(header.axes.size(), 0.1));
+  const std::string outside = entry_line(table_head(header.axes), 1, {"../../00001.nc", "0123456789abcdef", row});
   EXPECT_THAT(message_of(header_line(header) + outside + sound), HasSubstr(":2:1: "));
 }
 

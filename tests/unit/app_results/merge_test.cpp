@@ -141,6 +141,19 @@ TEST(Merge, EveryDamagedFileIsNamedBeforeAnythingIsWritten) {
   EXPECT_FALSE(fs::exists(place / "merged"));
 }
 
+/// Issue 52, item 3.
+TEST(Merge, ChangedRowIsNamedBeforeAnythingIsWritten) {
+  const TemporaryFolder place;
+  const std::vector<fs::path> shards = {run_shard(place, 1, 2), run_shard(place, 2, 2)};
+  std::string text = read_file(shards[0] / "manifest.jsonl");
+  const std::size_t digit = text.find("\"life_h\":") + 9;
+  text[digit] = text[digit] == '9' ? '8' : '9';
+  fake_sweep::write(shards[0] / "manifest.jsonl", text);
+  EXPECT_THAT(refusal(shards, place / "merged"),
+              HasSubstr("s1/manifest.jsonl:2:1: differs from what its sweep wrote; required: run"));
+  EXPECT_FALSE(fs::exists(place / "merged"));
+}
+
 TEST(Merge, ChangedCaseOfAShardIsRefused) {
   const TemporaryFolder place;
   const std::vector<fs::path> shards = {run_shard(place, 1, 2), run_shard(place, 2, 2)};
@@ -190,7 +203,7 @@ TEST(Merge, FullDiskLeavesNothingAndTheRetrySucceeds) {
   fs::create_directory(place / "empty");
   for (const char* name : {"new/merged", "empty"}) {
     EXPECT_THAT(failure(shards, place / name),
-                HasSubstr("nothing of the merge is kept: make room, then merge"));
+                HasSubstr("nothing of the merge is kept: raise the limit of the size of files (ulimit -f), then merge"));
     EXPECT_FALSE(fs::exists(place / "new"));
     EXPECT_TRUE(fs::is_empty(place / "empty"));
   }

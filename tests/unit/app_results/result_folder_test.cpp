@@ -167,6 +167,57 @@ TEST(ResultFolder, DamagedPointsAreMissingAndReported) {
   }
 }
 
+/// Issue 52, item 3: a row that was changed since is computed anew, which is said, and is not met again.
+TEST(ResultFolder, ChangedRowIsMissingReportedAndTakenAway) {
+  const TemporaryFolder place;
+  const fs::path path = begun(place);
+  std::string text = read_file(path / "manifest.jsonl");
+  const std::size_t digit = text.find("\"life_h\":") + 9;
+  text[digit] = text[digit] == '9' ? '8' : '9';
+  fake_sweep::write(path / "manifest.jsonl", text);
+  {
+    ResultFolder folder(path, fake_header(5), resolved, OpenMode::resume);
+    EXPECT_FALSE(folder.finished().contains(0));
+    EXPECT_TRUE(folder.finished().contains(1));
+    ASSERT_EQ(folder.damaged().size(), 1U);
+    EXPECT_THAT(folder.damaged().front(), HasSubstr("manifest.jsonl:2:1: differs from what its sweep wrote"));
+    folder.keep({finished(0)});
+  }
+  const ResultFolder again(path, fake_header(5), resolved, OpenMode::resume);
+  EXPECT_TRUE(again.damaged().empty());
+  EXPECT_TRUE(again.finished().contains(0));
+  EXPECT_EQ(again.finished().at(0).row.values.front(), finished(0).row.values.front());
+}
+
+/// Further files of a result have check sums too.
+TEST(ResultFolder, ChangedFileOfAResultIsReported) {
+  const TemporaryFolder place;
+  const fs::path path = place / "lone";
+  {
+    ResultFolder folder(path, fake_header(1), resolved, OpenMode::fresh);
+    fake_sweep::write(path / "crown.json", "42");
+    FinishedPoint point = finished(0);
+    point.others = checksums_of(path, {"crown.json"});
+    folder.keep({point});
+  }
+  fake_sweep::write(path / "crown.json", "43");
+  const ResultFolder folder(path, fake_header(1), resolved, OpenMode::resume);
+  EXPECT_FALSE(folder.finished().contains(0));
+  ASSERT_EQ(folder.damaged().size(), 1U);
+  EXPECT_THAT(folder.damaged().front(), HasSubstr("crown.json: differs"));
+}
+
+/// Issue 44, item 17: nothing outside of the folder is written to through a link in it.
+TEST(ResultFolder, LinksInTheFolderAreRefused) {
+  for (const char* name : {"points", "manifest.jsonl"}) {
+    const TemporaryFolder place;
+    const fs::path path = begun(place);
+    fs::rename(path / name, place / "elsewhere");
+    fs::create_symlink(place / "elsewhere", path / name);
+    EXPECT_THAT(refusal(path, fake_header(5), OpenMode::resume), HasSubstr("found a link to "));
+  }
+}
+
 TEST(ResultFolder, WithoutAFolderNothingIsWritten) {
   ResultFolder folder(fake_header(5));
   folder.keep({finished(0), finished(3)});

@@ -116,6 +116,19 @@ class ExpectedYaml : public testing::Test {
       "    of: slip\n    quantity: run:/a/0\n    meaning: m\n    value: 2\n    tolerance: 0.1\n";
 };
 
+// Issue 52, item 6: a number that is none reproduces nothing, and one of two values is not dropped.
+TEST_F(ExpectedYaml, RefusesNumbersThatAreNoneAndKeysThatStandTwice) {
+  const std::string kind = "    kind: program\n    of: slip\n    quantity: run:/a/0\n    meaning: m\n";
+  EXPECT_EQ(complaint(kind + "    value: 2\n    tolerance: 0.1\n"), "");
+  for (const char* none : {".nan", ".inf", "-.inf", ".NaN", "1e999"}) {
+    EXPECT_THAT(complaint(kind + "    value: " + none + "\n    tolerance: 0.1\n"), HasSubstr(":7:")) << none;
+    EXPECT_THAT(complaint(kind + "    value: 2\n    tolerance: " + none + "\n"), HasSubstr(":8:")) << none;
+    EXPECT_NE(complaint(kind + "    value: 2\n    tolerance: 0.1\n    scatter: " + std::string(none) + "\n"), "") << none;
+  }
+  EXPECT_THAT(complaint(kind + "    value: 2\n    value: 3\n    tolerance: 0.1\n"), HasSubstr(":8:5: value: found twice"));
+  EXPECT_THAT(complaint(kind + "    value: 2\n    tolerance: 0.1\npublished: []\n"), HasSubstr("published: found twice"));
+}
+
 TEST_F(ExpectedYaml, IsReadAsWritten) {
   const PublishedValue one =
       read(usual_ + "    kind: worked-example\n    scatter: 0.03\n    why: w\n    memory: true\n    fidelity: dynamic\n")

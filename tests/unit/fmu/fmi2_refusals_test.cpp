@@ -95,6 +95,8 @@ TEST_F(Fmi2Refusals, StepsThatAreNone) {
   ASSERT_EQ(it.begin(1.0), fmi2OK);
   for (const double size : {0.0, -1e-5, kNaN, kInfinity, -kInfinity})
     expect_refused(it, it.step(1.0, size), "step");
+  // Issue 52, item 12: a step that would never end.
+  for (const double size : {1.1e4, 1e300}) expect_refused(it, it.step(1.0, size), "at most 10000 s");
   for (const double time : {0.0, 1.0 - 1e-5, 1.1, kNaN, kInfinity})
     expect_refused(it, it.step(time, 1e-5), "communication point");
   expect_refused(it, it.step(1.0, 1e-17), "does not move");

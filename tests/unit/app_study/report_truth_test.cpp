@@ -1,0 +1,120 @@
+// What a report may say: resonances that were computed, published numbers of the same case, what a sweep lacks.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/case/case_file.hpp"
+#include "app/errors.hpp"
+#include "app/study/fidelity.hpp"
+#include "app/study/missing_points.hpp"
+#include "app/study/published_comparison.hpp"
+#include "app/study/resonance.hpp"
+#include "app/study/sweep_study.hpp"
+#include "app/units.hpp"
+
+namespace orbearing::app::report_truth_test {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+ResolvedCase reducer(const std::vector<std::string>& settings = {}) {
+  return read_case(ORBEARING_SOURCE_DIR "/cases/reducer_150kW/case.yaml", settings);
+}
+
+/// Issue 52, item 8: at the speed of a resonance a harmonic of the mesh frequency is a natural frequency there.
+TEST(Resonance, MeetsItsModeAtItsOwnSpeed) {
+  const ResolvedCase resolved = reducer().without_sweep();
+  const std::vector<Resonance> found = resonances(resolved, 4000.0, 9000.0);
+  ASSERT_FALSE(found.empty());
+  for (const Resonance& resonance : found) {
+    const ModesAtSpeed there = modes_at_rpm(resolved, resonance.speed * kRpm);
+    double nearest = 1e9;
+    for (const NamedFrequency& mode : there.modes)
+      if (mode.name == resonance.mode)
+        nearest = std::min(nearest, std::abs(mode.frequency - resonance.frequency) / resonance.frequency);
+    constexpr double solved = 1e-8;  // of the search, and of the balance behind the stiffness
+    EXPECT_LT(nearest, solved) << resonance.mode << " at " << resonance.speed * kRpm << " rpm";
+    EXPECT_NEAR(resonance.harmonic * there.mesh_frequency / resonance.frequency, 1.0, solved);
+  }
+}
+
+/// Issue 52, item 1: what differs from the published case is named, as it is written; points that are computed are not
+/// inputs, and another unit is not another value.
+TEST(PublishedComparison, NamesChangedInputs) {
+  const auto changed = [](const std::vector<std::string>& settings) { return changed_inputs(reducer(settings), reducer()); };
+  EXPECT_THAT(changed({}), IsEmpty());
+  EXPECT_THAT(changed({"gearset.face_width=0.028 m", "input.speed=3000 rpm", "sweep={input.speed: [1000 rpm]}"}), IsEmpty());
+  EXPECT_THAT(changed({"input.power=75 kW", "bearing.rollers=12"}),
+              ElementsAre("input.power: 75 kW (published: 150 kW)", "bearing.rollers: 12 (published: 15)"));
+  EXPECT_THAT(changed({"bearing.laminae=30"}), ElementsAre("bearing.laminae: 30 (published: not stated)"));
+}
+
+TEST(PublishedComparison, OfAChangedCaseNothingIsCompared) {
+  const PublishedComparison same = published_comparison(reducer({"sweep={input.speed: [3000 rpm, 9000 rpm]}"}));
+  EXPECT_FALSE(same.table.rows.empty());
+  for (const ValidationRow& row : same.table.rows)  // on the published grid of speeds, whatever was swept
+    if (row.published.quantity == "peak_speed_rpm") EXPECT_DOUBLE_EQ(row.ours.value(), 6000.0);
+  const PublishedComparison other = published_comparison(reducer({"input.power=75 kW"}));
+  EXPECT_THAT(other.table.rows, IsEmpty());
+  EXPECT_EQ(other.changed.size(), 1U);
+}
+
+/// The rows of a sweep as its manifest has them.
+Manifest manifest_of(const ResolvedCase& resolved, const std::vector<std::size_t>& points) {
+  const SweepRequest request = sweep_request(resolved, "quasi-static");
+  Manifest manifest{.header = request.header};
+  for (const std::size_t point : points)
+    manifest.entries[point] = {point_file_name(point), "", result_row(request.evaluate(point), {})};
+  return manifest;
+}
+
+/// Issue 52, item 1: 10,504 h were printed for 49,356 h where a line between 3000 and 9000 rpm passes 6000 rpm.
+TEST(PublishedComparison, ComputesThePointAndInterpolatesNothing) {
+  const ResolvedCase resolved = reducer({"sweep={input.speed: [3000 rpm, 9000 rpm]}"});
+  const Manifest manifest = manifest_of(resolved, {0, 1});
+  SweepOutcome outcome = outcome_of(*manifest.header, manifest.entries);
+  const std::vector<ValidationRow> rows = published_comparison(resolved).table.rows;
+  const double life = compute_point(resolved.without_sweep(), {{"input.speed", "6000 rpm"}}, study::Fidelity::quasi_static).life_hours;
+  const nlohmann::ordered_json points = published_points(rows, outcome, resolved);
+  ASSERT_FALSE(points.empty());
+  for (const nlohmann::ordered_json& point : points) {
+    EXPECT_DOUBLE_EQ(point["speed_rpm"].get<double>(), 6000.0);
+    EXPECT_DOUBLE_EQ(point["ours_h"].get<double>(), life);
+  }
+  outcome.header.fidelity = "dynamic";  // which nothing here computes
+  for (const nlohmann::ordered_json& point : published_points(rows, outcome, resolved)) EXPECT_TRUE(point["ours_h"].is_null());
+}
+
+/// Issue 52, item 4.
+TEST(MissingPoints, AreNamed) {
+  const ResolvedCase resolved = reducer({"sweep={input.speed: [3000 rpm, 6000 rpm, 9000 rpm]}"});
+  Manifest whole = manifest_of(resolved, {0, 1, 2});
+  EXPECT_TRUE(missing_points(resolved, whole).none());
+  EXPECT_TRUE(missing_json(missing_points(resolved, whole), whole).is_null());
+  whole.header->refined = true;  // yet no point was added
+  EXPECT_TRUE(missing_points(resolved, whole).peak_unfinished);
+  Manifest part = manifest_of(resolved, {0, 2});
+  part.header->shard = Shard{1, 2};
+  const MissingPoints missing = missing_points(resolved, part);
+  EXPECT_THAT(missing.labels, ElementsAre("input.speed = 6000 rpm"));
+  EXPECT_THAT(missing_text(missing, part),
+              HasSubstr("1 of 3 points of the sweep are missing (this is shard 1/2): input.speed = 6000 rpm; merge"));
+  EXPECT_EQ(missing_json(missing, part)["found"], 2);
+}
+
+/// Issue 52, item 11: an unknown fidelity is told as such, and not as "map::at".
+TEST(Fidelity, AnUnknownNameIsRefused) {
+  try {
+    fidelity_of("crown");
+    FAIL() << "accepted";
+  } catch (const BadInput& error) {
+    EXPECT_THAT(error.what(), HasSubstr("fidelity: found 'crown'; required: quasi-static, dynamic"));
+  }
+}
+
+}  // namespace
+}  // namespace orbearing::app::report_truth_test
