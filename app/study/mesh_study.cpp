@@ -190,9 +190,9 @@ MeshStudy set_study(const ResolvedCase& in) {
   add(sun, meshes.sun_lag);
   add(ring, meshes.ring_lag);
   add_texts(gearset::tooth_warnings(geometry), study.warnings);
-  for (std::string& text : ring_sign_warnings(resolved)) study.warnings.push_back(std::move(text));
+  for (std::string& text : ring_sign_warnings(in)) study.warnings.push_back(std::move(text));
   for (const gearset::Warning& warning : gearset::foundation_warnings(meshes))
-    study.warnings.push_back(place_in_case(resolved, warning.place) + ": " + warning.text);
+    study.warnings.push_back(place_in_case(in, warning.place) + ": " + warning.text);
   warn_standard(sun, study.warnings);
   warn_standard(ring, study.warnings);
   return study;

@@ -10,6 +10,7 @@
 
 #include "app/case/resolved_case.hpp"
 #include "app/results/result_row.hpp"
+#include "coupling/study/multi_stage.hpp"
 #include "coupling/study/operating_point.hpp"
 
 namespace orbearing::app {
