@@ -89,11 +89,13 @@ void check_spacing(const PlanetarySet& set, Warnings& problems) {
   }
   const int sum = set.sun_teeth + set.ring_teeth;
   if (sum % set.planets == 0) return;
+  const std::string nearest = nearest_to_even(set);
   problems.push_back({"gearset.planets",
                       "found " + std::to_string(set.planets) +
                           " equally spaced planets; a divisor of sun + ring teeth = " + std::to_string(sum) +
                           " is required; change the number of planets or the teeth, or state "
-                          "gearset.planet_angles"});
+                          "gearset.planet_angles" +
+                          (nearest.empty() ? "" : ": " + nearest + " are nearest to equal steps")});
 }
 
 // Eq. (24).
@@ -133,6 +135,18 @@ void check_reach(const MeshGeometry& mesh, const std::string& name, Warnings& pr
            " mesh; teeth that reach each other are required; change the shifts of sun and ring"});
 }
 
+// Of a set that cannot be built: whether its tooth numbers are to blame before its shifts are.
+void check_tooth_sum(const PlanetarySet& set, Warnings& problems) {
+  constexpr int by_shifts = 2;  // teeth that usual shifts make up
+  const int sum = set.sun_teeth + 2 * set.planet_teeth;
+  if (std::abs(set.ring_teeth - sum) <= by_shifts) return;
+  problems.push_back({"gearset.teeth.ring",
+                      "found " + std::to_string(set.ring_teeth) + ", where sun + 2 planet = " +
+                          std::to_string(set.sun_teeth) + " + 2 x " + std::to_string(set.planet_teeth) + " = " +
+                          std::to_string(sum) +
+                          "; tooth numbers that add up, or nearly so, are required: shifts make up a tooth or two"});
+}
+
 void check_geometry(const PlanetarySet& set, Warnings& problems) {
   const WorkingGeometry geometry = working_geometry(set);
   if (place_problems(set).empty()) check_neighbours(set, geometry, problems);
@@ -156,11 +170,14 @@ Warnings assembly_problems(const PlanetarySet& set) {
   Warnings problems = single_value_problems(set);
   if (!problems.empty()) return problems;
   check_spacing(set, problems);
+  Warnings of_geometry;
   try {
-    check_geometry(set, problems);
+    check_geometry(set, of_geometry);
   } catch (const std::domain_error& error) {
-    problems.push_back({"gearset.profile_shift", error.what()});
+    of_geometry.push_back({"gearset.profile_shift", error.what()});
   }
+  if (!of_geometry.empty()) check_tooth_sum(set, problems);
+  problems.insert(problems.end(), of_geometry.begin(), of_geometry.end());
   return problems;
 }
 

@@ -47,6 +47,18 @@ std::vector<double> angles_of_planets(const PlanetarySet& set) {
   return angles;
 }
 
+std::string nearest_to_even(const PlanetarySet& set) {
+  std::string text;
+  double before = -1.0;
+  for (const double angle : even_angles(set.planets)) {
+    const double fitting = nearest_fitting(set, angle);
+    if (fitting - before < 0.5 * fitting_step(set) || fitting > two_pi - 0.5 * fitting_step(set)) return "";
+    text += (text.empty() ? "[" : ", ") + degrees(fitting);
+    before = fitting;
+  }
+  return text + "]";
+}
+
 bool stands_unevenly(const PlanetarySet& set) {
   if (set.planet_angles.empty()) return false;
   const std::vector<double> even = even_angles(set.planets), angles = angles_of_planets(set);

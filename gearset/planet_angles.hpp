@@ -1,6 +1,7 @@
 // Where the planets of a set stand on their carrier.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "gearset/parameters.hpp"
@@ -14,6 +15,10 @@ std::vector<double> even_angles(int planets);
 /// Angles of the planets of a set, [rad] anticlockwise from the first: evenly, or as stated, on the angles
 /// where teeth fit, Eq. (23) of gearset/README.md; of a set without teeth as they are stated.
 std::vector<double> angles_of_planets(const PlanetarySet& set);
+
+/// Those of `set.planets` planets nearest to equal steps at which teeth fit, as a case would state them: "[0 deg,
+/// 92.3077 deg, ...]". Empty where two of them are one.
+std::string nearest_to_even(const PlanetarySet& set);
 
 /// Whether planets follow one another at unequal steps.
 bool stands_unevenly(const PlanetarySet& set);

@@ -245,6 +245,10 @@ std::optional<double> bore_of(const ResolvedCase& in) {
 
 void check_class(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   if (!in.has(bought::kClass)) return;
+  // Of a bearing that is not known its designation is to blame.
+  if (std::any_of(mistakes.begin(), mistakes.end(),
+                  [](const Mistake& mistake) { return mistake.path.ends_with(bought::kDesignation); }))
+    return;
   const auto object = [&](std::string found, std::string required) {
     object_to(in, bought::kClass, std::move(found), std::move(required), mistakes);
   };
@@ -353,6 +357,29 @@ catalogue::ClearanceRange clearance_range_of(const ResolvedCase& in, const std::
 
 bool is_full_complement(const ResolvedCase& in) {
   return in.has(bought::kComplement) && in.choice(bought::kComplement) == "full";
+}
+
+std::vector<std::string> inferred_warnings(const ResolvedCase& resolved) {
+  std::vector<std::string> warnings;
+  for (const Input& input : resolved.inputs()) {
+    if (input.field->path != bought::kDesignation || !resolved.has(input.path)) continue;
+    const catalogue::Entry* entry = catalogue::find(resolved.choice(input.path));
+    if (entry == nullptr) continue;
+    const catalogue::Inside& inside = known_inside(*entry);
+    const bool rollers = entry->family == catalogue::Family::cylindrical;
+    const char* element = rollers ? "roller" : "ball";
+    warnings.push_back(fmt::format(
+        "{}: the inside of {} is inferred from its printed ratings, not measured: {} {}s of {:.4g} mm on {:.4g} mm "
+        "(C by them is {:.1f} % {} the printed one). Pass frequencies of the races are uncertain by about 0.5 % and "
+        "those of a {} by 2 %; with one {} more or less, by {:.0f} %. State the {}s in place of the designation "
+        "where they are known",
+        input.path, resolved.choice(input.path), inside.elements, element, kMilli * inside.diameter,
+        kMilli * inside.pitch_diameter,
+        100.0 * std::abs(inside.dynamic_rating / entry->dynamic_rating - 1.0),
+        inside.dynamic_rating < entry->dynamic_rating ? "below" : "above", element, element,
+        100.0 / inside.elements, element));
+  }
+  return warnings;
 }
 
 std::vector<Derived> bought_quantities(const ResolvedCase& resolved) {

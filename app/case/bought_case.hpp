@@ -30,6 +30,10 @@ bearing::catalogue::ClearanceRange clearance_range_of(const ResolvedCase& in, co
 
 /// What a designation and a class say beside the values that they give, for `check`: ratings, the range of
 /// the clearance.
+/// How far rollers or balls that are inferred from a designation may be off: what every result of theirs is to be
+/// read with.
+std::vector<std::string> inferred_warnings(const ResolvedCase& resolved);
+
 std::vector<Derived> bought_quantities(const ResolvedCase& resolved);
 
 }  // namespace orbearing::app

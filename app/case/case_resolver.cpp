@@ -41,6 +41,8 @@ std::string key_hint(const std::string& key, const std::string& prefix, const Ca
   const std::string set = prefix.substr(0, set_prefix_length(prefix));
   if (!set.empty() && key == "fixed")
     return "a member stands by being on a shaft with 'ground'; a known key is required";
+  if (prefix == "input." && key == "torque")
+    return "input.power is required in its place: torque x speed (1 kN.m at 1 rpm is 0.1047198 kW)";
   // The right name in the wrong block is likelier than a slip of the keyboard.
   for (const Field& field : all_fields()) {
     if (!set.empty() && !in_each_set(field)) continue;
@@ -157,15 +159,28 @@ class Resolver {
     const Field* field = find_field(path);
     const bool dotted = member.key.find('.') != std::string::npos;
     const std::vector<std::string> keys = keys_under(path + ".", data_.shape);
+    const Field* of_block = keys.empty() ? field_under(path + ".") : nullptr;
     if (field != nullptr && !dotted) {
       read_value(member, path, *field);
     } else if (!dotted && !keys.empty()) {
       block_places_[path] = member.place;
       if (require_block(member, path, fmt::format("{}", fmt::join(keys, ", "))))
         read_block(member.value, path + ".");
+    } else if (!dotted && of_block != nullptr && !is_faulty(path)) {
+      const auto [found, required] = unused_field(data_.shape, of_block->path);
+      object(member.place, path, "the block " + quote(member.key) + ", " + found, required);
     } else if (!is_faulty(path)) {
       object(member.place, path, "unknown key", key_hint(member.key, prefix, data_.shape));
     }
+  }
+
+  // A field of this model that the block holds in a case of another shape; null where there is none.
+  const Field* field_under(const std::string& prefix) const {
+    const std::vector<Field>& fields = all_fields();
+    const auto found = std::find_if(fields.begin(), fields.end(), [&](const Field& field) {
+      return field.path.starts_with(prefix) && (field.models & allowed_) != 0;
+    });
+    return found == fields.end() ? nullptr : &*found;
   }
 
   bool require_block(const Member& member, const std::string& path, const std::string& keys) {
@@ -242,6 +257,19 @@ class Resolver {
     });
   }
 
+  // Inputs that would give what is missing.
+  std::string in_its_place(const Input& input) const {
+    std::vector<std::string> others;
+    const std::string set = input.path.substr(0, set_prefix_length(input.path));
+    for (const Condition& giver : given_by(input.field->path)) {
+      const Field* other = find_field(set + giver.paths.front());
+      if (other == nullptr || (other->models & allowed_) == 0 || data_.values.contains(set + giver.paths.front()))
+        continue;
+      others.push_back(set + giver.paths.front() + (giver.values.empty() ? "" : ": " + giver.values.front()));
+    }
+    return others.empty() ? "" : fmt::format(", or {} in its place", fmt::join(others, " or "));
+  }
+
   // A full complement of rollers has no cage.
   bool is_of_missing_cage(const Input& input) const {
     if (!input.field->path.starts_with("bearing.cage.")) return false;
@@ -260,7 +288,8 @@ class Resolver {
     for (const Input& input : inputs_of(every_model, data_.shape))
       if (is_needed(input) && !data_.values.contains(input.path) && !is_faulty(input.path) &&
           !is_of_faulty_giver(input))
-        object(nearest_block(input.path), input.path, "missing", requirement(*input.field) + " is required");
+        object(nearest_block(input.path), input.path, "missing",
+               requirement(*input.field) + " is required" + in_its_place(input));
     if (!data_.shape.several) return;
     for (const char* key : {"sets", "shafts"})
       if (is_nothing(key) && !is_faulty(key))

@@ -61,8 +61,9 @@ std::vector<Row> all_rows(const ResolvedCase& resolved, const std::vector<Derive
 }
 
 std::string line(const Row& row, const std::array<std::size_t, 4>& widths) {
-  std::string text = fmt::format("{:{}}  {:{}}  {:{}}  {:{}}  {}", row.path, widths[0], row.value, widths[1],
-                                 row.unit, widths[2], row.standing, widths[3], row.remark);
+  std::string text =
+      fmt::format("{:{}}  {:{}}  {:{}}  {:{}}  {}", printable(row.path), widths[0], printable(row.value),
+                  widths[1], printable(row.unit), widths[2], row.standing, widths[3], printable(row.remark));
   text.erase(text.find_last_not_of(' ') + 1);
   return text + "\n";
 }

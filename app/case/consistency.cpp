@@ -83,11 +83,12 @@ void check_members(Checker& check) {
 }
 
 // The checks of the gears give "what was found; what is required" and a key.
-void object_all(Checker& check, const gearset::Warnings& problems, const std::string& otherwise) {
+void object_all(Checker& check, const ResolvedCase& resolved, const gearset::Warnings& problems,
+                const std::string& otherwise) {
   for (const gearset::Warning& problem : problems) {
     const auto split = problem.text.find("; ");
     const bool whole = split == std::string::npos;
-    check.object(problem.place, problem.text.substr(0, split),
+    check.object(place_in_case(resolved, problem.place), problem.text.substr(0, split),
                  whole ? otherwise : problem.text.substr(split + 2));
   }
 }
@@ -99,14 +100,16 @@ bool has_bearing(const ResolvedCase& resolved) {
   return false;
 }
 
-void check_gears(Checker& check, const ResolvedCase& resolved) {
+void check_gears(Checker& check, const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
   if (!check.has({"gearset.teeth.sun", "gearset.teeth.planet", "gearset.teeth.ring", "gearset.planets",
                   "gearset.module", "gearset.pressure_angle", "gearset.addendum", "gearset.clearance",
                   "gearset.root_fillet_radius", "gearset.profile_shift.sun", "gearset.profile_shift.ring",
                   "gearset.face_width", "gearset.helix_angle", "gearset.web.rim", "material.density"}) ||
       (has_bearing(resolved) && !check.has({"bearing.outside_diameter"})))
     return;
-  object_all(check, gearset::assembly_problems(set_of(resolved)), "a set that can be assembled is required");
+  const gearset::Warnings problems = gearset::assembly_problems(set_of(resolved));
+  object_all(check, resolved, problems, "a set that can be assembled is required");
+  if (problems.empty()) check_stated_geometry(resolved, mistakes);
 }
 
 bool two_values(Checker& check, const ResolvedCase& resolved, const char* path) {
@@ -137,7 +140,7 @@ void check_pair(Checker& check, const ResolvedCase& resolved) {
   const bool teeth = two_values(check, resolved, "pair.teeth");
   const bool shifts = two_values(check, resolved, "pair.profile_shift");
   if (teeth && shifts)
-    object_all(check, gearset::pair_problems(pair_of(resolved)), "a pair that meshes is required");
+    object_all(check, resolved, gearset::pair_problems(pair_of(resolved)), "a pair that meshes is required");
 }
 
 // Errors are listed pin by pin, and over a mesh period at more than one place.
@@ -151,7 +154,7 @@ void check_error_lists(Checker& check, const ResolvedCase& resolved) {
                    fmt::format("one value for each of the {} planets is required", planets));
   }
   if (check.has({"gearset.planet_angles", "gearset.planets"}) && !resolved.shape().teeth)
-    object_all(check,
+    object_all(check, resolved,
                gearset::place_problems({.planets = check.count("gearset.planets"),
                                         .planet_angles = resolved.list("gearset.planet_angles")}),
                "planets at places of their own are required");
@@ -294,7 +297,7 @@ void check_one_set(const ResolvedCase& resolved, std::vector<Mistake>& mistakes)
   Checker check(resolved, mistakes);
   check_traction(check);
   check_members(check);
-  check_gears(check, resolved);
+  check_gears(check, resolved, mistakes);
   check_pair(check, resolved);
   check_error_lists(check, resolved);
   check_roller_circle(check, resolved);

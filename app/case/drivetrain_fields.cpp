@@ -40,6 +40,26 @@ void add_bodies(std::vector<Field>& fields) {
                          "room for roller bearings under a rim of a few modules"));
 }
 
+// What follows from other values, and may be stated so that it is checked: no result follows from it.
+void add_checks(std::vector<Field>& fields) {
+  const Use checked(use::of_a_drivetrain, 0);
+  fields.push_back({.path = "gearset.centre_distance",
+                    .kind = Kind::quantity,
+                    .meaning = "check alone: working centre distance of a drawing; refused where teeth, module and "
+                               "shifts give another by more than 0.01 mm",
+                    .use = checked,
+                    .models = planetary_drivetrain,
+                    .dimension = dimension::length,
+                    .range = positive(1e5)});
+  fields.push_back({.path = "gearset.profile_shift.planet",
+                    .kind = Kind::number,
+                    .meaning = "check alone: profile shift of a planet, in modules; refused where the common centre "
+                               "distance gives another by more than 0.005",
+                    .use = checked,
+                    .models = planetary_drivetrain,
+                    .range = {-2.0, 2.0}});
+}
+
 }  // namespace
 
 void add_drivetrain_fields(std::vector<Field>& fields) {
@@ -47,6 +67,7 @@ void add_drivetrain_fields(std::vector<Field>& fields) {
   fields.push_back(spectrum_field());
   add_described(fields, gearset::PlanetarySet{});
   add_bodies(fields);
+  add_checks(fields);
 }
 
 }  // namespace orbearing::app::table

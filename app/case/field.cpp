@@ -105,9 +105,37 @@ std::string likely_choice(const Field& field, const std::string& text) {
   return likely;
 }
 
+// A text as letters and the number behind them: "ISO VG 320" is ISOVG and 320.
+std::optional<std::pair<std::string, double>> numbered(const std::string& text) {
+  const std::string letters = bare(text);
+  const std::size_t digit = letters.find_first_of("0123456789");
+  if (digit == std::string::npos) return std::nullopt;
+  const Reading<double> number = read_number(letters.substr(digit));
+  if (!number.value || *number.value <= 0.0) return std::nullopt;
+  return std::pair{letters.substr(0, digit), *number.value};
+}
+
+// Of choices that differ by a number alone, the one whose number is nearest in ratio; empty where there is none.
+std::string nearest_number(const Field& field, const std::string& text) {
+  const auto given = numbered(text);
+  std::string nearest;
+  double least = std::log(2.0);
+  for (const std::string& choice : field.choices) {
+    const auto known = numbered(choice);
+    if (!given || !known || given->first != known->first) continue;
+    const double distance = std::abs(std::log(given->second / known->second));
+    if (distance >= least) continue;
+    least = distance;
+    nearest = choice;
+  }
+  return nearest;
+}
+
 FieldReading read_choice(const Field& field, const Entry& entry) {
   if (std::find(field.choices.begin(), field.choices.end(), entry.text) == field.choices.end()) {
-    const std::string likely = likely_choice(field, entry.text);
+    std::string likely = likely_choice(field, entry.text);
+    if (bare(likely) != bare(entry.text))
+      if (const std::string nearest = nearest_number(field, entry.text); !nearest.empty()) likely = nearest;
     return bad(describe(entry) + " is none of the choices" +
                    (likely.empty() ? "" : fmt::format(" (did you mean '{}'?)", likely)),
                field);

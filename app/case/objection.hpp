@@ -9,10 +9,20 @@
 
 namespace orbearing::app {
 
+/// Where `path` stands; of a value that the case leaves out, the place of one of its block, or of the model.
+inline Place place_for(const ResolvedCase& in, const std::string& path) {
+  if (in.has(path)) return in.place(path);
+  const std::string block = path.substr(0, path.rfind('.') + 1);
+  for (const Input& input : in.inputs())
+    if (!block.empty() && input.path.starts_with(block) && in.has(input.path) && in.origin(input.path) != "default")
+      return in.place(input.path);
+  return in.has("model") ? in.place("model") : Place{};
+}
+
 /// Adds a mistake at the place of `path`.
 inline void object_to(const ResolvedCase& in, const std::string& path, std::string found,
                       std::string required, std::vector<Mistake>& mistakes) {
-  mistakes.push_back({in.place(path), path, {std::move(found), std::move(required)}});
+  mistakes.push_back({place_for(in, path), path, {std::move(found), std::move(required)}});
 }
 
 inline bool has_all(const ResolvedCase& in, std::initializer_list<const char*> paths) {

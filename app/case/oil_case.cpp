@@ -26,7 +26,7 @@ struct OilProperty {
 
 double viscosity_40_of(const std::string& grade) {
   constexpr std::size_t prefix = 7;  // "ISO VG "
-  return 1e-6 * std::stod(grade.substr(prefix));
+  return 1e-6 * *read_number(std::string_view(grade).substr(prefix)).value;
 }
 
 // `number` gives the value of a field, and null where there is none: that of the density counts for drag.
@@ -42,11 +42,11 @@ std::vector<OilProperty> properties_of(const std::string& grade, const bearing::
   const bearing::Lubricant lubricant = bearing::lubricant_at(oil, temperature);
   const std::string reason = fmt::format("default: a mineral oil {} of viscosity index {:g} at {:g} degC",
                                          grade, oil.viscosity_index, temperature);
-  return {{"lubricant.viscosity", fmt::format("{:.6g} Pa.s", lubricant.viscosity), reason},
-          {"lubricant.pressure_viscosity", fmt::format("{:.6g} GPa-1", 1e9 * lubricant.pressure_viscosity),
+  return {{"lubricant.viscosity", fmt::format("{} Pa.s", lubricant.viscosity), reason},
+          {"lubricant.pressure_viscosity", fmt::format("{} GPa-1", 1e9 * lubricant.pressure_viscosity),
            reason},
           {"lubricant.kinematic_viscosity",
-           fmt::format("{:.6g} mm2/s", 1e6 * bearing::kinematic_viscosity(oil, temperature)), reason}};
+           fmt::format("{} mm2/s", 1e6 * bearing::kinematic_viscosity(oil, temperature)), reason}};
 }
 
 }  // namespace

@@ -25,6 +25,12 @@ unsigned code_point(std::string_view character) {
   return code;
 }
 
+/// Written in as few bytes as it takes, no half of a pair of UTF-16, and within Unicode.
+bool is_code_point(unsigned code, std::size_t length) {
+  constexpr unsigned least[] = {0x0, 0x80, 0x800, 0x10000};
+  return code >= least[length - 1] && !(code >= 0xD800 && code < 0xE000) && code < 0x110000;
+}
+
 /// Moves the cursor, ends the line, or changes the order in which others are shown.
 bool is_control(unsigned code) {
   return code < 0x20 || (code >= 0x7F && code < 0xA0) || code == 0x200E || code == 0x200F ||
@@ -46,7 +52,27 @@ std::size_t utf8_character(std::string_view text, std::size_t at) {
   const std::string_view rest = text.substr(at + 1, length - 1);
   const bool whole = std::all_of(rest.begin(), rest.end(),
                                  [](char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; });
-  return whole ? length : 0;
+  return whole && is_code_point(code_point(text.substr(at, length)), length) ? length : 0;
+}
+
+std::size_t first_byte_not_utf8(std::string_view text) {
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = utf8_character(text, i);
+    if (length == 0) return i;
+    i += length;
+  }
+  return text.size();
+}
+
+std::size_t first_control_character(std::string_view text) {
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = std::max<std::size_t>(utf8_character(text, i), 1);
+    const unsigned code = code_point(text.substr(i, length));
+    const bool blank = code == '\t' || code == '\n' || code == '\r';
+    if ((code < 0x20 && !blank) || (code >= 0x7F && code < 0xA0 && length > 1) || code == 0x7F) return i;
+    i += length;
+  }
+  return text.size();
 }
 
 std::string printable(std::string_view text) {

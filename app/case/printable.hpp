@@ -10,6 +10,11 @@ namespace orbearing::app {
 /// Length [byte] of the UTF-8 character that begins at `at`; 0 where none does.
 std::size_t utf8_character(std::string_view text, std::size_t at);
 
+/// Where the first byte stands that is not UTF-8, and where the first control character other than tab and end
+/// of line; the size of the text where there is none.
+std::size_t first_byte_not_utf8(std::string_view text);
+std::size_t first_control_character(std::string_view text);
+
 /// Control characters, marks that turn the direction of writing, and bytes that are not UTF-8 become
 /// escapes ("\x1b", "\u202e"); all else stays. Applying it twice changes nothing more.
 std::string printable(std::string_view text);

@@ -55,6 +55,10 @@ class RowsReader {
     Entry list = make_entry(Entry::Shape::list, place(1, 1));
     std::string line;
     while (next_csv_line(stream, line, line_)) {
+      if (const auto fault = text_fault(line)) {
+        object(fault->column, fault->complaint.found, fault->complaint.required + " is required");
+        return {};
+      }
       if (header_.empty()) {
         if (!read_header(line)) return {};
         continue;
@@ -86,9 +90,13 @@ class RowsReader {
   bool read_header(const std::string& line) {
     std::vector<int> columns;
     const std::vector<std::string> cells = csv_cells(line, columns);
+    for (const std::string& cell : cells) header_.push_back(header_cell(cell, keys_of(field_)));
+    if (std::all_of(header_.begin(), header_.end(), [](const HeaderCell& cell) { return cell.name.empty(); })) {
+      object(1, unknown_head(line), required());
+      return false;
+    }
     for (std::size_t i = 0; i < cells.size(); ++i) {
-      header_.push_back(header_cell(cells[i], keys_of(field_)));
-      if (header_.back().name.empty() || (!header_.back().unit.empty() && !takes_unit(header_.back()))) {
+      if (header_[i].name.empty() || (!header_[i].unit.empty() && !takes_unit(header_[i]))) {
         object(columns[i], fmt::format("the column {}", quote(cells[i])), required());
         return false;
       }
@@ -102,9 +110,8 @@ class RowsReader {
   bool read_line(const std::string& line, Entry& list) {
     std::vector<int> columns;
     const std::vector<std::string> cells = csv_cells(line, columns);
-    if (cells.size() != header_.size()) {
-      object(1, fmt::format("{} values", cells.size()),
-             fmt::format("{}, one for each column of the first line, are required", header_.size()));
+    if (auto fault = row_fault(cells, columns, header_.size())) {
+      object(fault->column, fault->complaint.found, fault->complaint.required + " are required");
       return false;
     }
     Entry row = make_entry(Entry::Shape::block, place(line_, 1));
@@ -180,6 +187,55 @@ bool next_csv_line(std::istream& stream, std::string& line, int& number) {
     if (first != std::string::npos && line[first] != '#') return true;
   }
   return false;
+}
+
+namespace {
+
+bool all_digits(std::string_view text) {
+  return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+// "1500" and "5" of "1500,5": whole numbers, the second without a sign.
+bool are_halves(std::string_view whole, std::string_view decimals) {
+  whole.remove_prefix(whole.starts_with('-') || whole.starts_with('+') ? 1 : 0);
+  return all_digits(whole) && all_digits(decimals.substr(0, decimals.find_first_of("eE")));
+}
+
+}  // namespace
+
+std::optional<RowFault> row_fault(const std::vector<std::string>& cells, const std::vector<int>& places,
+                                  std::size_t columns) {
+  if (cells.size() == columns) return std::nullopt;
+  RowFault fault{1,
+                 {fmt::format("{} values", cells.size()),
+                  fmt::format("{}, one for each column of the first line,", columns)}};
+  if (cells.size() < columns) return fault;
+  fault.column = places[columns];
+  std::size_t halves = 0;
+  for (std::size_t i = 0; i + 1 < cells.size(); ++i)
+    if (are_halves(cells[i], cells[i + 1])) {
+      ++halves;
+      ++i;
+    }
+  if (halves >= cells.size() - columns)
+    fault.complaint.found +=
+        " (a decimal comma splits a number in two: commas separate values here, decimals follow a point)";
+  return fault;
+}
+
+std::optional<RowFault> text_fault(const std::string& line) {
+  if (line.starts_with("\xff\xfe") || line.starts_with("\xfe\xff"))
+    return RowFault{1, {"a file in UTF-16", "a text file in UTF-8 (save it as UTF-8)"}};
+  const std::size_t byte = first_byte_not_utf8(line);
+  if (byte == line.size()) return std::nullopt;
+  return RowFault{static_cast<int>(byte) + 1, {"a byte that is not UTF-8", "a text file in UTF-8"}};
+}
+
+std::string unknown_head(const std::string& line) {
+  const std::string none = "a first line that names none of these columns";
+  if (line.find(';') != std::string::npos && line.find(',') == std::string::npos)
+    return none + " (semicolons in it: commas separate columns here, and decimals follow a point)";
+  return none;
 }
 
 Entry rows_of_file(const Field& field, const Entry& block, const std::string& path,

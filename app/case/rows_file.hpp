@@ -6,6 +6,7 @@
 #pragma once
 
 #include <istream>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,24 @@ std::vector<std::string> csv_cells(const std::string& line, std::vector<int>& co
 /// The next line that is neither empty nor begins with #, without the mark of UTF-8 before the first one.
 /// `number` is that of the line before, and becomes that of this one; false where there is none.
 bool next_csv_line(std::istream& stream, std::string& line, int& number);
+
+/// What is wrong with the number of values of a line, and the place of the first that is to blame.
+struct RowFault {
+  int column = 1;
+  Complaint complaint;
+};
+
+/// Nothing where a line has a value for each of the `columns` of the head. A decimal comma splits a number in
+/// two: where the surplus can be such halves, the complaint says so.
+std::optional<RowFault> row_fault(const std::vector<std::string>& cells, const std::vector<int>& places,
+                                  std::size_t columns);
+
+/// What is wrong with the characters of a line: bytes that are not UTF-8, a file in UTF-16.
+std::optional<RowFault> text_fault(const std::string& line);
+
+/// How a head that names none of the required columns may be shown: what a file that is no table of numbers
+/// holds stays with its owner. Names UTF-16 and semicolons, which spreadsheets write.
+std::string unknown_head(const std::string& line);
 
 /// The list that the file holds, every entry with its place there. Lines that are empty or begin with # are
 /// passed over. `file` is taken from the folder of `case_file`. What is wrong with the file as a whole, or

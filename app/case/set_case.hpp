@@ -1,6 +1,9 @@
 // From a resolved case of the model planetary-drivetrain to the parameters of its set with teeth.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "app/case/resolved_case.hpp"
 #include "gearset/parameters.hpp"
 
@@ -9,5 +12,16 @@ namespace orbearing::app {
 /// The set with the bore that its bearings fill; where it has none, with the bore that the case states as a
 /// share of the root diameter of standard teeth.
 gearset::PlanetarySet set_of(const ResolvedCase& resolved);
+
+/// The input that a warning of the gears is about: without a bearing a planet's bore is that of another input.
+std::string place_in_case(const ResolvedCase& resolved, const std::string& place);
+
+/// Refuses a stated centre distance or planet shift that does not follow from teeth, module and shifts. Both are
+/// checks alone: results follow from the independent values.
+void check_stated_geometry(const ResolvedCase& resolved, std::vector<Mistake>& mistakes);
+
+/// A negative shift of the ring is legal, and what sources by DIN 3960 print for a positive one: both readings,
+/// where the other could be assembled too and nothing stated tells them apart.
+std::vector<std::string> ring_sign_warnings(const ResolvedCase& resolved);
 
 }  // namespace orbearing::app

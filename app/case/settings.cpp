@@ -66,6 +66,9 @@ void move_to(Entry& entry, Place place) {
 // A colon or a bracket in a reason is no YAML.
 Entry read_value(const std::string& path, const std::string& text) {
   if (!takes_any_text(path)) return read_yaml(text);
+  const bool is_text =
+      first_byte_not_utf8(text) == text.size() && first_control_character(text) == text.size();
+  if (!is_text) return read_yaml(text);  // which says so
   try {
     Entry entry = read_yaml(text);
     if (entry.shape == Entry::Shape::scalar || entry.shape == Entry::Shape::nothing) return entry;

@@ -93,6 +93,12 @@ void check_spectrum(const ResolvedCase& resolved, std::vector<Mistake>& mistakes
       }))
     object("a spectrum at rest", "a row with a speed and a share above 0 is required");
   for (std::size_t i = 0; i < bins.size(); ++i)
+    if (bins[i].power > 0.0 && !LoadBin{.speed = bins[i].speed}.turns())
+      mistakes.push_back({resolved.item_place(kSpectrumPath, i),
+                          kSpectrumPath,
+                          {fmt::format("row {} with {:.4g} kW at speed 0", i + 1, 1e-3 * bins[i].power),
+                           "power 0, or torque in place of power, is required at rest"}});
+  for (std::size_t i = 0; i < bins.size(); ++i)
     if (bins[i].own_power() > kMostPower)
       object(fmt::format("row {} with {:.4g} kW", i + 1, 1e-3 * bins[i].own_power()),
              "at most 1e7 kW is required");

@@ -65,7 +65,7 @@ void check_motion(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
       !has_all(in, {"bearing.bore", "bearing.width"}))
     object_to(in, "simulation.duration", "an inner ring in motion whose mass is not known",
               "bearing.bore and bearing.width are required, or rotor.mass and rotor.inertia", mistakes);
-  if (positive("load.axial") || positive("load.radial")) return;
+  if (!in.has("load.radial") || positive("load.axial") || positive("load.radial")) return;
   object_to(in, "load.radial", "no load", "a radial or axial load greater than 0 N is required", mistakes);
 }
 

@@ -128,7 +128,10 @@ class AxisReader {
 
   double in_unit(const char* key, const std::string& unit) const {
     const WrittenQuantity written = *split_quantity(part(key).text).value;
-    return convert(written.value, written.unit, unit).value.value_or(written.value);
+    if (written.unit == unit) return written.value;
+    // Both are units of the field: through SI, which knows those of data sheets too.
+    const std::string_view si = field_.dimension.si;
+    return *convert(written.value, written.unit, si).value / *convert(1.0, unit, si).value;
   }
 
   bool check_steps(const Steps& steps) {

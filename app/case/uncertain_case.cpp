@@ -350,7 +350,9 @@ class UncertainCheck {
 
   void check(const StatedUncertain& stated) {
     if (!stands(stated)) return;
-    for (const UncertainInput& one : inputs_of_key(in_, stated)) {
+    const std::vector<UncertainInput> inputs = inputs_of_key(in_, stated);
+    if (!check_deviations(stated, inputs)) return;
+    for (const UncertainInput& one : inputs) {
       if (!check_range(stated, one)) return;
       check_ends(stated, one);
       if (is_list(*find_field(stated.path))) return;  // its other elements have the same
@@ -391,6 +393,19 @@ class UncertainCheck {
       object(stated, "class " + stated.clearance_class, error.what());
       return false;
     }
+  }
+
+  // A share of a mean of 0 is no deviation.
+  bool check_deviations(const StatedUncertain& stated, const std::vector<UncertainInput>& inputs) {
+    const bool sound = stated.kind != "normal" || std::all_of(inputs.begin(), inputs.end(), [](const auto& one) {
+                         return one.standard_deviation > 0.0;
+                       });
+    if (!sound)
+      object(stated,
+             stated.numbers.contains(kRelativeDeviation) ? "a relative_standard_deviation of a mean of 0"
+                                                         : "a standard deviation of 0",
+             "a standard_deviation above 0, with its unit, is required");
+    return sound;
   }
 
   bool check_range(const StatedUncertain& stated, const UncertainInput& one) {

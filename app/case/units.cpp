@@ -1,8 +1,10 @@
 #include "app/case/units.hpp"
 
 #include <fmt/format.h>
+#include <locale.h>
 #include <udunits2.h>
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cctype>
@@ -35,6 +37,23 @@ std::mutex& udunits_mutex() {
   return mutex;
 }
 
+/// The calling thread reads and writes numbers with a decimal point for as long as this lives: udunits2 reads
+/// its database by the C library, which follows the locale that a host of the library has set.
+class DecimalPoint {
+ public:
+  DecimalPoint() : point_(newlocale(LC_ALL_MASK, "C", nullptr)), before_(uselocale(point_)) {}
+  ~DecimalPoint() {
+    uselocale(before_);
+    freelocale(point_);
+  }
+  DecimalPoint(const DecimalPoint&) = delete;
+  DecimalPoint& operator=(const DecimalPoint&) = delete;
+
+ private:
+  locale_t point_;
+  locale_t before_;
+};
+
 ut_system* open_unit_system() {
   ut_set_error_message_handler(ut_ignore);
   ut_system* system = ut_read_xml(nullptr);
@@ -55,11 +74,39 @@ Unit parse_unit(std::string_view text) {
   return Unit(ut_parse(unit_system(), std::string(text).c_str(), UT_UTF8));
 }
 
+// Blanks, and those that word processors and PDF files put between number and unit.
+constexpr std::string_view kBlanks[] = {" ", "\t", "\r", "\n", "\u00a0", "\u2007", "\u2009", "\u202f"};
+
 std::string_view trim(std::string_view text) {
-  constexpr std::string_view blanks = " \t\r\n";
-  const auto first = text.find_first_not_of(blanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+  const auto begins = [&](std::string_view blank) { return text.starts_with(blank); };
+  const auto ends = [&](std::string_view blank) { return text.ends_with(blank); };
+  for (const auto* blank = std::begin(kBlanks);
+       (blank = std::find_if(std::begin(kBlanks), std::end(kBlanks), begins)) != std::end(kBlanks);)
+    text.remove_prefix(blank->size());
+  for (const auto* blank = std::begin(kBlanks);
+       (blank = std::find_if(std::begin(kBlanks), std::end(kBlanks), ends)) != std::end(kBlanks);)
+    text.remove_suffix(blank->size());
+  return text;
+}
+
+/// Units of data sheets that udunits2 does not know, or takes for something else, and what they mean where a
+/// quantity of that SI unit is required: C is a coulomb elsewhere, 1/min a frequency.
+struct DataSheetUnit {
+  std::string_view target;
+  std::string_view written;
+  std::string_view meant;
+};
+constexpr DataSheetUnit kDataSheetUnits[] = {
+    {"rad/s", "1/min", "rpm"},      {"rad/s", "min-1", "rpm"}, {"rad/s", "min^-1", "rpm"},
+    {"rad/s", "/min", "rpm"},       {"rad/s", "r/min", "rpm"}, {"rad/s", "rev/min", "rpm"},
+    {"rad/s", "min\u207b\u00b9", "rpm"}, {"degC", "C", "degC"},     {"Pa.s", "cP", "mPa.s"},
+    {"m2/s", "cSt", "mm2/s"},       {"m", "mum", "um"}};
+
+std::string_view meant_unit(std::string_view unit, std::string_view target) {
+  const auto found = std::find_if(
+      std::begin(kDataSheetUnits), std::end(kDataSheetUnits),
+      [&](const DataSheetUnit& one) { return one.target == target && one.written == unit; });
+  return found == std::end(kDataSheetUnits) ? unit : found->meant;
 }
 
 bool is_digit(char c) {
@@ -99,18 +146,31 @@ Reading<double> fault(std::string text) {
   return {std::nullopt, std::move(text)};
 }
 
-// How numbers of one unit become those of another, or why they cannot.
+// How numbers of one unit become those of another, or why they cannot: times `factor`, over `divisor`.
 struct Conversion {
-  Converter converter{};
+  double factor = 0.0;
+  double divisor = 1.0;
   std::string fault{};
 };
 
 Conversion no_conversion(std::string text) {
-  return {nullptr, std::move(text)};
+  return {0.0, 1.0, std::move(text)};
+}
+
+// 80 um over 1e6 are 8e-05 m, times 1e-6 (which no double is) 7.999999999999999e-05 m.
+Conversion round_conversion(double factor, double inverse) {
+  constexpr double round_off = 1e-14, most = 1e15;  // whole numbers that a double holds
+  const auto whole = [&](double value) {
+    return value >= 1.0 && value < most && std::abs(value - std::round(value)) < round_off * value;
+  };
+  if (whole(factor)) return {std::round(factor), 1.0, {}};
+  if (whole(inverse)) return {1.0, std::round(inverse), {}};
+  return {factor, 1.0, {}};
 }
 
 Conversion make_conversion(std::string_view unit, std::string_view target_unit) {
   const std::lock_guard lock(udunits_mutex());
+  const DecimalPoint point;
   if (unit_system() == nullptr) return no_conversion("the unit database of udunits2 cannot be read");
   const Unit target = parse_unit(target_unit);
   assert(target && "unit of the field table");
@@ -122,15 +182,16 @@ Conversion make_conversion(std::string_view unit, std::string_view target_unit) 
   if (!same_angle_content(parsed.get(), target.get()))
     return no_conversion(fmt::format("its unit {} does not say how much angle one unit is, as '{}' does",
                                      quote(unit), target_unit));
-  Converter converter(ut_get_converter(parsed.get(), target.get()));
-  if (!converter || cv_convert_double(converter.get(), 0.0) != 0.0)
+  const Converter converter(ut_get_converter(parsed.get(), target.get()));
+  const Converter inverse(ut_get_converter(target.get(), parsed.get()));
+  if (!converter || !inverse || cv_convert_double(converter.get(), 0.0) != 0.0)
     return no_conversion(fmt::format("its unit {} has a zero point of its own", quote(unit)));
-  return {std::move(converter), {}};
+  return round_conversion(cv_convert_double(converter.get(), 1.0), cv_convert_double(inverse.get(), 1.0));
 }
 
 Reading<double> converted(double value, const Conversion& conversion) {
-  if (!conversion.converter) return fault(conversion.fault);
-  const double result = cv_convert_double(conversion.converter.get(), value);
+  if (!conversion.fault.empty()) return fault(conversion.fault);
+  const double result = value * conversion.factor / conversion.divisor;
   if (!std::isfinite(result)) return fault("its value is too large");
   return {result, {}};
 }
@@ -149,6 +210,8 @@ Reading<WrittenQuantity> split_quantity(std::string_view text) {
   std::string_view digits = text;
   if (digits.starts_with('+')) digits.remove_prefix(1);
   const std::string_view magnitude = digits.substr(text.starts_with('-') ? 1 : 0);
+  if (text.starts_with("\u2212"))
+    return {std::nullopt, "it begins with the sign U+2212, a minus of typeset text; the minus of numbers is '-'"};
   // from_chars would take "inf" and "nan", and "+-3" after the plus is gone.
   if (magnitude.empty() || !(is_digit(magnitude[0]) || magnitude[0] == '.'))
     return {std::nullopt, "it does not begin with a finite number"};
@@ -163,6 +226,7 @@ Reading<WrittenQuantity> split_quantity(std::string_view text) {
 
 // A study converts the same few units in every variant: those that are known are kept, each thread its own.
 Reading<double> convert(double value, std::string_view unit, std::string_view target_unit) {
+  unit = meant_unit(unit, target_unit);
   if (unit == target_unit) return {value, {}};
   thread_local std::map<std::pair<std::string, std::string>, Conversion> known;
   std::pair<std::string, std::string> units(unit, target_unit);
@@ -170,7 +234,7 @@ Reading<double> convert(double value, std::string_view unit, std::string_view ta
   if (found != known.end()) return converted(value, found->second);
   Conversion conversion = make_conversion(unit, target_unit);
   const Reading<double> result = converted(value, conversion);
-  if (conversion.converter) known.emplace(std::move(units), std::move(conversion));
+  if (conversion.fault.empty()) known.emplace(std::move(units), std::move(conversion));
   return result;
 }
 
@@ -179,7 +243,7 @@ Reading<double> read_quantity(std::string_view text, const Dimension& dimension)
   if (!written.value) return fault(written.fault);
   if (written.value->unit.empty())
     return fault(
-        fmt::format("it has no unit, write it as in '{} {}'", shortened(trim(text)), dimension.customary));
+        fmt::format("it has no unit; write number and unit, as in '{}'", dimension.example));
   return convert(written.value->value, written.value->unit, dimension.si);
 }
 

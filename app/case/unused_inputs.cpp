@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "app/case/bought_case.hpp"
+#include "app/case/bought_fields.hpp"
 #include "app/case/field_table.hpp"
 #include "app/case/mesh_fields.hpp"
 #include "app/case/settings.hpp"
@@ -238,6 +240,12 @@ std::vector<std::string> require_used(const ResolvedCase& resolved, use::Analysi
              (standing == Standing::unfelt && place.option))
       warnings.push_back(warning_of(resolved, input, analysis, standing));
   }
+  const std::vector<Input> inputs = resolved.inputs();
+  if (std::any_of(inputs.begin(), inputs.end(), [&](const Input& input) {
+        return input.field->path == bought::kDesignation && resolved.has(input.path) &&
+               standing_in_row(resolved, input, analysis) == Standing::used;
+      }))
+    for (std::string& warning : inferred_warnings(resolved)) warnings.push_back(std::move(warning));
   const AxisCheck axes(resolved, analysis, sweeps);
   for (const SweepAxis& axis : resolved.axes()) axes.add(axis, mistakes, warnings);
   for (const StatedUncertain& one : resolved.uncertain().inputs)

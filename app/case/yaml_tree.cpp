@@ -5,6 +5,7 @@
 #include <yaml-cpp/parser.h>
 
 #include <algorithm>
+#include <optional>
 #include <sstream>
 
 namespace orbearing::app {
@@ -50,15 +51,26 @@ Place place_at(std::string_view text, std::size_t position) {
 
 // yaml-cpp stops in silence at some control characters and repairs broken UTF-8: both would lose input.
 void check_characters(std::string_view text) {
-  for (std::size_t i = 0; i < text.size();) {
-    const auto lead = static_cast<unsigned char>(text[i]);
-    const std::size_t length = utf8_character(text, i);
-    if (length == 0)
-      refuse(place_at(text, i), "a byte that is not UTF-8", "a text file in UTF-8 is required");
-    if ((lead < 0x20 && lead != '\t' && lead != '\n' && lead != '\r') || lead == 0x7F)
-      refuse(place_at(text, i), "a control character", "a text file in UTF-8 is required");
-    i += length;
+  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
+    refuse({}, "a file in UTF-16", "a text file in UTF-8 is required: save it as UTF-8");
+  if (const std::size_t byte = first_byte_not_utf8(text); byte < text.size())
+    refuse(place_at(text, byte), "a byte that is not UTF-8", "a text file in UTF-8 is required");
+  if (const std::size_t control = first_control_character(text); control < text.size())
+    refuse(place_at(text, control), "a control character", "a text file in UTF-8 is required");
+}
+
+// The first tab in the indentation of a line: YAML allows none, and its parser does not say so.
+std::optional<std::size_t> tab_of_indentation(std::string_view text) {
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t first = std::min(text.find_first_not_of(" \t", begin), text.size());
+    const std::size_t tab = text.find('\t', begin);
+    if (tab < first && first < text.size() && text[first] != '#' && text[first] != '\n' && text[first] != '\r')
+      return tab;
+    begin = text.find('\n', begin);
+    if (begin == std::string_view::npos) break;
+    ++begin;
   }
+  return std::nullopt;
 }
 
 // yaml-cpp lets the end of the file close a quotation.
@@ -94,6 +106,9 @@ class TreeBuilder : public YAML::EventHandler {
     refuse_anchor(mark, anchor);
     refuse_tag(mark, tag);
     const bool quoted = tag == "!";
+    // Escapes in double quotes ("\e[31m") make characters that the file itself does not hold.
+    if (first_byte_not_utf8(value) < value.size() || first_control_character(value) < value.size())
+      refuse(place(mark), "an escape that makes a control character", "a text without it is required");
     const char opening = at(mark) < text_.size() ? text_[at(mark)] : ' ';
     if (quoted && (opening == '"' || opening == '\'') && !is_closed(text_, at(mark)))
       refuse(place(mark), "a quotation that does not end",
@@ -192,12 +207,18 @@ Entry parse(std::string_view text) {
 
 }  // namespace
 
+void check_text(std::string_view text) {
+  check_characters(text);
+}
+
 Entry read_yaml(std::string_view text) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   check_characters(text);
   try {
     return parse(text);
   } catch (const YAML::Exception& error) {
+    if (const std::optional<std::size_t> tab = tab_of_indentation(text))
+      refuse(place_at(text, *tab), "a tab in the indentation of a line", "blanks in place of tabs are required");
     const auto position = static_cast<std::size_t>(std::max(error.mark.pos, 0));
     refuse(place_at(text, std::min(position, text.size())), "wrong YAML (" + error.msg + ")",
            "keys and values as 'key: value', indented by blanks, are required");

@@ -56,10 +56,14 @@ int check_command(const Options& options) {
   if (resolved.model() == planetary_drivetrain) {
     for (std::string& warning : overturning_warnings(resolved.without_sweep()))
       checked.warnings.push_back(std::move(warning));
+    for (std::string& warning : cage_warnings(resolved)) checked.warnings.push_back(std::move(warning));
     for (std::string& warning : clearance_warnings(resolved)) checked.warnings.push_back(std::move(warning));
   }
   for (const Derived& row : bought_quantities(resolved)) checked.derived.push_back(row);
+  for (std::string& warning : inferred_warnings(resolved)) checked.warnings.push_back(std::move(warning));
   for (std::string& warning : uncertain_warnings(resolved)) checked.warnings.push_back(std::move(warning));
+  // What the case states as a check stands among its inputs.
+  std::erase_if(checked.derived, [&](const Derived& row) { return resolved.has(row.path); });
   const std::vector<std::string> idle = idle_inputs(resolved);
   checked.warnings.insert(checked.warnings.end(), idle.begin(), idle.end());
   if (options.json) {

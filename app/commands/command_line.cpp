@@ -11,6 +11,7 @@
 #include <iostream>
 #include <system_error>
 
+#include "app/case/printable.hpp"
 #include "app/commands/python_part.hpp"
 #include "app/errors.hpp"
 #include "app/results/durable_file.hpp"
@@ -320,7 +321,30 @@ void require_known_command(const CLI::App& program, int argc, char** argv) {
                   word));
 }
 
+// Names and values of the user's go into JSON, CSV and messages, all of them UTF-8.
+void require_utf8(int argc, char** argv) {
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view word = argv[i];
+    const std::size_t byte = first_byte_not_utf8(word);
+    if (byte == word.size()) continue;
+    const bool setting = std::string_view(argv[i - 1]) == "--set" || word.starts_with("--set=");
+    throw BadInput(fmt::format("{}: found {}, whose byte {} is not UTF-8; required: text in UTF-8",
+                               setting ? "--set" : fmt::format("argument {}", i), quote(word), byte + 1));
+  }
+}
+
+// Line by line: whatever of the user's stands in a message cannot move the cursor.
+void print_error(std::string_view text) {
+  for (bool more = true; more;) {
+    const std::size_t end = text.find('\n');
+    more = end != std::string_view::npos;
+    fmt::print(stderr, "{}\n", printable(text.substr(0, end)));
+    if (more) text.remove_prefix(end + 1);
+  }
+}
+
 int parse_and_run(int argc, char** argv) {
+  require_utf8(argc, argv);
   Options options;
   Command chosen = nullptr;
   CLI::App program("Orbearing: planet bearings inside planetary drivetrains", "orbearing");
@@ -372,10 +396,17 @@ int run_command_line(int argc, char** argv) {
     require_printed();
     return code;
   } catch (const BadInput& error) {
-    for (const std::string& line : error.messages) fmt::print(stderr, "{}\n", line);
+    for (const std::string& line : error.messages) print_error(line);
     return kBadInput;
   } catch (const ComputationFailed& error) {
-    fmt::print(stderr, "{}\n", error.what());
+    print_error(error.what());
+    return kFailed;
+  } catch (const std::system_error& error) {
+    if (std::ferror(stdout) != 0)
+      fmt::print(stderr, "standard output: {}; {}, then give the command again\n", error.what(),
+                 remedy_of(error.code().value()));
+    else
+      fmt::print(stderr, "orbearing: {}\n", error.what());
     return kFailed;
   } catch (const std::system_error& error) {
     if (std::ferror(stdout) != 0)
@@ -385,7 +416,7 @@ int run_command_line(int argc, char** argv) {
       fmt::print(stderr, "orbearing: {}\n", error.what());
     return kFailed;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "orbearing: {}\n", error.what());
+    print_error(std::string("orbearing: ") + error.what());
     return kFailed;
   } catch (const Cancelled& wish) {
     fmt::print(stderr, "orbearing: {}\n", wish.what());

@@ -6,6 +6,7 @@
 
 #include "app/case/resolved_writer.hpp"
 #include "app/case/unused_inputs.hpp"
+#include "app/case/printable.hpp"
 #include "app/commands/presentation.hpp"
 #include "app/errors.hpp"
 #include "app/results/durable_file.hpp"
@@ -105,7 +106,7 @@ int crown_command(const Options& options) {
   else if (!options.quiet)
     fmt::print("{}", result.text);
   for (const auto& warning : result.object["warnings"])
-    if (!options.json && !options.quiet) fmt::print("warning: {}\n", warning.get<std::string>());
+    if (!options.json && !options.quiet) fmt::print("warning: {}\n", printable(warning.get<std::string>()));
   if (result.failed == 0) return 0;
   print_failures(fmt::format("crown: {} points found no balance; their status says why", result.failed), options);
   return 1;

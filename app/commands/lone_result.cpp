@@ -6,11 +6,13 @@
 #include <cmath>
 #include <limits>
 
+#include "app/case/printable.hpp"
 #include "app/case/resolved_writer.hpp"
 #include "app/checksum.hpp"
 #include "app/commands/presentation.hpp"
 #include "app/results/point_file.hpp"
 #include "app/results/result_folder.hpp"
+#include "app/study/plausibility.hpp"
 #include "app/study/sweep_study.hpp"
 
 namespace orbearing::app {
@@ -25,6 +27,18 @@ nlohmann::ordered_json whole_json(const ResolvedCase& resolved, const LoneResult
   object["warnings"] = result.warnings;
   object["versions"] = versions_json();
   return object;
+}
+
+// Rare and impossible values in what was found, and in what speeds and loads say themselves.
+void judge_plausibility(const ResolvedCase& resolved, LoneResult& result) {
+  std::vector<Observation> observed = observations(resolved);
+  for (Observation& one : observations(result.json)) observed.push_back(std::move(one));
+  const Judgement judgement = judge(observed);
+  result.warnings = joined(result.warnings, judgement.warnings);
+  if (judgement.status == "ok") return;
+  if (result.status == "ok") result.status = judgement.status;
+  result.json["status"] = judgement.status;
+  result.text = judgement.status + "\n\n" + result.text;
 }
 
 /// Returns their check sums by name.
@@ -47,7 +61,8 @@ int run_alone(const ResolvedCase& resolved, const Options& options, const LoneAn
   const ManifestHeader header = manifest_header(resolved, analysis.fidelity);
   ResultFolder folder =
       open_results(options.output, header, write_resolved(resolved), options.resume, options.quiet);
-  const LoneResult result = compute();
+  LoneResult result = compute();
+  judge_plausibility(resolved, result);
   const nlohmann::ordered_json object = whole_json(resolved, result);
   if (!folder.finished().contains(0)) {
     std::map<std::string, std::string> others;
@@ -72,7 +87,7 @@ void present_lone_result(const nlohmann::ordered_json& object, const std::string
   } else if (!options.quiet) {
     fmt::print("{}", text);
     for (const nlohmann::ordered_json& warning : object.at("warnings"))
-      fmt::print("warning: {}\n", warning.get<std::string>());
+      fmt::print("warning: {}\n", printable(warning.get<std::string>()));
   }
 }
 

@@ -5,6 +5,7 @@
 #include "app/commands/presentation.hpp"
 #include "app/results/terminal_chart.hpp"
 #include "app/study/mesh_output.hpp"
+#include "app/study/plausibility.hpp"
 
 namespace orbearing::app {
 
@@ -12,6 +13,7 @@ int mesh_command(const Options& options) {
   const ResolvedCase resolved = point_of(options);
   MeshStudy study = mesh_study(resolved);
   const std::vector<std::string> unused = require_used(resolved, use::mesh);
+  for (std::string& warning : judge(observations(resolved)).warnings) study.warnings.push_back(std::move(warning));
   study.warnings.insert(study.warnings.end(), unused.begin(), unused.end());
   if (options.json) {
     nlohmann::ordered_json object{{"case", resolved.text("name")}, {"meshes", meshes_json(study)}};

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/case/case_file.hpp"
+#include "app/case/printable.hpp"
 #include "app/results/terminal_chart.hpp"
 #include "app/results/terminal_table.hpp"
 #include "app/study/life_peak.hpp"
@@ -32,7 +33,7 @@ void print_object(const nlohmann::ordered_json& object, const Options& options) 
 }
 
 void print_warnings(const std::vector<std::string>& warnings) {
-  for (const std::string& warning : warnings) fmt::print("warning: {}\n", warning);
+  for (const std::string& warning : warnings) fmt::print("warning: {}\n", printable(warning));
 }
 
 void print_failures(const std::string& line, const Options& options) {

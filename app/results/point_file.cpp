@@ -73,7 +73,7 @@ std::string variable_name(std::string column) {
 void add_scalars(PointContent& content, const std::vector<Column>& columns,
                  const study::PointResult& result) {
   for (const Column& column : columns) {
-    const bool known = result.status == "ok" || column.variable == "input_speed";
+    const bool known = is_computed(result.status) || column.variable == "input_speed";
     content.add(column.variable, column.units, column.meaning, known ? column.value(result) : not_given);
   }
 }
@@ -82,7 +82,7 @@ void add_scalars(PointContent& content, const std::vector<Column>& columns,
 void add_sets(PointContent& content, const std::vector<std::string>& sets, const study::PointResult& result) {
   for (std::size_t i = 0; i < sets.size(); ++i)
     for (const SetColumn& column : set_columns()) {
-      const bool known = result.status == "ok" && i < result.sets.size();
+      const bool known = is_computed(result.status) && i < result.sets.size();
       content.add("sets_" + sets[i] + "_" + column.variable, column.units,
                   column.meaning + ", set " + sets[i], known ? column.value(result.sets[i]) : not_given);
     }
@@ -172,11 +172,11 @@ PointContent point_content(const ManifestHeader& header, std::size_t point,
     content.add(variable_name(header.axes[i].column), header.axes[i].units, header.axes[i].meaning,
                 axis_values[i]);
   add_sets(content, header.sets, result);
-  if (result.status == "ok" && !result.distribution.angle.empty())
+  if (is_computed(result.status) && !result.distribution.angle.empty())
     add_distribution(content, result.distribution);
-  if (result.status == "ok" && result.laminae) add_laminae(content, *result.laminae);
-  if (result.status == "ok" && !result.seats.empty()) add_seats(content, result.seats);
-  if (result.status == "ok" && !result.planets.empty()) add_planets(content, result.planets);
+  if (is_computed(result.status) && result.laminae) add_laminae(content, *result.laminae);
+  if (is_computed(result.status) && !result.seats.empty()) add_seats(content, result.seats);
+  if (is_computed(result.status) && !result.planets.empty()) add_planets(content, result.planets);
   if (result.dynamic) add_series(result.dynamic->series, content);
   if (result.dynamic) add_final_state(result.dynamic->final_state, result.dynamic->layout, content);
   content.attributes = result_attributes(header, fmt::format("operating point {}", point), result.status);

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/results/point_status.hpp"
 #include "coupling/study/operating_point.hpp"
 
 namespace orbearing::app {
@@ -80,15 +81,15 @@ struct Resonance {
 
 struct ResultRow {
   std::vector<double> values;    // one per name; NaN where there is none (and at the places of text)
-  std::string status;            // "ok" or the reason of the failure
+  std::string status;            // "ok", "implausible: ..." or the reason of the failure
   std::string limiting_set{};    // of several sets; empty where the point failed
   bool refined = false;          // added to the grid around the peak
   std::string resonance_kind{};  // of the nearest resonance; empty where none is known
   std::string resonance_mode{};
-  bool ok() const { return status == "ok"; }
+  bool ok() const { return is_computed(status); }
 };
 
-/// The row of a computed point. A point whose status is not "ok" keeps its input speed and axes only.
+/// The row of a computed point. A point that failed keeps its input speed and axes only.
 ResultRow result_row(const study::PointResult& result, const std::vector<double>& axis_values,
                      const std::vector<std::string>& sets = {});
 

@@ -33,7 +33,7 @@ study::PointResult evaluate_with_speed(const SweepPoint& point,
   } catch (const std::exception& error) {
     result.status = error.what();
   }
-  if (result.status != "ok") result.input_speed = point.input_speed;
+  if (!is_computed(result.status)) result.input_speed = point.input_speed;
   return result;
 }
 
@@ -162,7 +162,7 @@ class ContinuationPath {
     study::PointResult result =
         evaluate_with_speed(asked, [&] { return request_.evaluate_from(point, state_); });
     // A failed point has no state to go on from: the next one starts where the failed one did.
-    if (result.status == "ok" && result.dynamic) state_ = result.dynamic->final_state;
+    if (is_computed(result.status) && result.dynamic) state_ = result.dynamic->final_state;
     std::vector<FinishedPoint> kept;
     kept.push_back(finished_point(request_, asked, {point, std::move(result)}));
     folder_.keep(std::move(kept));

@@ -65,7 +65,8 @@ std::vector<std::string> gear_warnings(const ResolvedCase& resolved) {
   std::vector<std::string> texts;
   const auto add = [&](const std::string& prefix, const ResolvedCase& set) {
     for (const gearset::Warning& warning : gearset::tooth_warnings(gearset::working_geometry(set_of(set))))
-      texts.push_back(prefix + warning.place + ": " + warning.text);
+      texts.push_back(prefix + place_in_case(set, warning.place) + ": " + warning.text);
+    for (const std::string& text : ring_sign_warnings(set)) texts.push_back(prefix + text);
   };
   if (!resolved.shape().teeth) return texts;
   if (!resolved.shape().several) add("", resolved);

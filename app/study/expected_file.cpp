@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <set>
 
+#include "app/case/units.hpp"
 #include "app/case/yaml_tree.hpp"
 #include "app/errors.hpp"
 #include "app/resources.hpp"
@@ -42,18 +44,21 @@ void require_known_keys(const YAML::Node& node) {
 
 std::string text_of(const YAML::Node& node, const char* key) {
   if (!node[key]) throw YAML::Exception(node.Mark(), std::string(key) + ": missing");
-  return node[key].as<std::string>();
+  return printable(node[key].as<std::string>());
 }
 
-double finite_number(const YAML::Node& node, const char* key) {
-  const double number = node.as<double>();
-  if (!std::isfinite(number))
-    throw YAML::Exception(node.Mark(), fmt::format("{}: found {}, which is no finite number", key, node.Scalar()));
-  return number;
+// A finite number, by the decimal point whatever the locale; yaml-cpp reads by a stream.
+double number_of(const YAML::Node& node, const char* key) {
+  const Reading<double> number = read_number(node.IsScalar() ? node.Scalar() : "");
+  if (!number.value)
+    throw YAML::Exception(node.Mark(), fmt::format("{}: found {}, {}", key,
+                                                   node.IsScalar() ? quote(node.Scalar()) : "no number",
+                                                   number.fault));
+  return *number.value;
 }
 
 double positive_number(const YAML::Node& node, const char* key) {
-  const double number = finite_number(node, key);
+  const double number = number_of(node, key);
   if (!(number >= 0.0)) throw YAML::Exception(node.Mark(), std::string(key) + ": found a number below zero");
   return number;
 }
@@ -107,7 +112,7 @@ PublishedValue published_value(const YAML::Node& node) {
   row.fidelity = fidelity_of_row(node, row.quantity);
   if (node["settings"]) row.settings = node["settings"].as<std::vector<std::string>>();
   if (!node["value"]) throw YAML::Exception(node.Mark(), "value: missing");
-  if (!node["value"].IsNull()) row.value = finite_number(node["value"], "value");
+  if (!node["value"].IsNull()) row.value = number_of(node["value"], "value");
   if (node["scatter"]) row.scatter = positive_number(node["scatter"], "scatter");
   return row;
 }
@@ -170,11 +175,28 @@ std::optional<ResultPointer> result_pointer(const std::string& quantity) {
   return ResultPointer{quantity.substr(0, colon), quantity.substr(colon + 1)};
 }
 
+namespace {
+
+// yaml-cpp repairs bytes that are not UTF-8 in silence.
+std::string text_of_file(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  if (!stream) throw BadInput(fmt::format("{}: found a file that cannot be read; required: one that can", file));
+  try {
+    check_text(text);
+  } catch (const YamlFault& fault) {
+    throw BadInput(describe({fault.place, "(file)", fault.complaint}, file));
+  }
+  return text;
+}
+
+}  // namespace
+
 ExpectedFile read_expected(const std::string& file) {
   if (!fs::exists(file)) return {};
   require_each_key_once(file);
   try {
-    const YAML::Node root = YAML::LoadFile(file);
+    const YAML::Node root = YAML::Load(text_of_file(file));
     ExpectedFile expected;
     for (const YAML::Node& node : root["published"]) expected.published.push_back(published_value(node));
     for (const YAML::Node& node : root["alternatives"]) expected.alternatives.push_back(alternative(node));

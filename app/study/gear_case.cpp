@@ -1,6 +1,7 @@
 #include "app/study/gear_case.hpp"
 
 #include "app/case/described_case.hpp"
+#include "app/case/set_case.hpp"
 #include "app/errors.hpp"
 #include "app/study/drivetrain_case.hpp"
 #include "app/study/mesh_study.hpp"
@@ -155,7 +156,7 @@ std::vector<std::string> gear_dynamics_warnings(const ResolvedCase& resolved) {
          gearset::edge_warnings(gearset::set_teeth(drivetrain.set, meshes), force))
       warnings.push_back(std::move(warning));
   }
-  for (const gearset::Warning& warning : warnings) texts.push_back(warning.place + ": " + warning.text);
+  for (const gearset::Warning& warning : warnings) texts.push_back(place_in_case(resolved, warning.place) + ": " + warning.text);
   return texts;
 }
 

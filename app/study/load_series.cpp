@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <optional>
 
@@ -26,6 +27,7 @@ namespace fs = std::filesystem;
 
 constexpr double kNoise = 1e-3;  // [-]  of the greatest torque: what a record at rest may show
 constexpr int kMostBins = 100;   // of torque, and of speed
+constexpr double kNoBound = std::numeric_limits<double>::infinity();
 
 /// What a record holds, with the unit in which it is kept.
 struct Quantity {
@@ -83,24 +85,32 @@ Table table_of_csv(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   Table table;
   std::vector<Column> columns;
+  std::size_t head = 0;  // its columns, of which some may be passed over
   std::string text;
   for (int line = 0; next_csv_line(stream, text, line);) {
+    if (const auto fault = text_fault(text))
+      refuse(fmt::format("{}:{}:{}", file.string(), line, fault->column), fault->complaint.found,
+             fault->complaint.required);
     std::vector<int> places;
     const std::vector<std::string> cells = csv_cells(text, places);
     if (columns.empty()) {
       columns = columns_of(file.string(), line, cells);
+      head = cells.size();
       if (columns.empty())
-        refuse(fmt::format("{}:{}", file.string(), line), "no column of time, speed, torque or power",
-               "a first line such as time_s,speed_rpm,torque_N_m");
+        refuse(fmt::format("{}:{}:1", file.string(), line), unknown_head(text),
+               "a first line with columns of time, speed and torque or power, such as "
+               "time_s,speed_rpm,torque_N_m");
       continue;
     }
+    if (const auto fault = row_fault(cells, places, head))
+      refuse(fmt::format("{}:{}:{}", file.string(), line, fault->column), fault->complaint.found,
+             fault->complaint.required);
     for (const Column& column : columns) {
-      const std::string cell = column.place < cells.size() ? cells[column.place] : "";
+      const std::string& cell = cells[column.place];
       const Reading<double> number = read_number(cell);
       if (!number.value)
-        refuse(fmt::format("{}:{}:{}", file.string(), line,
-                           column.place < places.size() ? places[column.place] : 1),
-               fmt::format("{} as {}", quote(cell), column.name), "a finite number");
+        refuse(fmt::format("{}:{}:{}", file.string(), line, places[column.place]),
+               fmt::format("{} as {}: {}", quote(cell), column.name, number.fault), "a finite number");
       table.values[column.name].push_back(*number.value * column.factor);
     }
     table.lines.push_back(line);
@@ -134,12 +144,78 @@ class NetcdfFile {
     std::vector<double> values(size);
     if (nc_get_var_double(number_, variable, values.data()) != NC_NOERR)
       refuse(place, "no numbers", "numbers");
+    require_present(place, variable, values);
+    const double scale = attribute(place, variable, "scale_factor").value_or(1.0);
+    const double offset = attribute(place, variable, "add_offset").value_or(0.0);
     const double factor = factor_of(place, quantity, units(variable));
-    for (double& value : values) value *= factor;
+    for (double& value : values) value = (value * scale + offset) * factor;
     return values;
   }
 
  private:
+  // The number of an attribute; none where it is not there.
+  std::optional<double> attribute(const std::string& place, int variable, const char* name) const {
+    const std::vector<double> numbers = attributes(place, variable, name);
+    if (numbers.size() > 1) refuse(place, fmt::format("{} numbers as {}", numbers.size(), name), "one");
+    return numbers.empty() ? std::nullopt : std::optional<double>(numbers.front());
+  }
+
+  std::vector<double> attributes(const std::string& place, int variable, const char* name) const {
+    std::size_t length = 0;
+    if (nc_inq_attlen(number_, variable, name, &length) != NC_NOERR) return {};
+    std::vector<double> numbers(length);
+    if (length == 0 || nc_get_att_double(number_, variable, name, numbers.data()) != NC_NOERR)
+      refuse(place, fmt::format("{}, which is no number", name), "numbers in this attribute");
+    return numbers;
+  }
+
+  // Values that the file itself calls missing [CF]: the fill value, stated or that of the type (of bytes none
+  // is meant), missing_value, and what lies outside the valid range. All are in packed units.
+  void require_present(const std::string& place, int variable, const std::vector<double>& packed) const {
+    const auto refuse_at = [&](std::size_t sample, const std::string& reason) {
+      refuse(fmt::format("{}: sample {}", place, sample + 1),
+             fmt::format("{} ({})", packed[sample], reason), "a value for every sample");
+    };
+    std::vector<double> missing = attributes(place, variable, "missing_value");
+    const std::vector<double> fill = attributes(place, variable, "_FillValue");
+    missing.insert(missing.end(), fill.begin(), fill.end());
+    if (fill.empty())
+      if (const std::optional<double> usual = usual_fill(variable)) missing.push_back(*usual);
+    const std::vector<double> range = attributes(place, variable, "valid_range");
+    if (!range.empty() && range.size() != 2)
+      refuse(place, fmt::format("{} numbers as valid_range", range.size()), "two");
+    const double least = range.empty() ? attribute(place, variable, "valid_min").value_or(-kNoBound) : range[0];
+    const double most = range.empty() ? attribute(place, variable, "valid_max").value_or(kNoBound) : range[1];
+    for (std::size_t i = 0; i < packed.size(); ++i) {
+      if (std::find(missing.begin(), missing.end(), packed[i]) != missing.end())
+        refuse_at(i, "marked as missing by _FillValue or missing_value");
+      if (packed[i] < least || packed[i] > most)
+        refuse_at(i, fmt::format("outside the valid range of the file, {} to {}", least, most));
+    }
+  }
+
+  // What the library fills in where nothing was written.
+  std::optional<double> usual_fill(int variable) const {
+    nc_type type = NC_NAT;
+    nc_inq_vartype(number_, variable, &type);
+    switch (type) {
+      case NC_SHORT:
+        return NC_FILL_SHORT;
+      case NC_USHORT:
+        return NC_FILL_USHORT;
+      case NC_INT:
+        return NC_FILL_INT;
+      case NC_UINT:
+        return NC_FILL_UINT;
+      case NC_FLOAT:
+        return NC_FILL_FLOAT;
+      case NC_DOUBLE:
+        return NC_FILL_DOUBLE;
+      default:
+        return std::nullopt;
+    }
+  }
+
   std::string units(int variable) const {
     std::size_t length = 0;
     if (nc_inq_attlen(number_, variable, "units", &length) != NC_NOERR) return "";
@@ -198,11 +274,19 @@ void require_sound(const fs::path& file, const Table& table) {
       refuse(place_of(file, table, i), "a time that is not later than the one before", "rising times");
 }
 
-// Power over speed; at rest there is none to speak of.
-std::vector<double> torque_of(const std::vector<double>& power, const std::vector<double>& speed) {
+// Power over speed. At rest there is neither; a record that states one leaves its torque unknown.
+std::vector<double> torque_of(const fs::path& file, const Table& table) {
+  const std::vector<double>&power = table.values.at("power"), &speed = table.values.at("speed");
+  double greatest = 0.0;
+  for (const double one : power) greatest = std::max(greatest, std::abs(one));
   std::vector<double> torque(power.size());
-  for (std::size_t i = 0; i < power.size(); ++i)
-    torque[i] = LoadBin{.speed = std::abs(speed[i])}.turns() ? power[i] / speed[i] : 0.0;
+  for (std::size_t i = 0; i < power.size(); ++i) {
+    const bool turns = LoadBin{.speed = std::abs(speed[i])}.turns();
+    if (!turns && std::abs(power[i]) > kNoise * greatest)
+      refuse(place_of(file, table, i), fmt::format("a power of {:g} W at speed 0", power[i]),
+             "no power at rest, or torque_N_m in place of power");
+    torque[i] = turns ? power[i] / speed[i] : 0.0;
+  }
   return torque;
 }
 
@@ -245,7 +329,7 @@ LoadSeries read_load_series(const fs::path& file) {
     refuse(file.string(), "no torque and no power",
            "one of both with its unit, as in torque_N_m or power_kW");
   require_sound(file, table);
-  series.torque = by_torque ? table.values.at("torque") : torque_of(table.values.at("power"), series.speed);
+  series.torque = by_torque ? table.values.at("torque") : torque_of(file, table);
   if (by_torque && table.values.contains("power"))
     series.warnings.push_back(file.string() + ": torque and power found; torque was taken");
   return series;

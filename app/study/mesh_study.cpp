@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "app/case/pair_case.hpp"
+#include "app/case/set_case.hpp"
 #include "app/errors.hpp"
 #include "app/study/drivetrain_case.hpp"
 #include "app/units.hpp"
@@ -189,7 +190,9 @@ MeshStudy set_study(const ResolvedCase& in) {
   add(sun, meshes.sun_lag);
   add(ring, meshes.ring_lag);
   add_texts(gearset::tooth_warnings(geometry), study.warnings);
-  add_texts(gearset::foundation_warnings(meshes), study.warnings);
+  for (std::string& text : ring_sign_warnings(in)) study.warnings.push_back(std::move(text));
+  for (const gearset::Warning& warning : gearset::foundation_warnings(meshes))
+    study.warnings.push_back(place_in_case(in, warning.place) + ": " + warning.text);
   warn_standard(sun, study.warnings);
   warn_standard(ring, study.warnings);
   return study;

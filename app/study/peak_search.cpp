@@ -1,12 +1,9 @@
 #include "app/study/peak_search.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <string>
 
 namespace orbearing::app {
 
@@ -46,7 +43,8 @@ SpeedGap gap_above(const SpeedAxis& axis, std::size_t i) {
 // Speeds are asked for in few digits, so that the case that a user writes for one is that very point.
 double short_speed(double rpm, double resolution) {
   const int digits = std::max(0, static_cast<int>(-std::floor(std::log10(0.5 * resolution))));
-  return std::stod(fmt::format("{:.{}f}", rpm, digits));
+  const double parts = std::pow(10.0, digits);  // whole: the quotient is the double nearest to the few digits
+  return std::round(rpm * parts) / parts;
 }
 
 // Splits a gap unless rounding leaves it no middle.

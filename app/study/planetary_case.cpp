@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <memory>
 #include <mutex>
@@ -13,10 +14,29 @@
 #include "bearing/profile/design.hpp"
 #include "coupling/study/tilting_planet.hpp"
 #include "gearset/drivetrain/power_flow.hpp"
+#include "gearset/planet_angles.hpp"
 
 namespace orbearing::app {
 
 namespace {
+
+// Those at which teeth fit, on which stated ones are rounded.
+void add_planet_angles(const gearset::PlanetarySet& set, std::vector<Derived>& rows) {
+  std::vector<double> angles = gearset::angles_of_planets(set);
+  angles.push_back(angles.front() + 2.0 * boost::math::double_constants::pi);
+  double least = angles.back(), most = 0.0;
+  for (std::size_t n = 0; n + 1 < angles.size(); ++n) {
+    least = std::min(least, angles[n + 1] - angles[n]);
+    most = std::max(most, angles[n + 1] - angles[n]);
+  }
+  const std::string path = "gearset.planet_angle";
+  if (!gearset::stands_unevenly(set)) {
+    rows.push_back({path, kDegree * most, "deg", "between neighbouring planets"});
+    return;
+  }
+  rows.push_back({path + ".least", kDegree * least, "deg", "between neighbouring planets"});
+  rows.push_back({path + ".most", kDegree * most, "deg", "between neighbouring planets"});
+}
 
 void add_gears(const study::PlanetaryDrivetrain& drivetrain, const study::DrivetrainGeometry& geometry,
                std::vector<Derived>& rows) {
@@ -41,8 +61,7 @@ void add_gears(const study::PlanetaryDrivetrain& drivetrain, const study::Drivet
         {"gearset.base_helix_angle", kDegree * gears.base_helix_angle, "deg", "at the base cylinders"});
     rows.push_back({"gearset.overlap_ratio", gears.overlap_ratio, "1", "face width in axial pitches"});
   }
-  rows.push_back(
-      {"gearset.planet_angle", 360.0 / drivetrain.set.planets, "deg", "between neighbouring planets"});
+  add_planet_angles(drivetrain.set, rows);
   rows.push_back(
       {"gearset.planet_mass", geometry.planet_mass, "kg", "gear body and outer rings of its bearings"});
 }
@@ -66,12 +85,14 @@ void add_motion(const gearset::PlanetarySet& set, const gearset::MeanLoads& gear
   rows.push_back({"operation.thrust.ring", held.ring, "N", "from the housing on the ring"});
 }
 
-void add_duty(const gearset::PlanetarySet& set, const study::BearingDuty& duty, std::vector<Derived>& rows) {
-  add_motion(set, duty.gears, rows);
+void add_duty(const study::PlanetaryDrivetrain& drivetrain, const study::BearingDuty& duty,
+              std::vector<Derived>& rows) {
+  add_motion(drivetrain.set, duty.gears, rows);
+  const std::string whose = drivetrain.uneven_planets ? "; planets carry unlike loads, this is their mean" : "";
   rows.push_back({"operation.bore_load_x", duty.point.bore_load.x(), "N",
-                  "gears and planet on one bearing, outward; cage and rollers not included"});
+                  "gears and planet on one bearing, outward; cage and rollers not included" + whose});
   rows.push_back(
-      {"operation.bore_load_y", duty.point.bore_load.y(), "N", "the same, in the sense of rotation"});
+      {"operation.bore_load_y", duty.point.bore_load.y(), "N", "the same, in the sense of rotation" + whose});
 }
 
 void add_profile(const bearing::Bearing& bearing, std::vector<Derived>& rows) {
@@ -92,7 +113,8 @@ void add_bearing(const study::PlanetaryDrivetrain& drivetrain, const study::Driv
   rows.push_back(
       {"bearing.outer_raceway_diameter", 2e3 * g.outer_radius, "mm", "pitch + roller + half clearance"});
   rows.push_back({"bearing.roller_mass", 1e3 * g.element_mass, "g", "one roller"});
-  rows.push_back({"bearing.cage.mass", 1e3 * g.cage_mass, "g", "ring less pockets"});
+  if (drivetrain.bearing.has_cage())
+    rows.push_back({"bearing.cage.mass", 1e3 * g.cage_mass, "g", "ring less pockets"});
 }
 
 // From the shelf to the running bearing, and how it runs at each swept speed.
@@ -128,6 +150,20 @@ bool states_any(const ResolvedCase& in, const std::string& set, std::initializer
 }
 
 }  // namespace
+
+std::vector<std::string> cage_warnings(const ResolvedCase& resolved) {
+  std::vector<std::string> warnings;
+  for (const Input& input : resolved.inputs()) {
+    if (input.field->path != "bearing.cage.inner_diameter" || !resolved.has(input.path)) continue;
+    const std::string set = input.path.substr(0, set_prefix_length(input.path));
+    const std::string land = set + "bearing.cage.guide_land_diameter", complement = set + "bearing.complement";
+    if (resolved.has(land) || (resolved.has(complement) && resolved.choice(complement) == "full")) continue;
+    warnings.push_back(land +
+                       ": not stated; no land guides the cage in motion (--fidelity dynamic and above), only its "
+                       "pockets hold it, and it may come out");
+  }
+  return warnings;
+}
 
 std::vector<std::string> clearance_warnings(const ResolvedCase& resolved) {
   std::vector<std::string> warnings;
@@ -253,7 +289,7 @@ std::vector<Derived> derived_quantities(const ResolvedCase& resolved) {
     add_gears(set.drivetrain, set.geometry, of_set);
     add_bearing(set.drivetrain, set.geometry, of_set);
     add_clearance(resolved, set, of_set);
-    add_duty(set.drivetrain.set, study::bearing_duty(set.drivetrain, set.geometry), of_set);
+    add_duty(set.drivetrain, study::bearing_duty(set.drivetrain, set.geometry), of_set);
     if (!resolved.has("support.stiffness"))  // of several sets, each has its own pin
       of_set.push_back({"support.stiffness", set.drivetrain.dynamics.support.stiffness, "N/m",
                         "of the pin at one bearing, from its dimensions"});

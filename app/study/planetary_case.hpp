@@ -22,6 +22,9 @@ std::vector<study::NamedSet> bearing_sets(const ResolvedCase& resolved);
 /// Names of the sets with bearings where there are several sets; none for a case of one set.
 std::vector<std::string> bearing_set_names(const ResolvedCase& resolved);
 
+/// Cages in motion without a land: nothing but rollers holds them.
+std::vector<std::string> cage_warnings(const ResolvedCase& resolved);
+
 /// What a clearance from the shelf takes for granted: fits or temperatures of which nothing is said.
 std::vector<std::string> clearance_warnings(const ResolvedCase& resolved);
 

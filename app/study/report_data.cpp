@@ -48,7 +48,7 @@ Json one_way_curve(const ChangeResult& one_way, const std::vector<double>& speed
   Json curve{{"speed_rpm", speeds_rpm}, {"life_h", Json::array()}, {"outer_load_rms_N", Json::array()}};
   for (const study::PointResult& point : one_way.points) {
     curve["life_h"].push_back(number_or_null(life_of(point)));
-    curve["outer_load_rms_N"].push_back(point.status == "ok" ? number_or_null(point.outer.load_rms) : Json());
+    curve["outer_load_rms_N"].push_back(is_computed(point.status) ? number_or_null(point.outer.load_rms) : Json());
   }
   return curve;
 }

@@ -53,7 +53,7 @@ LifeCurve life_curve(const ChangeResult& result) {
   LifeCurve curve;
   for (std::size_t i = 0; i < result.points.size(); ++i) {
     const study::PointResult& point = result.points[i];
-    if (point.status != "ok") continue;  // the sweep tells why
+    if (!is_computed(point.status)) continue;  // the sweep tells why
     curve.speed_rpm.push_back(in_table_unit(result.speed[i], 1.0 / kRadiansPerSecond));
     curve.life_h.push_back(point.life_hours);
     curve.roller_load_rms.push_back(point.outer.load_rms);

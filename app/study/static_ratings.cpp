@@ -68,7 +68,7 @@ void warn_of_loose_rings(StaticStudy& study) {
                       "xyz"[axis]));
 }
 
-void warn(const ResolvedCase& in, rating::RollingElement element, StaticStudy& study) {
+void warn(const ResolvedCase& in, StaticStudy& study) {
   const rating::Ratings& ratings = study.ratings;
   for (std::string& text : oil_warnings(in)) study.warnings.push_back(std::move(text));
   if (ratings.gamma > ratings.slenderness_limit && !in.has("bearing.dynamic_capacity"))
@@ -97,10 +97,6 @@ void warn(const ResolvedCase& in, rating::RollingElement element, StaticStudy& s
                     study.friction));
   warn_of_steep_contacts(study);
   warn_of_loose_rings(study);
-  if (study.largest_pressure > rating::static_pressure(element))
-    study.warnings.push_back(
-        fmt::format("load: a contact pressure of {:.0f} MPa, which leaves permanent marks",
-                    1e-6 * study.largest_pressure));
 }
 
 }  // namespace
@@ -114,7 +110,7 @@ void rate(const ResolvedCase& in, rating::RollingElement element, StaticStudy& s
   study.film = film_of(in, element, study);
   study.life = study.reliability_factor * (study.film ? study.film->life_modification : 1.0) *
                study.reference_life.bearing;
-  warn(in, element, study);
+  warn(in, study);
 }
 
 std::vector<Derived> static_quantities(const ResolvedCase& in) {

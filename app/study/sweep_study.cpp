@@ -14,6 +14,7 @@
 #include "app/errors.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/study/planetary_case.hpp"
+#include "app/study/plausibility.hpp"
 #include "app/study/rated_oil.hpp"
 #include "app/study/resonance_lines.hpp"
 #include "app/version.hpp"
@@ -91,7 +92,11 @@ SweepPoint point_at_rpm(const ResolvedCase& resolved, std::vector<Setting> setti
 
 study::PointResult compute_point(const ResolvedCase& resolved, const std::vector<Setting>& settings,
                                  study::Fidelity fidelity) {
-  return study::evaluate(bearing_sets(resolved.with(settings)), fidelity);
+  const ResolvedCase at_point = resolved.with(settings);
+  const std::vector<study::NamedSet> sets = bearing_sets(at_point);
+  study::PointResult result = study::evaluate(sets, fidelity);
+  // An idle bin of a spectrum has next to no power and next to endless life.
+  return at_point.quantity(kPowerPath) <= LoadBin{}.entering_power() ? result : judged(std::move(result), sets);
 }
 
 SweptAxis axis_column(const std::string& path) {
@@ -188,8 +193,8 @@ void continue_from_neighbours(const ResolvedCase& resolved, Direction direction,
   request.evaluate_from = [resolved](std::size_t index, const Eigen::VectorXd& start) {
     if (start.size() == 0)
       return compute_point(resolved, sweep_point(resolved, index), study::Fidelity::dynamic);
-    const study::PlanetaryDrivetrain drivetrain = drivetrain_of(resolved.with(sweep_point(resolved, index)));
-    return study::evaluate_from(drivetrain, study::derive(drivetrain), start);
+    const std::vector<study::NamedSet> sets = bearing_sets(resolved.with(sweep_point(resolved, index)));
+    return judged(study::evaluate_from(sets.front().drivetrain, sets.front().geometry, start), sets);
   };
 }
 

@@ -2,11 +2,14 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <functional>
+#include <limits>
 
 #include "app/case/unused_inputs.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/study/planetary_case.hpp"
+#include "app/study/plausibility.hpp"
 #include "app/study/rated_oil.hpp"
 #include "bearing/life/rating_lives.hpp"
 #include "coupling/study/one_way.hpp"
@@ -14,9 +17,6 @@
 namespace orbearing::app {
 
 namespace {
-
-// Beyond it a roller contact yields.
-constexpr double kStaticPressureMPa = 1e-6 * static_pressure(bearing::rating::RollingElement::roller);
 
 constexpr study::OneWayOptions kOneWay;
 
@@ -28,6 +28,32 @@ std::vector<const ResultRow*> all_rows(const SweepOutcome& outcome) {
     for (const SpectrumBin& bin : result.bins)
       if (bin.row) rows.push_back(&*bin.row);
   return rows;
+}
+
+// Without idle bins, whose lives are next to endless.
+std::vector<const ResultRow*> working_rows(const SweepOutcome& outcome) {
+  std::vector<const ResultRow*> rows;
+  for (const ResultRow& row : outcome.rows) rows.push_back(&row);
+  for (const SpectrumResult& result : outcome.spectra)
+    for (const SpectrumBin& bin : result.bins)
+      if (bin.row && bin.bin.power > LoadBin{}.entering_power()) rows.push_back(&*bin.row);
+  return rows;
+}
+
+// What speed and power say at the slowest and the fastest point.
+std::vector<Observation> observations_at_ends(const ResolvedCase& resolved, const SweepOutcome& outcome) {
+  double least = std::numeric_limits<double>::infinity(), most = 0.0;
+  for (const ResultRow& row : outcome.rows) {
+    const double speed = value_of(outcome.head, row, "input_speed_rpm");
+    least = std::min(least, speed);
+    most = std::max(most, speed);
+  }
+  std::vector<Observation> found;
+  if (!(most > 0.0)) return found;
+  for (const double speed : {least, most})
+    for (Observation& one : observations(resolved.without_sweep().with("input.speed", fmt::format("{} rpm", speed))))
+      found.push_back(std::move(one));
+  return found;
 }
 
 // How many rows satisfy `holds`, and the first of them, in words.
@@ -93,7 +119,10 @@ std::vector<std::string> sweep_warnings(const ResolvedCase& resolved, const Swee
     warnings.insert(warnings.end(), more.begin(), more.end());
   };
   add(overturning_warnings(resolved.without_sweep()));
-  if (in_time(fidelity_of(outcome.header.fidelity))) add(planar_warnings(resolved));
+  if (in_time(fidelity_of(outcome.header.fidelity))) {
+    add(planar_warnings(resolved));
+    add(cage_warnings(resolved));
+  }
   add(clearance_warnings(resolved));
   add(lamina_warnings(resolved));
   add(rated_lamina_warnings(resolved));
@@ -101,20 +130,8 @@ std::vector<std::string> sweep_warnings(const ResolvedCase& resolved, const Swee
   const auto column = [&](const ResultRow& row, const char* name) {
     return value_of(outcome.head, row, name);
   };
-  const std::string yielding = rows_where(outcome, [&](const ResultRow& row) {
-    return column(row, "contact_pressure_max_MPa") > kStaticPressureMPa;
-  });
-  if (!yielding.empty())
-    warnings.push_back(
-        fmt::format("contact: pressure above {:g} MPa, where rollers yield and elastic contact and "
-                    "life have no meaning: {}",
-                    kStaticPressureMPa, yielding));
-  const std::string starved = rows_where(outcome, [&](const ResultRow& row) {
-    return column(row, "kappa") < bearing::rating::kLeastViscosityRatio;
-  });
-  if (!starved.empty())
-    warnings.push_back("life: kappa below 0.1, where ISO 281 gives no a_ISO and no modified life: " +
-                       starved);
+  add(rare_values(outcome.head, working_rows(outcome)));
+  add(judge(observations_at_ends(resolved, outcome)).warnings);
   const std::string drifting =
       rows_where(outcome, [&](const ResultRow& row) { return column(row, "steady") == 0.0; });
   if (!drifting.empty())

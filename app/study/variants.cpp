@@ -10,6 +10,7 @@
 #include "app/study/computable.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/study/planetary_case.hpp"
+#include "app/study/plausibility.hpp"
 #include "app/study/sweep_study.hpp"
 #include "coupling/study/parallel.hpp"
 
@@ -50,7 +51,8 @@ study::PointResult evaluate(const ResolvedCase& point, const std::vector<NumberS
   try {
     const ResolvedCase variant = point.with_numbers(settings);
     result.input_speed = variant.quantity(kSpeedPath);
-    result = study::evaluate(bearing_sets(variant), level);
+    const std::vector<study::NamedSet> sets = bearing_sets(variant);
+    result = judged(study::evaluate(sets, level), sets);
   } catch (const std::exception& error) {
     result.status = error.what();
   }

@@ -31,7 +31,9 @@ void require_sound(const CentralMember& member) {
 }
 
 void require_sound(const Mesh& mesh) {
-  require_positive(mesh.stiffness.least(), "least mesh stiffness");
+  // Teeth of a contact ratio below 1 part for a share of each period: no stiffness there, not a negative one.
+  require_not_negative(mesh.stiffness.least(), "least mesh stiffness");
+  require_positive(mesh.stiffness.mean(), "mean mesh stiffness");
   require_not_negative(mesh.damping, "mesh damping");
   require_not_negative(mesh.backlash, "backlash");
   require(std::abs(mesh.pressure_angle) < 1.5, "working pressure angle", mesh.pressure_angle,

@@ -36,6 +36,23 @@ const app::Field& field_at(const CoreCase& core, const std::string& path) {
                   core.resolved.file(), path, near.empty() ? "" : " (did you mean '" + near + "'?)"));
 }
 
+// Rows as a case writes them: a list of all columns, or the names of those that the row has.
+py::list rows_of(const app::Field& field, const std::vector<double>& numbers) {
+  py::list rows;
+  const std::size_t columns = field.columns.size();
+  for (std::size_t i = 0; i + columns <= numbers.size(); i += columns) {
+    py::list all;
+    py::dict named;
+    for (std::size_t k = 0; k < columns; ++k) {
+      all.append(numbers[i + k]);
+      if (field.columns[k].one_of == 0 || numbers[i + k] != 0.0)
+        named[py::str(app::column_key(field.columns[k]))] = numbers[i + k];
+    }
+    rows.append(app::has_choices(field) ? py::object(named) : py::object(all));
+  }
+  return rows;
+}
+
 py::object value_of(const CoreCase& core, const std::string& path) {
   const app::Field& field = field_at(core, path);
   if (!core.resolved.has(path)) return py::none();
@@ -54,9 +71,21 @@ py::object value_of(const CoreCase& core, const std::string& path) {
       return py::str(core.resolved.text(path));
     case app::Kind::list:
       if (field.element == app::Kind::text) return py::cast(core.resolved.texts(path));
+      if (!field.columns.empty()) return rows_of(field, core.resolved.list(path));
       return py::cast(core.resolved.list(path));
   }
   return py::none();
+}
+
+// The SI unit of a number that stands at a path of any case, and of the columns of its rows; nothing where no
+// field has that path.
+py::object si_units(const std::string& path) {
+  const app::Field* field = app::find_field(path);
+  if (field == nullptr) return py::none();
+  py::list columns;
+  for (const app::ListColumn& column : field->columns)
+    columns.append(py::make_tuple(app::column_key(column), std::string(column.dimension.si)));
+  return py::make_tuple(std::string(field->dimension.si), columns);
 }
 
 double in_si(const app::Field& field, const std::string& path, const std::string& text) {
@@ -174,6 +203,9 @@ void add_case(py::module_& module) {
       .def("file", [](const CoreCase& core) { return core.resolved.file(); })
       .def("name", [](const CoreCase& core) { return core.resolved.text("name"); })
       .def("model", [](const CoreCase& core) { return core.resolved.choice("model"); });
+  module.def("si_units", &si_units, py::arg("path"),
+             "(unit, [(column, unit), ...]) of the numbers at a path, in SI, empty where they have none; None where no "
+             "input has that path.");
   module.def(
       "load",
       [](const std::string& file, const Settings& settings) {

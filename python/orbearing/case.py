@@ -62,7 +62,7 @@ def evaluate(case: "Case", paths: Sequence[str], values, fidelity: str = "quasi-
 
 
 class Case:
-    """A case with its changes. Reading an input gives its value in SI; what is written is text as in a case file."""
+    """A case with its changes. Reading an input gives its value in SI; what is written is a number in SI or text as in a case file."""
 
     def __init__(self, file: str, text: Optional[str] = None, settings: Optional[Mapping[str, Any]] = None):
         self._file = file
@@ -105,7 +105,8 @@ class Case:
         return self._core.inputs()
 
     def __getitem__(self, path: str):
-        """The value at a path: a number in SI, a text, a switch or a list; None where it has none."""
+        """The value at a path: a number in SI, a text, a switch, a list, or rows as lists or dicts; None where it has none.
+        What is read may be written back."""
         return self._core.value(path)
 
     def given(self, path: str) -> Optional[str]:
@@ -113,8 +114,8 @@ class Case:
         return self._core.given(path)
 
     def __setitem__(self, path: str, value) -> None:
-        """Replaces an independent value, and all that follows from it: a text with its unit, a plain number, a switch, a
-        list, or a block as a dict. Raises CaseError, and leaves the case as it was, where it does not fit."""
+        """Replaces an independent value, and all that follows from it: a text with its unit ("80 um"), a number in SI
+        (8e-5), a switch, a list, or a block as a dict. Raises CaseError, and leaves the case as it was, where it does not fit."""
         before = list(self._settings)
         self._replace_setting(path, value)
         try:
@@ -228,7 +229,7 @@ class Case:
                 f"<th>reason or meaning</th></tr>{rows}</table>")
 
     def _replace_setting(self, path: str, value) -> None:
-        text = _as_text(value)
+        text = _as_text(path, value)
         # What stood within a block that is replaced would be put into the new one otherwise.
         kept = [one for one in self._settings if one[0] != path and not one[0].startswith(path + ".")]
         self._settings = [*kept, (path, text)]
@@ -259,17 +260,66 @@ class Case:
         return kind(json.loads(text), command=command, case=self.copy(), options=given, folder=given.get("output"), kept=kept)
 
 
-def _as_text(value) -> str:
-    """A value as it would stand in a case."""
+def _as_text(path: str, value) -> str:
+    """A value as it would stand in a case; numbers without a unit are in SI, as reading gives them."""
+    value = _plain(value)
     if isinstance(value, str):
         return value
-    if isinstance(value, np.generic):
-        value = value.item()
-    if isinstance(value, np.ndarray):
-        value = value.tolist()
-    if isinstance(value, (bool, int, float, list, tuple, dict)):
-        return json.dumps(value)
+    if isinstance(value, (bool, int, float, list, dict)):
+        return _yaml(_in_si(path, value))
     raise CaseError(f"found a value of type {type(value).__name__}; required: a text with its unit, a number, a switch, a list or a dict")
+
+
+def _yaml(value) -> str:
+    """A text as it is, all else as JSON, which YAML reads; numbers stay numbers and quantities stand without quotes."""
+    return value if isinstance(value, str) else json.dumps(value)
+
+
+def _plain(value):
+    """Of numpy's numbers and arrays and of tuples: numbers and lists."""
+    if isinstance(value, np.generic):
+        return value.item()
+    if isinstance(value, np.ndarray):
+        return value.tolist()
+    if isinstance(value, (list, tuple)):
+        return [_plain(one) for one in value]
+    if isinstance(value, dict):
+        return {key: _plain(one) for key, one in value.items()}
+    return value
+
+
+# Keys of blocks that are no part of a path: `sweep: {input.speed: ...}` holds values of input.speed.
+_OF_FIELDS = ("sweep.",)
+_RANGE = ("from", "to", "step")
+
+
+def _in_si(path: str, value):
+    """The value with the SI unit behind each number of a quantity."""
+    for block in _OF_FIELDS:
+        path = path.removeprefix(block)
+    units = _core.si_units(path)
+    if units is None:
+        if not isinstance(value, dict):
+            return value
+        return {key: _in_si(key if path in ("sweep", "") else f"{path}.{key}", one) for key, one in value.items()}
+    unit, columns = units
+    if columns:
+        return [_row_in_si(row, columns) for row in value] if isinstance(value, list) else value
+    if isinstance(value, dict):  # of a sweep
+        return {key: _quantity(one, unit) if key in _RANGE else one for key, one in value.items()}
+    return [_quantity(one, unit) for one in value] if isinstance(value, list) else _quantity(value, unit)
+
+
+def _row_in_si(row, columns: Sequence[tuple[str, str]]):
+    if isinstance(row, dict):
+        units = dict(columns)
+        return {key: _quantity(one, units.get(key, "")) for key, one in row.items()}
+    return [_quantity(one, unit) for one, (_, unit) in zip(row, columns)] + list(row[len(columns):]) if isinstance(row, list) else row
+
+
+def _quantity(value, unit: str):
+    number = isinstance(value, (int, float)) and not isinstance(value, bool)
+    return f"{value!r} {unit}" if number and unit else value
 
 
 class _reporting:

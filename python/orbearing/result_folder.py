@@ -127,7 +127,7 @@ class Report:
 
     @property
     def failed_points(self) -> list[dict]:
-        return [p for p in self.records("points") if p.get("status") != "ok" or not is_number(p.get("life_h"))]
+        return [p for p in self.records("points") if not str(p.get("status")).startswith(("ok", "implausible: ")) or not is_number(p.get("life_h"))]
 
 
 def read_report(folder: Path) -> Report:

@@ -4,6 +4,7 @@
 Needs the program's path in ORBEARING and the source folder in ORBEARING_SOURCE_DIR.
 """
 
+import json
 import os
 import pathlib
 import re
@@ -20,7 +21,7 @@ SECONDS = 20  # a mistake is found at once; this stops a hang
 # What is wrong: what to replace in the shipped case, by what, the line of the message and a part of it.
 CHANGED_FILES = {
     "wrong syntax": ("  power: 150 kW", "   power: 150 kW", 6, r"\(file\): wrong YAML"),
-    "tab for indentation": ("  power: 150 kW", "\tpower: 150 kW", 6, r"\(file\): wrong YAML"),
+    "tab for indentation": ("  power: 150 kW", "\tpower: 150 kW", 6, r"\(file\): a tab in the indentation"),
     "quotation not closed": ('reduction set"', "reduction set", None, r"\(file\): "),
     "second document": ("assumed:\n", "---\nassumed:\n", None, r"\(file\): a second YAML document"),
     "anchor": ("power: 150 kW", "power: &p 150 kW", 6, r"\(file\): an anchor"),
@@ -40,7 +41,7 @@ CHANGED_FILES = {
 
 # Settings of the shipped case, the key of the message and a part of it.
 SETTINGS = {
-    "no unit": ("bearing.roller_diameter=5.24", "bearing.roller_diameter", "no unit, write it as in '5.24 mm'"),
+    "no unit": ("bearing.roller_diameter=5.24", "bearing.roller_diameter", "no unit; write number and unit, as in '3 mm'"),
     "unknown unit": ("gearset.module=3 mmm", "gearset.module", "unit 'mmm' is not known"),
     "wrong dimension": ("gearset.module=3 kg", "gearset.module", "does not measure the same"),
     "speed in hertz": ("input.speed=100 Hz", "input.speed", "how much angle"),
@@ -221,6 +222,58 @@ class BadInput(unittest.TestCase):
                     result = run(command, SHIPPED, "-o", output, "--set", "input.power=0 kW")
                     self.expect_message(result, r"^--set: input\.power: ")
                     self.assertFalse(output.exists())
+
+    # Issue 44, items 5, 17 and 52, item 11: every text that comes in is UTF-8, or refused with its place.
+    def test_bytes_that_are_not_utf8(self):
+        command = os.environ["ORBEARING"].encode()
+        case = os.fsencode(SHIPPED)
+        with tempfile.TemporaryDirectory() as folder:
+            root = os.fsencode(folder)
+            text = SHIPPED.read_bytes()
+            surrogate, record, expected = root + b"/case.yaml", root + b"/a.csv", root + b"/expected.yaml"
+            pathlib.Path(os.fsdecode(surrogate)).write_bytes(text.replace(b"reducer_150kW", b"\xed\xb3\xa4", 1))
+            pathlib.Path(os.fsdecode(record)).write_bytes(b"time_s,speed_rpm,torque_N_m\n0,1,1\n1,1,1,\xff\n")
+            for arguments, pattern in (
+                    ([b"sweep", case, b"-o", root + b"/s", b"--set", b"name=\xff"], rb"^--set: .*not UTF-8"),
+                    ([b"check", case, b"--set", b"name=\x1b[31mred"], rb"^--set: name: a control character"),
+                    ([b"check", surrogate, b"--json"], rb"case.yaml:1:7: \(file\): a byte that is not UTF-8"),
+                    ([b"check", root + b"/\xff.yaml"], rb"^argument 2: found .*not UTF-8"),
+                    ([b"spectrum", record, b"-o", root + b"/o.csv"], rb"a.csv:3:7: found a byte that is not UTF-8")):
+                done = subprocess.run([command, *arguments], capture_output=True, timeout=SECONDS, check=False)
+                self.assertEqual(done.returncode, 2, done.stderr)
+                self.assertRegex(done.stderr, re.compile(pattern, re.MULTILINE))
+            pathlib.Path(os.fsdecode(surrogate)).write_bytes(text)
+            pathlib.Path(os.fsdecode(expected)).write_bytes(b'published:\n  - source: "\xff"\n')
+            done = run("validate", os.fsdecode(surrogate))
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertRegex(done.stderr, r"expected.yaml:2:14: \(file\): a byte that is not UTF-8")
+
+    # Issue 52, item 11.
+    def test_a_moving_bearing_without_load_has_a_place(self):
+        text = (SOURCE / "cases" / "deep_groove_motor" / "case.yaml").read_text(encoding="utf-8")
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "case.yaml"
+            path.write_text(re.sub(r"^(load:.*\n(  .*\n)*|.*load\.radial.*\n)", "", text, flags=re.MULTILINE), encoding="utf-8")
+            for command in ("check", "run"):
+                self.expect_message(run(command, path, "--json"), rf"^{re.escape(str(path))}:[0-9]+:[0-9]+: load\.radial: missing")
+
+    def test_a_contact_ratio_below_one_is_a_warning(self):
+        for command in ("check", "modes", "mesh", "run"):
+            done = run(command, SHIPPED, "--json", "--set", "gearset.pressure_angle=10 deg")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertTrue(any("contact ratio" in text for text in json.loads(done.stdout)["warnings"]), command)
+
+    # What was wrong in first tries, and what to do about it.
+    def test_remedies(self):
+        remedies = {
+            "input.torque=1000 kN.m": r"input\.torque: unknown key; input\.power is required in its place: torque x speed",
+            "lubricant.grade=ISO VG 321": r"did you mean 'ISO VG 320'",
+            "lubricant.grade=ISO VG 3": r"ISO VG 3' is none of the choices",
+            "gearset.teeth.ring=90": r"gearset\.teeth\.ring: found 90, where sun \+ 2 planet = 37 \+ 2 x 22 = 81",
+        }
+        for setting, pattern in remedies.items():
+            with self.subTest(setting):
+                self.assertRegex(run("check", SHIPPED, "--set", setting).stderr, pattern)
 
     def test_json_keeps_standard_output_clean(self):
         self.expect_message(run("check", SHIPPED, "--json", "--set", "input.power=0 kW"), r"^--set: input\.power: ")

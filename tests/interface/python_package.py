@@ -6,6 +6,8 @@ import json
 import os
 import pathlib
 import pickle
+import re
+import shutil
 import signal
 import subprocess
 import sys
@@ -89,6 +91,77 @@ class TheSameNumbers(unittest.TestCase):
         self.assertEqual(set(status), {"ok"})
         life = table[:, columns.index("life_h")].reshape(200, 12)
         self.assertTrue((np.diff(life[:, 5]) < 0).all())  # less life by more clearance
+
+
+# Issue 44, item 9: what is read is round, and may be written back.
+class WhatIsReadMayBeWritten(unittest.TestCase):
+    def test_values_are_round(self):
+        case = orbearing.load(REDUCER)
+        case["bearing.radial_clearance"] = "80 um"
+        self.assertEqual(repr(case["bearing.radial_clearance"]), "8e-05")
+        self.assertEqual(repr(case["gearset.module"]), "0.003")
+        self.assertEqual(repr(case["input.power"]), "150000.0")
+
+    def test_numbers_are_in_si(self):
+        case = orbearing.load(REDUCER)
+        case["bearing.radial_clearance"] = 8e-5
+        self.assertEqual(case["bearing.radial_clearance"], 8e-5)
+        self.assertEqual(case.copy({"bearing.radial_clearance": "80 um"})["bearing.radial_clearance"], 8e-5)
+        case["bearing.cage"] = {"inner_diameter": np.float64(0.034), "outer_diameter": 0.0376, "width": "9.5 mm", "density": 1140}
+        self.assertEqual(case["bearing.cage.inner_diameter"], 0.034)
+        case["sweep.input.speed"] = {"from": 100.0, "to": 300.0, "step": 100.0}
+        self.assertEqual(len(case.core.axes()["input.speed"]), 3)
+        with self.assertRaisesRegex(orbearing.CaseError, "out of range"):
+            case["bearing.radial_clearance"] = 80
+
+    def test_every_value_of_every_case_goes_round(self):
+        count = 0
+        for name, file in orbearing.cases().items():
+            case = orbearing.load(file)
+            texts = []
+            for row in case.inputs:
+                path = row["path"]
+                if row["source"] in ("absent", "default") or path in ("model",):
+                    continue
+                texts.append((path, case[path]))
+            again = case.copy(dict(texts))
+            for path, value in texts:
+                with self.subTest(case=name, path=path):
+                    self.assertEqual(again[path], value)
+                    count += 1
+        self.assertGreater(count, 1000)
+
+
+# Issue 44, item 6: a host with a decimal comma (Qt, GTK and R set it), before the first case and after it.
+class UnderADecimalComma(unittest.TestCase):
+    SCRIPT = """
+import json, locale, sys, orbearing
+before = sys.argv[1] == "before"
+if not before:
+    orbearing.load(sys.argv[2])
+locale.setlocale(locale.LC_ALL, "de_DE.UTF-8")
+assert locale.localeconv()["decimal_point"] == ","
+case = orbearing.load(sys.argv[2])
+case["lubricant.grade"] = "ISO VG 220"
+case["sweep.input.speed"] = "{from: 10 rpm, to: 250 rpm, step: 40 rpm}"
+sweep = case.sweep()
+print(json.dumps([case.resolved, sweep.data], sort_keys=True))
+"""
+
+    def test_numbers_are_those_of_a_point(self):
+        with tempfile.TemporaryDirectory() as folder:
+            made = subprocess.run(["localedef", "-i", "de_DE", "-f", "UTF-8", folder + "/de_DE.UTF-8"], capture_output=True,
+                                  check=False) if shutil.which("localedef") else None
+            if made is None or not pathlib.Path(folder, "de_DE.UTF-8").exists():
+                self.skipTest("localedef cannot make a locale with a decimal comma")
+            environment = {**os.environ, "LOCPATH": folder, "PYTHONPATH": str(pathlib.Path(orbearing.__file__).parents[1])}
+            found = [subprocess.run([sys.executable, "-c", script, when, str(REDUCER)], capture_output=True, text=True, env=environment, check=False)
+                     for when, script in (("before", self.SCRIPT), ("after", self.SCRIPT),
+                                          ("never", re.sub("(?m)^(locale.set|assert).*$", "", self.SCRIPT)))]
+            for one in found:
+                self.assertEqual(one.returncode, 0, one.stderr)
+            self.assertEqual(found[0].stdout, found[2].stdout)
+            self.assertEqual(found[1].stdout, found[2].stdout)
 
 
 class ErrorsSayWhere(unittest.TestCase):

@@ -113,6 +113,24 @@ class Study(unittest.TestCase):
         self.assertEqual([(v["bearing.rollers"], v["bearing.roller_diameter"]) for v in found["variants"]], [(15.0, 5.24), (14.0, 5.5)])
         self.assertEqual(found["variants"][0]["peak_life_h"], float(self.stored.peak_life_h[0, 0]))
 
+    # Issue 44, item 5, and issue 52, items 10 and 11.
+    def test_tables_that_are_none_are_refused_with_their_place(self):
+        head = "bearing.radial_clearance (um),input.speed (rpm)\n"
+        for content, pattern in ((head + "10,5,6000\n", r"rows\.csv:2:6: found 3 values \(a decimal comma"),
+                                 (head + "10.5,6000,7.5\n", r"rows\.csv:2:11: found 3 values; required: 2"),
+                                 (head + "10\n", r"rows\.csv:2:1: found 1 values; required: 2"),
+                                 ("token=hunter2\n1\n", r"rows\.csv:1:1: found a first line that names no paths"),
+                                 ("bearing.rollers;input.speed\n1;2\n", r"semicolons")):
+            (self.place / "rows.csv").write_text(content, encoding="utf-8")
+            result = run("--table", self.place / "rows.csv", "--json")
+            self.assertEqual(result.returncode, 2, result.stderr)
+            self.assertRegex(result.stderr, pattern)
+            self.assertNotIn("hunter2", result.stderr)
+        (self.place / "rows.csv").write_bytes("bearing.rollers,input.speed (rpm)\n".encode("utf-16"))
+        self.assertRegex(run("--table", self.place / "rows.csv", "--json").stderr, r"rows\.csv:1:1: found a file in UTF-16")
+        (self.place / "rows.csv").write_bytes(b"bearing.rollers,input.speed (rpm)\n15,6000\xff\n")
+        self.assertRegex(run("--table", self.place / "rows.csv", "--json").stderr, r"rows\.csv:2:8: found a byte that is not UTF-8")
+
     def test_what_nothing_feels_is_said(self):
         found = json.loads(run("--vary", "input.acceleration=[0 rpm/s, 10 rpm/s]", "--json").stdout)
         self.assertEqual(len(found["warnings"]), 1)

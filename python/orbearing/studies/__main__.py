@@ -6,7 +6,6 @@ Exit codes as of the command line: 0 done, 1 the computation failed, wholly or a
 from __future__ import annotations
 
 import argparse
-import csv
 import os
 import re
 import signal
@@ -79,23 +78,71 @@ def varied(options: list[str]) -> dict:
 def rows_of_table(file: Path) -> list[dict[str, str]]:
     """Rows of --table, by path. Raises CaseError with the line."""
     try:
-        with open(file, newline="", encoding="utf-8-sig") as stream:
-            lines = [(number, [cell.strip() for cell in row]) for number, row in enumerate(csv.reader(stream, skipinitialspace=True), start=1) if any(row)]
-    except (OSError, UnicodeDecodeError) as error:
-        raise CaseError(f"{file}: cannot be read ({error}); a CSV file is required") from error
+        lines = [(number, line) for number, line in enumerate(_text_of(file).split("\n"), start=1) if line.strip(" \t\r,")]
+    except OSError as error:
+        raise CaseError(f"{file}: cannot be read ({error.strerror}); a CSV file is required") from error
     if len(lines) < 2:
         raise CaseError(f"{file}: found {max(len(lines) - 1, 0)} rows under a head; at least 1 is required")
-    heads = [re.fullmatch(r"([^\s()]+)(?:\s*\((.+)\))?", name) for name in lines[0][1]]
+    names = [name for name, _ in _cells(lines[0][1])]
+    heads = [re.fullmatch(r"((?:[a-z]\w*)(?:\.[\w\[\]-]+)+)(?:\s*\((.+)\))?", name) for name in names]
     if not all(heads) or len({head[1] for head in heads if head}) < len(heads):
-        raise CaseError(f"{file}:{lines[0][0]}: found the head '{', '.join(lines[0][1])}'; required: each path once, as bearing.rollers or 'bearing.radial_clearance (um)'")
+        # What a file that is no table of numbers holds is not shown.
+        shown = f"the head '{', '.join(names)}'" if any(heads) else "a first line that names no paths"
+        if any(";" in name for name in names):
+            shown += " (semicolons in it: commas separate columns here, and decimals follow a point)"
+        raise CaseError(f"{file}:{lines[0][0]}:1: found {shown}; required: each path once, as bearing.rollers or 'bearing.radial_clearance (um)'")
     rows, mistakes = [], []
-    for number, cells in lines[1:]:
+    for number, line in lines[1:]:
+        placed = _cells(line)
+        cells = [cell for cell, _ in placed]
         if len(cells) != len(heads) or not all(cells):
-            mistakes.append(f"{file}:{number}: found {sum(map(bool, cells))} values; required: {len(heads)}, one under each head")
+            column = placed[len(heads)][1] if len(cells) > len(heads) else 1
+            mistakes.append(f"{file}:{number}:{column}: found {sum(map(bool, cells))} values{_decimal_comma(cells, len(heads))}; "
+                            f"required: {len(heads)}, one under each head")
         rows.append({head[1]: f"{cell} {head[2]}" if head[2] else cell for head, cell in zip(heads, cells)})
     if mistakes:
         raise CaseError(mistakes)
     return rows
+
+
+def _text_of(file: Path) -> str:
+    """The text of a file in UTF-8. Raises CaseError with the place of what is not."""
+    content = file.read_bytes()
+    if content.startswith((b"\xff\xfe", b"\xfe\xff")):
+        raise CaseError(f"{file}:1:1: found a file in UTF-16; required: a text file in UTF-8 (save it as UTF-8)")
+    try:
+        return content.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        line, column = content.count(b"\n", 0, error.start) + 1, error.start - content.rfind(b"\n", 0, error.start)
+        raise CaseError(f"{file}:{line}:{column}: found a byte that is not UTF-8; "
+                        "required: a text file in UTF-8") from error
+
+
+def _cells(line: str) -> list[tuple[str, int]]:
+    """The values of a line and their columns, from 1."""
+    found, begin, quoted = [], 0, False
+    for place, letter in enumerate(line + ","):
+        if letter == '"':
+            quoted = not quoted
+        if place == len(line) or (letter == "," and not quoted):
+            text = line[begin:place]
+            cell = text.strip()
+            if len(cell) > 1 and cell[0] == cell[-1] == '"':
+                cell = cell[1:-1].replace('""', '"').strip()
+            found.append((cell, begin + 1 + len(text) - len(text.lstrip())))
+            begin = place + 1
+    return found
+
+
+def _decimal_comma(cells: Sequence[str], columns: int) -> str:
+    """What to say of surplus values that can be the decimals of others."""
+    halves, place = 0, 0
+    while place + 1 < len(cells):
+        if re.fullmatch(r"[+-]?\d+", cells[place]) and re.fullmatch(r"\d+([eE].*)?", cells[place + 1]):
+            halves, place = halves + 1, place + 1
+        place += 1
+    surplus = len(cells) - columns
+    return " (a decimal comma splits a number in two: commas separate values here, decimals follow a point)" if 0 < surplus <= halves else ""
 
 
 def _checked(options: argparse.Namespace) -> None:

@@ -133,6 +133,23 @@ TEST(BoughtBearing, WhatIsNotKnownIsRefused) {
               ElementsAre(HasSubstr("a class is that of a bearing on the shelf")));
 }
 
+// Issue 44, first use 12 and 13: what would give the missing value is named.
+TEST(BoughtBearing, WhatIsMissingNamesWhatWouldGiveIt) {
+  EXPECT_THAT(mistakes(replaced(kBallsByDesignation, ", clearance_class: C3", "")),
+              Contains(AllOf(HasSubstr("bearing.radial_clearance: missing"), HasSubstr("or bearing.clearance_class in its place"))));
+  EXPECT_THAT(mistakes(kByDesignation, {"bearing.designation=NU 9999", "bearing.clearance_class=C3"}),
+              Not(Contains(HasSubstr("bearing.clearance_class"))));
+}
+
+// Issue 44, item 11: lines of a scratched 6205 by its inferred inside, 106.94 for 107.36 Hz.
+TEST(BoughtBearing, AnInferredInsideIsWarnedOf) {
+  const auto of_balls = AllOf(HasSubstr("bearing.designation: the inside of"), HasSubstr("inferred"), HasSubstr("uncertain"),
+                              HasSubstr("by 2 %"));
+  EXPECT_THAT(inferred_warnings(of(kBallsByDesignation)), ElementsAre(of_balls));
+  EXPECT_THAT(require_used(of(kBallsByDesignation), use::static_load), Contains(of_balls));
+  EXPECT_THAT(inferred_warnings(shipped()), IsEmpty());
+}
+
 // 16.7: the class is the clearance from which fits, temperatures and speeds make the operating one.
 TEST(BoughtBearing, ClassIsTheUnmountedClearanceOfAPlanetBearing) {
   const ResolvedCase in = of(planet(kBought), {"bearing.fit.inner_interference=8 um"});

@@ -2,11 +2,13 @@
 
 #include <gmock/gmock.h>
 
+#include "app/case/set_case.hpp"
 #include "tests/unit/app_case/small_case.hpp"
 
 namespace orbearing::app::consistency_test {
 namespace {
 
+using testing::AllOf;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -45,6 +47,68 @@ INSTANTIATE_TEST_SUITE_P(
         Contradiction{"bearing.cage.width=5.7 mm", ": bearing.cage.width: "},
         Contradiction{"bearing.roller_length=12 mm", ": bearing.roller_length: "},
         Contradiction{"bearing.per_planet=3", ": bearing.per_planet: "}));
+
+// Issue 44, item 8. Figures of a public model of a 10 MW gearbox, stage 1, whose source prints the ring's shift as
+// -0.1591 by DIN 3960.
+const std::string kStage = R"(name: stage
+source: made up
+model: planetary-drivetrain
+input: {member: carrier, power: 10 MW, speed: 9.6 rpm}
+gearset:
+  planets: 5
+  teeth: {sun: 26, planet: 31, ring: 89}
+  module: 30 mm
+  helix_angle: 8 deg
+  profile_shift: {sun: 0.2702, ring: 0.1591}
+  face_width: 800 mm
+  addendum: 0.9748
+)";
+
+TEST(StatedGeometry, IsCheckedAgainstWhatFollows) {
+  EXPECT_THAT(mistakes(kStage, {"gearset.centre_distance=877.033 mm", "gearset.profile_shift.planet=0.2094"}), IsEmpty());
+  EXPECT_THAT(mistakes(kStage, {"gearset.centre_distance=877.05 mm"}),
+              ElementsAre(AllOf(HasSubstr("gearset.centre_distance: '877.05 mm'; 877.03"), HasSubstr("within 0.01 mm"))));
+  EXPECT_THAT(mistakes(kStage, {"gearset.profile_shift.planet=0.22"}),
+              ElementsAre(AllOf(HasSubstr("gearset.profile_shift.planet: '0.22'; 0.2"), HasSubstr("within 0.005"))));
+  // They stay checks after settings of what they follow from.
+  EXPECT_THAT(mistakes(kStage, {"gearset.centre_distance=877.033 mm", "gearset.module=31 mm"}),
+              ElementsAre(HasSubstr("gearset.centre_distance")));
+  EXPECT_THAT(parse_case(kStage, "case.yaml", {"gearset.centre_distance=877.033 mm"}).quantity("gearset.centre_distance"),
+              testing::DoubleEq(0.877033));
+}
+
+TEST(StatedGeometry, NamesTheSignOfDin) {
+  EXPECT_THAT(mistakes(kStage, {"gearset.centre_distance=877.033 mm", "gearset.profile_shift.ring=-0.1591"}),
+              ElementsAre(AllOf(HasSubstr("872.39"), HasSubstr("DIN 3960"), HasSubstr("opposite sign, 0.1591, gives centre distance 877.03"))));
+  const auto warnings = [](const std::vector<std::string>& settings) {
+    return ring_sign_warnings(parse_case(kStage, "case.yaml", settings));
+  };
+  EXPECT_THAT(warnings({}), IsEmpty());
+  EXPECT_THAT(warnings({"gearset.profile_shift.ring=-0.1591"}),
+              ElementsAre(AllOf(HasSubstr("DIN"), HasSubstr("opposite sign"), HasSubstr("872.39"), HasSubstr("877.03"))));
+  EXPECT_THAT(warnings({"gearset.profile_shift.ring=-0.1591", "gearset.centre_distance=872.394 mm"}), IsEmpty());
+}
+
+TEST(StatedGeometry, TeethThatDoNotAddUpAreToBlameBeforeShifts) {
+  const std::vector<std::string> found = mistakes(kStage, {"gearset.teeth.ring=99", "gearset.profile_shift.ring=0"});
+  ASSERT_FALSE(found.empty());
+  EXPECT_THAT(found, Contains(AllOf(HasSubstr("gearset.teeth.ring: found 99"), HasSubstr("26 + 2 x 31 = 88"))));
+}
+
+TEST(StatedGeometry, AnglesNearestToEqualStepsAreProposed) {
+  const std::vector<std::string> four{"gearset.teeth={sun: 17, planet: 22, ring: 61}", "gearset.planets=4",
+                                      "gearset.profile_shift={sun: 0, ring: 0}", "gearset.addendum=1.0"};
+  EXPECT_THAT(mistakes(kStage, four),
+              ElementsAre(HasSubstr("[0.0000 deg, 92.3077 deg, 180.0000 deg, 272.3077 deg] are nearest to equal steps")));
+}
+
+// A block that only a bearing needs is known, whether or not the set has one.
+TEST(StatedGeometry, BlocksOfABearingSayThatTheyNeedOne) {
+  for (const char* block : {"lubricant.viscosity=0.01 Pa.s", "life.reliability=0.9", "support.stiffness=1e9 N/m"})
+    EXPECT_THAT(mistakes(kStage, {block}), ElementsAre(AllOf(HasSubstr("a field that a set without a bearing does not use"),
+                                                           HasSubstr("with a bearing, is required"))))
+        << block;
+}
 
 TEST(Consistency, AcceptsLimits) {
   EXPECT_THAT(setting_mistakes({"bearing.rollers=21", "bearing.cage.pocket_clearance=0.05 mm"}), IsEmpty());

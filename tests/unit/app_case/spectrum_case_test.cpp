@@ -18,6 +18,8 @@ using testing::AllOf;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
 using testing::StartsWith;
 
 const std::string kTwoRows =
@@ -78,6 +80,15 @@ TEST(SpectrumCase, WrongRowsAreRefused) {
   EXPECT_THAT(complaint("[{power: 0 kW, speed: 0 rpm, share: 1}]"), HasSubstr("a spectrum at rest"));
   EXPECT_THAT(complaint("[{power: 1 kW, speed: 9 rpm, share: 0.5}, {power: 1 kW, speed: 9 rpm, hours: 5}]"),
               HasSubstr("a share beside rows with hours"));
+}
+
+// Issue 44, item 17: a power at rest belongs to no torque.
+TEST(SpectrumCase, PowersAtRestAreRefused) {
+  const std::string turning = ", {power: 150 kW, speed: 6000 rpm, share: 0.5}]";
+  EXPECT_THAT(setting_mistakes({"spectrum=[{power: 5 kW, speed: 0 rpm, share: 0.5}" + turning}),
+              Contains(HasSubstr("row 1 with 5 kW at speed 0; power 0, or torque in place of power")));
+  EXPECT_THAT(setting_mistakes({"spectrum=[{power: 0 kW, speed: 0 rpm, share: 0.5}" + turning}), IsEmpty());
+  EXPECT_THAT(setting_mistakes({"spectrum=[{torque: 5 N.m, speed: 0 rpm, share: 0.5}" + turning}), IsEmpty());
 }
 
 TEST(SpectrumCase, ADrivetrainWithoutBearingHasNone) {
@@ -160,6 +171,13 @@ TEST_F(SpectrumFile, WrongOnesAreReportedByFileLineAndColumn) {
   EXPECT_THAT(fault_of("speed_rpm,torque_N_m\n6000,238\n"),
               AllOf(StartsWith(file + ":2:1: "), HasSubstr("no share or hours")));
   EXPECT_THAT(fault_of("speed_rpm,torque_N_m,share\n6000,238,0.9\n"), HasSubstr("add up to 0.9"));
+  // Issue 44, item 5, and issue 52, item 10.
+  EXPECT_THAT(fault_of("speed_rpm,torque_N_m,share\n6000,238,5,0,25\n3000,100,5,0,75\n"),
+              AllOf(StartsWith(file + ":2:12: "), HasSubstr("5 values"), HasSubstr("decimal comma")));
+  EXPECT_THAT(fault_of("token=hunter2\n6000\n"),
+              AllOf(StartsWith(file + ":1:1: "), HasSubstr("names none"), Not(HasSubstr("hunter2"))));
+  EXPECT_THAT(fault_of("speed_rpm;torque_N_m;share\n6000;238,5;1\n"), HasSubstr("semicolons"));
+  EXPECT_THAT(fault_of("speed_rpm,torque_N_m,share\n6000,238,\xff\n"), HasSubstr(":2:10: spectrum: a byte that is not UTF-8"));
   EXPECT_THAT(setting_mistakes({"spectrum={file: nothing.csv}"}), Contains(HasSubstr("nothing.csv")));
   EXPECT_THAT(setting_mistakes({"spectrum={fil: loads.csv}"}), Contains(HasSubstr("{file: NAME.csv} is required")));
 }

@@ -160,6 +160,13 @@ TEST(UncertainCase, ReportsWhatDoesNotFitTheCase) {
               ElementsAre(HasSubstr("a number that the case does not have")));
 }
 
+// Issue 52, item 11.
+TEST(UncertainCase, ShareOfZeroIsNoDeviation) {
+  EXPECT_THAT(refused("bearing.radial_clearance", "{normal: {relative_standard_deviation: 0.1}}"),
+              ElementsAre(AllOf(HasSubstr("uncertain.bearing.radial_clearance: a relative_standard_deviation of a mean of 0"),
+                                HasSubstr("standard_deviation above 0"))));
+}
+
 std::vector<std::string> correlated(const std::string& correlations) {
   return setting_mistakes({power, viscosity, "uncertain.correlations=" + correlations});
 }

@@ -3,9 +3,12 @@
 #include "app/study/load_series.hpp"
 
 #include <gmock/gmock.h>
+#include <netcdf.h>
 
 #include <cmath>
+#include <cstring>
 #include <fstream>
+#include <map>
 
 #include "app/errors.hpp"
 #include "app/results/point_file.hpp"
@@ -135,7 +138,116 @@ TEST(LoadSeries, WrongOnesAreReportedByLine) {
   EXPECT_THAT(fault("time_s,speed_rpm,torque_N_m\n0,1,1\n0,1,1\n"),
               HasSubstr("a.csv:3: found a time that is not later"));
   EXPECT_THAT(fault("time_s,speed_rpm,torque_N_m\n0,1,1\n"), HasSubstr("1 samples"));
-  EXPECT_THAT(fault("a,b\n0,1\n"), HasSubstr("no column of time, speed, torque or power"));
+  EXPECT_THAT(fault("a,b\n0,1\n"), HasSubstr("a.csv:1:1: found a first line that names none of these columns"));
+}
+
+std::string fault_of(const std::filesystem::path& file) {
+  try {
+    read_load_series(file);
+  } catch (const BadInput& error) {
+    return error.what();
+  }
+  return "";
+}
+
+// Issue 44, item 5: a decimal comma splits a number in two, and the row is longer than its head.
+TEST(LoadSeries, RowsMustFitTheirHead) {
+  const TemporaryFolder place;
+  const auto fault = [&](const std::string& rows) {
+    fake_sweep::write(place / "a.csv", "time_s,speed_rpm,torque_N_m\n" + rows);
+    return fault_of(place / "a.csv");
+  };
+  EXPECT_THAT(fault("0,1500,5,1591,25\n1,1500,5,1592,25\n"),
+              testing::AllOf(HasSubstr("a.csv:2:10: found 5 values"), HasSubstr("decimal comma"),
+                             HasSubstr("required: 3")));
+  EXPECT_THAT(fault("0,1500,1591\n1,1500,1592,7.5\n"),
+              testing::AllOf(HasSubstr("a.csv:3:13: found 4 values"), testing::Not(HasSubstr("decimal comma"))));
+  EXPECT_THAT(fault("0,1500,1591\n1,1500\n"), HasSubstr("a.csv:3:1: found 2 values"));
+  EXPECT_THAT(fault("\"0,0\",\"1500,5\",\"1591,25\"\n"), HasSubstr("a decimal point and no commas"));
+}
+
+// Issue 52, item 10: what a file that is no table holds is not shown.
+TEST(LoadSeries, ContentThatIsNoTableIsNotShown) {
+  const TemporaryFolder place;
+  fake_sweep::write(place / "secret", "token=hunter2\nmore\n");
+  const std::string fault = fault_of(place / "secret");
+  EXPECT_THAT(fault, HasSubstr("names none of these columns"));
+  EXPECT_THAT(fault, testing::Not(HasSubstr("hunter2")));
+  fake_sweep::write(place / "a.csv", "Zeit_s;Drehzahl_rpm\n0,0;1\n");
+  EXPECT_THAT(fault_of(place / "a.csv"), HasSubstr("semicolons"));
+  fake_sweep::write(place / "b.csv", "\xff\xfet\x00i\x00");
+  EXPECT_THAT(fault_of(place / "b.csv"), HasSubstr("UTF-16"));
+  fake_sweep::write(place / "c.csv", "time_s,speed_rpm,torque_N_m,f\xfcr\n0,1,1,x\n");
+  EXPECT_THAT(fault_of(place / "c.csv"), HasSubstr("c.csv:1:30: found a byte that is not UTF-8"));
+}
+
+// Issue 44, item 17: a power at rest belongs to no torque.
+TEST(LoadSeries, PowersAtRestAreRefused) {
+  const TemporaryFolder place;
+  const auto fault = [&](const std::string& rows) {
+    fake_sweep::write(place / "a.csv", "time_s,speed_rpm,power_kW\n" + rows);
+    return fault_of(place / "a.csv");
+  };
+  EXPECT_THAT(fault("0,6000,100\n1,0,5\n2,6000,100\n"), HasSubstr("a.csv:3: found a power of 5000 W at speed 0"));
+  EXPECT_EQ(fault("0,6000,100\n1,0,0.05\n2,6000,100\n"), "") << "noise of a record at rest";
+}
+
+// A netCDF variable of a record, packed or with marks of what is missing.
+class Packed {
+ public:
+  explicit Packed(const std::filesystem::path& file) {
+    check(nc_create(file.c_str(), NC_NETCDF4 | NC_CLOBBER, &file_));
+    check(nc_def_dim(file_, "time", 3, &time_));
+    put("time", NC_DOUBLE, "s", {0.0, 1.0, 2.0});
+  }
+  ~Packed() { nc_close(file_); }
+  Packed(const Packed&) = delete;
+  Packed& operator=(const Packed&) = delete;
+
+  int put(const char* name, nc_type type, const char* units, const std::vector<double>& values,
+          const std::map<std::string, std::vector<double>>& attributes = {}) {
+    int variable = 0;
+    check(nc_def_var(file_, name, type, 1, &time_, &variable));
+    check(nc_put_att_text(file_, variable, "units", std::strlen(units), units));
+    for (const auto& [key, numbers] : attributes)
+      check(nc_put_att_double(file_, variable, key.c_str(), key == "_FillValue" ? type : NC_DOUBLE, numbers.size(),
+                              numbers.data()));
+    check(nc_put_var_double(file_, variable, values.data()));
+    return variable;
+  }
+
+ private:
+  static void check(int code) { ASSERT_EQ(code, NC_NOERR) << nc_strerror(code); }
+  int file_ = 0;
+  int time_ = 0;
+};
+
+// Issue 52, item 2: packed values are unpacked [CF], and those that the file calls missing are refused.
+TEST(LoadSeries, NetcdfIsUnpackedAndNothingMissingIsTaken) {
+  const TemporaryFolder place;
+  {
+    Packed file(place / "packed.nc");
+    file.put("speed", NC_SHORT, "rpm", {1000, 1100, 1200}, {{"scale_factor", {0.5}}, {"add_offset", {1000.0}}});
+    file.put("torque", NC_SHORT, "kN m", {100, 110, 120}, {{"scale_factor", {0.1}}});
+  }
+  const LoadSeries series = read_load_series(place / "packed.nc");
+  EXPECT_NEAR(series.torque[1], 11e3, 1e-9);
+  EXPECT_NEAR(series.speed[1], 1550.0 * 2.0 * M_PI / 60.0, 1e-9);
+  const auto fault = [&](const std::vector<double>& torque, const std::map<std::string, std::vector<double>>& with) {
+    {
+      Packed file(place / "masked.nc");
+      file.put("speed", NC_DOUBLE, "rpm", {1000, 1100, 1200});
+      file.put("torque", NC_DOUBLE, "N m", torque, with);
+    }
+    return fault_of(place / "masked.nc");
+  };
+  EXPECT_THAT(fault({1, -9999, 3}, {{"_FillValue", {-9999}}}),
+              testing::AllOf(HasSubstr("torque: sample 2"), HasSubstr("missing")));
+  EXPECT_THAT(fault({1, 2, 9999}, {{"missing_value", {9999}}}), HasSubstr("torque: sample 3"));
+  EXPECT_THAT(fault({1, 2, 500}, {{"valid_range", {0, 100}}}), HasSubstr("outside the valid range"));
+  EXPECT_THAT(fault({-1, 2, 5}, {{"valid_min", {0}}}), HasSubstr("sample 1"));
+  EXPECT_THAT(fault({1, NC_FILL_DOUBLE, 5}, {}), HasSubstr("sample 2"));
+  EXPECT_EQ(fault({1, 2, 5}, {{"valid_range", {0, 100}}, {"_FillValue", {-9999}}}), "");
 }
 
 TEST(LoadSeries, BinsAreTwoCounts) {

@@ -1,0 +1,268 @@
+#include "app/study/plausibility.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "app/results/point_status.hpp"
+#include "app/study/drivetrain_case.hpp"
+#include "app/study/planetary_case.hpp"
+#include "app/units.hpp"
+#include "bearing/life/basic_life.hpp"
+#include "bearing/life/life_modification.hpp"
+
+namespace orbearing::app {
+
+namespace {
+
+namespace rating = bearing::rating;
+
+constexpr double kNone = std::numeric_limits<double>::infinity();
+constexpr double kStaticPressureMPa = kMega * rating::static_pressure(rating::RollingElement::roller);
+constexpr double kMillimetresPerMinute = 1e3 * 30.0 / boost::math::double_constants::pi;  // mm rpm per m rad/s
+
+const std::string kSkidding = "less than a hundredth of C, below which rolling elements skid";
+
+void add_meshes(const gearset::PlanetarySet& set, const gearset::WorkingGeometry& geometry,
+                const gearset::MeanLoads& loads, std::vector<Observation>& found) {
+  found.push_back({"pitch_line_speed_m_s", std::abs(loads.planet_speed_relative) *
+                                               planet_working_radius(geometry, geometry.sun_mesh)});
+  found.push_back({"unit_load_MPa", kMega * std::abs(loads.normal_force) / (set.face_width * set.module)});
+}
+
+void add_motion(const study::NamedSet& set, std::vector<Observation>& found) {
+  const gearset::MeanLoads loads = study::bearing_duty(set.drivetrain, set.geometry).gears;
+  found.push_back({"n_dm", kMillimetresPerMinute * std::abs(loads.planet_speed_relative) *
+                               set.drivetrain.bearing.pitch_diameter});
+  add_meshes(set.drivetrain.set, set.geometry.gears, loads, found);
+}
+
+// Of a set without a bearing.
+void add_gears_alone(const ResolvedCase& in, std::vector<Observation>& found) {
+  const study::PlanetaryDrivetrain drivetrain = drivetrain_without_gear_set(in);
+  const gearset::WorkingGeometry geometry = gearset::working_geometry(drivetrain.set);
+  add_meshes(drivetrain.set, geometry, gearset::mean_loads(drivetrain.set, geometry, drivetrain.drive), found);
+}
+
+// Of a bearing by itself: the speed of its rings against each other.
+void add_lone_speed(const ResolvedCase& in, std::vector<Observation>& found) {
+  if (!in.has("operation.shaft_speed") || !in.has("bearing.pitch_diameter")) return;
+  const double outer = in.has("operation.outer_speed") ? in.quantity("operation.outer_speed") : 0.0;
+  const double turn = std::abs(in.quantity("operation.shaft_speed") - outer);
+  found.push_back({"n_dm", kMillimetresPerMinute * turn * in.quantity("bearing.pitch_diameter")});
+}
+
+const PlausibleRange* range_of(const std::string& key) {
+  const std::vector<PlausibleRange>& ranges = plausible_ranges();
+  const auto found = std::find_if(ranges.begin(), ranges.end(), [&](const PlausibleRange& range) {
+    return std::find(range.keys.begin(), range.keys.end(), key) != range.keys.end();
+  });
+  return found == ranges.end() ? nullptr : &*found;
+}
+
+std::string with_unit(double value, const PlausibleRange& range) {
+  return range.unit.empty() ? fmt::format("{:g}", value) : fmt::format("{:g} {}", value, range.unit);
+}
+
+// Empty for a usual value.
+std::string rare_text(const PlausibleRange& range, double value) {
+  if (value < range.rare_least)
+    return fmt::format("{}: {} below {}, {}", range.subject, range.name, with_unit(range.rare_least, range),
+                       range.rare_low);
+  if (value > range.rare_most)
+    return fmt::format("{}: {} above {}, {}", range.subject, range.name, with_unit(range.rare_most, range),
+                       range.rare_high);
+  return "";
+}
+
+std::string implausible_text(const PlausibleRange& range, double value) {
+  if (value >= range.least && value <= range.most) return "";
+  const bool low = value < range.least;
+  return fmt::format("{}{} {} ({} {}: {})", kImplausible, range.name, with_unit(value, range),
+                     low ? "at least" : "at most", with_unit(low ? range.least : range.most, range), range.reason);
+}
+
+void collect(const nlohmann::ordered_json& value, const std::string& key, std::vector<Observation>& found) {
+  if (value.is_number() && range_of(key) != nullptr) found.push_back({key, value.get<double>()});
+  if (!value.is_structured()) return;
+  for (const auto& [inner, one] : value.items()) collect(one, value.is_object() ? inner : key, found);
+}
+
+}  // namespace
+
+const std::vector<PlausibleRange>& plausible_ranges() {
+  static const std::vector<PlausibleRange> ranges{
+      // Hardened steel: hardness 700 HV is 6900 MPa, [ISO76] takes 4000 MPa for a permanent mark of D/10,000.
+      {{"contact_pressure_max_MPa", "pressure_max_MPa"},
+       "contact",
+       "pressure",
+       "MPa",
+       -kNone,
+       "",
+       kStaticPressureMPa,
+       "where rollers yield and elastic contact and life have no meaning",
+       -kNone,
+       10000.0,
+       "above the hardness of bearing steel, where no elastic contact exists"},
+      // [ISO281] gives a_ISO from 0.1 on and takes 4 for all above.
+      {{"kappa"},
+       "life",
+       "kappa",
+       "",
+       rating::kLeastViscosityRatio,
+       "where ISO 281 gives no a_ISO and no modified life",
+       50.0,
+       "an oil far thicker than lubrication needs: check its viscosity and its unit",
+       1e-4,
+       1e4,
+       "check viscosity, temperature, speed and their units"},
+      // [ISO281] holds for P up to 0.5 C; makers' catalogues ask for a load of 0.01 C (balls) to 0.02 C (rollers).
+      {{"C_over_P"},
+       "life",
+       "C/P",
+       "",
+       2.0,
+       "a load above the half of C, for which ISO 281 gives no life",
+       100.0,
+       kSkidding,
+       0.2,
+       kNone,
+       "the load is several times the rating C"},
+      // A turbine runs 1.8e5 h in 20 years; a test of a bearing some hours.
+      {{"life_h", "L10h", "L10rh", "L10mh", "L10mrh"},
+       "life",
+       "life",
+       "h",
+       1.0,
+       "which no machine is built for: check load, speed and their units",
+       1e7,
+       "over a thousand years: check load, speed and their units",
+       1e-3,
+       1e12,
+       "check power, speed and their units"},
+      // A molecule of oil is about 1 nm long; films of rolling contacts are 0.01 to 5 um.
+      {{"film_inner_um", "film_outer_um", "h_min_um"},
+       "film",
+       "least film",
+       "um",
+       1e-3,
+       "thinner than a molecule of oil",
+       50.0,
+       "far thicker than films of rolling contacts: check viscosity, speed and load",
+       -kNone,
+       1e4,
+       "check viscosity, speed, load and their units"},
+      // Lubrication by grease to 0.5e6, by oil jets to 1.5e6; main bearings of aero engines 2.5e6 to 3e6 mm rpm.
+      {{"n_dm"},
+       "operation",
+       "speed n d_m",
+       "mm rpm",
+       -kNone,
+       "",
+       1.5e6,
+       "beyond usual lubrication of rolling bearings",
+       -kNone,
+       6e6,
+       "twice that of main bearings of aero engines"},
+      // Turbo gears to 200 m/s; above some 400 m/s a steel ring bursts by its own speed.
+      {{"pitch_line_speed_m_s"},
+       "operation",
+       "pitch line speed against the carrier",
+       "m/s",
+       -kNone,
+       "",
+       200.0,
+       "beyond usual turbo gears",
+       -kNone,
+       400.0,
+       "the speed at which a steel ring bursts"},
+      // Torque per module cubed, freed of face width and tooth number: F_n/(b m). The root stress is 4 to 5 times it;
+      // case-hardened teeth bear some 100 to 250 MPa for good.
+      {{"unit_load_MPa"},
+       "gearset",
+       "tooth force over face width and module",
+       "MPa",
+       1e-3,
+       "teeth that carry next to nothing: check power, speed and their units",
+       400.0,
+       "more than teeth of hardened steel bear: check power, speed, module and face width",
+       -kNone,
+       2000.0,
+       "a root stress of some 9000 MPa, above the strength of any steel"}};
+  return ranges;
+}
+
+Judgement judge(const std::vector<Observation>& observed) {
+  Judgement judgement;
+  for (const Observation& one : observed) {
+    const PlausibleRange* range = range_of(one.key);
+    if (range == nullptr || !std::isfinite(one.value)) continue;
+    const std::string rare = rare_text(*range, one.value);
+    if (rare.empty()) continue;
+    const std::string text = fmt::format("{}: {}", rare, with_unit(one.value, *range));
+    const bool said = std::any_of(judgement.warnings.begin(), judgement.warnings.end(),
+                                  [&](const std::string& warning) { return warning.starts_with(rare); });
+    if (!said) judgement.warnings.push_back(text);
+    if (const std::string far = implausible_text(*range, one.value); !far.empty() && judgement.status == "ok")
+      judgement.status = far;
+  }
+  return judgement;
+}
+
+std::vector<Observation> observations(const nlohmann::ordered_json& object) {
+  std::vector<Observation> found;
+  collect(object, "", found);
+  return found;
+}
+
+std::vector<Observation> observations(const ResolvedCase& at_point) {
+  std::vector<Observation> found;
+  if (at_point.model() != planetary_drivetrain)
+    add_lone_speed(at_point, found);
+  else if (at_point.shape().several || at_point.shape().bearing)
+    for (const study::NamedSet& set : bearing_sets(at_point)) add_motion(set, found);
+  else if (at_point.shape().teeth)
+    add_gears_alone(at_point, found);
+  return found;
+}
+
+study::PointResult judged(study::PointResult result, const std::vector<study::NamedSet>& sets) {
+  if (result.status != "ok") return result;
+  static const TableHead head = table_head({});
+  const ResultRow row = result_row(result, {});
+  std::vector<Observation> observed;
+  for (const study::NamedSet& set : sets) add_motion(set, observed);
+  for (const PlausibleRange& range : plausible_ranges())
+    for (const std::string& key : range.keys) observed.push_back({key, value_of(head, row, key)});
+  result.status = judge(observed).status;
+  return result;
+}
+
+std::vector<std::string> rare_values(const TableHead& head, const std::vector<const ResultRow*>& rows) {
+  std::vector<std::string> warnings;
+  for (const PlausibleRange& range : plausible_ranges()) {
+    for (const bool low : {true, false}) {
+      std::size_t count = 0;
+      std::string text, first;
+      for (const ResultRow* row : rows) {
+        const auto rare = [&](const std::string& key) {
+          const double value = value_of(head, *row, key);
+          return low ? value < range.rare_least : value > range.rare_most;
+        };
+        const auto key = std::find_if(range.keys.begin(), range.keys.end(), rare);
+        if (key == range.keys.end() || count++ > 0) continue;
+        text = rare_text(range, value_of(head, *row, *key));
+        first = fmt::format("{:g} rpm", value_of(head, *row, "input_speed_rpm"));
+      }
+      if (count > 0)
+        warnings.push_back(fmt::format("{}: {} of {} points, first at {}", text, count, rows.size(), first));
+    }
+  }
+  return warnings;
+}
+
+}  // namespace orbearing::app

@@ -1,0 +1,63 @@
+// Whether numbers of a result are those of machines that exist: one table of bounds, asked by every analysis.
+//
+// Two levels. Beyond the first, values are rare: a warning beside them. Beyond the second, no such machine can
+// exist, or a unit was mistaken: the status of the point says so. Its values stay: they are what the inputs give.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "app/case/resolved_case.hpp"
+#include "app/results/result_row.hpp"
+#include "coupling/study/multi_stage.hpp"
+#include "coupling/study/operating_point.hpp"
+
+namespace orbearing::app {
+
+/// Bounds of one quantity, in its unit; infinite where there is none.
+struct PlausibleRange {
+  std::vector<std::string> keys;  // of --json and columns of sweep.csv, all in this unit
+  std::string subject;            // what a warning begins with: the block of the case to look at
+  std::string name;
+  std::string unit;
+  double rare_least;
+  std::string rare_low;  // why a smaller value is rare
+  double rare_most;
+  std::string rare_high;
+  double least;
+  double most;
+  std::string reason;  // of the outer bounds
+};
+
+/// All that is judged.
+const std::vector<PlausibleRange>& plausible_ranges();
+
+/// A value found, by its key.
+struct Observation {
+  std::string key;
+  double value = 0.0;
+};
+
+struct Judgement {
+  std::vector<std::string> warnings;
+  std::string status = "ok";  // or "implausible: " and the first value beyond the outer bounds
+};
+
+/// Judges values; those that are not finite, and keys that no range has, are passed over.
+Judgement judge(const std::vector<Observation>& observed);
+
+/// The values in a result as --json prints it, wherever they stand in it.
+std::vector<Observation> observations(const nlohmann::ordered_json& object);
+
+/// What speeds and loads of the case say before any bearing is solved: n_dm, pitch_line_speed_m_s,
+/// unit_load_MPa. Empty for models without them.
+std::vector<Observation> observations(const ResolvedCase& at_point);
+
+/// The point with the status that its values deserve.
+study::PointResult judged(study::PointResult result, const std::vector<study::NamedSet>& sets);
+
+/// Warnings of rare values in the rows of a sweep, each once, with how many points have them.
+std::vector<std::string> rare_values(const TableHead& head, const std::vector<const ResultRow*>& rows);
+
+}  // namespace orbearing::app
