@@ -163,8 +163,7 @@ std::string condition_text(const ResolvedCase& in, const Input& input, const Con
   return fmt::format("where {} is {}, and here it is {}", either, fmt::join(condition.values, " or "), now);
 }
 
-// What keeps a value from having an effect, and what else would give it one: of ways that this kind of case
-// has, the first condition that does not hold.
+// What keeps a value from having an effect, and what else would give it one, by ways that this kind of case has.
 std::string idle_text(const ResolvedCase& in, const Input& input, unsigned analyses) {
   std::vector<std::string> texts{condition_text(in, input, *first_unmet(in, input))};
   for (const Way& way : input.field->use.ways) {
@@ -172,12 +171,12 @@ std::string idle_text(const ResolvedCase& in, const Input& input, unsigned analy
       return one.holds == nullptr && is_of_other_models(in, one);
     });
     if ((way.by & analyses) == 0 || !known) continue;
+    std::vector<std::string> unmet;
     for (const Condition& condition : way.conditions)
-      if (!holds_beside(in, input, condition)) {
-        const std::string text = condition_text(in, input, condition);
-        if (std::find(texts.begin(), texts.end(), text) == texts.end()) texts.push_back(text);
-        break;
-      }
+      if (!holds_beside(in, input, condition)) unmet.push_back(condition_text(in, input, condition));
+    const std::string text = fmt::format("{}", fmt::join(unmet, " and "));
+    const bool same = std::find(unmet.begin(), unmet.end(), texts.front()) != unmet.end();
+    if (!same && std::find(texts.begin(), texts.end(), text) == texts.end()) texts.push_back(text);
   }
   return fmt::format("it counts only {}", fmt::join(texts, ", or "));
 }
