@@ -23,6 +23,11 @@ Field profile_length(std::string path, std::string meaning, const Use& use, cons
           .range = {0.0, most}};
 }
 
+// Its depth may be scaled: what the end and the load make of each other is the shape.
+std::vector<Condition> shape_beside_end_drop() {
+  return {where("bearing.profile.kind", {"fujiwara-kawase"}), where_given({"bearing.profile.end_drop"})};
+}
+
 void add_profile_shape(std::vector<Field>& fields) {
   fields.push_back(
       {.path = "bearing.profile.design_load",
@@ -32,7 +37,9 @@ void add_profile_shape(std::vector<Field>& fields) {
        .use = Use(use::lives | use::fmu_bearing | use::lone_balance | use::planet_stiffness,
                   use::bearings_as_springs | use::mesh)
                   .when(where("bearing.profile.kind", {"lundberg", "johns-gohar", "fujiwara-kawase"}))
-                  .when(where_absent("bearing.profile.drop")),
+                  .when(where_absent("bearing.profile.drop"))
+                  .felt_too(use::lives | use::fmu_bearing | use::lone_balance | use::planet_stiffness,
+                            shape_beside_end_drop()),
        .dimension = dimension::force,
        .range = {.least = 0.0, .most = 1e8, .least_allowed = false}});
   fields.push_back(profile_length("bearing.profile.chamfer_length",
@@ -49,7 +56,11 @@ void add_profile_shape(std::vector<Field>& fields) {
                                    use::planet_stiffness,
                                use::crown | use::bearings_as_springs | use::mesh)  // crown varies the depth
                                .when(where("bearing.profile.kind", {"fujiwara-kawase"}))
-                               .when(where_given({"bearing.profile.design_load"})),
+                               .when(where_given({"bearing.profile.design_load"}))
+                               .when(where_absent("bearing.profile.drop"))
+                               .felt_too(use::lives | use::fmu_bearing | use::lone_balance |
+                                             use::planet_stiffness,
+                                         shape_beside_end_drop()),
                     .range = {.least = 0.0, .most = 1000.0, .least_allowed = false}});
   fields.push_back({.path = "bearing.profile.k2",
                     .kind = Kind::number,

@@ -28,13 +28,24 @@ const Use& use_of_row(const std::vector<Field>& fields, const std::string& path)
 // Felt wherever one of `paths` is.
 Use use_of_any(const std::vector<Field>& fields, const std::vector<std::string>& paths) {
   unsigned by = 0, unfelt = 0, refused = 0;
+  std::vector<Way> ways;
   for (const std::string& path : paths) {
     const Use& use = use_of_row(fields, path);
+    ways.insert(ways.end(), use.ways.begin(), use.ways.end());
     by |= use.by;
     unfelt |= use.unfelt_by;
     refused |= use.refused_by;
   }
-  return {by, unfelt & ~(by | refused), refused & ~by};
+  Use any{by, unfelt & ~(by | refused), refused & ~by};
+  any.ways = std::move(ways);
+  return any;
+}
+
+// Without inner ring the pin differs, without any the planet's bore as well.
+Use use_of_rings(const std::vector<Field>& fields) {
+  const Use& pin = use_of_row(fields, "bearing.bore");
+  const Use any = use_of_any(fields, {"bearing.bore", "bearing.outside_diameter"});
+  return any.felt_only(any.by & ~pin.by, {where(bought::kRings, {"none"})});
 }
 
 void add_condition(std::vector<Field>& fields, const std::string& path, const Condition& condition) {
@@ -121,8 +132,7 @@ void add_bought_fields(std::vector<Field>& fields) {
       choice(bought::kComplement, "whether a cage keeps the rollers apart, or they touch one another",
              use_of_complement(fields), with_rollers, {"caged", "full"})};
   for (Field& field : fields)
-    if (field.path == bought::kRings)
-      field.use = use_of_any(fields, {"bearing.bore", "bearing.outside_diameter"});
+    if (field.path == bought::kRings) field.use = use_of_rings(fields);
   rows.back().default_text = "caged";
   rows.back().default_reason = "as most bearings are bought";
   for (const std::string& path : paths_of_designation())

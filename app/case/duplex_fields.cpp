@@ -1,5 +1,6 @@
 // Fields of a duplex pair: how it is preloaded, what it carries, and what was measured on it.
 #include "app/case/field_table.hpp"
+#include "app/case/use_conditions.hpp"
 
 namespace orbearing::app::table {
 
@@ -91,10 +92,17 @@ void add_shaft(std::vector<Field>& fields) {
 void add_linear(std::vector<Field>& fields) {
   const Range above_zero = positive(1e6);
   const auto add = [&](const Dimension& dimension, const char* name, const char* meaning, Range range) {
-    fields.push_back(under(
-        where("arrangement", {"face-to-face", "tandem"}),
-        pair_quantity(dimension, std::string("linear.") + name,
-                      std::string(meaning) + " for the linear formulas; left out: the shaft's", range)));
+    Field field =
+        under(where("arrangement", {"face-to-face", "tandem"}),
+              pair_quantity(dimension, std::string("linear.") + name,
+                            std::string(meaning) + " for the linear formulas; left out: the shaft's", range,
+                            use::duplex_run));
+    field = under(where_true(pair_run_has_linear_column,
+                             "where operation.shaft_speed is 0, or beside measured.preload"),
+                  std::move(field));
+    field.use = field.use.felt_too(
+        use::duplex_modes, where_true(pair_has_linear_column, "where operation.shaft_speed is 0"));
+    fields.push_back(std::move(field));
   };
   add(dimension::mass, "mass", "mass", above_zero);
   add(dimension::length, "first_lever", "distance of the first row from the mass centre", {-1e4, 1e4});

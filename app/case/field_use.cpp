@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "app/case/mesh_fields.hpp"
+#include "app/case/use_conditions.hpp"
 
 namespace orbearing::app {
 
@@ -189,29 +190,93 @@ Use with_stiffness(Use use, std::string_view path) {
   if (path == "gearset.planet_rim") return also_used(use, use::mesh);
   if (path == "bearing.laminae") return also_used(use, use::stiffness | use::planet_stiffness);
   if (path != "material.youngs_modulus" && path != "material.poisson_ratio") return use;
-  use.by &= ~unsigned{use::planet_stiffness};
-  use.unfelt_by |= use::planet_stiffness;
-  return use.felt_too(use::planet_stiffness, where("film.enabled", {"true"}));
+  return use.felt_only(use::planet_stiffness, {where("film.enabled", {"true"})});
 }
 
 // Balls feel their mass, and the film under them, where a ring turns.
 Use with_turning_rings(const Use& use, const described::Facts& facts) {
   Condition turning = where_given({"operation.shaft_speed", "operation.outer_speed", "operation.speeds"});
   if (facts.felt == described::Felt::turning_balls) return use.when(turning);
-  if (facts.path == "material.density") return use.felt_too(use::lone_balance | use::duplex, turning);
+  if (facts.path == "material.density")
+    return use.felt_too(use::lone_balance | use::duplex,
+                        {turning, where_given({"bearing.balls"}), where("equilibrium.ball_inertia", {"true"})});
   if (facts.path == "film.enabled") {
     turning.paths.emplace_back("input.speed");  // planets turn always
     return also_used(use, use::lone_balance).when(turning);
   }
-  if (facts.path == "lubricant.density")
+  return use;
+}
+
+const Condition& where_filmed() {
+  static const Condition filmed = where("film.enabled", {"true"});
+  return filmed;
+}
+
+// Films stand in results of lives; elsewhere the oil is felt where a film takes part in the approach, or
+// where the life by its cleanliness is made of its viscosity.
+Use with_oil(const Use& use, std::string_view path) {
+  if (path == "lubricant.density")
     return use.felt_too(use::rollers_at_rest,
                         where_given({"lubricant.grade", "life.cleanliness", "life.contamination_factor"}));
-  if (facts.path == "lubricant.flow")
-    return use.when({.paths = {"drag.enabled", "heat.enabled"}, .values = {"true"}});
-  if (facts.path != "lubricant.viscosity" && facts.path != "lubricant.pressure_viscosity") return use;
-  return also_used(use, use::spin_film)
-      .felt_too(use::lone_balance, where("film.enabled", {"true"}))
-      .when(where_absent("lubricant.grade"));
+  if (path == "lubricant.flow")
+    return use.when(where("drag.mixture", {"carried"}))
+        .when(where("drag.enabled", {"true"}))
+        .felt_too(use::ball_run, where("heat.enabled", {"true"}));
+  if (path != "lubricant.viscosity" && path != "lubricant.pressure_viscosity") return use;
+  constexpr unsigned with_film_alone = use::bearings_as_springs | use::planet_stiffness | use::crown;
+  Use oil = also_used(use, use::spin_film)
+                .felt_only(with_film_alone, {where_filmed()})
+                .felt_too(use::lone_balance, where_filmed());
+  if (path == "lubricant.viscosity")
+    oil = oil.felt_too(use::crown, {where_given({"life.cleanliness", "life.contamination_factor"}),
+                                    where_absent("life.viscosity_ratio"),
+                                    where_absent("lubricant.kinematic_viscosity")});
+  return oil.when(where_absent("lubricant.grade"));
+}
+
+// Besides the friction of the races, others build up over the same sliding speed.
+Use with_other_frictions(const Use& use) {
+  constexpr unsigned moving = use::rollers_in_motion | use::balls_in_motion | use::planet_defect;
+  return use.felt_too(moving, where_given({"bearing.cage.pocket_friction"}))
+      .felt_too(moving, where("contact.lubrication", {"mixed"}))
+      .felt_too(moving, {where("bearing.complement", {"full"}), where_given({"bearing.neighbour_friction"})});
+}
+
+// The carrier's speed grows in a run-up, and as the master of an FMU has it.
+Use with_run_up(const Use& use) {
+  return use.felt_only(use::dynamic | use::dynamic_of_sets, {where_given({"input.acceleration"})})
+      .felt_only(use::gears | use::fmu_gearset, {where_given({"gearset.dynamics.run_up.duration"})});
+}
+
+// The diameter of the pin makes its stiffness where none is stated.
+Use with_pins(const Use& use) {
+  const Condition derived =
+      where_true(pins_have_derived_stiffness, "where support.stiffness is not given");
+  Use pins = use.felt_only(use::bearings_as_springs, {derived});
+  for (Way& way : pins.ways) way.conditions.push_back(derived);  // of unlike loads
+  return pins;
+}
+
+// What makes the rim that bends: bearings hold the race in it.
+Use with_rim(const Use& use, std::string_view path) {
+  constexpr std::string_view making[] = {"bearing.pitch_diameter", "bearing.roller_diameter", "bearing.width",
+                                         "bearing.per_planet", "bearing.radial_clearance"};
+  if (std::find(std::begin(making), std::end(making), path) == std::end(making)) return use;
+  return use.felt_too(use::mesh, where("gearset.planet_rim", {"elastic"}));
+}
+
+// Fields that are felt by unlike physics, of which each hangs on other choices.
+Use with_other_ways(const Use& use, std::string_view path) {
+  if (path == "traction.sliding_scale") return with_other_frictions(use);
+  if (path == "traction.limiting_friction")
+    return use.felt_too(use::balls_in_motion, where("traction.law", {"ree-eyring"}));
+  if (path == "contact.roughness")
+    return use.felt_too(use::quasi_static | use::in_time, where("life.viscosity_ratio_by", {"film"}));
+  if (path == "inertia.euler") return with_run_up(use);
+  if (path == "bearing.bore") return with_pins(use);
+  // Of a driven sun or ring the power makes the force of the teeth, whichever member is held.
+  if (path == "gearset.fixed") return use.felt_only(use::mesh, {where("input.member", {"carrier"})});
+  return with_rim(use, path);
 }
 
 }  // namespace
@@ -223,12 +288,15 @@ Use use_of(const described::Facts& facts) {
   const unsigned unfelt = (use::all & ~(by | but.refused_by | without)) | but.unfelt_by;
   const Use at_rest =
       with_mesh_loads(with_load_sharing(Use(by, unfelt, but.refused_by), facts.path), facts.path);
-  const Use use = with_relief(with_turning_rings(with_stiffness(at_rest, facts.path), facts), facts.path);
+  const Use use = with_oil(
+      with_relief(with_turning_rings(with_stiffness(at_rest, facts.path), facts), facts.path), facts.path);
   const described::Where& only = facts.details.where;
-  if (only.path.empty()) return use;
+  if (only.path.empty()) return with_other_ways(use, facts.path);
   const std::vector<std::string> paths = either_of(only.path);
-  return use.when(only.value.empty() ? where_given(paths)
-                                     : Condition{.paths = paths, .values = either_of(only.value)});
+  return with_other_ways(
+      use.when(only.value.empty() ? where_given(paths)
+                                  : Condition{.paths = paths, .values = either_of(only.value)}),
+      facts.path);
 }
 
 Use with_planet_defect(const Use& use, std::string_view path) {
@@ -268,16 +336,31 @@ Condition where_planets_carry_unlike_loads() {
                       "gearset.planet_angles"});
 }
 
+Condition where_true(bool (*holds)(const ResolvedCase&), std::string text) {
+  return {.paths = {}, .holds = holds, .text = std::move(text)};
+}
+
 Use Use::when(Condition condition) const {
   Use more = *this;
+  for (Way& way : more.ways) way.conditions.push_back(condition);
   more.conditions.push_back(std::move(condition));
   return more;
 }
 
-Use Use::felt_too(unsigned analyses, Condition condition) const {
+Use Use::felt_too(unsigned analyses, std::vector<Condition> all) const {
   Use more = *this;
-  more.felt_beside = analyses;
-  more.beside = std::move(condition);
+  more.ways.push_back({analyses, std::move(all)});
+  return more;
+}
+
+Use Use::felt_too(unsigned analyses, Condition condition) const {
+  return felt_too(analyses, std::vector<Condition>{std::move(condition)});
+}
+
+Use Use::felt_only(unsigned analyses, std::vector<Condition> all) const {
+  Use more = felt_too(analyses & by, std::move(all));
+  more.by &= ~analyses;
+  more.unfelt_by |= by & analyses;
   return more;
 }
 

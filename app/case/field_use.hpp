@@ -10,6 +10,8 @@
 
 namespace orbearing::app {
 
+class ResolvedCase;
+
 /// Analyses as bits, so that a row can name several. A new one is a bit here and a name in field_use.cpp;
 /// until the rows name it, all that a case gives is warned of.
 namespace use {
@@ -62,13 +64,22 @@ inline constexpr unsigned balls_in_motion = ball_run | moving_defect;
 struct Condition {
   std::vector<std::string> paths;
   std::vector<std::string> values{};
-  bool absent = false;  // instead: none of `paths` is given
+  bool absent = false;                             // instead: none of `paths` is given
+  bool (*holds)(const ResolvedCase&) = nullptr;    // instead: what follows from several values at once
+  std::string text{};                              // of that: "it counts only where ..."
+};
+
+/// Analyses that use a field where all conditions hold, whatever its row says besides.
+struct Way {
+  unsigned by = 0;
+  std::vector<Condition> conditions{};
 };
 
 /// Conditions of a row.
 Condition where(std::string path, std::vector<std::string> values);
 Condition where_given(std::vector<std::string> paths);
 Condition where_absent(std::string path);
+Condition where_true(bool (*holds)(const ResolvedCase&), std::string text);
 /// Pins off their places: loads at rest then follow from what gives way under the planets.
 Condition where_planets_carry_unlike_loads();
 
@@ -77,16 +88,19 @@ Condition where_planets_carry_unlike_loads();
 struct Use {
   Use(unsigned used_by, unsigned not_felt_by, unsigned refused = 0)
       : by(used_by), unfelt_by(not_felt_by), refused_by(refused) {}
+  /// The condition is one of all ways that the row has so far.
   Use when(Condition condition) const;
-  /// Where `condition` holds, `analyses` use it too, which by nature cannot feel it elsewhere.
+  /// Where `conditions` hold, `analyses` use it too. Of those that do not use it elsewhere, it is unfelt there.
+  Use felt_too(unsigned analyses, std::vector<Condition> conditions) const;
   Use felt_too(unsigned analyses, Condition condition) const;
+  /// `analyses` use it where `conditions` hold, and only there.
+  Use felt_only(unsigned analyses, std::vector<Condition> conditions) const;
 
   unsigned by;          // it changes their results
   unsigned unfelt_by;   // they cannot feel it by nature: their results are equal to the last bit
   unsigned refused_by;  // they ought to and cannot: exit code 2
-  std::vector<Condition> conditions{};  // all must hold, else the value is warned of
-  unsigned felt_beside = 0;             // of unfelt_by: they use it where `beside` holds
-  Condition beside{};
+  std::vector<Condition> conditions{};  // of `by`: all must hold, else the value is warned of
+  std::vector<Way> ways{};              // besides
 };
 
 /// With the scratched planet bearing: it is moved as by monolithic, and has no life.

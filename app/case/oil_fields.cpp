@@ -15,8 +15,11 @@ Use use_of_grade(const Field& viscosity) {
   Use use = viscosity.use;
   use.by |= use::static_load;
   use.unfelt_by &= ~unsigned{use::static_load};
-  use.felt_beside &= ~unsigned{use::static_load};
-  use.conditions.clear();  // that no grade is given
+  for (Way& way : use.ways) way.by &= ~unsigned{use::static_load};
+  // That no grade is given.
+  use.conditions.clear();
+  for (Way& way : use.ways)
+    std::erase_if(way.conditions, [](const Condition& condition) { return condition.absent; });
   return use;
 }
 

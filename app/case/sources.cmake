@@ -48,5 +48,6 @@ set(ORBEARING_CASE_SOURCES
   case/uneven_planets.cpp
   case/units.cpp
   case/unused_inputs.cpp
+  case/use_conditions.cpp
   case/yaml_tree.cpp)
 set(ORBEARING_CASE_LIBRARIES yaml-cpp udunits2 fmt::fmt nlohmann_json::nlohmann_json)

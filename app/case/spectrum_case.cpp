@@ -61,6 +61,12 @@ Field spectrum_field() {
           .from_file = true};
 }
 
+std::vector<std::string> spectrum_warnings(const ResolvedCase& resolved, const std::string& command) {
+  if (!resolved.has(kSpectrumPath)) return {};
+  return {kSpectrumPath + ": has no effect on " + command +
+          ", which computes single operating points; used by run, sweep and crown"};
+}
+
 std::optional<LoadSpectrum> load_spectrum(const ResolvedCase& resolved) {
   if (!resolved.has(kSpectrumPath)) return std::nullopt;
   constexpr double hour = 3600.0;  // [s]

@@ -29,6 +29,10 @@ void check_load(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
       object_to(in, "bearing.laminae", "a single lamina, which holds no moment",
                 fmt::format("at least 2 laminae are required with {}", moment), mistakes);
   }
+  if (in.model() == roller_bearing && has_moment("load.tilt") && in.has("bearing.laminae") &&
+      in.integer("bearing.laminae") < 2)
+    object_to(in, "bearing.laminae", "a single lamina, which is not affected by a tilt",
+              "at least 2 laminae are required with load.tilt", mistakes);
   if (in.model() != roller_bearing || !in.has("load.radial")) return;
   if (in.quantity("load.radial") <= 0.0)
     object_to(in, "load.radial", "no load", "a radial load greater than 0 N is required", mistakes);

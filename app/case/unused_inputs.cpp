@@ -10,6 +10,7 @@
 #include "app/case/field_table.hpp"
 #include "app/case/mesh_fields.hpp"
 #include "app/case/settings.hpp"
+#include "app/case/use_conditions.hpp"
 
 namespace orbearing::app {
 
@@ -59,6 +60,7 @@ bool is_of_other_models(const ResolvedCase& in, const Condition& condition) {
 }
 
 bool holds(const ResolvedCase& in, const Input& input, const Condition& condition) {
+  if (condition.holds != nullptr) return condition.holds(in);
   if (is_of_other_models(in, condition)) return true;
   const auto one = [&](const std::string& path) {
     const std::string other = beside(input.path, path);
@@ -73,12 +75,30 @@ const Condition* first_unmet(const ResolvedCase& in, const Input& input) {
   return nullptr;
 }
 
+const Way* way_that_holds(const ResolvedCase& in, const Input& input, unsigned analyses);
+
+// Whether some analysis uses the value: that of its row, or one of its other ways.
+bool counts_itself(const ResolvedCase& in, const Input& input) {
+  return first_unmet(in, input) == nullptr || way_that_holds(in, input, ~0u) != nullptr;
+}
+
 // Beside a value that counts itself.
-bool is_felt_beside(const ResolvedCase& in, const Input& input, const Condition& condition) {
+bool holds_beside(const ResolvedCase& in, const Input& input, const Condition& condition) {
+  if (condition.absent || condition.holds != nullptr) return holds(in, input, condition);
   return std::any_of(condition.paths.begin(), condition.paths.end(), [&](const std::string& path) {
     const std::string other = beside(input.path, path);
-    return counts(in, other, condition.values) && first_unmet(in, {other, find_field(other)}) == nullptr;
+    if (!counts(in, other, condition.values)) return false;
+    return other == input.path || counts_itself(in, {other, find_field(other)});
   });
+}
+
+const Way* way_that_holds(const ResolvedCase& in, const Input& input, unsigned analyses) {
+  for (const Way& way : input.field->use.ways)
+    if ((way.by & analyses) != 0 &&
+        std::all_of(way.conditions.begin(), way.conditions.end(),
+                    [&](const Condition& condition) { return holds_beside(in, input, condition); }))
+      return &way;
+  return nullptr;
 }
 
 // Parameters that are felt through another quantity where a choice makes it follow from them: by all that
@@ -88,7 +108,8 @@ struct Through {
   std::string_view choice;
   std::string_view value;
   std::string_view by;
-  bool meshes = false;  // and what makes them
+  bool (*also)(const ResolvedCase&) = nullptr;  // holds as well
+  bool meshes = false;                          // and what makes them
 
   bool holds(std::string_view path) const {
     return std::find(paths.begin(), paths.end(), path) != paths.end() || (meshes && makes_meshes(path));
@@ -101,12 +122,17 @@ const std::initializer_list<Through> through_others = {
      "bearing.clearance_state",
      "unmounted",
      "bearing.radial_clearance"},
-    // Pin and meshes hold a planet that finds its own tilt.
-    {{"bearing.bore", "material.youngs_modulus", "material.poisson_ratio", "gearset.sun_bore_ratio",
-      "gearset.ring_outside_ratio"},
+    // The pin bends under bearings side by side; it and the meshes hold a planet that tilts.
+    {{"bearing.bore", "material.youngs_modulus", "material.poisson_ratio"},
      "bearing.tilt_state",
      "computed",
      "bearing.tilt_state",
+     bearings_tilt},
+    {{"gearset.sun_bore_ratio", "gearset.ring_outside_ratio"},
+     "bearing.tilt_state",
+     "computed",
+     "bearing.tilt_state",
+     planets_tilt,
      true}};
 
 bool is_chosen(const ResolvedCase& in, const Input& input, const Through& through) {
@@ -122,26 +148,52 @@ bool is_chosen(const ResolvedCase& in, const Input& input, const Through& throug
 bool is_felt_through_another(const ResolvedCase& in, const Input& input, use::Analysis analysis) {
   return std::any_of(through_others.begin(), through_others.end(), [&](const Through& through) {
     return through.holds(input.field->path) &&
-           (find_field(std::string(through.by))->use.by & analysis) != 0 && is_chosen(in, input, through);
+           (find_field(std::string(through.by))->use.by & analysis) != 0 && is_chosen(in, input, through) &&
+           (through.also == nullptr || through.also(in));
   });
 }
 
 std::string condition_text(const ResolvedCase& in, const Input& input, const Condition& condition) {
+  if (condition.holds != nullptr) return condition.text;
   std::vector<std::string> paths;
   for (const std::string& path : condition.paths)
     if ((find_field(path)->models & in.model()) != 0) paths.push_back(beside(input.path, path));
   const std::string either = fmt::format("{}", fmt::join(paths, " or "));
-  if (condition.absent) return fmt::format("it counts only where {} is not given", either);
-  if (condition.values.empty()) return fmt::format("it counts only beside {}", either);
+  if (condition.absent) return fmt::format("where {} is not given", either);
+  if (condition.values.empty()) return fmt::format("beside {}", either);
   const std::string now = in.has(paths.front()) ? in.given(paths.front()) : "not given";
-  return fmt::format("it counts only where {} is {}, and here it is {}", either,
-                     fmt::join(condition.values, " or "), now);
+  return fmt::format("where {} is {}, and here it is {}", either, fmt::join(condition.values, " or "), now);
+}
+
+// What keeps a value from having an effect, and what else would give it one, by ways that this kind of case has.
+std::string idle_text(const ResolvedCase& in, const Input& input, unsigned analyses) {
+  std::vector<std::string> texts{condition_text(in, input, *first_unmet(in, input))};
+  for (const Way& way : input.field->use.ways) {
+    const bool known = std::none_of(way.conditions.begin(), way.conditions.end(), [&](const Condition& one) {
+      return one.holds == nullptr && is_of_other_models(in, one);
+    });
+    if ((way.by & analyses) == 0 || !known) continue;
+    std::vector<std::string> unmet;
+    for (const Condition& condition : way.conditions)
+      if (!holds_beside(in, input, condition)) unmet.push_back(condition_text(in, input, condition));
+    const std::string text = fmt::format("{}", fmt::join(unmet, " and "));
+    const bool same = std::find(unmet.begin(), unmet.end(), texts.front()) != unmet.end();
+    if (!same && std::find(texts.begin(), texts.end(), text) == texts.end()) texts.push_back(text);
+  }
+  return fmt::format("it counts only {}", fmt::join(texts, ", or "));
+}
+
+// A set without a bearing passes on torque and speed: the other sets feel the ratios of its teeth alone.
+bool is_behind_ratios(const ResolvedCase& in, const Input& input) {
+  const std::size_t prefix = set_prefix_length(input.path);
+  if (prefix == 0 || in.has(input.path.substr(0, prefix) + "bearing.rollers")) return false;
+  return !input.field->path.starts_with("gearset.teeth.");
 }
 
 std::string users_text(const ResolvedCase& in, const Input& input) {
   std::vector<std::string> names;
   for (const use::Analysis analysis : analyses_of(in))
-    if (standing_in_row(in, input, analysis) == Standing::used) names.push_back(analysis_name(analysis));
+    if (is_used(in, input, analysis)) names.push_back(analysis_name(analysis));
   return names.empty() ? "nothing in a case of this kind uses it"
                        : fmt::format("used by {}", fmt::join(names, ", "));
 }
@@ -150,7 +202,7 @@ std::string warning_of(const ResolvedCase& in, const Input& input, use::Analysis
                        Standing standing) {
   const std::string found = fmt::format("{}: {}", input.path, in.written(input.path));
   if (standing == Standing::idle)
-    return fmt::format("{} has no effect: {}", found, condition_text(in, input, *first_unmet(in, input)));
+    return fmt::format("{} has no effect: {}", found, idle_text(in, input, analysis));
   return fmt::format("{} has no effect on {}; {}", found, analysis_name(analysis), users_text(in, input));
 }
 
@@ -165,11 +217,11 @@ class AxisCheck {
     const bool goes_through = sweeps_ == Axes::all || (sweeps_ == Axes::speed && axis.path == "input.speed");
     const Input input{axis.path, find_field(axis.path)};
     if (goes_through && standing_in_row(in_, input, analysis_) == Standing::used) {
-      const Condition* unmet = first_unmet(in_, input);
+      const Condition* unmet = is_used(in_, input, analysis_) ? nullptr : first_unmet(in_, input);
       if (unmet != nullptr && !is_swept(*unmet, axis.path))
         mistakes.push_back({axis.place,
                             path,
-                            {"a sweep of what has no effect: " + condition_text(in_, input, *unmet),
+                            {"a sweep of what has no effect: " + idle_text(in_, input, analysis_),
                              "a case without this axis is required"}});
       return;
     }
@@ -205,22 +257,33 @@ class AxisCheck {
 
 Standing standing_in_row(const ResolvedCase& resolved, const Input& input, use::Analysis analysis) {
   const Use& use = input.field->use;
+  if (is_behind_ratios(resolved, input)) return Standing::unfelt;
   if ((use.by & analysis) != 0) return Standing::used;
-  if ((use.felt_beside & analysis) != 0 && is_felt_beside(resolved, input, use.beside)) return Standing::used;
+  if (way_that_holds(resolved, input, analysis) != nullptr) return Standing::used;
   if (is_felt_through_another(resolved, input, analysis)) return Standing::used;
   if ((use.unfelt_by & analysis) != 0) return Standing::unfelt;
   return (use.refused_by & analysis) != 0 ? Standing::refused : Standing::unused;
 }
 
+bool is_used(const ResolvedCase& resolved, const Input& input, use::Analysis analysis) {
+  if (is_behind_ratios(resolved, input)) return false;
+  if (way_that_holds(resolved, input, analysis) != nullptr) return true;
+  return standing_in_row(resolved, input, analysis) == Standing::used && first_unmet(resolved, input) == nullptr;
+}
+
 Standing standing_of(const ResolvedCase& resolved, const Input& input, use::Analysis analysis) {
-  if (is_neutral(resolved, input)) return Standing::neutral;
-  const Standing standing = standing_in_row(resolved, input, analysis);
-  if (standing == Standing::refused || standing == Standing::unfelt) {
-    // What counts for nothing anyway need not be refused.
-    return standing == Standing::refused && first_unmet(resolved, input) != nullptr ? Standing::idle
-                                                                                    : standing;
+  const bool idle = first_unmet(resolved, input) != nullptr;
+  if (is_neutral(resolved, input)) {
+    // What an option of this very command gives is said to have no effect, whatever its value.
+    const bool said = idle && resolved.place(input.path).option && !is_used(resolved, input, analysis) &&
+                      standing_in_row(resolved, input, analysis) == Standing::used;
+    return said ? Standing::idle : Standing::neutral;
   }
-  return first_unmet(resolved, input) != nullptr ? Standing::idle : standing;
+  if (is_used(resolved, input, analysis)) return Standing::used;
+  const Standing standing = standing_in_row(resolved, input, analysis);
+  // What counts for nothing anyway need not be refused.
+  if (standing == Standing::unfelt) return standing;
+  return idle ? Standing::idle : standing;
 }
 
 std::vector<std::string> require_used(const ResolvedCase& resolved, use::Analysis analysis, Axes sweeps) {
@@ -246,6 +309,12 @@ std::vector<std::string> require_used(const ResolvedCase& resolved, use::Analysi
                standing_in_row(resolved, input, analysis) == Standing::used;
       }))
     for (std::string& warning : inferred_warnings(resolved)) warnings.push_back(std::move(warning));
+  for (const SweepAxis& axis : resolved.axes()) {
+    const bool goes_through = sweeps == Axes::all || (sweeps == Axes::speed && axis.path == kSpeedPath);
+    if (goes_through && resolved.has(axis.path) && resolved.place(axis.path).option)
+      warnings.push_back(fmt::format("{}: {} has no effect beside sweep.{}, which sets it at each point", axis.path,
+                                     resolved.written(axis.path), axis.path));
+  }
   const AxisCheck axes(resolved, analysis, sweeps);
   for (const SweepAxis& axis : resolved.axes()) axes.add(axis, mistakes, warnings);
   for (const StatedUncertain& one : resolved.uncertain().inputs)
@@ -265,8 +334,9 @@ use::Analysis rung_of(const ResolvedCase& resolved, const std::string& fidelity)
 std::vector<std::string> idle_inputs(const ResolvedCase& resolved) {
   std::vector<std::string> warnings;
   for (const Input& input : resolved.inputs())
-    if (resolved.has(input.path) && !is_neutral(resolved, input) && first_unmet(resolved, input) != nullptr)
-      warnings.push_back(warning_of(resolved, input, use::quasi_static, Standing::idle));
+    if (resolved.has(input.path) && !is_neutral(resolved, input) && !counts_itself(resolved, input))
+      warnings.push_back(fmt::format("{}: {} has no effect: {}", input.path, resolved.written(input.path),
+                                     idle_text(resolved, input, ~0u)));
   return warnings;
 }
 

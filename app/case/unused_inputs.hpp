@@ -21,6 +21,9 @@ enum class Standing {
 /// As the row of the field says, whatever its value: used, unfelt, refused or unused.
 Standing standing_in_row(const ResolvedCase& resolved, const Input& input, use::Analysis analysis);
 
+/// Whether the analysis uses the value as the case stands: what its row says, and all that it hangs on holds.
+bool is_used(const ResolvedCase& resolved, const Input& input, use::Analysis analysis);
+
 /// Of the value at `path`, which the case has.
 Standing standing_of(const ResolvedCase& resolved, const Input& input, use::Analysis analysis);
 

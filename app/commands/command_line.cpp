@@ -66,6 +66,7 @@ void add_computing(CLI::App& command, Options& options) {
       .add_option("--fidelity", options.fidelity,
                   "quasi-static (default); dynamic: the gears drive the bearing; co-simulated or monolithic: "
                   "gears and all bearings act on each other")
+      ->each([&options](const std::string&) { options.fidelity_given = true; })
       ->check(CLI::IsMember(fidelity_names()));
   command.add_flag("--resume", options.resume, "go on in DIR with the points that are missing");
 }
@@ -191,11 +192,10 @@ void add_signals(CLI::App& command, Options& options) {
           "--fidelity", options.fidelity,
           "quasi-static (default): the ring on balls without mass; dynamic: all of the bearing in motion")
       ->check(CLI::IsMember({"quasi-static", "dynamic"}));
-  command
-      .add_option("--noise", options.noise,
-                  "noise of the instrument, root mean square in m/s2; default: none")
-      ->check(CLI::Range(0.0, 1e9));
-  command.add_option("--seed", options.seed, "of the noise; default: 1");
+  CLI::Option* noise =
+      command.add_option("--noise", options.noise,
+                         "noise of the instrument, root mean square in m/s2; default: none");
+  command.add_option("--seed", options.seed, "of the noise; default: 1")->needs(noise);
   command.add_option("--jobs", options.jobs, "threads; default: one for each core")
       ->check(CLI::Range(1, 4096));
   command.add_flag("--resume", options.resume, "go on in DIR with the signals that are missing");

@@ -21,6 +21,7 @@ struct Options {
   std::vector<std::string> settings;  // path=value
   std::string output;                 // empty: with --json, nothing is written
   std::string fidelity = "quasi-static";
+  bool fidelity_given = false;           // by the user, where there may be no choice
   std::optional<std::string> speed;      // modes: none means at rest
   std::optional<std::string> shard;      // "i/n"
   std::optional<std::string> direction;  // sweep --continue: "up" or "down"

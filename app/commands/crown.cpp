@@ -61,6 +61,7 @@ nlohmann::ordered_json result_json(const ResolvedCase& resolved, const CrownOpti
   object["assumptions"] = assumptions_json(resolved);
   std::vector<std::string> warnings = noted;
   for (std::string& warning : gear_warnings(resolved)) warnings.push_back(std::move(warning));
+  for (std::string& warning : slope_warnings(resolved)) warnings.push_back(std::move(warning));
   for (std::string& warning : overturning_warnings(resolved.without_sweep()))
     warnings.push_back(std::move(warning));
   for (std::string& warning : clearance_warnings(resolved)) warnings.push_back(std::move(warning));

@@ -31,6 +31,12 @@ void require_fidelity(const Options& options, std::initializer_list<const char*>
     throw BadInput("--fidelity: found " + options.fidelity + "; required: " + required);
 }
 
+// Of an analysis that is not the one at rest, which is the default of the option.
+void require_given_fidelity(const Options& options, std::initializer_list<const char*> known,
+                            const char* required) {
+  if (options.fidelity_given) require_fidelity(options, known, required);
+}
+
 // Shows the share done of what `study` computes, as "signal, in hundredths: 7 of 100 ...".
 template <class Study>
 auto with_progress(const Options& options, const char* doing, std::size_t parts, const Study& study) {
@@ -87,7 +93,8 @@ int run_static_case(const ResolvedCase& resolved, const Options& options) {
 }
 
 int run_ball_case(const ResolvedCase& resolved, const Options& options) {
-  require_fidelity(options, {"quasi-static", "dynamic"}, "dynamic for a ball bearing in time");
+  require_given_fidelity(options, {"dynamic"},
+                         "dynamic for a ball bearing in time, or a case without the block simulation");
   const std::vector<std::string> unused = require_used(resolved, use::ball_run);
   const LoneAnalysis analysis{"dynamic", "ball bearing in time", ball_file_name};
   return run_alone(resolved, options, analysis, [&]() -> LoneResult {
@@ -144,8 +151,8 @@ int run_defect_case(const ResolvedCase& resolved, const Options& options) {
 }
 
 int run_planet_defect_case(const ResolvedCase& resolved, const Options& options) {
-  require_fidelity(
-      options, {"quasi-static", "monolithic"},
+  require_given_fidelity(
+      options, {"monolithic"},
       "none, or monolithic, for a gear set with a scratched planet bearing, which is one system of gears "
       "and bearings");
   const std::vector<std::string> unused = require_used(resolved, use::planet_defect);
@@ -233,6 +240,9 @@ bool runs_gears_alone(const ResolvedCase& resolved) {
 }
 
 int run_gear_case(const ResolvedCase& resolved, const Options& options) {
+  require_given_fidelity(options, {},
+                         options.gears ? "none beside --gears, which runs the gears alone"
+                                       : "none for a gear set without a bearing, which runs alone");
   const std::vector<std::string> unused = require_used(resolved, use::gears);
   const gearset::dynamics::SetModel model = moving_gears_of(resolved);
   if (!resolved.shape().teeth)

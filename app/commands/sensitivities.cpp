@@ -1,3 +1,4 @@
+#include "app/case/spectrum_case.hpp"
 #include "app/case/unused_inputs.hpp"
 #include "app/commands/lone_result.hpp"
 #include "app/commands/presentation.hpp"
@@ -12,8 +13,9 @@ int sensitivities_command(const Options& options) {
     throw BadInput("--resume: found without --output; required: the folder to go on with");
   const ResolvedCase resolved = point_of(options);
   const LifeDerivatives derivatives = life_derivatives(resolved);
-  const std::vector<std::string> warnings =
+  std::vector<std::string> warnings =
       require_used(resolved, is_static_bearing(resolved) ? use::static_load : use::quasi_static);
+  for (std::string& text : spectrum_warnings(resolved, "sensitivities")) warnings.push_back(std::move(text));
   const LoneAnalysis analysis{"sensitivities", "sensitivities of a life", "sensitivities.json"};
   return run_alone(resolved, options, analysis, [&]() -> LoneResult {
     return {.json = derivatives_json(derivatives),

@@ -123,22 +123,36 @@ void print_labels(const std::vector<Json>& labels) {
 
 }  // namespace
 
+void require_noise(const Options& options) {
+  constexpr double most = 1e9;  // [m/s^2]
+  if (!(options.noise >= 0.0 && options.noise <= most))
+    throw BadInput(fmt::format("--noise: found {}; required: 0 to 1e9 m/s2", options.noise));
+  if (options.noise == 0.0 && options.seed != Options{}.seed)
+    throw BadInput(fmt::format(
+        "--seed: found {} without noise; required: --noise beside it, whose random numbers it decides",
+        options.seed));
+}
+
 int signals_command(const Options& options) {
   require_place_of_results(options);
+  require_noise(options);
   const ResolvedCase resolved = point_of(options);
   if (!is_defect(resolved))
     throw BadInput(fmt::format("signals: found a case of the model {}; required: raceway-defect",
                                resolved.choice("model")));
   const bool moving = options.fidelity == "dynamic";
   require_rung(resolved, moving);
-  const std::vector<std::string> warnings = require_used(resolved, moving ? use::moving_defect : use::defect);
+  const use::Analysis analysis = moving ? use::moving_defect : use::defect;
+  std::vector<std::string> warnings = require_used(resolved, analysis);
   const std::vector<SignalAxis> axes = signal_axes(options.varied, resolved);
   std::vector<SignalVariant> variants = signal_variants(resolved, axes);
   const ManifestHeader header = manifest_header(resolved, grid_text(options, axes), variants.size());
   ResultFolder folder =
       open_results(options.output, header, write_resolved(resolved), options.resume, options.quiet);
+  const std::vector<SignalVariant> compared = variants;
   SignalSet set(resolved, options, header, folder, std::move(variants));
   set.compute();
+  for (std::string& text : axes_without_effect(axes, compared, set.labels())) warnings.push_back(std::move(text));
   if (!folder.path().empty()) write_aside_and_rename(folder.path() / "labels.csv", labels_csv(set.labels()));
   if (options.json) {
     const Json object{{"case", resolved.text("name")},

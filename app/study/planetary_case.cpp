@@ -230,6 +230,18 @@ std::vector<std::string> overturning_warnings(const ResolvedCase& resolved) {
   return warnings;
 }
 
+std::vector<std::string> slope_warnings(const ResolvedCase& in) {
+  std::vector<std::string> warnings;
+  const char* tilt = "bearing.tilt_state";
+  if (!in.has(tilt) || in.choice(tilt) != "computed") return warnings;
+  for (const std::string path : {"gearset.lead_slope.sun", "gearset.lead_slope.ring"})
+    if (in.has(path) && in.quantity(path) != 0.0)
+      warnings.push_back(path + ": " + in.given(path) +
+                         " moves the force of the teeth along the face; its moment on a planet is not "
+                         "modelled, so that the computed tilt is too small");
+  return warnings;
+}
+
 study::PlanetaryDrivetrain drivetrain_of(const ResolvedCase& in) {
   study::PlanetaryDrivetrain out = drivetrain_without_gear_set(in);
   if (in.has("bearing.rollers")) out.gear_set = gears_built_once(in, out);

@@ -32,6 +32,9 @@ std::vector<std::string> clearance_warnings(const ResolvedCase& resolved);
 /// would be on their bearings.
 std::vector<std::string> overturning_warnings(const ResolvedCase& resolved);
 
+/// Slopes of the lead beside a computed tilt, in which the moment that they make is left out.
+std::vector<std::string> slope_warnings(const ResolvedCase& resolved);
+
 /// What follows from the inputs, for `orbearing check`.
 std::vector<Derived> derived_quantities(const ResolvedCase& resolved);
 

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <random>
 
 #include "app/errors.hpp"
@@ -49,6 +51,8 @@ std::vector<SignalAxis> signal_axes(const std::vector<std::string>& options, con
           fmt::format("--vary: found '{}'; required: path=[value, value], e.g. --vary "
                       "\"operation.shaft_speed=[1000 rpm, 1500 rpm]\"",
                       option));
+    if (std::any_of(axes.begin(), axes.end(), [&](const SignalAxis& axis) { return axis.path == path; }))
+      throw BadInput(fmt::format("--vary: found {} twice; required: all values of a path in one list", path));
     axes.push_back({path, entries_of(list.substr(1, list.size() - 2))});
     for (const std::string& value : axes.back().values)
       if (value.empty()) throw BadInput("--vary: found '" + option + "'; required: a value between commas");
@@ -82,6 +86,32 @@ std::vector<SignalVariant> signal_variants(const ResolvedCase& resolved,
     variants.push_back({std::move(settings)});
   }
   return variants;
+}
+
+std::vector<std::string> axes_without_effect(const std::vector<SignalAxis>& axes,
+                                             const std::vector<SignalVariant>& variants,
+                                             const std::vector<nlohmann::ordered_json>& labels) {
+  std::vector<std::string> warnings;
+  for (const SignalAxis& axis : axes) {
+    std::map<std::vector<Setting>, std::size_t> first;  // by what they have in common
+    std::size_t compared = 0, unlike = 0;
+    for (std::size_t i = 0; i < variants.size(); ++i) {
+      std::vector<Setting> others = variants[i].settings;
+      std::erase_if(others, [&](const Setting& setting) { return setting.first == axis.path; });
+      const auto [found, is_first] = first.try_emplace(std::move(others), i);
+      if (is_first) continue;
+      ++compared;
+      const nlohmann::ordered_json& other = labels[found->second];
+      for (const char* level : {"rms_m_s2", "max_m_s2"})
+        if (labels[i].at(level) != other.at(level)) {
+          ++unlike;
+          break;
+        }
+    }
+    if (compared > 0 && unlike == 0)
+      warnings.push_back("--vary: " + axis.path + ": no signal differs by it, only their labels");
+  }
+  return warnings;
 }
 
 void add_noise(const SignalNoise& noise, std::size_t number, study::RingVibration& vibration) {

@@ -36,6 +36,11 @@ std::vector<SignalAxis> signal_axes(const std::vector<std::string>& options, con
 /// bearing stands in the grid once. Throws BadInput where the case cannot be changed so.
 std::vector<SignalVariant> signal_variants(const ResolvedCase& resolved, const std::vector<SignalAxis>& axes);
 
+/// Warns of each axis along which no signal differs, though its labels do. Signals with noise differ always.
+std::vector<std::string> axes_without_effect(const std::vector<SignalAxis>& axes,
+                                             const std::vector<SignalVariant>& variants,
+                                             const std::vector<nlohmann::ordered_json>& labels);
+
 /// Adds noise of the `number`-th signal. The same for a seed and number, whatever the order of signals.
 void add_noise(const SignalNoise& noise, std::size_t number, study::RingVibration& vibration);
 

@@ -119,6 +119,7 @@ std::vector<std::string> sweep_warnings(const ResolvedCase& resolved, const Swee
     warnings.insert(warnings.end(), more.begin(), more.end());
   };
   add(overturning_warnings(resolved.without_sweep()));
+  add(slope_warnings(resolved));
   if (in_time(fidelity_of(outcome.header.fidelity))) {
     add(planar_warnings(resolved));
     add(cage_warnings(resolved));

@@ -1,5 +1,6 @@
 #include "coupling/fmu/model.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace orbearing::fmu {
@@ -21,16 +22,56 @@ auto of_model(const NumberTable& numbers, const Call& call) {
   throw std::invalid_argument("model: found '" + numbers.model + "'; required: bearing or gearset");
 }
 
-// Of a bearing what it has: a cage, or neighbours that touch.
-ShownFields fields_of(const DrivenBearingSetup& setup) {
-  ShownFields fields = shown_fields(setup);
-  const std::string_view absent = setup.bearing.has_cage() ? "bearing.neighbour_friction" : "bearing.cage.";
-  for (std::vector<ShownField>* list : {&fields.parameters, &fields.constants})
-    std::erase_if(*list, [&](const ShownField& field) { return field.facts.name.starts_with(absent); });
-  return fields;
+// Beginnings of the names of what changes nothing in this model: no parameter of its FMU.
+std::vector<std::string_view> without_effect(const DrivenBearingSetup& setup) {
+  const bearing::motion::DynamicsParameters& given = setup.dynamics;
+  const bearing::motion::RaceContactParameters& race = given.race;
+  const bool mixed = race.lubrication == bearing::motion::Lubrication::mixed;
+  std::vector<std::string_view> names;
+  const auto none_if = [&](bool idle, std::initializer_list<std::string_view> some) {
+    if (idle) names.insert(names.end(), some);
+  };
+  none_if(given.bore_mass > 0.0, {"bearing.outside_diameter"});  // the mass of the bore is stated
+  none_if(setup.bearing.has_cage(), {"bearing.neighbour_friction"});
+  none_if(!setup.bearing.has_cage(), {"bearing.cage."});
+  none_if(given.cage.guide_diameter <= 0.0,
+          {"bearing.cage.largest_eccentricity", "bearing.cage.touch_down_stiffness"});
+  none_if(race.traction != bearing::motion::TractionLaw::regularised_coulomb, {"traction.friction"});
+  none_if(race.traction == bearing::motion::TractionLaw::regularised_coulomb, {"traction.limiting_friction"});
+  none_if(!mixed, {"contact.boundary_friction"});
+  none_if(!mixed && !race.squeeze, {"contact.roughness"});
+  none_if(!given.drag.on, {"lubricant.density", "lubricant.share"});
+  none_if(setup.bearing.rollers().laminae == 0, {"bearing.misalignment."});
+  return names;
 }
-ShownFields fields_of(const DrivenGearsSetup& setup) {
-  return shown_fields(setup);
+
+// A member that is held has no motion for its mass, springs and dampers.
+std::vector<std::string> without_effect(const DrivenGearsSetup& setup) {
+  std::vector<std::string> names;
+  const auto add = [&](const char* body, std::initializer_list<const char*> some) {
+    for (const char* one : some) names.push_back(std::string("gearset.dynamics.") + body + one);
+  };
+  const auto add_held = [&](const char* body, const gearset::dynamics::CentralMember& member) {
+    if (member.support.held) add(body, {".mass", ".support_stiffness", ".support_damping"});
+    if (member.support.held_in_rotation)
+      add(body, {".equivalent_mass", ".torsional_stiffness", ".torsional_damping"});
+  };
+  add_held("sun", setup.set.sun);
+  add_held("ring", setup.set.ring);
+  add_held("carrier", setup.set.carrier);
+  return names;
+}
+
+template <class Setup>
+ShownFields fields_of(const Setup& setup) {
+  ShownFields fields = shown_fields(setup);
+  const auto names = without_effect(setup);
+  for (std::vector<ShownField>* list : {&fields.parameters, &fields.constants})
+    std::erase_if(*list, [&](const ShownField& field) {
+      return std::any_of(names.begin(), names.end(),
+                         [&](const auto& name) { return field.facts.name.starts_with(name); });
+    });
+  return fields;
 }
 
 const char* meaning_of(const std::string& model) {

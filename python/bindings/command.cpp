@@ -42,10 +42,15 @@ void take_crown(app::Options& options, const py::handle& value) {
   options.crown.*member = py::cast<Member>(value);
 }
 
+void take_fidelity(app::Options& options, const py::handle& value) {
+  take<&app::Options::fidelity>(options, value);
+  options.fidelity_given = true;
+}
+
 using app::CrownOptions;
 using app::Options;
 const std::map<std::string, Take> kTaken{{"output", take<&Options::output>},
-                                         {"fidelity", take<&Options::fidelity>},
+                                         {"fidelity", take_fidelity},
                                          {"speed", take<&Options::speed>},
                                          {"shard", take<&Options::shard>},
                                          {"direction", take<&Options::direction>},

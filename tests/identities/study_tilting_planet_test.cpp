@@ -55,6 +55,22 @@ TEST(TiltingPlanet, TiltOfTheReducerIsThatOfItsPin) {
   }
 }
 
+// Issue 44, item 16. The lines of action of sun and ring lean to opposite sides of the tangent: meshes that are
+// alike hold the planet about its radius and about its tangent, and let neither turn into the other.
+TEST(TiltingPlanet, MeshesThatAreAlikeHoldItAlongItsAxesAlone) {
+  PlanetaryDrivetrain drivetrain = tilting_reducer();
+  gearset::dynamics::SetParameters set;
+  const double stiffness = 5e8, angle = 0.4;  // [N/m], [rad]
+  set.sun_mesh = {.pressure_angle = angle, .stiffness = gearset::PeriodicCurve::constant(stiffness)};
+  set.ring_mesh = set.sun_mesh;
+  drivetrain.gear_set = [set] { return set; };
+  const double both = 2.0 * stiffness * std::pow(drivetrain.set.face_width, 2) / 12.0;  // [N m/rad]
+  const Eigen::Matrix2d held = mesh_tilt_stiffness(drivetrain);
+  EXPECT_NEAR(held(0, 0) / (both * std::pow(std::sin(angle), 2)), 1.0, 1e-12);
+  EXPECT_NEAR(held(1, 1) / (both * std::pow(std::cos(angle), 2)), 1.0, 1e-12);
+  EXPECT_LT(std::abs(held(0, 1)), 1e-12 * both);
+}
+
 // Issue 16, Build 3. Forces of both bearings at their places, their moments and the meshes' springs hold what
 // the axial forces of helical teeth put on the planet: force of the sun times the distance of both pitch
 // points.

@@ -92,6 +92,15 @@ class Command(unittest.TestCase):
             self.assertLess(both["percentiles"]["5"], both["L10"])
             self.assertLess(both["L10"], both["percentiles"]["25"])
 
+    def test_names_a_spectrum_that_it_leaves_out(self):  # issue 52, item 7
+        few = ("--samples", "16", "--curves", "2", "--index-samples", "4")
+        spectrum = program.settings(("spectrum=[{power: 150 kW, speed: 6000 rpm, share: 1}]",))
+        done = program.run("uncertainty", program.REDUCER, *few, *SETTINGS, *spectrum, "--json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        named = [text for text in json.loads(done.stdout)["warnings"] if text.startswith("spectrum: has no effect on uncertainty")]
+        self.assertEqual(len(named), 1)
+        self.assertFalse([text for text in self.data["warnings"] if text.startswith("spectrum")])
+
     def test_refuses_what_is_of_no_use(self):
         for words, text in ((("-o", self.folder), "holds a study of uncertainty"), ((), "--output: missing"),
                             (("--json", "--samples", "1"), "at least 2"), (("--json", "--speeds", "3 mm"), "does not measure"),

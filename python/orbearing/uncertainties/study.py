@@ -184,6 +184,8 @@ class Study:
         found = [text for text in self.case.get("warnings", []) if text.startswith("uncertain.")]
         found += [f"sweep.{path}: not varied by uncertainty; the case's own value is taken" for path in self.case.get("sweep", {})
                   if path != SPEED]
+        if any(row["path"] == "spectrum" for row in self.case["inputs"]):
+            found.append("spectrum: has no effect on uncertainty, which samples lives at single speeds; used by run, sweep and crown")
         for row in record["operating_point"]["indices"]:
             if abs(row["total"]) < UNFELT and not any(text.startswith(f"uncertain.{row['inputs']}:") for text in found):
                 found.append(f"uncertain.{row['inputs']}: no effect on {self.life} in any sample")

@@ -88,12 +88,15 @@ inline std::string crown_result(const ResolvedCase& in) {
 }
 
 /// What is inside an FMU, driven for a while at fixed inputs.
-inline std::string machine_result(const fmu::NumberTable& numbers, bool bearing) {
+/// With the parameters that it shows, else at `parameters`.
+inline std::string machine_result(const fmu::NumberTable& numbers, bool bearing,
+                                  std::vector<double> parameters = {}) {
   constexpr double step = 2e-5;  // [s]
   constexpr int steps = 200;     // some revolutions of the cage pockets past the load
   const fmu::ModelFacts facts = fmu::facts_of(numbers);
-  std::vector<double> parameters, inputs;
-  for (const fmu::ShownField& parameter : facts.shown.parameters) parameters.push_back(parameter.start);
+  std::vector<double> inputs;
+  if (parameters.empty())
+    for (const fmu::ShownField& parameter : facts.shown.parameters) parameters.push_back(parameter.start);
   for (const system::Input& input : facts.inputs) inputs.push_back(input.start);
   if (bearing) {
     inputs.at(0) = 2e-6;  // [m]        outward

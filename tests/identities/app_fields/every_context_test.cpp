@@ -1,0 +1,284 @@
+// The same as every_field_test in cases that use more of what there is: in each, every field is changed by
+// itself. What the analysis is said to use changes its result; what is said to have no effect, or not to be
+// felt, leaves it equal to the last bit. Issue 52, items 5 and 7.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <iostream>
+#include <set>
+
+#include "app/case/unused_inputs.hpp"
+#include "app/errors.hpp"
+#include "tests/identities/app_fields/analysis_results.hpp"
+#include "tests/identities/app_fields/field_bases.hpp"
+
+namespace orbearing::app {
+namespace {
+
+using namespace fields_test;
+
+struct Context {
+  std::string name;
+  std::string base;
+  std::vector<std::string> settings;
+  unsigned analyses = 0;
+};
+
+const std::string kDynamics = "gearset.dynamics.";
+
+std::vector<Context> contexts_of_rollers_at_rest() {
+  const std::string set = "bearing_in_a_set", laminae = "bearing.laminae=20", kind = "bearing.profile.kind=";
+  const std::string grade = "lubricant.grade=ISO VG 220", clean = "life.cleanliness=high";
+  constexpr unsigned rest = use::quasi_static;
+  return {
+      {"film_and_oil", set, {"film.enabled=true", grade, clean},
+       rest | use::crown | use::gears | use::modes | use::planet_stiffness},
+      {"oil_by_its_viscosity", set, {"life.contamination_factor=0.5", "lubricant.viscosity=0.02 Pa.s"},
+       rest | use::crown},
+      {"kappa_by_film", set, {grade, clean, "life.viscosity_ratio_by=film"}, rest | use::crown},
+      {"end_drop", set, {laminae, kind + "fujiwara-kawase", "bearing.profile.end_drop=5 um"},
+       rest | use::crown | use::planet_stiffness},
+      {"design_load", set, {laminae, kind + "fujiwara-kawase", "bearing.profile.design_load=700 N"},
+       rest | use::crown},
+      {"design_load_and_drop", set,
+       {laminae, kind + "fujiwara-kawase", "bearing.profile.design_load=700 N", "bearing.profile.drop=5 um"},
+       rest},
+      {"end_drop_and_drop", set,
+       {laminae, kind + "fujiwara-kawase", "bearing.profile.end_drop=5 um", "bearing.profile.drop=4 um"},
+       rest},
+      {"chamfer_and_tilt", set, {laminae, kind + "chamfer", "bearing.misalignment.planet_tilt=1 mrad"},
+       rest | use::planet_stiffness},
+      {"tilt_of_two_level_bearings", set, {laminae, "bearing.per_planet=2", "bearing.tilt_state=computed"},
+       rest},
+      {"tilt_of_one_level_bearing", set, {laminae, "bearing.tilt_state=computed"}, rest | use::crown},
+      {"tilt_of_pins_held_at_one_end", set,
+       {laminae, "bearing.per_planet=2", "bearing.tilt_state=computed", "support.pin_ends=one"},
+       rest | use::crown},
+      {"tilt_under_helical_teeth", set,
+       {laminae, "bearing.tilt_state=computed", "gearset.helix_angle=12 deg"}, rest},
+      {"elastic_rim", set, {"gearset.planet_rim=elastic"}, rest | use::mesh | use::modes | use::planet_stiffness},
+      {"helical", set, {"gearset.helix_angle=12 deg"},
+       rest | use::mesh | use::gears | use::modes | use::fmu_gearset},
+      {"unmounted", set,
+       {"bearing.clearance_state=unmounted", "bearing.fit.inner_interference=4 um",
+        "bearing.fit.outer_interference=20 um"},
+       rest | use::mesh | use::modes},
+      {"rings_outer", set, {"bearing.rings=outer"}, rest | use::modes},
+      {"rings_none", set, {"bearing.rings=none"}, rest | use::modes},
+      {"full_complement", set, {"bearing.complement=full", "bearing.rollers=21"}, rest | use::crown},
+      {"stated_support", set, {"support.stiffness=6e8 N/m"}, rest | use::gears | use::modes},
+      {"stated_bearing_stiffness", set, {kDynamics + "planet.bearing_stiffness=2.5e8 N/m"},
+       use::gears | use::modes | use::modes_at_speed | use::fmu_gearset},
+      {"held_carrier", set, {"gearset.fixed=carrier"}, rest | use::mesh},
+      {"driven_carrier", set, {"input.member=carrier", "gearset.fixed=sun"}, rest | use::mesh},
+      {"two_contacts_in_one_law", set, {"contact.law=iso16281"}, rest | use::planet_stiffness},
+      {"no_carrier_rotation", set, {"inertia.carrier_centrifugal=false", "inertia.coriolis=false"},
+       rest | use::modes_at_speed},
+      {"spectrum", set, {"spectrum=[{power: 140 kW, speed: 17000 rpm, share: 1}]"}, rest},
+      {"parallel_stage", set, {"parallel_stage.front=[30, 31]"}, rest | use::mesh},
+      {"displaced_and_stated_support", "displaced_pins", {"support.stiffness=6e8 N/m"}, rest},
+      {"displaced_and_laminae", "displaced_pins", {laminae, kind + "circular"}, rest},
+      {"several_in_oil", "multi_stage", {grade, clean, "film.enabled=true"}, rest | use::planet_stiffness},
+      {"several_by_film", "multi_stage", {grade, clean, "life.viscosity_ratio_by=film"}, rest},
+      {"first_set_tilts", "multi_stage",
+       {"sets.first." + laminae, "sets.first.bearing.misalignment.planet_tilt=1 mrad"}, rest}};
+}
+
+std::vector<Context> contexts_of_teeth() {
+  const std::string set = "bearing_in_a_set", loaded = "gearset.tooth_contact=loaded";
+  return {{"loaded_teeth", set, {loaded}, use::mesh},
+          {"relieved_teeth", set,
+           {loaded, "gearset.tip_relief.sun=20 um", "gearset.tip_relief.planet=10 um",
+            "gearset.lead_crown.sun=10 um", "gearset.lead_slope.ring=10 um"},
+           use::mesh},
+          {"helical_pair", "pair_of_gears", {"pair.helix_angle=12 deg"}, use::mesh},
+          {"pair_with_web", "pair_of_gears", {"pair.web.thickness=0.3"}, use::mesh},
+          {"stated_meshes", "gears_alone",
+           {kDynamics + "mesh_stiffness.sun=4e8 N/m", kDynamics + "mesh_stiffness.ring=4e8 N/m"}, use::modes},
+          {"springs_that_turn", "masses_and_springs", {kDynamics + "sun.torsional_stiffness=1e7 N/m"},
+           use::natural}};
+}
+
+std::vector<Context> contexts_of_single_bearings() {
+  const std::string rollers = "roller_bearing", balls = "ball_bearing", turning = "operation.shaft_speed=9000 rpm";
+  const std::string laminae = "bearing.laminae=20", kind = "bearing.profile.kind=";
+  constexpr unsigned both = use::static_load | use::stiffness;
+  return {{"rollers_under_moment", rollers, {laminae, kind + "circular", "load.moment=2 N.m"}, both},
+          {"rollers_tilted", rollers, {laminae, "load.tilt=1 mrad"}, both},
+          {"rollers_end_drop", rollers, {laminae, kind + "fujiwara-kawase", "bearing.profile.end_drop=5 um"}, both},
+          {"rollers_in_oil", rollers,
+           {"operation.shaft_speed=3000 rpm", "lubricant.grade=ISO VG 68", "life.cleanliness=high"}, both},
+          {"rollers_by_kappa", rollers, {"life.viscosity_ratio=2", "life.contamination_factor=0.4"}, both},
+          {"rollers_bought", rollers, {"bearing.designation=NU 204"}, both},
+          {"balls_turning", balls, {turning}, both},
+          {"balls_without_mass", balls, {turning, "equilibrium.ball_inertia=false"}, both},
+          {"balls_without_mass_filmed", balls,
+           {turning, "equilibrium.ball_inertia=false", "film.enabled=true"}, both},
+          {"balls_filmed", balls, {turning, "film.enabled=true", "lubricant.grade=ISO VG 68"}, both},
+          {"balls_in_oil", balls, {turning, "lubricant.kinematic_viscosity=20 mm2/s", "life.cleanliness=high"},
+           both},
+          {"balls_under_axial_load", balls, {"load.axial=300 N"}, both},
+          {"balls_over_speeds", balls, {"operation.speeds=[1000 rpm, 2000 rpm]"}, both},
+          {"pair_turning", "duplex_pair", {turning}, use::duplex},
+          {"pair_without_mass", "duplex_pair", {turning, "equilibrium.ball_inertia=false"}, use::duplex},
+          {"pair_back_to_back", "duplex_pair", {"arrangement=back-to-back"}, use::duplex},
+          {"pair_by_linear_formulas", "duplex_pair", {"stiffness=linear"}, use::duplex},
+          {"film_by_reynolds", "spin_film", {"film.solver=reynolds", "contact.ellipticity=3",
+                                             "points=[[20 N, 5 m/s, 200 rad/s]]"}, use::spin_film},
+          {"no_scratch", "raceway_defect", {"defect.race=none"}, use::defect},
+          {"scratched_ball", "raceway_defect", {"defect.race=ball"}, use::defect},
+          {"scratched_outer", "raceway_defect", {"defect.race=outer", "signal.run_up_from=0.8"}, use::defect}};
+}
+
+std::vector<Context> contexts_in_motion() {
+  const std::string set = "bearing_in_a_set", balls = "ball_bearing_in_time";
+  const std::string grade = "lubricant.grade=ISO VG 220", clean = "life.cleanliness=high";
+  return {{"limiting_shear", set, {"traction.law=limiting-shear"}, use::dynamic | use::fmu_bearing},
+          {"mixed", set, {"traction.law=limiting-shear", "contact.lubrication=mixed"},
+           use::dynamic | use::monolithic | use::fmu_bearing},
+          {"kappa_by_film_in_motion", set, {grade, clean, "life.viscosity_ratio_by=film"},
+           use::dynamic | use::co_simulated},
+          {"squeezed", set, {"contact.squeeze=true"}, use::dynamic | use::fmu_bearing},
+          {"full_in_motion", set, {"bearing.complement=full", "bearing.rollers=21"},
+           use::dynamic | use::fmu_bearing},
+          {"smooth_pockets", set, {"bearing.cage.pocket_friction=0", "traction.law=limiting-shear"}, use::dynamic},
+          {"dry_air", set, {"drag.enabled=false"}, use::dynamic | use::fmu_bearing},
+          {"run_up", set, {"input.acceleration=1000 rpm/s", "simulation.run_up_time=0.003 s"}, use::dynamic},
+          {"gears_run_up", set,
+           {kDynamics + "run_up.from=0.5", kDynamics + "run_up.duration=0.01 s"}, use::gears | use::fmu_gearset},
+          {"tilt_in_motion", set,
+           {"bearing.laminae=10", "bearing.tilt_state=computed", "support.pin_ends=one"}, use::dynamic},
+          {"several_by_film_in_motion", "multi_stage", {grade, clean, "life.viscosity_ratio_by=film"},
+           use::dynamic_of_sets},
+          {"balls_eyring", balls, {"traction.law=ree-eyring"}, use::ball_run},
+          {"balls_limiting_shear", balls, {"traction.law=limiting-shear"}, use::ball_run},
+          {"balls_heated", balls, {"heat.enabled=true", "lubricant.flow=0.1 L/min"}, use::ball_run},
+          {"balls_in_resting_oil", balls, {"drag.mixture=at-rest", "lubricant.flow=0.1 L/min"}, use::ball_run},
+          {"balls_without_drag", balls, {"drag.enabled=false"}, use::ball_run},
+          {"balls_squeezing", balls, {"contact.squeeze=true", "bearing.cage.pocket_film=hydrodynamic"},
+           use::ball_run}};
+}
+
+struct Subject {
+  Context context;
+  const Base* base = nullptr;
+  use::Analysis analysis = use::quasi_static;
+};
+
+bool is_full() {
+  const char* full = std::getenv("ORBEARING_FULL");
+  return full != nullptr && std::string(full) == "yes";
+}
+
+std::vector<Subject> subjects() {
+  std::vector<Subject> all;
+  const std::vector<Context> motion = contexts_in_motion();
+  for (const std::vector<Context>& contexts :
+       {contexts_of_rollers_at_rest(), contexts_of_teeth(), contexts_of_single_bearings(), motion})
+    for (const Context& context : contexts)
+      for (const Base& base : bases())
+        for (const use::Analysis analysis : analyses())
+          if (base.name == context.base && (context.analyses & analysis) != 0)
+            all.push_back({context, &base, analysis});
+  return all;
+}
+
+std::string subject_name(const testing::TestParamInfo<Subject>& info) {
+  std::string name = info.param.context.name + "_" + analysis_name(info.param.analysis);
+  std::replace_if(
+      name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+  return name;
+}
+
+// What counts in circumstances that a short run need not meet.
+bool counts_now_and_then(const std::string& path) {
+  static const std::set<std::string> paths{
+      "bearing.cage.largest_eccentricity", "bearing.cage.touch_down_stiffness",  // where the cage comes so near
+      "simulation.load_drift", "simulation.cage_drift", "simulation.most_revolutions",  // where it lasts so long
+      kDynamics + "settling_periods", kDynamics + "backlash", kDynamics + "separation",  // where teeth part
+      "bearing.cage.pocket_straight"};
+  return paths.contains(path);
+}
+
+bool is_label(const Field& field) {
+  static const std::set<std::string> labels{"name", "source", "model", "bearing.type", "shafts"};
+  return labels.contains(field.path);
+}
+
+// In motion a field takes a quarter of a second, and loaded teeth take half: each day some of them.
+bool is_left_to_full_tests(const Field& field, const Subject& subject) {
+  if (is_full()) return false;
+  constexpr unsigned slow = use::in_time | use::ball_run | use::fmu_bearing | use::fmu_gearset | use::gears |
+                            use::defect | use::duplex_run;
+  const auto part = static_cast<std::size_t>(find_field(field.path) - all_fields().data());
+  if ((subject.analysis & slow) != 0) return true;
+  const auto hash = std::hash<std::string>{}(subject.context.name);
+  return (part + hash) % 4 != 0;
+}
+
+class EveryContext : public testing::TestWithParam<Subject> {
+ protected:
+  // The context, with what `more` replaces.
+  ResolvedCase in(const std::vector<std::string>& more) const {
+    std::vector<std::string> settings;
+    const auto path_of = [](const std::string& setting) { return setting.substr(0, setting.find('=')); };
+    for (const std::string& setting : GetParam().context.settings)
+      if (std::none_of(more.begin(), more.end(),
+                       [&](const std::string& one) { return path_of(one) == path_of(setting); }))
+        settings.push_back(setting);
+    settings.insert(settings.end(), more.begin(), more.end());
+    const Base& base = *GetParam().base;
+    return parse_case(base.text, base.name + ".yaml", settings);
+  }
+};
+
+TEST_P(EveryContext, TellsWhatIsUsed) {
+  const use::Analysis analysis = GetParam().analysis;
+  const ResolvedCase plain = in({});
+  std::string before;
+  int used = 0, without = 0, refused = 0;
+  for (const Input& input : plain.inputs()) {
+    const Field& field = *input.field;
+    if (is_left_to_full_tests(field, GetParam()) || is_label(field) || counts_now_and_then(field.path)) continue;
+    const std::string set = GetParam().base->set;
+    if (set_prefix_length(input.path) > 0 && !input.path.starts_with(set_prefix(set))) continue;
+    Change change = change_of(field, plain, input.path);
+    if (change.value.empty()) continue;
+    std::vector<std::string> more{input.path + "=" + change.value};
+    for (const std::string& setting : change.together) more.push_back(setting);
+    SCOPED_TRACE(more.front() + ", " + analysis_name(analysis));
+    Standing standing = Standing::neutral;
+    std::string after;
+    bool warned = false;
+    try {
+      const ResolvedCase changed = in(more);
+      standing = standing_of(changed, input, analysis);
+      for (const std::string& warning : require_used(changed, analysis))
+        warned = warned || warning.starts_with(input.path + ":");
+      if (standing == Standing::neutral) continue;
+      after = result_of(changed, analysis);
+    } catch (const BadInput&) {
+      ++refused;  // which combinations are, and in which words, is tested elsewhere
+      continue;
+    }
+    if (before.empty()) before = result_of(plain, analysis);
+    if (standing == Standing::used) {
+      EXPECT_NE(before, after) << "said to be used, and the result is the same";
+      EXPECT_FALSE(warned);
+      ++used;
+    } else {
+      EXPECT_EQ(before == after, true) << "said to have no effect, and the result changed";
+      EXPECT_TRUE(warned) << "an option without effect, and nothing is said";
+      ++without;
+    }
+  }
+  std::cout << fmt::format("fields: {} used, {} without effect, {} refused\n", used, without, refused);
+}
+
+INSTANTIATE_TEST_SUITE_P(AllCases, EveryContext, testing::ValuesIn(subjects()), subject_name);
+
+}  // namespace
+}  // namespace orbearing::app

@@ -1,0 +1,148 @@
+#!/usr/bin/env python3
+"""What the program says of the use of inputs and options is true (issue 52, items 5 and 7; issue 44, item 17): what changes nothing is
+named, what is named without effect changes nothing, and an option that no analysis can follow is refused."""
+
+import json
+import pathlib
+import tempfile
+import unittest
+
+from program import CASES, REDUCER, SETS, answer, run, settings, warned
+
+MOTOR, HARRIS, JONES = (CASES / name / "case.yaml" for name in ("deep_groove_motor", "harris_209", "jones_218"))
+DUPLEX, SCRATCH, PLANET_SCRATCH = (CASES / name / "case.yaml" for name in ("duplex_7020", "scratch_defect", "planet_scratch"))
+# Beside what is computed they say what was read.
+READ = ("assumptions", "warnings", "versions", "inputs")
+
+# Command, its options, case, settings, and the one that changes nothing beside them.
+SILENT = [
+    ("modes", ("--speed", "6000 rpm"), REDUCER, (), "input.speed=3000 rpm"),
+    ("sweep", ("--grid-only",), REDUCER, ("sweep={input.speed: [6000 rpm]}",), "input.speed=3000 rpm"),
+    ("modes", (), REDUCER, (), "bearing.bore=20 mm"),
+    ("run", (), REDUCER, ("gearset.dynamics.pin_error.tangential=[4 um, 0 um, 0 um, 0 um]",), "bearing.bore=20 mm"),
+    ("modes", (), REDUCER, (), "lubricant.viscosity=0.1 Pa.s"),
+    ("stiffness", (), REDUCER, ("sweep={input.speed: [6000 rpm]}",), "lubricant.viscosity=0.1 Pa.s"),
+    ("run", ("--gears",), REDUCER, (), "lubricant.viscosity=0.1 Pa.s"),
+    ("run", (), REDUCER, (), "bearing.rings=outer"),
+    ("run", ("--fidelity", "dynamic"), REDUCER, (), "inertia.euler=false"),
+    ("mesh", (), REDUCER, (), "gearset.fixed=carrier"),
+    ("run", (), MOTOR, ("simulation.duration=0.005 s",), "lubricant.flow=1 L/min"),
+    ("run", (), JONES, ("equilibrium.ball_inertia=false", "operation.shaft_speed=8000 rpm"),
+     "equilibrium.ball_attitude=minimum-friction"),
+    ("run", (), JONES, ("equilibrium.ball_inertia=false", "operation.shaft_speed=8000 rpm"), "material.density=20000 kg/m3"),
+    ("run", (), HARRIS, ("operation.shaft_speed=10000 rpm", "lubricant.grade=ISO VG 68"), "material.density=20000 kg/m3"),
+    ("modes", (), DUPLEX, ("operation.shaft_speed=8000 rpm",), "linear.mass=20 kg"),
+    ("run", (), SETS, (), "sets.transmission.gearset.module=4.2 mm"),
+]
+
+# Said to have no effect before, though the results change.
+FELT = [
+    ("run", (), REDUCER, ("film.enabled=true", "life.viscosity_ratio_by=film", "life.contamination_factor=0.5"),
+     "contact.roughness=0.4 um"),
+    ("run", (), REDUCER, ("bearing.laminae=20", "bearing.profile.kind=fujiwara-kawase", "bearing.profile.end_drop=5 um"),
+     "bearing.profile.k1=1.3"),
+    ("run", ("--fidelity", "dynamic"), REDUCER, ("traction.law=limiting-shear",), "traction.sliding_scale=0.3 m/s"),
+    ("run", (), CASES / "nasa_35mm" / "case.yaml", ("simulation.duration=0.005 s",), "traction.limiting_friction=0.03"),
+    ("mesh", (), REDUCER, ("gearset.planet_rim=elastic",), "bearing.width=13 mm"),
+]
+
+
+def computed(result):
+    return {name: value for name, value in result.items() if name not in READ}
+
+
+def of_path(result, setting):
+    path = setting.split("=")[0]
+    return [warning for warning in result["warnings"] if warning.startswith(path + ":")]
+
+
+class InputsWithoutEffect(unittest.TestCase):
+    def test_what_changes_nothing_is_named(self):
+        for command, options, case, beside, setting in SILENT:
+            with self.subTest(command=command, setting=setting, case=case.parent.name):
+                plain = answer(command, case, *beside, options=options)
+                changed = answer(command, case, *beside, setting, options=options)
+                self.assertEqual(computed(plain), computed(changed))
+                found = of_path(changed, setting)
+                self.assertEqual(len(found), 1, changed["warnings"])
+                self.assertIn("has no effect", found[0])
+
+    def test_what_changes_results_is_not(self):
+        for command, options, case, beside, setting in FELT:
+            with self.subTest(command=command, setting=setting, case=case.parent.name):
+                plain = answer(command, case, *beside, options=options)
+                changed = answer(command, case, *beside, setting, options=options)
+                self.assertNotEqual(computed(plain), computed(changed))
+                self.assertEqual(of_path(changed, setting), [])
+
+    def test_what_decides_a_life_is_swept(self):
+        _, _, case, beside, _ = FELT[0]
+        axis = "sweep={contact.roughness: [0.2 um, 0.4 um]}"
+        lives = [point["L10mh"] for point in answer("sweep", case, *beside, axis)["points"]]
+        self.assertGreater(lives[0], 1.5 * lives[1])
+
+    def test_a_spectrum_that_is_left_out_is_named(self):
+        spectrum = "spectrum=[{power: 150 kW, speed: 6000 rpm, share: 0.1}, {power: 300 kW, speed: 1500 rpm, share: 0.9}]"
+        found = answer("sensitivities", REDUCER, spectrum)
+        self.assertTrue(warned(found, "spectrum: has no effect on sensitivities"), found["warnings"])
+        self.assertFalse(warned(answer("sensitivities", REDUCER), "spectrum"))
+
+    def test_slopes_push_no_planet_over(self):
+        beside = ("bearing.laminae=20", "bearing.profile.kind=iso16281", "bearing.tilt_state=computed", "gearset.tooth_contact=loaded")
+        found = answer("run", REDUCER, *beside, "gearset.lead_slope.sun=30 um")
+        self.assertTrue(warned(found, "gearset.lead_slope.sun: 30 um moves the force of the teeth along the face"), found["warnings"])
+        self.assertFalse(warned(answer("run", REDUCER, *beside), "gearset.lead_slope"))
+
+    def test_a_tilt_on_one_lamina_is_refused(self):
+        refused = run("run", HARRIS, "--json", *settings(("bearing.laminae=1", "load.tilt=10 mrad")))
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("bearing.laminae: a single lamina, which is not affected by a tilt; at least 2 laminae are required with load.tilt",
+                      refused.stderr)
+        self.assertEqual(run("run", HARRIS, "--json", *settings(("bearing.laminae=2", "load.tilt=10 mrad"))).returncode, 0)
+
+
+class OptionsWithoutEffect(unittest.TestCase):
+    def refused(self, *arguments):
+        found = run(*arguments)
+        self.assertEqual((found.returncode, found.stdout), (2, ""), found.stderr)
+        return found.stderr
+
+    def test_a_fidelity_that_cannot_be_chosen_is_refused(self):
+        motor = settings(("simulation.duration=0.005 s",))
+        for fidelity in ("quasi-static", "dynamic", "monolithic"):
+            said = self.refused("run", REDUCER, "--json", "--gears", "--fidelity", fidelity)
+            self.assertIn(f"--fidelity: found {fidelity}; required: none beside --gears", said)
+        said = self.refused("run", MOTOR, "--json", *motor, "--fidelity", "quasi-static")
+        self.assertIn("--fidelity: found quasi-static; required: dynamic for a ball bearing in time", said)
+        said = self.refused("run", PLANET_SCRATCH, "--json", "--fidelity", "quasi-static")
+        self.assertIn("--fidelity: found quasi-static; required: none, or monolithic", said)
+        self.assertEqual(run("run", MOTOR, "--json", *motor, "--fidelity", "dynamic").returncode, 0)
+
+    def test_noise_is_a_number(self):
+        short = settings(("signal.revolutions=3",))
+        for noise in ("nan", "inf", "-1", "1e300"):
+            self.assertIn("--noise", self.refused("signals", SCRATCH, "--json", *short, "--noise", noise))
+        for seed in ("1", "2"):
+            self.assertIn("--noise", self.refused("signals", SCRATCH, "--json", *short, "--seed", seed))
+
+    def test_a_path_varies_once(self):
+        said = self.refused("signals", SCRATCH, "--json", "--vary", "defect.race=[outer]", "--vary", "defect.race=[inner]")
+        self.assertIn("--vary: found defect.race twice; required: all values of a path in one list", said)
+
+    def test_equal_signals_under_unlike_labels_are_named(self):
+        with tempfile.TemporaryDirectory() as place:
+            folder = pathlib.Path(place) / "signals"
+            found = run("signals", SCRATCH, "--json", "-o", str(folder), *settings(("signal.revolutions=3",)),
+                        "--vary", "defect.race=[outer]", "--vary", "lubricant.viscosity=[0.01 Pa.s, 0.02 Pa.s]",
+                        "--vary", "load.radial=[400 N, 500 N]")
+            self.assertEqual(found.returncode, 0, found.stderr)
+            warnings = json.loads(found.stdout)["warnings"]
+            signals = sorted((folder / "signals").glob("*.csv"))
+            self.assertEqual(len(signals), 4)
+            self.assertEqual(signals[0].read_bytes(), signals[2].read_bytes())
+        self.assertEqual([text for text in warnings if text.startswith("--vary")],
+                         ["--vary: lubricant.viscosity: no signal differs by it, only their labels"])
+
+
+if __name__ == "__main__":
+    unittest.main()
