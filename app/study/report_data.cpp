@@ -15,6 +15,7 @@
 #include "app/study/fidelity.hpp"
 #include "app/study/gear_report.hpp"
 #include "app/study/life_peak.hpp"
+#include "app/study/lives_of_sweep.hpp"
 #include "app/study/named_change.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/study/speed_slice.hpp"
@@ -358,6 +359,7 @@ nlohmann::ordered_json report_data(const ResolvedCase& resolved, const Manifest&
                   {"source", resolved.text("source")},
                   {"model", resolved.choice("model")}};
   data["fidelity"] = outcome.header.fidelity;
+  data["life_table"] = lives_record_of(resolved, outcome);
   data["axes"] = axes_json(outcome.header);
   data["slice"] = slice.columns;
   data["kinematics"] = kinematics(drivetrain, geometry);
