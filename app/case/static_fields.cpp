@@ -21,11 +21,11 @@ const Use& by_static_load() {
   return use;
 }
 
-constexpr unsigned rated = static_bearing | planetary_drivetrain;
+constexpr unsigned rated = single_bearing | planetary_drivetrain;
 
 // Lives by film and cleanliness.
 const Use& by_rated_life() {
-  static const Use use(use::static_load | use::lives,
+  static const Use use(use::static_load | use::ball_run | use::lives,
                        use::stiffness | (use::of_a_drivetrain & ~unsigned{use::lives}));
   return use;
 }
@@ -45,7 +45,7 @@ const Use& by_lives_of_planets() {
 // Felt by the fatigue load limit alone, which a crown shows in lives with an oil.
 const Use& by_fatigue_limit() {
   static const Use use =
-      Use(use::static_load | rated_runs, use::stiffness | (use::of_a_drivetrain & ~rated_runs))
+      Use(use::static_load | use::ball_run | rated_runs, use::stiffness | (use::of_a_drivetrain & ~rated_runs))
           .felt_too(use::crown,
                     where_given({"lubricant.grade", "life.cleanliness", "life.contamination_factor",
                                  "life.viscosity_ratio", "lubricant.kinematic_viscosity"}));
@@ -63,15 +63,13 @@ Field optional_quantity(const Dimension& dimension, std::string path, std::strin
           .range = range};
 }
 
-// Felt by the film, and so where there is an oil; by balls always.
+// Hours of life follow from it; the stiffness of balls follows it too.
 Field speed_of_ring(std::string path, std::string meaning) {
   return {.path = std::move(path),
           .kind = Kind::quantity,
           .meaning = std::move(meaning),
           .use = Use(use::static_load | use::ball_run, use::stiffness)
-                     .felt_too(use::stiffness, where_given({"bearing.balls"}))
-                     .when(where_given({"lubricant.kinematic_viscosity", "lubricant.grade", "bearing.balls",
-                                        "bearing.outer_ring_mass"})),
+                     .felt_too(use::stiffness, where_given({"bearing.balls"})),
           .models = single_bearing,
           .dimension = dimension::angular_speed,
           .range = {-1e6, 1e6},

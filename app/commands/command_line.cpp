@@ -213,6 +213,12 @@ void add_spectrum(CLI::App& command, Options& options) {
       ->type_name("FILE.csv");
   command.add_option("--bins", options.bins, "bins of torque x bins of speed; default: 8x8")
       ->type_name("NxM");
+  command
+      .add_option("--exponent", options.exponent,
+                  "power of the torque by which life falls: 4 Lundberg-Palmgren and ISO/TS 16281 of rollers, "
+                  "10/3 ISO 281 of rollers, 3 balls, up to 8 modified lives (a_ISO); default: 4. A larger power "
+                  "gives a shorter life")
+      ->check(CLI::Range(1.0, 50.0));
 }
 
 // Subcommands in the order in which they are shown.

@@ -39,6 +39,7 @@ struct Options {
   double noise = 0.0;                    // signals: root mean square [m/s^2]
   std::uint64_t seed = 1;                // signals: of the noise
   std::string bins = "8x8";              // spectrum: of torque and of speed
+  double exponent = 4.0;                 // spectrum: of the life over the torque
   CrownOptions crown;
   bool resume = false;
   bool json = false;

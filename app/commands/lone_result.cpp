@@ -91,7 +91,7 @@ void present_lone_result(const nlohmann::ordered_json& object, const std::string
   }
 }
 
-ResultRow lone_row(const TableHead& head, const std::vector<std::pair<const char*, double>>& values) {
+ResultRow lone_row(const TableHead& head, const std::vector<std::pair<std::string, double>>& values) {
   ResultRow row{std::vector<double>(head.names.size(), std::numeric_limits<double>::quiet_NaN()), "ok"};
   for (const auto& [name, value] : values) {
     const auto found = std::find(head.names.begin(), head.names.end(), name);

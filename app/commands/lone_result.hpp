@@ -26,7 +26,7 @@ struct LoneResult {
   std::string text;             // the same for terminals
   PointContent content;         // the same as arrays
   std::vector<std::string> warnings;
-  std::vector<std::pair<const char*, double>> row{};         // what the table of a sweep has columns for
+  std::vector<std::pair<std::string, double>> row{};         // what the table of a sweep has columns for
   std::vector<std::pair<std::string, std::string>> files{};  // of the folder besides: name, content
   std::string status = "ok";                                 // that the netCDF file gives
   bool failed = false;                                       // in parts
@@ -46,7 +46,7 @@ void present_lone_result(const nlohmann::ordered_json& object, const std::string
                          const Options& options);
 
 /// A row of the table of a sweep that has these values [in the columns' units]; all else stays empty.
-ResultRow lone_row(const TableHead& head, const std::vector<std::pair<const char*, double>>& values = {});
+ResultRow lone_row(const TableHead& head, const std::vector<std::pair<std::string, double>>& values = {});
 
 /// The warnings of one and then of the other.
 std::vector<std::string> joined(std::vector<std::string> first, const std::vector<std::string>& second);

@@ -23,7 +23,7 @@ namespace orbearing::app {
 
 namespace {
 
-using Row = std::vector<std::pair<const char*, double>>;
+using Row = std::vector<std::pair<std::string, double>>;
 
 void require_fidelity(const Options& options, std::initializer_list<const char*> known,
                       const char* required) {
@@ -45,29 +45,35 @@ auto with_progress(const Options& options, const char* doing, std::size_t parts,
       [&](double share) { progress.show(static_cast<std::size_t>(share * static_cast<double>(parts))); });
 }
 
+Row with_lives(Row row, const BearingLives& lives) {
+  for (auto& value : life_values(lives)) row.push_back(std::move(value));
+  return row;
+}
+
 Row row_of(const StaticStudy& study) {
   const Eigen::ArrayXd& inner = study.contact_load;
   const Eigen::ArrayXd& outer = study.outer_load.size() > 0 ? study.outer_load : study.contact_load;
-  return {{"inner_load_max_N", inner.maxCoeff()},
+  Row row{{"inner_load_max_N", inner.maxCoeff()},
           {"outer_load_max_N", outer.maxCoeff()},
           {"inner_load_rms_N", std::sqrt(inner.square().mean())},
           {"outer_load_rms_N", std::sqrt(outer.square().mean())},
-          {"inner_life_Mrev", 1e-6 * study.reference_life.inner},
-          {"outer_life_Mrev", 1e-6 * study.reference_life.outer}};
+          {"inner_life_Mrev", 1e-6 * study.lundberg_palmgren.inner},
+          {"outer_life_Mrev", 1e-6 * study.lundberg_palmgren.outer}};
+  return with_lives(std::move(row), study.all_lives());
 }
 
 Row row_of(const BallStudy& study) {
   const system::BallMeans& m = study.run.means;
-  return {{"inner_load_max_N", m.inner_load_max},
+  Row row{{"inner_load_max_N", m.inner_load_max},
           {"outer_load_max_N", m.outer_load_max},
           {"inner_load_rms_N", m.inner_load_rms},
           {"outer_load_rms_N", m.outer_load_rms},
           {"inner_life_Mrev", 1e-6 * m.life.inner},
           {"outer_life_Mrev", 1e-6 * m.life.outer},
-          {"life_h", study.life_hours},
           {"cage_slip", m.cage_slip},
           {"film_inner_um", 1e6 * m.inner_film},
           {"film_outer_um", 1e6 * m.outer_film}};
+  return with_lives(std::move(row), study.all_lives());
 }
 
 // Columns are of lives: a vibration has none but the largest load.

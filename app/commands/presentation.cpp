@@ -9,6 +9,7 @@
 #include "app/results/terminal_chart.hpp"
 #include "app/results/terminal_table.hpp"
 #include "app/study/life_peak.hpp"
+#include "app/study/lives_of_sweep.hpp"
 #include "app/study/power_table.hpp"
 #include "app/study/stiffness_output.hpp"
 #include "app/study/stiffness_study.hpp"
@@ -86,7 +87,7 @@ int present_sweep(const ResolvedCase& resolved, const SweepOutcome& outcome, con
       object["stiffness"] = stiffness_of_run(resolved);
     print_object(object, options);
   } else if (!options.quiet) {
-    fmt::print("{}\n{}{}", sweep_table(outcome.head, outcome.rows),
+    fmt::print("{}{}\n{}{}", lives_text_of(resolved, outcome), sweep_table(outcome.head, outcome.rows),
                life_chart(outcome.head, outcome.rows, found.peak, glyphs_of_locale()),
                spectrum_text(outcome.header, outcome.spectra));
     print_warnings(warnings);

@@ -56,7 +56,7 @@ int spectrum_command(const Options& options) {
   const BinCounts counts = parse_bins(options.bins);
   const std::string& file = options.folders.front();
   const LoadSeries series = read_load_series(file);
-  const BinnedSeries found = binned(series, counts);
+  const BinnedSeries found = binned(series, counts, options.exponent);
   std::vector<std::string> warnings = series.warnings;
   if (found.reversed_share > 0.0)
     warnings.push_back(
@@ -67,12 +67,20 @@ int spectrum_command(const Options& options) {
         "the drivetrain stands under a torque for {:.4g} % of the time, which no life counts: its row "
         "is one at rest; see static_safety for such loads",
         100.0 * found.loaded_rest_share));
+  constexpr double noticeable = 0.01;
+  if (found.steep_excess > noticeable)
+    warnings.push_back(fmt::format(
+        "--bins: torques differ within bins: a modified life (a_ISO) can come out up to {:.2g} % too long, since it "
+        "falls by up to the power {:g} of the load and bins keep the power {:.4g}; for such lives take more bins of "
+        "torque or --exponent {:g}",
+        100.0 * found.steep_excess, kSteepestExponent, options.exponent, kSteepestExponent));
   if (!options.output.empty()) write_rows(options, file, found.spectrum);
   if (options.json) {
     const nlohmann::ordered_json object{{"series", file},
                                         {"samples", series.time.size()},
                                         {"duration_s", found.duration},
                                         {"reversed_share", found.reversed_share},
+                                        {"torque_exponent", options.exponent},
                                         {"bins", bins_json(found.spectrum)},
                                         {"warnings", warnings},
                                         {"versions", versions_json()}};

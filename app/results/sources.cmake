@@ -4,6 +4,7 @@ set(ORBEARING_RESULTS_SOURCES
   results/continuation_paths.cpp
   results/durable_file.cpp
   results/interruption.cpp
+  results/life_table.cpp
   results/manifest.cpp
   results/merge.cpp
   results/point_file.cpp

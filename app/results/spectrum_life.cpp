@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -24,23 +25,28 @@ constexpr double infinite_life = std::numeric_limits<double>::infinity();
 struct LifeColumn {
   std::string name;
   std::string beside;
-  bool of_a_race = false;  // counted in revolutions
+  bool in_revolutions = false;
 };
 
+/// Lives of one bearing in hours: of rows, of sets and, with "system_" before them, of all bearings together.
+constexpr std::array<const char*, 5> kHours{"life_h", "L10h", "L10rh", "L10mh", "L10mrh"};
+
 std::vector<LifeColumn> life_columns(const ManifestHeader& header) {
-  std::vector<LifeColumn> columns{{"inner_life_Mrev", "inner_life_Mrev", true},
-                                  {"outer_life_Mrev", "outer_life_Mrev", true},
-                                  {"life_h", "life_h"},
-                                  {"system_life_h", "system_life_h"},
-                                  {"L10mh", "life_h"},
-                                  {"system_L10mh", "system_life_h"},
-                                  {"inner_L10m_Mrev", "inner_life_Mrev", true},
-                                  {"outer_L10m_Mrev", "outer_life_Mrev", true}};
-  for (const std::string& set : header.sets) {
-    const std::string life = "sets." + set + ".life_h";
-    columns.push_back({life, life});
-    columns.push_back({"sets." + set + ".L10mh", life});
+  std::vector<LifeColumn> columns;
+  for (const std::string hours : kHours) {
+    columns.push_back({hours, "life_h"});
+    columns.push_back({"system_" + hours, "system_life_h"});
   }
+  for (const char* revolutions : {"life_Mrev", "L10_Mrev", "L10r_Mrev", "L10m_Mrev", "L10mr_Mrev"})
+    columns.push_back({revolutions, "life_Mrev", true});
+  for (const std::string race : {"inner", "outer"})
+    for (const char* life : {"_life_Mrev", "_L10m_Mrev"})
+      columns.push_back({race + life, race + "_life_Mrev", true});
+  for (const std::string& set : header.sets)
+    for (const std::string hours : kHours) {
+      const std::string of = "sets." + set + ".";
+      columns.push_back({of + hours, of + "life_h"});
+    }
   return columns;
 }
 
@@ -91,13 +97,13 @@ void take_limiting_set(const ManifestHeader& header, SpectrumResult& result) {
   double shortest = infinite_life;
   result.limiting_set = header.sets.front();
   for (const std::string& set : header.sets) {
-    const double life = life_of(result, "sets." + set + ".life_h");
+    const double life = life_of(result, "sets." + set + "." + header.life);
     if (!(life < shortest)) continue;
     shortest = life;
     result.limiting_set = set;
   }
   for (auto& [name, life] : result.lives) {
-    if (name == "life_h" || name == "L10mh")
+    if (std::find(kHours.begin(), kHours.end(), name) != kHours.end())
       life = life_of(result, "sets." + result.limiting_set + "." + name);
     // Rows give those of the set that limits each point.
     if (name.ends_with("_Mrev")) life = not_given;
@@ -106,13 +112,13 @@ void take_limiting_set(const ManifestHeader& header, SpectrumResult& result) {
 
 void put_lives(const ManifestHeader& header, const TableHead& head, SpectrumResult& result) {
   for (const LifeColumn& column : life_columns(header))
-    result.lives.emplace_back(column.name, life_by_miner(shares_of(result.bins, column.of_a_race),
+    result.lives.emplace_back(column.name, life_by_miner(shares_of(result.bins, column.in_revolutions),
                                                          lives_in_bins(head, result.bins, column)));
   take_limiting_set(header, result);
   const std::string of = header.sets.empty() ? "" : "sets." + result.limiting_set + ".";
   const Eigen::ArrayXd shares = shares_of(result.bins, false);
   const Eigen::ArrayXd damage =
-      damage_shares(shares, lives_in_bins(head, result.bins, {of + "life_h", of + "life_h"}));
+      damage_shares(shares, lives_in_bins(head, result.bins, {of + header.life, of + "life_h"}));
   const Eigen::ArrayXd modified =
       damage_shares(shares, lives_in_bins(head, result.bins, {of + "L10mh", of + "life_h"}));
   for (std::size_t i = 0; i < result.bins.size(); ++i) {
@@ -161,10 +167,11 @@ Json result_json(const ManifestHeader& header, const TableHead& head, const Spec
     if (i < result.axis_values.size())
       object[head.names[head.first_axis + i]] = number_or_null(result.axis_values[i]);
   for (const auto& [name, life] : result.lives) object[name] = number_or_null(life);
+  object["life_key"] = header.life;
   if (!result.limiting_set.empty()) object["limiting_set"] = result.limiting_set;
   if (header.spectrum.hours > 0.0) {
     object["hours"] = header.spectrum.hours;
-    object["used_up"] = number_or_null(header.spectrum.hours / life_of(result, "life_h"));
+    object["used_up"] = number_or_null(header.spectrum.hours / life_of(result, header.life));
   }
   object["bins"] = Json::array();
   for (const SpectrumBin& bin : result.bins) object["bins"].push_back(bin_json(head, bin));
@@ -185,7 +192,17 @@ std::vector<std::size_t> by_damage(const SpectrumResult& result) {
 }
 
 std::string hours_text(double hours) {
-  return std::isfinite(hours) ? fmt::format("{:.5g} h", hours) : "not known";
+  if (std::isinf(hours)) return "no load";
+  return std::isfinite(hours) ? fmt::format("{:.5g}", hours) : "-";
+}
+
+std::string lives_under_spectrum(const SpectrumResult& result, const std::string& chosen) {
+  std::string text = fmt::format("{:<8} {:>16} {:>18}\n", "life", "one bearing [h]", "all bearings [h]");
+  for (const std::string name : kHours)
+    text += fmt::format("{:<8} {:>16} {:>18}{}\n", name, hours_text(life_of(result, name)),
+                        hours_text(life_of(result, "system_" + name)),
+                        name == chosen ? "  results go by this life (life.method)" : "");
+  return text;
 }
 
 }  // namespace
@@ -250,22 +267,17 @@ std::string spectrum_text(const ManifestHeader& header, const std::vector<Spectr
   const TableHead head = head_of(header);
   std::string text;
   for (const SpectrumResult& result : results) {
-    text +=
-        fmt::format("\nload spectrum of {} bins: one bearing lives {}, all together {}", result.bins.size(),
-                    hours_text(life_of(result, "life_h")), hours_text(life_of(result, "system_life_h")));
-    if (std::isfinite(life_of(result, "L10mh")))
-      text += fmt::format("; L10mh {}, {}", hours_text(life_of(result, "L10mh")),
-                          hours_text(life_of(result, "system_L10mh")));
-    text += '\n';
+    text += fmt::format("\nload spectrum of {} bins, by the rule of Palmgren and Miner\n", result.bins.size()) +
+            lives_under_spectrum(result, header.life);
     for (const std::size_t i : own_axes(head))
       if (i < result.axis_values.size())
         text += fmt::format("{} = {:.10g}\n", head.names[head.first_axis + i], result.axis_values[i]);
     text += fmt::format("{:>5} {:>11} {:>11} {:>12} {:>9} {:>12} {:>9}\n", "bin", "power [kW]", "speed [rpm]",
-                        "torque [N.m]", "time [%]", "life [h]", "uses [%]");
+                        "torque [N.m]", "time [%]", header.life, "uses [%]");
     const std::vector<std::size_t> order = by_damage(result);
     for (std::size_t i = 0; i < std::min(order.size(), most_bins); ++i) {
       const SpectrumBin& bin = result.bins[order[i]];
-      const double life = bin.row ? value_of(head, *bin.row, "life_h") : not_given;
+      const double life = bin.row ? life_to_go_by(head, *bin.row) : not_given;
       text += fmt::format(
           "{:>5} {:>11.5g} {:>11.5g} {:>12.5g} {:>9.3g} {:>12} {:>9}\n", order[i] + 1, kKilo * bin.bin.power,
           kRpm * bin.bin.speed, torque(bin.bin), 100.0 * bin.bin.share,

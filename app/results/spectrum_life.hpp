@@ -3,8 +3,8 @@
 //   1/L = sum of s_i/L_i,      d_i = (s_i/L_i) L,      s_i share of time, L_i life [h] in bin i, d_i its part
 //   in the damage
 //
-// for each life of one bearing, of one set and of the whole drivetrain. Lives of single races are counted in
-// revolutions: there s_i is the share of the revolutions.
+// for each of the lives of one bearing, of one set and of the whole drivetrain. For lives in revolutions s_i is the
+// share of the revolutions.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -21,8 +21,8 @@ namespace orbearing::app {
 struct SpectrumBin {
   LoadBin bin;
   std::optional<ResultRow> row;        // none: at rest
-  double damage_share = 0.0;           // [-]  of the life of one bearing; NaN where that life is not known
-  double modified_damage_share = 0.0;  // [-]  the same by film and cleanliness; NaN without an oil
+  double damage_share = 0.0;  // [-]  of the life of one bearing that results go by; NaN where it is not known
+  double modified_damage_share = 0.0;  // [-]  the same of L10mh; NaN without an oil
 };
 
 /// The spectrum at one combination of the other swept values.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -11,7 +12,10 @@
 #include "app/errors.hpp"
 #include "app/results/json_number.hpp"
 #include "app/study/stiffness_output.hpp"
+#include "app/study/static_ratings.hpp"
 #include "app/units.hpp"
+#include "bearing/contact/point_contact.hpp"
+#include "bearing/equilibrium/balls.hpp"
 #include "bearing/equilibrium/static_bearing.hpp"
 #include "bearing/geometry.hpp"
 #include "bearing/life/ball_failure.hpp"
@@ -61,6 +65,13 @@ std::vector<std::string> warnings_of_balls(const BallStudy& study, const bearing
   return warnings;
 }
 
+// Of the largest loads while observed.
+double largest_pressure(const bearing::Bearing& bearing, const system::BallMeans& means) {
+  const bearing::equilibrium::BallRow row(bearing);
+  return std::max(point_pressure(row.contact(bearing::Race::inner), means.inner_load_max).pressure,
+                  point_pressure(row.contact(bearing::Race::outer), means.outer_load_max).pressure);
+}
+
 }  // namespace
 
 bool is_ball_run(const ResolvedCase& resolved) {
@@ -71,7 +82,9 @@ BallStudy ball_study(const ResolvedCase& in, const std::function<void(double)>& 
   const bearing::Bearing bearing = bearing_of(in);
   const bearing::balls::BallDuty duty = ball_duty_of(in);
   const system::BallRunOptions options = ball_run_options_of(in);
-  const bearing::rating::Ratings ratings = bearing::rating::ratings_of(bearing, stated_ratings_of(in));
+  const bearing::rating::BearingRating rating = bearing::rating::bearing_rating(bearing, stated_ratings_of(in));
+  const bearing::rating::RatingCondition condition = rating_condition_of(in, bearing);
+  const bearing::rating::Ratings& ratings = rating.ratings;
   BallStudy study;
   study.dynamic_capacity = ratings.dynamic_capacity;
   const system::HeatParameters heat = heat_of(in);
@@ -88,6 +101,9 @@ BallStudy ball_study(const ResolvedCase& in, const std::function<void(double)>& 
   study.rolling_cage_speed = kinematic_cage_speed(geometry_of(bearing), inner, outer);
   const double turning = bearing.motions.inner == bearing::RaceMotion::turning ? inner : outer;
   const system::BallMeans& means = study.run.means;
+  study.turning_speed = turning;
+  study.lives = bearing::rating::rating_lives(rating, condition, means.equivalent);
+  study.largest_pressure = largest_pressure(bearing, means);
   study.life_hours = bearing::hours(means.life.bearing, turning);
   study.life_with_balls_hours =
       bearing::hours(bearing::rating::life_of_both(means.life.bearing, means.balls_life), turning);
@@ -119,7 +135,9 @@ Json ball_json(const BallStudy& study) {
                 {"central_film_um", 1e6 * film},
                 {"life_Mrev", number_or_null(kPerMillion * life)}};
   };
-  return {{"life_h", number_or_null(study.life_hours)},
+  Json object;
+  for (const auto& [name, value] : life_values(study.all_lives())) object[name] = number_or_null(value);
+  object.update(Json{
           {"life_with_balls_h", number_or_null(study.life_with_balls_hours)},
           {"slip_settling_s", study.run.slip_settling ? Json(*study.run.slip_settling) : Json(nullptr)},
           {"cage_impact_max_N", study.run.pocket_load_max},
@@ -131,17 +149,20 @@ Json ball_json(const BallStudy& study) {
           {"cage_speed_rpm", kRpm * m.cage_speed},
           {"inner", race(m.inner_load_rms, m.inner_load_max, m.inner_angle, m.inner_film, m.life.inner)},
           {"outer", race(m.outer_load_rms, m.outer_load_max, m.outer_angle, m.outer_film, m.life.outer)},
-          {"life_Mrev", number_or_null(kPerMillion * m.life.bearing)},
           {"balls_life_Mrev", number_or_null(kPerMillion * m.balls_life)},
           {"dynamic_capacity_N", study.dynamic_capacity},
           {"stiffness", study.stiffness ? stiffness_json(*study.stiffness) : Json(nullptr)},
-          {"steps", study.run.report.steps}};
+          {"steps", study.run.report.steps},
+          {"life_table", lives_record(value_by_name(life_values(study.all_lives())),
+                                      {bearing::rating::RollingElement::ball})}});
+  return object;
 }
 
 std::string ball_text(const BallStudy& study) {
   const system::BallMeans& m = study.run.means;
-  std::string text = fmt::format("life {:.5g} h ({:.5g} Mrev), {:.5g} h where balls may fail too\n",
-                                 study.life_hours, kPerMillion * m.life.bearing, study.life_with_balls_hours);
+  std::string text = lives_text(value_by_name(life_values(study.all_lives())),
+                                {bearing::rating::RollingElement::ball});
+  text += fmt::format("life_h with failures of the balls {:.5g} h\n\n", study.life_with_balls_hours);
   text += fmt::format("cage: slip {:.3g} %, ", 100.0 * m.cage_slip);
   text += study.run.slip_settling ? fmt::format("settled after {:.3g} s, ", *study.run.slip_settling)
                                   : "not settled, ";
@@ -206,6 +227,8 @@ PointContent ball_content(const BallStudy& study) {
     content.add(name, units, meaning, std::isfinite(value) ? value : none);
   };
   one_number("life", "h", "of the bearing by Lundberg and Palmgren, from true passages", study.life_hours);
+  for (const auto& [name, value] : life_values(study.all_lives()))
+    if (name.ends_with("h") && name != "life_h") one_number(name.c_str(), "h", "of the bearing, by the standards", value);
   one_number("life_with_balls", "h", "of the bearing where its balls may fail too",
              study.life_with_balls_hours);
   one_number("mean_cage_slip", "1", "over the observed time", m.cage_slip);

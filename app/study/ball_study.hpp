@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/case/resolved_case.hpp"
+#include "app/results/life_table.hpp"
 #include "app/results/point_content.hpp"
 #include "bearing/equilibrium/ring_axes.hpp"
 #include "coupling/system/heated_balls.hpp"
@@ -22,11 +23,16 @@ struct BallStudy {
   double life_hours = 0.0;          // [h]      of the bearing at the speed of the end
   double life_with_balls_hours = 0.0;  // [h]   where its balls may fail too, Eq. (35) of [Chen2026]
   double dynamic_capacity = 0.0;    // [N]
+  bearing::rating::RatingLives lives;  // by the standards, of loads averaged over time
+  double turning_speed = 0.0;       // [rad/s]  at the end, of the race that turns relative to the load
+  double largest_pressure = 0.0;    // [Pa]
   double radial_clearance = 0.0;    // [m]      at the temperatures of the run
   /// Of the balance under the same load at the final speeds, as orbearing stiffness has it; none where there
   /// is none.
   std::optional<bearing::equilibrium::RingStiffness> stiffness;
   std::vector<std::string> warnings;
+
+  BearingLives all_lives() const { return {lives, run.means.life.bearing, turning_speed, largest_pressure}; }
 };
 
 /// Whether a case is that of a ball bearing in time.

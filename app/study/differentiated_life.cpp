@@ -10,11 +10,14 @@
 #include "app/case/defect_case.hpp"
 #include "app/case/static_case.hpp"
 #include "app/errors.hpp"
+#include "app/results/result_row.hpp"
 #include "app/study/computable.hpp"
 #include "app/study/planetary_case.hpp"
+#include "app/study/rated_oil.hpp"
 #include "app/study/static_study.hpp"
 #include "bearing/equilibrium/static_slopes.hpp"
 #include "coupling/study/life_slopes.hpp"
+#include "coupling/study/multi_stage.hpp"
 
 namespace orbearing::app {
 
@@ -117,6 +120,40 @@ DifferentiatedLife life_of_static_bearing(const ResolvedCase& in) {
           .slope = [life](const Eigen::VectorXd& change) { return life->slope(change); }};
 }
 
+// Of any other life: ln of the life is the one number, whose slopes by the inputs come by differences of the whole
+// analysis, with an estimate of their error.
+DifferentiatedLife by_differences(const ResolvedCase& in, std::string quantity, std::string unit,
+                                  use::Analysis analysis,
+                                  const std::function<double(const ResolvedCase&)>& life) {
+  const double value = life(in);
+  if (!(value > 0.0) || !std::isfinite(value))
+    refuse_life(in, "life.method", in.choice("life.method") + ", by which there is no " + quantity + " here",
+                "a case with that life, or lundberg-palmgren");
+  return {.quantity = std::move(quantity),
+          .unit = std::move(unit),
+          .value = value,
+          .of_set = "",
+          .analysis = analysis,
+          .numbers = [life](const ResolvedCase& changed) -> Eigen::VectorXd {
+            return Eigen::VectorXd::Constant(1, std::log(life(changed)));
+          },
+          .slope = [](const Eigen::VectorXd& change) { return change[0]; }};
+}
+
+double value_in_table(const std::string& name, const study::PointResult& result) {
+  const std::vector<Column>& columns = trailing_columns();
+  const auto column =
+      std::find_if(columns.begin(), columns.end(), [&](const Column& one) { return one.name == name; });
+  return column->per_unit * column->value(result);
+}
+
+DifferentiatedLife rated_life(const ResolvedCase& in, const std::string& key) {
+  require_computable(in, "quasi-static", false);
+  return by_differences(in, key, "h", use::quasi_static, [key](const ResolvedCase& changed) {
+    return value_in_table(key, study::evaluate(bearing_sets(changed)));
+  });
+}
+
 }  // namespace
 
 DifferentiatedLife differentiated_life(const ResolvedCase& in) {
@@ -130,7 +167,8 @@ DifferentiatedLife differentiated_life(const ResolvedCase& in) {
                    ": defect: found a scratched planet bearing; required: none, for a life at rest");
   if (!in.shape().bearing || (in.shape().several && bearing_set_names(in).empty()))
     throw BadInput(in.file() + ": bearing: missing; required: a planet bearing, for its life");
-  return life_of_drivetrain(in);
+  const std::string key = life_to_go_by(in);
+  return key == "life_h" ? life_of_drivetrain(in) : rated_life(in, key);
 }
 
 }  // namespace orbearing::app

@@ -11,7 +11,8 @@
 namespace orbearing::app {
 
 struct DifferentiatedLife {
-  std::string quantity;  // "life_h": of one planet bearing, as in a sweep; "L10r_Mrev": of a single bearing
+  /// Of one planet bearing "life_h", or the column that life.method chooses; of a single bearing "L10r_Mrev".
+  std::string quantity;
   std::string unit;      // "h" or "Mrev"
   double value = 0.0;    // [unit]
   std::string of_set;    // of several sets, the one whose bearings live shortest; else empty

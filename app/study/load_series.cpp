@@ -17,7 +17,6 @@
 #include "app/errors.hpp"
 #include "app/results/result_row.hpp"
 #include "app/units.hpp"
-#include "bearing/life/basic_life.hpp"
 
 namespace orbearing::app {
 
@@ -311,7 +310,21 @@ struct Sums {
   double time = 0.0;    // [s]
   double turns = 0.0;   // [rad]
   double damage = 0.0;  // [rad]  with torques over the greatest one
+  double steep = 0.0;   // [rad]  the same by kSteepestExponent
+
+  /// Torque over the greatest one that does the damage.
+  double torque(double exponent) const { return std::pow(damage / turns, 1.0 / exponent); }
 };
+
+/// Damage of the samples over that of their bins, less 1, for a life by kSteepestExponent.
+double steep_excess(const std::map<std::pair<int, int>, Sums>& bins, double exponent) {
+  double samples = 0.0, means = 0.0;
+  for (const auto& [place, sums] : bins) {
+    samples += sums.steep;
+    means += sums.turns * std::pow(sums.torque(exponent), kSteepestExponent);
+  }
+  return means > 0.0 ? samples / means - 1.0 : 0.0;
+}
 
 }  // namespace
 
@@ -351,8 +364,7 @@ BinCounts parse_bins(const std::string& text) {
   return counts;
 }
 
-BinnedSeries binned(const LoadSeries& series, const BinCounts& counts) {
-  const double exponent = bearing::rating::life_exponent(bearing::rating::RollingElement::roller);
+BinnedSeries binned(const LoadSeries& series, const BinCounts& counts, double exponent) {
   const auto magnitudes = [&](std::size_t i) {
     return LoadBin{.power = std::abs(series.torque[i] * series.speed[i]), .speed = std::abs(series.speed[i])};
   };
@@ -383,12 +395,14 @@ BinnedSeries binned(const LoadSeries& series, const BinCounts& counts) {
     sums.time += time;
     sums.turns += time * speed;
     sums.damage += time * speed * std::pow(torque / greatest, exponent);
+    sums.steep += time * speed * std::pow(torque / greatest, kSteepestExponent);
   }
   for (const auto& [place, sums] : bins) {
     const double speed = sums.turns / sums.time;
-    const double torque = greatest * std::pow(sums.damage / sums.turns, 1.0 / exponent);
+    const double torque = greatest * sums.torque(exponent);
     result.spectrum.bins.push_back({torque * speed, speed, sums.time / result.duration});
   }
+  result.steep_excess = steep_excess(bins, exponent);
   if (rest > 0.0) result.spectrum.bins.push_back({0.0, 0.0, rest / result.duration});
   return result;
 }

@@ -16,6 +16,7 @@
 #include "app/study/gear_report.hpp"
 #include "app/study/life_peak.hpp"
 #include "app/study/missing_points.hpp"
+#include "app/study/lives_of_sweep.hpp"
 #include "app/study/named_change.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/study/published_comparison.hpp"
@@ -348,6 +349,7 @@ nlohmann::ordered_json report_data(const ResolvedCase& resolved, const Manifest&
                   {"model", resolved.choice("model")}};
   data["fidelity"] = outcome.header.fidelity;
   data["missing"] = missing_json(missing, manifest);
+  data["life_table"] = lives_record_of(resolved, outcome);
   data["axes"] = axes_json(outcome.header);
   data["slice"] = slice.columns;
   data["kinematics"] = kinematics(drivetrain, geometry);

@@ -46,18 +46,21 @@ Json ratings_json(const bearing::rating::Ratings& ratings) {
           {"outer_contact_N", ratings.contacts.outer}};
 }
 
-Json factors_json(const StaticStudy& study) {
-  Json factors{{"a_1", study.reliability_factor},
-               {"a_ISO", study.film ? Json(study.film->life_modification) : Json(nullptr)}};
-  if (!study.film) return factors;
-  factors["kappa"] = study.film->viscosity_ratio;
-  factors["e_C"] = study.film->contamination_factor;
+Json factors_json(const bearing::rating::RatingLives& lives) {
+  Json factors{{"a_1", lives.reliability_factor}, {"a_ISO", number_or_null(lives.life_modification)}};
+  if (!lives.oil) return factors;
+  factors["kappa"] = lives.oil->viscosity_ratio;
+  factors["e_C"] = lives.oil->contamination_factor;
   return factors;
 }
 
-std::string life_row(const char* name, double life, const char* meaning) {
-  if (!std::isfinite(life)) return fmt::format("{:<22} {:>14}  {}\n", name, "-", meaning);
-  return fmt::format("{:<22} {:>14.6g}  {}\n", name, kMillion * life, meaning);
+bool has_balls(const StaticStudy& study) {
+  return study.contact_angle.size() > 0;
+}
+
+LifeWords words_of(const StaticStudy& study) {
+  using bearing::rating::RollingElement;
+  return {has_balls(study) ? RollingElement::ball : RollingElement::roller, study.reduction_factor};
 }
 
 std::string loads_of_elements(const StaticStudy& study) {
@@ -83,16 +86,16 @@ Json static_json(const StaticStudy& study) {
   Json object{{"displacement", {{"radial_um", 1e6 * study.radial}, {"axial_um", 1e6 * study.axial}}},
               {"tilt_mrad", 1e3 * study.tilt},
               {"contact_load_max_N", largest_load(study)},
-              {"contact_loads_N", list(study.contact_load)},
-              {"L10_Mrev", number_or_null(kMillion * study.basic_life)},
-              {"L10r_Mrev", number_or_null(kMillion * study.reference_life.bearing)},
-              {"life_Mrev", number_or_null(kMillion * study.life)},
-              {"moment_N_m", study.moment},
-              {"pressure_max_MPa", 1e-6 * study.largest_pressure},
-              {"equivalent_load_N", study.equivalent_load ? Json(*study.equivalent_load) : Json(nullptr)},
-              {"ratings", ratings_json(study.ratings)},
-              {"factors", factors_json(study)},
-              {"reference_life", lives(study.reference_life)}};
+              {"contact_loads_N", list(study.contact_load)}};
+  for (const auto& [name, value] : life_values(study.all_lives())) object[name] = number_or_null(value);
+  object.update(Json{{"moment_N_m", study.moment},
+                     {"pressure_max_MPa", 1e-6 * study.largest_pressure},
+                     {"equivalent_load_N", number_or_null(study.lives.dynamic_load)},
+                     {"ratings", ratings_json(study.ratings)},
+                     {"factors", factors_json(study.lives)},
+                     {"reference_life", lives(study.lives.reference)},
+                     {"modified_reference_life", lives(study.lives.modified_reference)}});
+  object["life_table"] = lives_record(value_by_name(life_values(study.all_lives())), words_of(study));
   if (study.steps) object["steps"] = steps_json(*study.steps);
   object["stiffness"] = stiffness_json(study.stiffness);
   if (study.outer_load.size() > 0) {
@@ -102,25 +105,18 @@ Json static_json(const StaticStudy& study) {
   }
   if (study.films) object["film"] = films_json(*study.films);
   if (study.over_speed) object.update(speeds_json(*study.over_speed));
-  if (study.lundberg_palmgren) object["lundberg_palmgren"] = lives(*study.lundberg_palmgren);
-  if (study.contact_angle.size() > 0) object["contact_angles_deg"] = list(study.contact_angle, kDegree);
+  object["lundberg_palmgren"] = lives(study.lundberg_palmgren);
+  if (has_balls(study)) object["contact_angles_deg"] = list(study.contact_angle, kDegree);
   if (study.lamina_load.size() > 0) object["lamina_loads_N"] = by_roller(study.lamina_load);
   return object;
 }
 
 std::string static_text(const StaticStudy& study) {
-  std::string text = fmt::format("displacement: radial {:.5g} um, axial {:.5g} um, tilt {:.5g} mrad\n",
-                                 1e6 * study.radial, 1e6 * study.axial, 1e3 * study.tilt);
-  text += fmt::format("largest contact load {:.6g} N, pressure {:.5g} MPa\n\n", largest_load(study),
-                      1e-6 * study.largest_pressure);
-  text += study.outer_load.size() > 0 ? loads_on_both_races(study) : loads_of_elements(study);
-  text += fmt::format("\n{:<22} {:>14}\n", "life", "[Mrev]");
-  text += life_row("L10", study.basic_life, "ISO 281");
-  text += life_row("L10r", study.reference_life.bearing, "ISO/TS 16281");
-  if (study.lundberg_palmgren)
-    text += life_row("Lundberg-Palmgren", study.lundberg_palmgren->bearing, "from roller loads");
-  text += life_row("a_1 a_ISO L10r", study.life, study.film ? "with film and cleanliness" : "a_ISO = 1");
-  return text;
+  std::string text = lives_text(value_by_name(life_values(study.all_lives())), words_of(study));
+  text += fmt::format("\ndisplacement: radial {:.5g} um, axial {:.5g} um, tilt {:.5g} mrad\n", 1e6 * study.radial,
+                      1e6 * study.axial, 1e3 * study.tilt);
+  text += fmt::format("largest contact load {:.6g} N\n\n", largest_load(study));
+  return text + (study.outer_load.size() > 0 ? loads_on_both_races(study) : loads_of_elements(study));
 }
 
 PointContent static_content(const StaticStudy& study) {
@@ -132,9 +128,12 @@ PointContent static_content(const StaticStudy& study) {
   content.add("moment", "N m", "on the inner ring in the plane of the load", study.moment);
   content.add("largest_pressure", "Pa", "after Hertz", study.largest_pressure);
   content.add("dynamic_capacity", "N", "C_r", study.ratings.dynamic_capacity);
-  content.add("basic_life", "1", "L10, revolutions", study.basic_life);
-  content.add("reference_life", "1", "L10r, revolutions", study.reference_life.bearing);
-  content.add("life", "1", "a_1 a_ISO L10r, revolutions", study.life);
+  const bearing::rating::RatingLives& lives = study.lives;
+  content.add("basic_life", "1", "L10, revolutions", lives.basic);
+  content.add("reference_life", "1", "L10r, revolutions", lives.reference.bearing);
+  content.add("modified_life", "1", "L10m = a_1 a_ISO L10, revolutions", lives.modified);
+  content.add("modified_reference_life", "1", "L10mr, revolutions", lives.modified_reference.bearing);
+  content.add("life", "1", "by Lundberg and Palmgren, revolutions", study.lundberg_palmgren.bearing);
   content.add("contact_load", {"element"}, "N",
               "load of each rolling element, the first at bearing.first_element_angle from the load line",
               study.contact_load);

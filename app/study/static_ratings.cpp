@@ -4,15 +4,15 @@
 
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
-#include <limits>
-#include <stdexcept>
+#include <optional>
 
 #include "app/case/static_case.hpp"
 #include "app/errors.hpp"
 #include "app/study/rated_oil.hpp"
 #include "app/units.hpp"
 #include "bearing/equilibrium/balls.hpp"
-#include "bearing/life/life_modification.hpp"
+#include "bearing/life/lamina_life.hpp"
+#include "bearing/life/rating_lives.hpp"
 
 namespace orbearing::app {
 
@@ -20,25 +20,34 @@ namespace {
 
 namespace rating = bearing::rating;
 
-std::optional<FilmState> film_of(const ResolvedCase& in, rating::RollingElement element,
-                                 const StaticStudy& study) {
+// [rad/s]  of the rings against each other
+double relative_speed(const ResolvedCase& in) {
+  return in.quantity("operation.shaft_speed") - in.quantity("operation.outer_speed");
+}
+
+std::optional<rating::OilCondition> oil_of(const ResolvedCase& in) {
   const std::optional<rating::StatedOil> stated = stated_oil(in);
   if (!stated) return {};
-  const double speed = in.quantity("operation.shaft_speed") - in.quantity("operation.outer_speed");
   const rating::OilCondition oil =
-      rating::oil_condition(*stated, speed, in.quantity("bearing.pitch_diameter"));
-  FilmState film{oil.viscosity_ratio, oil.contamination_factor};
-  const double load =
-      rating::reference_load(element, study.ratings.dynamic_capacity, study.reference_life.bearing);
-  const double ratio = load > 0.0 ? film.contamination_factor * study.ratings.fatigue_load_limit / load
-                                  : std::numeric_limits<double>::infinity();
-  try {
-    film.life_modification = rating::life_modification_factor(element, film.viscosity_ratio, ratio);
-  } catch (const std::invalid_argument& error) {
-    throw BadInput(fmt::format("{}: lubricant.kinematic_viscosity: {}",
-                               in.origin("lubricant.kinematic_viscosity"), error.what()));
-  }
-  return film;
+      rating::oil_condition(*stated, relative_speed(in), in.quantity("bearing.pitch_diameter"));
+  if (oil.viscosity_ratio >= rating::kLeastViscosityRatio) return oil;
+  throw BadInput(fmt::format("{}: lubricant.kinematic_viscosity: viscosity ratio kappa: found {:.3g}; required: at "
+                             "least {:g}, where a_ISO begins",
+                             in.origin("lubricant.kinematic_viscosity"), oil.viscosity_ratio,
+                             rating::kLeastViscosityRatio));
+}
+
+rating::ElementLoads loads_on(bearing::Race race, const StaticStudy& study) {
+  const bool own = race == bearing::Race::outer && study.outer_load.size() > 0;
+  return {own ? study.outer_load : study.contact_load, study.lamina_load};
+}
+
+// Of rollers by the capacities of Lundberg and Palmgren, lamina by lamina; of balls those of [ISO16281] are theirs.
+bearing::BearingLife lundberg_palmgren(const bearing::Bearing& bearing, const StaticStudy& study) {
+  if (!bearing.has_rollers()) return study.lives.reference;
+  return bearing::life::lamina_life(
+      bearing::life::lamina_rating(bearing, bearing::life::LifeMeasure::lundberg_palmgren, study.reduction_factor),
+      study.lamina_load, study.lamina_load);
 }
 
 // Shoulders are not stated; one at 70 degrees is a third of a ball's diameter high.
@@ -76,7 +85,7 @@ void warn(const ResolvedCase& in, StaticStudy& study) {
         "bearing: D cos(alpha)/d_m is {:.3g}; the table of f_c in ISO 281 ends at {:.2g}: its formula is "
         "used beyond",
         ratings.gamma, ratings.slenderness_limit));
-  if (!study.equivalent_load)
+  if (std::isnan(study.lives.dynamic_load))
     study.warnings.push_back(
         "L10: the factors X and Y of ISO 281 are held for a nominal contact angle of zero; L10r has no need "
         "of them");
@@ -101,17 +110,53 @@ void warn(const ResolvedCase& in, StaticStudy& study) {
 
 }  // namespace
 
-void rate(const ResolvedCase& in, rating::RollingElement element, StaticStudy& study) {
-  study.basic_life =
-      study.equivalent_load
-          ? rating::basic_rating_life(element, study.ratings.dynamic_capacity, *study.equivalent_load)
-          : std::numeric_limits<double>::quiet_NaN();
-  study.reliability_factor = rating::reliability_factor(in.number("life.reliability"));
-  study.film = film_of(in, element, study);
-  study.life = study.reliability_factor * (study.film ? study.film->life_modification : 1.0) *
-               study.reference_life.bearing;
+rating::RatingCondition rating_condition_of(const ResolvedCase& in, const bearing::Bearing& bearing) {
+  const bearing::equilibrium::RingLoad load = ring_load_of(in);
+  return {.dynamic_load = rating::equivalent_load(bearing, load.radial, load.axial),
+          .static_load = rating::static_equivalent_load(bearing, load.radial, load.axial),
+          .oil = oil_of(in),
+          .reliability_factor = rating::reliability_factor(in.number("life.reliability"))};
+}
+
+void rate(const ResolvedCase& in, const bearing::Bearing& bearing, StaticStudy& study) {
+  study.speed = relative_speed(in);
+  if (bearing.has_rollers()) study.reduction_factor = in.number("life.reduction_factor");
+  study.lives = rating::rating_lives(rating::bearing_rating(bearing, stated_ratings_of(in)),
+                                     rating_condition_of(in, bearing), loads_on(bearing::Race::inner, study),
+                                     loads_on(bearing::Race::outer, study));
+  study.lundberg_palmgren = lundberg_palmgren(bearing, study);
   warn(in, study);
 }
+
+namespace {
+
+// Lives that need the load on the bearing alone; none where P is not known or the oil is too thin for a_ISO.
+void add_lives_by_load(const ResolvedCase& in, const bearing::Bearing& bearing, std::vector<Derived>& rows) {
+  rating::RatingCondition condition;
+  try {
+    condition = rating_condition_of(in, bearing);
+  } catch (const BadInput&) {
+    return;  // the run says it
+  }
+  if (!condition.dynamic_load || !(*condition.dynamic_load > 0.0)) return;
+  const rating::ElementLoads nothing{Eigen::ArrayXd::Zero(1), Eigen::ArrayXXd::Zero(1, 1)};
+  const rating::RatingLives lives =
+      rating::rating_lives(rating::bearing_rating(bearing, stated_ratings_of(in)), condition, nothing, nothing);
+  const double speed = relative_speed(in), million = 1e-6;
+  rows.push_back({"life.equivalent_load", lives.dynamic_load, "N", "P of ISO 281"});
+  rows.push_back({"life.load_ratio", lives.load_ratio(), "1", "C/P"});
+  if (condition.static_load) rows.push_back({"life.static_safety", lives.static_safety(), "1", "S_0 = C_0/P_0 of ISO 76"});
+  rows.push_back({"life.L10", million * lives.basic, "Mrev", "basic rating life of ISO 281"});
+  if (speed != 0.0) rows.push_back({"life.L10h", bearing::hours(lives.basic, speed), "h", "the same at the speed of the rings"});
+  if (!lives.oil) return;
+  rows.push_back({"life.kappa", lives.oil->viscosity_ratio, "1", "viscosity ratio of ISO 281"});
+  rows.push_back({"life.e_C", lives.oil->contamination_factor, "1", "contamination factor of ISO 281"});
+  rows.push_back({"life.a_ISO", lives.life_modification, "1", "life modification factor of ISO 281, by C_u/P"});
+  rows.push_back({"life.L10m", million * lives.modified, "Mrev", "modified rating life of ISO 281: a_1 a_ISO L10"});
+  if (speed != 0.0) rows.push_back({"life.L10mh", bearing::hours(lives.modified, speed), "h", "the same at the speed of the rings"});
+}
+
+}  // namespace
 
 std::vector<Derived> static_quantities(const ResolvedCase& in) {
   const bearing::Bearing bearing = bearing_of(in);
@@ -128,6 +173,7 @@ std::vector<Derived> static_quantities(const ResolvedCase& in) {
   if (!in.has("bearing.fatigue_load_limit"))
     rows.push_back(
         {"bearing.fatigue_load_limit", ratings.fatigue_load_limit, "N", "C_u of ISO 281, by C_0r"});
+  add_lives_by_load(in, bearing, rows);
   if (bearing.has_rollers()) return rows;
   const bearing::equilibrium::BallRow row(bearing);
   rows.push_back({"bearing.groove_distance", 1e3 * row.groove_distance(), "mm", "A, of the groove centres"});

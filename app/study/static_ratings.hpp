@@ -9,9 +9,12 @@
 
 namespace orbearing::app {
 
-/// Puts lives and factors into a study whose ratings, equivalent load and reference life are known, and warns
-/// where the standard's ranges are left.
-void rate(const ResolvedCase& resolved, bearing::rating::RollingElement element, StaticStudy& study);
+/// P, P_0, oil and a_1 of a single bearing, at rest or in time. Throws BadInput where kappa is below the range of
+/// a_ISO.
+bearing::rating::RatingCondition rating_condition_of(const ResolvedCase& resolved, const bearing::Bearing& bearing);
+
+/// Puts all lives into a study whose loads and ratings are known, and warns where the standard's ranges are left.
+void rate(const ResolvedCase& resolved, const bearing::Bearing& bearing, StaticStudy& study);
 
 /// What follows from the inputs, for `orbearing check`.
 std::vector<Derived> static_quantities(const ResolvedCase& resolved);

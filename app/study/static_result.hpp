@@ -7,19 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "app/results/life_table.hpp"
 #include "app/study/ball_films.hpp"
 #include "bearing/contact/point_contact.hpp"
 #include "bearing/equilibrium/ring_balance.hpp"
-#include "bearing/life/standard_life.hpp"
 
 namespace orbearing::app {
-
-/// Lubrication and cleanliness; none where the case does not state them.
-struct FilmState {
-  double viscosity_ratio = 0.0;       // [-]  kappa
-  double contamination_factor = 0.0;  // [-]  e_C
-  double life_modification = 1.0;     // [-]  a_ISO
-};
 
 // The numbers between a bearing and its reference rating life, [ISO16281]: what anyone who computes the same
 // by another program compares step by step (cases/iso16281_worked_set).
@@ -88,17 +81,16 @@ struct StaticStudy {
   Eigen::ArrayXXd lamina_load;    // [N]    (laminae, rollers); empty for balls
   double largest_pressure = 0.0;  // [Pa]  after Hertz, without what edges add
   bearing::rating::Ratings ratings;
-  std::optional<double> equivalent_load;  // [N]  P of ISO 281; none where the standard's factors are not held
-  double basic_life = 0.0;                // [rev]  L10; not a number where P is missing
-  bearing::BearingLife reference_life;    // [rev]  L10r of races and bearing
-  double reliability_factor = 1.0;        // [-]  a_1
-  std::optional<FilmState> film;
-  double life = 0.0;                                      // [rev]  a_1 a_ISO L10r
-  std::optional<bearing::BearingLife> lundberg_palmgren;  // [rev]  of rollers
+  bearing::rating::RatingLives lives;      // by the standards
+  bearing::BearingLife lundberg_palmgren;  // [rev]
+  double reduction_factor = 0.0;           // [-]      in its capacities; of rollers
+  double speed = 0.0;                      // [rad/s]  of the rings against each other; 0: not known
   std::optional<std::vector<BallFilm>> films;             // of balls whose film takes part
   std::optional<SpeedTable> over_speed;
   std::optional<StaticSteps> steps;  // none where balls turn
   std::vector<std::string> warnings;
+
+  BearingLives all_lives() const { return {lives, lundberg_palmgren.bearing, speed, largest_pressure}; }
 };
 
 }  // namespace orbearing::app

@@ -13,7 +13,6 @@
 #include "app/units.hpp"
 #include "bearing/equilibrium/ring_axes.hpp"
 #include "bearing/equilibrium/static_bearing.hpp"
-#include "bearing/life/lundberg_palmgren.hpp"
 
 namespace orbearing::app {
 
@@ -65,15 +64,7 @@ StaticStudy static_study(const ResolvedCase& in) {
                     .largest_pressure = state.largest_pressure};
   study.ratings = rating::ratings_of(bearing, stated_ratings_of(in));
   study.steps = static_steps(bearing, study.ratings, state);
-  study.equivalent_load = rating::equivalent_load(bearing, load.radial, load.axial);
-  const bool unlike = state.outer_load.size() > 0;
-  const rating::ElementLoads inner{state.contact_load, state.lamina_load};
-  const rating::ElementLoads outer{unlike ? state.outer_load : state.contact_load, state.lamina_load};
-  study.reference_life = rating::reference_life(bearing, study.ratings.contacts, inner, outer);
-  if (bearing.has_rollers())
-    study.lundberg_palmgren = bearing::lundberg_palmgren_life(bearing, in.number("life.reduction_factor"),
-                                                              study.contact_load, study.contact_load);
-  rate(in, rating::rolling_element(bearing), study);
+  rate(in, bearing, study);
   if (motion.film && state.inner_rolling.size() > 0) {
     study.films = ball_films(bearing, *motion.film, state);
     for (const std::string& warning : film_warnings(bearing, *study.films)) study.warnings.push_back(warning);
@@ -97,9 +88,10 @@ double static_property(const StaticStudy& study, const std::string& quantity) {
        {among("radial_um", 1e6 * study.radial), among("axial_um", 1e6 * study.axial),
         among("tilt_mrad", 1e3 * study.tilt), among("contact_load_max_N", largest_load(study)),
         among("f_c", study.ratings.capacity_factor), among("C_r_N", study.ratings.dynamic_capacity),
-        among("L10_Mrev", 1e-6 * study.basic_life), among("L10r_Mrev", 1e-6 * study.reference_life.bearing),
-        among("life_Mrev", 1e-6 * study.life)})
+        among("pressure_max_MPa", kMega * study.largest_pressure)})
     if (value) return *value;
+  for (const auto& [name, value] : life_values(study.all_lives()))
+    if (name == quantity) return value;
   for (Eigen::Index j = 0; j < study.contact_load.size(); ++j)
     for (const auto& [name, values, unit] :
          {std::tuple("contact_load_{}_N", &study.contact_load, 1.0),

@@ -323,7 +323,10 @@ BallRunResult run_balls(const bearing::Bearing& bearing, const bearing::balls::M
   const bearing::motion::DamageSums& damage = system.sums().damage;
   const Eigen::ArrayXd inner = damage.inner.damage().pow(1.0 / 3.0),
                        outer = damage.outer.damage().pow(1.0 / 3.0);
-  result.means.life = bearing::rating::ball_reference_life(capacities, inner, outer, bearing.motions);
+  result.means.equivalent = {bearing::rating::equivalent_ball_load(inner, bearing.motions.inner),
+                             bearing::rating::equivalent_ball_load(outer, bearing.motions.outer)};
+  result.means.life = bearing::rating::ball_reference_life(capacities, result.means.equivalent.inner,
+                                                           result.means.equivalent.outer);
   result.means.balls_life = bearing::rating::life_of_balls(
       bearing, capacities,
       {.inner = std::cbrt(damage.inner.damage().mean()), .outer = std::cbrt(damage.outer.damage().mean())});

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "bearing/life/rating_lives.hpp"
 #include "bearing/life/standard_life.hpp"
 #include "bearing/motion/balls/ball_bearing.hpp"
 #include "coupling/integration/integration_options.hpp"
@@ -109,6 +110,7 @@ struct BallMeans {
   double outer_film = 0.0;             // [m]
   bearing::balls::BallPowerLoss loss;  // [W]
   bearing::BearingLife life;           // [rev]  of the turning race, from true passages
+  bearing::rating::EquivalentBallLoads equivalent;  // [N]  cube means over time, bin by bin, that lives go by
   double balls_life = 0.0;             // [rev]  of all balls, as bearing/life/ball_failure.hpp has it
 };
 

@@ -49,7 +49,9 @@ def table(content: Table) -> str:
 def _answer(report: Report) -> str:
     name = report.record("case").get("name") or "unnamed case"
     title = f'<p class="case">{escape(str(name))}</p>\n<h1>{escape(headline(report))}</h1>'
-    return f"<header>{title}</header>\n{table(summary_table(report))}"
+    from orbearing import lives
+
+    return f"<header>{title}</header>\n{lives.section(report)}\n{table(summary_table(report))}"
 
 
 def _figure(index: int, block: FigureBlock) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from html import escape
 from typing import Sequence
 
+from orbearing import lives
 from orbearing import page as pages
 from orbearing.blocks import FigureBlock, Table
 from orbearing.result_folder import Report
@@ -13,7 +14,7 @@ from orbearing.result_folder import Report
 def page(study: Report, what: str, headline: str, summary: Table, blocks: Sequence[FigureBlock]) -> str:
     """The whole document; `study` is what the run printed."""
     name = escape(str(study.content.get("case") or "unnamed case"))
-    answer = f'<header><p class="case">{name}</p>\n<h1>{escape(headline)}</h1></header>\n{pages.table(summary)}'
+    answer = f'<header><p class="case">{name}</p>\n<h1>{escape(headline)}</h1></header>\n{lives.section(study)}\n{pages.table(summary)}'
     sections = [answer, *(pages._figure(index, block) for index, block in enumerate(blocks, start=1)), pages._assumptions(study),
                 pages._warnings(study), pages._versions(study), _reproduce()]
     return "\n".join([

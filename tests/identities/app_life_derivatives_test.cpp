@@ -29,7 +29,7 @@ ResolvedCase shipped(const std::string& name, const std::vector<std::string>& se
 
 // By the whole program, each search from its own start.
 double log_life(const ResolvedCase& in) {
-  if (is_static_bearing(in)) return std::log(1e-6 * static_study(in).reference_life.bearing);
+  if (is_static_bearing(in)) return std::log(1e-6 * static_study(in).lives.reference.bearing);
   return std::log(study::evaluate(bearing_sets(in), study::Fidelity::quasi_static).life_hours);
 }
 

@@ -121,6 +121,44 @@ class LoadSpectrum(unittest.TestCase):
         # A file that an option names and that the case's folder lacks is looked for where the command is given.
         self.assertEqual(call("check", CASE, *settings("spectrum={file: loads.csv}"), folder=self.place).returncode, 0)
 
+    def test_few_bins_never_lengthen_a_life(self):
+        # Issue 44, item 7: bins by the power 10/3 gave lives by the power 4 that were 12 % too long in one bin.
+        record = self.place / "uneven.csv"
+        torques = [60.0, 400.0, 120.0, 300.0, 200.0, 80.0, 350.0, 250.0, 150.0]
+        record.write_text("time_s,speed_rpm,torque_N_m\n" + "".join(f"{t},3000,{torque}\n" for t, torque in enumerate(torques)))
+
+        def lives(bins, *more):
+            loads = self.place / "bins.csv"
+            found = self.answer("spectrum", record, "-o", loads, "--bins", bins, *more)
+            result = self.answer("run", CASE, *settings(f"spectrum={{file: {loads}}}", "lubricant.grade=ISO VG 220", "life.cleanliness=-/15/12",
+                                                        "inertia.carrier_centrifugal=false", "inertia.own_orbit=false", "inertia.coriolis=false",
+                                                        "gearset.mesh_variation=false"))
+            return found, result["spectrum"]
+
+        one, life_of_one = lives("1x1")
+        many, life_of_many = lives("64x1")
+        self.assertEqual((one["torque_exponent"], len(one["bins"]), len(many["bins"])), (4.0, 1, 8))
+        # By hand: the last sample lasts for no time.
+        mean = (sum(torque**4 for torque in torques[:-1]) / 8) ** 0.25
+        self.assertAlmostEqual(one["bins"][0]["torque_N_m"] / mean, 1.0, delta=1e-9)
+        self.assertAlmostEqual(life_of_one["life_h"] / life_of_many["life_h"], 1.0, delta=1e-6)  # one power, one life
+        for life in ("L10h", "L10rh"):
+            self.assertLessEqual(life_of_one[life], life_of_many[life] * (1.0 + 1e-9), life)
+        # Lives with a_ISO fall faster: a warning says by how much one bin may lengthen them, and --exponent 8 never does.
+        self.assertEqual([text for text in many["warnings"] if "--exponent" in text], [])
+        (warning,) = [text for text in one["warnings"] if "--exponent" in text]
+        excess = sum(torque**8 for torque in torques[:-1]) / 8 / mean**8 - 1.0
+        self.assertIn(f"up to {100 * excess:.2g} % too long", warning)
+        for life in ("L10mh", "L10mrh"):
+            self.assertLess(life_of_one[life] / life_of_many[life], 1.0 + excess, life)
+        safe, life_of_safe = lives("1x1", "--exponent", "8")
+        self.assertEqual([text for text in safe["warnings"] if "--exponent" in text], [])
+        for life in ("life_h", "L10h", "L10rh", "L10mh", "L10mrh"):
+            self.assertLess(life_of_safe[life], life_of_many[life], life)
+        _, before = lives("1x1", "--exponent", str(10 / 3))
+        self.assertGreater(before["life_h"] / life_of_many["life_h"], 1.05)
+        self.assertIn("--exponent", self.refusal("spectrum", record, "-o", self.place / "none.csv", "--exponent", "0.5"))
+
     def test_bad_input(self):
         fit = self.refusal("check", CASE, *settings("bearing.clearance_state=unmounted", "bearing.fit.pin_bore=26 mm"))
         self.assertIn("bearing.fit.pin_bore", fit)

@@ -42,6 +42,22 @@ class Contract(unittest.TestCase):
         self.assertEqual(found["quantity"], "L10r_Mrev")
         self.assertAlmostEqual(found["L10r_Mrev"], loaded("run", case("ball_6305_iso16281"))["L10r_Mrev"], places=6)
 
+    def test_of_the_life_that_life_method_chooses(self):
+        # Issue 44, Build 1: by (C/P)^(10/3) the capacity has the elasticity 10/3.
+        found = loaded("sensitivities", case("reducer_150kW"), "--set", "life.method=iso-281", "--set", "bearing.dynamic_capacity=17 kN")
+        self.assertEqual(found["quantity"], "L10h")
+        rows = {row["path"]: row["elasticity"] for row in found["inputs"]}
+        self.assertAlmostEqual(rows["bearing.dynamic_capacity"], 10 / 3, places=8)
+        self.assertIn("life.reduction_factor", found["without_effect"])
+        # With it lives are those of the run, and the reliability factor has a part in them.
+        oil = ["--set", "life.method=iso-16281", "--set", "life.viscosity_ratio=1.5", "--set", "life.contamination_factor=0.5"]
+        modified = loaded("sensitivities", case("reducer_150kW"), *oil)
+        self.assertEqual(modified["quantity"], "L10mrh")
+        row = next(one for one in modified["inputs"] if one["path"] == "life.contamination_factor")
+        more, less = (loaded("run", case("reducer_150kW"), *oil[:4], "--set", f"life.contamination_factor={e_c}")["points"][0]["L10mrh"]
+                      for e_c in (0.501, 0.499))
+        self.assertAlmostEqual((more - less) / 0.002 / row["derivative"], 1, places=4)
+
     def test_at_another_point(self):
         here = loaded("sensitivities", case("reducer_150kW"))
         there = loaded("sensitivities", case("reducer_150kW"), "--set", "input.speed=3000 rpm")

@@ -46,7 +46,46 @@ class Rollers(unittest.TestCase):
             self.assertIsInstance(found[key], float, key)
         self.assertEqual(len(found["contact_loads_N"]), 14)
         self.assertEqual(max(found["contact_loads_N"]), found["contact_load_max_N"])
-        self.assertEqual(found["life_Mrev"], found["L10r_Mrev"])
+        # Issue 44, Build 1: all lives and what they rest on have the same keys everywhere; no oil, no speed: null.
+        for key in ("C_N", "C0_N", "Cu_N", "P_N", "P0_N", "C_over_P", "S0", "contact_pressure_max_MPa"):
+            self.assertIsInstance(found[key], float, key)
+        for key in ("L10m_Mrev", "L10mr_Mrev", "L10h", "L10rh", "L10mh", "L10mrh", "life_h", "kappa", "e_C", "a_ISO", "a_ISO_r"):
+            self.assertIsNone(found[key], key)
+        self.assertEqual(found["life_Mrev"], found["lundberg_palmgren"]["bearing_Mrev"])
+        self.assertNotEqual(found["life_Mrev"], found["L10r_Mrev"])
+
+    def test_life_of_lundberg_and_palmgren_falls_with_the_fourth_power(self):
+        # Issue 44, item 3. Straight rollers without clearance: loads keep their distribution.
+        one, two = (run(PLANET, f"load.radial={load} N")["life_Mrev"] for load in (3000, 6000))
+        self.assertAlmostEqual(one / two, 16.0, delta=1e-3)
+        weaker = run(PLANET, "load.radial=3000 N", "life.reduction_factor=0.415")["life_Mrev"]
+        self.assertAlmostEqual(one / weaker, 16.0, delta=1e-9)
+        ball = [run(BALL, f"load.radial={load} N") for load in (1000, 2000)]
+        self.assertAlmostEqual(ball[0]["life_Mrev"] / ball[1]["life_Mrev"], 8.0, delta=1e-3)
+        self.assertEqual(ball[0]["life_Mrev"], ball[0]["L10r_Mrev"])
+
+    def test_text_begins_with_the_lives_and_says_which_to_design_by(self):
+        # Issue 44, Build 1 and item 3.
+        with tempfile.TemporaryDirectory() as folder:
+            plain = call("run", HARRIS, "-o", pathlib.Path(folder) / "out").stdout.splitlines()
+        self.assertTrue(plain[0].startswith("life of one bearing"), plain[0])
+        self.assertEqual([line.split()[0] for line in plain[1:6]], ["L10h", "L10rh", "L10mh", "L10mrh", "life_h"])
+        for line, clause in zip(plain[1:6], ("ISO 281", "ISO/TS 16281", "ISO 281", "ISO/TS 16281", "Lundberg-Palmgren")):
+            self.assertIn(clause, line)
+        text = "\n".join(plain)
+        self.assertIn("Design by L10rh", text)
+        self.assertRegex(text, r"C 484\d\d N, C0 \d+ N, C_u [\d.]+ N, P 4450 N, P0 4450 N")
+        with tempfile.TemporaryDirectory() as folder:
+            oil = call("run", HARRIS, "-o", pathlib.Path(folder) / "out", "--set", "life.viscosity_ratio=1", "--set",
+                       "life.contamination_factor=0.5", "--set", "operation.shaft_speed=1000 rpm").stdout
+        self.assertIn("Design by L10mrh", oil)
+        found = run(HARRIS, "life.viscosity_ratio=1", "life.contamination_factor=0.5", "operation.shaft_speed=1000 rpm")
+        lines = {line.split()[0]: line.split()[1:3] for line in oil.splitlines() if line.strip()}
+        for hours, revolutions in (("L10h", "L10_Mrev"), ("L10mrh", "L10mr_Mrev"), ("life_h", "life_Mrev")):
+            self.assertAlmostEqual(float(lines[hours][0]) / found[hours], 1.0, delta=1e-5)
+            self.assertAlmostEqual(float(lines[hours][1]) / found[revolutions], 1.0, delta=1e-5)
+        for name in ("kappa 1", "e_C 0.5", "a_ISO", "a_ISO_r", "contact pressure", "S0", "C/P"):
+            self.assertIn(name, oil)
 
     def test_loads(self):
         self.assertAlmostEqual(run(HARRIS)["contact_loads_N"][0], 1956.3, delta=0.05)
@@ -70,7 +109,10 @@ class Rollers(unittest.TestCase):
             self.assertAlmostEqual(sum(loads[0]), found["contact_loads_N"][0], delta=1e-6)
             self.assertEqual(len(loads[0]), 40)
             lives[kind] = found["L10r_Mrev"]
-        self.assertEqual(len(set(lives.values())), len(lives))
+        # By default two are others: Lundberg's has the standard's drop, Fujiwara and Kawase's is Johns and Gohar's for k1 = k2 = 1.
+        for one, other in (("lundberg", "iso16281"), ("fujiwara-kawase", "johns-gohar")):
+            self.assertAlmostEqual(lives[one] / lives[other], 1.0, delta=1e-12)
+        self.assertEqual(len({f"{life:.9g}" for life in lives.values()}), len(lives) - 2)
         self.assertIn("bearing.profile.kind", refusal(PLANET, "bearing.profile.kind=table"))
 
     def test_tilt_given_or_by_its_moment(self):
@@ -109,9 +151,11 @@ class Rollers(unittest.TestCase):
 
     def test_modified_life(self):
         found = run(PLANET, "life.viscosity_ratio=1", "life.contamination_factor=0.5", "life.reliability=0.99")
-        self.assertAlmostEqual(
-            found["life_Mrev"] / (found["factors"]["a_1"] * found["factors"]["a_ISO"] * found["L10r_Mrev"]), 1.0
-        )
+        a_1 = found["factors"]["a_1"]
+        self.assertAlmostEqual(found["L10m_Mrev"] / (a_1 * found["factors"]["a_ISO"] * found["L10_Mrev"]), 1.0)
+        self.assertAlmostEqual(found["L10mr_Mrev"] / (a_1 * found["a_ISO_r"] * found["L10r_Mrev"]), 1.0)
+        # Neither oil nor reliability are part of the life of Lundberg and Palmgren.
+        self.assertEqual(found["life_Mrev"], run(PLANET)["life_Mrev"])
         oil = ["lubricant.kinematic_viscosity=20 mm2/s", "operation.outer_speed=3000 rpm", "life.cleanliness=high"]
         self.assertGreater(run(PLANET, *oil)["factors"]["kappa"], 1.0)
 

@@ -5,29 +5,36 @@ from __future__ import annotations
 import numpy as np
 
 from orbearing import style
-from orbearing.blocks import FigureBlock, columns_table, format_number, format_quantity
+from orbearing.blocks import FigureBlock, columns_table, format_number, format_quantity, is_number
 from orbearing.result_folder import Report, lies_on, numbers, record, records
 
 SLUG, TITLE = "load-spectrum", "Load spectrum and what it uses up"
 LARGEST = 900.0  # [pt^2] of the circle of the largest share
 MOST_BARS = 12
 DAMAGE_COLOURS = "viridis_r"
+LIVES = ("L10h", "L10rh", "L10mh", "L10mrh", "life_h")
 
 
 def block(report: Report) -> FigureBlock:
     """Circles over speed and torque, bars of time and damage."""
     result = spectrum_of(report)
     bins = [one for one in records(result.get("bins")) if one.get("speed_rpm")]
-    names = ("speed_rpm", "torque_N_m", "share", "damage_share", "life_h")
+    key = life_key(result)
+    names = ("speed_rpm", "torque_N_m", "share", "damage_share", key)
     speed, torque, share, damage, life = (numbers([one.get(name) for one in bins]) for name in names)
     if not len(speed):
         return FigureBlock(SLUG, TITLE, missing="The spectrum has no bin that turns.")
     uses = np.nan_to_num(damage)
     pictures = (_map(speed, torque, share, uses), _bars(share, uses))
     places = [float(number) for number, one in enumerate(records(result.get("bins")), start=1) if one.get("speed_rpm")]
-    data = columns_table(("bin", "speed (rpm)", "torque (N m)", "share of time", "share of damage", "life at this bin alone (h)"),
+    data = columns_table(("bin", "speed (rpm)", "torque (N m)", "share of time", "share of damage", f"{key} at this bin alone (h)"),
                          places, speed, torque, share, damage, life)
     return FigureBlock(SLUG, TITLE, _caption(result, share, uses), pictures, data=data)
+
+
+def life_key(result: dict) -> str:
+    """The life that damage and results go by: `life.method` of the case."""
+    return result.get("life_key") or "life_h"
 
 
 def spectrum_of(report: Report) -> dict:
@@ -67,10 +74,10 @@ def _bars(share: np.ndarray, damage: np.ndarray) -> str:
 
 
 def _caption(result: dict, share: np.ndarray, damage: np.ndarray) -> str:
-    worst = int(np.argmax(damage))
+    worst, key = int(np.argmax(damage)), life_key(result)
     text = (f"Left: each circle is a bin, its area the share of time, its colour the share of the damage by the rule of Palmgren and Miner. Right: "
-            f"the bins that use up most. One bearing lives {format_quantity(result.get('life_h'), 'h')} under the spectrum, all together "
-            f"{format_quantity(result.get('system_life_h'), 'h')}; bin {worst + 1} of those that turn takes {format_number(100 * share[worst], 3)} % of the "
+            f"the bins that use up most. By {key} one bearing reaches {format_quantity(result.get(key), 'h')} under the spectrum, all together "
+            f"{format_quantity(result.get('system_' + key), 'h')}; bin {worst + 1} of those that turn takes {format_number(100 * share[worst], 3)} % of the "
             f"time and {format_number(100 * damage[worst], 3)} % of the life.")
-    modified = result.get("L10mh")
-    return text + (f" By film and cleanliness one bearing lives {format_quantity(modified, 'h')}." if modified else "")
+    others = [f"{name} {format_quantity(result.get(name), 'h')}" for name in LIVES if name != key and is_number(result.get(name))]
+    return text + (f" The other lives of one bearing under the spectrum: {', '.join(others)}." if others else "")

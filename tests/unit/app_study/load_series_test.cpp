@@ -20,7 +20,7 @@ namespace {
 using fake_sweep::TemporaryFolder;
 using testing::HasSubstr;
 
-constexpr double kExponent = 10.0 / 3.0;
+constexpr double kExponent = 4.0;  // of lives by Lundberg and Palmgren, which sweeps and spectra go by
 constexpr double kRoundOff = 1e-12;  // relative, of sums over some hundred samples
 
 // Uneven times, torque and speed that vary by themselves.
@@ -67,6 +67,43 @@ TEST(LoadSeries, BinsKeepTimeTurnsAndDamageHoweverWideTheyAre) {
   }
   EXPECT_EQ(binned(series, {1, 1}).spectrum.bins.size(), 1U);
   EXPECT_GT(binned(series, {8, 8}).spectrum.bins.size(), 20U);
+}
+
+// Life over that of the record for a bearing whose life goes by torque^-p: above 1 it comes out too long.
+double life_over_that_of_record(const LoadSeries& series, const BinCounts& counts, double kept, double p) {
+  double record = 0.0;
+  const double duration = series.time.back() - series.time.front();
+  for (std::size_t i = 0; i + 1 < series.time.size(); ++i)
+    record += (series.time[i + 1] - series.time[i]) / duration * series.speed[i] * std::pow(series.torque[i], p);
+  double bins = 0.0;
+  for (const LoadBin& bin : binned(series, counts, kept).spectrum.bins)
+    if (bin.turns()) bins += bin.share * bin.speed * std::pow(bin.power / bin.speed, p);
+  return record / bins;
+}
+
+// Issue 44, item 7: bins by 10/3 made lives by Lundberg and Palmgren too long, 12 % in one bin.
+TEST(LoadSeries, FewBinsNeverLengthenALife) {
+  const LoadSeries series = wavy(500);
+  for (const BinCounts counts : {BinCounts{1, 1}, BinCounts{2, 3}, BinCounts{8, 8}, BinCounts{64, 8}}) {
+    EXPECT_NEAR(life_over_that_of_record(series, counts, kLineExponent, 4.0), 1.0, 1e-12);
+    for (const double p : {10.0 / 3.0, 3.0})  // ISO 281 of rollers, balls: on the safe side
+      EXPECT_LE(life_over_that_of_record(series, counts, kLineExponent, p), 1.0 + 1e-12) << p;
+    EXPECT_NEAR(life_over_that_of_record(series, counts, 3.0, 3.0), 1.0, 1e-12);
+    for (const double p : {7.6, 6.0, 4.0, 10.0 / 3.0, 3.0})
+      EXPECT_LE(life_over_that_of_record(series, counts, kSteepestExponent, p), 1.0 + 1e-12) << p;
+  }
+  // By hand: torques 1 and 3 for equal times: (1 + 81)/2 = 41 by the power 4; 36.4 by 10/3: 13 % too long.
+  const LoadSeries two{{0.0, 1.0, 2.0}, {1.0, 3.0, 3.0}, {100.0, 100.0, 100.0}};
+  const double mean = (1.0 + std::pow(3.0, 10.0 / 3.0)) / 2.0;
+  EXPECT_NEAR(life_over_that_of_record(two, {1, 1}, 10.0 / 3.0, 4.0), 41.0 / std::pow(mean, 1.2), 1e-12);
+  EXPECT_GT(life_over_that_of_record(two, {1, 1}, 10.0 / 3.0, 4.0), 1.12);
+}
+
+TEST(LoadSeries, WhatAModifiedLifeCanGainByWideBinsIsTheDamageByItsSteepestPower) {
+  const LoadSeries two{{0.0, 1.0, 2.0}, {1.0, 3.0, 3.0}, {100.0, 100.0, 100.0}};
+  EXPECT_NEAR(binned(two, {1, 1}).steep_excess, (1.0 + 6561.0) / 2.0 / (41.0 * 41.0) - 1.0, 1e-12);
+  EXPECT_NEAR(binned(two, {2, 1}).steep_excess, 0.0, 1e-12);
+  EXPECT_NEAR(binned(two, {1, 1}, kSteepestExponent).steep_excess, 0.0, 1e-12);
 }
 
 TEST(LoadSeries, OfAConstantLoadGivesOneBin) {
