@@ -414,13 +414,6 @@ int run_command_line(int argc, char** argv) {
     else
       fmt::print(stderr, "orbearing: {}\n", error.what());
     return kFailed;
-  } catch (const std::system_error& error) {
-    if (std::ferror(stdout) != 0)
-      fmt::print(stderr, "standard output: {}; {}, then give the command again\n", error.what(),
-                 remedy_of(error.code().value()));
-    else
-      fmt::print(stderr, "orbearing: {}\n", error.what());
-    return kFailed;
   } catch (const std::exception& error) {
     print_error(std::string("orbearing: ") + error.what());
     return kFailed;
