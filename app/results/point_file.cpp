@@ -99,6 +99,21 @@ void add_distribution(PointContent& content, const study::LoadDistribution& load
                 "outward displacement of the outer race by bending of the planet's rim", loads.race_form);
 }
 
+// Lives by the standards of each bearing or planet.
+template <class Results>
+void add_rated_hours(PointContent& content, const std::string& dimension, const Results& results) {
+  using bearing::rating::RatedHours;
+  const auto add = [&](const char* life, const char* meaning, double RatedHours::*hours) {
+    content.add_each(dimension + "_" + life, {dimension}, "h", meaning, results,
+                     [hours](const auto& one) { return one.rated_hours.*hours; });
+  };
+  add("L10h", "basic rating life of ISO 281 of one bearing", &RatedHours::basic);
+  add("L10rh", "basic reference rating life of ISO/TS 16281 of one bearing", &RatedHours::reference);
+  add("L10mh", "modified rating life of ISO 281 of one bearing", &RatedHours::modified);
+  add("L10mrh", "modified reference rating life of ISO/TS 16281 of one bearing",
+      &RatedHours::modified_reference);
+}
+
 // The bearings of a planet whose tilt is computed.
 void add_seats(PointContent& content, const std::vector<study::SeatResult>& seats) {
   content.add_dimension("bearing", seats.size());
@@ -112,6 +127,7 @@ void add_seats(PointContent& content, const std::vector<study::SeatResult>& seat
   add("bearing_tilt_y", "rad", "the same, in the sense of rotation",
       [](const study::SeatResult& seat) { return seat.tilt.y(); });
   add("bearing_life", "h", "fatigue life of one bearing", &study::SeatResult::life_hours);
+  add_rated_hours(content, "bearing", seats);
 }
 
 // Where planets carry unlike loads, or were computed one by one.
@@ -125,6 +141,7 @@ void add_planets(PointContent& content, const std::vector<study::PlanetResult>& 
                    &study::PlanetResult::load);
   content.add_each("planet_life", {"planet"}, "h", "fatigue life of one bearing of a planet", planets,
                    &study::PlanetResult::life_hours);
+  add_rated_hours(content, "planet", planets);
 }
 
 // Of a bearing cut into laminae, whose places are those of the distribution.

@@ -115,6 +115,15 @@ void add_bearing(const study::PlanetaryDrivetrain& drivetrain, const study::Driv
   rows.push_back({"bearing.roller_mass", 1e3 * g.element_mass, "g", "one roller"});
   if (drivetrain.bearing.has_cage())
     rows.push_back({"bearing.cage.mass", 1e3 * g.cage_mass, "g", "ring less pockets"});
+  const bearing::rating::StatedRatings& stated = drivetrain.rated.stated;
+  const bearing::rating::Ratings& ratings = geometry.rating.ratings;
+  if (!stated.dynamic_capacity)
+    rows.push_back({"bearing.dynamic_capacity", ratings.dynamic_capacity, "N", "C of ISO 281"});
+  if (!stated.static_capacity)
+    rows.push_back({"bearing.static_capacity", ratings.static_capacity, "N", "C_0 of ISO 76"});
+  if (!stated.fatigue_load_limit)
+    rows.push_back(
+        {"bearing.fatigue_load_limit", ratings.fatigue_load_limit, "N", "C_u of ISO 281, by C_0"});
 }
 
 // From the shelf to the running bearing, and how it runs at each swept speed.

@@ -164,10 +164,11 @@ std::vector<Derived> static_quantities(const ResolvedCase& in) {
   std::vector<Derived> rows{
       {"bearing.slenderness", ratings.gamma, "1", "D cos(alpha)/d_m"},
       {"bearing.capacity_factor", ratings.capacity_factor, "1", "f_c of ISO 281, in N and mm"},
-      {"bearing.static_capacity", ratings.static_capacity, "N", "C_0r of ISO 76"},
       {"bearing.inner_contact_capacity", ratings.contacts.inner, "N", "of one rolling element, ISO/TS 16281"},
       {"bearing.outer_contact_capacity", ratings.contacts.outer, "N",
        "of one rolling element, ISO/TS 16281"}};
+  if (!in.has("bearing.static_capacity"))
+    rows.push_back({"bearing.static_capacity", ratings.static_capacity, "N", "C_0r of ISO 76"});
   if (!in.has("bearing.dynamic_capacity"))
     rows.push_back({"bearing.dynamic_capacity", ratings.dynamic_capacity, "N", "C_r of ISO 281"});
   if (!in.has("bearing.fatigue_load_limit"))

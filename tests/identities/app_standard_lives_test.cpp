@@ -15,6 +15,7 @@
 #include "app/study/sweep_warnings.hpp"
 #include "bearing/life/rating_lives.hpp"
 #include "coupling/study/multi_stage.hpp"
+#include "tests/identities/app_fields/field_bases.hpp"
 
 namespace orbearing::app::app_standard_lives_test {
 namespace {
@@ -166,6 +167,60 @@ TEST(StandardLives, OfPlanetsThatLoadUnevenly) {
   EXPECT_GT(at.rating.lives.static_load, 1.05 * at.planet_load);
   EXPECT_NEAR(at.rating.system_hours.basic, std::pow(damage, -8.0 / 9.0),
               1e-9 * at.rating.system_hours.basic);
+}
+
+// Two bearings of a planet whose tilt is computed, one with more clearance: each is rated by its own share.
+TEST(StandardLives, OfBearingsThatShareAPlanetUnevenly) {
+  const study::PointResult at =
+      point(reducer({"bearing.laminae=30", "bearing.profile.kind=straight", "bearing.tilt_state=computed",
+                     "bearing.clearance_differences=[0 um, 10 um]"}));
+  ASSERT_EQ(at.seats.size(), 2u);
+  EXPECT_GT(at.seats[0].load, 1.05 * at.seats[1].load);
+  const double mean = 0.5 * (at.seats[0].load + at.seats[1].load);
+  for (const auto life : {&RatedHours::basic, &RatedHours::reference}) {
+    const double damage = 4.0 * (std::pow(at.seats[0].rated_hours.*life, -9.0 / 8.0) +
+                                 std::pow(at.seats[1].rated_hours.*life, -9.0 / 8.0));
+    EXPECT_NEAR(at.rating.system_hours.*life / std::pow(damage, -8.0 / 9.0), 1.0, 1e-10);
+  }
+  double power = 0.0;
+  for (const study::SeatResult& seat : at.seats) {
+    const double load = at.planet_load * seat.load / mean;
+    const double by_hand = at.rating.hours.basic * std::pow(at.rating.lives.dynamic_load / load, 10.0 / 3.0);
+    EXPECT_NEAR(seat.rated_hours.basic / by_hand, 1.0, 1e-9);
+    power += 0.5 * std::pow(load, 10.0 / 3.0);
+  }
+  EXPECT_NEAR(at.rating.lives.dynamic_load / std::pow(power, 0.3), 1.0, 1e-10);
+  EXPECT_NEAR(at.rating.lives.static_load, at.planet_load * at.seats[0].load / mean,
+              1e-9 * at.rating.lives.static_load);
+}
+
+// In every rung of motion ISO 281 takes the mean load, and the reference life the means of powers that the
+// life of Lundberg and Palmgren takes. Both have capacities of the races in the ratio ((1 - gamma)/(1 +
+// gamma))^(143/108), to the four digits of the standard's constants: of whole contacts the lives have one
+// ratio at rest and in motion.
+TEST(StandardLives, OfEveryRungOfMotion) {
+  const auto small = [](const std::vector<std::string>& settings) {
+    return parse_case(fields_test::bases().front().text, "small.yaml", settings);
+  };
+  const ResolvedCase in = small({"lubricant.grade=ISO VG 220"});
+  const study::PointResult rest = point(in);
+  for (const study::Fidelity fidelity :
+       {study::Fidelity::dynamic, study::Fidelity::co_simulated, study::Fidelity::monolithic}) {
+    const study::PointResult moving = point(in, fidelity);
+    const int rung = static_cast<int>(fidelity);
+    constexpr double unlike_planets = 1e-2;  // of a run of a few passages
+    EXPECT_NEAR(moving.rating.hours.basic / rest.rating.hours.basic, 1.0, unlike_planets) << rung;
+    EXPECT_NEAR(moving.rating.hours.modified / rest.rating.hours.modified, 1.0, 3.0 * unlike_planets) << rung;
+    EXPECT_NEAR(
+        (moving.rating.hours.reference / rest.rating.hours.reference) / (moving.life_hours / rest.life_hours),
+        1.0, 5e-2)
+        << rung;
+    EXPECT_NEAR(moving.rating.hours.modified_reference,
+                moving.rating.lives.reference_modification * moving.rating.hours.reference,
+                1e-9 * moving.rating.hours.modified_reference)
+        << rung;
+    EXPECT_LT(moving.rating.system_hours.reference, moving.rating.hours.reference) << rung;
+  }
 }
 
 // Stated ratings take the place of those of the standards: L10 by C and P of a published gearbox.
