@@ -18,12 +18,13 @@ class Series:
     """One artist. Columns of numbers by its kind, in the units of the axes; none of a kind that is not listed:
 
     line, points: x, y; of points also sizes and what their colours show (empty without); band: x, low, high; shade: x; level: y; place: x;
-    bars: places, lengths; segments: x, y of one end, x, y of the other; map: x, y, z (y, x); circle: x, y, radius, inner radius; area: corners' x, y.
+    bars: places, lengths; segments: x, y of one end, x, y of the other; map: x, y, z (y, x), of contours also their levels; circle: x, y, radius, inner radius; area: corners' x, y.
     """
 
     kind: str
     label: str
     columns: tuple[np.ndarray, ...]
+    marked: bool = False  # of a line: whether its points have markers
 
 
 @dataclass(frozen=True)
@@ -43,7 +44,7 @@ class Panel:
 
 def states_map(drawn, x, y, z):
     """Keeps what contours were drawn from, which matplotlib does not; returns them."""
-    drawn.orbearing_map = tuple(np.ma.filled(np.ma.asarray(values, float), np.nan) for values in (x, y, z))
+    drawn.orbearing_map = tuple(np.ma.filled(np.ma.asarray(values, float), np.nan) for values in (x, y, z, drawn.levels))
     vars(drawn.axes).setdefault("orbearing_contours", []).append(drawn)
     return drawn
 
@@ -73,7 +74,7 @@ def _series(axes: Axes):
         x, y = (np.ma.filled(np.ma.asarray(values, float), np.nan) for values in line.get_data(orig=False))
         across, up = line.get_transform().contains_branch_seperately(axes.transData)
         kind, columns = ("line", (x, y)) if across and up else ("place", (x,)) if across else ("level", (y,))
-        yield Series(kind, _label(line), columns)
+        yield Series(kind, _label(line), columns, line.get_marker() not in ("", " ", "None", None))
     for container in bars:
         boxes = np.array([(bar.get_x(), bar.get_y(), bar.get_width(), bar.get_height()) for bar in container.patches]).reshape(-1, 4)
         lying = container.orientation == "horizontal"

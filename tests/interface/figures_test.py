@@ -30,7 +30,7 @@ import report_dynamic_fixture as dynamic  # noqa: E402
 import report_fixture as fixture  # noqa: E402
 from orbearing import report, style  # noqa: E402
 from orbearing.drawn import Panel, panels_of  # noqa: E402
-from orbearing.figures import roller_pressure  # noqa: E402
+from orbearing.figures import cage_orbit as orbit_figure, roller_pressure  # noqa: E402
 from orbearing.point_file import PointFile  # noqa: E402
 from orbearing.result_folder import Report, read_report  # noqa: E402
 
@@ -113,7 +113,7 @@ def in_units(kind, columns, units):
     """The expected numbers in the units that the axes' labels state."""
     x, y, z = units
     way = {"line": (x, y), "band": (x, y, y), "bars": (None, x or y), "level": (y,), "place": (x,), "segments": (x, y, x, y), "circle": (x, y, x, x), "area": (x, y),
-           "shade": (x,), "points": (x, y, None, z), "map": (x, y, z)}[kind]
+           "shade": (x,), "points": (x, y, None, z), "map": (x, y, z, z)}[kind]
     return tuple(column.given_in(unit) if isinstance(column, Q) and unit else column.values if isinstance(column, Q) else np.asarray(column, float)
                  for column, unit in zip(columns, way))
 
@@ -539,7 +539,7 @@ def crown(content):
         ridge.append(drop[1] - fit[1] / (2 * fit[0]) * (drop[1] - drop[0]) if i == 1 else drop[i])
     wide, high = by["drop_tolerance_um"], by["tilt_tolerance_mrad"]
     tilts = [0.0] if computed else [0.0, 0.4]
-    series = [("map", "", (drop, tilt, Q(life.T, "h"))), point(ridge, tilt, "best drop at each tilt", "µm", "mrad"),
+    series = [("map", "", (drop, tilt, Q(life.T, "h"), Q(np.geomspace(life.min(), life.max(), 15), "h"))), point(ridge, tilt, "best drop at each tilt", "µm", "mrad"),
               point([best["drop_um"]] * len(tilts), tilts, "optimum by laminae" if computed else "optimum, at the tilts studied", "µm", "mrad")]
     if computed:
         series += [point(advice["drop_um"], 0.0, "recommended", "µm", "mrad"),
@@ -575,8 +575,12 @@ def crown(content):
     found["roller-pressure"] = [Expected(*(line(named(c, "x_mm"), named(c, "pressure_MPa"), c["profile"]) for c in figures["pressure"] if c["tilt_mrad"] == tilt),
                                          y="MPa", x_label="place along the roller (mm)", y_label="pressure at mid-width (MPa)" if tilt == 0 else "",
                                          y_limits=(0.0, top), title=f"tilt {tilt:g} mrad") for tilt in (0.0, 0.5)]
+    # Steps of whole hundreds, a dozen at most below the greatest pressure but at the outermost elements; what carries nothing stays white.
+    most = max(max(place["pressure_MPa"][2:-2]) for zone in figures["zone"] for place in zone["places"])
+    step = 100.0 * np.ceil(most / 1200.0)
+    levels = Q([1.0, *(step * n for n in range(1, int(np.ceil(most / step)) + 1))], "MPa")
     found["crown-zone"] = [Expected(("map", "", (Q([p["angle_deg"] for p in z["places"]], "deg"), named(z, "x_mm"),
-                                                 Q(np.array([p["pressure_MPa"] for p in z["places"]]).T, "MPa"))), x="degree", y="mm", z="MPa",
+                                                 Q(np.array([p["pressure_MPa"] for p in z["places"]]).T, "MPa"), levels)), x="degree", y="mm", z="MPa",
                                     title=f"{z['profile']}, tilt {z['tilt_mrad']:g} mrad", x_label="place around the pin (degree)" if n > 1 else "",
                                     y_label="along the roller (mm)" if n % 2 == 0 else "") for n, z in enumerate(figures["zone"])]
     found["crown-zone"].append(Expected(y_label="pressure (MPa)"))
@@ -626,7 +630,9 @@ def pressure_map():
     """Both halves of a contact that is the same on both sides."""
     contact = {"profile": "arc", "tilt_mrad": 0.25, "x_mm": [0.0, 1.0, 2.5, 3.0, 4.0], "y_um": [0.0, 10.0, 25.0], "pressure_MPa": [made.some(3, 100.0, 900.0) for _ in range(5)]}
     half = np.array(contact["pressure_MPa"]).T
-    whole = ("map", "", (named(contact, "x_mm"), Q([-25.0, -10.0, 0.0, 10.0, 25.0], "µm"), Q(half[[2, 1, 0, 1, 2]], "MPa")))
+    top = 200.0 * np.ceil(half[:, 2:-2].max() / 200.0)  # what the outermost elements reach lies beyond the colours
+    whole = ("map", "", (named(contact, "x_mm"), Q([-25.0, -10.0, 0.0, 10.0, 25.0], "µm"), Q(half[[2, 1, 0, 1, 2]], "MPa"),
+                        Q([0.02 * top / 12, *(top / 12 * n for n in range(1, 13))], "MPa")))
     return contact, [Expected(whole, z="MPa", title="arc, tilt 0.25 mrad", x_label="place along the roller (mm)", y_label="across (µm)"), Expected(y_label="pressure (MPa)")]
 
 
@@ -726,6 +732,51 @@ class Figures(unittest.TestCase):
         with style.context():
             block = roller_pressure.map_block([contact])
         self.check({picture.name: picture.panels for picture in block.pictures}, {"pressure-map": expected})
+
+    def test_a_small_orbit_of_the_cage_is_ringed_and_enlarged(self):
+        """The inset shows it again around the middle of its extent, a quarter wider than it is."""
+        turn = np.linspace(0, 2 * np.pi, 50)
+        x, y = 60.0 + 5.0 * np.cos(turn) + np.where(turn < 1, 3.0, 0.0), 50.0 + 8.0 * np.sin(turn)
+        with style.context():
+            panels = orbit_figure._draw((3000, None, np.array([x, y])), 100.0, "orbit").panels
+        um = lambda *values: tuple(Q(np.atleast_1d(value), "µm") for value in values)  # noqa: E731
+        mean, half = line(*um(y.mean(), x.mean())), max(x.max() - x.min(), y.max() - y.min()) / 2
+        middle = (x.max() + x.min()) / 2, (y.max() + y.min()) / 2
+        whole = Expected(("circle", "", um(0, 0, 100, 0)), line(*um(0, 0)), line(*um(y, x)), mean, title="3,000 rpm", x_limits=(115.0, -115.0), y_limits=(-115.0, 115.0))
+        inset = Expected(line(*um(y, x)), line(*um(y[0], x[0])), line(*um(y.mean(), x.mean())), x="µm", y="µm",
+                         x_limits=(middle[1] + 1.25 * half, middle[1] - 1.25 * half), y_limits=(middle[0] - 1.25 * half, middle[0] + 1.25 * half))
+        self.assertEqual(faults("orbit", panels, [whole, inset]), [])
+
+    def test_rollers_without_a_cage_have_the_slip_of_their_orbit(self):
+        content = made.moving()
+        for p in content["points"]:
+            p["orbit_slip"], p["cage_slip"] = 0.001 + 1e-7 * p["input_speed_rpm"], None
+        points, runs = content["points"], content["branches"]["runs"]
+        for run in runs:
+            for p in run["points"]:
+                p["orbit_slip"], p["cage_slip"] = 0.002 + 1e-7 * p["input_speed_rpm"], None
+        for run in content["dynamic"]["ablation"]:
+            for p in run["points"]:
+                p["orbit_slip"] = 3 * p["cage_slip"]
+        drawn = pictures_of(content)
+        self.assertEqual(faults("slip", drawn["slip"], [Expected(rows(points, "input_speed_rpm", "roller_slip"), x="rpm", y_label="slip of the rollers' spin (%)"),
+                                                        speed_axes(rows(points, "input_speed_rpm", "orbit_slip"), y_label="slip of the rollers' orbit (%)")]), [])
+        last = drawn["branches"][2]
+        self.assertEqual((last.y_label, [np.round(one.columns[1][0], 6) for one in last.series if one.label in ("up", "down")]), ("orbit slip (%)", [0.21, 0.21]))
+        effects_of = drawn["dynamic-ablation"][2]
+        first = [run["points"][0]["orbit_slip"] for run in content["dynamic"]["ablation"]]
+        self.assertEqual(effects_of.x_label, "orbit slip (%)")
+        np.testing.assert_allclose(next(one for one in effects_of.series if one.label == "1,000 rpm").columns[1], 100 * np.array(first))
+
+    def test_points_have_markers_while_they_can_be_told_apart(self):
+        content = made.moving()
+        many = {**content, "points": [{**content["points"][0], "input_speed_rpm": 1000.0 + 100.0 * i} for i in range(61)]}
+        many["branches"] = {"load_drift": 0.002, "runs": [{"name": "up", "points": many["points"]}]}
+        many["polar"] = [{**content["polar"][0], "angle_deg": np.linspace(0, 354, 61).tolist(), "inner_load_N": [1.0] * 61, "outer_load_N": [2.0] * 61}]
+        for case, wanted in ((content, True), (many, False)):
+            drawn = pictures_of(case)
+            for name in ("roller-loads", "slip", "branches", "polar-1"):
+                self.assertEqual({one.marked for panel in drawn[name] for one in panel.series if one.kind == "line"}, {wanted}, name)
 
     def test_the_height_of_a_picture_of_pressures_without_peaks(self):
         """The line contact's pressure has room above; without it, and without means of peaks, the greatest pressure stands in the picture."""

@@ -147,7 +147,10 @@ class Studies(Compared):
         lives = np.array([[11.0, 13.0, 12.0], [21.0, 24.0, 22.0]]) * 1e3
         speed = Q([1000.0, 2000.0, 3000.0], "rpm")
         series = [line(speed, Q(row[[0, 2, 1]], "h"), f"bearing.radial_clearance {name} um") for row, name in zip(lives, ("5", "20"))]
-        self.check("curves", self.drawn(self.result(lives, (5.0, 20.0))), speed_axes(*series, y_label=LIFE))
+        figure = self.drawn(self.result(lives, (5.0, 20.0)))
+        self.check("curves", figure, speed_axes(*series, y_label=LIFE))
+        self.assertEqual([one.get_xdata().tolist() for one in figure.axes[0].lines], [[1000.0, 2000.0, 3000.0]] * 2)  # from left to right
+        self.assertEqual([one.get_marker() for one in figure.axes[0].lines], ["None", "None"])
 
     def test_more_are_coloured_by_the_parameter(self):
         lives = 1e4 * np.random.default_rng(1).uniform(1.0, 2.0, (9, 3))
