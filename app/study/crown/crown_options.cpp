@@ -39,11 +39,13 @@ std::vector<double> usual_drops(const bearing::Bearing& bearing) {
   return drops;
 }
 
-void require_range(const std::string& option, const std::vector<double>& values, double most,
-                   const std::string& required, Mistakes& mistakes) {
+void require_range(const std::string& option, const std::vector<double>& values, const Dimension& dimension,
+                   double most, const std::string& required, Mistakes& mistakes) {
   for (const double value : values)
     if (!(value >= 0.0 && value <= most)) {
-      mistakes.push_back(fmt::format("{}: found {:.6g}; required: {}", option, value, required));
+      mistakes.push_back(fmt::format("{}: found {:.6g} {}; required: {}", option,
+                                     *convert(value, dimension.si, dimension.customary).value,
+                                     dimension.customary, required));
       return;
     }
 }
@@ -70,7 +72,7 @@ std::vector<double> tilts_of(const CrownOptions& options, bool computed, Mistake
   if (computed) return {0.0};
   if (options.tilts.empty()) return {0.0, 1e-3, 2e-3};
   std::vector<double> tilts = quantity_list("--tilts", options.tilts, kTilt, mistakes);
-  require_range("--tilts", tilts, kMostTilt, "tilts from 0 to 100 mrad", mistakes);
+  require_range("--tilts", tilts, kTilt, kMostTilt, "tilts from 0 to 100 mrad", mistakes);
   std::sort(tilts.begin(), tilts.end());
   tilts.erase(std::unique(tilts.begin(), tilts.end()), tilts.end());
   return tilts;
@@ -81,7 +83,7 @@ std::vector<double> drops_of(const CrownOptions& options, const bearing::Bearing
   if (options.drops.empty()) return usual_drops(bearing);
   const std::size_t before = mistakes.size();
   std::vector<double> drops = quantity_list("--drops", options.drops, kDrop, mistakes);
-  require_range("--drops", drops, kMostDrop, "drops from 0 to 1000 um", mistakes);
+  require_range("--drops", drops, kDrop, kMostDrop, "drops from 0 to 1000 um", mistakes);
   std::sort(drops.begin(), drops.end());
   drops.erase(std::unique(drops.begin(), drops.end()), drops.end());
   if (mistakes.size() == before && drops.back() <= 0.0)
