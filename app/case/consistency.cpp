@@ -199,8 +199,8 @@ std::optional<Races> races_of(const Checker& check) {
 }
 
 void check_rings(Checker& check, const Races& races) {
-  check.ordered("bearing.roller_diameter", "an inner raceway: a roller with half the clearance", 0.0,
-                races.inner);
+  check.ordered("bearing.roller_diameter", "an inner raceway: a roller with half the clearance",
+                0.5 * (races.outer - races.inner), 0.5 * (races.outer + races.inner));
   // Without a ring, seat and race are one.
   const std::string rings = check.has({"bearing.rings"}) ? check.choice("bearing.rings") : "both";
   if (check.has({"bearing.bore"}) && rings == "both")

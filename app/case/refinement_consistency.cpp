@@ -74,14 +74,14 @@ void check_tilt(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
   if (!resolved.has(state) || resolved.choice(state) != "computed" || !resolved.has("bearing.per_planet"))
     return;
   const auto need = [&](bool holds, const std::string& found, const std::string& required) {
-    if (!holds) object(resolved, state, "computed " + found, required + " is required", mistakes);
+    if (!holds) object(resolved, state, "computed " + found, required, mistakes);
   };
   need(resolved.has("bearing.laminae"), "without bearing.laminae",
-       "a number of laminae, which feel the tilt,");
+       "a number of laminae, which feel the tilt, is required");
   need(!resolved.has("gearset.planet_rim") || resolved.choice("gearset.planet_rim") == "rigid",
-       "beside gearset.planet_rim: elastic", "a rigid rim");
+       "beside gearset.planet_rim: elastic", "a rigid rim is required");
   const std::string uneven = uneven_planets_by(resolved);
-  need(uneven.empty(), "beside " + uneven, "planets that carry alike");
+  need(uneven.empty(), "beside " + uneven, "planets that carry alike are required");
   const auto bearings = static_cast<std::size_t>(resolved.integer("bearing.per_planet"));
   for (const char* list : {"bearing.axial_places", "bearing.clearance_differences"})
     if (resolved.has(list) && resolved.list(list).size() != bearings)

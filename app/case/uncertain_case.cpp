@@ -429,6 +429,14 @@ class UncertainCheck {
                                       : fmt::format("{} {}", value, field.dimension.si);
   }
 
+  // The same as users read it.
+  std::string customary_text(double value, const Field& field) const {
+    if (field.kind != Kind::quantity) return text_of(value, field);
+    const auto& dimension = field.dimension;
+    return fmt::format("{:.6g} {}", *convert(value, dimension.si, dimension.customary).value,
+                       dimension.customary);
+  }
+
   bool in_range(const StatedUncertain& stated, double value) const {
     const Field field = field_of_number(*find_field(stated.path));
     return read_field_text(field, text_of(value, field)).good;
@@ -450,7 +458,7 @@ class UncertainCheck {
       if (found.empty()) continue;
       const Field field = field_of_number(*find_field(stated.path));
       object(stated,
-             fmt::format("'{}' contradicts {}: {}", text_of(end, field), found.front().path,
+             fmt::format("'{}' contradicts {}: {}", customary_text(end, field), found.front().path,
                          found.front().complaint.found),
              found.front().complaint.required);
       return;

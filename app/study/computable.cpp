@@ -37,10 +37,14 @@ void require_coupled(const ResolvedCase& in, const std::string& fidelity) {
 void require_computable(const ResolvedCase& in, const std::string& fidelity, bool sweep) {
   if (in.model() != planetary_drivetrain || !in.has(kAcceleration)) return;  // gears alone have none
   if (is_coupled(fidelity_of(fidelity))) require_coupled(in, fidelity);
-  const bool swept = std::any_of(in.axes().begin(), in.axes().end(),
-                                 [](const SweepAxis& axis) { return axis.path == kAcceleration; });
-  if (sweep && (swept || runs_up(in)))
-    refuse(in, kAcceleration, swept ? "a sweep of it" : in.given(kAcceleration),
+  const auto swept = std::find_if(in.axes().begin(), in.axes().end(),
+                                  [](const SweepAxis& axis) { return axis.path == kAcceleration; });
+  if (sweep && swept != in.axes().end())
+    throw_mistakes(in.file(), {{swept->place,
+                                "sweep." + kAcceleration,
+                                {"a sweep of a run-up", "steady points are required: no axis of it"}}});
+  if (sweep && runs_up(in))
+    refuse(in, kAcceleration, in.given(kAcceleration),
            "0 rpm/s in a sweep, whose points are steady; a run-up is a run with --fidelity dynamic");
   require_used(in, rung_of(in, fidelity), sweep ? Axes::all : Axes::none);
 }

@@ -178,7 +178,7 @@ void continue_from_neighbours(const ResolvedCase& resolved, Direction direction,
     return axis.path == kSpeedPath && axis.values.size() > 1;
   });
   if (!swept)
-    mistakes.push_back("--continue: found a sweep without " + kSpeedPath +
+    mistakes.push_back("--continue: found fewer than two values of " + kSpeedPath +
                        "; required: at least two speeds, so that points have neighbours");
   if (resolved.has(kSpectrumPath))
     mistakes.push_back(
