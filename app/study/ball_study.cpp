@@ -61,7 +61,10 @@ std::vector<std::string> warnings_of_balls(const BallStudy& study, const bearing
                     "{:.4g} s on",
                     duty.inner.duration(), observed_from));
   if (!study.run.slip_settling)
-    warnings.push_back("the slip of the cage does not settle within simulation.duration");
+    warnings.push_back(fmt::format(
+        "the slip of the cage has not settled: within the last third of the run it leaves the band of {:.3g} % of the "
+        "cage's kinematic speed about its mean (simulation.settling_band); a longer simulation.duration may show its end",
+        100.0 * options.settling_band));
   return warnings;
 }
 
@@ -233,7 +236,7 @@ PointContent ball_content(const BallStudy& study) {
              study.life_with_balls_hours);
   one_number("mean_cage_slip", "1", "over the observed time", m.cage_slip);
   one_number("mean_heat", "W", "over the observed time", m.loss.total());
-  one_number("slip_settling", "s", "time after which the slip stays near its final value",
+  one_number("slip_settling", "s", "last time at which the slip leaves its band about the mean of the last third",
              study.run.slip_settling.value_or(none));
   one_number("cage_impact_max", "N", "largest load of a ball on the cage", study.run.pocket_load_max);
   return content;

@@ -1,6 +1,7 @@
 #include "bearing/pressure/pressure_measures.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
@@ -44,17 +45,49 @@ Eigen::ArrayXd edges_of(const RollerContactPressure& solution) {
   return edge;
 }
 
-/// Integrals of `density` over equal parts.
-Eigen::ArrayXd parts(const RollerContactPressure& solution, const Eigen::ArrayXd& density, int laminae) {
+/// Ends of equal parts of the length.
+Eigen::ArrayXd bounds_of(const Eigen::ArrayXd& edge, int laminae) {
   mechanics::require(laminae >= 1, "laminae", laminae, "at least 1");
-  const Eigen::ArrayXd edge = edges_of(solution);
-  const Integral integral(edge, density);
-  const Eigen::ArrayXd bound = Eigen::ArrayXd::LinSpaced(laminae + 1, edge(0), edge(edge.size() - 1));
-  Eigen::ArrayXd part(laminae);
-  for (int k = 0; k < laminae; ++k) {
-    part(k) = integral.between(bound(k), bound(k + 1));
+  return Eigen::ArrayXd::LinSpaced(laminae + 1, edge(0), edge(edge.size() - 1));
+}
+
+/// Eq. (5): the mean of a pressure over a window of `width`, which is moved to lie within the contact.
+class MovingMean {
+ public:
+  MovingMean(const Eigen::ArrayXd& edge, const Eigen::ArrayXd& pressure, double width)
+      : edge_(edge), integral_(edge, pressure), width_(width) {}
+
+  double at(double x) const {
+    const double last = edge_(edge_.size() - 1) - width_;
+    const double from = std::clamp(x - 0.5 * width_, edge_(0), last);
+    return integral_.between(from, from + width_) / width_;
   }
-  return part;
+  /// Between these it is linear: where an end of the window meets an edge of an element.
+  std::vector<double> kinks() const {
+    std::vector<double> found;
+    for (const double edge : edge_) {
+      for (const double x : {edge - 0.5 * width_, edge + 0.5 * width_})
+        if (x > edge_(0) && x < edge_(edge_.size() - 1)) found.push_back(x);
+    }
+    return found;
+  }
+
+ private:
+  const Eigen::ArrayXd& edge_;
+  Integral integral_;
+  double width_;  // [m]
+};
+
+constexpr int kFatigue = 9;  // power of the pressure with which a line contact fatigues [LundbergPalmgren1947]
+
+/// Mean of the ninth power of what goes linearly from `u` to `v`, exactly.
+double mean_power(double u, double v) {
+  double sum = 0.0, power = 1.0;
+  for (int i = 0; i <= kFatigue; ++i) {
+    sum = sum * u + power;
+    power *= v;
+  }
+  return sum / (kFatigue + 1);
 }
 
 }  // namespace
@@ -90,11 +123,36 @@ void measure(const LengthGrid& grid, RollerContactPressure& solution) {
 }
 
 Eigen::ArrayXd lamina_loads(const RollerContactPressure& solution, int laminae) {
-  return parts(solution, solution.line_load, laminae);
+  const Eigen::ArrayXd edge = edges_of(solution), bound = bounds_of(edge, laminae);
+  const Integral integral(edge, solution.line_load);
+  Eigen::ArrayXd load(laminae);
+  for (int k = 0; k < laminae; ++k) load(k) = integral.between(bound(k), bound(k + 1));
+  return load;
 }
 
-Eigen::ArrayXd lamina_pressures(const RollerContactPressure& solution, int laminae) {
-  return parts(solution, solution.pressure, laminae) * (laminae / solution.element.sum());
+double mean_half_width(const RollerContactPressure& solution) {
+  const double load = (solution.element * solution.line_load).sum();
+  return load > 0.0 ? (solution.element * solution.line_load * solution.half_width).sum() / load : 0.0;
+}
+
+Eigen::ArrayXd fatigue_pressures(const RollerContactPressure& solution, int laminae) {
+  const Eigen::ArrayXd edge = edges_of(solution), bound = bounds_of(edge, laminae);
+  const double width = std::min(mean_half_width(solution), solution.element.sum());
+  if (!(width > 0.0)) return Eigen::ArrayXd::Zero(laminae);
+  const MovingMean mean(edge, solution.pressure, width);
+  std::vector<double> ends = mean.kinks();
+  ends.insert(ends.end(), bound.begin(), bound.end());
+  std::sort(ends.begin(), ends.end());
+  Eigen::ArrayXd damage = Eigen::ArrayXd::Zero(laminae);
+  Index lamina = 0;
+  double before = mean.at(ends.front());
+  for (std::size_t i = 1; i < ends.size(); ++i) {
+    const double here = mean.at(ends[i]);
+    damage(lamina) += (ends[i] - ends[i - 1]) * mean_power(before, here);
+    if (lamina + 1 < laminae && ends[i] >= bound(lamina + 1)) ++lamina;
+    before = here;
+  }
+  return (damage * (laminae / solution.element.sum())).pow(1.0 / kFatigue);
 }
 
 }  // namespace orbearing::bearing::half_space

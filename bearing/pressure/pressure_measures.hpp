@@ -23,7 +23,12 @@ void measure(const LengthGrid& grid, RollerContactPressure& solution);
 /// Load [N] of each of `laminae` equal parts of the length.
 Eigen::ArrayXd lamina_loads(const RollerContactPressure& solution, int laminae);
 
-/// Mean pressure along the middle [Pa] of each of `laminae` equal parts of the length.
-Eigen::ArrayXd lamina_pressures(const RollerContactPressure& solution, int laminae);
+/// Hertz's half-width [m] where the load is: its mean over the length, weighted by the line load; 0 without load.
+double mean_half_width(const RollerContactPressure& solution);
+
+/// Pressure [Pa] by which each of `laminae` equal parts of the length fatigues, Eqs. (5) and (6) of the README:
+/// the mean of ninth powers, over the part, of the pressure along the middle averaged over one half-width. The
+/// damage of a straight roller with sharp ends has a limit by them, and does not depend on `laminae`.
+Eigen::ArrayXd fatigue_pressures(const RollerContactPressure& solution, int laminae);
 
 }  // namespace orbearing::bearing::half_space

@@ -226,20 +226,23 @@ void sample_series(const BallBearing& model, const bearing::BearingGeometry& geo
 
 }  // namespace
 
-std::optional<double> settling_time(const SlipHistory& h) {
-  constexpr double kShare = 0.05, kPoints = 0.005;
-  double least = h.final_slip, most = h.final_slip;
-  const auto observed = static_cast<std::size_t>(
-      std::lower_bound(h.time.begin(), h.time.end(), h.observed_from) - h.time.begin());
-  for (std::size_t i = observed; i < h.time.size(); ++i) {
-    least = std::min(least, h.slip[i]);
-    most = std::max(most, h.slip[i]);
-  }
-  const double band = std::max(kShare * std::abs(h.final_slip), kPoints);
-  std::size_t i = observed;
-  while (i > 0 && h.slip[i - 1] >= least - band && h.slip[i - 1] <= most + band) --i;
-  if (i == observed) return std::nullopt;
-  return h.time[i];
+std::optional<double> settling_time(const SlipHistory& h, double end, double band) {
+  const double last_third = 2.0 / 3.0 * end;
+  const auto first = static_cast<std::size_t>(
+      std::lower_bound(h.time.begin(), h.time.end(), last_third) - h.time.begin());
+  if (first + 1 >= h.time.size()) return std::nullopt;
+  double sum = 0.0;
+  for (std::size_t i = first; i + 1 < h.time.size(); ++i)
+    sum += 0.5 * (h.slip[i] + h.slip[i + 1]) * (h.time[i + 1] - h.time[i]);
+  const double mean = sum / (h.time.back() - h.time[first]);
+  std::size_t inside = h.time.size();
+  while (inside > 0 && std::abs(h.slip[inside - 1] - mean) <= band) --inside;
+  if (inside == 0) return 0.0;
+  if (inside > first) return std::nullopt;
+  const double outside = h.slip[inside - 1];
+  const double edge = outside > mean ? mean + band : mean - band;
+  const double share = (edge - outside) / (h.slip[inside] - outside);
+  return h.time[inside - 1] + share * (h.time[inside] - h.time[inside - 1]);
 }
 
 BallRunResult run_balls(const bearing::Bearing& bearing, const bearing::balls::MotionParameters& parameters,
@@ -330,12 +333,8 @@ BallRunResult run_balls(const bearing::Bearing& bearing, const bearing::balls::M
   result.means.balls_life = bearing::rating::life_of_balls(
       bearing, capacities,
       {.inner = std::cbrt(damage.inner.damage().mean()), .outer = std::cbrt(damage.outer.damage().mean())});
-  if (result.completed) {
-    SlipHistory history = system.take_history();
-    history.final_slip = result.means.cage_slip;
-    history.observed_from = observe_from;
-    result.slip_settling = settling_time(history);
-  }
+  if (result.completed)
+    result.slip_settling = settling_time(system.take_history(), options.duration, options.settling_band);
   result.final_state = std::move(x);
   return result;
 }

@@ -36,6 +36,7 @@ constexpr described::Names<BallForm, 2> names_of(BallForm) {
 struct BallRunOptions {
   double duration = 1.0;  // [s]  of the whole run
   double observed = 0.2;  // [-]  share of it at its end, over which means are taken
+  double settling_band = 0.05;  // [-]  of the cage's kinematic speed: see settling_time()
   Start start = Start::rolling;
   int samples = 4000;           // [-]  of the whole run
   double length_error = 2e-10;  // [m]  as SteadyStateOptions::allowed_length_error
@@ -63,6 +64,12 @@ void describe(Visitor& visit, BallRunOptions& m) {
             {.models = ball_motion,
              .range = {.least = 0.0, .most = 1.0, .least_allowed = false},
              .reason = "what lies before it is for settling"}),
+      field(m.settling_band, "simulation.settling_band", Felt::lone_run,
+            "the slip of the cage has settled when it last leaves this band, as a share of the cage's kinematic speed, "
+            "about its mean over the last third of the run",
+            {.models = ball_motion,
+             .range = {.least = 0.0, .most = 1.0, .least_allowed = false},
+             .reason = "settling times are usually stated for a band of 5 %"}),
       field(m.start, "simulation.start", Felt::lone_run, "how balls and cage move at the start",
             {.models = ball_motion, .reason = "as at pure rolling on the rings' speeds of that instant"}),
       field(m.samples, "simulation.samples", Felt::lone_run, "states that are shown, evenly over the time",
@@ -125,19 +132,15 @@ struct BallRunResult {
   integration::IntegrationReport report;
 };
 
-/// A slip over time and what it comes to.
+/// A slip over time, at every step.
 struct SlipHistory {
-  std::vector<double> time;    // [s]  rising
-  std::vector<double> slip;    // [-]
-  double final_slip = 0.0;     // [-]  mean while observed
-  double observed_from = 0.0;  // [s]
+  std::vector<double> time;  // [s]  rising
+  std::vector<double> slip;  // [-]  share of the cage's kinematic speed
 };
 
-/// First time from which the slip stays between the least and the largest that is seen while observed, by 5 %
-/// of its final value or half a percentage point beyond them, whichever is more: a cage moves on by and by in
-/// its pockets, and a slip that comes to rest has but one value. None where that is not before it is
-/// observed.
-std::optional<double> settling_time(const SlipHistory& history);
+/// Last time [s] at which the slip leaves a band of +-`band` [-] about its mean over the last third of a run until
+/// `end` [s]; linear between the steps, 0 where it never does. None where that is within the last third.
+std::optional<double> settling_time(const SlipHistory& history, double end, double band);
 
 /// Runs `bearing` under `duty`. `capacities` are those of one contact, for the life; `progress` gets the time
 /// reached [s], if any. What goes wrong on the way is in the result; throws std::invalid_argument for input

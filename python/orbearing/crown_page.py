@@ -32,7 +32,8 @@ def headline(study: Report) -> str:
     within = record(advice.get("within_tolerances"))
     life = format_quantity((within or advice).get("half_space_life_h"), "h", 3) + (" within the tolerances" if within else "")
     if advice.get("no_crown_needed"):
-        return f"No crown is needed: straight rollers keep {left} of the {life} that the best drop gives."
+        ends = " with relieved ends" if advice.get("rollers") == "straight with relieved ends" else ""
+        return f"No crown is needed: straight rollers{ends} keep {left} of the {life} that the best drop gives."
     return (f"A drop of {format_number(advice.get('drop_um'), 3)} µm ({advice.get('profile')}) gives {life}, "
             f"of which straight rollers leave {left}.")
 
@@ -55,7 +56,7 @@ def _summary(study: Report) -> Table:
             *_tolerances(record(advice.get("within_tolerances"))),
             ("Optimum by laminae", f"{best.get('profile')}, drop {format_quantity(best.get('drop_um'), 'µm', 4)}"),
             ("Recommended drop", f"{format_quantity(advice.get('drop_um'), 'µm', 3)}; {band} leaves at least {kept} % of the life"
-                                 + ("; no crown is needed" if advice.get("no_crown_needed") else "")),
+                                 + (f"; no crown is needed: {advice.get('rollers')}" if advice.get("no_crown_needed") else "")),
             *([] if computed else [("Without tilt", f"{format_quantity(best.get('untilted_life_h'), 'h')}, "
                                     f"{format_change(best.get('untilted_life_h'), straight.get('untilted_life_h'))} against straight rollers")]),
             ("Greatest peak pressure", f"{format_quantity(best.get('peak_pressure_MPa'), 'MPa', 4)}, straight rollers "

@@ -121,7 +121,7 @@ TEST(HalfSpaceEdge, LaminaeHoldAwayFromTheEnds) {
   ASSERT_NEAR(by_law.sum(), kRollerLoad, 1e-9 * kRollerLoad);
   const ArrayXd hertz = (by_law / width * contact_modulus(contact) / (pi * contact.equivalent_radius)).sqrt();
   const auto solution = contact_pressure(contact, reference_profile(), kRollerLoad, 0.0);
-  const ArrayXd pressure = lamina_pressures(solution, laminae), loads = lamina_loads(solution, laminae);
+  const ArrayXd pressure = fatigue_pressures(solution, laminae), loads = lamina_loads(solution, laminae);
   for (int k = laminae / 10; k < laminae - laminae / 10; ++k) {
     EXPECT_NEAR(pressure(k), hertz(k), 0.03 * hertz(k)) << k;
     EXPECT_NEAR(loads(k), by_law(k), 0.06 * by_law(k)) << k;

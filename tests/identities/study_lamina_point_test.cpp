@@ -3,6 +3,7 @@
 
 #include <numeric>
 
+#include "bearing/contact/race_contact.hpp"
 #include "coupling/study/crowning/crown_problem.hpp"
 #include "coupling/study/operating_point.hpp"
 #include "tests/reducer.hpp"
@@ -33,6 +34,20 @@ TEST(LaminaPoint, StraightAndLevelIsTheUncutPoint) {
     EXPECT_NEAR(found.contact_pressure, expected.contact_pressure, kRoundOff * expected.contact_pressure);
     EXPECT_FALSE(expected.laminae.has_value());
   }
+}
+
+// Issue 44, item 16: the least film of a race is that under its most loaded roller.
+TEST(LaminaPoint, HasItsLeastFilmUnderTheLargestLoad) {
+  const PlanetaryDrivetrain drivetrain = example::reducer();
+  const DrivetrainGeometry geometry = derive(drivetrain);
+  const PointResult found = evaluate(drivetrain, geometry);
+  const BearingDuty duty = bearing_duty(drivetrain, geometry);
+  const bearing::RollerContacts contacts =
+      bearing::rolling_contacts(drivetrain.bearing, geometry.bearing, duty.point.inner_speed,
+                                duty.point.outer_speed, drivetrain.lubricant);
+  EXPECT_NEAR(found.inner.least_film / contacts.inner.film().least(found.inner.load_max), 1.0, kRoundOff);
+  EXPECT_NEAR(found.outer.least_film / contacts.outer.film().least(found.outer.load_max), 1.0, kRoundOff);
+  EXPECT_LT(found.inner.least_film, 0.99 * contacts.inner.film().least(found.inner.load_rms));
 }
 
 TEST(LaminaPoint, RecordsTheLaminaeOfEveryPlace) {

@@ -64,6 +64,24 @@ TEST(MultiStage, InSeriesAreAsEachAloneAtItsOwnSpeed) {
   expect_equal(both.system_life_hours, std::pow(together, -8.0 / 9.0));
 }
 
+// Issue 44, item 16: of several sets, too, the modified life of all is made of modified ones.
+TEST(MultiStage, HaveAModifiedLifeOfTheirModifiedLives) {
+  std::vector<NamedSet> sets = pair_in_series();
+  double kappa = 0.7;
+  for (NamedSet& set : sets) {
+    set.drivetrain.rated = RatedBearing{.ratings = bearing::rating::ratings_of(set.drivetrain.bearing),
+                                        .oil = {.viscosity_ratio = kappa, .contamination_factor = 0.5}};
+    kappa *= 2.0;
+  }
+  const PointResult both = evaluate(sets);
+  ASSERT_TRUE(both.modified.has_value());
+  double modified = 0.0;
+  for (const SetResult& set : both.sets)
+    modified += 8.0 * std::pow(set.modified.value().life_hours, -9.0 / 8.0);
+  expect_equal(both.modified->system_life_hours, std::pow(modified, -8.0 / 9.0));
+  EXPECT_GT(std::abs(both.modified->system_life_hours / both.system_life_hours - 1.0), 0.1);
+}
+
 // A set that is alone goes the old way to the last bit.
 TEST(MultiStage, OneWithoutANameIsItself) {
   const PlanetaryDrivetrain alone = reducer();

@@ -7,6 +7,7 @@
 #include "coupling/study/bearing_tangent.hpp"
 #include "coupling/study/gear_dynamics.hpp"
 #include "coupling/study/mesh_excitation.hpp"
+#include "coupling/study/one_way.hpp"
 #include "coupling/study/operating_point.hpp"
 #include "tests/coupled_reducer.hpp"
 
@@ -147,6 +148,29 @@ TEST(OneWay, LivesAsInOneSystemInTheDip) {
   EXPECT_GE(one_way.dynamic->one_way->runs, 2);
   // The scheme is good to 3 % and each of both means over three cage revolutions scatters by 1 to 2 %.
   EXPECT_NEAR(one_way.life_hours / one_system.life_hours, 1.0, 0.07);
+}
+
+// Issue 44, item 16: stiffness, damping and the mean load all have to be within what is allowed.
+TEST(OneWay, IsAcceptedWhereAllChangesAreAllowed) {
+  constexpr double any = 1e9;
+  PlanetaryDrivetrain drivetrain = dry_reducer_at(6000.0 * example::rpm);
+  drivetrain.steady_state.observed_windows = 1;
+  const DrivetrainGeometry geometry = derive(drivetrain);
+  const BearingDuty duty = bearing_duty(drivetrain, geometry);
+  const GearsOnTangent gears = gears_on_tangent(drivetrain, geometry);
+  const auto accepted = [&](double stiffness, double damping, double load) {
+    const OneWayRun run = run_one_way(drivetrain, geometry, duty, gears, std::nullopt,
+                                      {.stiffness_change = stiffness,
+                                       .damping_change = damping,
+                                       .load_difference = load,
+                                       .most_runs = 1});
+    EXPECT_EQ(run.fit.value().runs, 1);
+    return run.fit.value().accepted;
+  };
+  EXPECT_TRUE(accepted(any, any, any));
+  EXPECT_FALSE(accepted(0.0, any, any));
+  EXPECT_FALSE(accepted(any, 0.0, any));
+  EXPECT_FALSE(accepted(any, any, 0.0));
 }
 
 // Without backlash planets that are thrown outward press their back flanks on the ring: the gears carry

@@ -158,6 +158,37 @@ TEST(PinErrors, EveryPlanetLivesUnderItsOwnLoad) {
   EXPECT_TRUE(evaluate(even, derive(even)).planets.empty());
 }
 
+// Issue 44, item 16: the modified life of all bearings of unlike planets is made of their modified lives.
+TEST(PinErrors, HaveASystemsModifiedLifeOfModifiedOnes) {
+  PlanetaryDrivetrain drivetrain = displaced(4, 10e-6, false);
+  drivetrain.rated = RatedBearing{.ratings = bearing::rating::ratings_of(drivetrain.bearing),
+                                  .oil = {.viscosity_ratio = 0.7, .contamination_factor = 0.5}};
+  const PointResult point = evaluate(drivetrain, derive(drivetrain));
+  ASSERT_TRUE(point.modified.has_value());
+  double damage = 0.0;
+  for (const PlanetResult& planet : point.planets) {
+    EXPECT_GT(planet.life_hours, 1.2 * planet.modified_life_hours);
+    damage += 2.0 * std::pow(planet.modified_life_hours, -9.0 / 8.0);
+  }
+  EXPECT_NEAR(point.modified->system_life_hours * std::pow(damage, 8.0 / 9.0), 1.0, kRoundOff);
+}
+
+// Issue 44, item 16. The sun's thrust follows from its torque, however its planets share it; axial force and overturning
+// moment of one planet are means over the planets.
+TEST(PinErrors, LeaveTheThrustOfTheSunAsItIs) {
+  PlanetaryDrivetrain drivetrain = displaced(4, 10e-6, false);
+  drivetrain.set.helix_angle = 0.2;
+  const DrivetrainGeometry geometry = derive(drivetrain);
+  const PointResult point = evaluate(drivetrain, geometry);
+  ASSERT_EQ(point.planets.size(), 4U);
+  const double torque = drivetrain.drive.power / drivetrain.drive.speed;
+  const double thrust = torque / geometry.gears.sun.pitch_radius * std::tan(0.2);
+  EXPECT_NEAR(std::abs(point.sun_thrust) / thrust, 1.0, kBalance);
+  EXPECT_NEAR(4.0 * point.axial_mesh_force / -point.sun_thrust, 1.0, kBalance);
+  const gearset::MeanLoads even = bearing_duty(drivetrain, geometry).gears;
+  EXPECT_NEAR(point.overturning_moment / even.overturning_moment, 1.0, kBalance);
+}
+
 // Gears at mean mesh stiffness, so that motion adds little to rest: loads of every planet as at rest, one way
 // and as one system.
 TEST(PinErrors, LoadPlanetsAlikeInEveryFidelity) {

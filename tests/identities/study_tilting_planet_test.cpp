@@ -102,6 +102,39 @@ TEST(TiltingPlanet, HoldsWhatHelicalTeethOverturn) {
   }
 }
 
+// Issue 44, item 16. Flanks of the sun's mesh lie on the line (sin a, cos a) from outward to ahead, those of the ring's on
+// (-sin a, cos a): across their difference in sense the radial parts of both add up, the mixed ones cancel.
+TEST(TiltingPlanet, IsHeldByBothMeshesEachOnItsSide) {
+  const PlanetaryDrivetrain drivetrain = tilting_reducer();
+  const Eigen::Matrix2d found = mesh_tilt_stiffness(drivetrain);
+  const double lever = 28e-3 * 28e-3 / 12.0, sun = 5e8 * lever, ring = 6e8 * lever;  // [N m/rad]
+  constexpr double a = 0.33, b = 0.42;
+  EXPECT_NEAR(found(0, 0), sun * std::sin(a) * std::sin(a) + ring * std::sin(b) * std::sin(b), 1e-9 * sun);
+  EXPECT_NEAR(found(1, 1), sun * std::cos(a) * std::cos(a) + ring * std::cos(b) * std::cos(b), 1e-9 * sun);
+  EXPECT_NEAR(found(0, 1), sun * std::sin(a) * std::cos(a) - ring * std::sin(b) * std::cos(b), 1e-9 * sun);
+  EXPECT_EQ(found(0, 1), found(1, 0));
+}
+
+// Issue 44, item 16: lives of a system by film and cleanliness go together as basic ones do, of those lives.
+TEST(TiltingPlanet, HasASystemsModifiedLifeOfModifiedOnes) {
+  PlanetaryDrivetrain drivetrain = tilting_reducer();
+  drivetrain.seats.clearance_differences = {0.0, 5e-6};
+  drivetrain.rated = RatedBearing{.ratings = bearing::rating::ratings_of(drivetrain.bearing),
+                                  .oil = {.viscosity_ratio = 0.7, .contamination_factor = 0.5}};
+  const PointResult found = evaluate(drivetrain, derive(drivetrain));
+  ASSERT_TRUE(found.modified.has_value());
+  ASSERT_EQ(found.seats.size(), 2u);
+  double basic = 0.0, modified = 0.0;
+  for (const SeatResult& seat : found.seats) {
+    basic += drivetrain.set.planets * std::pow(seat.life_hours, -9.0 / 8.0);
+    modified += drivetrain.set.planets * std::pow(seat.modified_life_hours, -9.0 / 8.0);
+  }
+  EXPECT_GT(found.seats[0].life_hours, 1.2 * found.seats[0].modified_life_hours);
+  EXPECT_GT(std::abs(found.seats[0].life_hours / found.seats[1].life_hours - 1.0), 0.01);
+  EXPECT_NEAR(found.system_life_hours * std::pow(basic, 8.0 / 9.0), 1.0, 1e-9);
+  EXPECT_NEAR(found.modified->system_life_hours * std::pow(modified, 8.0 / 9.0), 1.0, 1e-9);
+}
+
 // The wall at the positive end carries half of what presses on a pin in its middle; N of these halves at the
 // centre distance twist it against the other wall, which inclines the pins by the arc over their span.
 TEST(TiltingPlanet, FeelsTheTwistOfItsCarrier) {

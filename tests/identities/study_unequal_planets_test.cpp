@@ -71,6 +71,16 @@ std::string problem_of(std::vector<double> degrees) {
   return problems.empty() ? "" : problems.front().place + ": " + problems.front().text;
 }
 
+// Issue 44, item 16: the gap from the last planet to the first counts, too.
+TEST(UnequalPlanets, HaveALeastGapAllAround) {
+  EXPECT_NEAR(gearset::least_step({0.0, 100.0 * degree, 230.0 * degree}), 100.0 * degree, 1e-12);
+  EXPECT_NEAR(gearset::least_step({0.0, 130.0 * degree, 270.0 * degree}), 90.0 * degree, 1e-12);
+  EXPECT_NEAR(gearset::least_step({0.0, 130.0 * degree, 220.0 * degree}), 90.0 * degree, 1e-12);
+  EXPECT_NEAR(gearset::least_step({0.0}), two_pi, 1e-12);
+  const double step = 360.0 / 116.0;  // the last planet 10 steps before the first
+  EXPECT_NE(problem_of({0.0, 35.0 * step, 70.0 * step, 106.0 * step}).find("must not touch"), std::string::npos);
+}
+
 TEST(UnequalPlanets, ThatCannotBeAssembledAreRefused) {
   const double step = 360.0 / 116.0;
   EXPECT_EQ(problem_of({0.0, 27.0 * step, 58.0 * step, 85.0 * step}), "");

@@ -15,7 +15,7 @@ import unittest
 
 SOURCE = pathlib.Path(os.environ.get("ORBEARING_SOURCE_DIR", pathlib.Path(__file__).resolve().parents[2])).resolve()
 PROGRAM = pathlib.Path(os.environ["ORBEARING"]).resolve()
-SECONDS = 120
+SECONDS = 600
 
 sys.path.insert(0, str(SOURCE / "benchmarks"))
 import command  # noqa: E402

@@ -14,7 +14,7 @@ import zipfile
 CASES = pathlib.Path(os.environ.get("ORBEARING_SOURCE_DIR", ".")) / "cases"
 REDUCER = CASES / "reducer_150kW" / "case.yaml"
 LIBRARIES = pathlib.Path(os.environ["ORBEARING"]).resolve().parents[1] / "lib" / "orbearing" / "fmu"
-SECONDS = 60
+SECONDS = 600
 
 
 def fmu(case, output, *arguments):

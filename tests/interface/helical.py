@@ -157,7 +157,7 @@ class Helical(unittest.TestCase):
         for row in found["points"]:
             self.assertAlmostEqual(row["planet_load_N"] * row["input_speed_rpm"] / (176.16e3 * 22.0), 1.0, delta=1e-3)
         ratios = [mesh["overlap_ratio"] for mesh in answer("mesh", WIND)["meshes"]]
-        self.assertAlmostEqual(ratios[0], 227.5 * math.sin(math.radians(7.5)) / (10.0 * math.pi), delta=1e-9)
+        self.assertAlmostEqual(ratios[0], 220.0 * math.sin(math.radians(7.5)) / (10.0 * math.pi), delta=1e-9)
         self.assertEqual(answer("modes", WIND)["modes"][0]["kind"], "rotational")
         self.assertEqual(run("validate", WIND, "--quiet").returncode, 0)
 

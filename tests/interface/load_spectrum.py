@@ -17,7 +17,7 @@ SHIPPED = "spectrum={file: loads.csv}"
 OIL = "lubricant.grade=ISO VG 220"
 COARSE = "sweep.input.speed=[3000 rpm, 6000 rpm, 9000 rpm]"
 SAME = 1e-12
-WAIT = 300  # [s]
+WAIT = 600  # [s]
 
 
 def call(*arguments, folder=None):

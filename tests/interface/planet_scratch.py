@@ -12,7 +12,7 @@ SHORT = ("--set", "signal.carrier_revolutions=1", "--set", "signal.carrier_settl
 
 
 def call(*arguments):
-    return subprocess.run([os.environ["ORBEARING"], *map(str, arguments)], capture_output=True, text=True, timeout=120, check=False)
+    return subprocess.run([os.environ["ORBEARING"], *map(str, arguments)], capture_output=True, text=True, timeout=600, check=False)
 
 
 class PlanetScratch(unittest.TestCase):

@@ -11,7 +11,7 @@ CASES = pathlib.Path(os.environ.get("ORBEARING_SOURCE_DIR", ".")) / "cases"
 REDUCER = CASES / "reducer_150kW" / "case.yaml"
 SETS = CASES / "three_sets_150kW" / "case.yaml"
 WIND = CASES / "wind_stage_750kW" / "case.yaml"
-SECONDS = 240
+SECONDS = 600
 
 
 def package():

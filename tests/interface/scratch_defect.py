@@ -14,7 +14,7 @@ import netCDF4
 import numpy
 
 CASE = pathlib.Path(os.environ.get("ORBEARING_SOURCE_DIR", ".")) / "cases" / "scratch_defect" / "case.yaml"
-SECONDS = 120
+SECONDS = 600
 BRIEF = "signal.revolutions=20"
 
 

@@ -14,7 +14,7 @@ import netCDF4
 CASES = pathlib.Path(os.environ.get("ORBEARING_SOURCE_DIR", ".")) / "cases"
 FILM = CASES / "spin_film_guo2013" / "case.yaml"
 BEARING = CASES / "spin_bearing_7210" / "case.yaml"
-SECONDS = 60
+SECONDS = 600
 KEYS = ["load_N", "rolling_speed_m_s", "spin_rad_s", "h_c_um", "h_min_um", "h_c_HamrockDowson_um", "h_min_HamrockDowson_um"]
 # Rows of [Guo2013]: load, rolling speed, spin; film, then that of Hamrock and Dowson, central and least.
 PRINTED = [(500, 5, 200, 0.4041, 0.3210, 0.4040, 0.3268), (500, 10, 300, 0.6429, 0.4891, 0.6428, 0.5236),

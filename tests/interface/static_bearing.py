@@ -12,7 +12,7 @@ CASES = pathlib.Path(os.environ.get("ORBEARING_SOURCE_DIR", ".")) / "cases"
 HARRIS = CASES / "harris_209" / "case.yaml"
 PLANET = CASES / "planet_bearing_iso16281" / "case.yaml"
 BALL = CASES / "ball_6305_iso16281" / "case.yaml"
-SECONDS = 60
+SECONDS = 600
 
 
 def call(*arguments):

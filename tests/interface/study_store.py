@@ -160,14 +160,14 @@ class Portions(unittest.TestCase):
     def test_each_point_once_and_of_the_wanted_length(self):
         design = design_of(FakeCase(), {"bearing.radial_clearance": {"from": "0 um", "to": "40 um"}}, sampler="lhs", samples=4000)
         plan = Plan(design, np.arange(0, design.points, 2))
-        pace, seconds, seen = 2e-3, [], []
+        pace, lengths, seen = 2e-3, [], []
         while portion := plan.next(4):
             seen += portion.ids.tolist()
-            seconds.append(pace * len(portion.ids))
-            plan.learn(len(portion.ids), seconds[-1])
+            lengths.append(pace * len(portion.ids))
+            plan.learn(len(portion.ids), lengths[-1])
         self.assertEqual(sorted(seen), list(range(0, design.points, 2)))
-        self.assertLess(seconds[0], 0.01, "the first portion is short: its result comes soon")
-        settled = seconds[5:-1]
+        self.assertLess(lengths[0], 0.01, "the first portion is short: its result comes soon")
+        settled = lengths[5:-1]
         self.assertTrue(all(0.99 * LEAST_SECONDS <= one <= 1.01 * USUAL_SECONDS for one in settled), settled)
 
     def test_points_of_a_portion_share_all_that_is_no_number(self):

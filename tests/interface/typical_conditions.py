@@ -32,7 +32,7 @@ def call(text, *options):
         file = pathlib.Path(place) / "record.csv"
         file.write_text(text)
         command = [sys.executable, "-m", "orbearing.conditions", str(file), *options]
-        return subprocess.run(command, capture_output=True, text=True, timeout=60, check=False)
+        return subprocess.run(command, capture_output=True, text=True, timeout=600, check=False)
 
 
 class Conditions(unittest.TestCase):

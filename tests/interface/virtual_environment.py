@@ -9,7 +9,7 @@ import subprocess
 import sys
 
 SKIPPED = 77
-SECONDS = 300  # for the packages to come
+SECONDS = 600  # for the packages to come
 
 
 def skip(reason):

@@ -2,6 +2,7 @@
 // printed in a public test-suite.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
 #include "bearing/equilibrium/balls.hpp"
@@ -44,6 +45,30 @@ TEST(Ball6305, DisplacementsAndLives) {
     const BearingLife life = rating::ball_reference_life(capacities, state.contact_load, state.contact_load,
                                                          rating::turning(Race::inner));
     EXPECT_NEAR(1e-6 * life.bearing / row.life, 1.0, kLife);
+  }
+}
+
+// Issue 44, item 14. [ISO16281] (2008) takes the tilt into the approach at R_i = d_m/2 + (r_i - D/2) cos(a0) and the
+// moment at d_m/2; we take both at R_i, where the groove centres are. The program takes both at d_m/2. So without a
+// moment its tilt is ours times R_i over d_m/2; under a moment alone, where loads go with (arm)^(-3/4) and tilt times
+// arm with load^(1/3), ours times the fifth root of the fourth power: (R_i/(d_m/2))^(5/4).
+TEST(Ball6305, TiltIsThatOfTheProgramButForItsArm) {
+  struct Tilted {
+    const char* name;
+    RingLoad load;
+    double clearance;         // [um]
+    double published, power;  // [mrad], [-]
+  };
+  constexpr double half_pitch = 21.75, arm = half_pitch + 0.02 * 11.5;  // [mm]
+  constexpr double printed = 5e-5;  // half a unit of the last of five digits, and the program's small angles
+  for (const Tilted& row : {Tilted{"radial and axial", {.radial = 1000.0, .axial = 1000.0}, 10.0, 2.6872, 1.0},
+                            Tilted{"moment", {.moment_across = 1.0}, 0.0, 3.6957, 1.25}}) {
+    SCOPED_TRACE(row.name);
+    const RingState state = balance_ring(BallRow(bearing_6305(row.clearance)), row.load);
+    ASSERT_TRUE(state.report.converged) << state.report.message;
+    const double tilt = 1e3 * std::hypot(state.tilt, state.lateral_tilt);
+    EXPECT_NEAR(tilt * std::pow(arm / half_pitch, row.power) / row.published, 1.0, printed);
+    EXPECT_LT(tilt / row.published, 0.99);
   }
 }
 

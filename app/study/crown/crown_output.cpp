@@ -123,6 +123,12 @@ bool has_tolerance(const CrownStudy& study) {
   return study.request.tolerance.drop > 0.0 || study.request.tolerance.tilt > 0.0;
 }
 
+// Straight rollers are not sharp ones where their corners press harder than the middle.
+std::string rollers_to_take(const CrownStudy& study) {
+  if (!study.recommended.advice.no_crown_needed()) return "crowned";
+  return study.straight.edge_ratio > 1.0 ? "straight with relieved ends" : "straight";
+}
+
 ordered_json recommended_json(const CrownStudy& study) {
   const auto& [design, advice, duties] = study.recommended;
   ordered_json object{{"profile", design.profile},
@@ -137,6 +143,7 @@ ordered_json recommended_json(const CrownStudy& study) {
                       {"life_kept_in_band", kKeptLife},
                       {"straight_life_share", number_or_null(advice.straight_life_hours / advice.life_hours)},
                       {"no_crown_needed", advice.no_crown_needed()},
+                      {"rollers", rollers_to_take(study)},
                       {"missed", {drop_life_json(advice.low), drop_life_json(advice.high)}},
                       {"by_laminae", drop_life_json(advice.other)},
                       {"interpolation_error", number_or_null(advice.interpolation_error)}};
@@ -163,11 +170,11 @@ std::string tolerance_text(const CrownStudy& study) {
 std::string recommended_text(const CrownStudy& study) {
   const auto& [design, advice, duties] = study.recommended;
   std::string text = fmt::format(
-      "recommended by half-space pressures{}:\n  {}, drop {:.3g} um{}; from {:.3g} to {}{:.3g} um{} at least "
+      "recommended by half-space pressures{}: rollers {}\n  {}, drop {:.3g} um{}; from {:.3g} to {}{:.3g} um{} at least "
       "{:.0f} % of its life is left\n  straight rollers leave {:.1f} %, {:.3g} um {:.1f} %, {:.3g} um {:.1f} "
       "%, "
       "the drop by laminae ({:.3g} um) {:.1f} %\n",
-      tolerance_text(study), design.profile, kMicro * design.crown.drop,
+      tolerance_text(study), rollers_to_take(study), design.profile, kMicro * design.crown.drop,
       advice.no_crown_needed() ? " (no crown is needed)" : "", kMicro * advice.band.least,
       advice.band.open ? "beyond " : "", kMicro * advice.band.most,
       advice.band.open ? " (the greatest studied)" : "", 100.0 * kKeptLife,

@@ -369,6 +369,7 @@ PointFilm solve_point_film(const PointFilmCase& contact, const PointFilmGrid& gr
     measure(fine, contact, result);
     if (result.converged || cycles >= grid.cycles) break;
   }
+  result.cycles = cycles;
   return result;
 }
 

@@ -41,7 +41,7 @@ struct PointFilmGrid {
 
 struct PointFilm {
   bool converged = false;
-  int cycles = 0;           // on the finest grid
+  int cycles = 0;           // on the finest grid, all attempts together
   double load_error = 0.0;  // [-]
   double change = 0.0;      // [-]  of pressure in the last cycle, mean over mean
   double residual = 0.0;    // [-]  what Reynolds' equation leaves, over the oil through the contact

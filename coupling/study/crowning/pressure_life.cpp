@@ -33,8 +33,8 @@ Eigen::ArrayXXd pressures_on(Race race, const CrownProblem& problem, const Rolle
       const double load = inner ? roller.inner.load : roller.outer.load;
       const double tilt = (inner ? roller.inner_end_displacement : roller.outer_end_displacement) / half;
       if (load > idle)
-        found.col(place) = bearing::half_space::lamina_pressures(pressure.on(race, profile, load, tilt),
-                                                                 problem.bearing.rollers().laminae);
+        found.col(place) = bearing::half_space::fatigue_pressures(pressure.on(race, profile, load, tilt),
+                                                                  problem.bearing.rollers().laminae);
       ++place;
     }
   return found;

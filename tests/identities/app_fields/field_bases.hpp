@@ -359,6 +359,7 @@ inline const std::map<std::string, Change>& stated_changes() {
       {"bearing.temperature.planet", {"30 degC", {shelf, "bearing.fit.outer_interference=20 um"}}},
       {"bearing.outside_diameter", {"48 mm"}},
       {"simulation.observed_share", {"0.5"}},
+      {"simulation.settling_band", {"1e-4"}},
       {"gearset.dynamics.ring.equivalent_mass",
        {"3.3 kg", {"gearset.dynamics.ring.torsional_stiffness=1e9 N/m"}}},
       {"gearset.dynamics.run_up.from", {"0.9", gears_run_up}},

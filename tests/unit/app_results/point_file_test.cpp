@@ -79,6 +79,31 @@ TEST(PointFile, HoldsScalarsInSiAndLoadsByPlace) {
   EXPECT_EQ(file.attribute(NC_GLOBAL, "status"), "ok");
 }
 
+// Issue 44, item 16: each variable holds its own number.
+TEST(PointFile, HoldsBearingsPlanetsAndLaminaeUnderTheirNames) {
+  using Values = std::vector<double>;
+  study::PointResult result = fake_sweep::fake_result(3);
+  result.seats = {{-0.01, 11.0, {1e-3, 2e-3}, 21.0, 31.0}, {0.01, 12.0, {3e-3, 4e-3}, 22.0, 32.0}};
+  result.planets = {{0.9, 101.0, 201.0, 301.0}, {1.1, 102.0, 202.0, 302.0}};
+  result.laminae = study::LaminaRecord{.lamina_place = {-2e-3, 2e-3},
+                                       .inner_load = {1.0, 2.0, 3.0, 4.0, 5.0, 6.0},
+                                       .outer_load = {7.0, 8.0, 9.0, 10.0, 11.0, 12.0},
+                                       .roller_tilt = {0.1, 0.2, 0.3}};
+  const ReadFile file(netcdf_bytes(point_content(fake_sweep::fake_header(5), 3, {}, result)));
+  EXPECT_EQ(file.values("bearing_place", 2), (Values{-0.01, 0.01}));
+  EXPECT_EQ(file.values("bearing_load", 2), (Values{11.0, 12.0}));
+  EXPECT_EQ(file.values("bearing_tilt_x", 2), (Values{1e-3, 3e-3}));
+  EXPECT_EQ(file.values("bearing_tilt_y", 2), (Values{2e-3, 4e-3}));
+  EXPECT_EQ(file.values("bearing_life", 2), (Values{21.0, 22.0}));
+  EXPECT_EQ(file.values("planet_load_share", 2), (Values{0.9, 1.1}));
+  EXPECT_EQ(file.values("planet_bearing_load", 2), (Values{101.0, 102.0}));
+  EXPECT_EQ(file.values("planet_life", 2), (Values{201.0, 202.0}));
+  EXPECT_EQ(file.values("lamina_place", 2), result.laminae->lamina_place);
+  EXPECT_EQ(file.values("inner_lamina_load", 6), result.laminae->inner_load);
+  EXPECT_EQ(file.values("outer_lamina_load", 6), result.laminae->outer_load);
+  EXPECT_EQ(file.values("roller_tilt", 3), result.laminae->roller_tilt);
+}
+
 TEST(PointFile, EveryVariableStatesItsUnitAndMeaning) {
   const ReadFile file(
       netcdf_bytes(point_content(fake_sweep::fake_header(5), 3, {}, fake_sweep::fake_result(3))));

@@ -121,6 +121,22 @@ TEST(PeakSearch, LooksOnBothSidesOfADip) {
     }
 }
 
+// Issue 44, item 16. Within a gap of share 0.087 life may rise by a factor 1.304: from 80 h beyond the best, 100 h, from
+// 50 h not. The higher end of a gap decides, on either side of the best.
+TEST(PeakSearch, LooksWhereTheHigherEndOfAGapCouldReachTheBest) {
+  const PeakSearch search{.in_motion = true};
+  EXPECT_EQ(next_speeds({{1000.0, 100.0}, {1100.0, 80.0}, {1200.0, 50.0}, {1300.0, 50.0}}, search),
+            (std::vector<double>{1050.0, 1150.0}));
+  EXPECT_EQ(next_speeds({{1000.0, 50.0}, {1100.0, 50.0}, {1200.0, 80.0}, {1300.0, 100.0}}, search),
+            (std::vector<double>{1150.0, 1250.0}));
+}
+
+// Without motion the best point is brought in between its own neighbours, each to its own side.
+TEST(PeakSearch, HalvesBothGapsBesideTheBest) {
+  EXPECT_EQ(next_speeds({{1000.0, 50.0}, {1200.0, 100.0}, {1300.0, 60.0}, {1400.0, 10.0}}, {}),
+            (std::vector<double>{1100.0, 1250.0}));
+}
+
 TEST(PeakSearch, FindsTheHillBetweenTwoDips) {
   const Life life = with_dip(with_dip(smooth(5800.0), 5000.0, 0.3, 0.04), 6000.0, 0.35, 0.04);
   const std::vector<LivedSpeed> points = searched(life, kMotion, grid(life));

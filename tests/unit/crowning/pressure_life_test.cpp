@@ -1,4 +1,5 @@
 // Life from half-space pressures: what it must feel, and that few cage angles are enough.
+#include "coupling/study/crowning/half_space_search.hpp"
 #include "coupling/study/crowning/pressure_life.hpp"
 
 #include <gtest/gtest.h>
@@ -45,6 +46,32 @@ TEST(PressureLife, OfADeepProfileIsThatOfItsLaminaeWithoutRiser) {
       bearing::hours(revolutions, turning_speed(problem.bearing, problem.duties[0].point));
   const double ours = pressure_life_hours(problem, pressure, deep, Lean::Zero());
   EXPECT_NEAR(std::pow(ours / expected, -1.0 / 9.0), 1.0, kPressure);
+}
+
+// Issue 44, item 4: the damage at a sharp end is that of a pressure averaged over one half-width, whatever the number of
+// laminae. The share of straight rollers is taken over a small crown near the best one, whose life hardly depends on its
+// drop.
+TEST(PressureLife, OfStraightRollersConvergesWithFinerLaminae) {
+  constexpr double kConverged = 0.005;
+  struct Speed {
+    double rpm, drop;  // [m]
+  };
+  for (const Speed& at : {Speed{1000.0, 0.7e-6}, Speed{6000.0, 0.15e-6}, Speed{12000.0, 0.3e-6}}) {
+    const auto share = [&](int laminae) {
+      CrownProblem problem = crown_problem(reducer(), derive(reducer()), {{at.rpm * kRpm, 1.0}},
+                                           LifeMeasure::lundberg_palmgren, laminae);
+      const RollerPressure pressure(problem);
+      const ProfileFamily family = family_of("iso16281", problem.bearing, 1.0);
+      return pressure_life_hours(problem, pressure, bearing::profile::Straight{}, Lean::Zero()) /
+             pressure_life_hours(problem, pressure, profile_of(family, {at.drop, 1.0}), Lean::Zero());
+    };
+    const double coarse = share(40), fine = share(200);
+    std::printf("%g rpm: %.5f %.5f %.5f\n", at.rpm, share(10), coarse, fine);
+    EXPECT_NEAR(fine, coarse, kConverged) << at.rpm;
+    EXPECT_LT(fine, 1.0);
+    EXPECT_GE(fine, kKeptLife);  // no crown is needed, with 40 laminae and with 200
+    EXPECT_GE(coarse, kKeptLife);
+  }
 }
 
 TEST(PressureLife, CrownSavesLifeUnderTiltAndCostsItWithout) {

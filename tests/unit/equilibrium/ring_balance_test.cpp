@@ -64,6 +64,44 @@ TEST(StaticBalls, ForcesAreSlopesOfTheEnergy) {
   expect_slopes(BallRow(bearing), place);
 }
 
+// Issue 44, item 14: the groove centres of the inner ring lie on a circle of R_i = d_m/2 + (r_i - D/2) cos(a), so a
+// tilt moves them along z by R_i psi cos(phi). With that arm, the displacement and the loads that are reported, the
+// moment is the slope of the potential U(psi) - F_r u(psi) - F_a w(psi), whose slopes by u and w vanish.
+TEST(StaticBalls, MomentIsTheSlopeOfTheEnergyByTheTiltAtTheGrooveCircle) {
+  for (const double nominal : {0.0, 0.5}) {
+    const Bearing bearing = balls(nominal, nominal > 0.0 ? 0.0 : 10e-6);
+    const double diameter = bearing.balls().diameter, cosine = std::cos(nominal);
+    const double distance = (bearing.inner.osculation + bearing.outer.osculation - 1.0) * diameter;
+    const double arm =
+        0.5 * bearing.pitch_diameter + (bearing.inner.osculation - 0.5) * diameter * cosine;
+    const RingLoad load{.radial = 800.0, .axial = 1500.0};
+    const auto potential = [&](double tilt) {
+      RingLoad held = load;
+      held.tilt = tilt;
+      const RingState state = balance_ring(BallRow(bearing), held);
+      EXPECT_TRUE(state.report.converged);
+      double energy = -load.radial * state.radial - load.axial * state.axial;
+      for (Eigen::Index j = 0; j < state.contact_load.size(); ++j) {
+        const double angle = boost::math::double_constants::two_pi * static_cast<double>(j) / 8.0;
+        const double radial = distance * cosine - 0.5 * bearing.radial_clearance +
+                              state.radial * std::cos(angle) + state.lateral * std::sin(angle);
+        const double axial = distance * std::sin(nominal) + state.axial + arm * tilt * std::cos(angle) +
+                             arm * state.lateral_tilt * std::sin(angle);
+        const double approach = std::hypot(radial, axial) - distance;
+        energy += 0.4 * state.contact_load[j] * std::max(approach, 0.0);  // U = 2/5 Q delta
+      }
+      return energy;
+    };
+    constexpr double tilt = -0.8e-3, step = 2e-5;
+    RingLoad held = load;
+    held.tilt = tilt;
+    const double moment = balance_ring(BallRow(bearing), held).moment;
+    ASSERT_GT(std::abs(moment), 0.1);
+    const double slope = (potential(tilt + step) - potential(tilt - step)) / (2.0 * step);
+    EXPECT_NEAR(slope / moment, 1.0, 1e-3) << nominal;  // d_m/2 would be off by 1 % of the ball's part
+  }
+}
+
 // One lamina, no clearance: c_L (u cos phi)^(10/9) on the loaded half, summed by hand for four rollers of
 // which one alone is loaded (two stand at a right angle).
 TEST(StaticRollers, FourRollersByHand) {

@@ -65,8 +65,21 @@ TEST(HelicalGears, MeshAtTheReferenceDistanceWithoutShifts) {
   EXPECT_NEAR(g.sun_mesh.contact_ratio, 2.0 * reach / pitch, 1e-6);
 }
 
-TEST(HelicalGears, OfTheWindTurbineStandAtThePrintedDistance) {
-  EXPECT_NEAR(working_geometry(wind_stage()).centre_distance, 308e-3, 0.05e-3);
+// Issue 44, item 12: shifts of the wind turbine's stage as its root diameters say, d_f = d -+ 2 m (h_f - x) with one
+// depth h_f of the roots; carrier radius 308.000 +- 0.010 mm.
+TEST(HelicalGears, OfTheWindTurbineHaveTheirRootsAndTheirDistance) {
+  const PlanetarySet set = wind_stage();
+  const WorkingGeometry g = working_geometry(set);
+  EXPECT_NEAR(g.centre_distance, 308e-3, 0.01e-3);
+  EXPECT_NEAR(g.planet_shift, 0.3987, 1e-4);
+  EXPECT_NEAR(g.sun_mesh.contact_ratio, 1.5236, 1e-4);
+  EXPECT_NEAR(overlap_ratio(set.face_width, set.module, set.helix_angle), 0.9141, 1e-4);
+  constexpr double depth = 1.4669;  // in modules
+  const auto root = [&](int teeth, double shift) {
+    return 1e3 * set.module * (teeth / std::cos(set.helix_angle) - 2.0 * (depth - shift));
+  };
+  EXPECT_NEAR(root(set.sun_teeth, set.sun_shift), 186.0, 0.1);
+  EXPECT_NEAR(root(set.planet_teeth, g.planet_shift), 372.0, 0.1);
 }
 
 // A pair whose helix goes to zero goes to the spur pair, and hands do not matter in the transverse section.

@@ -32,10 +32,10 @@ inline PlanetarySet with_helix(PlanetarySet set, double helix_angle) {
   return set;
 }
 
-/// Low-speed stage of a wind turbine of 750 kW, 7.5 deg: numbers of [Oyague2011] but for the shifts, which
-/// are such that the centre distance is the printed 308 mm.
+/// Low-speed stage of a wind turbine of 750 kW, 7.5 deg: numbers of [Oyague2011]; shifts of sun and planet by
+/// their root diameters of 186 and 372 mm, that of the ring by the centre distance of 308 mm.
 inline PlanetarySet wind_stage() {
-  PlanetarySet set{21, 39, 99, 3, 10e-3, {}, 0.40, 0.75, 227.5e-3, 290e-3};
+  PlanetarySet set{21, 39, 99, 3, 10e-3, {}, 0.1763, 0.9737, 220e-3, 290e-3};
   set.helix_angle = 7.5 * 0.017453292519943295;
   return set;
 }

@@ -230,6 +230,22 @@ TEST(LoadedTeeth, TorsionOfABodyIsThatOfAShearedRing) {
   }
 }
 
+// Issue 44, item 16: under 900 N a spring of 900 N / (5 + 2 cos f + 0.5 sin 3 f) um approaches by that sum.
+TEST(TransmissionError, HasTheAmplitudesOfItsHarmonics) {
+  constexpr double turn = 2.0 * 3.14159265358979323846, force = 900.0;
+  const PeriodicCurve spring(
+      [](double place) {
+        return force / (1e-6 * (5.0 + 2.0 * std::cos(turn * place) + 0.5 * std::sin(3.0 * turn * place)));
+      },
+      {}, 4000);
+  const TransmissionError error = transmission_error(spring, force);
+  constexpr double sampled = 1e-10;  // [m]  of a cubic between 4000 knots
+  EXPECT_NEAR(error.mean, 5e-6, sampled);
+  ASSERT_EQ(error.harmonics.size(), static_cast<std::size_t>(transmission_orders));
+  for (std::size_t order = 1; order <= error.harmonics.size(); ++order)
+    EXPECT_NEAR(error.harmonics[order - 1], order == 1 ? 2e-6 : order == 3 ? 0.5e-6 : 0.0, sampled) << order;
+}
+
 // Perfect involutes have no error without load; under a light one it follows the step-like stiffness.
 TEST(TransmissionError, OfPerfectInvolutesVanishesWithTheLoad) {
   for (const NamedGears& example : examples()) {

@@ -1,6 +1,7 @@
 // Rules of the project that a reader cannot keep an eye on by himself.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <regex>
 #include <set>
 #include <string>
@@ -52,6 +53,38 @@ TEST(Repository, EveryTestStandsInAFileThatCtestRuns) {
     const testing::TestSuite& suite = *all.GetTestSuite(i);
     for (int j = 0; j < suite.total_test_count(); ++j)
       EXPECT_TRUE(std::regex_match(suite.GetTestInfo(j)->file(), file)) << suite.GetTestInfo(j)->file();
+  }
+}
+
+// Issue 44, item 15: a file without a test is a red test of ctest where what it needs is not installed.
+TEST(Repository, EveryFileThatCtestRunsHoldsATest) {
+  std::set<std::string> filled;
+  const testing::UnitTest& all = *testing::UnitTest::GetInstance();
+  for (int i = 0; i < all.total_test_suite_count(); ++i) {
+    const testing::TestSuite& suite = *all.GetTestSuite(i);
+    for (int j = 0; j < suite.total_test_count(); ++j)
+      filled.insert(std::filesystem::path(suite.GetTestInfo(j)->file()).lexically_relative(root()).string());
+  }
+  static const std::regex run(R"(tests/(unit|identities|literature|regression)/.*_test\.cpp)");
+  for (const auto& file : files({".cpp"})) {
+    const std::string name = file.lexically_relative(root()).string();
+    if (std::regex_match(name, run)) {
+      EXPECT_TRUE(filled.contains(name)) << name;
+    }
+  }
+}
+
+// Issue 44, item 15: how long something takes differs from machine to machine; benchmarks/ measure it.
+TEST(Repository, NoTestBoundsSeconds) {
+  static const std::regex clock(
+      "steady_clock|system_clock|std::clock\\(|(assert|EXPECT_|ASSERT_)(Less|Greater|L|G)[A-Za-z]*\\([^\\n]*"
+      "(seconds|took|elapsed|time\\.|perf_counter|monotonic)");
+  for (const auto& file : files({".cpp", ".hpp", ".py"})) {
+    const std::string name = file.lexically_relative(root()).string();
+    if (!name.starts_with("tests/") || name == "tests/unit/repository/repository_test.cpp") continue;
+    std::smatch match;
+    const std::string text = contents(file);
+    EXPECT_FALSE(std::regex_search(text, match, clock)) << name << ": " << match.str();
   }
 }
 

@@ -67,6 +67,12 @@ TEST(AffineFit, ReturnsALinearBearingToRoundOff) {
   AffineBearing stiffer = planted_law();
   stiffer.stiffness *= 1.02;
   EXPECT_NEAR(fit.law(expected_law(), stiffer).stiffness_change, 0.02, round_off);
+  // Issue 44, item 16: each change is that of its own law.
+  EXPECT_LT(fit.law(expected_law(), stiffer).damping_change, round_off);
+  AffineBearing damped = planted_law();
+  damped.damping *= 1.05;
+  EXPECT_NEAR(fit.law(expected_law(), damped).damping_change, 0.05, round_off);
+  EXPECT_LT(fit.law(expected_law(), damped).stiffness_change, round_off);
 }
 
 // Rollers add forces of their own, and the bore's mass answers them with motion that is out of all proportion

@@ -28,16 +28,48 @@ TEST(RingDrive, SpeedsUpThenKeepsItsSpeed) {
   EXPECT_DOUBLE_EQ(RingDrive::steady(-3.0).angle_at(2.0), -6.0);
 }
 
-// Half a point beyond what is seen while observed, or five per cent of the final value.
-TEST(SettlingTime, IsWhereTheSlipLastEntersItsBand) {
-  const auto settled = [](std::vector<double> slip, double final_slip) {
-    return settling_time({{0, 1, 2, 3, 4, 5}, std::move(slip), final_slip, 5.0});
+// Issue 44, item 13. A signal with known answer: 0.01 + exp(-t/tau) cos(2 pi f t), sampled every 10 us. It last leaves
+// 0.01 +- 0.05 between the envelope's crossing, tau ln 20, and half a period before: at an extreme of the cosine.
+SlipHistory decaying(double tau, double frequency, double end, double ripple = 0.0) {
+  SlipHistory history;
+  const long samples = std::lround(end / 10e-6);
+  for (long i = 0; i <= samples; ++i) {
+    const double time = 10e-6 * static_cast<double>(i);
+    history.time.push_back(time);
+    history.slip.push_back(0.01 + std::exp(-time / tau) * std::cos(2.0 * M_PI * frequency * time) +
+                           ripple * std::sin(2.0 * M_PI * 700.0 * time));
+  }
+  return history;
+}
+
+TEST(SettlingTime, IsWhereADecayingSlipLastLeavesItsBand) {
+  constexpr double tau = 1e-3, sampled = 2e-8;  // [s]; straight lines between samples: h^2/8 of the curvature
+  EXPECT_NEAR(*settling_time(decaying(tau, 0.0, 0.06), 0.06, 0.05), tau * std::log(20.0), sampled);
+  EXPECT_NEAR(*settling_time(decaying(tau, 0.0, 0.06), 0.06, 0.2), tau * std::log(5.0), sampled);
+  // Of a cosine of 1 kHz the last extreme outside is that at 2.5 ms, -exp(-2.5); the next, at 3 ms, is inside.
+  const double settled = *settling_time(decaying(tau, 1000.0, 0.06), 0.06, 0.05);
+  EXPECT_NEAR(std::exp(-settled / tau) * std::cos(2.0 * M_PI * 1000.0 * settled), -0.05, 1e-4);
+  EXPECT_GT(settled, 2.5e-3);
+  EXPECT_LT(settled, 2.75e-3);
+}
+
+TEST(SettlingTime, IsNotThatOfAMotionWithinItsBand) {
+  // A cage that moves on by 4 % of its speed has settled, by 6 % not.
+  const double alone = *settling_time(decaying(1e-3, 0.0, 0.06), 0.06, 0.05);
+  EXPECT_NEAR(*settling_time(decaying(1e-3, 0.0, 0.06, 0.04), 0.06, 0.05), alone, 2e-3);
+  EXPECT_FALSE(settling_time(decaying(1e-3, 0.0, 0.06, 0.06), 0.06, 0.05).has_value());
+}
+
+TEST(SettlingTime, GoesByTheMeanOfTheLastThirdAndIsNoneThere) {
+  const auto settled = [](std::vector<double> slip) {
+    return settling_time({{0, 1, 2, 3, 4, 5, 6, 7, 8, 9}, std::move(slip)}, 9.0, 0.05);
   };
-  EXPECT_DOUBLE_EQ(*settled({1.0, 0.2, 0.005, 0.002, 0.0, 0.0}, 0.001), 2.0);
-  EXPECT_DOUBLE_EQ(*settled({0.4, 0.45, 0.41, 0.39, 0.4, 0.4}, 0.4), 2.0);
-  EXPECT_DOUBLE_EQ(*settled({1.0, 0.1, 0.015, -0.003, 0.022, 0.02}, 0.0), 2.0);
-  EXPECT_DOUBLE_EQ(*settled({0.4, 0.4, 0.4, 0.4, 0.4, 0.4}, 0.4), 0.0);
-  EXPECT_FALSE(settled({0.4, 0.5, 0.6, 0.5, 0.6, 0.4}, 0.4).has_value());
+  EXPECT_DOUBLE_EQ(*settled({0.4, 0.4, 0.4, 0.4, 0.4, 0.4, 0.4, 0.4, 0.4, 0.4}), 0.0);
+  // Mean 0.2 of the last three intervals: from 0.4 to 0.2 the band's edge, 0.25, is three quarters of a step off.
+  EXPECT_DOUBLE_EQ(*settled({1.0, 0.2, 0.2, 0.4, 0.2, 0.2, 0.2, 0.2, 0.2, 0.2}), 3.75);
+  EXPECT_DOUBLE_EQ(*settled({0.2, 0.0, 0.2, 0.2, 0.2, 0.2, 0.2, 0.2, 0.2, 0.2}), 1.75);
+  EXPECT_FALSE(settled({0.2, 0.2, 0.2, 0.2, 0.2, 0.2, 0.2, 0.3, 0.2, 0.2}).has_value());
+  EXPECT_FALSE(settling_time({{}, {}}, 9.0, 0.05).has_value());  // an outer ring that stands and one that does not turn
 }
 
 BallRunResult run(double load, double speed, const BallRunOptions& options, double clearance = 20e-6) {
