@@ -15,7 +15,7 @@
 #include "tests/identities/app_fields/analysis_results.hpp"
 #include "tests/identities/app_fields/field_bases.hpp"
 
-namespace orbearing::app {
+namespace orbearing::app::every_context_test {
 namespace {
 
 using namespace fields_test;
@@ -281,4 +281,4 @@ TEST_P(EveryContext, TellsWhatIsUsed) {
 INSTANTIATE_TEST_SUITE_P(AllCases, EveryContext, testing::ValuesIn(subjects()), subject_name);
 
 }  // namespace
-}  // namespace orbearing::app
+}  // namespace orbearing::app::every_context_test

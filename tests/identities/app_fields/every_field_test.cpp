@@ -15,7 +15,7 @@
 #include "tests/identities/app_fields/analysis_results.hpp"
 #include "tests/identities/app_fields/field_bases.hpp"
 
-namespace orbearing::app {
+namespace orbearing::app::every_field_test {
 namespace {
 
 using namespace fields_test;
@@ -329,4 +329,4 @@ TEST(FieldUse, ASingleBearingHasNoSweep) {
 }
 
 }  // namespace
-}  // namespace orbearing::app
+}  // namespace orbearing::app::every_field_test

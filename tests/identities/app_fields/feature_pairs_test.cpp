@@ -200,13 +200,13 @@ void check_rotation(const Values& values) {
     const study::PlanetResult &one = here.planets[n], &next = there.planets[(n + 1) % 4];
     expect_equal(one.load_share, next.load_share, "share", kSearched);
     expect_equal(one.life_hours, next.life_hours, "life", kSearched);
-    expect_equal(one.modified_life_hours, next.modified_life_hours, "modified life", kSearched);
+    expect_equal(one.rated_hours.modified, next.rated_hours.modified, "modified life", kSearched);
     basic = n == 0 ? one.life_hours : bearing::combined_life(basic, one.life_hours);
-    modified = n == 0 ? one.modified_life_hours : bearing::combined_life(modified, one.modified_life_hours);
+    modified = n == 0 ? one.rated_hours.modified : bearing::combined_life(modified, one.rated_hours.modified);
   }
   // Of all bearings none may fail.
   expect_equal(number(here, "system_life_h"), basic, "all planets");
-  if (here.modified) expect_equal(number(here, "system_L10mh"), modified, "all planets by cleanliness");
+  if (here.rating.lives.oil) expect_equal(number(here, "system_L10mh"), modified, "all planets by cleanliness");
   if (values.contains("gearset.helix_angle")) {
     check_thrust(here, 4);
     Values even = values;
@@ -225,14 +225,14 @@ void check_oil(const Values& values) {
   const study::PointResult with = point(oiled), without = point(resolved(dry));
   for (const char* column : {"life_h", "system_life_h", "inner_load_max_N", "film_inner_um"})
     expect_equal(number(with, column), number(without, column), column, 1e-12);
-  EXPECT_FALSE(without.modified);
-  ASSERT_TRUE(with.modified);
+  EXPECT_FALSE(without.rating.lives.oil);
+  ASSERT_TRUE(with.rating.lives.oil);
   // Bearings that are alike live together as their own modified lives say.
   if (with.planets.empty() && with.seats.empty())
     expect_equal(number(with, "system_L10mh"), bearing::system_life(number(with, "L10mh"), 4), "of four");
   if (!with.seats.empty()) {
     const double planet =
-        bearing::combined_life(with.seats[0].modified_life_hours, with.seats[1].modified_life_hours);
+        bearing::combined_life(with.seats[0].rated_hours.modified, with.seats[1].rated_hours.modified);
     expect_equal(number(with, "system_L10mh"), bearing::system_life(planet, 4), "of eight");
   }
 }
@@ -302,8 +302,8 @@ void check_sets(const Values& values) {
   for (std::size_t i = 0; i < 2; ++i) {
     expect_equal(chain.sets[i].life_hours, number(*single[i], "life_h"), "life", 1e-8);
     expect_equal(chain.sets[i].planet_load, number(*single[i], "planet_load_N"), "load", 1e-8);
-    if (chain.sets[i].modified)
-      expect_equal(chain.sets[i].modified->life_hours, number(*single[i], "L10mh"), "modified life", 1e-8);
+    if (chain.sets[i].rating.lives.oil)
+      expect_equal(chain.sets[i].rating.hours.modified, number(*single[i], "L10mh"), "modified life", 1e-8);
   }
   for (const char* column : {"system_life_h", "system_L10mh"})
     expect_equal(number(chain, column), bearing::combined_life(number(alone, column), number(behind, column)),
