@@ -115,14 +115,19 @@ std::optional<std::pair<std::string, double>> numbered(const std::string& text) 
   return std::pair{letters.substr(0, digit), *number.value};
 }
 
-// Of choices that differ by a number alone, the one whose number is nearest in ratio; empty where there is none.
+// Of choices that differ by a number alone, as grades of oil do and designations of bearings do not, the one whose
+// number is nearest in ratio; empty where there is none.
 std::string nearest_number(const Field& field, const std::string& text) {
   const auto given = numbered(text);
+  const auto is_alike = [&](const std::string& choice) {
+    const auto known = numbered(choice);
+    return known && given && known->first == given->first && !given->first.empty();
+  };
+  if (!std::all_of(field.choices.begin(), field.choices.end(), is_alike)) return "";
   std::string nearest;
   double least = std::log(2.0);
   for (const std::string& choice : field.choices) {
     const auto known = numbered(choice);
-    if (!given || !known || given->first != known->first) continue;
     const double distance = std::abs(std::log(given->second / known->second));
     if (distance >= least) continue;
     least = distance;
@@ -136,9 +141,14 @@ FieldReading read_choice(const Field& field, const Entry& entry) {
     std::string likely = likely_choice(field, entry.text);
     if (bare(likely) != bare(entry.text))
       if (const std::string nearest = nearest_number(field, entry.text); !nearest.empty()) likely = nearest;
-    return bad(describe(entry) + " is none of the choices" +
-                   (likely.empty() ? "" : fmt::format(" (did you mean '{}'?)", likely)),
-               field);
+    FieldReading reading = bad(describe(entry) + " is none of the choices" +
+                                   (likely.empty() ? "" : fmt::format(" (did you mean '{}'?)", likely)),
+                               field);
+    if (field.path == "bearing.designation")
+      reading.complaint.required +=
+          "; of a bearing that is not among them, state number, diameter and pitch diameter of its rolling elements in "
+          "place of the designation";
+    return reading;
   }
   return good({entry.text, 0.0, {}});
 }

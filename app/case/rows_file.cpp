@@ -111,7 +111,7 @@ class RowsReader {
     std::vector<int> columns;
     const std::vector<std::string> cells = csv_cells(line, columns);
     if (auto fault = row_fault(cells, columns, header_.size())) {
-      object(fault->column, fault->complaint.found, fault->complaint.required + " are required");
+      object(fault->column, fault->complaint.found, fault->complaint.required + ", are required");
       return false;
     }
     Entry row = make_entry(Entry::Shape::block, place(line_, 1));
@@ -208,7 +208,7 @@ std::optional<RowFault> row_fault(const std::vector<std::string>& cells, const s
   if (cells.size() == columns) return std::nullopt;
   RowFault fault{1,
                  {fmt::format("{} values", cells.size()),
-                  fmt::format("{}, one for each column of the first line,", columns)}};
+                  fmt::format("{}, one for each column of the first line", columns)}};
   if (cells.size() < columns) return fault;
   fault.column = places[columns];
   std::size_t halves = 0;

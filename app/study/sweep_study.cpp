@@ -64,6 +64,15 @@ std::vector<std::vector<Setting>> lines_of_spectrum(const ResolvedCase& resolved
   return lines;
 }
 
+std::string entering_power_text(const LoadBin& bin) {
+  return fmt::format("{} W", bin.entering_power());
+}
+
+// It has next to no power and next to endless life, which nobody has mistaken.
+bool is_idle_bin(const std::vector<Setting>& settings) {
+  return std::find(settings.begin(), settings.end(), Setting{kPowerPath, entering_power_text(LoadBin{})}) != settings.end();
+}
+
 /// The bins that turn, for each combination of the other swept values.
 void add_spectrum(const ResolvedCase& resolved, LoadSpectrum& spectrum, std::vector<SweepPoint>& points) {
   const std::vector<std::vector<Setting>> lines = lines_of_spectrum(resolved);
@@ -72,7 +81,7 @@ void add_spectrum(const ResolvedCase& resolved, LoadSpectrum& spectrum, std::vec
     for (const std::size_t number : spectrum.turning()) {
       const LoadBin& bin = spectrum.bins[number];
       std::vector<Setting> settings = line;
-      settings.emplace_back(kPowerPath, fmt::format("{} W", bin.entering_power()));
+      settings.emplace_back(kPowerPath, entering_power_text(bin));
       settings.emplace_back(kSpeedPath, fmt::format("{} rad/s", bin.speed));
       points.push_back(point_of(resolved, std::move(settings)));
     }
@@ -95,8 +104,7 @@ study::PointResult compute_point(const ResolvedCase& resolved, const std::vector
   const ResolvedCase at_point = resolved.with(settings);
   const std::vector<study::NamedSet> sets = bearing_sets(at_point);
   study::PointResult result = study::evaluate(sets, fidelity);
-  // An idle bin of a spectrum has next to no power and next to endless life.
-  return at_point.quantity(kPowerPath) <= LoadBin{}.entering_power() ? result : judged(std::move(result), sets);
+  return is_idle_bin(settings) ? result : judged(std::move(result), sets);
 }
 
 SweptAxis axis_column(const std::string& path) {

@@ -72,6 +72,10 @@ py::object value_of(const CoreCase& core, const std::string& path) {
     case app::Kind::list:
       if (field.element == app::Kind::text) return py::cast(core.resolved.texts(path));
       if (!field.columns.empty()) return rows_of(field, core.resolved.list(path));
+      if (field.element == app::Kind::integer) {
+        const std::vector<double>& whole = core.resolved.list(path);
+        return py::cast(std::vector<long>(whole.begin(), whole.end()));
+      }
       return py::cast(core.resolved.list(path));
   }
   return py::none();
