@@ -28,6 +28,13 @@ std::vector<Condition> shape_beside_end_drop() {
   return {where("bearing.profile.kind", {"fujiwara-kawase"}), where_given({"bearing.profile.end_drop"})};
 }
 
+// Its load follows from the drop, where none is stated.
+std::vector<Condition> drop_beside_end_drop() {
+  std::vector<Condition> all = shape_beside_end_drop();
+  all.push_back(where_absent("bearing.profile.design_load"));
+  return all;
+}
+
 void add_profile_shape(std::vector<Field>& fields) {
   fields.push_back(
       {.path = "bearing.profile.design_load",
@@ -107,7 +114,8 @@ void add_profile(std::vector<Field>& fields) {
       "other entries of the profile give, else the relief of the profile of "
       "ISO/TS 16281 there",
       Use((use::lives & ~unsigned{use::crown}) | use::fmu_bearing | use::lone_balance | use::planet_stiffness,
-          use::crown | use::bearings_as_springs | use::mesh),  // crown varies it
+          use::crown | use::bearings_as_springs | use::mesh)  // crown varies it
+          .felt_too(use::crown, drop_beside_end_drop()),
       dimension::small_length, 1000.0));
   add_profile_shape(fields);
 }

@@ -13,14 +13,11 @@ namespace {
 // As the viscosity that follows, and for the life by film and cleanliness too.
 Use use_of_grade(const Field& viscosity) {
   Use use = viscosity.use;
-  use.by |= use::static_load;
-  use.unfelt_by &= ~unsigned{use::static_load};
-  for (Way& way : use.ways) way.by &= ~unsigned{use::static_load};
   // That no grade is given.
   use.conditions.clear();
   for (Way& way : use.ways)
     std::erase_if(way.conditions, [](const Condition& condition) { return condition.absent; });
-  return use;
+  return use.felt_too(use::crown | use::static_load, where_absent("life.viscosity_ratio"));
 }
 
 }  // namespace

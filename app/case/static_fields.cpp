@@ -23,6 +23,11 @@ const Use& by_static_load() {
 
 constexpr unsigned rated = single_bearing | planetary_drivetrain;
 
+// Unless kappa is that of the film, which crown does not compute.
+Use where_kappa_is_stated(const Use& use) {
+  return use.when(where("life.viscosity_ratio_by", {"speed"})).felt_too(use::crown, std::vector<Condition>{});
+}
+
 // Lives by film and cleanliness.
 const Use& by_rated_life() {
   static const Use use(use::static_load | use::ball_run | use::lives,
@@ -173,8 +178,10 @@ void add_life(std::vector<Field>& fields) {
   reliability.default_text = "0.9";
   reliability.default_reason = "rating lives are those of 90 %";
   fields.push_back(reliability);
-  fields.push_back(life_number("life.viscosity_ratio", "kappa of ISO 281; with it the life takes a_ISO",
-                               {.least = 0.1, .most = 1000.0}));
+  Field ratio = life_number("life.viscosity_ratio", "kappa of ISO 281; with it the life takes a_ISO",
+                            {.least = 0.1, .most = 1000.0});
+  ratio.use = where_kappa_is_stated(ratio.use);
+  fields.push_back(ratio);
   fields.push_back(life_number("life.contamination_factor", "e_C of ISO 281", {0.0, 1.0}));
   fields.push_back({.path = "life.lubrication",
                     .kind = Kind::choice,
@@ -208,7 +215,8 @@ void add_life(std::vector<Field>& fields) {
   fields.push_back(optional_quantity(dimension::kinematic_viscosity, "lubricant.kinematic_viscosity",
                                      "kinematic viscosity at running temperature, in place of kappa", rated,
                                      {.least = 0.0, .most = 1e6, .least_allowed = false},
-                                     by_rated_life().when(where_absent("lubricant.grade"))));
+                                     where_kappa_is_stated(by_rated_life())
+                                         .when(where_absent("lubricant.grade"))));
 }
 
 }  // namespace

@@ -118,12 +118,12 @@ struct Through {
 
 const std::initializer_list<Through> through_others = {
     // Seats and what they are of make the clearance.
-    {{"bearing.bore", "material.youngs_modulus", "material.poisson_ratio"},
+    {{"bearing.bore", "bearing.rings", "material.youngs_modulus", "material.poisson_ratio"},
      "bearing.clearance_state",
      "unmounted",
      "bearing.radial_clearance"},
     // The pin bends under bearings side by side; it and the meshes hold a planet that tilts.
-    {{"bearing.bore", "material.youngs_modulus", "material.poisson_ratio"},
+    {{"bearing.bore", "bearing.rings", "material.youngs_modulus", "material.poisson_ratio"},
      "bearing.tilt_state",
      "computed",
      "bearing.tilt_state",

@@ -103,6 +103,7 @@ inline std::string machine_result(const fmu::NumberTable& numbers, bool bearing,
     inputs.at(1) = 6e-6;  // [m]        under load
     inputs.at(6) = 2e3;   // [rad/s^2]  of the carrier
   }
+  if (!bearing) inputs.at(0) += 200.0;  // [N]  on one planet, so that bodies leave their places
   const std::unique_ptr<system::Participant> driven = fmu::make_participant(numbers, parameters);
   driven->initialize(0.0, inputs);
   for (int i = 0; i < steps; ++i) {

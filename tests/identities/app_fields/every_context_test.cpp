@@ -10,6 +10,7 @@
 #include <iostream>
 #include <set>
 
+#include "app/case/mesh_fields.hpp"
 #include "app/case/unused_inputs.hpp"
 #include "app/errors.hpp"
 #include "tests/identities/app_fields/analysis_results.hpp"
@@ -31,7 +32,7 @@ const std::string kDynamics = "gearset.dynamics.";
 
 std::vector<Context> contexts_of_rollers_at_rest() {
   const std::string set = "bearing_in_a_set", laminae = "bearing.laminae=20", kind = "bearing.profile.kind=";
-  const std::string grade = "lubricant.grade=ISO VG 220", clean = "life.cleanliness=high";
+  const std::string grade = "lubricant.grade=ISO VG 32", clean = "life.cleanliness=high";
   constexpr unsigned rest = use::quasi_static;
   return {
       {"film_and_oil", set, {"film.enabled=true", grade, clean},
@@ -135,7 +136,7 @@ std::vector<Context> contexts_of_single_bearings() {
 
 std::vector<Context> contexts_in_motion() {
   const std::string set = "bearing_in_a_set", balls = "ball_bearing_in_time";
-  const std::string grade = "lubricant.grade=ISO VG 220", clean = "life.cleanliness=high";
+  const std::string grade = "lubricant.grade=ISO VG 32", clean = "life.cleanliness=high";
   return {{"limiting_shear", set, {"traction.law=limiting-shear"}, use::dynamic | use::fmu_bearing},
           {"mixed", set, {"traction.law=limiting-shear", "contact.lubrication=mixed"},
            use::dynamic | use::monolithic | use::fmu_bearing},
@@ -168,8 +169,9 @@ struct Subject {
   use::Analysis analysis = use::quasi_static;
 };
 
+// tools/test --full asks for all of them, apart from the other tests.
 bool is_full() {
-  const char* full = std::getenv("ORBEARING_FULL");
+  const char* full = std::getenv("EVERY_CONTEXT");
   return full != nullptr && std::string(full) == "yes";
 }
 
@@ -219,6 +221,12 @@ bool is_left_to_full_tests(const Field& field, const Subject& subject) {
   return (part + hash) % 4 != 0;
 }
 
+// Meshes hold a planet that does not tilt: what they are differs in the last digits of nothing.
+bool is_felt_by_rounding_alone(const std::string& path, const Subject& subject) {
+  const bool level = subject.context.name.find("level_bearing") != std::string::npos;
+  return level && (makes_meshes(path) || path == "gearset.sun_bore_ratio" || path == "gearset.ring_outside_ratio");
+}
+
 class EveryContext : public testing::TestWithParam<Subject> {
  protected:
   // The context, with what `more` replaces.
@@ -246,7 +254,8 @@ TEST_P(EveryContext, TellsWhatIsUsed) {
     const std::string set = GetParam().base->set;
     if (set_prefix_length(input.path) > 0 && !input.path.starts_with(set_prefix(set))) continue;
     Change change = change_of(field, plain, input.path);
-    if (change.value.empty()) continue;
+    if (change.value.empty() || (plain.has(input.path) && plain.given(input.path) == change.value)) continue;
+    if (is_felt_by_rounding_alone(field.path, GetParam())) continue;
     std::vector<std::string> more{input.path + "=" + change.value};
     for (const std::string& setting : change.together) more.push_back(setting);
     SCOPED_TRACE(more.front() + ", " + analysis_name(analysis));
