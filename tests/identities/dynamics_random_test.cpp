@@ -114,7 +114,6 @@ TEST_P(RandomDynamics, EndsWithSoundNumbersOrAReason) {
     // A run that hangs rejects steps without end; a sound one repeats fewer than it accepts.
     EXPECT_LE(run.report.steps + run.report.rejected, 2L * short_run(GetParam(), 0.0).integration.most_steps)
         << draw;
-    std::printf("steps %ld %ld\n", run.report.steps, run.report.rejected);
   }
   for (const auto& [ending, count] : endings) RecordProperty(ending, count);
   for (const auto& [ending, count] : endings) std::printf("%6d  %s\n", count, ending.c_str());

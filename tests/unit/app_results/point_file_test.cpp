@@ -83,8 +83,8 @@ TEST(PointFile, HoldsScalarsInSiAndLoadsByPlace) {
 TEST(PointFile, HoldsBearingsPlanetsAndLaminaeUnderTheirNames) {
   using Values = std::vector<double>;
   study::PointResult result = fake_sweep::fake_result(3);
-  result.seats = {{-0.01, 11.0, {1e-3, 2e-3}, 21.0, 31.0}, {0.01, 12.0, {3e-3, 4e-3}, 22.0, 32.0}};
-  result.planets = {{0.9, 101.0, 201.0, 301.0}, {1.1, 102.0, 202.0, 302.0}};
+  result.seats = {{-0.01, 11.0, {1e-3, 2e-3}, 21.0}, {0.01, 12.0, {3e-3, 4e-3}, 22.0}};
+  result.planets = {{0.9, 101.0, 201.0}, {1.1, 102.0, 202.0}};
   result.laminae = study::LaminaRecord{.lamina_place = {-2e-3, 2e-3},
                                        .inner_load = {1.0, 2.0, 3.0, 4.0, 5.0, 6.0},
                                        .outer_load = {7.0, 8.0, 9.0, 10.0, 11.0, 12.0},

@@ -66,7 +66,6 @@ TEST(PressureLife, OfStraightRollersConvergesWithFinerLaminae) {
              pressure_life_hours(problem, pressure, profile_of(family, {at.drop, 1.0}), Lean::Zero());
     };
     const double coarse = share(40), fine = share(200);
-    std::printf("%g rpm: %.5f %.5f %.5f\n", at.rpm, share(10), coarse, fine);
     EXPECT_NEAR(fine, coarse, kConverged) << at.rpm;
     EXPECT_LT(fine, 1.0);
     EXPECT_GE(fine, kKeptLife);  // no crown is needed, with 40 laminae and with 200

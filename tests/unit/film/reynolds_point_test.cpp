@@ -162,7 +162,7 @@ TEST(ReynoldsPoint, WhatIsNotSolvedIsGivenUp) {
   for (const PointFilmCase& contact : {turns, thin}) {
     const PointFilm film = solve_point_film(contact);
     EXPECT_FALSE(film.converged);
-    std::printf("%d\n", film.cycles);
+    EXPECT_LE(film.cycles, 60);  // on the finest grid, all attempts together
   }
 }
 

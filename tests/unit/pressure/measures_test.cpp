@@ -141,7 +141,9 @@ TEST(FatiguePressure, OfASharpEndHasALimit) {
   EXPECT_NEAR(fatigue_pressures(coarse, 1)(0), limit, 1e-3 * limit);
   for (const int laminae : {10, 40, 200})
     EXPECT_NEAR(std::pow(fatigue_pressures(fine, laminae).pow(9.0).mean(), 1.0 / 9.0), limit, 1e-12 * limit);
-  EXPECT_NEAR(fatigue_pressures(fine, 400)(399), std::pow(w, -lambda) / (1.0 - lambda), 1e-9);
+  // The far end of the window lies within an element, whose pressure is even.
+  const double at_the_end = std::pow(w, -lambda) / (1.0 - lambda);
+  EXPECT_NEAR(fatigue_pressures(fine, 400)(399), at_the_end, 2e-4 * at_the_end);
 }
 
 TEST(Elasticity, TwoEqualBodiesHaveHalfTheModulusOfOne) {
