@@ -4,6 +4,7 @@
 #include "bearing/contact/printed_film.hpp"
 #include "bearing/contact/race_form.hpp"
 #include "bearing/motion/race_model.hpp"
+#include "tests/messages.hpp"
 #include "tests/unit/bearing/example_bearings.hpp"
 #include "tests/unit/motion/reducer_bearing.hpp"
 
@@ -60,10 +61,10 @@ TEST(RaceForm, OvalBoreSpreadsTheLoad) {
 TEST(RaceForm, MeansOverOnePitchRefuseWhatDiffersFromPitchToPitch) {
   Bearing bearing = test::reducer_bearing();
   bearing.rollers().diameter_deviation = {1e-6};
-  EXPECT_THROW(quasi_static_bearing(bearing, kPoint, {}), std::invalid_argument);
+  EXPECT_REFUSED(std::invalid_argument, "bearing_form 1", quasi_static_bearing(bearing, kPoint, {}));
   bearing.rollers().diameter_deviation.clear();
   bearing.inner.form = {{2, 1e-6, 0.0, true}};
-  EXPECT_THROW(quasi_static_bearing(bearing, kPoint, {}), std::invalid_argument);
+  EXPECT_REFUSED(std::invalid_argument, "bearing_form 2", quasi_static_bearing(bearing, kPoint, {}));
   bearing.inner.form[0].turning = false;
   EXPECT_NO_THROW(quasi_static_bearing(bearing, kPoint, {}));
 }

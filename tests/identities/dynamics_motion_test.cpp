@@ -10,6 +10,7 @@
 #include "coupling/integration/integrate.hpp"
 #include "coupling/system/bearing_steps.hpp"
 #include "coupling/system/steady_state.hpp"
+#include "tests/messages.hpp"
 #include "tests/unit/motion/reducer_bearing.hpp"
 
 namespace orbearing::bearing::motion::dynamics_motion_test {
@@ -310,9 +311,9 @@ TEST(SteadyState, EndsAtALookThatSaysSo) {
 TEST(SteadyState, RefusesABearingInWhichNothingTurns) {
   OperatingPoint point = test::reducer_point(6000.0);
   point.outer_speed = 0.0;
-  EXPECT_THROW(system::run_to_steady_state(test::reducer_bearing(), point, test::reducer_parameters(),
-                                           {.integration = {}}),
-               std::invalid_argument);
+  EXPECT_REFUSED(std::invalid_argument, "dynamics_motion 1",
+                 system::run_to_steady_state(test::reducer_bearing(), point, test::reducer_parameters(),
+                                           {.integration = {}}));
 }
 
 }  // namespace

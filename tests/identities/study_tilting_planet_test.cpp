@@ -5,6 +5,7 @@
 
 #include "coupling/study/operating_point.hpp"
 #include "coupling/study/tilting_planet.hpp"
+#include "tests/messages.hpp"
 #include "tests/reducer.hpp"
 
 namespace orbearing::study::study_tilting_planet_test {
@@ -157,13 +158,14 @@ TEST(SeatedBearings, LiveInMotionNearlyAsAtRest) {
     EXPECT_NEAR(motion.seats[k].life_hours / rest.seats[k].life_hours, 1.0, 0.15);
   }
   EXPECT_LT(motion.seats[0].life_hours, motion.seats[1].life_hours);
-  EXPECT_THROW(evaluate_from(drivetrain, geometry, motion.dynamic->final_state), std::invalid_argument);
+  EXPECT_REFUSED(std::invalid_argument, "study_tilting_planet 1",
+                 evaluate_from(drivetrain, geometry, motion.dynamic->final_state));
 }
 
 TEST(TiltingPlanet, WithoutMeshesIsRefused) {
   PlanetaryDrivetrain drivetrain = tilting_reducer();
   drivetrain.gear_set = nullptr;
-  EXPECT_THROW(evaluate(drivetrain, derive(drivetrain)), std::invalid_argument);
+  EXPECT_REFUSED(std::invalid_argument, "study_tilting_planet 2", evaluate(drivetrain, derive(drivetrain)));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "app/signals/peaks.hpp"
+#include "tests/messages.hpp"
 
 namespace orbearing::app::signals::orders_test {
 namespace {
@@ -82,8 +83,8 @@ TEST(OrderTracking, EnvelopeKeepsTheOrderOfBlowsOnAResonance) {
 TEST(OrderTracking, RefusesAShaftThatStands) {
   Eigen::ArrayXd angle = shaft_angle();
   angle[100] = angle[99];
-  EXPECT_THROW(resampled(run_up(), angle), std::invalid_argument);
-  EXPECT_THROW(resampled(run_up(), angle.head(10)), std::invalid_argument);
+  EXPECT_REFUSED(std::invalid_argument, "orders 1", resampled(run_up(), angle));
+  EXPECT_REFUSED(std::invalid_argument, "orders 2", resampled(run_up(), angle.head(10)));
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "bearing/catalogue/clearance_class.hpp"
 #include "bearing/catalogue/inference.hpp"
 #include "bearing/life/ball_capacity.hpp"
+#include "tests/messages.hpp"
 
 namespace orbearing::bearing::catalogue::catalogue_test {
 namespace {
@@ -135,10 +136,12 @@ TEST(ClearanceClasses, RiseFromClassToClassAndWithTheBore) {
 }
 
 TEST(ClearanceClasses, BeyondTheTableAreRefused) {
-  EXPECT_THROW((void)clearance_range(Family::cylindrical, ClearanceClass::cn, 10e-3), std::invalid_argument);
-  EXPECT_THROW((void)clearance_range(Family::cylindrical, ClearanceClass::cn, 201e-3), std::invalid_argument);
-  EXPECT_THROW((void)clearance_range(Family::angular_contact, ClearanceClass::cn, 25e-3),
-               std::invalid_argument);
+  EXPECT_REFUSED(std::invalid_argument, "catalogue 1",
+                 (void)clearance_range(Family::cylindrical, ClearanceClass::cn, 10e-3));
+  EXPECT_REFUSED(std::invalid_argument, "catalogue 2",
+                 (void)clearance_range(Family::cylindrical, ClearanceClass::cn, 201e-3));
+  EXPECT_REFUSED(std::invalid_argument, "catalogue 3",
+                 (void)clearance_range(Family::angular_contact, ClearanceClass::cn, 25e-3));
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 
+#include "tests/messages.hpp"
+
 namespace orbearing::bearing::pin_beam_test {
 namespace {
 
@@ -67,7 +69,7 @@ TEST(PinBeam, BoreMakesItSofter) {
 }
 
 TEST(PinBeam, RefusesAPlaceBeyondItsSupports) {
-  EXPECT_THROW(pin_compliance(kPinInWalls, {0.02}), std::invalid_argument);
+  EXPECT_REFUSED(std::invalid_argument, "pin_beam 1", pin_compliance(kPinInWalls, {0.02}));
 }
 
 }  // namespace

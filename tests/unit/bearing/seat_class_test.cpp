@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/messages.hpp"
+
 namespace orbearing::bearing::catalogue::seat_class_test {
 namespace {
 
@@ -55,8 +57,8 @@ TEST(SeatClass, EveryNameIsKnown) {
     EXPECT_LT(shaft_deviations(name, 0.03).least, shaft_deviations(name, 0.03).most);
   for (const std::string& name : hole_classes())
     EXPECT_LT(hole_deviations(name, 0.03).least, hole_deviations(name, 0.03).most);
-  EXPECT_THROW(shaft_deviations("k5", 3e-3), std::invalid_argument);
-  EXPECT_THROW(hole_deviations("H7", 0.401), std::invalid_argument);
+  EXPECT_REFUSED(std::invalid_argument, "seat_class 1", shaft_deviations("k5", 3e-3));
+  EXPECT_REFUSED(std::invalid_argument, "seat_class 2", hole_deviations("H7", 0.401));
 }
 
 }  // namespace

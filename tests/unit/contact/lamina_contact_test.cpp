@@ -6,6 +6,8 @@
 #include <random>
 #include <stdexcept>
 
+#include "tests/messages.hpp"
+
 namespace orbearing::bearing::laminae::lamina_contact_test {
 namespace {
 
@@ -159,9 +161,12 @@ TEST(LaminaContact, NeverPulls) {
 }
 
 TEST(LaminaContact, RefusesWhatIsNoContact) {
-  EXPECT_THROW(LaminaContact(law, kLength, std::vector<double>{}), std::invalid_argument);
-  EXPECT_THROW(LaminaContact(law, kLength, std::vector<double>(1001, 0.0)), std::invalid_argument);
-  EXPECT_THROW(LaminaContact(law, kLength, std::vector<double>{0.0, std::nan("")}), std::invalid_argument);
+  EXPECT_REFUSED(std::invalid_argument, "lamina_contact 1",
+                 LaminaContact(law, kLength, std::vector<double>{}));
+  EXPECT_REFUSED(std::invalid_argument, "lamina_contact 2",
+                 LaminaContact(law, kLength, std::vector<double>(1001, 0.0)));
+  EXPECT_REFUSED(std::invalid_argument, "lamina_contact 3",
+                 LaminaContact(law, kLength, std::vector<double>{0.0, std::nan("")}));
 }
 
 }  // namespace

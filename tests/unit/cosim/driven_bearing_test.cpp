@@ -7,6 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "tests/messages.hpp"
 #include "tests/unit/cosim/driven_reducer.hpp"
 
 namespace orbearing::system::driven_bearing_test {
@@ -125,8 +126,7 @@ TEST(DrivenBearing, GivesUpWhereItsStepsAreUsedUp) {
   setup.most_steps = 3;
   DrivenBearing bearing(setup);
   bearing.initialize(test::pressed_motion());
-  EXPECT_THROW(bearing.advance({0.0, 1e-3}, test::constant_polynomial(test::pressed_motion())),
-               std::runtime_error);
+  EXPECT_THROW(bearing.advance({0.0, 1e-3}, test::constant_polynomial(test::pressed_motion())), std::runtime_error);
 }
 
 TEST(DrivenBearing, RefusesAForeignState) {
@@ -135,26 +135,26 @@ TEST(DrivenBearing, RefusesAForeignState) {
   other.bins = 36;
   SavedState state;
   DrivenBearing(other).save(state);
-  EXPECT_THROW(bearing.restore(state), std::invalid_argument);
+  EXPECT_REFUSED(std::invalid_argument, "driven_bearing 5", bearing.restore(state));
   bearing.save(state);
   state.pop_back();
-  EXPECT_THROW(bearing.restore(state), std::invalid_argument);
-  EXPECT_THROW(bearing.restore({}), std::invalid_argument);
+  EXPECT_REFUSED(std::invalid_argument, "driven_bearing 6", bearing.restore(state));
+  EXPECT_REFUSED(std::invalid_argument, "driven_bearing 7", bearing.restore({}));
   bearing.save(state);
   state[0] += 1.0;
-  EXPECT_THROW(bearing.restore(state), std::invalid_argument);
+  EXPECT_REFUSED(std::invalid_argument, "driven_bearing 8", bearing.restore(state));
 }
 
 TEST(DrivenBearing, RefusesWhatAsksForSpeedsBeforehand) {
   DrivenBearingSetup setup = test::driven_reducer();
   setup.dynamics.race.film_approach = bearing::FilmApproach::literature_variant;
-  EXPECT_THROW(DrivenBearing{setup}, std::invalid_argument);
+  EXPECT_REFUSED(std::invalid_argument, "driven_bearing 9", DrivenBearing{setup});
   setup = test::driven_reducer();
   setup.dynamics.driving.ramp = 1.0;
-  EXPECT_THROW(DrivenBearing{setup}, std::invalid_argument);
+  EXPECT_REFUSED(std::invalid_argument, "driven_bearing 10", DrivenBearing{setup});
   setup = test::driven_reducer();
   setup.orbit_radius = -1.0;
-  EXPECT_THROW(DrivenBearing{setup}, std::invalid_argument);
+  EXPECT_REFUSED(std::invalid_argument, "driven_bearing 11", DrivenBearing{setup});
 }
 
 // The step size outlives a window, so that how time is cut matters little.

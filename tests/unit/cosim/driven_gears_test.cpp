@@ -10,6 +10,7 @@
 #include "gearset/dynamics/energy.hpp"
 #include "gearset/dynamics/equations.hpp"
 #include "gearset/dynamics/static_state.hpp"
+#include "tests/messages.hpp"
 #include "tests/gear_sets.hpp"
 
 namespace orbearing::system::driven_gears_test {
@@ -155,15 +156,16 @@ TEST(DrivenGears, BalanceWithBearingsThatAreNotTheStatedSprings) {
 TEST(DrivenGears, RefuseWhatMakesNoSense) {
   DrivenGearsSetup loose = setup();
   loose.set.planet.bearing_stiffness = 0.0;
-  EXPECT_THROW(DrivenGears{loose}, std::invalid_argument);
+  EXPECT_REFUSED(std::invalid_argument, "driven_gears 1", DrivenGears{loose});
   DrivenGears gears(setup());
   gears.initialize(0.0);
-  EXPECT_THROW(gears.advance({0.0, 1e-6}, {}), std::invalid_argument);
-  EXPECT_THROW(gears.advance({1e-6, 1e-6}, spring_forces(gears, setup().set)), std::invalid_argument);
+  EXPECT_REFUSED(std::invalid_argument, "driven_gears 2", gears.advance({0.0, 1e-6}, {}));
+  EXPECT_REFUSED(std::invalid_argument, "driven_gears 3",
+                 gears.advance({1e-6, 1e-6}, spring_forces(gears, setup().set)));
   SavedState saved;
   gears.save(saved);
   saved.pop_back();
-  EXPECT_THROW(gears.restore(saved), std::invalid_argument);
+  EXPECT_REFUSED(std::invalid_argument, "driven_gears 4", gears.restore(saved));
 }
 
 TEST(DrivenGears, KeepTheirStateWhereAWindowFails) {
@@ -173,7 +175,7 @@ TEST(DrivenGears, KeepTheirStateWhereAWindowFails) {
   gears.save(before);
   auto forces = spring_forces(gears, setup().set);
   forces[6] = InputPolynomial::constant(std::nan(""));
-  EXPECT_THROW(gears.advance({0.0, 1e-5}, forces), std::runtime_error);
+  EXPECT_REFUSED(std::runtime_error, "driven_gears 5", gears.advance({0.0, 1e-5}, forces));
   gears.save(after);
   EXPECT_EQ(before, after);
 }

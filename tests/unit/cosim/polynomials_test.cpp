@@ -5,6 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "tests/messages.hpp"
+
 namespace orbearing::cosim::polynomials_test {
 namespace {
 
@@ -47,9 +49,10 @@ TEST(Polynomials, SlopeIntegralAndMoveBelongTogether) {
 }
 
 TEST(Polynomials, RefuseWhatFixesNoPolynomial) {
-  EXPECT_THROW(through({}, 0.0), std::invalid_argument);
-  EXPECT_THROW(through({{0, 1}, {1, 1}, {2, 1}, {3, 1}, {4, 1}}, 0.0), std::invalid_argument);
-  EXPECT_THROW(through({{0.5, 1.0}, {0.5, 2.0}}, 0.0), std::invalid_argument);
+  EXPECT_REFUSED(std::invalid_argument, "polynomials 1", through({}, 0.0));
+  EXPECT_REFUSED(std::invalid_argument, "polynomials 2",
+                 through({{0, 1}, {1, 1}, {2, 1}, {3, 1}, {4, 1}}, 0.0));
+  EXPECT_REFUSED(std::invalid_argument, "polynomials 3", through({{0.5, 1.0}, {0.5, 2.0}}, 0.0));
 }
 
 }  // namespace

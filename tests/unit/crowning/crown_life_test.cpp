@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "coupling/study/operating_point.hpp"
+#include "tests/messages.hpp"
 #include "tests/unit/crowning/planet_bearing.hpp"
 
 namespace orbearing::study::crowning::crown_life_test {
@@ -52,8 +53,10 @@ TEST(CrownLife, OfASpectrumIsMinersSum) {
 }
 
 TEST(CrownLife, SharesMustAddUp) {
-  EXPECT_THROW(problem_at({{100.0, 0.5}, {200.0, 0.4}}, LifeMeasure::iso16281), std::invalid_argument);
-  EXPECT_THROW(problem_at({{100.0, 1.5}, {200.0, -0.5}}, LifeMeasure::iso16281), std::invalid_argument);
+  EXPECT_REFUSED(std::invalid_argument, "crown_life 1",
+                 problem_at({{100.0, 0.5}, {200.0, 0.4}}, LifeMeasure::iso16281));
+  EXPECT_REFUSED(std::invalid_argument, "crown_life 2",
+                 problem_at({{100.0, 1.5}, {200.0, -0.5}}, LifeMeasure::iso16281));
 }
 
 double log_life_at(const CrownProblem& problem, const ProfileFamily& family, const Crown& crown,
@@ -102,7 +105,7 @@ TEST(ProfileFamily, HasTheDropAskedForAtTheStation) {
       EXPECT_NEAR(bearing::profile::drop(made, 0.0), 0.0, 1e-18) << name;
     }
   }
-  EXPECT_THROW(family_of("straight", problem.bearing, 1500.0), std::invalid_argument);
+  EXPECT_REFUSED(std::invalid_argument, "crown_life 3", family_of("straight", problem.bearing, 1500.0));
 }
 
 TEST(ProfileFamily, ReferenceDropIsThatOfTheStandard) {

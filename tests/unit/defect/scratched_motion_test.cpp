@@ -5,6 +5,7 @@
 #include "bearing/contact/line_contact.hpp"
 #include "bearing/defect/frequencies.hpp"
 #include "bearing/equilibrium/static_bearing.hpp"
+#include "tests/messages.hpp"
 #include "tests/unit/defect/scratched_bearings.hpp"
 
 namespace orbearing::bearing::defect::scratched_motion_test {
@@ -126,10 +127,10 @@ TEST(ScratchedMotion, SpeedOfApproachIsItsRate) {
 TEST(ScratchedMotion, RefusesWhatCannotBe) {
   ScratchedBearing light = nine_balls();
   light.ring.mass = 0.0;
-  EXPECT_THROW(ScratchedMotion{light}, std::invalid_argument);
+  EXPECT_REFUSED(std::invalid_argument, "scratched_motion 1", ScratchedMotion{light});
   ScratchedBearing narrow = scratched(Scratched::inner);
   narrow.scratch.width = 0.0;
-  EXPECT_THROW(ScratchedMotion{narrow}, std::invalid_argument);
+  EXPECT_REFUSED(std::invalid_argument, "scratched_motion 2", ScratchedMotion{narrow});
 }
 
 }  // namespace

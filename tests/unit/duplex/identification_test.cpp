@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "bearing/duplex/linear_pair.hpp"
+#include "tests/messages.hpp"
 
 namespace orbearing::bearing::duplex::identification_test {
 namespace {
@@ -91,9 +92,10 @@ TEST(DuplexIdentification, KeepsTheLeastLever) {
 }
 
 TEST(DuplexIdentification, WithoutObservationsIsRefused) {
-  EXPECT_THROW(identify_cylinder({}, kCylinder, 12e-3), std::invalid_argument);
+  EXPECT_REFUSED(std::invalid_argument, "identification 1", identify_cylinder({}, kCylinder, 12e-3));
   std::vector<Observation> pairs{nonlinear(15.0, 540.0)};
-  EXPECT_THROW(identify_cylinder(pairs, kCylinder, 12e-3), std::invalid_argument);  // frequencies of 0 Hz
+  EXPECT_REFUSED(std::invalid_argument, "identification 2",
+                 identify_cylinder(pairs, kCylinder, 12e-3));  // frequencies of 0 Hz
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "bearing/duplex/linear_pair.hpp"
 #include "bearing/duplex/shaft.hpp"
+#include "tests/messages.hpp"
 
 namespace orbearing::bearing::duplex::pair_test {
 namespace {
@@ -147,7 +148,7 @@ TEST(DuplexPair, StiffnessVanishesWithThePreload) {
 }
 
 TEST(DuplexPair, ANegativePreloadIsRefused) {
-  EXPECT_THROW(approach_under(angular_contact(15.0), -1.0), std::invalid_argument);
+  EXPECT_REFUSED(std::invalid_argument, "pair 1", approach_under(angular_contact(15.0), -1.0));
 }
 
 // Closed sums over evenly spaced balls: cos^2 and sin^2 make Z/2 each.

@@ -8,6 +8,7 @@
 #include "bearing/equilibrium/balls.hpp"
 #include "bearing/equilibrium/quasi_static.hpp"
 #include "bearing/equilibrium/rollers.hpp"
+#include "tests/messages.hpp"
 #include "tests/unit/bearing/example_bearings.hpp"
 
 namespace orbearing::bearing::equilibrium::ring_balance_test {
@@ -233,11 +234,12 @@ TEST(StaticBalls, NoLoadInInterferenceBalances) {
 TEST(StaticBearings, WhatCannotBeIsRefused) {
   Bearing none = rollers();
   none.rollers().laminae = 0;
-  EXPECT_THROW(balance_ring(RollerRow(none), {.radial = 1.0}), std::invalid_argument);
+  EXPECT_REFUSED(std::invalid_argument, "ring_balance 1", balance_ring(RollerRow(none), {.radial = 1.0}));
   Bearing tight = balls(0.0, 0.0);
   tight.inner.osculation = 0.5;
-  EXPECT_THROW(balance_ring(BallRow(tight), {.radial = 1.0}), std::invalid_argument);
-  EXPECT_THROW(balance_ring(BallRow(balls(0.0, 2e-3)), {.radial = 1.0}), std::invalid_argument);
+  EXPECT_REFUSED(std::invalid_argument, "ring_balance 2", balance_ring(BallRow(tight), {.radial = 1.0}));
+  EXPECT_REFUSED(std::invalid_argument, "ring_balance 3",
+                 balance_ring(BallRow(balls(0.0, 2e-3)), {.radial = 1.0}));
 }
 
 }  // namespace

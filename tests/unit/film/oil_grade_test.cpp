@@ -6,6 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "tests/messages.hpp"
+
 namespace orbearing::bearing::oil_grade_test {
 namespace {
 
@@ -61,8 +63,8 @@ TEST(OilGrade, ThinnerAndLessSensitiveToPressureWhenWarm) {
 }
 
 TEST(OilGrade, OilsOfWhichNothingIsKnownAreRefused) {
-  EXPECT_THROW(viscosity_at_100(3.0 * kMm2, 95.0), std::invalid_argument);
-  EXPECT_THROW(viscosity_at_100(220.0 * kMm2, 160.0), std::invalid_argument);
+  EXPECT_REFUSED(std::invalid_argument, "oil_grade 1", viscosity_at_100(3.0 * kMm2, 95.0));
+  EXPECT_REFUSED(std::invalid_argument, "oil_grade 2", viscosity_at_100(220.0 * kMm2, 160.0));
   for (const int grade : kOilGrades) EXPECT_GT(viscosity_at_100(grade * kMm2, 95.0), 0.0) << grade;
 }
 

@@ -5,6 +5,7 @@
 
 #include "coupling/fmu/profile_numbers.hpp"
 #include "coupling/fmu/setup_numbers.hpp"
+#include "tests/messages.hpp"
 #include "tests/unit/fmu/fmu_model.hpp"
 
 namespace orbearing::fmu::fields_test {
@@ -98,20 +99,19 @@ TEST(FmuFields, LoadedTeethAreTheSameTeeth) {
               model.set.sun_mesh.loaded->at(place, 2e-5).force);
   const std::vector<double> numbers = to_numbers(model.set.sun_mesh.loaded);
   for (std::size_t length = 1; length < 30; ++length)
-    EXPECT_THROW(from_numbers({numbers.begin(), numbers.begin() + static_cast<long>(length)},
-                              model.set.sun_mesh.loaded),
-                 std::invalid_argument);
+    EXPECT_REFUSED(std::invalid_argument, "fields 1",
+                   from_numbers({numbers.begin(), numbers.begin() + static_cast<long>(length)},
+                              model.set.sun_mesh.loaded));
 }
 
 TEST(FmuFields, BrokenCurvesAreRefused) {
   const std::vector<double> numbers = test::gear_model().set.sun_mesh.stiffness.numbers();
   for (std::size_t length = 0; length < std::min<std::size_t>(numbers.size(), 40); ++length)
-    EXPECT_THROW(
-        gearset::PeriodicCurve::from_numbers({numbers.begin(), numbers.begin() + static_cast<long>(length)}),
-        std::invalid_argument);
+    EXPECT_REFUSED(std::invalid_argument, "fields 2",
+                   gearset::PeriodicCurve::from_numbers({numbers.begin(), numbers.begin() + static_cast<long>(length)}));
   std::vector<double> longer = numbers;
   longer.push_back(0.0);
-  EXPECT_THROW(gearset::PeriodicCurve::from_numbers(longer), std::invalid_argument);
+  EXPECT_REFUSED(std::invalid_argument, "fields 3", gearset::PeriodicCurve::from_numbers(longer));
 }
 
 TEST(FmuFields, ProfilesOfEveryKindComeBack) {
@@ -132,23 +132,23 @@ TEST(FmuFields, ProfilesOfEveryKindComeBack) {
     EXPECT_EQ(again.index(), profile.index());
     EXPECT_EQ(profile_numbers(again), numbers);
     std::vector<double> shorter(numbers.begin(), numbers.end() - 1);
-    EXPECT_THROW(profile_from(shorter), std::invalid_argument);
+    EXPECT_REFUSED(std::invalid_argument, "fields 4", profile_from(shorter));
   }
   EXPECT_EQ(std::get<Table>(profile_from(profile_numbers(profiles.back()))).drop,
             (std::vector<double>{4, 5, 6}));
-  EXPECT_THROW(profile_from({9.0}), std::invalid_argument);
-  EXPECT_THROW(profile_from({-1.0}), std::invalid_argument);
+  EXPECT_REFUSED(std::invalid_argument, "fields 5", profile_from({9.0}));
+  EXPECT_REFUSED(std::invalid_argument, "fields 6", profile_from({-1.0}));
 }
 
 TEST(FmuModelText, SaysWhatIsWrong) {
   const std::string text = text_of(numbers_of(test::bearing_model()));
   EXPECT_NO_THROW(table_from(text));
   for (const std::size_t length : {0ul, 5ul, 30ul, text.size() / 2, text.size() - 1})
-    EXPECT_THROW(table_from(text.substr(0, length)), std::invalid_argument) << length;
+    EXPECT_REFUSED(std::invalid_argument, "fields 7", table_from(text.substr(0, length))) << length;
   const std::string head = "orbearing-fmu-model 1 bearing\n";
   for (const char* row : {"a 1 nan", "a 1 inf", "a 1 zz", "a 2 1p+0", "a 1 1p+0 1p+0", "a x", "a", " 1 1p+0",
                           "a 99999999999999999999 1p+0", "a 1 1p+5000"})
-    EXPECT_THROW(table_from(head + row + "\nend\n"), std::invalid_argument) << row;
+    EXPECT_REFUSED(std::invalid_argument, "fields 8", table_from(head + row + "\nend\n")) << row;
   EXPECT_EQ(table_from(head + "a 1 -1.8p-1\nend\n").at("a"), std::vector<double>{-0.75});
 }
 
@@ -156,9 +156,10 @@ TEST(FmuModelText, NumbersThatMakeNoSenseAreRefused) {
   NumberTable numbers = numbers_of(test::bearing_model());
   for (NumberRow& row : numbers.rows)
     if (row.name == "bearing.width") row.values = {-1.0};
-  EXPECT_THROW(setup_from<system::DrivenBearingSetup>(numbers), std::invalid_argument);
-  EXPECT_THROW(setup_from<system::DrivenBearingSetup>(NumberTable{"bearing", {}}), std::invalid_argument);
-  EXPECT_THROW(facts_of(NumberTable{"engine", {}}), std::invalid_argument);
+  EXPECT_REFUSED(std::invalid_argument, "fields 9", setup_from<system::DrivenBearingSetup>(numbers));
+  EXPECT_REFUSED(std::invalid_argument, "fields 10",
+                 setup_from<system::DrivenBearingSetup>(NumberTable{"bearing", {}}));
+  EXPECT_REFUSED(std::invalid_argument, "fields 11", facts_of(NumberTable{"engine", {}}));
 }
 
 }  // namespace

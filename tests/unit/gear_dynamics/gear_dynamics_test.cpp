@@ -8,6 +8,7 @@
 #include "gearset/dynamics/mesh_force.hpp"
 #include "gearset/dynamics/modes.hpp"
 #include "gearset/planet_body.hpp"
+#include "tests/messages.hpp"
 #include "tests/gear_sets.hpp"
 
 namespace orbearing::gearset::dynamics::gear_dynamics_test {
@@ -92,7 +93,7 @@ TEST(SetModel, RefusesWhatHasNoMeaning) {
   const auto refused = [](auto change) {
     SetParameters set = test::reducer_dynamics();
     change(set);
-    EXPECT_THROW(set_model(set, test::reducer_operation(628.0)), std::invalid_argument);
+    EXPECT_REFUSED(std::invalid_argument, "gear_dynamics 1", set_model(set, test::reducer_operation(628.0)));
   };
   refused([](SetParameters& set) { set.planets = 0; });
   refused([](SetParameters& set) { set.sun.mass = 0.0; });
@@ -116,10 +117,10 @@ TEST(Bodies, OfThePlanetAreThoseOfItsToothForm) {
   const double hoop = set.density * set.face_width * M_PI;
   EXPECT_LT(bodies.ring.mass, hoop * (std::pow(0.14, 2) - std::pow(geometry.ring.tip_radius, 2)));
   EXPECT_GT(bodies.ring.mass, hoop * (std::pow(0.14, 2) - std::pow(geometry.ring.root_radius, 2)));
-  EXPECT_THROW(set_bodies(set, geometry, {.sun_bore = 0.2, .ring_outside = 0.28, .carrier_plates = 0.01}),
-               std::domain_error);
-  EXPECT_THROW(set_bodies(set, geometry, {.sun_bore = 0.05, .ring_outside = 0.2, .carrier_plates = 0.01}),
-               std::domain_error);
+  EXPECT_REFUSED(std::domain_error, "gear_dynamics 2",
+                 set_bodies(set, geometry, {.sun_bore = 0.2, .ring_outside = 0.28, .carrier_plates = 0.01}));
+  EXPECT_REFUSED(std::domain_error, "gear_dynamics 3",
+                 set_bodies(set, geometry, {.sun_bore = 0.05, .ring_outside = 0.2, .carrier_plates = 0.01}));
 }
 
 TEST(Modes, CountAllFreedoms) {

@@ -11,6 +11,7 @@
 #include "gearset/dynamics/equations.hpp"
 #include "gearset/dynamics/period_map.hpp"
 #include "gearset/dynamics/static_state.hpp"
+#include "tests/messages.hpp"
 #include "tests/gear_sets.hpp"
 
 namespace orbearing::gearset::dynamics::stability_test {
@@ -190,10 +191,10 @@ TEST(PeriodMap, KnowsLoadedTeethByTheirMeanLoad) {
 TEST(PeriodMap, RefusesWhatHasNoPeriod) {
   SetModel model = model_on(law(3e8, 0.0, 500.0));
   model.operation.run_up = {.from = 0.5, .duration = 1.0};
-  EXPECT_THROW(PeriodMap{model}, std::invalid_argument);
+  EXPECT_REFUSED(std::invalid_argument, "stability 1", PeriodMap{model});
   model = model_on(law(3e8, 0.0, 500.0));
   model.operation.mesh_frequency = 0.0;
-  EXPECT_THROW(PeriodMap{model}, std::invalid_argument);
+  EXPECT_REFUSED(std::invalid_argument, "stability 2", PeriodMap{model});
 }
 
 // A motion that repeats where small ones grow is found by Newton, too, and yet is none that gears come to.

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "tests/messages.hpp"
+
 namespace orbearing::gearset::involute_test {
 namespace {
 
@@ -36,9 +38,9 @@ TEST(InverseInvolute, UndoesTheInvolute) {
 }
 
 TEST(InverseInvolute, RefusesWhatNoAngleHas) {
-  EXPECT_THROW(inverse_involute(-1e-9), std::domain_error);
-  EXPECT_THROW(inverse_involute(std::numeric_limits<double>::infinity()), std::domain_error);
-  EXPECT_THROW(inverse_involute(std::numeric_limits<double>::quiet_NaN()), std::domain_error);
+  EXPECT_REFUSED(std::domain_error, "involute 1", inverse_involute(-1e-9));
+  EXPECT_REFUSED(std::domain_error, "involute 2", inverse_involute(std::numeric_limits<double>::infinity()));
+  EXPECT_REFUSED(std::domain_error, "involute 3", inverse_involute(std::numeric_limits<double>::quiet_NaN()));
 }
 
 TEST(PressureAngle, BelongsToTheTriangleOfBaseRadiusAndTangent) {

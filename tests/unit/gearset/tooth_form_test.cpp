@@ -6,6 +6,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "tests/messages.hpp"
+
 namespace orbearing::gearset::tooth_form_test {
 namespace {
 
@@ -105,9 +107,10 @@ TEST(FlankPoints, RunFromRootToTip) {
 }
 
 TEST(ExternalTooth, RefusesWhatCannotBeCut) {
-  EXPECT_THROW(make_external_tooth(22, 0.0, module, {.root_fillet_radius = 0.6}), std::domain_error);
-  EXPECT_THROW(make_external_tooth(2, -0.5, module, {}), std::domain_error);
-  EXPECT_THROW(make_external_tooth(5, -0.9, module, {}), std::domain_error);
+  EXPECT_REFUSED(std::domain_error, "tooth_form 1",
+                 make_external_tooth(22, 0.0, module, {.root_fillet_radius = 0.6}));
+  EXPECT_REFUSED(std::domain_error, "tooth_form 2", make_external_tooth(2, -0.5, module, {}));
+  EXPECT_REFUSED(std::domain_error, "tooth_form 3", make_external_tooth(5, -0.9, module, {}));
 }
 
 TEST(RingTooth, FillsThePitchTogetherWithTheSpaceOfAnExternalGear) {

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "tests/messages.hpp"
 #include "tests/unit/gearset/reference_sets.hpp"
 
 namespace orbearing::gearset::working_geometry_test {
@@ -35,17 +36,17 @@ TEST(WorkingGeometry, KeepsEqualAndOppositeShiftsAtTheStandardCentreDistance) {
 TEST(WorkingGeometry, RefusesTeethWithoutCommonCentreDistance) {
   PlanetarySet set = standard_set();
   set.ring_teeth = 60;
-  EXPECT_THROW(working_geometry(set), std::domain_error);
+  EXPECT_REFUSED(std::domain_error, "working_geometry 1", working_geometry(set));
   set.ring_teeth = 25;
-  EXPECT_THROW(working_geometry(set), std::domain_error);
+  EXPECT_REFUSED(std::domain_error, "working_geometry 2", working_geometry(set));
   set.ring_teeth = 200;
-  EXPECT_THROW(working_geometry(set), std::domain_error);
+  EXPECT_REFUSED(std::domain_error, "working_geometry 3", working_geometry(set));
 }
 
 TEST(WorkingGeometry, RefusesShiftsWithoutCommonCentreDistance) {
   PlanetarySet set = standard_set();
   set.ring_shift = -5.0;
-  EXPECT_THROW(working_geometry(set), std::domain_error);
+  EXPECT_REFUSED(std::domain_error, "working_geometry 4", working_geometry(set));
 }
 
 // Issue 19, Build 6. Both sides: no distance is short enough, none is long enough; what is said is what to

@@ -6,6 +6,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "tests/messages.hpp"
+
 namespace orbearing::bearing::rating::basic_life_test {
 namespace {
 
@@ -39,7 +41,7 @@ TEST(Reliability, OfWeibull) {
 
 TEST(Reliability, OutsideZeroToOneIsRefused) {
   for (const double reliability : {0.0, 1.0, -1.0, 2.0, std::nan("")})
-    EXPECT_THROW(reliability_factor(reliability), std::invalid_argument);
+    EXPECT_REFUSED(std::invalid_argument, "basic_life 1", reliability_factor(reliability));
 }
 
 TEST(Spectrum, SharesOverLives) {
@@ -51,9 +53,10 @@ TEST(Spectrum, SharesOverLives) {
 
 TEST(Spectrum, SharesThatAreNoneAreRefused) {
   const Eigen::Array2d lives(100.0, 300.0);
-  EXPECT_THROW(spectrum_life(Eigen::Array2d(0.5, 0.6), lives), std::invalid_argument);
-  EXPECT_THROW(spectrum_life(Eigen::Array2d(-0.5, 1.5), lives), std::invalid_argument);
-  EXPECT_THROW(spectrum_life(Eigen::Array3d(0.5, 0.25, 0.25), lives), std::invalid_argument);
+  EXPECT_REFUSED(std::invalid_argument, "basic_life 2", spectrum_life(Eigen::Array2d(0.5, 0.6), lives));
+  EXPECT_REFUSED(std::invalid_argument, "basic_life 3", spectrum_life(Eigen::Array2d(-0.5, 1.5), lives));
+  EXPECT_REFUSED(std::invalid_argument, "basic_life 4",
+                 spectrum_life(Eigen::Array3d(0.5, 0.25, 0.25), lives));
 }
 
 TEST(System, EqualBearingsAndOneThatNeverFails) {

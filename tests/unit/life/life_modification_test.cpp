@@ -7,6 +7,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "tests/messages.hpp"
+
 namespace orbearing::bearing::rating::life_modification_test {
 namespace {
 
@@ -18,7 +20,7 @@ constexpr RollingElement kBoth[] = {RollingElement::ball, RollingElement::roller
 TEST(RequiredViscosity, ByHand) {
   EXPECT_NEAR(required_viscosity(2500.0 * kRpm, 81e-3), 10e-6, 10e-6 * kRoundOff);
   EXPECT_NEAR(required_viscosity(-100.0 * kRpm, 100e-3), 4.5e-3 * std::pow(100.0, -0.83), 1e-4 * kRoundOff);
-  EXPECT_THROW(required_viscosity(0.0, 0.1), std::invalid_argument);
+  EXPECT_REFUSED(std::invalid_argument, "life_modification 1", required_viscosity(0.0, 0.1));
 }
 
 // The branches of a_ISO were fitted to meet; their coefficients carry five digits.
@@ -66,9 +68,12 @@ TEST(LifeModification, GrowsWithFilmAndCleanlinessUpToFifty) {
 
 TEST(LifeModification, OutsideItsRangeIsRefused) {
   for (const RollingElement element : kBoth) {
-    EXPECT_THROW(life_modification_factor(element, 0.09, 0.5), std::invalid_argument);
-    EXPECT_THROW(life_modification_factor(element, 1.0, -0.5), std::invalid_argument);
-    EXPECT_THROW(life_modification_factor(element, std::nan(""), 0.5), std::invalid_argument);
+    EXPECT_REFUSED(std::invalid_argument, "life_modification 2",
+                   life_modification_factor(element, 0.09, 0.5));
+    EXPECT_REFUSED(std::invalid_argument, "life_modification 3",
+                   life_modification_factor(element, 1.0, -0.5));
+    EXPECT_REFUSED(std::invalid_argument, "life_modification 4",
+                   life_modification_factor(element, std::nan(""), 0.5));
   }
 }
 
@@ -112,8 +117,8 @@ TEST(Contamination, WorseLevelBySmallerFactor) {
       last = factor;
     }
   }
-  EXPECT_THROW(contamination_factor(Lubrication::circulating_oil, Cleanliness::lowest, 1.0, 0.1),
-               std::invalid_argument);
+  EXPECT_REFUSED(std::invalid_argument, "life_modification 5",
+                 contamination_factor(Lubrication::circulating_oil, Cleanliness::lowest, 1.0, 0.1));
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 
 #include <limits>
 
+#include "tests/messages.hpp"
+
 namespace orbearing::mechanics::checks_test {
 namespace {
 
@@ -23,10 +25,10 @@ TEST(Checks, SayWhatWasFoundAndWhatIsRequired) {
 
 TEST(Checks, NothingThatIsNoNumberPasses) {
   for (const double value : {kNaN, kInfinite, -kInfinite, -1.0}) {
-    EXPECT_THROW(require_positive(value, "a"), std::invalid_argument) << value;
-    EXPECT_THROW(require_not_negative(value, "a"), std::invalid_argument) << value;
+    EXPECT_REFUSED(std::invalid_argument, "checks 1", require_positive(value, "a")) << value;
+    EXPECT_REFUSED(std::invalid_argument, "checks 2", require_not_negative(value, "a")) << value;
   }
-  EXPECT_THROW(require_positive(0.0, "a"), std::invalid_argument);
+  EXPECT_REFUSED(std::invalid_argument, "checks 3", require_positive(0.0, "a"));
   EXPECT_NO_THROW(require_not_negative(0.0, "a"));
   EXPECT_NO_THROW(require_positive(std::numeric_limits<double>::min(), "a"));
 }

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "gearset/mesh/elastic_ring.hpp"
+#include "tests/messages.hpp"
 
 namespace orbearing::gearset::foundation_test {
 namespace {
@@ -119,8 +120,8 @@ TEST(ElasticRing, GrowsSofterWithItsThickness) {
 }
 
 TEST(ElasticRing, RefusesARingWithoutThickness) {
-  EXPECT_THROW(elastic_ring_coefficients({1.0, 0.03, 1.0}, nu), std::domain_error);
-  EXPECT_THROW(elastic_ring_coefficients({1.0, 0.03, 0.0}, nu), std::domain_error);
+  EXPECT_REFUSED(std::domain_error, "foundation 1", elastic_ring_coefficients({1.0, 0.03, 1.0}, nu));
+  EXPECT_REFUSED(std::domain_error, "foundation 2", elastic_ring_coefficients({1.0, 0.03, 0.0}, nu));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "tests/messages.hpp"
 #include "tests/unit/mesh/example_gears.hpp"
 
 namespace orbearing::gearset::mesh_stiffness_test {
@@ -154,9 +155,10 @@ TEST(MeshGear, TakesTheElasticRingWhereThePolynomialsAreOfNoUse) {
 TEST(MeshGear, RefusesABodyOfNoThickness) {
   const ExternalTooth gear = make_external_tooth(30, 0.0, 2e-3, {});
   const RingTooth ring = make_ring_tooth(90, 0.0, 2e-3, {});
-  EXPECT_THROW(make_mesh_gear(gear, 1.001 * gear.root_radius, 20e-3, {}), std::domain_error);
-  EXPECT_THROW(make_mesh_gear(gear, 0.0, 20e-3, {}), std::domain_error);
-  EXPECT_THROW(make_mesh_gear(ring, ring.root_radius, 20e-3, {}), std::domain_error);
+  EXPECT_REFUSED(std::domain_error, "mesh_stiffness 1",
+                 make_mesh_gear(gear, 1.001 * gear.root_radius, 20e-3, {}));
+  EXPECT_REFUSED(std::domain_error, "mesh_stiffness 2", make_mesh_gear(gear, 0.0, 20e-3, {}));
+  EXPECT_REFUSED(std::domain_error, "mesh_stiffness 3", make_mesh_gear(ring, ring.root_radius, 20e-3, {}));
 }
 
 }  // namespace

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "tests/messages.hpp"
+
 namespace orbearing::gearset::periodic_curve_test {
 namespace {
 
@@ -107,11 +109,11 @@ TEST(PeriodicCurve, BoundsAreThoseOfTheKnots) {
 }
 
 TEST(PeriodicCurve, RefusesJumpsOutOfOrderAndValuesThatAreNone) {
-  EXPECT_THROW(PeriodicCurve(steps, {0.7, 0.2}, 10), std::invalid_argument);
-  EXPECT_THROW(PeriodicCurve(steps, {1.0}, 10), std::invalid_argument);
-  EXPECT_THROW(PeriodicCurve(steps, {0.2, 0.2}, 10), std::invalid_argument);
+  EXPECT_REFUSED(std::invalid_argument, "periodic_curve 1", PeriodicCurve(steps, {0.7, 0.2}, 10));
+  EXPECT_REFUSED(std::invalid_argument, "periodic_curve 2", PeriodicCurve(steps, {1.0}, 10));
+  EXPECT_REFUSED(std::invalid_argument, "periodic_curve 3", PeriodicCurve(steps, {0.2, 0.2}, 10));
   const auto nothing = [](double) { return std::numeric_limits<double>::quiet_NaN(); };
-  EXPECT_THROW(PeriodicCurve(nothing, {}, 10), std::invalid_argument);
+  EXPECT_REFUSED(std::invalid_argument, "periodic_curve 4", PeriodicCurve(nothing, {}, 10));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "gearset/planet_body.hpp"
+#include "tests/messages.hpp"
 
 namespace orbearing::gearset::rim::rim_influence_test {
 namespace {
@@ -61,10 +62,10 @@ TEST(SectorMesh, HasTheAreaOfToothAndRim) {
 TEST(SectorMesh, RefusesARaceOutsideItsSeat) {
   Planet planet;
   planet.section.race_radius = 0.024;
-  EXPECT_THROW(sector_mesh(planet.section, {}), std::invalid_argument);
+  EXPECT_REFUSED(std::invalid_argument, "rim_influence 1", sector_mesh(planet.section, {}));
   planet.section.race_radius = kRaceRadius;
   planet.section.seat_radius = planet.geometry.planet.root_radius;
-  EXPECT_THROW(sector_mesh(planet.section, {}), std::invalid_argument);
+  EXPECT_REFUSED(std::invalid_argument, "rim_influence 2", sector_mesh(planet.section, {}));
 }
 
 TEST(RimInfluence, DoesNotDependOnTheElements) {

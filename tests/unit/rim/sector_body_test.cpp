@@ -7,6 +7,8 @@
 #include <cmath>
 #include <map>
 
+#include "tests/messages.hpp"
+
 namespace orbearing::gearset::rim::sector_body_test {
 namespace {
 
@@ -101,7 +103,8 @@ TEST(SectorBody, MeanOfTheRaceStaysWhereABodyIsFree) {
 }
 
 TEST(SectorBody, RefusesLessThanThreeSectors) {
-  EXPECT_THROW(SectorBody(plain_sector(0.02, 0.027, 8, 2, 1), kSteel, 2), std::invalid_argument);
+  EXPECT_REFUSED(std::invalid_argument, "sector_body 1",
+                 SectorBody(plain_sector(0.02, 0.027, 8, 2, 1), kSteel, 2));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "bearing/life/standard_life.hpp"
 #include "coupling/system/ball_run.hpp"
 #include "coupling/system/balls_in_time.hpp"
+#include "tests/messages.hpp"
 #include "tests/unit/system/small_ball_bearing.hpp"
 
 namespace orbearing::system::ball_run_test {
@@ -125,11 +126,12 @@ TEST(BallRun, BallsShareTheLife) {
 TEST(BallRun, RefusesWhatHasNoMeaning) {
   BallRunOptions options = short_run();
   options.duration = 0.0;
-  EXPECT_THROW(run(500.0, 300.0, options), std::invalid_argument);
+  EXPECT_REFUSED(std::invalid_argument, "ball_run 1", run(500.0, 300.0, options));
   options = short_run();
   options.observed = 1.5;
-  EXPECT_THROW(run(500.0, 300.0, options), std::invalid_argument);
-  EXPECT_THROW(bearing::balls::ball_numbers(bearing::Bearing{}, small_ball_motion()), std::invalid_argument);
+  EXPECT_REFUSED(std::invalid_argument, "ball_run 2", run(500.0, 300.0, options));
+  EXPECT_REFUSED(std::invalid_argument, "ball_run 3",
+                 bearing::balls::ball_numbers(bearing::Bearing{}, small_ball_motion()));
 }
 
 // Issue 19, Build 6. Balls may stand up to a radius off their circle and a diameter along the axis, the cage

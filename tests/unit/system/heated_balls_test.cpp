@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "bearing/life/standard_life.hpp"
+#include "tests/messages.hpp"
 #include "tests/unit/system/small_ball_bearing.hpp"
 
 namespace orbearing::system::heated_balls_test {
@@ -57,9 +58,10 @@ TEST(ThermalNetwork, GoesOnAsSmallStepsDo) {
 }
 
 TEST(ThermalNetwork, RefusesHeatWithoutAWayOut) {
-  EXPECT_THROW(ThermalNetwork(of({1.0, 1.0}), Eigen::MatrixXd::Zero(2, 2), of({1.0, 0.0}), of({20.0, 20.0})),
-               std::invalid_argument);
-  EXPECT_THROW(ThermalNetwork(of({0.0}), Eigen::MatrixXd::Zero(1, 1), of({1.0}), of({20.0})), std::invalid_argument);
+  EXPECT_REFUSED(std::invalid_argument, "heated_balls 1",
+                 ThermalNetwork(of({1.0, 1.0}), Eigen::MatrixXd::Zero(2, 2), of({1.0, 0.0}), of({20.0, 20.0})));
+  EXPECT_REFUSED(std::invalid_argument, "heated_balls 2",
+                 ThermalNetwork(of({0.0}), Eigen::MatrixXd::Zero(1, 1), of({1.0}), of({20.0})));
 }
 
 // Heat that falls as it gets warmer, as with oil: the steps are of second order.

@@ -1,0 +1,49 @@
+// Messages of calls that no command makes, in the words and numbers of tests/messages.txt.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <exception>
+#include <fstream>
+#include <set>
+#include <string>
+
+namespace orbearing::messages {
+
+/// What `call` throws as an `Error` says.
+template <class Error, class Call>
+std::string refusal(Call&& call) {
+  try {
+    call();
+  } catch (const Error& error) {
+    return error.what();
+  } catch (const std::exception& error) {
+    return std::string("another kind of exception: ") + error.what();
+  }
+  return "nothing was refused";
+}
+
+/// Whether the table holds `text` beside `id`, where one text stands, or one for each turn of a loop.
+inline bool is_expected(const std::string& id, const std::string& text) {
+  std::ifstream table(ORBEARING_SOURCE_DIR "/tests/messages.txt");
+  std::string one_line = text;
+  for (char& letter : one_line)
+    if (letter == '\n') letter = '|';
+  bool here = false;
+  for (std::string line; std::getline(table, line);) {
+    if (line.starts_with("["))
+      here = line == "[" + id + "]";
+    else if (here && line == one_line)
+      return true;
+  }
+  return false;
+}
+
+}  // namespace orbearing::messages
+
+/// Fails unless `text` stands beside `id` in tests/messages.txt.
+#define EXPECT_SAID(id, text) EXPECT_PRED2(::orbearing::messages::is_expected, std::string(id), std::string(text))
+
+/// Fails unless the call throws an `Error` that says what stands beside `id` in tests/messages.txt.
+#define EXPECT_REFUSED(Error, id, ...) \
+  EXPECT_SAID(id, ::orbearing::messages::refusal<Error>([&] { __VA_ARGS__; }))
