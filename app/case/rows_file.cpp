@@ -91,7 +91,9 @@ class RowsReader {
     std::vector<int> columns;
     const std::vector<std::string> cells = csv_cells(line, columns);
     for (const std::string& cell : cells) header_.push_back(header_cell(cell, keys_of(field_)));
-    if (std::all_of(header_.begin(), header_.end(), [](const HeaderCell& cell) { return cell.name.empty(); })) {
+    const bool none =
+        std::all_of(header_.begin(), header_.end(), [](const HeaderCell& cell) { return cell.name.empty(); });
+    if (none || is_of_semicolons(cells)) {
       object(1, unknown_head(line), required());
       return false;
     }
@@ -217,7 +219,10 @@ std::optional<RowFault> row_fault(const std::vector<std::string>& cells, const s
       ++halves;
       ++i;
     }
-  if (halves >= cells.size() - columns)
+  // Where one value has a decimal point, no comma is one.
+  const bool points = std::any_of(cells.begin(), cells.end(),
+                                  [](const std::string& cell) { return cell.find('.') != std::string::npos; });
+  if (!points && halves >= cells.size() - columns)
     fault.complaint.found +=
         " (a decimal comma splits a number in two: commas separate values here, decimals follow a point)";
   return fault;
@@ -229,6 +234,10 @@ std::optional<RowFault> text_fault(const std::string& line) {
   const std::size_t byte = first_byte_not_utf8(line);
   if (byte == line.size()) return std::nullopt;
   return RowFault{static_cast<int>(byte) + 1, {"a byte that is not UTF-8", "a text file in UTF-8"}};
+}
+
+bool is_of_semicolons(const std::vector<std::string>& cells) {
+  return cells.size() == 1 && cells.front().find(';') != std::string::npos;
 }
 
 std::string unknown_head(const std::string& line) {

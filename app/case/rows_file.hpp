@@ -48,6 +48,9 @@ std::optional<RowFault> row_fault(const std::vector<std::string>& cells, const s
 /// What is wrong with the characters of a line: bytes that are not UTF-8, a file in UTF-16.
 std::optional<RowFault> text_fault(const std::string& line);
 
+/// Whether a line is one cell that semicolons divide: columns of a spreadsheet's export.
+bool is_of_semicolons(const std::vector<std::string>& cells);
+
 /// How a head that names none of the required columns may be shown: what a file that is no table of numbers
 /// holds stays with its owner. Names UTF-16 and semicolons, which spreadsheets write.
 std::string unknown_head(const std::string& line);

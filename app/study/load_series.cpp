@@ -93,7 +93,7 @@ Table table_of_csv(const fs::path& file) {
     std::vector<int> places;
     const std::vector<std::string> cells = csv_cells(text, places);
     if (columns.empty()) {
-      columns = columns_of(file.string(), line, cells);
+      if (!is_of_semicolons(cells)) columns = columns_of(file.string(), line, cells);
       head = cells.size();
       if (columns.empty())
         refuse(fmt::format("{}:{}:1", file.string(), line), unknown_head(text),

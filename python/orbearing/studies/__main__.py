@@ -142,7 +142,7 @@ def _decimal_comma(cells: Sequence[str], columns: int) -> str:
             halves, place = halves + 1, place + 1
         place += 1
     surplus = len(cells) - columns
-    return " (a decimal comma splits a number in two: commas separate values here, decimals follow a point)" if 0 < surplus <= halves else ""
+    return " (a decimal comma splits a number in two: commas separate values here, decimals follow a point)" if 0 < surplus <= halves and not any("." in cell for cell in cells) else ""
 
 
 def _checked(options: argparse.Namespace) -> None:
