@@ -372,11 +372,11 @@ int parse_and_run(int argc, char** argv) {
 
 // What was printed is on its way only now: a full disk shows here and not when it was printed.
 void require_printed() {
-  std::cout.flush();
+  // First of all, since the stream of the standard library flushes it too and tells no reason.
   errno = 0;
-  const bool failed = std::fflush(stdout) != 0 || std::ferror(stdout) != 0 || !std::cout;
-  if (!failed) return;
-  const int error = errno;
+  const bool whole = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+  const int error = whole ? 0 : errno;
+  if (whole && std::cout.flush()) return;
   std::clearerr(stdout);
   std::cout.clear();
   throw WriteFailed(fmt::format("standard output: cannot be written{}{}", error == 0 ? "" : ": ",
