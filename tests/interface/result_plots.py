@@ -249,7 +249,9 @@ class Moving(Compared):
         side += [("area", "", ([-wide, wide], -inner[0] + np.array(sorted(s * np.array([pitch - ball, pitch - ball - 1.5 * thick]))))) for s in (-1, 1)]
         side += [("area", "", ([-wide, wide], -cage[0] + np.array(sorted(s * np.array([0.018, 0.0215]))))) for s in (-1, 1)]
         side += [circle((0.0, -b[0]), ball) for b in balls if b[1] > -0.2 * pitch]
-        self.check("moving", figure, Expected(*front, x="", y="", title=f"{150.0:7.1f} ms, {25.0 * 60 / (2 * np.pi):5.0f} rpm"), Expected(*side, x="", y=""))
+        reach = 1.12 * (pitch + ball + thick)
+        self.check("moving", figure, Expected(*front, x="", y="", title=f"{150.0:7.1f} ms, {25.0 * 60 / (2 * np.pi):5.0f} rpm", x_limits=(-reach, reach), y_limits=(-reach, reach)),
+                   Expected(*side, x="", y="", x_limits=(-0.5 * reach, 0.5 * reach), y_limits=(-reach, reach)))
 
     def test_a_balls_shade_is_its_load_where_it_stands(self):
         angle = np.array([0.01, 0.02, 3.0, 6.2])

@@ -16,6 +16,7 @@ from .trial import LEAST_PATIENCE, PATIENCE, digest, run, with_error
 FOLDER = "python/orbearing"
 LONGEST = 1800.0  # [s] of a test without an error
 USES = re.compile(r"\borbearing\b(?! (run|sweep|check)\b)|\bpackage\(|\"(report|study|uncertainty|validate)\"")
+CALLS = re.compile(r"^(from|import) program\b|\bORBEARING\b", re.M)  # the program, which takes longer
 SKIPPED = (0, 77)
 
 
@@ -48,7 +49,7 @@ class PackageCopies:
         return folder
 
     def tests(self, mutant: Mutant) -> list[pathlib.Path]:
-        """Those that use the package; first those that name the error's module or folder, and the quick ones."""
+        """Those that use the package; first those that need no program, of these those that name the error's module or folder, and the quick ones."""
         path = pathlib.PurePosixPath(mutant.file)
         names = re.compile(rf"\b({path.stem}|{path.parent.name})\b" if path.parent.name != "orbearing" else rf"\b{path.stem}\b")
         found = []
@@ -56,7 +57,7 @@ class PackageCopies:
             text = test.read_text(encoding="utf-8")
             if re.search(r"^if __name__ == .__main__.:", text, re.M) and USES.search(text):
                 seconds = self.times.get(test.name, 30.0)
-                found.append((seconds > 60.0, not names.search(text), seconds, test))
+                found.append((CALLS.search(text) is not None, not names.search(text), seconds, test))
         return [test for *_, test in sorted(found)]
 
     def ask(self, test: pathlib.Path, folder: pathlib.Path, seconds: float) -> tuple[int, str]:
