@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/case/check_table.hpp"
+#include "app/case/derived.hpp"
 #include "app/case/field.hpp"
 #include "app/case/mistake.hpp"
 #include "app/case/resolved_case.hpp"
@@ -28,12 +28,12 @@ bool is_full_complement(const ResolvedCase& in);
 /// std::invalid_argument where the tables have none.
 bearing::catalogue::ClearanceRange clearance_range_of(const ResolvedCase& in, const std::string& which);
 
-/// What a designation and a class say beside the values that they give, for `check`: ratings, the range of
-/// the clearance.
 /// How far rollers or balls that are inferred from a designation may be off: what every result of theirs is to be
 /// read with.
 std::vector<std::string> inferred_warnings(const ResolvedCase& resolved);
 
+/// What a designation and a class say beside the values that they give, for `check`: ratings, the range of
+/// the clearance.
 std::vector<Derived> bought_quantities(const ResolvedCase& resolved);
 
 }  // namespace orbearing::app

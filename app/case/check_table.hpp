@@ -5,17 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "app/case/derived.hpp"
 #include "app/case/resolved_case.hpp"
 
 namespace orbearing::app {
-
-/// A quantity that follows from the inputs.
-struct Derived {
-  std::string path;    // "gearset.centre_distance"
-  double value = 0.0;  // [unit]
-  std::string unit;    // "mm"; "1" for a ratio
-  std::string meaning;
-};
 
 /// The table as text, one line for each quantity.
 std::string check_table(const ResolvedCase& resolved, const std::vector<Derived>& derived);

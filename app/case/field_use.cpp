@@ -5,7 +5,6 @@
 #include <iterator>
 
 #include "app/case/mesh_fields.hpp"
-#include "app/case/use_conditions.hpp"
 
 namespace orbearing::app {
 
@@ -250,8 +249,7 @@ Use with_run_up(const Use& use) {
 
 // The diameter of the pin makes its stiffness where none is stated.
 Use with_pins(const Use& use) {
-  const Condition derived =
-      where_true(pins_have_derived_stiffness, "where support.stiffness is not given");
+  const Condition derived = where_absent("support.stiffness");
   Use pins = use.felt_only(use::bearings_as_springs, {derived});
   for (Way& way : pins.ways) way.conditions.push_back(derived);  // of unlike loads
   return pins;

@@ -64,7 +64,7 @@ inline constexpr unsigned balls_in_motion = ball_run | moving_defect;
 struct Condition {
   std::vector<std::string> paths;
   std::vector<std::string> values{};
-  bool absent = false;                             // instead: none of `paths` is given
+  bool absent = false;                             // instead: none of `paths` is stated; a default is not
   bool (*holds)(const ResolvedCase&) = nullptr;    // instead: what follows from several values at once
   std::string text{};                              // of that: "it counts only where ..."
 };

@@ -64,7 +64,7 @@ bool holds(const ResolvedCase& in, const Input& input, const Condition& conditio
   if (is_of_other_models(in, condition)) return true;
   const auto one = [&](const std::string& path) {
     const std::string other = beside(input.path, path);
-    return condition.absent ? in.has(other) : counts(in, other, condition.values);
+    return condition.absent ? in.has(other) && in.origin(other) != "default" : counts(in, other, condition.values);
   };
   return std::any_of(condition.paths.begin(), condition.paths.end(), one) != condition.absent;
 }

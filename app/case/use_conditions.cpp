@@ -66,11 +66,6 @@ bool bearings_tilt(const ResolvedCase& in) {
   return planets_tilt(in) || (in.has("bearing.per_planet") && in.integer("bearing.per_planet") > 1);
 }
 
-bool pins_have_derived_stiffness(const ResolvedCase& in) {
-  const char* stiffness = "support.stiffness";
-  return !in.has(stiffness) || in.origin(stiffness) == "default";
-}
-
 bool pair_has_linear_column(const ResolvedCase& in) {
   return in.has("arrangement") && in.choice("arrangement") != "back-to-back" && !turns(in);
 }

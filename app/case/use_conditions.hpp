@@ -9,8 +9,6 @@ namespace orbearing::app {
 bool planets_tilt(const ResolvedCase& in);
 /// Whether bearings whose tilt is computed have one: beside each other they tilt with the bent pin.
 bool bearings_tilt(const ResolvedCase& in);
-/// Whether the stiffness of pins follows from their diameter, since the case states none.
-bool pins_have_derived_stiffness(const ResolvedCase& in);
 /// Whether the linear formulas of a duplex pair have a column: a shaft at rest, rows that do not part.
 bool pair_has_linear_column(const ResolvedCase& in);
 /// The same, or measured pairs from which they are identified.
