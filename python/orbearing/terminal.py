@@ -31,8 +31,10 @@ def finished(command: Callable[[], int]) -> int:
     """The exit code of a command once all that it printed is written; 1 where that fails, as on a full disk."""
     try:
         code = command()
-    except SystemExit as end:  # of --help, and of wrong options
+    except SystemExit as end:  # of --help, of wrong options, and with a message
         code = end.code if isinstance(end.code, int) else int(end.code is not None)
+        if isinstance(end.code, str):
+            print(end.code, file=sys.stderr)
     try:
         sys.stdout.flush()
     except OSError as error:
