@@ -395,8 +395,9 @@ class UncertainCheck {
     }
   }
 
-  // A share of a mean of 0 is no deviation.
+  // A share of a mean of 0 is no deviation. Where a setting made the mean 0, what asks for samples says so.
   bool check_deviations(const StatedUncertain& stated, const std::vector<UncertainInput>& inputs) {
+    if (in_.place(stated.path).option && !stated.place.option) return true;
     const bool sound = stated.kind != "normal" || std::all_of(inputs.begin(), inputs.end(), [](const auto& one) {
                          return one.standard_deviation > 0.0;
                        });

@@ -253,6 +253,10 @@ std::optional<ValidationBand> band_of(std::vector<double> sampled, int lost) {
 std::vector<std::vector<double>> sampled_values(const ResolvedCase& variant, const Rows& rows,
                                                 const ValuesOf& values_of, const ValidationOptions& options) {
   const UncertainInputs uncertain = uncertain_inputs(variant);
+  for (const UncertainInput& one : uncertain.inputs)
+    if (one.standard_deviation == 0.0)
+      throw BadInput(fmt::format("{}: uncertain.{}: found a standard deviation of 0; required: one above 0",
+                                 variant.text("name"), one.path));
   std::vector<std::vector<double>> sampled(rows.size());
   for (const std::vector<double>& sample : uncertain_samples(uncertain, options.samples, options.seed)) {
     std::vector<NumberSetting> settings;

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from orbearing.errors import CaseError
 from orbearing.uncertainties.parts import openturns
 
 
@@ -33,6 +34,9 @@ class UncertainNumber:
         """From a row of `uncertain.inputs` in what `orbearing check --json` prints."""
         number = {key: math.nan if record[key] is None else float(record[key])
                   for key in ("value", "mean", "standard_deviation", "from", "peak", "to")}
+        if number["standard_deviation"] == 0.0:
+            raise CaseError(f"uncertain.{record['path']}: a standard deviation of 0 found; required: one above 0, or a mean "
+                            "other than 0 beside relative_standard_deviation")
         return cls(record["path"], record["distribution"], number["value"], number["mean"], number["standard_deviation"],
                    number["from"], number["peak"], number["to"], record["si_unit"], record["unit"],
                    float(record["units_per_si"]), record["given"], record["reason"])
