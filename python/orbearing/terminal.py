@@ -35,14 +35,22 @@ def finished(command: Callable[[], int]) -> int:
         code = end.code if isinstance(end.code, int) else int(end.code is not None)
         if isinstance(end.code, str):
             print(end.code, file=sys.stderr)
+    except OSError as error:
+        if error.filename:
+            raise
+        return _not_printed(error, 1)
     try:
         sys.stdout.flush()
     except OSError as error:
-        print(f"standard output: cannot be written: {error.strerror}; make room, then give the command again", file=sys.stderr)
-        # What is left in the buffer would be written once more at the end.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return code or 1
+        return _not_printed(error, code)
     return code
+
+
+def _not_printed(error: OSError, code: int) -> int:
+    print(f"standard output: cannot be written: {error.strerror}; make room, then give the command again", file=sys.stderr)
+    # What is left in the buffer would be written once more at the end.
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    return code or 1
 
 
 class StatusLine:

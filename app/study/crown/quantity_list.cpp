@@ -23,7 +23,7 @@ void append_range(const std::string& option, const std::string& text, const Dime
   for (const std::string& part : parts) ends.push_back(option_quantity(option, part, dimension, mistakes));
   if (mistakes.size() > before) return;
   const double steps = ends.size() == 3 ? (ends[1] - ends[0]) / ends[2] : -1.0;
-  if (!(steps >= 0.0 && steps <= kMostSteps) || std::abs(steps - std::round(steps)) > kWhole) {
+  if (!(steps >= 0.0 && std::round(steps) <= kMostSteps) || std::abs(steps - std::round(steps)) > kWhole) {
     mistakes.push_back(
         fmt::format("{}: found {}; required: FROM : TO : STEP, where at most {} steps lead from "
                     "FROM to TO",
