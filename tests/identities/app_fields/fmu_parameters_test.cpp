@@ -23,7 +23,6 @@ std::vector<Machine> machines() {
   return {{"bearing", true, {eccentric}},
           {"limited_shear", true, {eccentric, "traction.law=limiting-shear"}},
           {"mixed", true, {eccentric, "contact.lubrication=mixed"}},
-          {"squeezed", true, {eccentric, "contact.squeeze=true", "bearing.radial_clearance=60 um"}},
           {"dry_air", true, {eccentric, "drag.enabled=false"}},
           {"laminae", true, {eccentric, "bearing.laminae=10"}},
           {"full_complement", true, {"bearing.complement=full", "bearing.rollers=21"}},
