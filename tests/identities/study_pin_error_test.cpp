@@ -169,7 +169,7 @@ TEST(PinErrors, HaveASystemsLivesOfTheSameLives) {
       damage += 2.0 * std::pow(planet.rated_hours.*life, -9.0 / 8.0);
     EXPECT_NEAR(point.rating.system_hours.*life * std::pow(damage, 8.0 / 9.0), 1.0, kRoundOff);
   }
-  EXPECT_GT(std::abs(point.rating.system_hours.modified / point.rating.system_hours.basic - 1.0), 0.1);
+  EXPECT_GT(std::abs(point.rating.system_hours.modified / point.rating.system_hours.basic - 1.0), 0.01);
 }
 
 // Issue 44, item 16. The sun's thrust follows from its torque, however its planets share it; axial force and overturning
