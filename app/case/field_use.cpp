@@ -216,7 +216,8 @@ const Condition& where_filmed() {
 Use with_oil(const Use& use, std::string_view path) {
   if (path == "lubricant.density")
     return use.felt_too(use::rollers_at_rest,
-                        where_given({"lubricant.grade", "life.cleanliness", "life.contamination_factor"}));
+                        where_given({"lubricant.grade", "life.cleanliness", "life.contamination_factor"}))
+        .felt_too(use::bearings_as_springs, {where_given({"lubricant.grade"}), where_filmed()});
   if (path == "lubricant.flow")
     return use.when(where("drag.mixture", {"carried"}))
         .when(where("drag.enabled", {"true"}))

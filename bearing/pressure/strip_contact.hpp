@@ -52,7 +52,7 @@ class StripContact {
   RollerContactPressure solve(const Eigen::ArrayXd& relief, double tilt, Iteration& iteration) const;
   void balance(Iteration& iteration) const;
   bool update_contact(Iteration& iteration) const;
-  double update_widths(Iteration& iteration) const;
+  double update_widths(Iteration& iteration, double relaxation) const;
   RollerContactPressure result(const Iteration& iteration, double tilt, double change) const;
 
   double radius_ = 0.0;      // [m]

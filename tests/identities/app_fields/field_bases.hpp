@@ -441,6 +441,8 @@ inline const std::map<std::string, Change>& stated_changes() {
       {"life.cleanliness", {"low", clean}},
       {"life.lubrication", {"oil-bath", clean}},
       {"lubricant.kinematic_viscosity", {"30 mm2/s", turning}},
+      {"gearset.centre_distance", {"500 mm"}},  // checks of what follows: refused
+      {"gearset.profile_shift.planet", {"0.9"}},
       {"operation.shaft_speed", {"1200 rpm", turning}},
       {"operation.outer_speed", {"-1200 rpm", turning}},
       {"defect.angle", {"7 deg"}},
