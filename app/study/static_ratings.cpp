@@ -28,6 +28,12 @@ double relative_speed(const ResolvedCase& in) {
 std::optional<rating::OilCondition> oil_of(const ResolvedCase& in) {
   const std::optional<rating::StatedOil> stated = stated_oil(in);
   if (!stated) return {};
+  if (!stated->viscosity_ratio && relative_speed(in) == 0.0) {
+    const char* path = in.has("lubricant.grade") ? "lubricant.grade" : "lubricant.kinematic_viscosity";
+    throw BadInput(fmt::format("{}: {}: an oil for rings that do not rotate; operation.shaft_speed is required, from "
+                               "which the viscosity ratio follows",
+                               in.origin(path), path));
+  }
   const rating::OilCondition oil =
       rating::oil_condition(*stated, relative_speed(in), in.quantity("bearing.pitch_diameter"));
   if (oil.viscosity_ratio >= rating::kLeastViscosityRatio) return oil;

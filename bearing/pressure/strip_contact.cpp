@@ -19,7 +19,7 @@ using Eigen::ArrayXd;
 using Eigen::Index;
 
 // A wider strip is less stiff and takes more load, so widths come from one side: a longer step saves a fifth.
-constexpr double kOverRelaxation = 1.15;
+constexpr double kOverRelaxation = 1.15, kUnderRelaxation = 0.5;
 constexpr double kLeastGrowth = 1e-4;  // of a width squared in one step, where nothing is loaded near by
 
 const HalfSpaceContact& sound(const HalfSpaceContact& contact) {
@@ -92,7 +92,7 @@ RollerContactPressure StripContact::solve(const ArrayXd& relief, double tilt, It
     balance(iteration);
     const bool same_contact = update_contact(iteration);
     // Over-relaxed widths of an element at the end of the contact may swing for ever.
-    change = update_widths(iteration, 2 * k < settings_.most_iterations ? kOverRelaxation : 1.0);
+    change = update_widths(iteration, 2 * k < settings_.most_iterations ? kOverRelaxation : kUnderRelaxation);
     if (same_contact && change < settings_.tolerance) {
       RollerContactPressure solution = result(iteration, tilt, change);
       solution.iterations = k + 1;
