@@ -237,7 +237,7 @@ def spectrum(content):
     bins = content["spectrum"]["bins"][:4]
     return {"load-spectrum.data": {"bin": [1.0, 2.0, 3.0, 4.0], "speed (rpm)": column(bins, "speed_rpm"), "torque (N m)": column(bins, "torque_N_m"),
                                    "share of time": column(bins, "share"), "share of damage": column(bins, "damage_share"),
-                                   "life at this bin alone (h)": column(bins, "life_h")}}
+                                   "life_h at this bin alone (h)": column(bins, "life_h")}}
 
 
 def crown(content):
@@ -370,7 +370,7 @@ class Captions(unittest.TestCase):
         content = made.spectrum()
         bins = content["spectrum"]["bins"][:4]
         worst = max(range(4), key=lambda i: bins[i]["damage_share"])
-        self.assertIn(f"One bearing lives 23,456 h under the spectrum, all together 3,456 h; bin {worst + 1} of those that turn takes "
+        self.assertIn(f"By life_h one bearing reaches 23,456 h under the spectrum, all together 3,456 h; bin {worst + 1} of those that turn takes "
                       f"{number(100 * bins[worst]['share'], 3)} % of the time and {number(100 * bins[worst]['damage_share'], 3)} % of the life.",
                       self.captions(content)["load-spectrum"])
 
