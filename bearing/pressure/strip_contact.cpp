@@ -19,7 +19,7 @@ using Eigen::ArrayXd;
 using Eigen::Index;
 
 // A wider strip is less stiff and takes more load, so widths come from one side: a longer step saves a fifth.
-constexpr double kOverRelaxation = 1.15, kUnderRelaxation = 0.5;
+constexpr double kOverRelaxation = 1.15;
 constexpr double kLeastGrowth = 1e-4;  // of a width squared in one step, where nothing is loaded near by
 
 const HalfSpaceContact& sound(const HalfSpaceContact& contact) {
@@ -91,8 +91,7 @@ RollerContactPressure StripContact::solve(const ArrayXd& relief, double tilt, It
     influence_.evaluate(iteration.square.sqrt(), iteration.matrices);
     balance(iteration);
     const bool same_contact = update_contact(iteration);
-    // Over-relaxed widths of an element at the end of the contact may swing for ever.
-    change = update_widths(iteration, 2 * k < settings_.most_iterations ? kOverRelaxation : kUnderRelaxation);
+    change = update_widths(iteration);
     if (same_contact && change < settings_.tolerance) {
       RollerContactPressure solution = result(iteration, tilt, change);
       solution.iterations = k + 1;
@@ -147,11 +146,11 @@ bool StripContact::update_contact(Iteration& iteration) const {
 }
 
 /// Eq. (3); returns the greatest change of a width over the greatest width, where there is load.
-double StripContact::update_widths(Iteration& iteration, double relaxation) const {
+double StripContact::update_widths(Iteration& iteration) const {
   const ArrayXd load = iteration.line_load.max(0.0);
   const ArrayXd growth =
       4.0 * radius_ * compliance_ * (iteration.matrices.widening * load.matrix()).array() / grid_.size;
-  const ArrayXd next = growth.max(kLeastGrowth).pow(relaxation) * iteration.square;
+  const ArrayXd next = growth.max(kLeastGrowth).pow(kOverRelaxation) * iteration.square;
   const double greatest = (load > 0.0).select(next, 0.0).maxCoeff();
   const ArrayXd kept = next.max(1e-8 * greatest).min(100.0 * greatest);
   const ArrayXd change = (kept.sqrt() - iteration.square.sqrt()).abs() / std::sqrt(greatest);

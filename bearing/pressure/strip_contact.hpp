@@ -29,7 +29,7 @@ struct StripSettings {
   int elements = 64;        // [-]  along the roller
   double grading = 0.92;    // [-]  see graded_grid
   double tolerance = 1e-6;  // [-]  greatest change of a width over the greatest width
-  int most_iterations = 200;
+  int most_iterations = 400;
 };
 
 /// One roller on one race; made once and asked for many loads, tilts and profiles, from any thread.
@@ -52,7 +52,7 @@ class StripContact {
   RollerContactPressure solve(const Eigen::ArrayXd& relief, double tilt, Iteration& iteration) const;
   void balance(Iteration& iteration) const;
   bool update_contact(Iteration& iteration) const;
-  double update_widths(Iteration& iteration, double relaxation) const;
+  double update_widths(Iteration& iteration) const;
   RollerContactPressure result(const Iteration& iteration, double tilt, double change) const;
 
   double radius_ = 0.0;      // [m]
