@@ -45,9 +45,11 @@ std::string subject_name(const testing::TestParamInfo<Subject>& info) {
   return name;
 }
 
-// Words, not numbers: nothing is computed from them, or there is one choice alone.
+// Words, not numbers: nothing is computed from them, or there is one choice alone; and checks of what follows, of which
+// another value is refused (StatedGeometry in unit/app_case/consistency_test).
 bool is_label(const Field& field) {
-  static const std::set<std::string> labels{"name", "source", "model", "bearing.type", "shafts"};
+  static const std::set<std::string> labels{
+      "name", "source", "model", "bearing.type", "shafts", "gearset.centre_distance", "gearset.profile_shift.planet"};
   return labels.contains(field.path);
 }
 
