@@ -41,10 +41,10 @@ constexpr const char *kDistance = "gearset.centre_distance", *kPlanetShift = "ge
                      *kRingShift = "gearset.profile_shift.ring";
 constexpr double kDistanceRounding = 1e-5;  // [m]  of drawings and of shifts printed with four digits
 constexpr double kShiftRounding = 5e-3;     // [module]
-constexpr double kRoundOff = 1e-9;          // [-]
+constexpr double kRoundOffOfPrint = 1e-9;          // [-]
 
 bool agrees(double stated, double derived, double rounding) {
-  return std::abs(stated - derived) <= rounding * (1.0 + kRoundOff);
+  return std::abs(stated - derived) <= rounding * (1.0 + kRoundOffOfPrint);
 }
 
 bool fits(const ResolvedCase& in, const gearset::WorkingGeometry& geometry) {

@@ -42,7 +42,7 @@ std::array<LifeLine, 5> life_lines(const LifeWords& words) {
             fmt::format("Lundberg-Palmgren: loads of this analysis, exponent {}{}", balls ? 3 : 4, reduction)}}};
 }
 
-std::string number(double value) {
+std::string life_number_text(double value) {
   if (std::isinf(value)) return "no load";
   return std::isfinite(value) ? fmt::format("{:.6g}", value) : "-";
 }
@@ -139,8 +139,8 @@ LifeValue value_by_name(NamedValues values) {
 std::string lives_text(const LifeValue& value, const LifeWords& words) {
   std::string text = fmt::format("{:<20} {:>12} {:>12}  {}\n", "life of one bearing", "[h]", "[Mrev]", "by");
   for (const LifeLine& line : life_lines(words))
-    text += fmt::format("{:<20} {:>12} {:>12}  {}\n", line.hours, number(value(line.hours)),
-                        number(value(line.revolutions)), line.by);
+    text += fmt::format("{:<20} {:>12} {:>12}  {}\n", line.hours, life_number_text(value(line.hours)),
+                        life_number_text(value(line.revolutions)), line.by);
   return text + listed(value, kForces) + listed(value, kRatios) + design_advice(has_modified(value), words.element);
 }
 
