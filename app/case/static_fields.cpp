@@ -170,10 +170,9 @@ void add_life(std::vector<Field>& fields) {
                     .default_reason = "what published cases use"});
   Field reliability = life_number("life.reliability", "share of bearings that reach the life",
                                   {.least = 0.0, .most = 1.0, .least_allowed = false, .most_allowed = false});
-  // A static case has a load and is rated always.
+  // a_1 is in L10m and L10mr, which need an oil.
   reliability.use =
-      by_rated_life().when(where_given({"load.radial", "load.axial", "load.moment", "load.moment_across",
-                                        "lubricant.grade", "life.cleanliness", "life.contamination_factor",
+      by_rated_life().when(where_given({"lubricant.grade", "life.cleanliness", "life.contamination_factor",
                                         "life.viscosity_ratio", "lubricant.kinematic_viscosity"}));
   reliability.default_text = "0.9";
   reliability.default_reason = "rating lives are those of 90 %";
