@@ -170,10 +170,13 @@ void add_life(std::vector<Field>& fields) {
                     .default_reason = "what published cases use"});
   Field reliability = life_number("life.reliability", "share of bearings that reach the life",
                                   {.least = 0.0, .most = 1.0, .least_allowed = false, .most_allowed = false});
-  // a_1 is in L10m and L10mr, which need an oil.
+  // a_1 is in L10m and L10mr, which need an oil; a bearing at rest under a load shows it by itself.
   reliability.use =
-      by_rated_life().when(where_given({"lubricant.grade", "life.cleanliness", "life.contamination_factor",
-                                        "life.viscosity_ratio", "lubricant.kinematic_viscosity"}));
+      by_rated_life()
+          .when(where_given({"lubricant.grade", "life.cleanliness", "life.contamination_factor",
+                             "life.viscosity_ratio", "lubricant.kinematic_viscosity"}))
+          .felt_too(use::static_load,
+                    where_given({"load.radial", "load.axial", "load.moment", "load.moment_across"}));
   reliability.default_text = "0.9";
   reliability.default_reason = "rating lives are those of 90 %";
   fields.push_back(reliability);

@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <cstring>
 #include <iostream>
+#include <sstream>
 #include <system_error>
 
 #include "app/case/printable.hpp"
@@ -364,7 +365,10 @@ int parse_and_run(int argc, char** argv) {
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    const int code = program.exit(error);
+    // Not into the streams themselves: they flush, and the reason of a full disk would be gone.
+    std::ostringstream answer;
+    const int code = program.exit(error, answer, answer);
+    fmt::print(code == 0 ? stdout : stderr, "{}", answer.str());
     return code == 0 ? kDone : kBadInput;
   }
   return chosen(options);
