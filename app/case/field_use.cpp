@@ -308,7 +308,7 @@ Use with_planet_defect(const Use& use, std::string_view path) {
   unsigned* const standings[] = {&more.by, &more.unfelt_by, &more.refused_by};
   for (unsigned* standing : standings) *standing &= ~unsigned{use::planet_defect};
   if (is_one_of({"life.", "spectrum", "lubricant.kinematic", "simulation.observed", "simulation.most_rev",
-                 "simulation.load_drift", "simulation.cage_drift",
+                 "simulation.load_drift", "simulation.cage_drift", "bearing.fatigue_load_limit",
                  "bearing.neighbour_friction"})) {  // of bearings without a cage, which is refused
     more.unfelt_by |= use::planet_defect;
     return more;
