@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "bearing/equilibrium/equilibrium_batch.hpp"
 #include "bearing/equilibrium/lamina_bearing.hpp"
+#include "bearing/equilibrium/level_pitch.hpp"
 #include "bearing/motion/equations.hpp"
 #include "benchmarks/frozen/constants.hpp"
 #include "benchmarks/runs.hpp"
@@ -25,8 +25,9 @@ constexpr double kTypicalStep = 5e-6;  // [s]
 constexpr double kSettling = 5e-3;     // [s]
 constexpr int kRepetitions = 5;
 constexpr double kLeastTime = 0.02;  // [s]  of each repetition
-constexpr int kStaticPoints = 1024;
+constexpr int kStaticPoints = 64;
 constexpr int kPlainStaticPoints = 32;
+constexpr int kCagePositions = 16;
 constexpr int kLaminae = 40;
 constexpr int kLaminaContacts = 1000;
 constexpr int kLaminaPoints = 40;
@@ -113,14 +114,12 @@ void add_step(const Duty& duty, int factor) {
   add("step_" + std::to_string(factor), [bench] { bench->step(); });
 }
 
-// Speeds at constant power, each at another cage angle, in no order that a solver could profit from.
-std::vector<bearing::vectorised::EquilibriumPoint> static_points(
-    const study::PlanetaryDrivetrain& drivetrain) {
-  std::vector<bearing::vectorised::EquilibriumPoint> points;
-  for (int i = 0; i < kStaticPoints; ++i) {
-    const double rpm = 1000.0 + 11000.0 * std::fmod(0.618033988749895 * i, 1.0);
-    points.push_back({duty_at(drivetrain, rpm, 0.0).point, 0.37 * i});
-  }
+// Speeds at constant power, in no order that a solver could profit from.
+std::vector<bearing::OperatingPoint> static_points(const study::PlanetaryDrivetrain& drivetrain) {
+  std::vector<bearing::OperatingPoint> points;
+  for (int i = 0; i < kStaticPoints; ++i)
+    points.push_back(
+        duty_at(drivetrain, 1000.0 + 11000.0 * std::fmod(0.618033988749895 * i, 1.0), 0.0).point);
   return points;
 }
 
@@ -129,13 +128,15 @@ void add_static(const study::PlanetaryDrivetrain& drivetrain) {
   const bearing::Bearing bearing = drivetrain.bearing;
   add("plain_static", [points, bearing] {
     for (int i = 0; i < kPlainStaticPoints; ++i)
-      benchmark::DoNotOptimize(bearing::quasi_static_state(bearing, points[static_cast<std::size_t>(i)].point,
-                                                           {},
-                                                           points[static_cast<std::size_t>(i)].first_roller));
+      benchmark::DoNotOptimize(
+          bearing::quasi_static_state(bearing, points[static_cast<std::size_t>(i)], {}, 0.37 * i));
   });
-  const auto batch = std::make_shared<bearing::vectorised::EquilibriumBatch>(bearing);
-  const auto results = std::make_shared<bearing::vectorised::EquilibriumResults>();
-  add("fast_static", [points, batch, results] { batch->solve(points, *results); });
+  const auto level = std::make_shared<bearing::vectorised::LevelPitch>(
+      *bearing::vectorised::LevelPitch::of(bearing, {.cage_positions = kCagePositions}));
+  const auto results = std::make_shared<bearing::vectorised::PitchResults>();
+  add("fast_static", [points, level, results] {
+    for (const bearing::OperatingPoint& point : points) level->solve(point, *results);
+  });
 }
 
 // A combination as studies of profiles ask for it: profile, tilt and operating point are new each time.
@@ -150,9 +151,7 @@ void add_laminae(const study::PlanetaryDrivetrain& drivetrain) {
     for (int i = 0; i < kLaminaContacts; ++i)
       benchmark::DoNotOptimize(cut->contact(bearing::Race::inner).evaluate(6e-6 + 1e-9 * i, 2e-6));
   });
-  std::vector<bearing::OperatingPoint> points;
-  for (const auto& one : static_points(drivetrain)) points.push_back(one.point);
-  add("lamina_points", [points, bearing]() mutable {
+  add("lamina_points", [points = static_points(drivetrain), bearing]() mutable {
     for (int i = 0; i < kLaminaPoints; ++i) {
       bearing::OperatingPoint point = points[static_cast<std::size_t>(i)];
       point.bore_tilt = 0.5e-3 * (i % 5) * point.bore_load.normalized();
@@ -205,7 +204,7 @@ KernelTimes time_kernels(const study::PlanetaryDrivetrain& drivetrain) {
           .exponent = fitted_exponent(ns),
           .step_by_rollers = steps_by_rollers(ns, duty.bearing.rollers().count),
           .plain_static = ns.at("plain_static") / kPlainStaticPoints,
-          .fast_static = ns.at("fast_static") / kStaticPoints,
+          .fast_static = ns.at("fast_static") / (kStaticPoints * kCagePositions),
           .lamina = ns.at("lamina_contacts") / (kLaminaContacts * kLaminae),
           .lamina_point = ns.at("lamina_points") / kLaminaPoints};
 }

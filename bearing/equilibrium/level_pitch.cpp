@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "bearing/carrier_frame.hpp"
+#include "bearing/contact/line_contact.hpp"
 #include "bearing/contact/race_form.hpp"
 
 namespace orbearing::bearing::vectorised {
@@ -33,6 +35,14 @@ bool are_same(const std::vector<double>& a, const std::vector<double>& b) {
                     [same = same_drop(a)](double x, double y) { return std::abs(x - y) <= same; });
 }
 
+LevelEngine* make_engine([[maybe_unused]] mechanics::InstructionSet set, const LevelConstants& constants) {
+#if defined(__x86_64__) && !defined(_WIN32)
+  if (set == mechanics::InstructionSet::avx512) return avx512_level_engine(constants);
+  if (set == mechanics::InstructionSet::avx2) return avx2_level_engine(constants);
+#endif
+  return baseline_level_engine(constants);
+}
+
 }  // namespace
 
 std::optional<LevelPitch> LevelPitch::of(const Bearing& bearing, const QuasiStaticOptions& options,
@@ -41,11 +51,12 @@ std::optional<LevelPitch> LevelPitch::of(const Bearing& bearing, const QuasiStat
   const std::vector<double> drops = drops_at(bearing, Race::inner);
   if (!are_same(drops, {drops.rbegin(), drops.rend()}) || !are_same(drops, drops_at(bearing, Race::outer)))
     return std::nullopt;
-  std::vector<std::size_t> order(drops.size()), lamina_of(drops.size());
+  std::vector<std::size_t> order(drops.size());
   std::iota(order.begin(), order.end(), 0u);
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return drops[a] < drops[b]; });
   UnlikeLaminae laminae;
+  laminae.lamina_of.resize(drops.size());
   const double same = same_drop(drops);
   for (const std::size_t k : order) {
     if (laminae.drop.empty() || drops[k] > laminae.drop.back() + same) {
@@ -53,27 +64,90 @@ std::optional<LevelPitch> LevelPitch::of(const Bearing& bearing, const QuasiStat
       laminae.share.push_back(0.0);
     }
     laminae.share.back() += 1.0 / static_cast<double>(drops.size());
-    lamina_of[k] = laminae.drop.size() - 1;
+    laminae.lamina_of[k] = laminae.drop.size() - 1;
   }
-  return LevelPitch(bearing, options, std::move(laminae), std::move(lamina_of), set);
+  return LevelPitch(bearing, options, std::move(laminae), set);
 }
 
 LevelPitch::LevelPitch(const Bearing& bearing, const QuasiStaticOptions& options, UnlikeLaminae laminae,
-                       std::vector<std::size_t> lamina_of, mechanics::InstructionSet set)
+                       mechanics::InstructionSet set)
     : bearing_(bearing),
+      geometry_(geometry_of(bearing)),
       options_(options),
-      unlike_(laminae.drop.size()),
-      lamina_of_(std::move(lamina_of)),
-      block_(bearing, options.inertia, set, std::move(laminae)) {}
+      unit_length_(roller_race_contact(bearing.contact_law, bearing.rollers().length).approach(1.0)),
+      laminae_(std::move(laminae)),
+      inner_(static_cast<std::size_t>(bearing.rollers().count * kBlock)),
+      outer_(inner_) {
+  const int rollers = bearing.rollers().count;
+  for (int j = 0; j < rollers; ++j) {
+    const double angle = two_pi * j / rollers;
+    pocket_cosine_.push_back(std::cos(angle));
+    pocket_sine_.push_back(std::sin(angle));
+  }
+  const double least = laminae_.drop.front();
+  for (double& drop : laminae_.drop) drop = (drop - least) / unit_length_;
+  engine_.reset(
+      make_engine(set, {.rollers = rollers,
+                        .half_clearance = (0.5 * bearing.radial_clearance + 2.0 * least) / unit_length_,
+                        .pocket_cosine = pocket_cosine_.data(),
+                        .pocket_sine = pocket_sine_.data(),
+                        .laminae = static_cast<int>(laminae_.drop.size()),
+                        .drop = laminae_.drop.data(),
+                        .share = laminae_.share.data()}));
+}
+
+// The inertial load of a roller is radial_inertial_acceleration() on the pitch circle, split by its angle.
+void LevelPitch::put(const OperatingPoint& point, double first_roller, int lane) {
+  const CarrierFrame frame = carrier_frame(point.carrier, options_.inertia);
+  const double cage_speed = kinematic_cage_speed(geometry_, point.inner_speed, point.outer_speed);
+  const double mass = geometry_.element_mass;
+  const Eigen::Vector2d load = total_bore_load(bearing_, geometry_, point, options_.inertia);
+  input_.force_x[lane] = load.x();
+  input_.force_y[lane] = load.y();
+  input_.steady[lane] = mass * geometry_.pitch_radius *
+                        (frame.own_orbit * cage_speed * cage_speed + 2.0 * frame.coriolis_speed * cage_speed +
+                         frame.centrifugal);
+  input_.cosine[lane] = mass * frame.centrifugal * frame.orbit_radius;
+  input_.sine[lane] = -mass * frame.euler * frame.orbit_radius;
+  input_.first_roller[lane] =
+      std::abs(first_roller) < 1e6 ? first_roller : std::remainder(first_roller, two_pi);
+}
+
+void LevelPitch::start_near(const OperatingPoint& point, const PitchResults& near, int position, int lane) {
+  const Eigen::Vector2d at = near.displacement.col(position).matrix() / unit_length_;
+  const Eigen::Vector2d moved =
+      mechanics::lengths_under<2>(Eigen::Vector2d(point.bore_load - near.load),
+                                  near.stiffness[static_cast<std::size_t>(position)]) /
+      unit_length_;
+  input_.near_x[lane] = at.x();
+  input_.near_y[lane] = at.y();
+  input_.start_x[lane] = at.x() + moved.x();
+  input_.start_y[lane] = at.y() + moved.y();
+}
+
+// `count` cage angles of the block, those from `first` on of the pitch.
+void LevelPitch::take(Eigen::Index first, Eigen::Index count, PitchResults& results) const {
+  for (Eigen::Index j = 0; j < results.inner_load.cols(); ++j) {
+    std::copy_n(inner_.data() + j * kBlock, count, results.inner_load.col(j).data() + first);
+    std::copy_n(outer_.data() + j * kBlock, count, results.outer_load.col(j).data() + first);
+  }
+  for (Eigen::Index lane = 0; lane < count; ++lane) {
+    results.displacement.col(first + lane) << unit_length_ * output_.displacement_x[lane],
+        unit_length_ * output_.displacement_y[lane];
+    const auto position = static_cast<std::size_t>(first + lane);
+    results.stiffness[position] << output_.stiffness_xx[lane], output_.stiffness_xy[lane],
+        output_.stiffness_xy[lane], output_.stiffness_yy[lane];
+    results.stiffness[position] /= unit_length_;
+    SolverReport& report = results.reports[position];
+    report.iterations = static_cast<int>(output_.iterations[lane]);
+    report.residual = output_.residual[lane];
+    report.converged = output_.converged[lane] != 0.0;
+    if (!report.converged) report.message = "level rollers found no balance";
+  }
+}
 
 void LevelPitch::solve(const OperatingPoint& point, PitchResults& results, const PitchResults* near) {
   solve(point, results, near, nullptr);
-}
-
-Eigen::Vector2d LevelPitch::start(const OperatingPoint& point, const PitchResults& near, int position) const {
-  return near.displacement.col(position).matrix() +
-         mechanics::lengths_under<2>(Eigen::Vector2d(point.bore_load - near.load),
-                                     near.stiffness[static_cast<std::size_t>(position)]);
 }
 
 // `lamina_loads` has room for the loads of all blocks.
@@ -81,7 +155,6 @@ void LevelPitch::solve(const OperatingPoint& point, PitchResults& results, const
                        double* lamina_loads) {
   require_finite(point);
   const int positions = options_.cage_positions, rollers = bearing_.rollers().count;
-  const std::size_t room = 2 * unlike_ * static_cast<std::size_t>(rollers) * kBlock;
   results.load = point.bore_load;
   results.rollers.resize(
       static_cast<std::size_t>(2 * rollers * ((positions + kBlock - 1) / kBlock) * kBlock));
@@ -91,30 +164,20 @@ void LevelPitch::solve(const OperatingPoint& point, PitchResults& results, const
   results.stiffness.resize(static_cast<std::size_t>(positions));
   results.reports.assign(static_cast<std::size_t>(positions), {});
   const double step = two_pi / (positions * rollers);
+  output_.lamina_loads = lamina_loads;
   for (int first = 0; first < positions; first += kBlock) {
     const int count = std::min(kBlock, positions - first);
-    block_.start_near(near == nullptr ? nullptr : near->rollers.data() + 2 * rollers * first);
+    input_.near_rollers = near == nullptr ? nullptr : near->rollers.data() + 2 * rollers * first;
+    output_.rollers = results.rollers.data() + 2 * rollers * first;
     for (int lane = 0; lane < kBlock; ++lane) {
       const int position = first + std::min(lane, count - 1);
-      block_.put(point, options_.first_roller + step * position, lane);
-      if (near != nullptr)
-        block_.start_at(near->displacement.col(position).matrix(), start(point, *near, position), lane);
+      put(point, options_.first_roller + step * position, lane);
+      if (near != nullptr) start_near(point, *near, position, lane);
     }
-    const EquilibriumOutput& found =
-        block_.solve(first, count, results.displacement, results.inner_load, results.outer_load,
-                     results.rollers.data() + 2 * rollers * first, lamina_loads);
-    if (lamina_loads != nullptr) lamina_loads += room;
-    for (int lane = 0; lane < count; ++lane) {
-      const auto position = static_cast<std::size_t>(first + lane);
-      results.stiffness[position] << found.stiffness_xx[lane], found.stiffness_xy[lane],
-          found.stiffness_xy[lane], found.stiffness_yy[lane];
-      results.stiffness[position] /= block_.unit_length();
-      SolverReport& report = results.reports[position];
-      report.iterations = static_cast<int>(found.iterations[lane]);
-      report.residual = found.residual[lane];
-      report.converged = found.converged[lane] != 0.0;
-      if (!report.converged) report.message = "level rollers found no balance";
-    }
+    engine_->solve(input_, output_, inner_.data(), outer_.data());
+    take(first, count, results);
+    if (lamina_loads != nullptr)
+      output_.lamina_loads += 2 * laminae_.drop.size() * static_cast<std::size_t>(rollers * kBlock);
   }
 }
 
@@ -123,18 +186,18 @@ std::optional<laminae::LaminaResult> LevelPitch::laminae_under(const laminae::La
                                                                const PitchResults* near) {
   const int positions = options_.cage_positions, rollers = bearing_.rollers().count;
   const auto stride = static_cast<std::size_t>(rollers) * kBlock;  // from one unlike lamina to the next
-  const std::size_t of_one_race = unlike_ * stride,
+  const std::size_t of_one_race = laminae_.drop.size() * stride,
                     blocks = static_cast<std::size_t>((positions + kBlock - 1) / kBlock);
   lamina_loads_.resize(2 * of_one_race * blocks);
   PitchResults pitch;
   solve(point, pitch, near, lamina_loads_.data());
   laminae::LaminaResult result = laminae::empty_result(cut, point, options_);
-  const double part = 1.0 / static_cast<double>(lamina_of_.size());
+  const double part = 1.0 / static_cast<double>(laminae_.lamina_of.size());
   const auto put = [&](const double* loads, double load, auto column) {
     column.setZero();
     if (load == 0.0) return;
-    for (std::size_t k = 0; k < lamina_of_.size(); ++k)
-      column[static_cast<Eigen::Index>(k)] = part * loads[lamina_of_[k] * stride];
+    for (std::size_t k = 0; k < laminae_.lamina_of.size(); ++k)
+      column[static_cast<Eigen::Index>(k)] = part * loads[laminae_.lamina_of[k] * stride];
   };
   result.roller_tilt.setZero();
   for (int position = 0; position < positions; ++position) {

@@ -4,11 +4,13 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <optional>
 #include <vector>
 
-#include "bearing/equilibrium/equilibrium_batch.hpp"
 #include "bearing/equilibrium/lamina_bearing.hpp"
+#include "bearing/equilibrium/level_engine.hpp"
+#include "mechanics/packs/instruction_set.hpp"
 
 namespace orbearing::bearing::vectorised {
 
@@ -18,8 +20,15 @@ struct PitchResults {
   Eigen::Array2Xd displacement;            // [m]    (x and y, positions)  outer ring relative to inner ring
   std::vector<Eigen::Matrix2d> stiffness;  // [N/m]  (positions)
   Eigen::ArrayXXd inner_load, outer_load;  // [N]    (positions, rollers)
-  std::vector<double> rollers;             // of EquilibriumOutput, block by block
+  std::vector<double> rollers;             // of LevelOutput, block by block
   std::vector<SolverReport> reports;       // (positions)
+};
+
+/// Laminae of a contact, those of like drop as one; a whole contact is one lamina without drop.
+struct UnlikeLaminae {
+  std::vector<double> drop;            // [m]  rising
+  std::vector<double> share;           // [-]  of the contact's length
+  std::vector<std::size_t> lamina_of;  // (laminae of a contact)  which of these it is
 };
 
 /// The solver for one bearing: whole contacts, or laminae whose drops are the same at both ends and on both
@@ -48,17 +57,24 @@ class LevelPitch {
 
  private:
   LevelPitch(const Bearing& bearing, const QuasiStaticOptions& options, UnlikeLaminae laminae,
-             std::vector<std::size_t> lamina_of, mechanics::InstructionSet set);
+             mechanics::InstructionSet set);
   void solve(const OperatingPoint& point, PitchResults& results, const PitchResults* near,
              double* lamina_loads);
-  Eigen::Vector2d start(const OperatingPoint& point, const PitchResults& near, int position) const;
+  void put(const OperatingPoint& point, double first_roller, int lane);
+  void start_near(const OperatingPoint& point, const PitchResults& near, int position, int lane);
+  void take(Eigen::Index first, Eigen::Index count, PitchResults& results) const;
 
   Bearing bearing_;
+  BearingGeometry geometry_;
   QuasiStaticOptions options_;
-  std::size_t unlike_;                  // laminae
-  std::vector<std::size_t> lamina_of_;  // (laminae of a contact)  which of these it is
-  EquilibriumBlock block_;
-  std::vector<double> lamina_loads_;  // of EquilibriumOutput, block by block
+  double unit_length_;     // [m]  approach of one whole contact under 1 N
+  UnlikeLaminae laminae_;  // drops in units of length, from the least on
+  std::vector<double> pocket_cosine_, pocket_sine_;
+  std::vector<double> inner_, outer_;  // [N]  (rollers, kBlock)
+  std::vector<double> lamina_loads_;   // of LevelOutput, block by block
+  LevelInput input_{};
+  LevelOutput output_{};
+  std::unique_ptr<LevelEngine> engine_;
 };
 
 }  // namespace orbearing::bearing::vectorised

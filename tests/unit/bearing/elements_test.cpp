@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "bearing/equilibrium/equilibrium_batch.hpp"
 #include "bearing/equilibrium/lamina_bearing.hpp"
+#include "bearing/equilibrium/level_pitch.hpp"
 #include "bearing/equilibrium/quasi_static.hpp"
 #include "bearing/equilibrium/static_bearing.hpp"
 #include "bearing/geometry.hpp"
@@ -43,9 +43,9 @@ TEST(Elements, BallsAreRefusedWhereRollersAreRequired) {
   const OperatingPoint point = example_bearings::static_load(100.0);
   for (const std::function<void()>& call : std::vector<std::function<void()>>{
            [&] { quasi_static_bearing(balls, point, {}); }, [&] { laminae::LaminaBearing cut(balls); },
-           [&] { vectorised::EquilibriumBatch batch(balls); },
-           [&] { motion::bearing_model(balls, point, {}); }, [&] { equilibrium::RollerRow row(balls); },
-           [&] { rating::roller_set(balls); }, [&] { lundberg_palmgren_life(balls, 0.83, loads, loads); }})
+           [&] { vectorised::LevelPitch::of(balls, {}); }, [&] { motion::bearing_model(balls, point, {}); },
+           [&] { equilibrium::RollerRow row(balls); }, [&] { rating::roller_set(balls); },
+           [&] { lundberg_palmgren_life(balls, 0.83, loads, loads); }})
     EXPECT_EQ(refusal_of(call),
               "rolling elements of the bearing: found balls; required: cylindrical rollers");
 }

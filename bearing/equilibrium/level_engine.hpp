@@ -1,17 +1,17 @@
-// What a solver of quasi-static equilibria for one instruction set offers: a block of operating points at a
+// What a solver of aligned rollers' equilibria for one instruction set offers: a block of cage angles at a
 // time. No header of a library here, since files compiled for special instruction sets include it.
 #pragma once
 
 namespace orbearing::bearing::vectorised {
 
-/// Operating points in one block, whatever the instruction set.
+/// Cage angles in one block, whatever the instruction set.
 inline constexpr int kBlock = 16;
 
-/// What all operating points of a bearing share. Lengths are divided by the approach of one contact under
-/// 1 N, so that a contact carries Q = x^(10/9) with Q in [N]. Of a contact that is cut, laminae of like drop
-/// are one; drops count from the least, and the clearance holds twice that. What is pointed to outlives the
+/// What all cage angles of a bearing share. Lengths are divided by the approach of one whole contact under
+/// 1 N, so that it carries Q = x^(10/9) with Q in [N]. Laminae of like drop are one, a whole contact is one
+/// lamina; drops count from the least, and the clearance holds twice that. What is pointed to outlives the
 /// engine.
-struct EquilibriumConstants {
+struct LevelConstants {
   int rollers = 0;
   double half_clearance = 0.0;            // [N^0.9]
   const double* pocket_cosine = nullptr;  // [-]  of each roller's angle from the first
@@ -21,9 +21,9 @@ struct EquilibriumConstants {
   const double* share = nullptr;          // [-]      (laminae)  of the contact's length
 };
 
-/// What distinguishes them, an entry for each point. The inertial load of the roller at angle a is
+/// What distinguishes them, an entry for each. The inertial load of the roller at angle a is
 /// steady + cosine cos a + sine sin a, outward positive.
-struct EquilibriumInput {
+struct LevelInput {
   double force_x[kBlock];       // [N]  on the outer ring
   double force_y[kBlock];       // [N]
   double steady[kBlock];        // [N]
@@ -39,7 +39,7 @@ struct EquilibriumInput {
 
 /// `lamina_loads` where it is asked for: loads [N] per share of the length, of the laminae at the inner race,
 /// then at the outer one, kBlock entries for each roller of each of them.
-struct EquilibriumOutput {
+struct LevelOutput {
   double displacement_x[kBlock];  // [N^0.9]  outer ring relative to inner ring
   double displacement_y[kBlock];  // [N^0.9]
   double residual[kBlock];        // [N]  force out of balance on the outer ring
@@ -54,23 +54,19 @@ struct EquilibriumOutput {
 };
 
 /// Not for use by two threads at once; nothing is allocated after construction.
-class EquilibriumEngine {
+class LevelEngine {
  public:
-  virtual ~EquilibriumEngine() = default;
+  virtual ~LevelEngine() = default;
   /// Solves a block. `inner_load` and `outer_load` [N] hold kBlock entries for each roller.
-  virtual void solve(const EquilibriumInput& input, EquilibriumOutput& output, double* inner_load,
+  virtual void solve(const LevelInput& input, LevelOutput& output, double* inner_load,
                      double* outer_load) = 0;
 };
 
-/// One for each instruction set; each stands in its own file with its own compiler options. Those of level
-/// rollers on laminae give the same bits in all sets.
-EquilibriumEngine* baseline_equilibrium(const EquilibriumConstants& constants);
-EquilibriumEngine* baseline_level_equilibrium(const EquilibriumConstants& constants);
+/// One for each instruction set, each in its own file with its own compiler options: the same bits in all.
+LevelEngine* baseline_level_engine(const LevelConstants& constants);
 #if defined(__x86_64__) && !defined(_WIN32)
-EquilibriumEngine* avx2_equilibrium(const EquilibriumConstants& constants);
-EquilibriumEngine* avx2_level_equilibrium(const EquilibriumConstants& constants);
-EquilibriumEngine* avx512_equilibrium(const EquilibriumConstants& constants);
-EquilibriumEngine* avx512_level_equilibrium(const EquilibriumConstants& constants);
+LevelEngine* avx2_level_engine(const LevelConstants& constants);
+LevelEngine* avx512_level_engine(const LevelConstants& constants);
 #endif
 
 }  // namespace orbearing::bearing::vectorised

@@ -1,14 +1,17 @@
-// Quasi-static equilibria of one bearing, one operating point a lane: the model of race_equilibrium and
-// roller_balance for dry contacts, by Newton's method on the rings' displacement and all rollers at once.
+// Equilibria of one bearing whose rollers stay aligned, dry, one cage angle a lane: the model of
+// lamina_bearing by Newton's method on the rings' displacement and all rollers at once.
 //
-// In the lengths of EquilibriumConstants a squeezed roller with inertial load I and e = |I| has
-//   y^(10/9) - x^(10/9) = e,   x + y = A = -half clearance - u . e_r
+// In the lengths of LevelConstants a squeezed roller with inertial load I and e = |I| has
+//   Q(y) - Q(x) = e,   x + y = A = -half clearance - u . e_r,   Q(x) = sum over laminae share (x -
+//   drop)_+^(10/9)
 // with x on the race that feels the squeeze alone. Eliminating x roller by roller leaves two equations for u.
-// The contacts of rollers on laminae take the place of the powers where these are cut (level_contacts.hpp).
+//
+// Lanes do not meet, and nothing depends on how many of them there are: without fused operations all
+// instruction sets give the same bits.
 #pragma once
 
 #include "bearing/contact/line_law.hpp"
-#include "bearing/equilibrium/equilibrium_engine.hpp"
+#include "bearing/equilibrium/level_engine.hpp"
 #include "mechanics/packs/aligned_array.hpp"
 #include "mechanics/packs/elementary.hpp"
 #include "mechanics/packs/powers.hpp"
@@ -29,7 +32,7 @@ struct RollerUnknown {
   Pack squeeze;   // [N]      load of that race
 };
 
-/// A vector in the plane, a lane for each operating point.
+/// A vector in the plane, a lane for each cage angle.
 struct PlaneVector {
   Pack x{}, y{};
 };
@@ -133,30 +136,94 @@ struct ContactPair {
   Pack root_x, root_y;
 };
 
-/// Contacts of whole rollers.
-struct WholeContacts {
-  static constexpr double kBend = 1.0 / 16.0;  // curvature of the law of a contact, from above
-  static constexpr double kOnset = 0.0;  // share of a step's load that comes to bear only within the step
-
-  explicit WholeContacts(const EquilibriumConstants&) {}
-  /// Under the approaches `x` and `y` [N^0.9].
-  static ContactPair loads(const Pack& x, const Pack& y) {
-    const Pack root_x = ninth_root(x), root_y = ninth_root(y);
-    return {x * root_x, y * root_y, root_x, root_y};
-  }
-  /// Nothing but the loads is asked of them.
-  void put(const AlignedArray<RollerUnknown>&, int, const PlaneVector&, double, int,
-           const EquilibriumOutput&) const {}
+/// Load of one contact [N] and its slope over 10/9 [N^0.1].
+struct CutContact {
+  Pack load{}, root{};
 };
 
-template <class Contacts>
-class PackEquilibrium final : public EquilibriumEngine {
+class LevelContacts {
  public:
-  explicit PackEquilibrium(const EquilibriumConstants& constants)
+  static constexpr double kBend = 1.0;    // curvature of the law of a contact, from above
+  static constexpr double kOnset = 0.01;  // share of a step's load that these bear, as a rule
+
+  explicit LevelContacts(const LevelConstants& constants) : c_(constants), load_at_drop_(constants.laminae) {
+    for (int k = 0; k < c_.laminae; ++k) load_at_drop_[k] = contact(spread(c_.drop[k])).load.low[0];
+  }
+
+  ContactPair loads(const Pack& x, const Pack& y) const {
+    const CutContact p = contact(x), q = contact(y);
+    return {p.load, q.load, p.root, q.root};
+  }
+
+  /// Loads of all laminae at the balance.
+  void put(const AlignedArray<RollerUnknown>& rollers, int count, const PlaneVector& u, double half_clearance,
+           int first, const LevelOutput& output) const {
+    if (output.lamina_loads == nullptr) return;
+    for (int j = 0; j < count; ++j) {
+      const RollerUnknown& roller = rollers[j];
+      const Pack approach = -half_clearance - (u.x * roller.e_x + u.y * roller.e_y);
+      const Mask squeezed = roller.squeeze > 0.0;
+      const Pack x = only(squeezed, roller.x + roller.step);
+      const Pack y = select(squeezed, approach - x, approach_under(absolute(roller.inertial), squeezed));
+      const Mask inner_alone = roller.inertial > 0.0;  // feels the squeeze alone
+      put_laminae(select(inner_alone, x, y), output.lamina_loads + j * kBlock + first, count);
+      put_laminae(select(inner_alone, y, x), output.lamina_loads + (c_.laminae * count + j) * kBlock + first,
+                  count);
+    }
+  }
+
+ private:
+  static constexpr int kMostSteps = 60;
+
+  CutContact contact(const Pack& approach) const {
+    CutContact sum;
+    for (int k = 0; k < c_.laminae; ++k) {
+      const Pack depth = larger(approach - c_.drop[k], Pack{});
+      if (!any(depth > 0.0)) break;
+      const Pack root = c_.share[k] * ninth_root(depth);
+      sum.load += depth * root;
+      sum.root += root;
+    }
+    return sum;
+  }
+
+  /// The approach under `load`, by Newton's method from above, where the load is convex: it falls towards it,
+  /// from the first drop at which the load is larger. Not sought where `known`.
+  Pack approach_under(const Pack& load, const Mask& known) const {
+    const Mask sought = (load > 0.0) & ~known;
+    if (!any(sought)) return Pack{};
+    Pack approach = larger(load, spread(1.0)) + c_.drop[c_.laminae - 1];  // x <= x^(10/9) from 1 on
+    for (int k = c_.laminae - 1; k > 0; --k)
+      approach = select(spread(load_at_drop_[k]) > load, spread(c_.drop[k]), approach);
+    approach = only(sought, approach);
+    Mask moving = sought;
+    for (int i = 0; i < kMostSteps && any(moving); ++i) {
+      const CutContact now = contact(approach);
+      const Pack step = kLineApproachExponent * (now.load - load) / larger(now.root, spread(1e-200));
+      moving = moving & (step > 1e-14 * approach);
+      approach -= only(moving, step);
+    }
+    return approach;
+  }
+
+  void put_laminae(const Pack& approach, double* to, int count) const {
+    for (int k = 0; k < c_.laminae; ++k) {
+      const Pack depth = larger(approach - c_.drop[k], Pack{});
+      store(any(depth > 0.0) ? only(depth > 0.0, depth * ninth_root(depth)) : Pack{},
+            to + k * count * kBlock);
+    }
+  }
+
+  LevelConstants c_;
+  AlignedArray<double> load_at_drop_;  // [N]  (laminae)
+};
+
+class PackEquilibrium final : public LevelEngine {
+ public:
+  explicit PackEquilibrium(const LevelConstants& constants)
       : c_(constants), contacts_(constants), roller_(constants.rollers) {}
 
-  void solve(const EquilibriumInput& input, EquilibriumOutput& output, double* inner_load,
-             double* outer_load) override {
+  void solve(const LevelInput& input, LevelOutput& output, double* inner_load, double* outer_load) override {
     for (int first = 0; first < kBlock; first += kLanes) solve(input, first, output, inner_load, outer_load);
   }
 
@@ -169,10 +236,9 @@ class PackEquilibrium final : public EquilibriumEngine {
   static constexpr double kTrusted = 0.1;      // error of a force whose sign is relied on
   static constexpr double kRoundOff = 1e-15;   // of the lengths whose difference is the approach
 
-  void solve(const EquilibriumInput& input, int first, EquilibriumOutput& output, double* inner_load,
-             double* outer_load);
-  void place_rollers(const EquilibriumInput& input, int first);
-  void start(const EquilibriumInput& input, int first);
+  void solve(const LevelInput& input, int first, LevelOutput& output, double* inner_load, double* outer_load);
+  void place_rollers(const LevelInput& input, int first);
+  void start(const LevelInput& input, int first);
   RingBalance balance(const Mask& done);
   void balance_roller(RollerUnknown& roller, const Mask& done, RingBalance& sums) const;
   PlaneVector newton_step(const RingBalance& now) const;
@@ -182,8 +248,8 @@ class PackEquilibrium final : public EquilibriumEngine {
     return kRoundOff * (absolute(u_.x) + absolute(u_.y) + 2.0 * __builtin_fabs(c_.half_clearance));
   }
 
-  EquilibriumConstants c_;
-  Contacts contacts_;
+  LevelConstants c_;
+  LevelContacts contacts_;
   AlignedArray<RollerUnknown> roller_;
   PlaneVector load_;   // [N]      on the outer ring
   Pack scale_;         // [N]      largest force at hand
@@ -195,8 +261,7 @@ class PackEquilibrium final : public EquilibriumEngine {
   Mask trusted_;       // that force was known well enough to judge the step by
 };
 
-template <class Contacts>
-inline void PackEquilibrium<Contacts>::place_rollers(const EquilibriumInput& input, int first) {
+inline void PackEquilibrium::place_rollers(const LevelInput& input, int first) {
   const auto [sine, cosine] = sine_cosine(load(input.first_roller + first));
   const Pack steady = load(input.steady + first), by_x = load(input.cosine + first),
              by_y = load(input.sine + first);
@@ -222,8 +287,7 @@ inline void PackEquilibrium<Contacts>::place_rollers(const EquilibriumInput& inp
   reach_ = 2.0 * __builtin_fabs(c_.half_clearance) + 2.5 * rough_power(forces, kLineApproachExponent);
 }
 
-template <class Contacts>
-inline void PackEquilibrium<Contacts>::start(const EquilibriumInput& input, int first) {
+inline void PackEquilibrium::start(const LevelInput& input, int first) {
   u_ = input.near_rollers == nullptr ? starting_displacement(roller_, c_.rollers, c_.half_clearance, load_)
                                      : PlaneVector{load(input.start_x + first), load(input.start_y + first)};
   moved_ = trial_ = {};
@@ -238,9 +302,8 @@ inline void PackEquilibrium<Contacts>::start(const EquilibriumInput& input, int 
   }
 }
 
-template <class Contacts>
-inline void PackEquilibrium<Contacts>::balance_roller(RollerUnknown& roller, const Mask& done,
-                                                      RingBalance& sums) const {
+inline void PackEquilibrium::balance_roller(RollerUnknown& roller, const Mask& done,
+                                            RingBalance& sums) const {
   const Pack approach = -c_.half_clearance - (u_.x * roller.e_x + u_.y * roller.e_y);
   const Pack outward = larger(roller.inertial, Pack{});
   if (!any(approach > 0.0)) {
@@ -272,8 +335,8 @@ inline void PackEquilibrium<Contacts>::balance_roller(RollerUnknown& roller, con
   sums.k_yy += stiffness * roller.e_y * roller.e_y;
   // The step leaves an error of its square over the load, times the bend of the law.
   const Mask counts = (approach > 0.0) & ((x > 0.0) | (residual > 0.0));
-  Pack error = Contacts::kBend * (residual * residual) * (inverse * (root_x + root_y));
-  if constexpr (Contacts::kOnset > 0.0) error += Contacts::kOnset * size;
+  const Pack error = LevelContacts::kBend * (residual * residual) * (inverse * (root_x + root_y)) +
+                     LevelContacts::kOnset * size;
   sums.error += only(counts, error);
   roller.x = x;
   roller.step = select(squeezed, step, -x);
@@ -281,16 +344,14 @@ inline void PackEquilibrium<Contacts>::balance_roller(RollerUnknown& roller, con
   roller.squeeze = load;
 }
 
-template <class Contacts>
-inline RingBalance PackEquilibrium<Contacts>::balance(const Mask& done) {
+inline RingBalance PackEquilibrium::balance(const Mask& done) {
   RingBalance sums{load_};
   for (int j = 0; j < c_.rollers; ++j) balance_roller(roller_[j], done, sums);
   return sums;
 }
 
 // As in race_equilibrium: a little is added to the stiffness, and the step kept within reach.
-template <class Contacts>
-inline PlaneVector PackEquilibrium<Contacts>::newton_step(const RingBalance& now) const {
+inline PlaneVector PackEquilibrium::newton_step(const RingBalance& now) const {
   const Pack lift = 1e-12 * (now.k_xx + now.k_yy) + 1e-30;
   const Pack k_xx = now.k_xx + lift, k_yy = now.k_yy + lift;
   const Pack inverse = 1.0 / (k_xx * k_yy - now.k_xy * now.k_xy);
@@ -303,8 +364,7 @@ inline PlaneVector PackEquilibrium<Contacts>::newton_step(const RingBalance& now
 // The forces are the slope of a convex energy: a step after which the force along it points back by more than
 // 0.7 of what it was went too far, and is halved. That judgement needs forces that are known; a patient
 // iteration waits with the rings until the rollers are nearly in balance.
-template <class Contacts>
-inline Mask PackEquilibrium<Contacts>::move(const RingBalance& now, const Mask& done, bool patient) {
+inline Mask PackEquilibrium::move(const RingBalance& now, const Mask& done, bool patient) {
   const Mask known = now.error * now.error < kTrusted * kTrusted * dot(now.force, now.force);
   const Mask waiting = patient ? ~known : Mask{};
   const Mask too_far = trusted_ & (dot(now.force, trial_) < -0.7 * slope_);
@@ -323,10 +383,8 @@ inline Mask PackEquilibrium<Contacts>::move(const RingBalance& now, const Mask& 
   return lost;
 }
 
-template <class Contacts>
-inline void PackEquilibrium<Contacts>::solve(const EquilibriumInput& input, int first,
-                                             EquilibriumOutput& output, double* inner_load,
-                                             double* outer_load) {
+inline void PackEquilibrium::solve(const LevelInput& input, int first, LevelOutput& output,
+                                   double* inner_load, double* outer_load) {
   place_rollers(input, first);
   start(input, first);
   Mask done{}, converged{};
