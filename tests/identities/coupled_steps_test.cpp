@@ -83,6 +83,40 @@ class CoupledStepsOfReducer : public testing::Test {
   }
 };
 
+// Steps of order 4 need the slope of the rate by time, which is that of the mesh stiffness: within one piece,
+// however long, it is that of central differences.
+TEST(TimeSlope, IsThatOfTheMeshStiffness) {
+  CoupledSetup setup = test::oiled_reducer();
+  const auto wave = [](double fraction) { return 4e8 + 1e8 * std::sin(2.0 * M_PI * fraction); };
+  for (gearset::dynamics::Mesh* mesh : {&setup.gears.set.sun_mesh, &setup.gears.set.ring_mesh})
+    mesh->stiffness = gearset::PeriodicCurve(wave, {}, 400);
+  const CoupledModel model = coupled_model(setup);
+  Monolithic run(setup);
+  run.initialize(0.0);
+  run.advance({0.0, 1e-4});
+  WithAllSlopes system(model, 72);
+  const double begin = 1e-4, period = 1.0 / model.gears.operation.mesh_frequency;
+  system.set_piece(begin, begin, begin + 100.0 * period);
+  const CoupledStart now = run.state();
+  std::vector<double> x(system.size(), 0.0), slope(x), rate(x), after(x), before(x);
+  std::copy(now.gears.begin(), now.gears.end(), x.begin());
+  for (int b = 0; b < system.bearings(); ++b) {
+    const auto padded = system.bearing(b).padded(now.bearings[static_cast<std::size_t>(b)]);
+    std::copy(padded.begin(), padded.end(), system.of_bearing(x.data(), b));
+  }
+  const double at = 50.2 * period, step = 1e-3 * period;
+  system.linearise(at, x.data(), rate.data());
+  system.time_slope(at, slope.data());
+  system.derivative(at + step, x.data(), after.data());
+  system.derivative(at - step, x.data(), before.data());
+  const Eigen::Index gears = 2 * system.freedoms();
+  const Eigen::Map<const Eigen::VectorXd> found(slope.data(), gears), later(after.data(), gears),
+      sooner(before.data(), gears);
+  const Eigen::VectorXd differences = (later - sooner) / (2.0 * step);
+  EXPECT_GT(differences.norm(), 0.0);
+  EXPECT_LT((found - differences).norm(), 2e-3 * differences.norm());
+}
+
 // Issue 17, Build 5: the mean force that a step gives for each bearing is what the gears felt of it: with the
 // forces of the gears in both stages it makes up the whole change of their momentum, to round-off.
 TEST_F(CoupledStepsOfReducer, MeanReactionsAreWhatTheGearsFelt) {

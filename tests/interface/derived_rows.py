@@ -52,6 +52,27 @@ class Derived(unittest.TestCase):
         self.assertEqual(case.rows[path]["unit"], unit, path)
         self.assertAlmostEqual(case.row(path), value, delta=relative * max(abs(value), 1e-12), msg=path)
 
+    def test_lives_of_a_single_bearing_under_its_load(self):
+        """ISO 281 by hand from the rows that `check` shows, and the lives that a run gives for the same case."""
+        settings = ("operation.shaft_speed=3000 rpm", "lubricant.grade=ISO VG 68", "life.cleanliness=high", "life.reliability=0.95")
+        for case, exponent in (("ball_6305_iso16281", 3), ("harris_209", 10 / 3)):
+            with self.subTest(case):
+                file = CASES / case / "case.yaml"
+                one, run = Case(file, *settings), answer("run", file, *settings)
+                at = {path: row["value"] for path, row in one.rows.items()}
+                hours = 1e6 / (60 * 3000)
+                ratio = run["C_N"] / at["life.equivalent_load"]
+                self.close(one, "life.load_ratio", ratio, "1")
+                units = {"life.L10": "Mrev", "life.L10h": "h", "life.kappa": "1", "life.e_C": "1", "life.a_ISO": "1", "life.L10m": "Mrev", "life.L10mh": "h"}
+                self.assertEqual({path: row["unit"] for path, row in one.rows.items() if path in units}, units)
+                reliable = 0.95 * (math.log(0.95) / math.log(0.9)) ** (2 / 3) + 0.05
+                for path, value in (("life.L10", ratio**exponent), ("life.L10h", hours * ratio**exponent),
+                                    ("life.L10m", reliable * at["life.a_ISO"] * ratio**exponent), ("life.L10mh", hours * at["life.L10m"])):
+                    self.assertAlmostEqual(at[path] / value, 1, delta=1e-9, msg=path)
+                for path, key in (("life.L10", "L10_Mrev"), ("life.L10m", "L10m_Mrev"), ("life.L10h", "L10h"), ("life.L10mh", "L10mh"), ("life.kappa", "kappa"), ("life.e_C", "e_C"),
+                                  ("life.a_ISO", "a_ISO")):
+                    self.assertAlmostEqual(at[path] / run[key], 1, delta=1e-9, msg=path)
+
     def test_a_pair_of_gears_with_shifts_and_helix(self):
         case = Case(PAIR, "pair.helix_angle=12 deg", "pair.profile_shift=[0.2, 0.1]", "pair.teeth=[31, 47]")
         normal, helix, module = math.radians(20), math.radians(12), case.input("pair.module")

@@ -87,6 +87,12 @@ class InputsWithoutEffect(unittest.TestCase):
         self.assertTrue(warned(found, "spectrum: has no effect on sensitivities"), found["warnings"])
         self.assertFalse(warned(answer("sensitivities", REDUCER), "spectrum"))
 
+    def test_all_ways_to_an_effect_are_named(self):
+        found = of_path(answer("check", REDUCER, "contact.roughness=0.4 um"), "contact.roughness")
+        self.assertEqual(len(found), 1)
+        for choice in ("contact.lubrication", "contact.squeeze", "life.viscosity_ratio_by is film"):
+            self.assertIn(choice, found[0])
+
     def test_slopes_push_no_planet_over(self):
         beside = ("bearing.laminae=20", "bearing.profile.kind=iso16281", "bearing.tilt_state=computed", "gearset.tooth_contact=loaded")
         found = answer("run", REDUCER, *beside, "gearset.lead_slope.sun=30 um")

@@ -3,6 +3,7 @@
 import json
 import os
 import pathlib
+import re
 import subprocess
 import tempfile
 import unittest
@@ -45,6 +46,13 @@ class PlanetScratch(unittest.TestCase):
             self.assertAlmostEqual(rolling[key] / value, 1.0, places=9, msg=key)
         self.assertAlmostEqual(self.found["defect_Hz"], rolling["inner_pass_Hz"], places=9)
         self.assertLess(abs(self.found["cage_slip"]), 0.02)
+
+    def test_text_has_the_numbers_with_their_units(self):
+        text = call("run", CASE, "--set", "defect.race=inner", *SHORT, "-o", self.folder.parent / "text").stdout
+        for key in ("carrier_Hz", "planet_Hz", "mesh_Hz", "inner_pass_Hz"):
+            value = self.found["at_pure_rolling"][key]
+            self.assertTrue(any(abs(float(number) / value - 1) < 1e-4 for number in re.findall(r"([\d.e+]+) Hz", text)), (key, text))
+        self.assertNotIn("kHz", text)
 
     def test_folder_and_page(self):
         self.assertTrue(list((self.folder / "points").glob("*.nc")))

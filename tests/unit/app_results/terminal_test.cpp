@@ -66,6 +66,28 @@ TEST(LifeChart, LabelsItsAxesAndTellsThePeak) {
     EXPECT_THAT(chart, HasSubstr(part));
 }
 
+// The line that a tick's label is on is the one where a life of as many hours is drawn.
+TEST(LifeChart, LabelsAreOnTheLinesOfTheirLives) {
+  std::vector<ResultRow> rows;
+  for (const double life : {10000.0, 1000.0, 100.0}) {
+    study::PointResult result = fake_sweep::fake_result(0);
+    result.input_speed = fake_sweep::input_speed_of(100 * rows.size());
+    result.life_hours = life;
+    rows.push_back(result_row(result, {}));
+  }
+  const TableHead head = table_head({});
+  std::istringstream chart(life_chart(head, rows, grid_peak(head, rows), Glyphs::ascii));
+  std::string line;
+  std::getline(chart, line);  // the name of the axis
+  std::getline(chart, line);
+  EXPECT_THAT(line, HasSubstr("10000 +O")) << "the longest life, at the lowest speed";
+  for (int passed = 0; std::getline(chart, line) && line.find(" 1000 +") == std::string::npos;) ASSERT_LT(++passed, 40);
+  const std::size_t axis = line.find('+'), dot = line.find('.', axis);
+  ASSERT_NE(dot, std::string::npos) << line;
+  const std::size_t middle = axis + (line.size() > axis ? 1 : 0);
+  EXPECT_GT(dot, middle + 20) << "half way from the lowest speed to the highest";
+}
+
 TEST(LifeChart, PlainOneNeedsNoUnicode) {
   const std::vector<ResultRow> rows = fake_rows(60);
   const TableHead head = table_head({});
