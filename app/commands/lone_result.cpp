@@ -26,6 +26,7 @@ nlohmann::ordered_json whole_json(const ResolvedCase& resolved, const LoneResult
   object["assumptions"] = assumptions_json(resolved);
   object["warnings"] = result.warnings;
   object["versions"] = versions_json();
+  if (!result.units.is_null()) object["units"] = result.units;
   return object;
 }
 
@@ -42,8 +43,9 @@ void judge_plausibility(const ResolvedCase& resolved, LoneResult& result) {
 }
 
 /// Returns their check sums by name.
-std::map<std::string, std::string> write_files(const std::filesystem::path& folder, const LoneAnalysis& analysis,
-                                               const LoneResult& result, const nlohmann::ordered_json& object) {
+std::map<std::string, std::string> write_files(const std::filesystem::path& folder,
+                                               const LoneAnalysis& analysis, const LoneResult& result,
+                                               const nlohmann::ordered_json& object) {
   std::vector<FileContent> files;
   const std::string printed = object.dump(2) + "\n";
   if (analysis.json_file != nullptr) files.push_back({folder / analysis.json_file, printed});
@@ -55,6 +57,20 @@ std::map<std::string, std::string> write_files(const std::filesystem::path& fold
 }
 
 }  // namespace
+
+LoneResult recorded_result(const Record& record, std::vector<std::string> warnings) {
+  LoneResult result{.json = json_of(record),
+                    .text = text_of(record),
+                    .content = content_of(record),
+                    .warnings = std::move(warnings),
+                    .units = units_of(record)};
+  for (const auto& [name, value] : result.json.items())
+    if (value.is_number()) result.row.emplace_back(name, value.get<double>());
+  for (const described::Entry& entry : record.entries())
+    if (!entry.file.empty())
+      result.files.emplace_back(entry.file, csv_of(std::get<described::Table>(entry.content)));
+  return result;
+}
 
 int run_alone(const ResolvedCase& resolved, const Options& options, const LoneAnalysis& analysis,
               const std::function<LoneResult()>& compute) {

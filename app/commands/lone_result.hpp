@@ -11,6 +11,7 @@
 #include "app/commands/command_line.hpp"
 #include "app/results/manifest.hpp"
 #include "app/results/point_content.hpp"
+#include "app/results/record_writers.hpp"
 
 namespace orbearing::app {
 
@@ -30,7 +31,17 @@ struct LoneResult {
   std::vector<std::pair<std::string, std::string>> files{};  // of the folder besides: name, content
   std::string status = "ok";                                 // that the netCDF file gives
   bool failed = false;                                       // in parts
+  nlohmann::ordered_json units{};                            // by key
 };
+
+/// The forms of a record: what the table of a sweep has columns for, and tables with files of their own.
+LoneResult recorded_result(const Record& record, std::vector<std::string> warnings);
+template <class Result>
+LoneResult described_result(const Result& result, std::vector<std::string> warnings) {
+  Record record;
+  describe(record, result);
+  return recorded_result(record, std::move(warnings));
+}
 
 /// Opens the folder that the options name, computes, keeps what is not kept yet and prints. Returns the exit
 /// code.

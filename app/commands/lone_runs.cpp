@@ -11,7 +11,7 @@
 #include "app/results/progress.hpp"
 #include "app/study/ball_study.hpp"
 #include "app/study/defect_output.hpp"
-#include "app/study/duplex_output.hpp"
+#include "app/study/duplex_study.hpp"
 #include "app/study/film_study.hpp"
 #include "app/study/gear_case.hpp"
 #include "app/study/gear_output.hpp"
@@ -211,11 +211,14 @@ int duplex_modes(const ResolvedCase& resolved, const Options& options) {
   const std::vector<std::string> unused = require_used(resolved, use::duplex_modes);
   const PairPoint point = pair_point(resolved);
   const std::vector<PairAtSpeed> over_speed = pair_over_speed(resolved);
+  Record record;
+  describe(record, point);
+  if (!over_speed.empty()) record.table("over_speed", "speed", "the pair at operation.speeds", over_speed);
   nlohmann::ordered_json object{{"case", resolved.text("name")}};
-  object.update(pair_modes_json(point));
-  object.update(pair_speeds_json(over_speed));
+  object.update(json_of(record));
   object["warnings"] = joined(unused, point.warnings);
-  present_lone_result(object, pair_modes_text(point) + pair_speeds_text(over_speed), options);
+  object["units"] = units_of(record);
+  present_lone_result(object, text_of(record), options);
   return has_failed(over_speed) ? 1 : 0;
 }
 
@@ -225,18 +228,8 @@ int run_duplex_case(const ResolvedCase& resolved, const Options& options) {
   const LoneAnalysis analysis{"duplex", "shaft on a duplex pair", "duplex.json"};
   return run_alone(resolved, options, analysis, [&]() -> LoneResult {
     const DuplexStudy study = duplex_study(resolved);
-    const bearing::equilibrium::RingState& state = study.point.state;
-    const double inner = state.contact_load.maxCoeff();
-    const double outer = state.outer_load.size() > 0 ? state.outer_load.maxCoeff() : inner;
-    LoneResult result{.json = duplex_json(study),
-                      .text = duplex_text(study),
-                      .content = duplex_content(study),
-                      .warnings = joined(unused, study.warnings),
-                      .row = row_of_load(inner, outer),
-                      .files = {{"predictions.csv", predictions_csv(study)}},
-                      .failed = has_failed(study.over_speed)};
-    if (!study.over_speed.empty())
-      result.files.emplace_back("modes_over_speed.csv", pair_speeds_csv(study.over_speed));
+    LoneResult result = described_result(study, joined(unused, study.warnings));
+    result.failed = has_failed(study.over_speed);
     return result;
   });
 }

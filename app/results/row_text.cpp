@@ -9,13 +9,6 @@
 namespace orbearing::app {
 namespace {
 
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string result = "\"";
-  for (const char c : text) result += c == '"' ? "\"\"" : std::string(1, c);
-  return result + '"';
-}
-
 /// Where a row keeps the text of column `i`; null for a column of another kind.
 std::string ResultRow::*text_member(const TableHead& head, std::size_t i) {
   if (i == head.status_place) return &ResultRow::status;
@@ -27,9 +20,16 @@ std::string ResultRow::*text_member(const TableHead& head, std::size_t i) {
 
 }  // namespace
 
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string result = "\"";
+  for (const char c : text) result += c == '"' ? "\"\"" : std::string(1, c);
+  return result + '"';
+}
+
 std::string csv_head(const TableHead& head) {
   std::string line;
-  for (const std::string& name : head.names) line += (line.empty() ? "" : ",") + quoted(name);
+  for (const std::string& name : head.names) line += (line.empty() ? "" : ",") + csv_field(name);
   return line + '\n';
 }
 
@@ -38,7 +38,7 @@ std::string csv_line(const TableHead& head, const ResultRow& row) {
   for (std::size_t i = 0; i < head.names.size(); ++i) {
     if (i > 0) line += ',';
     if (const auto text = text_member(head, i))
-      line += quoted(row.*text);
+      line += csv_field(row.*text);
     else if (i == head.refined_place)
       line += row.refined ? "true" : "false";
     else if (std::isfinite(row.values[i]))

@@ -8,6 +8,9 @@
 
 namespace orbearing::app {
 
+/// A text as a field of RFC 4180, in quotes where it needs them.
+std::string csv_field(const std::string& text);
+
 /// Lines of RFC 4180, ended by "\n". A missing value is an empty field.
 std::string csv_head(const TableHead& head);
 std::string csv_line(const TableHead& head, const ResultRow& row);

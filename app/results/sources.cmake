@@ -9,6 +9,9 @@ set(ORBEARING_RESULTS_SOURCES
   results/merge.cpp
   results/point_file.cpp
   results/progress.cpp
+  results/record_arrays.cpp
+  results/record_json.cpp
+  results/record_text.cpp
   results/result_folder.cpp
   results/result_row.cpp
   results/row_text.cpp

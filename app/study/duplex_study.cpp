@@ -88,6 +88,12 @@ FrequencyErrors errors_of(const std::vector<PredictedPair>& pairs, bool identifi
   return errors;
 }
 
+void add_errors(const std::vector<PredictedPair>& pairs, std::array<double, 5> PredictedPair::*model,
+                IdentifiedModel& identified) {
+  identified.fit = errors_of(pairs, true, model);
+  identified.prediction = errors_of(pairs, false, model);
+}
+
 std::vector<PredictedPair> pairs_of(const ResolvedCase& in) {
   constexpr double same = 1e-9;  // [rad]
   std::vector<PredictedPair> pairs;
@@ -123,32 +129,32 @@ Identification identification_of(const ResolvedCase& in) {
   found.pairs = pairs_of(in);
   const std::optional<duplex::Housing> housing = housing_of(in);
   const double least_lever = 0.5 * in.quantity("identification.least_distance");
-  found.nonlinear =
+  found.nonlinear.found =
       predict(in, found.pairs, &PredictedPair::nonlinear, kPhysical, observed,
               [&](const std::vector<duplex::Observation>& chosen) {
                 return duplex::identify_cylinder(chosen, *cylinder_of(in), least_lever, housing);
               });
   if (arrangement_of_pair(in) != duplex::Arrangement::back_to_back)
-    found.linear = predict(in, found.pairs, &PredictedPair::linear, kPrinted, observed_linear,
-                           [&](const std::vector<duplex::Observation>& chosen) {
-                             return duplex::identify_all(chosen, linear_shaft_of(in), kPrinted, housing);
-                           });
-  found.nonlinear_fit = errors_of(found.pairs, true, &PredictedPair::nonlinear);
-  found.nonlinear_prediction = errors_of(found.pairs, false, &PredictedPair::nonlinear);
-  found.linear_fit = errors_of(found.pairs, true, &PredictedPair::linear);
-  found.linear_prediction = errors_of(found.pairs, false, &PredictedPair::linear);
+    found.linear = {predict(in, found.pairs, &PredictedPair::linear, kPrinted, observed_linear,
+                            [&](const std::vector<duplex::Observation>& chosen) {
+                              return duplex::identify_all(chosen, linear_shaft_of(in), kPrinted, housing);
+                            }),
+                    {},
+                    {}};
+  add_errors(found.pairs, &PredictedPair::nonlinear, found.nonlinear);
+  if (found.linear) add_errors(found.pairs, &PredictedPair::linear, *found.linear);
   return found;
 }
 
 // A fit at its bound, or one that does not end, says little of the shaft.
 void warn(const Identification& found, std::vector<std::string>& warnings) {
   constexpr double vague = 0.2;  // of frequencies
-  if (!found.nonlinear.converged)
+  if (!found.nonlinear.found.converged)
     warnings.push_back(
         "identification: the search for mass and lever did not end; its last values are given");
-  if (found.nonlinear_fit.worst > vague)
+  if (found.nonlinear.fit.worst > vague)
     warnings.push_back(fmt::format("identification: the frequencies it is from are missed by up to {:.0f} %",
-                                   100.0 * found.nonlinear_fit.worst));
+                                   100.0 * found.nonlinear.fit.worst));
 }
 
 Response response_of(const ResolvedCase& in, const PairPoint& point) {
@@ -195,6 +201,188 @@ PairPoint balanced(const ResolvedCase& in) {
 
 }  // namespace
 
+namespace {
+
+using described::Record;
+namespace dimension = described::dimension;
+
+void describe_modes(Record& record, bool linear, const PairColumn& column) {
+  record.value("stiffness", "nonlinear balance, or the linear formulas of the source",
+               linear ? "linear" : "nonlinear");
+  record.table("modes", "mode", "natural modes of the shaft", column.modes).variable = "";
+}
+
+std::vector<std::string> frequency_names() {
+  std::vector<std::string> names;
+  for (const duplex::ModeKind kind : duplex::mode_kinds)
+    names.push_back(std::string(duplex::name_of(kind)) + "_Hz");
+  return names;
+}
+
+std::array<double, 5> frequencies(const PairAtSpeed& at) {
+  std::array<double, 5> found{};
+  for (std::size_t i = 0; i < found.size(); ++i)
+    found[i] = at.modes ? (*at.modes)[i].frequency : described::kAbsent;
+  return found;
+}
+
+void describe_balance(Record& record, const PairPoint& point) {
+  const bearing::equilibrium::RingState& state = point.state;
+  const bool moving = state.outer_load.size() > 0;
+  record.value("approach_um", dimension::small_length, "of each row under preload", point.approach);
+  record.value("contact_angle_deg", dimension::angle, "of the first ball", state.contact_angle[0]).variable =
+      "first_contact_angle";
+  record.value("contact_load_max_N", dimension::force, "largest of all balls", state.contact_load.maxCoeff());
+  if (moving) {
+    record.value("outer_contact_angle_deg", dimension::angle, "of the first ball", state.outer_angle[0])
+        .variable = "first_outer_contact_angle";
+    record.value("outer_contact_load_max_N", dimension::force, "the same on the outer races",
+                 state.outer_load.maxCoeff());
+  }
+  record.value("pressure_max_MPa", dimension::pressure, "after Hertz", state.largest_pressure);
+  record.child("shaft", "as used", point.asked().shaft);
+  record
+      .array("stiffness_matrix", {}, "of the shaft about its mass centre [N/m], [N/rad], [N m/m], [N m/rad]",
+             {"freedom", "freedom_beside"}, point.asked().stiffness)
+      .variable = "stiffness";
+}
+
+void describe_balls(Record& record, const bearing::equilibrium::RingState& state) {
+  const bool moving = state.outer_load.size() > 0;
+  const auto of_balls = [&](const char* name, const described::Dimension& of, const char* meaning,
+                            const char* variable, const Eigen::ArrayXd& values) {
+    record.array(name, of, meaning, {"ball"}, values).variable = variable;
+  };
+  of_balls("contact_loads_N", dimension::force, "of the first row's balls, then of the second's",
+           "contact_load", state.contact_load);
+  of_balls("contact_angles_deg", dimension::angle, "the same", "contact_angle", state.contact_angle);
+  record.value("inner_load_max_N", dimension::force, "largest load of a ball on the inner race",
+               state.contact_load.maxCoeff());
+  record.value("outer_load_max_N", dimension::force, "largest load of a ball on the outer race",
+               (moving ? state.outer_load : state.contact_load).maxCoeff());
+  if (!moving) return;
+  of_balls("outer_contact_loads_N", dimension::force,
+           "on the outer races; contact_load is that on the inner ones", "outer_contact_load",
+           state.outer_load);
+  of_balls("outer_contact_angles_deg", dimension::angle, "the same", "outer_contact_angle",
+           state.outer_angle);
+}
+
+struct Prediction {
+  const PredictedPair* pair;
+  std::size_t mode;
+};
+
+void describe(Record& row, const Prediction& prediction) {
+  const auto& [pair, mode] = prediction;
+  row.value("contact_angle_deg", dimension::angle, "nominal", pair->measured.contact_angle);
+  row.value("preload_N", dimension::force, "of each row", pair->measured.preload);
+  row.value("kind", "of the mode", duplex::name_of(duplex::mode_kinds[mode]));
+  row.value("measured_Hz", dimension::cycles, "natural frequency", pair->measured.frequency[mode]);
+  row.value("nonlinear_Hz", dimension::cycles, "with the identified shaft", pair->nonlinear[mode]);
+  row.value("linear_Hz", dimension::cycles, "with the shaft identified for it", pair->linear[mode]);
+  row.value("identified_from", "whether the shaft was identified from the pair", pair->identified_from);
+}
+
+template <class Items, class Value>
+auto each(const Items& items, const Value& value) {
+  std::vector<std::decay_t<decltype(std::invoke(value, items[0]))>> values;
+  for (const auto& item : items) values.push_back(std::invoke(value, item));
+  return values;
+}
+
+}  // namespace
+
+void describe(Record& record, const PairPoint& point) {
+  describe_modes(record, point.linear, point.asked());
+  if (point.printed)
+    record.child("other", "by the other stiffness", point, [](Record& other, const PairPoint& of) {
+      describe_modes(other, !of.linear, of.linear ? of.nonlinear : *of.printed);
+    });
+}
+
+void describe(Record& row, const PairAtSpeed& at) {
+  row.value("speed_rpm", dimension::angular_speed, "of the shaft", at.speed);
+  row.value("status", "ok, or why there is no balance", at.modes ? "ok" : at.state.report.message);
+  row.array("", dimension::cycles, "order of natural_frequency; none: no balance",
+            {{"mode", frequency_names()}}, frequencies(at))
+      .variable = "natural_frequency";
+  const bearing::equilibrium::RingState& state = at.state;
+  Eigen::Index ball = 0;
+  if (at.modes) state.contact_load.maxCoeff(&ball);
+  const auto of_ball = [&](const Eigen::ArrayXd& inner, const Eigen::ArrayXd& outer) {
+    return !at.modes ? described::kAbsent : outer.size() > 0 ? outer[ball] : inner[ball];
+  };
+  const auto& [load, angle] = std::pair(state.contact_load, state.contact_angle);
+  row.value("inner_angle_deg", dimension::angle, "of the most loaded ball", of_ball(angle, {}));
+  row.value("outer_angle_deg", dimension::angle, "the same", of_ball(angle, state.outer_angle));
+  row.value("inner_load_max_N", dimension::force, "largest of all balls", of_ball(load, {}));
+  row.value("outer_load_max_N", dimension::force, "of the same ball", of_ball(load, state.outer_load));
+}
+
+void describe(Record& record, const Identification& found) {
+  record.child("identified", "from the pairs identified from", found,
+               [](Record& models, const Identification& of) {
+                 models.child("nonlinear", "by the nonlinear balance", of.nonlinear);
+                 models.child("linear", "by the linear formulas", of.linear);
+               });
+  std::vector<Prediction> predictions;
+  for (const PredictedPair& pair : found.pairs)
+    for (std::size_t mode = 0; mode < duplex::mode_kinds.size(); ++mode) predictions.push_back({&pair, mode});
+  record.table("predictions", "prediction", "measured and predicted frequencies", predictions).file =
+      "predictions.csv";
+  const auto of_pairs = [&](const char* name, const described::Dimension& of, const char* meaning,
+                            std::vector<described::Along> along, const auto& value) {
+    record.series(name, of, meaning, std::move(along), each(found.pairs, value));
+  };
+  of_pairs("measured_contact_angle", dimension::angle, "nominal", {"pair"},
+           [](const PredictedPair& pair) { return pair.measured.contact_angle; });
+  of_pairs("measured_preload", dimension::force, "of each row", {"pair"},
+           [](const PredictedPair& pair) { return pair.measured.preload; });
+  of_pairs("identified_from", {}, "1 where the shaft was identified from the pair", {"pair"},
+           [](const PredictedPair& pair) { return pair.identified_from ? 1 : 0; });
+  of_pairs("measured_frequency", dimension::cycles, "natural frequencies", {"pair", "mode"},
+           [](const PredictedPair& pair) { return pair.measured.frequency; });
+  of_pairs("nonlinear_frequency", dimension::cycles, "with the identified shaft", {"pair", "mode"},
+           &PredictedPair::nonlinear);
+  of_pairs("linear_frequency", dimension::cycles, "with the shaft identified for it", {"pair", "mode"},
+           &PredictedPair::linear);
+}
+
+void describe(Record& record, const Response& response) {
+  record.value("step_Hz", dimension::cycles, "between lines", response.step).variable = "response_step";
+  std::vector<double> largest, frequency;
+  for (const auto& line : response.accelerance) {
+    const auto sizes = each(line, [](const std::complex<double>& value) { return std::abs(value); });
+    largest.push_back(*std::max_element(sizes.begin(), sizes.end()));
+  }
+  record.array("accelerance_max_per_kg", dimension::inverse_mass, "largest along x, y and z", {"direction"},
+               largest);
+  for (std::size_t k = 1; k <= response.accelerance[0].size(); ++k)
+    frequency.push_back(static_cast<double>(k) * response.step);
+  record.series("frequency", dimension::cycles, "of the frequency response", {"line"}, frequency);
+  for (std::size_t i = 0; i < response.accelerance.size(); ++i) {
+    const std::string axis(1, "xyz"[i]);
+    const auto add = [&](const char* part, double (*value)(const std::complex<double>&)) {
+      record.series("accelerance_" + axis + part, dimension::inverse_mass,
+                    "acceleration over force along " + axis, {"line"}, each(response.accelerance[i], value));
+    };
+    add("_real", [](const std::complex<double>& value) { return value.real(); });
+    add("_imaginary", [](const std::complex<double>& value) { return value.imag(); });
+  }
+}
+
+void describe(Record& record, const DuplexStudy& study) {
+  describe(record, study.point);
+  if (!study.over_speed.empty())
+    record.table("over_speed", "speed", "the pair at operation.speeds", study.over_speed).file =
+        "modes_over_speed.csv";
+  describe_balance(record, study.point);
+  if (study.identification) describe(record, *study.identification);
+  record.child("response", "of the shaft to a force", study.response).variable = "";
+  describe_balls(record, study.point.state);
+}
+
 bool is_duplex(const ResolvedCase& resolved) {
   return resolved.model() == duplex_pair;
 }
@@ -232,19 +420,6 @@ DuplexStudy duplex_study(const ResolvedCase& in) {
   if (study.identification) warn(*study.identification, study.warnings);
   study.response = response_of(in, study.point);
   return study;
-}
-
-double duplex_property(const DuplexStudy& study, const std::string& quantity) {
-  for (const duplex::PairMode& mode : study.point.asked().modes)
-    if (quantity == std::string(duplex::name_of(mode.kind)) + "_Hz") return mode.frequency;
-  if (quantity == "contact_angle_deg") return kDegree * study.point.state.contact_angle[0];
-  if (study.identification) {
-    if (quantity == "predicted_mean_percent") return 100.0 * study.identification->nonlinear_prediction.mean;
-    if (quantity == "predicted_worst_percent")
-      return 100.0 * study.identification->nonlinear_prediction.worst;
-    if (quantity == "linear_mean_percent") return 100.0 * study.identification->linear_prediction.mean;
-  }
-  return std::numeric_limits<double>::quiet_NaN();
 }
 
 std::vector<Derived> duplex_quantities(const ResolvedCase& in) {

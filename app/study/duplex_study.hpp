@@ -31,6 +31,9 @@ struct PairPoint {
   const PairColumn& asked() const { return linear ? *printed : nonlinear; }
 };
 
+/// Modes by the stiffness that the case asks for, and by the other.
+void describe(described::Record& record, const PairPoint& point);
+
 /// A measured pair beside what both models predict with their identified constants [Hz].
 struct PredictedPair {
   MeasuredPair measured;
@@ -45,18 +48,41 @@ struct FrequencyErrors {
   double worst = 0.0;
 };
 
-struct Identification {
-  bearing::duplex::Identified nonlinear;
-  std::optional<bearing::duplex::Identified> linear;
-  std::vector<PredictedPair> pairs;
-  FrequencyErrors nonlinear_fit, nonlinear_prediction;  // pairs identified from, and all others
-  FrequencyErrors linear_fit, linear_prediction;
+inline void describe(described::Record& record, const FrequencyErrors& errors) {
+  using namespace described;
+  record.value("mean_percent", dimension::percent, "mean error of the frequencies", errors.mean);
+  record.value("worst_percent", dimension::percent, "largest error of a frequency", errors.worst);
+}
+
+/// What one model makes of the measured frequencies.
+struct IdentifiedModel {
+  bearing::duplex::Identified found;
+  FrequencyErrors fit;         // of the pairs identified from
+  FrequencyErrors prediction;  // of all others
 };
+
+inline void describe(described::Record& record, const IdentifiedModel& model) {
+  describe(record, model.found.shaft);
+  record.value("converged", "whether the search ended", model.found.converged);
+  record.value("iterations", "of the search", model.found.iterations);
+  record.child("fit", "of the pairs identified from", model.fit);
+  record.child("prediction", "of all other pairs", model.prediction);
+}
+
+struct Identification {
+  IdentifiedModel nonlinear;
+  std::optional<IdentifiedModel> linear;
+  std::vector<PredictedPair> pairs;
+};
+
+void describe(described::Record& record, const Identification& found);
 
 struct Response {
   double step = 0.0;                                             // [Hz]  from one step on
   std::array<std::vector<std::complex<double>>, 3> accelerance;  // [1/kg]  along x, y, z
 };
+
+void describe(described::Record& record, const Response& response);
 
 /// The pair at one of `operation.speeds`.
 struct PairAtSpeed {
@@ -64,6 +90,9 @@ struct PairAtSpeed {
   std::optional<bearing::duplex::PairModes> modes;  // none: no balance
   bearing::equilibrium::RingState state;            // its report says why
 };
+
+/// With the ball that has the largest load on the inner race.
+void describe(described::Record& row, const PairAtSpeed& at);
 
 struct DuplexStudy {
   PairPoint point;
@@ -73,6 +102,8 @@ struct DuplexStudy {
   std::vector<std::string> warnings;
 };
 
+void describe(described::Record& record, const DuplexStudy& study);
+
 /// Whether a case is that of a duplex pair.
 bool is_duplex(const ResolvedCase& resolved);
 
@@ -81,11 +112,6 @@ PairPoint pair_point(const ResolvedCase& resolved);
 /// At each of `operation.speeds`, of the nonlinear pair; empty where the case has none.
 std::vector<PairAtSpeed> pair_over_speed(const ResolvedCase& resolved);
 DuplexStudy duplex_study(const ResolvedCase& resolved);
-
-/// A number by its name in the validation table: "tilt_x_Hz" and the like, "contact_angle_deg",
-/// "predicted_mean_percent", "predicted_worst_percent", "linear_mean_percent"; NaN for a name that is not
-/// known.
-double duplex_property(const DuplexStudy& study, const std::string& quantity);
 
 /// What follows from the inputs, for `orbearing check`.
 std::vector<Derived> duplex_quantities(const ResolvedCase& resolved);

@@ -185,7 +185,7 @@ std::string text_of_file(const std::string& file) {
   try {
     check_text(text);
   } catch (const YamlFault& fault) {
-    throw BadInput(describe({fault.place, "(file)", fault.complaint}, file));
+    throw BadInput(describe(Mistake{fault.place, "(file)", fault.complaint}, file));
   }
   return text;
 }

@@ -18,7 +18,6 @@
 #include "app/errors.hpp"
 #include "app/study/defect_study.hpp"
 #include "app/study/planet_defect.hpp"
-#include "app/study/duplex_study.hpp"
 #include "app/study/film_study.hpp"
 #include "app/study/gear_case.hpp"
 #include "app/study/gear_output.hpp"
@@ -157,19 +156,6 @@ ModeStudy modes_of(const ResolvedCase& resolved) {
   return mode_study(gear_model_of(resolved));
 }
 
-// Without the identification of the shaft, which takes a thousand times as long, where no row asks for it.
-std::vector<double> pair_values(const ResolvedCase& variant, const Rows& rows) {
-  const std::vector<double> values = of_study(
-      [](const ResolvedCase& in) {
-        DuplexStudy study;
-        study.point = pair_point(in);
-        return study;
-      },
-      duplex_property)(variant, rows);
-  const bool whole = std::any_of(values.begin(), values.end(), [](double value) { return std::isnan(value); });
-  return whole ? of_study(duplex_study, duplex_property)(variant, rows) : values;
-}
-
 bool has_life_curve(const ResolvedCase& resolved) {
   return resolved.model() == planetary_drivetrain && !is_planet_defect(resolved) && resolved.shape().teeth;
 }
@@ -180,12 +166,11 @@ ValuesOf named_values(const ResolvedCase& resolved) {
   if (is_static_bearing(resolved)) return of_study(static_study, static_property);
   if (is_defect(resolved))
     return of_study([](const ResolvedCase& in) { return defect_study(in); }, defect_property);
-  if (is_duplex(resolved)) return pair_values;
   if (is_spin_film(resolved)) return of_study(film_study, film_property);
   if (resolved.model() != planetary_drivetrain)
     throw BadInput(resolved.origin("model") + ": model: found " + resolved.choice("model") +
                    "; quantities by name are those of planetary-drivetrain, gear-pair, roller-bearing, ball-bearing, "
-                   "raceway-defect, duplex-pair or spin-film; required: one of these models, or quantities such as "
+                   "raceway-defect or spin-film; required: one of these models, or quantities such as "
                    "run:/json/pointer");
   if (is_planet_defect(resolved))
     return of_study([](const ResolvedCase& in) { return planet_defect_study(in); }, planet_defect_property);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bearing/duplex/pair.hpp"
+#include "mechanics/record.hpp"
 
 namespace orbearing::bearing::duplex {
 
@@ -17,6 +18,16 @@ struct Shaft {
   double inertia_x = 0.0;  // [kg m^2]  about its diameter x, through the mass centre
   double inertia_y = 0.0;  // [kg m^2]
 };
+
+inline void describe(described::Record& record, const Shaft& shaft) {
+  using namespace described;
+  record.value("mass_kg", dimension::mass, "of the shaft with all that moves as one with it", shaft.mass);
+  record.value("first_lever_mm", dimension::length, "mass centre to the first row's groove centres",
+               shaft.levers.first);
+  record.value("second_lever_mm", dimension::length, "the same of the second row", shaft.levers.second);
+  record.value("inertia_x_kg_m2", dimension::inertia, "about the diameter x", shaft.inertia_x);
+  record.value("inertia_y_kg_m2", dimension::inertia, "about the diameter y", shaft.inertia_y);
+}
 
 /// A housing that is free to move too, its mass centre where the shaft's is.
 struct Housing {
@@ -48,6 +59,22 @@ struct PairMode {
   Eigen::Vector<double, 5> energy_share;  // [-]  of each freedom
 };
 using PairModes = std::array<PairMode, 5>;
+
+inline void describe(described::Record& record, const PairMode& mode) {
+  using namespace described;
+  const Along freedoms{"freedom", {"x", "y", "z", "tilt_in_xz", "tilt_in_yz"}};
+  record
+      .value("frequency_Hz", dimension::cycles, "tilt_x, tilt_y, axial_z, radial_x, radial_y", mode.frequency)
+      .variable = "natural_frequency";
+  record.value("kind", "freedom that holds most of its energy", name_of(mode.kind));
+  record.value("multiplicity", "modes of this frequency and kind", 1);
+  record
+      .array("shape", {}, "x, y, z [m], tilts in the planes of x and z, y and z [rad], of modal mass 1 kg",
+             {freedoms}, mode.shape)
+      .variable = "mode_shape";
+  record.array("energy_share", dimension::ratio, "of each freedom", {freedoms}, mode.energy_share).variable =
+      "mode_energy_share";
+}
 
 /// Modes in the order of `mode_kinds`, each kind once, of the shaft against the housing where that is free.
 /// A stiffness below zero by round-off counts as none. Modes that are alike in x and y are distinguished by

@@ -60,9 +60,10 @@ def run_writes_its_files(work):
     result = json.loads(done.stdout)
     assert result == json.loads((work / "pair" / "duplex.json").read_text())
     rows = list(csv.DictReader((work / "pair" / "predictions.csv").open()))
-    assert len(rows) == 30 and sum(int(row["identified_from"]) for row in rows) == 15
+    assert len(rows) == 30 and sum(row["identified_from"] == "true" for row in rows) == 15
     file = netCDF4.Dataset(work / "pair" / "points" / "00000.nc")
     assert file["mode_shape"].shape == (5, 5) and file["accelerance_z_real"].shape == file["frequency"].shape
+    assert result["units"]["mass_kg"] == "kg" and result["units"]["accelerance_max_per_kg"] == "kg-1", result["units"]
     assert any("bore of the bearings" in json.dumps(one) for one in result["assumptions"]), result["assumptions"]
     again = call("run", work / "pair" / "case.resolved.yaml", "--json")
     assert json.loads(again.stdout)["modes"] == result["modes"]

@@ -15,7 +15,8 @@
 #include "app/study/crown/crown_study.hpp"
 #include "app/study/defect_output.hpp"
 #include "app/study/defect_study.hpp"
-#include "app/study/duplex_output.hpp"
+#include "app/results/record_writers.hpp"
+#include "app/study/duplex_study.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/study/film_study.hpp"
 #include "app/study/fmu_model.hpp"
@@ -41,6 +42,14 @@ std::string digits(const Numbers& numbers) {
   std::string text;
   for (const double number : numbers) text += fmt::format("{} ", number);
   return text;
+}
+
+/// All that a result describes and prints.
+template <class Result>
+std::string record_text(const Result& result) {
+  Record record;
+  describe(record, result);
+  return json_of(record).dump();
 }
 
 /// Lives under the spectrum that the case states, and what each bin uses up.
@@ -161,9 +170,9 @@ inline std::string result_of(const ResolvedCase& in, use::Analysis analysis) {
     case use::moving_defect:
       return defect_json(defect_study(in, DefectRung::all)).dump();
     case use::duplex_modes:
-      return pair_modes_json(pair_point(in)).dump() + pair_speeds_json(pair_over_speed(in)).dump();
+      return record_text(pair_point(in)) + record_text(duplex_study(in));
     case use::duplex_run:
-      return duplex_json(duplex_study(in)).dump();
+      return record_text(duplex_study(in));
     case use::spin_film:
       return film_json(film_study(in)).dump();
     case use::stiffness:

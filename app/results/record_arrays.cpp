@@ -1,0 +1,187 @@
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string_view>
+
+#include "app/results/record_writers.hpp"
+#include "app/results/result_row.hpp"
+
+namespace orbearing::app {
+
+namespace {
+
+using described::Entry;
+using described::Numbers;
+
+// "N.m/rad" at the end of a key: "_N_m_per_rad", or "_N_m_rad".
+std::string at_end_of_key(std::string_view unit, std::string_view over) {
+  std::string end = "_";
+  for (const char c : unit)
+    if (c == '/')
+      end += over;
+    else
+      end += c == '.' ? '_' : c;
+  return end;
+}
+
+// The entry's own, or its key less the unit at its end.
+std::string variable_of(const Entry& entry) {
+  if (entry.variable) return *entry.variable;
+  for (const std::string_view over : {"_per_", "_"})
+    if (const std::string end = at_end_of_key(entry.dimension.customary, over);
+        end.size() > 1 && entry.name.size() > end.size() && entry.name.ends_with(end))
+      return entry.name.substr(0, entry.name.size() - end.size());
+  return entry.name;
+}
+
+/// Records that are alike, one for each element of `along`: a missing one is null.
+struct Bundle {
+  std::vector<const Record*> records;
+  std::vector<NamedDimension> along;
+  std::string prefix;  // of names of variables
+};
+
+class Arrays {
+ public:
+  explicit Arrays(PointContent& content) : content_(content) {}
+
+  void add(const Bundle& bundle) {
+    std::vector<std::string> done;
+    for (const Record* record : bundle.records) {
+      if (record == nullptr) continue;
+      for (const Entry& entry : record->entries()) {
+        if (std::find(done.begin(), done.end(), entry.name + variable_of(entry)) != done.end()) continue;
+        done.push_back(entry.name + variable_of(entry));
+        add(entry, same_entries(bundle, entry), bundle);
+      }
+    }
+  }
+
+ private:
+  using Same = std::vector<const Entry*>;  // of each record; null where it has none
+
+  static Same same_entries(const Bundle& bundle, const Entry& one) {
+    Same same;
+    for (const Record* record : bundle.records) {
+      same.push_back(nullptr);
+      if (record == nullptr) continue;
+      for (const Entry& entry : record->entries())
+        if (entry.name == one.name && entry.variable == one.variable) same.back() = &entry;
+    }
+    return same;
+  }
+
+  void add(const Entry& entry, const Same& same, const Bundle& bundle) {
+    const std::string name = bundle.prefix + variable_of(entry);
+    if (const auto* numbers = std::get_if<Numbers>(&entry.content)) {
+      add_numbers(name, entry, *numbers, same, bundle);
+    } else if (std::holds_alternative<bool>(entry.content) ||
+               std::holds_alternative<std::int64_t>(entry.content)) {
+      add_plain(name, entry, same, bundle);
+    } else if (const auto* text = std::get_if<std::string>(&entry.content);
+               text != nullptr && bundle.along.empty()) {
+      content_.attributes.emplace_back(name, *text);
+    } else if (const auto* table = std::get_if<described::Table>(&entry.content)) {
+      add_table(name.empty() ? name : name + "_", *table, same, bundle);
+    } else if (std::holds_alternative<described::Child>(entry.content)) {
+      Bundle inner{{}, bundle.along, name.empty() ? name : name + "_"};
+      for (const Entry* one : same) {
+        const auto* child = one == nullptr ? nullptr : std::get_if<described::Child>(&one->content);
+        inner.records.push_back(child == nullptr ? nullptr : &child->one.front());
+      }
+      add(inner);
+    }
+  }
+
+  // Rows of unlike numbers are filled up with nothing.
+  void add_table(const std::string& prefix, const described::Table& table, const Same& same,
+                 const Bundle& bundle) {
+    std::size_t most = 0;
+    std::vector<const described::Table*> tables;
+    for (const Entry* one : same) {
+      tables.push_back(one == nullptr ? nullptr : std::get_if<described::Table>(&one->content));
+      if (tables.back() != nullptr) most = std::max(most, tables.back()->rows.size());
+    }
+    if (most == 0) return;
+    Bundle inner{{}, bundle.along, prefix};
+    inner.along.push_back({table.along, most});
+    for (const described::Table* one : tables)
+      for (std::size_t i = 0; i < most; ++i)
+        inner.records.push_back(one != nullptr && i < one->rows.size() ? &one->rows[i] : nullptr);
+    add(inner);
+  }
+
+  void add_plain(const std::string& name, const Entry& entry, const Same& same, const Bundle& bundle) {
+    std::vector<double> values;
+    for (const Entry* one : same) {
+      const bool* flag = one == nullptr ? nullptr : std::get_if<bool>(&one->content);
+      const std::int64_t* count = one == nullptr ? nullptr : std::get_if<std::int64_t>(&one->content);
+      values.push_back(flag != nullptr ? double(*flag) : count != nullptr ? double(*count) : not_given);
+    }
+    put(name, entry, bundle.along, std::move(values));
+  }
+
+  void add_numbers(const std::string& name, const Entry& entry, const Numbers& first, const Same& same,
+                   const Bundle& bundle) {
+    const Numbers* longest = &first;
+    for (const Entry* one : same)
+      if (const auto* numbers = one == nullptr ? nullptr : std::get_if<Numbers>(&one->content);
+          numbers != nullptr && numbers->values.size() > longest->values.size())
+        longest = numbers;
+    if (longest->values.empty()) return;
+    std::vector<double> values;
+    for (const Entry* one : same) {
+      const Numbers* numbers = one == nullptr ? nullptr : std::get_if<Numbers>(&one->content);
+      for (std::size_t i = 0; i < longest->values.size(); ++i) {
+        const double value =
+            numbers != nullptr && i < numbers->values.size() ? numbers->values[i] : not_given;
+        values.push_back(std::isfinite(value) ? value : not_given);
+      }
+    }
+    std::vector<NamedDimension> along = bundle.along;
+    for (std::size_t i = 0; i < longest->shape.size(); ++i) {
+      along.push_back({longest->along[i].name, longest->shape[i]});
+      name_elements(longest->along[i]);
+    }
+    put(name, entry, along, std::move(values));
+  }
+
+  void name_elements(const described::Along& along) {
+    std::string names;
+    for (const std::string& label : along.labels) names += (names.empty() ? "" : " ") + label;
+    const auto same = [&](const auto& attribute) { return attribute.first == along.name; };
+    if (!names.empty() && std::none_of(content_.attributes.begin(), content_.attributes.end(), same))
+      content_.attributes.emplace_back(along.name, names);
+  }
+
+  void put(const std::string& name, const Entry& entry, const std::vector<NamedDimension>& along,
+           std::vector<double> values) {
+    NamedArray array{name,
+                     {},
+                     std::string(entry.dimension.si.empty() ? "1" : entry.dimension.si),
+                     entry.meaning,
+                     std::move(values)};
+    for (const NamedDimension& dimension : along) {
+      array.dimensions.push_back(dimension.name);
+      const auto known = std::find_if(content_.dimensions.begin(), content_.dimensions.end(),
+                                      [&](const NamedDimension& one) { return one.name == dimension.name; });
+      if (known == content_.dimensions.end())
+        content_.dimensions.push_back(dimension);
+      else if (known->size != dimension.size)
+        throw std::logic_error("results: " + name + ": another size of the dimension " + dimension.name);
+    }
+    content_.arrays.push_back(std::move(array));
+  }
+
+  PointContent& content_;
+};
+
+}  // namespace
+
+PointContent content_of(const Record& record) {
+  PointContent content;
+  Arrays(content).add({{&record}, {}, ""});
+  return content;
+}
+
+}  // namespace orbearing::app

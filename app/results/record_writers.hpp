@@ -1,0 +1,35 @@
+// Records of results (mechanics/record.hpp) in the forms in which they leave the program.
+//
+// One rule for values that there are none of: null in JSON, an empty field in CSV, the fill value in files of
+// arrays, "-" in text.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "app/results/point_content.hpp"
+#include "mechanics/record.hpp"
+
+namespace orbearing::app {
+
+using described::Record;
+
+/// Numbers in their customary units. What is for files alone is left out.
+nlohmann::ordered_json json_of(const Record& record);
+/// Unit of each number in that object by its key; "1" of a ratio.
+nlohmann::ordered_json units_of(const Record& record);
+
+/// The same for terminals: a line for each value, tables, longer lists by their range.
+std::string text_of(const Record& record);
+
+/// A table as lines of RFC 4180, ended by "\n"; structures and labelled numbers of its rows as columns.
+std::string csv_of(const described::Table& table);
+
+/// Arrays and single numbers in SI, texts as attributes; the rows of a table along its dimension.
+PointContent content_of(const Record& record);
+
+/// A number [SI] in the customary unit, to the 15 digits that a conversion leaves of it, so that 6000 rpm,
+/// held as rad/s, is 6000 rpm again. What is not finite is absent.
+double in_customary_unit(const described::Dimension& dimension, double value);
+
+}  // namespace orbearing::app

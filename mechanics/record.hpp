@@ -1,0 +1,185 @@
+// How results are described: each value once, beside the structure of results that holds it.
+// JSON, CSV, files of arrays, text and the numbers that rows of validation point at all come from the record
+// which `describe(record, result)` fills; nothing but the writers of records knows a format.
+//
+//     inline void describe(described::Record& record, const Shaft& shaft) {
+//       using namespace described;
+//       record.value("mass_kg", dimension::mass, "of the shaft with all that moves with it", shaft.mass);
+//     }
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <ranges>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "mechanics/described.hpp"
+
+namespace orbearing::described {
+
+namespace dimension {
+// Of results alone, or in another unit than inputs have.
+inline constexpr Dimension ratio{"ratio", "1", "1", ""};
+inline constexpr Dimension percent{"ratio", "1", "percent", "", 0.01};
+inline constexpr Dimension small_angle{"angle", "rad", "mrad", "", 1e-3};
+inline constexpr Dimension pressure{"pressure", "Pa", "MPa", "", 1e6};
+inline constexpr Dimension cycles{"frequency", "Hz", "Hz", ""};
+inline constexpr Dimension inverse_mass{"inverse mass", "kg-1", "kg-1", ""};
+}  // namespace dimension
+
+/// What stands for a value that there is none of. All that is not finite is taken for it.
+inline constexpr double kAbsent = std::numeric_limits<double>::quiet_NaN();
+
+/// One dimension of an array: its name, and where they have some the names of its elements.
+struct Along {
+  Along(std::string of) : name(std::move(of)) {}
+  Along(const char* of) : name(of) {}
+  Along(std::string of, std::vector<std::string> names) : name(std::move(of)), labels(std::move(names)) {}
+
+  std::string name;
+  std::vector<std::string> labels;
+};
+
+/// Numbers [SI] in the order of their dimensions, the last fastest; a single one has no dimension.
+struct Numbers {
+  std::vector<Along> along{};
+  std::vector<std::size_t> shape{};
+  std::vector<double> values{};
+};
+
+class Record;
+
+/// Rows of one kind, each a record of its own.
+struct Table {
+  std::string along;  // what its rows are counted by
+  std::vector<Record> rows;
+};
+/// A structure within a structure.
+struct Child {
+  std::vector<Record> one;  // that has one element
+};
+struct Nothing {};
+using Content = std::variant<Nothing, Numbers, std::int64_t, bool, std::string, Table, Child>;
+
+/// One value with all that is known of it.
+struct Entry {
+  std::string name;  // key, with the unit it is shown in at its end: contact_load_max_N
+  Dimension dimension;
+  std::string meaning;
+  Content content;
+  std::string symbol{};                   // of the standard that has one
+  std::optional<std::string> variable{};  // in files of arrays; none: `name` less its unit
+  bool in_files_alone = false;            // what is too long to print
+  std::string file{};                     // of a table in a folder of results; none: none
+};
+
+class Record {
+ public:
+  /// A number [SI].
+  Entry& value(std::string name, const Dimension& dimension, std::string meaning, double value) {
+    return add(std::move(name), dimension, std::move(meaning), Numbers{.values = {value}});
+  }
+  Entry& value(std::string name, const Dimension& dimension, std::string meaning,
+               const std::optional<double>& value) {
+    return this->value(std::move(name), dimension, std::move(meaning), value.value_or(kAbsent));
+  }
+  /// A count, a yes or no, a text.
+  template <class Plain>
+  Entry& value(std::string name, std::string meaning, const Plain& plain) {
+    return add(std::move(name), {}, std::move(meaning), plain_content(plain));
+  }
+
+  /// Numbers along dimensions: a range, one of ranges, a vector or a matrix. Without a name, the labels of
+  /// its last dimension stand among the other names.
+  template <class Values>
+  Entry& array(std::string name, const Dimension& dimension, std::string meaning, std::vector<Along> along,
+               const Values& values) {
+    Numbers numbers{.along = std::move(along)};
+    numbers.shape.resize(numbers.along.size());
+    append(values, 0, numbers);
+    return add(std::move(name), dimension, std::move(meaning), std::move(numbers));
+  }
+  /// The same of so many that they are for files alone.
+  template <class Values>
+  Entry& series(std::string name, const Dimension& dimension, std::string meaning, std::vector<Along> along,
+                const Values& values) {
+    Entry& entry = array(std::move(name), dimension, std::move(meaning), std::move(along), values);
+    entry.in_files_alone = true;
+    return entry;
+  }
+
+  /// A row for each of `items`, by `describe` of the item or by `fill(row, item)`.
+  template <class Items, class Fill>
+  Entry& table(std::string name, std::string along, std::string meaning, const Items& items,
+               const Fill& fill) {
+    Table table{std::move(along), {}};
+    for (const auto& item : items) fill(table.rows.emplace_back(), item);
+    return add(std::move(name), {}, std::move(meaning), std::move(table));
+  }
+  template <class Items>
+  Entry& table(std::string name, std::string along, std::string meaning, const Items& items) {
+    return table(std::move(name), std::move(along), std::move(meaning), items,
+                 [](Record& row, const auto& item) { describe(row, item); });
+  }
+
+  /// A structure within this one, likewise; none of an optional one: nothing.
+  template <class Part, class Fill>
+  Entry& child(std::string name, std::string meaning, const Part& part, const Fill& fill) {
+    if constexpr (is_optional<Part>) {
+      if (!part) return add(std::move(name), {}, std::move(meaning), Nothing{});
+      return child(std::move(name), std::move(meaning), *part, fill);
+    } else {
+      Child child{std::vector<Record>(1)};
+      fill(child.one.front(), part);
+      return add(std::move(name), {}, std::move(meaning), std::move(child));
+    }
+  }
+  template <class Part>
+  Entry& child(std::string name, std::string meaning, const Part& part) {
+    return child(std::move(name), std::move(meaning), part,
+                 [](Record& record, const auto& one) { describe(record, one); });
+  }
+
+  const std::vector<Entry>& entries() const { return entries_; }
+
+ private:
+  Entry& add(std::string name, const Dimension& dimension, std::string meaning, Content content) {
+    return entries_.emplace_back(Entry{std::move(name), dimension, std::move(meaning), std::move(content)});
+  }
+
+  template <class Plain>
+  static Content plain_content(const Plain& plain) {
+    if constexpr (std::is_same_v<Plain, bool>)
+      return plain;
+    else if constexpr (std::is_integral_v<Plain>)
+      return static_cast<std::int64_t>(plain);
+    else
+      return std::string(plain);
+  }
+
+  template <class Values>
+  static void append(const Values& values, std::size_t depth, Numbers& numbers) {
+    if constexpr (std::is_arithmetic_v<Values>) {
+      numbers.values.push_back(static_cast<double>(values));
+    } else if constexpr (requires {
+                           values.rowwise();
+                           requires !Values::IsVectorAtCompileTime;
+                         }) {
+      for (const auto& row : values.rowwise()) append(row, depth + 1, numbers);
+      numbers.shape[depth] = static_cast<std::size_t>(values.rows());
+    } else {
+      for (const auto& value : values) append(value, depth + 1, numbers);
+      numbers.shape[depth] = static_cast<std::size_t>(values.size());
+    }
+  }
+
+  std::vector<Entry> entries_;
+};
+
+}  // namespace orbearing::described
