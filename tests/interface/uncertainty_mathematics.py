@@ -321,6 +321,19 @@ class WholeStudy(unittest.TestCase):
         for arrays in ("point_lives", "curve_lives", "peak_lives"):
             self.assertFalse(np.isclose(getattr(one, arrays), getattr(other, arrays)).any(), arrays)
 
+    def test_samples_that_fail_are_counted_for_the_point_the_speeds_and_the_peak(self):
+        def evaluate(paths, values, fidelity):
+            results, status = self.evaluate(paths, values, fidelity)
+            results["life_h"][values[:, list(paths).index("input.power")] > 170e3] = np.nan
+            return results, status
+
+        result = Study(self.CASE, 6000.0, Peaks.GRID, evaluate, Settings(samples=100, curves=20, index_samples=20)).run()
+        data = result.data
+        for found, lives in ((data["operating_point"]["failed"], result.point_lives), (data["peak"]["failed"], result.peak_lives),
+                             *((row["failed"], result.curve_lives[:, i]) for i, row in enumerate(data["speeds"]))):
+            self.assertEqual(found, int(np.isnan(lives).sum()))
+            self.assertGreater(found, 1)
+
     def test_another_life(self):
         self.assertEqual(self.study(life="system_life_h").data["life"], "system_life_h")
         with self.assertRaisesRegex(CaseError, "one of life_h, system_life_h is required"):
