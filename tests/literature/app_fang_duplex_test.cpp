@@ -67,7 +67,7 @@ TEST(FangDuplex, OtherBearingsTakeAngleAndPreloadAlone) {
 TEST(FangDuplex, TheShaftOfTheCaseIsTheOneIdentified) {
   const DuplexStudy study = duplex_study(pair({}));
   ASSERT_TRUE(study.identification.has_value());
-  const bearing::duplex::Shaft& found = study.identification->nonlinear.shaft;
+  const bearing::duplex::Shaft& found = study.identification->nonlinear.found.shaft;
   const bearing::duplex::Shaft& stated = study.point.nonlinear.shaft;
   constexpr double digits = 1e-5;
   EXPECT_NEAR(found.mass, stated.mass, digits * stated.mass);
@@ -79,13 +79,13 @@ TEST(FangDuplex, TheShaftOfTheCaseIsTheOneIdentified) {
 TEST(FangDuplex, IdentificationLooksAt7020CAlone) {
   const std::string changed = "measured.axial_z=[454.09 Hz, 699.52 Hz, 806.37 Hz, 900 Hz, 1200 Hz, 1400 Hz]";
   const DuplexStudy one = duplex_study(pair({})), other = duplex_study(pair({changed}));
-  EXPECT_EQ(one.identification->nonlinear.shaft.mass, other.identification->nonlinear.shaft.mass);
-  EXPECT_NE(one.identification->nonlinear_prediction.mean, other.identification->nonlinear_prediction.mean);
+  EXPECT_EQ(one.identification->nonlinear.found.shaft.mass, other.identification->nonlinear.found.shaft.mass);
+  EXPECT_NE(one.identification->nonlinear.prediction.mean, other.identification->nonlinear.prediction.mean);
 }
 
 // Physical bounds: bearings that do not overlap, a shaft within a few per cent of a cylinder through them.
 TEST(FangDuplex, TheIdentifiedShaftIsPossible) {
-  const bearing::duplex::Shaft shaft = duplex_study(pair({})).identification->nonlinear.shaft;
+  const bearing::duplex::Shaft shaft = duplex_study(pair({})).identification->nonlinear.found.shaft;
   const double length = shaft.mass / (7850.0 * 0.25 * 3.14159265358979 * 0.1 * 0.1);
   EXPECT_GT(2.0 * shaft.levers.first, 24e-3);
   EXPECT_GT(length, 2.0 * shaft.levers.first + 24e-3);
