@@ -127,8 +127,9 @@ const Use& of_waviness() {
 }
 
 const Use& of_out_of_roundness() {
-  static const Use use(use::lives | use::bearings_as_springs | use::fmu_bearing | use::planet_stiffness,
-                       use::mesh);
+  static const Use use =
+      Use(use::lives | use::bearings_as_springs | use::fmu_bearing | use::planet_stiffness, use::mesh)
+          .limited(use::bearings_as_springs, {where_bearings_make_springs()});
   return use;
 }
 

@@ -25,27 +25,26 @@ const Use& use_of_row(const std::vector<Field>& fields, const std::string& path)
   return found->use;
 }
 
+Use either_of(const Use& one, const Use& other) {
+  const unsigned by = one.by | other.by, refused = (one.refused_by | other.refused_by) & ~by;
+  Use any{by, (one.unfelt_by | other.unfelt_by) & ~(by | refused), refused};
+  any.ways = one.ways;
+  any.ways.insert(any.ways.end(), other.ways.begin(), other.ways.end());
+  return any;
+}
+
 // Felt wherever one of `paths` is.
 Use use_of_any(const std::vector<Field>& fields, const std::vector<std::string>& paths) {
-  unsigned by = 0, unfelt = 0, refused = 0;
-  std::vector<Way> ways;
-  for (const std::string& path : paths) {
-    const Use& use = use_of_row(fields, path);
-    ways.insert(ways.end(), use.ways.begin(), use.ways.end());
-    by |= use.by;
-    unfelt |= use.unfelt_by;
-    refused |= use.refused_by;
-  }
-  Use any{by, unfelt & ~(by | refused), refused & ~by};
-  any.ways = std::move(ways);
+  Use any{0, 0};
+  for (const std::string& path : paths) any = either_of(any, use_of_row(fields, path));
   return any;
 }
 
 // Without inner ring the pin differs, without any the planet's bore as well.
 Use use_of_rings(const std::vector<Field>& fields) {
-  const Use& pin = use_of_row(fields, "bearing.bore");
-  const Use any = use_of_any(fields, {"bearing.bore", "bearing.outside_diameter"});
-  return any.felt_only(any.by & ~pin.by, {where(bought::kRings, {"none"})});
+  const Use planet =
+      use_of_row(fields, "bearing.outside_diameter").limited(use::all, {where(bought::kRings, {"none"})});
+  return either_of(use_of_row(fields, "bearing.bore"), planet);
 }
 
 void add_condition(std::vector<Field>& fields, const std::string& path, const Condition& condition) {
@@ -69,11 +68,14 @@ Field choice(std::string path, std::string meaning, const Use& use, unsigned mod
           .choices = std::move(choices)};
 }
 
-// The frequencies of a scratched bearing are those of its cage.
+// As the number of rollers, which it makes where a bearing is bought. The frequencies of a scratched bearing
+// are those of its cage.
 Use use_of_complement(const std::vector<Field>& fields) {
   constexpr unsigned moving = use::planet_defect;
-  const Use& cage = use_of_row(fields, bought::kDensity);
-  return {cage.by & ~moving, cage.unfelt_by & ~moving, cage.refused_by | moving};
+  Use rollers = use_of_row(fields, bought::kRollers);
+  for (unsigned* standing : {&rollers.by, &rollers.unfelt_by, &rollers.refused_by}) *standing &= ~moving;
+  rollers.refused_by |= moving;
+  return rollers.felt_only(use::lone_balance, {where_given({bought::kDesignation})});
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "app/case/mesh_fields.hpp"
+#include "app/case/use_conditions.hpp"
 
 namespace orbearing::app {
 
@@ -125,13 +126,10 @@ constexpr std::string_view giving_way[] = {"bearing.bore",
                                            "support.stiffness",
                                            "gearset.dynamics.sun.mass",
                                            "gearset.dynamics.sun.support_stiffness",
-                                           "gearset.dynamics.sun.torsional_stiffness",
                                            "gearset.dynamics.ring.mass",
                                            "gearset.dynamics.ring.support_stiffness",
-                                           "gearset.dynamics.ring.torsional_stiffness",
                                            "gearset.dynamics.carrier.mass",
                                            "gearset.dynamics.carrier.support_stiffness",
-                                           "gearset.dynamics.carrier.torsional_stiffness",
                                            "gearset.dynamics.carrier.plate_ratio",
                                            "gearset.dynamics.planet.mass",
                                            "gearset.dynamics.backlash",
@@ -189,7 +187,8 @@ Use with_stiffness(Use use, std::string_view path) {
   if (path == "gearset.planet_rim") return also_used(use, use::mesh);
   if (path == "bearing.laminae") return also_used(use, use::stiffness | use::planet_stiffness);
   if (path != "material.youngs_modulus" && path != "material.poisson_ratio") return use;
-  return use.felt_only(use::planet_stiffness, {where("film.enabled", {"true"})});
+  return use.felt_only(use::planet_stiffness, {where("film.enabled", {"true"})})
+      .felt_too(use::planet_stiffness, where("gearset.planet_rim", {"elastic"}));
 }
 
 // Balls feel their mass, and the film under them, where a ring turns.
@@ -211,13 +210,25 @@ const Condition& where_filmed() {
   return filmed;
 }
 
+std::vector<Condition> where_viscosity_makes_kappa() {
+  return {where_given({"life.cleanliness", "life.contamination_factor"}),
+          where_absent("life.viscosity_ratio"), where_absent("lubricant.kinematic_viscosity")};
+}
+
+// It makes the viscosity of a grade, under films, or kinematic that which is stated.
+Use with_density(const Use& use) {
+  const Condition grade = where_given({"lubricant.grade"});
+  std::vector<Condition> stated = where_viscosity_makes_kappa();
+  stated.push_back(where_absent("lubricant.grade"));
+  return use.felt_too(use::quasi_static, grade)
+      .felt_too(use::crown | use::planet_stiffness | use::bearings_as_springs, {grade, where_filmed()})
+      .felt_too(use::quasi_static | use::crown, stated);
+}
+
 // Films stand in results of lives; elsewhere the oil is felt where a film takes part in the approach, or
 // where the life by its cleanliness is made of its viscosity.
 Use with_oil(const Use& use, std::string_view path) {
-  if (path == "lubricant.density")
-    return use.felt_too(use::rollers_at_rest,
-                        where_given({"lubricant.grade", "life.cleanliness", "life.contamination_factor"}))
-        .felt_too(use::bearings_as_springs, {where_given({"lubricant.grade"}), where_filmed()});
+  if (path == "lubricant.density") return with_density(use);
   if (path == "lubricant.flow")
     return use.when(where("drag.mixture", {"carried"}))
         .when(where("drag.enabled", {"true"}))
@@ -227,10 +238,7 @@ Use with_oil(const Use& use, std::string_view path) {
   Use oil = also_used(use, use::spin_film)
                 .felt_only(with_film_alone, {where_filmed()})
                 .felt_too(use::lone_balance, where_filmed());
-  if (path == "lubricant.viscosity")
-    oil = oil.felt_too(use::crown, {where_given({"life.cleanliness", "life.contamination_factor"}),
-                                    where_absent("life.viscosity_ratio"),
-                                    where_absent("lubricant.kinematic_viscosity")});
+  if (path == "lubricant.viscosity") oil = oil.felt_too(use::crown, where_viscosity_makes_kappa());
   return oil.when(where_absent("lubricant.grade"));
 }
 
@@ -242,26 +250,109 @@ Use with_other_frictions(const Use& use) {
       .felt_too(moving, {where("bearing.complement", {"full"}), where_given({"bearing.neighbour_friction"})});
 }
 
+Condition where_gears_run_up() {
+  return where_true(gears_run_up, "beside gearset.dynamics.run_up.duration and another run_up.from than 1");
+}
+
 // The carrier's speed grows in a run-up, and as the master of an FMU has it.
 Use with_run_up(const Use& use) {
   return use.felt_only(use::dynamic | use::dynamic_of_sets, {where_given({"input.acceleration"})})
-      .felt_only(use::gears | use::fmu_gearset, {where_given({"gearset.dynamics.run_up.duration"})});
+      .felt_only(use::gears | use::fmu_gearset, {where_gears_run_up()});
+}
+
+// Forces in the frame of the carrier; an FMU of a bearing has its speed as an input.
+Use with_rotating_carrier(const Use& use) {
+  return use.limited(use::of_a_drivetrain & ~unsigned{use::fmu_bearing},
+                     {where_true(carrier_rotates, "where the carrier rotates")});
 }
 
 // The diameter of the pin makes its stiffness where none is stated.
 Use with_pins(const Use& use) {
   const Condition derived = where_absent("support.stiffness");
-  Use pins = use.felt_only(use::bearings_as_springs, {derived});
-  for (Way& way : pins.ways) way.conditions.push_back(derived);  // of unlike loads
+  Use pins = use;
+  for (Way& way : pins.ways) way.conditions.push_back(derived);
   return pins;
+}
+
+bool is_one_of(std::string_view path, std::initializer_list<std::string_view> paths) {
+  return std::find(paths.begin(), paths.end(), path) != paths.end();
+}
+
+// What makes the clearance of a bearing on its seats.
+bool makes_clearance(std::string_view path) {
+  return is_one_of(path, {"bearing.radial_clearance", "bearing.clearance_state"}) ||
+         path.starts_with("bearing.fit.") || path.starts_with("bearing.temperature.");
+}
+
+// What makes the race of the planet, and with it its mass.
+bool makes_race(std::string_view path) {
+  return makes_clearance(path) || is_one_of(path, {"bearing.per_planet", "bearing.roller_diameter",
+                                                   "bearing.pitch_diameter", "bearing.width"});
 }
 
 // What makes the rim that bends: bearings hold the race in it.
 Use with_rim(const Use& use, std::string_view path) {
-  constexpr std::string_view making[] = {"bearing.pitch_diameter", "bearing.roller_diameter", "bearing.width",
-                                         "bearing.per_planet", "bearing.radial_clearance"};
-  if (std::find(std::begin(making), std::end(making), path) == std::end(making)) return use;
-  return use.felt_too(use::mesh, where("gearset.planet_rim", {"elastic"}));
+  return makes_race(path) ? use.felt_too(use::mesh, where("gearset.planet_rim", {"elastic"})) : use;
+}
+
+// Gears are affected by a bearing through its springs, which the case may state; what makes the mass of a
+// planet as well affects them beside these too.
+Use with_springs(const Use& use, const described::Facts& facts) {
+  using enum described::Felt;
+  const std::string_view path = facts.path;
+  if (is_one_of(path, {"gearset.web.thickness", "gearset.web.rim"}))
+    return use.limited(use::gears_in_motion | use::natural | use::quasi_static,
+                       {where_true(teeth_make_meshes, "where the stiffness of a mesh is not given")});
+  if (is_one_of(path, {"material.youngs_modulus", "material.poisson_ratio"}))
+    return use.limited(use::bearings_as_springs,
+                       {where_true(material_makes_springs, "where a stiffness is not given")});
+  if (is_one_of(path, {"input.power", "input.speed", "parallel_stage.front"}))
+    return use.limited(path == "input.power" ? use::natural : use::modes,
+                       {where_true(loads_make_springs, "where a stiffness depends on the load")});
+  if (is_one_of(path, {"inertia.coriolis", "inertia.carrier_centrifugal"}))
+    return use.limited(use::modes, {where_bearings_make_springs()});
+  const bool of_bearing =
+      facts.felt == balance || facts.felt == carrier || facts.felt == pin || facts.felt == at_rest;
+  if (!of_bearing || makes_race(path) || path == "material.density" || path == "gearset.planet_rim")
+    return use;
+  return use.limited(use::bearings_as_springs, {where_bearings_make_springs()});
+}
+
+// A carrier that is held pulls on nothing.
+Use with_carrier(const Use& use, std::string_view path) {
+  if (is_one_of(path, {"inertia.coriolis", "inertia.carrier_centrifugal"})) return with_rotating_carrier(use);
+  const std::string rotating = "where the carrier rotates and inertia.carrier_centrifugal is true";
+  if (path.starts_with("bearing.cage."))
+    return use.limited(use::rollers_at_rest | use::bearings_as_springs,
+                       {where_true(carrier_pulls, rotating)});
+  const bool of_planet =
+      is_one_of(path, {"gearset.face_width", "gearset.addendum", "gearset.clearance",
+                       "gearset.root_fillet_radius", "gearset.addendum_of.planet",
+                       "gearset.clearance_of.planet", "bearing.outside_diameter", "bearing.width"});
+  if (!of_planet) return use;
+  return use
+      .limited(use::rollers_at_rest,
+               {where_true(planet_counts_at_rest,
+                           rotating + ", or the planet bends, tilts or is pressed on a seat")})
+      .felt_too(use::quasi_static, where_planets_carry_unlike_loads());
+}
+
+// A member that is held does not move, unless a spring holds it.
+Use with_held_members(const Use& use, std::string_view path) {
+  constexpr std::string_view block = "gearset.dynamics.", mass = ".equivalent_mass";
+  if (!path.starts_with(block) || !path.ends_with(mass)) return use;
+  const std::string member(path.substr(block.size(), path.size() - block.size() - mass.size()));
+  if (member == "planet") return use;
+  std::vector<std::string> others{"sun", "ring", "carrier"};
+  std::erase(others, member);
+  return use.limited(use::natural, {where("gearset.fixed", others), where_absent("gearset.teeth.sun"),
+                                    where_given({std::string(block) + member + ".torsional_stiffness"})});
+}
+
+// The outer ring is a part of the planet's mass, and of its rim.
+Use with_ring_width(const Use& use) {
+  return use.limited(use::rollers_at_rest | use::bearings_as_springs,
+                     {where("bearing.rings", {"both", "outer"}), where("gearset.planet_rim", {"elastic"})});
 }
 
 // Fields that are felt by unlike physics, of which each hangs on other choices.
@@ -271,11 +362,15 @@ Use with_other_ways(const Use& use, std::string_view path) {
     return use.felt_too(use::balls_in_motion, where("traction.law", {"ree-eyring"}));
   if (path == "contact.roughness")
     return use.felt_too(use::quasi_static | use::in_time, where("life.viscosity_ratio_by", {"film"}));
-  if (path == "inertia.euler") return with_run_up(use);
+  if (path == "bearing.fit.expansion")
+    return use.when(where_true(fits_are_warm, "beside a bearing.temperature"));
+  if (path == "defect.profile") return use.when(where("defect.race", {"outer", "inner", "ball", "roller"}));
+  if (path == "bearing.width") return with_ring_width(use);
+  if (path == "inertia.euler") return with_rotating_carrier(with_run_up(use));
   if (path == "bearing.bore") return with_pins(use);
   // Of a driven sun or ring the power makes the force of the teeth, whichever member is held.
   if (path == "gearset.fixed") return use.felt_only(use::mesh, {where("input.member", {"carrier"})});
-  return with_rim(use, path);
+  return use;
 }
 
 }  // namespace
@@ -287,8 +382,10 @@ Use use_of(const described::Facts& facts) {
   const unsigned unfelt = (use::all & ~(by | but.refused_by | without)) | but.unfelt_by;
   const Use at_rest =
       with_mesh_loads(with_load_sharing(Use(by, unfelt, but.refused_by), facts.path), facts.path);
-  const Use use = with_oil(
+  const Use with_films = with_oil(
       with_relief(with_turning_rings(with_stiffness(at_rest, facts.path), facts), facts.path), facts.path);
+  const Use use = with_carrier(
+      with_springs(with_held_members(with_rim(with_films, facts.path), facts.path), facts), facts.path);
   const described::Where& only = facts.details.where;
   if (only.path.empty()) return with_other_ways(use, facts.path);
   const std::vector<std::string> paths = either_of(only.path);
@@ -315,6 +412,9 @@ Use with_planet_defect(const Use& use, std::string_view path) {
   }
   for (unsigned* standing : standings)
     if ((*standing & use::monolithic) != 0) *standing |= use::planet_defect;
+  if (path == "contact.roughness") return more;  // beside a film its other way is to a life
+  for (Way& way : more.ways)
+    if ((way.by & use::monolithic) != 0) way.by |= use::planet_defect;
   return more;
 }
 
@@ -335,8 +435,13 @@ Condition where_planets_carry_unlike_loads() {
                       "gearset.planet_angles"});
 }
 
-Condition where_true(bool (*holds)(const ResolvedCase&), std::string text) {
+Condition where_true(bool (*holds)(const ResolvedCase&, std::string_view), std::string text) {
   return {.paths = {}, .holds = holds, .text = std::move(text)};
+}
+
+Condition where_bearings_make_springs() {
+  return where_true(bearings_make_springs,
+                    "where gearset.dynamics.planet.bearing_stiffness is not given, or beside an elastic rim");
 }
 
 Use Use::when(Condition condition) const {
@@ -360,6 +465,24 @@ Use Use::felt_only(unsigned analyses, std::vector<Condition> all) const {
   Use more = felt_too(analyses & by, std::move(all));
   more.by &= ~analyses;
   more.unfelt_by |= by & analyses;
+  return more;
+}
+
+Use Use::limited(unsigned analyses, const std::vector<Condition>& either) const {
+  Use more = *this;
+  more.by &= ~analyses;
+  more.unfelt_by |= by & analyses;
+  more.ways.clear();
+  std::vector<Way> limited = ways;
+  if ((by & analyses) != 0) limited.push_back({by & analyses, {}});
+  for (const Way& way : limited) {
+    if ((way.by & ~analyses) != 0) more.ways.push_back({way.by & ~analyses, way.conditions});
+    if ((way.by & analyses) == 0) continue;
+    for (const Condition& condition : either) {
+      more.ways.push_back({way.by & analyses, way.conditions});
+      more.ways.back().conditions.push_back(condition);
+    }
+  }
   return more;
 }
 

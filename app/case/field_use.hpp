@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -64,9 +65,10 @@ inline constexpr unsigned balls_in_motion = ball_run | moving_defect;
 struct Condition {
   std::vector<std::string> paths;
   std::vector<std::string> values{};
-  bool absent = false;                             // instead: none of `paths` is stated; a default is not
-  bool (*holds)(const ResolvedCase&) = nullptr;    // instead: what follows from several values at once
-  std::string text{};                              // of that: "it counts only where ..."
+  bool absent = false;  // instead: none of `paths` is stated; a default is not
+  // Instead: what follows from several values at once, in the set of the field: "sets.NAME." or "".
+  bool (*holds)(const ResolvedCase&, std::string_view set) = nullptr;
+  std::string text{};  // of that: "it counts only where ..."
 };
 
 /// Analyses that use a field where all conditions hold, whatever its row says besides.
@@ -79,9 +81,11 @@ struct Way {
 Condition where(std::string path, std::vector<std::string> values);
 Condition where_given(std::vector<std::string> paths);
 Condition where_absent(std::string path);
-Condition where_true(bool (*holds)(const ResolvedCase&), std::string text);
+Condition where_true(bool (*holds)(const ResolvedCase&, std::string_view set), std::string text);
 /// Pins off their places: loads at rest then follow from what gives way under the planets.
 Condition where_planets_carry_unlike_loads();
+/// Gears on springs that follow from their bearings.
+Condition where_bearings_make_springs();
 
 /// Who uses a field. There is no default: a row that does not say so does not compile. An analysis that is
 /// named nowhere in the row warns of a value that is given and neither the default nor zero.
@@ -90,11 +94,14 @@ struct Use {
       : by(used_by), unfelt_by(not_felt_by), refused_by(refused) {}
   /// The condition is one of all ways that the row has so far.
   Use when(Condition condition) const;
-  /// Where `conditions` hold, `analyses` use it too. Of those that do not use it elsewhere, it is unfelt there.
+  /// Where `conditions` hold, `analyses` use it too. Of those that do not use it elsewhere, it is unfelt
+  /// there.
   Use felt_too(unsigned analyses, std::vector<Condition> conditions) const;
   Use felt_too(unsigned analyses, Condition condition) const;
   /// `analyses` use it where `conditions` hold, and only there.
   Use felt_only(unsigned analyses, std::vector<Condition> conditions) const;
+  /// Wherever `analyses` use it so far, one of `either` has to hold besides.
+  Use limited(unsigned analyses, const std::vector<Condition>& either) const;
 
   unsigned by;          // it changes their results
   unsigned unfelt_by;   // they cannot feel it by nature: their results are equal to the last bit

@@ -1,6 +1,7 @@
 // Fields of the dynamics of a planetary set: bodies, supports, damping, errors, and the run in time.
 #include "app/case/described_fields.hpp"
 #include "app/case/field_table.hpp"
+#include "app/case/use_conditions.hpp"
 #include "app/case/usual_drivetrain.hpp"
 
 namespace orbearing::app::table {
@@ -44,9 +45,14 @@ void add_run(std::vector<Field>& fields) {
   fields.push_back(number({"run_up.from", "speed at the start as a share of input.speed",
                            of_run_up.when(where_given({"gearset.dynamics.run_up.duration"})), positive(10.0),
                            "1", "no run-up"}));
-  fields.push_back(
-      quantity(dimension::time,
-               {"run_up.duration", "time to reach input.speed", of_run_up, {0.0, 1e4}, "0 s", "no run-up"}));
+  fields.push_back(quantity(
+      dimension::time,
+      {"run_up.duration",
+       "time to reach input.speed",
+       of_run_up.felt_only(use::fmu_gearset, {where_true(gears_run_up, "beside another run_up.from than 1")}),
+       {0.0, 1e4},
+       "0 s",
+       "no run-up"}));
   Field observed = number({"observed_periods",
                            "mesh periods that are averaged once steady",
                            of_run,

@@ -2,6 +2,7 @@
 // asks.
 #include "app/case/described_fields.hpp"
 #include "app/case/field_table.hpp"
+#include "app/case/resolved_case.hpp"
 #include "bearing/equilibrium/moving_balls.hpp"
 #include "bearing/equilibrium/ring_balance.hpp"
 #include "bearing/life/rating_lives.hpp"
@@ -68,13 +69,22 @@ Field optional_quantity(const Dimension& dimension, std::string path, std::strin
           .range = range};
 }
 
-// Hours of life follow from it; the stiffness of balls follows it too.
+const Condition& where_balls_turn_with_effect() {
+  static const Condition pulled = where_true(
+      [](const ResolvedCase& in, std::string_view) {
+        const auto is_on = [&](const char* path) { return in.has(path) && in.flag(path); };
+        return is_on("equilibrium.ball_inertia") || is_on("film.enabled");
+      },
+      "where equilibrium.ball_inertia or film.enabled is true");
+  return pulled;
+}
+
+// Hours of life follow from it.
 Field speed_of_ring(std::string path, std::string meaning) {
   return {.path = std::move(path),
           .kind = Kind::quantity,
           .meaning = std::move(meaning),
-          .use = Use(use::static_load | use::ball_run, use::stiffness)
-                     .felt_too(use::stiffness, where_given({"bearing.balls"})),
+          .use = Use(use::static_load | use::ball_run, use::stiffness),
           .models = single_bearing,
           .dimension = dimension::angular_speed,
           .range = {-1e6, 1e6},
@@ -84,10 +94,17 @@ Field speed_of_ring(std::string path, std::string meaning) {
 
 void add_operation(std::vector<Field>& fields) {
   Field shaft = speed_of_ring("operation.shaft_speed", "speed of the inner ring");
-  shaft.use.by |= use::defect | use::moving_defect | use::duplex;
+  shaft.use.by |= use::defect | use::moving_defect;
+  // The stiffness of balls stands beside the speed of the shaft.
+  shaft.use =
+      shaft.use.felt_too(use::duplex, where_balls_turn_with_effect())
+          .felt_too(use::stiffness, {where_given({"bearing.balls"}), where_absent("operation.speeds")});
   shaft.models |= described::lone_scratched | duplex_pair;
   fields.push_back(std::move(shaft));
-  fields.push_back(speed_of_ring("operation.outer_speed", "speed of the outer ring"));
+  Field outer = speed_of_ring("operation.outer_speed", "speed of the outer ring");
+  outer.use =
+      outer.use.felt_too(use::stiffness, {where_given({"bearing.balls"}), where_balls_turn_with_effect()});
+  fields.push_back(std::move(outer));
   fields.push_back({.path = "operation.speeds",
                     .kind = Kind::list,
                     .meaning = "speeds of the inner ring over which run and stiffness tabulate the balance, "
@@ -188,7 +205,10 @@ void add_life(std::vector<Field>& fields) {
   fields.push_back({.path = "life.lubrication",
                     .kind = Kind::choice,
                     .meaning = "how the bearing is lubricated, for the contamination factor",
-                    .use = by_rated_life().when(where_given({"life.cleanliness"})),
+                    .use = by_rated_life()
+                               .when(where_absent("life.contamination_factor"))
+                               .when(where_given({"life.cleanliness", "lubricant.grade",
+                                                  "life.viscosity_ratio", "lubricant.kinematic_viscosity"})),
                     .models = rated,
                     .choices = {"circulating-oil", "oil-bath", "grease"},
                     .default_text = "circulating-oil",

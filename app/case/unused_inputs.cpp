@@ -53,6 +53,10 @@ bool counts(const ResolvedCase& in, const std::string& path, const std::vector<s
   return !(has_magnitude(field) && all_zero(in.value(path)));
 }
 
+std::string_view set_of(std::string_view path) {
+  return path.substr(0, set_prefix_length(path));
+}
+
 // What hangs on inputs of another kind of case alone hangs on nothing here.
 bool is_of_other_models(const ResolvedCase& in, const Condition& condition) {
   return std::none_of(condition.paths.begin(), condition.paths.end(),
@@ -60,7 +64,7 @@ bool is_of_other_models(const ResolvedCase& in, const Condition& condition) {
 }
 
 bool holds(const ResolvedCase& in, const Input& input, const Condition& condition) {
-  if (condition.holds != nullptr) return condition.holds(in);
+  if (condition.holds != nullptr) return condition.holds(in, set_of(input.path));
   if (is_of_other_models(in, condition)) return true;
   const auto one = [&](const std::string& path) {
     const std::string other = beside(input.path, path);
@@ -108,8 +112,8 @@ struct Through {
   std::string_view choice;
   std::string_view value;
   std::string_view by;
-  bool (*also)(const ResolvedCase&) = nullptr;  // holds as well
-  bool meshes = false;                          // and what makes them
+  bool (*also)(const ResolvedCase&, std::string_view set) = nullptr;  // holds as well
+  bool meshes = false;                                                // and what makes them
 
   bool holds(std::string_view path) const {
     return std::find(paths.begin(), paths.end(), path) != paths.end() || (meshes && makes_meshes(path));
@@ -121,7 +125,7 @@ const std::initializer_list<Through> through_others = {
     {{"bearing.bore", "bearing.rings", "material.youngs_modulus", "material.poisson_ratio"},
      "bearing.clearance_state",
      "unmounted",
-     "bearing.radial_clearance"},
+     "bearing.clearance_state"},
     // The pin bends under bearings side by side; it and the meshes hold a planet that tilts.
     {{"bearing.bore", "bearing.rings", "material.youngs_modulus", "material.poisson_ratio"},
      "bearing.tilt_state",
@@ -147,9 +151,10 @@ bool is_chosen(const ResolvedCase& in, const Input& input, const Through& throug
 
 bool is_felt_through_another(const ResolvedCase& in, const Input& input, use::Analysis analysis) {
   return std::any_of(through_others.begin(), through_others.end(), [&](const Through& through) {
-    return through.holds(input.field->path) &&
-           (find_field(std::string(through.by))->use.by & analysis) != 0 && is_chosen(in, input, through) &&
-           (through.also == nullptr || through.also(in));
+    if (!through.holds(input.field->path) || !is_chosen(in, input, through)) return false;
+    const Input by{beside(input.path, std::string(through.by)), find_field(through.by)};
+    return ((by.field->use.by & analysis) != 0 || way_that_holds(in, by, analysis) != nullptr) &&
+           (through.also == nullptr || through.also(in, set_of(input.path)));
   });
 }
 
@@ -194,8 +199,8 @@ std::string users_text(const ResolvedCase& in, const Input& input) {
   std::vector<std::string> names;
   for (const use::Analysis analysis : analyses_of(in))
     if (is_used(in, input, analysis)) names.push_back(analysis_name(analysis));
-  return names.empty() ? "nothing in a case of this kind uses it"
-                       : fmt::format("used by {}", fmt::join(names, ", "));
+  if (!names.empty()) return fmt::format("used by {}", fmt::join(names, ", "));
+  return first_unmet(in, input) != nullptr ? idle_text(in, input, ~0u) : "nothing in a case of this kind uses it";
 }
 
 std::string warning_of(const ResolvedCase& in, const Input& input, use::Analysis analysis,

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+
+#include "bearing/mounted_clearance.hpp"
 
 namespace orbearing::app {
 
@@ -9,11 +12,11 @@ namespace {
 
 constexpr double kSame = 1e-12;  // [m]  lengths that are stated as equal
 
-bool is_nonzero(const ResolvedCase& in, const char* path) {
+bool is_nonzero(const ResolvedCase& in, std::string_view path) {
   return in.has(path) && in.quantity(path) != 0.0;
 }
 
-bool is_chosen(const ResolvedCase& in, const char* path, const char* value) {
+bool is_chosen(const ResolvedCase& in, std::string_view path, std::string_view value) {
   return in.has(path) && in.choice(path) == value;
 }
 
@@ -49,30 +52,100 @@ bool has_unlike_roller_ends(const ResolvedCase& in) {
          !are_mirrored(in.list("bearing.profile.drops"), 1.0);
 }
 
+bool is_stated(const ResolvedCase& in, std::string_view path) {
+  return in.has(path) && in.origin(path) != "default";
+}
+
+std::string in_set(std::string_view set, const char* path) {
+  return std::string(set) + path;
+}
+
+bool is_grounded(const ResolvedCase& in, const std::string& member) {
+  return std::any_of(in.shape().shafts.begin(), in.shape().shafts.end(), [&](const std::string& shaft) {
+    const std::vector<std::string>& joined = in.texts(shaft_path(shaft));
+    const auto joins = [&](const std::string& one) {
+      return std::find(joined.begin(), joined.end(), one) != joined.end();
+    };
+    return joins("ground") && joins(member);
+  });
+}
+
 bool turns(const ResolvedCase& in) {
   return is_nonzero(in, "operation.shaft_speed");
 }
 
 }  // namespace
 
-bool planets_tilt(const ResolvedCase& in) {
+bool planets_tilt(const ResolvedCase& in, std::string_view) {
   return is_nonzero(in, "gearset.helix_angle") || is_chosen(in, "support.pin_ends", "one") ||
          is_nonzero(in, "support.pin_inclination.radial") ||
          is_nonzero(in, "support.pin_inclination.tangential") || in.has("support.carrier_twist_stiffness") ||
          has_unlike_ends(in) || has_unlike_roller_ends(in);
 }
 
-bool bearings_tilt(const ResolvedCase& in) {
-  return planets_tilt(in) || (in.has("bearing.per_planet") && in.integer("bearing.per_planet") > 1);
+bool bearings_tilt(const ResolvedCase& in, std::string_view set) {
+  return planets_tilt(in, set) || (in.has("bearing.per_planet") && in.integer("bearing.per_planet") > 1);
 }
 
-bool pair_has_linear_column(const ResolvedCase& in) {
+bool pair_has_linear_column(const ResolvedCase& in, std::string_view) {
   return in.has("arrangement") && in.choice("arrangement") != "back-to-back" && !turns(in);
 }
 
-bool pair_run_has_linear_column(const ResolvedCase& in) {
-  return pair_has_linear_column(in) ||
+bool pair_run_has_linear_column(const ResolvedCase& in, std::string_view set) {
+  return pair_has_linear_column(in, set) ||
          (in.has("measured.preload") && in.choice("arrangement") != "back-to-back");
+}
+
+bool carrier_rotates(const ResolvedCase& in, std::string_view set) {
+  if (!in.shape().several) return !is_chosen(in, "gearset.fixed", "carrier");
+  return std::any_of(in.shape().sets.begin(), in.shape().sets.end(), [&](const std::string& name) {
+    return (set.empty() || set == set_prefix(name)) && !is_grounded(in, name + ".carrier");
+  });
+}
+
+bool carrier_pulls(const ResolvedCase& in, std::string_view set) {
+  constexpr std::string_view pull = "inertia.carrier_centrifugal";
+  return carrier_rotates(in, set) && in.has(pull) && in.flag(pull);
+}
+
+bool planet_counts_at_rest(const ResolvedCase& in, std::string_view set) {
+  return carrier_pulls(in, set) || is_chosen(in, in_set(set, "gearset.planet_rim"), "elastic") ||
+         is_chosen(in, in_set(set, "bearing.clearance_state"), "unmounted") ||
+         (is_chosen(in, in_set(set, "bearing.tilt_state"), "computed") && planets_tilt(in, set));
+}
+
+bool bearings_make_springs(const ResolvedCase& in, std::string_view) {
+  return in.shape().bearing && (!is_stated(in, "gearset.dynamics.planet.bearing_stiffness") ||
+                                is_chosen(in, "gearset.planet_rim", "elastic"));
+}
+
+bool loads_make_springs(const ResolvedCase& in, std::string_view set) {
+  return bearings_make_springs(in, set) || is_chosen(in, "gearset.tooth_contact", "loaded");
+}
+
+bool teeth_make_meshes(const ResolvedCase& in, std::string_view) {
+  return in.shape().teeth && (!is_stated(in, "gearset.dynamics.mesh_stiffness.sun") ||
+                              !is_stated(in, "gearset.dynamics.mesh_stiffness.ring"));
+}
+
+bool material_makes_springs(const ResolvedCase& in, std::string_view set) {
+  const bool pins = !is_stated(in, "support.stiffness");
+  const bool films = in.has("film.enabled") && in.flag("film.enabled");
+  return teeth_make_meshes(in, set) || is_chosen(in, "gearset.planet_rim", "elastic") ||
+         (bearings_make_springs(in, set) && (pins || films));
+}
+
+bool fits_are_warm(const ResolvedCase& in, std::string_view set) {
+  constexpr const char* parts[] = {"pin", "inner_ring", "rollers", "outer_ring", "planet"};
+  return std::any_of(std::begin(parts), std::end(parts), [&](const char* part) {
+    const std::string path = in_set(set, "bearing.temperature.") + part;
+    return in.has(path) && in.quantity(path) != bearing::kSizesTemperature;
+  });
+}
+
+bool gears_run_up(const ResolvedCase& in, std::string_view) {
+  return is_nonzero(in, "gearset.dynamics.run_up.duration") &&
+         in.number("gearset.dynamics.run_up.from") != 1.0;
 }
 
 }  // namespace orbearing::app

@@ -1,17 +1,39 @@
 // Conditions of the use of fields that follow from several values at once.
 #pragma once
 
+#include <string_view>
+
 #include "app/case/resolved_case.hpp"
 
 namespace orbearing::app {
 
 /// Whether a planet whose tilt is computed has one: something makes its two ends unlike.
-bool planets_tilt(const ResolvedCase& in);
+bool planets_tilt(const ResolvedCase& in, std::string_view set);
 /// Whether bearings whose tilt is computed have one: beside each other they tilt with the bent pin.
-bool bearings_tilt(const ResolvedCase& in);
+bool bearings_tilt(const ResolvedCase& in, std::string_view set);
 /// Whether the linear formulas of a duplex pair have a column: a shaft at rest, rows that do not part.
-bool pair_has_linear_column(const ResolvedCase& in);
+bool pair_has_linear_column(const ResolvedCase& in, std::string_view set);
 /// The same, or measured pairs from which they are identified.
-bool pair_run_has_linear_column(const ResolvedCase& in);
+bool pair_run_has_linear_column(const ResolvedCase& in, std::string_view set);
+
+/// Whether the carrier of the set rotates; where no set is named, that of one of them.
+bool carrier_rotates(const ResolvedCase& in, std::string_view set);
+/// The same, and the masses that it takes round are pulled outward.
+bool carrier_pulls(const ResolvedCase& in, std::string_view set);
+/// Whether a bearing at rest is affected by what its planet is made of: by its mass, or since it bends, tilts
+/// or is pressed on a seat.
+bool planet_counts_at_rest(const ResolvedCase& in, std::string_view set);
+/// Whether the springs between gears and carrier follow from the bearings.
+bool bearings_make_springs(const ResolvedCase& in, std::string_view set);
+/// Whether the springs of a set depend on its loads: those of bearings do, and of teeth in loaded contact.
+bool loads_make_springs(const ResolvedCase& in, std::string_view set);
+/// Whether one mesh at least has the stiffness that follows from its teeth.
+bool teeth_make_meshes(const ResolvedCase& in, std::string_view set);
+/// Whether a spring of the set follows from the elasticity of the material.
+bool material_makes_springs(const ResolvedCase& in, std::string_view set);
+/// Whether a part of a fit has another temperature than that of the sizes.
+bool fits_are_warm(const ResolvedCase& in, std::string_view set);
+/// Whether gears start at another speed than they run at.
+bool gears_run_up(const ResolvedCase& in, std::string_view set);
 
 }  // namespace orbearing::app

@@ -68,6 +68,9 @@ StiffnessStudy lone_stiffness(const ResolvedCase& in) {
     }
     ++study.series;
   }
+  if (in.model() == roller_bearing && !in.has("bearing.laminae"))
+    study.warnings.push_back(fmt::format(
+        "bearing.laminae: not given; {} are taken, and stiffness depends on their number", default_laminae));
   return study;
 }
 

@@ -90,7 +90,7 @@ void check(const Bearing& bearing, const BearingGeometry& geometry, const Dynami
   require(parameters.race.entrainment_scale > 0.0, "entrainment scale [m/s]",
           parameters.race.entrainment_scale, "more than 0");
   require(parameters.race.traction != TractionLaw::ree_eyring, "law of traction",
-          static_cast<double>(parameters.race.traction), "regularised Coulomb or limiting shear for rollers");
+          described::text_of(parameters.race.traction), "regularised Coulomb or limiting shear for rollers");
   check_oil(parameters);
   check_form(bearing, geometry);
   require(std::isfinite(parameters.driving.ramp), "speed ramp [1/s]", parameters.driving.ramp,

@@ -215,12 +215,25 @@ void require_gears(const PlanetaryDrivetrain& drivetrain) {
         "planets that load unevenly: found gears that cannot move; required: one set with teeth");
 }
 
+// The torques of the three members balance: springs against their rotation carry nothing, and are left out, so
+// that not even the last digit depends on them.
+void hold_against_rotation(gearset::dynamics::SetParameters& set, gearset::Member fixed) {
+  const auto hold = [&](gearset::dynamics::Support& support, gearset::Member member) {
+    support.torsional_stiffness = 0.0;
+    support.held_in_rotation = member == fixed;
+  };
+  hold(set.sun.support, gearset::Member::sun);
+  hold(set.ring.support, gearset::Member::ring);
+  hold(set.carrier.support, gearset::Member::carrier);
+}
+
 // The balance does not depend on the springs that lead to it: they are those of the bearings whatever the
 // case states for them, so that not even its last digit does.
 SetModel on_springs(const PlanetaryDrivetrain& drivetrain, double stiffness) {
   gearset::dynamics::SetParameters set = drivetrain.gear_set();
   set.planet.coupled_bearing = false;
   set.planet.bearing_stiffness = stiffness;
+  hold_against_rotation(set, drivetrain.set.fixed_member);
   return gearset::dynamics::set_model(std::move(set),
                                       gearset::dynamics::operation_of(drivetrain.set, drivetrain.drive));
 }
