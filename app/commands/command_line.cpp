@@ -60,15 +60,19 @@ void add_output_or_json(CLI::App& command, Options& options) {
           "nothing is written");
 }
 
-void add_computing(CLI::App& command, Options& options) {
-  add_case(command, options);
-  add_output_or_json(command, options);
+void add_fidelity(CLI::App& command, Options& options) {
   command
       .add_option("--fidelity", options.fidelity,
                   "quasi-static (default); dynamic: the gears drive the bearing; co-simulated or monolithic: "
                   "gears and all bearings act on each other")
       ->each([&options](const std::string&) { options.fidelity_given = true; })
       ->check(CLI::IsMember(fidelity_names()));
+}
+
+void add_computing(CLI::App& command, Options& options) {
+  add_case(command, options);
+  add_output_or_json(command, options);
+  add_fidelity(command, options);
   command.add_flag("--resume", options.resume, "go on in DIR with the points that are missing");
 }
 
@@ -202,6 +206,29 @@ void add_signals(CLI::App& command, Options& options) {
   command.add_flag("--resume", options.resume, "go on in DIR with the signals that are missing");
 }
 
+void add_sensitivities(CLI::App& command, Options& options) {
+  add_case(command, options);
+  add_output(command, options)
+      .description("folder for sensitivities.csv and sensitivities.json; without it nothing is written");
+  add_fidelity(command, options);
+  command
+      .add_option("--result", options.result,
+                  "key of any other number that run --json prints, of those within others as "
+                  "displacement/radial_um; default: the life that results go by")
+      ->type_name("KEY");
+  command
+      .add_option("--by", options.by,
+                  "an input, repeatable: its numbers alone are changed, by two runs each; default: all, but in "
+                  "motion, where inputs are required")
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->type_name("PATH");
+  command.add_option("--jobs", options.jobs, "threads; default: one for each core")
+      ->check(CLI::Range(1, 4096));
+  command.add_flag("--resume", options.resume, "where DIR holds this very table, show it again");
+}
+
 void add_spectrum(CLI::App& command, Options& options) {
   command
       .add_option("SERIES", options.folders,
@@ -273,12 +300,9 @@ void add_commands(CommandTable table) {
   add_case(stiffness, options);
   add_output_or_json(stiffness, options);
   stiffness.add_flag("--resume", options.resume, "where DIR holds this very table, show it again");
-  CLI::App& sensitivities =
-      table.add("sensitivities", "derivatives of the life by every number of the case", sensitivities_command);
-  add_case(sensitivities, options);
-  add_output(sensitivities, options)
-      .description("folder for sensitivities.csv and sensitivities.json; without it nothing is written");
-  sensitivities.add_flag("--resume", options.resume, "where DIR holds this very table, show it again");
+  add_sensitivities(table.add("sensitivities", "derivatives of the life by every number of the case",
+                              sensitivities_command),
+                    options);
   add_fmu(table.add("fmu", "the planet bearing or the gear set for other simulation tools", fmu_command),
           options);
   add_signals(table.add("signals", "labelled vibration signals of scratched bearings", signals_command),

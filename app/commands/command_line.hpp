@@ -50,6 +50,9 @@ struct Options {
   std::optional<ResolvedCase> given{};
   std::function<void(const nlohmann::ordered_json& object)> take_result{};
   std::function<void(const std::string& line)> take_failures{};
+
+  std::string result{};           // sensitivities: its key; empty: the life that results go by
+  std::vector<std::string> by{};  // sensitivities: inputs; none: all
 };
 
 /// Each prints its result on standard output. Throws BadInput and ComputationFailed; returns the exit code.

@@ -1,28 +1,108 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <map>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <sstream>
+
 #include "app/case/spectrum_case.hpp"
 #include "app/case/unused_inputs.hpp"
 #include "app/commands/lone_result.hpp"
 #include "app/commands/presentation.hpp"
 #include "app/errors.hpp"
-#include "app/study/life_derivatives_output.hpp"
-#include "app/study/static_study.hpp"
+#include "app/results/durable_file.hpp"
+#include "app/results/progress.hpp"
+#include "app/study/derivatives_output.hpp"
 
 namespace orbearing::app {
+
+namespace {
+
+// In the manifest: tables of unlike results or inputs do not go on in one folder.
+std::string name_of_table(const ScalarResult& result, const Options& options) {
+  if (result.is_at_rest() && options.result.empty() && options.by.empty()) return "sensitivities";
+  return fmt::format("sensitivities of {}, {}, by {}", result.quantity, options.fidelity,
+                     options.by.empty() ? "all inputs" : fmt::format("{}", fmt::join(options.by, ", ")));
+}
+
+void require_inputs(const ResolvedCase& resolved, const ScalarResult& result, const Options& options) {
+  if (options.by.empty() && !result.is_at_rest())
+    throw BadInput("--by: missing; required: inputs, each of which takes two runs in motion");
+  for (const std::string& path : options.by)
+    if (!resolved.has(path)) throw BadInput("--by: found " + path + "; required: an input of the case");
+}
+
+// Results of runs in motion that are done, one line of a file each, so that --resume goes on behind them.
+class KeptRuns {
+ public:
+  explicit KeptRuns(const std::filesystem::path& folder) {
+    if (folder.empty()) return;
+    file_ = AppendOnlyFile(folder / "runs.jsonl");
+    const std::string text = file_->content();
+    const std::size_t whole = text.rfind('\n') + 1;  // 0 where there is none
+    file_->truncate(whole);
+    std::istringstream lines(text.substr(0, whole));
+    for (std::string line; std::getline(lines, line);) {
+      const auto run = nlohmann::json::parse(line, nullptr, false);
+      if (run.is_object()) results_[run.value("run", "")] = run.value("result", 0.0);
+    }
+  }
+
+  double result(const std::string& name, const std::function<double()>& compute) {
+    {
+      const std::scoped_lock lock(writing_);
+      if (const auto known = results_.find(name); known != results_.end()) return known->second;
+    }
+    const double result = compute();
+    const std::scoped_lock lock(writing_);
+    if (file_) file_->append(nlohmann::ordered_json{{"run", name}, {"result", result}}.dump() + "\n");
+    return result;
+  }
+
+ private:
+  std::optional<AppendOnlyFile> file_;
+  std::map<std::string, double> results_;
+  std::mutex writing_;
+};
+
+Derivatives derivatives_of(const ResolvedCase& resolved, const ScalarResult& result,
+                     const ScalarResult::Value& here, const Options& options) {
+  KeptRuns kept(result.is_at_rest() ? "" : options.output);
+  std::optional<Progress> progress;
+  return derivatives(
+      resolved, result, here,
+      {.paths = options.by,
+       .jobs = options.jobs,
+       .progress =
+           [&](std::size_t done, std::size_t all) {
+             if (!progress) progress.emplace(std::size_t{0}, all, !options.quiet, "runs: ");
+             progress->show(done);
+           },
+       .remember = [&](const auto& name, const auto& compute) { return kept.result(name, compute); }});
+}
+
+}  // namespace
 
 int sensitivities_command(const Options& options) {
   if (options.resume && options.output.empty())
     throw BadInput("--resume: found without --output; required: the folder to go on with");
   const ResolvedCase resolved = point_of(options);
-  const LifeDerivatives derivatives = life_derivatives(resolved);
-  std::vector<std::string> warnings =
-      require_used(resolved, is_static_bearing(resolved) ? use::static_load : use::quasi_static);
+  const ScalarResult result = scalar_result(resolved, options.fidelity, options.result);
+  require_inputs(resolved, result, options);
+  std::vector<std::string> warnings = require_used(resolved, result.analysis);
   for (std::string& text : spectrum_warnings(resolved, "sensitivities")) warnings.push_back(std::move(text));
-  const LoneAnalysis analysis{"sensitivities", "sensitivities of a life", "sensitivities.json"};
+  const ScalarResult::Value here = value_here(resolved, result);
+  const std::string table = name_of_table(result, options);
+  const LoneAnalysis analysis{table.c_str(), "sensitivities of a result", "sensitivities.json"};
   return run_alone(resolved, options, analysis, [&]() -> LoneResult {
-    return {.json = derivatives_json(derivatives),
-            .text = derivatives_text(derivatives),
-            .content = derivatives_content(derivatives),
+    const Derivatives found = derivatives_of(resolved, result, here, options);
+    return {.json = derivatives_json(found),
+            .text = derivatives_text(found),
+            .content = derivatives_content(found),
             .warnings = warnings,
-            .files = {{"sensitivities.csv", derivatives_csv(derivatives)}}};
+            .files = {{"sensitivities.csv", derivatives_csv(found)}}};
   });
 }
 

@@ -91,20 +91,16 @@ std::vector<Sensitivity> sensitivities(const std::vector<ChangeResult>& results)
   return all;
 }
 
-void put_derivatives(const ResolvedCase& resolved, double peak_rpm, std::vector<Sensitivity>& all) {
-  std::vector<std::string> paths;
-  for (const Sensitivity& one : all) paths.push_back(one.change.group);
-  if (paths.empty()) return;
+void put_derivatives(const ResolvedCase& resolved, double peak_rpm, int jobs, std::vector<Sensitivity>& all) {
+  DerivativeOptions options{.jobs = jobs};
+  for (const Sensitivity& one : all) options.paths.push_back(one.change.group);
+  if (options.paths.empty()) return;
   const ResolvedCase at_peak =
-      resolved.without_sweep().with(kSpeedPath, fmt::format("{:.17g} rpm", peak_rpm));
-  LifeDerivatives derivatives;
-  try {
-    derivatives = life_derivatives(at_peak, paths);
-  } catch (const BadInput&) {  // planets that load unevenly: the table shows that there is none
-    return;
-  }
+      resolved.without_sweep().with_numbers({{kSpeedPath, peak_rpm * kRadiansPerSecond}});
+  const ScalarResult life = scalar_result(at_peak);
+  const Derivatives found = derivatives(at_peak, life, value_here(at_peak, life), options);
   for (Sensitivity& one : all)
-    for (const LifeDerivative& derivative : derivatives.inputs)
+    for (const Derivative& derivative : found.inputs)
       if (derivative.path == one.change.group) one.derivative = derivative;
 }
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "app/case/resolved_case.hpp"
+#include "app/study/derivatives.hpp"
 #include "app/study/expected_file.hpp"
-#include "app/study/life_derivatives.hpp"
 #include "app/study/named_change.hpp"
 
 namespace orbearing::app {
@@ -40,14 +40,14 @@ struct Sensitivity {
   double difference_h = 0.0;  // [h]  peak life under the change less that of the case as it stands
   /// By the number that is read otherwise, where it is one and the life is smooth in it, of the case as it stands at its
   /// peak. Left out until put_derivatives().
-  std::optional<LifeDerivative> derivative{};
+  std::optional<Derivative> derivative{};
 };
 
 /// Of all results but the first, which is the case as it stands.
 std::vector<Sensitivity> sensitivities(const std::vector<ChangeResult>& results);
 
 /// Puts the derivatives of `resolved`, the case as it stands, at the speed [rpm] of its peak.
-void put_derivatives(const ResolvedCase& resolved, double peak_rpm, std::vector<Sensitivity>& all);
+void put_derivatives(const ResolvedCase& resolved, double peak_rpm, int jobs, std::vector<Sensitivity>& all);
 
 /// The speeds and the fidelity of a plan. Throws BadInput where a speed is not one of the case.
 ChangeStudy study_of(const ResolvedCase& resolved, const MotionPlan& plan, int jobs);

@@ -345,7 +345,7 @@ void put_other_readings(const ResolvedCase& resolved, const ExpectedFile& expect
   const std::vector<ChangeResult> results =
       results_of(resolved, with_reference(expected.alternatives), {.jobs = jobs});
   table.sensitivities = sensitivities(results);
-  put_derivatives(resolved, property(life_curve(results.front()), "peak_speed_rpm"), table.sensitivities);
+  put_derivatives(resolved, property(life_curve(results.front()), "peak_speed_rpm"), jobs, table.sensitivities);
   for (const Sensitivity& one : table.sensitivities)
     for (const PublishedValue& published : expected.published)
       if (has_other_readings(published))
@@ -442,7 +442,7 @@ nlohmann::ordered_json other_readings_json(const ValidationTable& table) {
 nlohmann::ordered_json sensitivities_json(const ValidationTable& table) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const Sensitivity& one : table.sensitivities) {
-    const std::optional<LifeDerivative>& by = one.derivative;
+    const std::optional<Derivative>& by = one.derivative;
     list.push_back({{"case", table.case_name},
                     {"assumption", one.change.group},
                     {"reading", one.change.name},

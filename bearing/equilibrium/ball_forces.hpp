@@ -196,26 +196,4 @@ struct BallLaw {
   }
 };
 
-/// Visits all constants, in one order.
-template <class Law, class Visitor>
-void each_constant(Law& law, Visitor&& visit) {
-  for (auto* race : {&law.inner, &law.outer}) {
-    visit(race->constant);
-    visit(race->distance);
-    visit(race->ellipse);
-    visit(race->pivot);
-    visit(race->film.constant);
-    visit(race->film.speed_scale);
-    visit(race->film.spin_scale);
-  }
-  visit(law.ball_radius);
-  visit(law.pitch_radius);
-  visit(law.groove_radius);
-  visit(law.mass);
-  visit(law.moment_of_inertia);
-  visit(law.holding_load);
-  visit(law.speeds.inner);
-  visit(law.speeds.outer);
-}
-
 }  // namespace orbearing::bearing::equilibrium

@@ -52,12 +52,6 @@ struct PinnedPlanet {
   }
 
   mechanics::Imbalance<Eigen::Dynamic> operator()(const SeatPlaces& at) const {
-    mechanics::Imbalance<Eigen::Dynamic> sum = without_rollers(at);
-    for (std::size_t k = 0; k < races.size(); ++k) add_bearing(k, at, sum);
-    return sum;
-  }
-
-  mechanics::Imbalance<Eigen::Dynamic> without_rollers(const SeatPlaces& at) const {
     mechanics::Imbalance<Eigen::Dynamic> sum;
     sum.force.setZero(size());
     sum.stiffness.setZero(size(), size());
@@ -70,6 +64,7 @@ struct PinnedPlanet {
       sum.force.segment<2>(kTiltAt) += races[k].load * (planet.place[k] / lever);
     }
     add_pin(at, sum);
+    for (std::size_t k = 0; k < races.size(); ++k) add_bearing(k, at, sum);
     return sum;
   }
 
@@ -211,40 +206,6 @@ PlanetOnPinState planet_on_pin(const PlanetOnPin& planet, const OperatingPoint& 
   }
   for (LaminaState& one : state.bearings) one.report = state.report;
   return state;
-}
-
-Eigen::VectorXd planet_place(const PlanetOnPin& planet, const OperatingPoint& point, const Vector2d& moment,
-                             const QuasiStaticOptions& options, double first_roller,
-                             const PlanetOnPinState& state) {
-  std::vector<LaminaState> states(planet.bearings.size());
-  return start_near(pinned(planet, point, moment, options, first_roller, states), state);
-}
-
-BalanceSetting planet_setting(const PlanetOnPin& planet, const OperatingPoint& point, const Vector2d& moment,
-                              const QuasiStaticOptions& options, double first_roller,
-                              const Eigen::VectorXd& place) {
-  std::vector<LaminaState> states(planet.bearings.size());
-  const PinnedPlanet problem = pinned(planet, point, moment, options, first_roller, states);
-  const mechanics::Imbalance<Eigen::Dynamic> rest = problem.without_rollers(place);
-  BalanceSetting result{{{}, rest.force}, {}, rest.stiffness};
-  for (std::size_t k = 0; k < problem.races.size(); ++k) {
-    const RaceEquilibrium& race = problem.races[k];
-    const Index rollers = race.angle.size();
-    RowNumbers row = row_numbers(planet.bearings[k].bearing(), race.contacts);
-    const Vector2d displacement = problem.displacement(k, place), tilt = problem.tilt(k, place);
-    row.end_displacement =
-        -planet.bearings[k].half_length() * (race.angle.cos() * tilt.x() + race.angle.sin() * tilt.y());
-    row.inertial_load = race.inertial_load;
-    row.approach.resize(rollers);
-    row.moves.resize(problem.size(), 2 * rollers);
-    for (Index j = 0; j < rollers; ++j) {
-      row.approach[j] = race.approach(j, displacement);
-      row.moves.middleCols<2>(2 * j) = problem.moves(k, j);
-    }
-    result.numbers.rows.push_back(std::move(row));
-    result.contacts.push_back(race.contacts);
-  }
-  return result;
 }
 
 PlanetOnPinResult planet_on_pin_over_a_pitch(const PlanetOnPin& planet, const OperatingPoint& point,

@@ -11,7 +11,6 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "bearing/equilibrium/balance_slopes.hpp"
 #include "bearing/equilibrium/lamina_bearing.hpp"
 
 namespace orbearing::bearing::laminae {
@@ -44,16 +43,6 @@ struct PlanetOnPinState {
 PlanetOnPinState planet_on_pin(const PlanetOnPin& planet, const OperatingPoint& point,
                                const Eigen::Vector2d& moment, const QuasiStaticOptions& options,
                                double first_roller, const PlanetOnPinState* near = nullptr);
-
-/// The coordinates of the search where it ended: lengths, at the lever of this very planet.
-Eigen::VectorXd planet_place(const PlanetOnPin& planet, const OperatingPoint& point,
-                             const Eigen::Vector2d& moment, const QuasiStaticOptions& options,
-                             double first_roller, const PlanetOnPinState& state);
-
-/// What a balance is computed from, with all bodies at `place`.
-BalanceSetting planet_setting(const PlanetOnPin& planet, const OperatingPoint& point,
-                              const Eigen::Vector2d& moment, const QuasiStaticOptions& options,
-                              double first_roller, const Eigen::VectorXd& place);
 
 /// Balances over one roller pitch: one result for each bearing, and the mean tilt of the planet.
 struct PlanetOnPinResult {

@@ -44,24 +44,6 @@ double ball_damage(double capacity, double equivalent) {
   return std::pow(equivalent / capacity, kBallExponent);
 }
 
-// d ln(damage)/dq for one race, times the race's damage: by the chain damage - lamina - roller.
-Eigen::ArrayXXd damage_gradient(double capacity, const Eigen::Ref<const Eigen::ArrayXXd>& loads,
-                                RaceMotion motion) {
-  const Eigen::ArrayXd riser = stress_riser(loads.rows());
-  const Eigen::ArrayXXd felt = with_stress_riser(loads);
-  const Eigen::ArrayXd equivalent = equivalent_lamina_loads(felt, motion);
-  const double lamina = lamina_capacity(capacity, static_cast<int>(loads.rows()));
-  Eigen::ArrayXXd gradient = Eigen::ArrayXXd::Zero(loads.rows(), loads.cols());
-  for (Eigen::Index k = 0; k < loads.rows(); ++k) {
-    if (equivalent[k] <= 0.0) continue;
-    const double by_equivalent =
-        kLaminaExponent * std::pow(equivalent[k] / lamina, kLaminaExponent) / equivalent[k];
-    gradient.row(k) = by_equivalent * riser[k] / static_cast<double>(loads.cols()) *
-                      (felt.row(k) / equivalent[k]).pow(roller_exponent(motion) - 1.0);
-  }
-  return gradient;
-}
-
 }  // namespace
 
 Eigen::ArrayXd stress_riser(Eigen::Index laminae) {
@@ -111,44 +93,8 @@ BearingLife lamina_reference_life(const ContactCapacities& capacities,
 
 namespace {
 
-// From derivatives of the damages: ln L = -ln(damage)/e, damage = L^-e ~ capacity^-p.
-void scale_gradient(double slope, double by_capacity, LifeGradient& result) {
-  const auto damage_of = [&](double life) { return std::pow(life / kMillionRevolutions, -slope); };
-  const double damage = damage_of(result.life.bearing);
-  const double by_damage = damage > 0.0 ? -1.0 / (slope * damage) : 0.0;
-  result.inner *= by_damage;
-  result.outer *= by_damage;
-  result.by_inner_capacity = -by_capacity * by_damage * damage_of(result.life.inner);
-  result.by_outer_capacity = -by_capacity * by_damage * damage_of(result.life.outer);
-}
-
-}  // namespace
-
-LifeGradient lamina_life_gradient(const ContactCapacities& capacities,
-                                  const Eigen::Ref<const Eigen::ArrayXXd>& inner_loads,
-                                  const Eigen::Ref<const Eigen::ArrayXXd>& outer_loads,
-                                  const RaceMotions& motions) {
-  LifeGradient result{.life = lamina_reference_life(capacities, inner_loads, outer_loads, motions),
-                      .inner = damage_gradient(capacities.inner, inner_loads, motions.inner),
-                      .outer = damage_gradient(capacities.outer, outer_loads, motions.outer)};
-  scale_gradient(kRollerSlope, kLaminaExponent, result);
-  return result;
-}
-
-namespace {
-
 double ball_mean_exponent(RaceMotion motion) {
   return motion == RaceMotion::turning ? 3.0 : kBallExponent;
-}
-
-// d(damage)/dq of one race, by the chain damage - equivalent - ball.
-Eigen::ArrayXXd ball_damage_gradient(double capacity, const Eigen::Ref<const Eigen::ArrayXd>& loads,
-                                     RaceMotion motion) {
-  const double equivalent = equivalent_ball_load(loads, motion);
-  if (equivalent <= 0.0) return Eigen::ArrayXXd::Zero(1, loads.size());
-  const double by_equivalent = kBallExponent * ball_damage(capacity, equivalent) / equivalent;
-  return by_equivalent / static_cast<double>(loads.size()) *
-         (loads.transpose() / equivalent).pow(ball_mean_exponent(motion) - 1.0);
 }
 
 }  // namespace
@@ -168,17 +114,6 @@ BearingLife ball_reference_life(const ContactCapacities& capacities,
                                 const RaceMotions& motions) {
   return ball_reference_life(capacities, equivalent_ball_load(inner_loads, motions.inner),
                              equivalent_ball_load(outer_loads, motions.outer));
-}
-
-LifeGradient ball_life_gradient(const ContactCapacities& capacities,
-                                const Eigen::Ref<const Eigen::ArrayXd>& inner_loads,
-                                const Eigen::Ref<const Eigen::ArrayXd>& outer_loads,
-                                const RaceMotions& motions) {
-  LifeGradient result{.life = ball_reference_life(capacities, inner_loads, outer_loads, motions),
-                      .inner = ball_damage_gradient(capacities.inner, inner_loads, motions.inner),
-                      .outer = ball_damage_gradient(capacities.outer, outer_loads, motions.outer)};
-  scale_gradient(kBallSlope, kBallExponent, result);
-  return result;
 }
 
 }  // namespace orbearing::bearing::rating

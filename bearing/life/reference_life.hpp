@@ -45,22 +45,6 @@ BearingLife lamina_reference_life(const ContactCapacities& capacities,
                                   const Eigen::Ref<const Eigen::ArrayXXd>& outer_loads,
                                   const RaceMotions& motions);
 
-/// Derivative of ln(L10r) with respect to lamina loads that hold no stress riser [1/N] (laminae, rollers), or to the
-/// loads of balls (1, balls), and to ln of the capacities of both contacts [-].
-struct LifeGradient {
-  BearingLife life;       // [rev]
-  Eigen::ArrayXXd inner;  // [1/N]
-  Eigen::ArrayXXd outer;  // [1/N]
-  double by_inner_capacity = 0.0;
-  double by_outer_capacity = 0.0;
-};
-
-/// Life as above with its gradient, for profiles that are to be improved; zero where nothing is loaded.
-LifeGradient lamina_life_gradient(const ContactCapacities& capacities,
-                                  const Eigen::Ref<const Eigen::ArrayXXd>& inner_loads,
-                                  const Eigen::Ref<const Eigen::ArrayXXd>& outer_loads,
-                                  const RaceMotions& motions);
-
 /// Equivalent ball load [N]: power mean over all balls, exponent 3 (turning) or 10/3 (standing).
 double equivalent_ball_load(const Eigen::Ref<const Eigen::ArrayXd>& loads, RaceMotion motion);
 
@@ -68,11 +52,6 @@ double equivalent_ball_load(const Eigen::Ref<const Eigen::ArrayXd>& loads, RaceM
 BearingLife ball_reference_life(const ContactCapacities& capacities, double inner_load, double outer_load);
 /// For ball loads [N] (balls) on both races.
 BearingLife ball_reference_life(const ContactCapacities& capacities,
-                                const Eigen::Ref<const Eigen::ArrayXd>& inner_loads,
-                                const Eigen::Ref<const Eigen::ArrayXd>& outer_loads,
-                                const RaceMotions& motions);
-/// With its gradient; zero where nothing is loaded.
-LifeGradient ball_life_gradient(const ContactCapacities& capacities,
                                 const Eigen::Ref<const Eigen::ArrayXd>& inner_loads,
                                 const Eigen::Ref<const Eigen::ArrayXd>& outer_loads,
                                 const RaceMotions& motions);

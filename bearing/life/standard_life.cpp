@@ -70,11 +70,4 @@ BearingLife reference_life(const Bearing& bearing, const ContactCapacities& capa
   return ball_reference_life(capacities, inner.contact, outer.contact, bearing.motions);
 }
 
-LifeGradient reference_life_gradient(const Bearing& bearing, const ContactCapacities& capacities,
-                                     const ElementLoads& inner, const ElementLoads& outer) {
-  if (bearing.has_rollers())
-    return lamina_life_gradient(capacities, inner.laminae, outer.laminae, bearing.motions);
-  return ball_life_gradient(capacities, inner.contact, outer.contact, bearing.motions);
-}
-
 }  // namespace orbearing::bearing::rating

@@ -52,8 +52,5 @@ struct ElementLoads {
 /// race relative to the load.
 BearingLife reference_life(const Bearing& bearing, const ContactCapacities& capacities,
                            const ElementLoads& inner, const ElementLoads& outer);
-/// The same with its gradient, by the loads of laminae or balls.
-LifeGradient reference_life_gradient(const Bearing& bearing, const ContactCapacities& capacities,
-                                     const ElementLoads& inner, const ElementLoads& outer);
 
 }  // namespace orbearing::bearing::rating

@@ -172,9 +172,11 @@ class Case:
         """5 x 5 stiffness of a bearing over speed and load."""
         return self._compute("stiffness", StiffnessResult, output=output)
 
-    def sensitivities(self, output: Optional[PathLike] = None) -> SensitivityResult:
-        """Derivatives of life by every number of the case, at rest at its operating point."""
-        return self._compute("sensitivities", SensitivityResult, output=output)
+    def sensitivities(self, output: Optional[PathLike] = None, fidelity: Optional[str] = None, result: str = "", by: Sequence[str] = (),
+                      jobs: int = 0, progress: Progress = None) -> SensitivityResult:
+        """Derivatives of the life, or of the number of a run whose key is `result`, by every number of the case or of the inputs `by`."""
+        return self._compute("sensitivities", SensitivityResult, output=output, progress=progress, fidelity=fidelity, result=result,
+                             by=list(by), jobs=jobs)
 
     def uncertainty(self, **options) -> "UncertaintyResult":
         """See orbearing.uncertainty(): the spread of life by the numbers that the case's block `uncertain:` names."""

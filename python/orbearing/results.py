@@ -484,10 +484,10 @@ class StiffnessResult(Result):
 
 
 class SensitivityResult(Result):
-    """Derivatives of a life by the numbers of a case, the largest elasticity first."""
+    """Derivatives of a result by the numbers of a case, the largest elasticity first."""
 
     def to_xarray(self) -> "xarray.Dataset":
-        """derivative and elasticity (input), with the value, unit and meaning of each; what has no derivative is left out."""
+        """derivative, its error and elasticity (input), with the value, unit and meaning of each; what has no derivative is left out."""
         import xarray
 
         columns = _table(self["inputs"], "inputs")
@@ -503,7 +503,7 @@ class SensitivityResult(Result):
         axes.barh([row["path"] for row in rows], [row["elasticity"] for row in rows],
                   color=[style.BLUE if row["elasticity"] > 0 else style.VERMILION for row in rows])
         axes.axvline(0.0, color=style.BLACK, linewidth=0.8)
-        axes.set_xlabel(f"change of life by 1 % more of the input (%), {self._case.name}")
+        axes.set_xlabel(f"change of {self.get('quantity', 'life')} by 1 % more of the input (%), {self._case.name}")
         axes.set_ylabel("")
         return axes
 

@@ -1,4 +1,4 @@
-"""Issue 18, Build 5: `orbearing sensitivities` from outside."""
+"""Issue 18, Build 5, and issue 45, Build 6: `orbearing sensitivities` from outside."""
 
 import csv
 import json
@@ -83,6 +83,43 @@ class Contract(unittest.TestCase):
         self.assertIn("bearing.roller_diameter", text)
         self.assertIn("a whole number", text)
         self.assertEqual(call("sensitivities", case("reducer_150kW"), "--quiet").stdout, "")
+
+
+class AnyResult(unittest.TestCase):
+    def test_errors_are_stated(self):
+        found = loaded("sensitivities", case("harris_209"))
+        for row in found["inputs"]:
+            self.assertLess(row["error"], 1e-3 * abs(row["derivative"]), row["path"])
+            self.assertGreater(row["error"], 0.0, row["path"])
+
+    def test_of_another_number_of_the_run(self):
+        found = loaded("sensitivities", case("harris_209"), "--result", "displacement/radial_um", "--by", "load.radial")
+        self.assertEqual((found["quantity"], [row["path"] for row in found["inputs"]]), ("displacement/radial_um", ["load.radial"]))
+        load = found["inputs"][0]
+        more, less = (loaded("run", case("harris_209"), "--set", f"load.radial={load['value'] + step} N")["displacement"]["radial_um"] for step in (1, -1))
+        self.assertAlmostEqual((more - less) / 2 / load["derivative"], 1, places=5)
+
+    def test_in_motion_by_inputs_that_are_named(self):
+        # The reduction factor has no effect on the motion: its elasticity is that of the capacity.
+        with tempfile.TemporaryDirectory() as folder:
+            command = ["sensitivities", case("reducer_150kW"), "--fidelity", "dynamic", "--by", "life.reduction_factor", "-o", pathlib.Path(folder) / "s"]
+            found = loaded(*command)
+            row, = found["inputs"]
+            self.assertAlmostEqual(row["elasticity"], 4, places=8)
+            self.assertGreater(row["error"] / found["life_h"] * row["value"], 0.01)  # what the scatter of a motion allows
+            # Of n inputs 2 n runs are kept beside that of the case; --resume takes them as they are.
+            kept = pathlib.Path(folder) / "s" / "runs.jsonl"
+            runs = [json.loads(line) for line in kept.read_text().splitlines()]
+            self.assertEqual(len(runs), 2)
+            for run in runs:
+                run["result"] *= 2 if "+1" in run["run"] else 1
+            kept.write_text("".join(json.dumps(run) + "\n" for run in runs))
+            manifest = pathlib.Path(folder) / "s" / "manifest.jsonl"
+            manifest.write_text(manifest.read_text().splitlines(keepends=True)[0])
+            resumed, = loaded(*command, "--resume")["inputs"]
+            self.assertGreater(resumed["elasticity"], 6)
+            other = call(*command[:-3], "input.power", "-o", pathlib.Path(folder) / "s", "--resume")
+            self.assertEqual(other.returncode, 2)
 
 
 class Refusals(unittest.TestCase):

@@ -99,28 +99,6 @@ TEST(ReferenceLife, FollowsTheBearingsTurningRace) {
   }
 }
 
-TEST(ReferenceLife, GradientIsTheSlope) {
-  const Eigen::ArrayXXd inner = Eigen::ArrayXXd::Random(6, 5).max(0.0) * 40.0;
-  const Eigen::ArrayXXd outer = Eigen::ArrayXXd::Random(6, 5).max(0.0) * 40.0;
-  const RaceMotions motions = turning(Race::outer);
-  const LifeGradient gradient = lamina_life_gradient(kCapacities, inner, outer, motions);
-  constexpr double step = 1e-3;     // [N]
-  constexpr double central = 1e-6;  // step^2 over loads of some N, relative to the largest slope
-  const auto logarithm = [&](const Eigen::ArrayXXd& on_inner, const Eigen::ArrayXXd& on_outer) {
-    return std::log(lamina_reference_life(kCapacities, on_inner, on_outer, motions).bearing);
-  };
-  const double scale = gradient.inner.abs().maxCoeff() + gradient.outer.abs().maxCoeff();
-  for (Eigen::Index k = 0; k < 6; ++k)
-    for (Eigen::Index j = 0; j < 5; ++j) {
-      Eigen::ArrayXXd change = Eigen::ArrayXXd::Zero(6, 5);
-      change(k, j) = step;
-      const double on_inner = logarithm(inner + change, outer) - logarithm(inner - change, outer);
-      const double on_outer = logarithm(inner, outer + change) - logarithm(inner, outer - change);
-      EXPECT_NEAR(on_inner / (2.0 * step), gradient.inner(k, j), central * scale);
-      EXPECT_NEAR(on_outer / (2.0 * step), gradient.outer(k, j), central * scale);
-    }
-}
-
 // An even load on a straight roller presses after Hertz: the pressures give the loads back.
 TEST(LoadsOfPressures, HertzOfALineContactGivesTheLoadBack) {
   const RollerSet set{.rollers = 15, .diameter = 5.24e-3, .length = 5.7e-3, .pitch_diameter = 36e-3};

@@ -1,0 +1,251 @@
+#include "app/study/derivatives.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <limits>
+#include <mutex>
+
+#include "app/case/unused_inputs.hpp"
+#include "app/errors.hpp"
+#include "coupling/study/parallel.hpp"
+
+namespace orbearing::app {
+
+namespace {
+
+// Slopes below this change nothing of a result at rest but its last digits.
+constexpr double kNothing = 1e-8;  // [-]  of ln of the result
+// From slopes to both sides that differ by as much there is none at rest.
+constexpr double kKink = 1e-2;
+
+// One number of the case: that of an input, or an element of its list.
+struct CaseNumber {
+  Input input;
+  std::optional<std::size_t> item{};
+
+  std::string path() const { return item ? fmt::format("{}[{}]", input.path, *item) : input.path; }
+  double value(const ResolvedCase& in) const {  // [SI]
+    return item ? in.value(input.path).list.at(*item) : in.value(input.path).number;
+  }
+  std::string_view unit() const {
+    const std::string_view customary = input.field->dimension.customary;
+    return customary.empty() ? "1" : customary;
+  }
+  double per_unit() const {  // [SI/unit]
+    const Dimension& dimension = input.field->dimension;
+    return dimension.si.empty() ? 1.0 : convert(1.0, dimension.customary, dimension.si).value.value_or(1.0);
+  }
+  // With the number changed by an offset of (1); none where another input decides it. Throws BadInput where
+  // that is no case.
+  std::optional<ResolvedCase> changed(const ResolvedCase& in, double offset) const {
+    constexpr double round_off = 1e-12;
+    const double here = value(in);
+    const double required = here != 0.0 ? here * std::exp(offset) : offset * per_unit();
+    ResolvedCase other = in.with_numbers({{path(), required}});
+    if (std::abs(value(other) - required) > round_off * std::abs(required)) return std::nullopt;
+    return other;
+  }
+};
+
+std::string one_line(const std::exception& error) {
+  const std::string text = error.what();
+  return text.substr(0, text.find('\n'));
+}
+
+// The two runs of a number.
+struct Pair {
+  CaseNumber number;
+  int side = 0;
+  std::vector<ResolvedCase> cases{};
+  std::array<double, 2> results{};
+  std::string failure{};  // of a run
+};
+
+std::array<double, 2> offsets(int side) {
+  return side == 0 ? std::array{-1.0, 1.0} : std::array{1.0 * side, 2.0 * side};
+}
+
+// An input with what stands in the place of its derivatives, or with the runs that give one.
+struct WithoutEffect {
+  std::string path;
+};
+using Candidate = std::variant<Pair, NoDerivative, WithoutEffect>;
+
+Candidate candidate_of(const ResolvedCase& in, CaseNumber number, double step) {
+  const std::string path = number.path(), given = in.given(number.input.path);
+  std::string why;
+  for (const int side : {0, 1, -1}) {
+    try {
+      Pair pair{.number = number, .side = side};
+      for (const double offset : offsets(side)) {
+        std::optional<ResolvedCase> changed = number.changed(in, offset * step);
+        if (!changed) return NoDerivative{path, given, "another input decides it"};
+        pair.cases.push_back(*std::move(changed));
+      }
+      return pair;
+    } catch (const BadInput& error) {  // no case there
+      if (why.empty()) why = one_line(error);
+    }
+  }
+  return NoDerivative{path, given, "the case allows no other value nearby: " + why};
+}
+
+// Why an input of that kind has no derivative; none where its numbers have.
+std::optional<std::string> reason_of_kind(const Field& field) {
+  switch (field.kind) {
+    case Kind::integer:
+      return "a whole number";
+    case Kind::flag:
+      return "on or off";
+    case Kind::choice:
+      return "a choice";
+    case Kind::list:
+      if (!field.columns.empty()) return "a table of rows, which are not one number each";
+      if (field.element == Kind::quantity || field.element == Kind::number) return std::nullopt;
+      return field.element == Kind::integer ? "whole numbers" : "a list of what is no number";
+    default:
+      return std::nullopt;
+  }
+}
+
+bool is_a_name(const Input& input) {
+  const Field& field = *input.field;
+  return field.kind == Kind::text || input.path == "model" ||
+         (field.kind == Kind::list && field.element == Kind::text);
+}
+
+void add_candidates(const ResolvedCase& in, const ScalarResult& result, const Input& input,
+                    std::vector<Candidate>& all) {
+  if (is_a_name(input)) return;
+  if (standing_in_row(in, input, result.analysis) != Standing::used) {
+    all.push_back(WithoutEffect{input.path});
+  } else if (const auto reason = reason_of_kind(*input.field)) {
+    all.push_back(NoDerivative{input.path, in.given(input.path), *reason});
+  } else {
+    const double step = step_for(result.scatter);
+    if (input.field->kind != Kind::list) all.push_back(candidate_of(in, {input}, step));
+    for (std::size_t i = 0; input.field->kind == Kind::list && i < in.value(input.path).list.size(); ++i)
+      all.push_back(candidate_of(in, {input, i}, step));
+  }
+}
+
+std::vector<Candidate> candidates_of(const ResolvedCase& in, const ScalarResult& result,
+                                     const std::vector<std::string>& paths) {
+  std::vector<Candidate> all;
+  for (const Input& input : in.inputs())
+    if (in.has(input.path) &&
+        (paths.empty() || std::find(paths.begin(), paths.end(), input.path) != paths.end()))
+      add_candidates(in, result, input, all);
+  return all;
+}
+
+void compute(std::vector<Candidate>& candidates, const ScalarResult& result,
+             const DerivativeOptions& options) {
+  std::vector<std::pair<Pair*, std::size_t>> runs;
+  for (Candidate& candidate : candidates)
+    if (Pair* pair = std::get_if<Pair>(&candidate))
+      for (const std::size_t i : {0, 1}) runs.emplace_back(pair, i);
+  std::mutex telling;
+  std::size_t done = 0;
+  if (options.progress) options.progress(done, runs.size());
+  study::in_parallel(runs.size(), options.jobs, [&](std::size_t run) {
+    auto [pair, i] = runs[run];
+    std::string failure;
+    try {
+      pair->results[i] =
+          options.remember(fmt::format("{}, {:+g} steps", pair->number.path(), offsets(pair->side)[i]),
+                           [&, pair = pair, i = i] { return result.compute(pair->cases[i]).number; });
+      if (!std::isfinite(pair->results[i])) failure = "there is none at another value nearby";
+    } catch (const std::exception& error) {
+      failure = one_line(error);
+    }
+    const std::scoped_lock lock(telling);
+    if (!failure.empty()) pair->failure = failure;
+    if (options.progress) options.progress(++done, runs.size());
+  });
+}
+
+std::string standing_text(const ResolvedCase& in, const std::string& path) {
+  if (in.origin(path) == "default") return "default";
+  return in.assumed().contains(path) ? "assumed" : "given";
+}
+
+// The effect is stated of one micrometre for lengths of micrometres, of one unit for what is zero, else of a
+// hundredth.
+Derivative derivative_of(const ResolvedCase& in, double result, const CaseNumber& number,
+                         const Slope& slope) {
+  const double value = number.value(in) / number.per_unit();
+  const double per = value != 0.0 ? value : 1.0;
+  Derivative one{.path = number.path(),
+                 .value = value,
+                 .unit = std::string(number.unit()),
+                 .standing = standing_text(in, number.input.path),
+                 .derivative = slope.value / per,
+                 .error = slope.error / std::abs(per),
+                 .side = slope.side};
+  if (value != 0.0 && result != 0.0) one.elasticity = slope.value / result;
+  const bool by_unit = value == 0.0 || one.unit == dimension::small_length.customary;
+  one.step = by_unit ? fmt::format("1 {}", one.unit) : "1 %";
+  one.change = one.derivative * (by_unit ? 1.0 : 0.01 * value);
+  return one;
+}
+
+Candidate rated(Pair pair, const ResolvedCase& in, const ScalarResult& result, double here, Slope& slope) {
+  const std::string path = pair.number.path(), given = in.given(pair.number.input.path);
+  if (!pair.failure.empty()) return NoDerivative{path, given, pair.failure};
+  slope = slope_of(here, pair.results, pair.side, result.scatter);
+  const double size = here != 0.0 ? std::abs(here) : 1.0;
+  if (result.is_at_rest() && slope.error > kKink * std::max(size, std::abs(slope.value)))
+    return NoDerivative{path, given, "the result has a kink here: its slopes to both sides differ"};
+  if (result.is_at_rest() && std::abs(slope.value) < kNothing * size) return WithoutEffect{path};
+  return pair;
+}
+
+}  // namespace
+
+double step_for(double scatter) {
+  return 0.5 * std::cbrt(3.0 * scatter);
+}
+
+Slope slope_of(double here, const std::array<double, 2>& there, int side, double scatter) {
+  const bool by_logarithm = std::min({here, there[0], there[1]}) > 0.0;
+  const double size = by_logarithm ? here : 1.0, step = step_for(scatter);
+  const auto change = [&](double result) { return by_logarithm ? std::log(result / here) : result - here; };
+  const double first = change(there[0]), second = change(there[1]);
+  const double bend = side == 0 ? first + second : second - 2.0 * first;
+  const double slope = side == 0 ? 0.5 * (second - first) : side * (2.0 * first - 0.5 * second);
+  const double least = std::sqrt(6.0) * scatter * (by_logarithm ? 1.0 : std::abs(here));
+  return {size * slope / step, size * std::max(std::abs(bend), least) / (2.0 * step), side};
+}
+
+Derivatives derivatives(const ResolvedCase& resolved, const ScalarResult& result,
+                        const ScalarResult::Value& here, const DerivativeOptions& options) {
+  const ResolvedCase in = resolved.without_sweep();
+  Derivatives found{
+      .quantity = result.quantity, .unit = result.unit, .value = here.number, .of_set = here.of_set};
+  std::vector<Candidate> candidates = candidates_of(in, result, options.paths);
+  compute(candidates, result, options);
+  for (Candidate& candidate : candidates) {
+    Slope slope;
+    if (auto* pair = std::get_if<Pair>(&candidate))
+      candidate = rated(std::move(*pair), in, result, found.value, slope);
+    if (const auto* pair = std::get_if<Pair>(&candidate))
+      found.inputs.push_back(derivative_of(in, found.value, pair->number, slope));
+    else if (auto* none = std::get_if<NoDerivative>(&candidate))
+      found.not_differentiable.push_back(std::move(*none));
+    else
+      found.without_effect.push_back(std::get<WithoutEffect>(candidate).path);
+  }
+  const auto weight = [&](const Derivative& one) {
+    constexpr double hundred = 100.0;
+    return std::abs(one.elasticity.value_or(hundred * one.change / found.value));
+  };
+  std::stable_sort(found.inputs.begin(), found.inputs.end(),
+                   [&](const Derivative& a, const Derivative& b) { return weight(a) > weight(b); });
+  return found;
+}
+
+}  // namespace orbearing::app
