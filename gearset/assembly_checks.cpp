@@ -28,7 +28,7 @@ void check_count(int value, const std::string& place, Warnings& problems) {
 
 void check_positive(double value, const std::string& place, Warnings& problems) {
   if (value > 0.0 && std::isfinite(value)) return;
-  problems.push_back({place, "a positive, finite value is required"});
+  problems.push_back({place, found(value, "a positive, finite value is required")});
 }
 
 void check_shift(double shift, const std::string& place, Warnings& problems) {
@@ -54,12 +54,15 @@ void check_fillet(const BasicRack& rack, const std::string& block, Warnings& pro
 
 void check_rack(const BasicRack& rack, const std::string& block, Warnings& problems) {
   if (!(rack.pressure_angle > 0.0 && rack.pressure_angle < largest_pressure_angle)) {
-    problems.push_back({block + ".pressure_angle", "an angle between 0 and 45 deg is required"});
+    constexpr double per_degree = 180.0 / boost::math::double_constants::pi;
+    problems.push_back({block + ".pressure_angle", found(per_degree * rack.pressure_angle,
+                                                         "an angle between 0 and 45 deg is required")});
     return;
   }
   check_positive(rack.addendum, block + ".addendum", problems);
   if (!(rack.clearance >= 0.0 && std::isfinite(rack.clearance))) {
-    problems.push_back({block + ".clearance", "a bottom clearance that is not negative is required"});
+    problems.push_back(
+        {block + ".clearance", found(rack.clearance, "a bottom clearance that is not negative is required")});
   }
   check_fillet(rack, block, problems);
 }
@@ -140,11 +143,12 @@ void check_tooth_sum(const PlanetarySet& set, Warnings& problems) {
   constexpr int by_shifts = 2;  // teeth that usual shifts make up
   const int sum = set.sun_teeth + 2 * set.planet_teeth;
   if (std::abs(set.ring_teeth - sum) <= by_shifts) return;
-  problems.push_back({"gearset.teeth.ring",
-                      "found " + std::to_string(set.ring_teeth) + ", where sun + 2 planet = " +
-                          std::to_string(set.sun_teeth) + " + 2 x " + std::to_string(set.planet_teeth) + " = " +
-                          std::to_string(sum) +
-                          "; tooth numbers that add up, or nearly so, are required: shifts make up a tooth or two"});
+  problems.push_back(
+      {"gearset.teeth.ring",
+       "found " + std::to_string(set.ring_teeth) +
+           ", where sun + 2 planet = " + std::to_string(set.sun_teeth) + " + 2 x " +
+           std::to_string(set.planet_teeth) + " = " + std::to_string(sum) +
+           "; tooth numbers that add up, or nearly so, are required: shifts make up a tooth or two"});
 }
 
 void check_geometry(const PlanetarySet& set, Warnings& problems) {

@@ -39,7 +39,7 @@ double involute(double pressure_angle) {
 
 double inverse_involute(double value) {
   if (!(value >= 0.0) || !std::isfinite(value)) {
-    throw std::domain_error("the involute of a pressure angle is a finite number not below zero");
+    throw std::domain_error("the involute of a pressure angle is a finite number not below zero; change teeth or shifts");
   }
   if (value == 0.0) return 0.0;
   const auto residual_and_slope = [value](double angle) {

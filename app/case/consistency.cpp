@@ -83,13 +83,11 @@ void check_members(Checker& check) {
 }
 
 // The checks of the gears give "what was found; what is required" and a key.
-void object_all(Checker& check, const ResolvedCase& resolved, const gearset::Warnings& problems,
-                const std::string& otherwise) {
+void object_all(Checker& check, const ResolvedCase& resolved, const gearset::Warnings& problems) {
   for (const gearset::Warning& problem : problems) {
-    const auto split = problem.text.find("; ");
-    const bool whole = split == std::string::npos;
+    const auto split = problem.text.find("; ");  // found; required
     check.object(place_in_case(resolved, problem.place), problem.text.substr(0, split),
-                 whole ? otherwise : problem.text.substr(split + 2));
+                 problem.text.substr(split + 2));
   }
 }
 
@@ -108,7 +106,7 @@ void check_gears(Checker& check, const ResolvedCase& resolved, std::vector<Mista
       (has_bearing(resolved) && !check.has({"bearing.outside_diameter"})))
     return;
   const gearset::Warnings problems = gearset::assembly_problems(set_of(resolved));
-  object_all(check, resolved, problems, "a set that can be assembled is required");
+  object_all(check, resolved, problems);
   if (problems.empty()) check_stated_geometry(resolved, mistakes);
 }
 
@@ -139,8 +137,7 @@ void check_pair(Checker& check, const ResolvedCase& resolved) {
     return;
   const bool teeth = two_values(check, resolved, "pair.teeth");
   const bool shifts = two_values(check, resolved, "pair.profile_shift");
-  if (teeth && shifts)
-    object_all(check, resolved, gearset::pair_problems(pair_of(resolved)), "a pair that meshes is required");
+  if (teeth && shifts) object_all(check, resolved, gearset::pair_problems(pair_of(resolved)));
 }
 
 // Errors are listed pin by pin, and over a mesh period at more than one place.
@@ -156,8 +153,7 @@ void check_error_lists(Checker& check, const ResolvedCase& resolved) {
   if (check.has({"gearset.planet_angles", "gearset.planets"}) && !resolved.shape().teeth)
     object_all(check, resolved,
                gearset::place_problems({.planets = check.count("gearset.planets"),
-                                        .planet_angles = resolved.list("gearset.planet_angles")}),
-               "planets at places of their own are required");
+                                        .planet_angles = resolved.list("gearset.planet_angles")}));
   for (const char* path :
        {"gearset.dynamics.transmission_error.sun", "gearset.dynamics.transmission_error.ring"})
     if (check.has({path}) && resolved.list(path).size() < 3)

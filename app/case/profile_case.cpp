@@ -124,11 +124,8 @@ void check_profile(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
     roller_profile_of(in);
   } catch (const std::invalid_argument& error) {
     const std::string text = error.what();
-    const auto split = text.find("; ");
-    mistakes.push_back({in.place(kKind),
-                        kKind,
-                        {text.substr(0, split), split == std::string::npos ? "a profile that can be made"
-                                                                           : text.substr(split + 2)}});
+    const auto split = text.find("; ");  // found; required
+    mistakes.push_back({in.place(kKind), kKind, {text.substr(0, split), text.substr(split + 2)}});
   }
 }
 

@@ -171,7 +171,7 @@ Conversion round_conversion(double factor, double inverse) {
 Conversion make_conversion(std::string_view unit, std::string_view target_unit) {
   const std::lock_guard lock(udunits_mutex());
   const DecimalPoint point;
-  if (unit_system() == nullptr) return no_conversion("the unit database of udunits2 cannot be read");
+  if (unit_system() == nullptr) return no_conversion("the unit database of udunits2 cannot be read (Debian: libudunits2-data; UDUNITS2_XML_PATH may name another)");
   const Unit target = parse_unit(target_unit);
   assert(target && "unit of the field table");
   const Unit parsed = is_plain_unit(unit) ? parse_unit(unit) : nullptr;

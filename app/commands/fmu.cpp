@@ -21,7 +21,8 @@ namespace {
 namespace fs = std::filesystem;
 
 void require_file_name(const fs::path& file) {
-  if (file.extension() != ".fmu" || fs::is_directory(file))
+  std::error_code ignored;
+  if (file.extension() != ".fmu" || fs::is_directory(file, ignored))
     throw BadInput("--output: found '" + file.string() + "'; required: a file that ends with .fmu");
 }
 
@@ -82,7 +83,7 @@ void require_place_of(const fs::path& file) {
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   std::error_code error;
   fs::create_directories(folder, error);
-  if (!fs::is_directory(folder))
+  if (std::error_code ignored; !fs::is_directory(folder, ignored))
     throw BadInput(fmt::format("--output: {}: cannot be made: {}; required: a place that may be written to",
                                folder.string(), error.message()));
   require_writable(folder);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <exception>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -15,6 +16,9 @@ namespace orbearing::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+// A line that this version did not write; parse_manifest says which.
+struct Damaged : std::exception {};
 
 constexpr int manifest_format = 3;
 constexpr std::size_t most_shards = 1'000'000;  // as many as a sweep may have points
@@ -34,8 +38,7 @@ LoadSpectrum spectrum_from(const Json& object) {
 }
 
 ManifestHeader header_from(const Json& object) {
-  if (object.at("orbearing_results").get<int>() != manifest_format)
-    throw BadInput("written in another format");
+  if (object.at("orbearing_results").get<int>() != manifest_format) throw Damaged{};
   ManifestHeader header;
   header.case_name = object.at("case").get<std::string>();
   header.case_hash = object.at("case_hash").get<std::string>();
@@ -54,19 +57,17 @@ ManifestHeader header_from(const Json& object) {
   header.resonances = object.at("resonances").get<bool>();
   header.life = object.at("life").get<std::string>();
   if (object.contains("spectrum")) header.spectrum = spectrum_from(object.at("spectrum"));
-  if (header.spectrum.points() > header.points) throw BadInput("a spectrum of more points than there are");
+  if (header.spectrum.points() > header.points) throw Damaged{};
   return header;
 }
 
 void add_entry(Manifest& manifest, const Json& object) {
   const auto point = object.at("point").get<std::size_t>();
-  if (!manifest.header->holds(point) && !manifest.header->adds(point))
-    throw BadInput("a point that is not of this sweep");
-  if (object.at("file") != point_file_name(point)) throw BadInput("a file of another name");
+  const bool of_this_sweep = manifest.header->holds(point) || manifest.header->adds(point);
+  if (!of_this_sweep || object.at("file") != point_file_name(point)) throw Damaged{};
   ManifestEntry entry{point_file_name(point), object.at("checksum").get<std::string>(),
                       row_from_json(head_of(*manifest.header), object.at("row"))};
-  if (object.contains("others"))
-    entry.others = object.at("others").get<std::map<std::string, std::string>>();
+  if (object.contains("others")) entry.others = object.at("others").get<std::map<std::string, std::string>>();
   manifest.entries[point] = std::move(entry);
 }
 
@@ -179,7 +180,7 @@ std::string to_string(Direction direction) {
 Direction parse_direction(const std::string& text) {
   if (text == "up") return Direction::up;
   if (text == "down") return Direction::down;
-  throw BadInput(fmt::format("--continue: '{}'; up or down is required", text));
+  throw Damaged{};
 }
 
 Shard parse_shard(const std::string& text) {
@@ -243,13 +244,13 @@ Manifest parse_manifest(std::string_view text, const std::string& place) {
       if (!is_blank(content) && end + 1 == text.size()) break;
     } else {
       try {
-        if (!is_sound(content)) throw BadInput("damaged, or written by another program");
+        if (!is_sound(content)) throw Damaged{};
         add_line(manifest, content);
       } catch (const std::exception&) {
-        throw BadInput(
-            fmt::format("{}:{}:1: not a line that this version of the program wrote; an undamaged result folder "
-                        "is required, or an empty one to start afresh",
-                        place, line));
+        throw BadInput(fmt::format(
+            "{}:{}:1: not a line that this version of the program wrote; an undamaged result folder "
+            "is required, or an empty one to start afresh",
+            place, line));
       }
     }
     manifest.sound_bytes = end + 1;

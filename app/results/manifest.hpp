@@ -27,7 +27,7 @@ std::string to_string(const Shard& shard);
 /// Order in which a continued sweep takes its speeds, each point from the final state of the one before.
 enum class Direction { up, down };
 
-Direction parse_direction(const std::string& text);  // "up" or "down"; throws BadInput that names the option
+Direction parse_direction(const std::string& text);  // "up" or "down"
 std::string to_string(Direction direction);
 
 /// What results must share to be continued or merged.

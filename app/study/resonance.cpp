@@ -112,7 +112,7 @@ std::optional<Meeting> meeting_at(const Crossing& crossing, const ModesAt& modes
   const auto difference = [&](double rpm) {
     const ModesAtSpeed found = modes_at(rpm);
     const NamedFrequency* mode = same_mode(crossing.mode, found);
-    if (!mode) throw std::runtime_error("no such mode");
+    if (!mode) throw std::runtime_error(crossing.mode.name);
     return crossing.order * found.mesh_frequency - mode->frequency;
   };
   const auto near = [&](double one, double other) { return std::abs(other - one) <= same_speed * other; };

@@ -37,7 +37,7 @@ Log log_of(const fmi2CallbackFunctions* functions, const std::string& name) {
   };
 }
 
-void require(const void* pointer, const char* what) {
+void require_place(const void* pointer, const char* what) {
   if (pointer == nullptr) throw Refused(std::string(what) + ": found NULL; required: a place for it");
 }
 
@@ -74,9 +74,7 @@ fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String guid, f
                         : name == nullptr || *name == '\0'
                             ? "found an instance without name; required: a name"
                             : nullptr;
-    if (wrong == nullptr)
-      return orbearing::fmu::new_instance(__func__, guid, resource_location, log, logging != fmi2False);
-    if (log) log(Status::error, "logStatusError", wrong);
+    return orbearing::fmu::new_instance(__func__, wrong, guid, resource_location, log, logging != fmi2False);
   } catch (...) {  // no memory for the logger
   }
   return nullptr;
@@ -115,10 +113,9 @@ fmi2Status fmi2GetInteger(fmi2Component instance, const fmi2ValueReference refer
                           fmi2Integer values[]) {
   return guarded(instance, __func__, [&](Instance& it) {
     for (size_t i = 0; i < number; ++i) {
-      require(references, "value references");
-      require(values, "values");
+      require_place(values, "values");
       std::int64_t value = 0;
-      it.get_whole({references + i, 1}, &value);
+      it.get_whole({references == nullptr ? nullptr : references + i, 1}, &value);
       values[i] = static_cast<fmi2Integer>(value);
     }
   });
@@ -151,7 +148,7 @@ fmi2Status fmi2SetString(fmi2Component instance, const fmi2ValueReference*, size
 
 fmi2Status fmi2GetFMUstate(fmi2Component instance, fmi2FMUstate* state) {
   return guarded(instance, __func__, [&](Instance& it) {
-    require(state, "state");
+    require_place(state, "state");
     *state = it.keep_state(static_cast<InstanceState*>(*state));
   });
 }
@@ -168,7 +165,7 @@ fmi2Status fmi2FreeFMUstate(fmi2Component instance, fmi2FMUstate* state) {
 }
 fmi2Status fmi2SerializedFMUstateSize(fmi2Component instance, fmi2FMUstate state, size_t* size) {
   return guarded(instance, __func__, [&](Instance& it) {
-    require(size, "size");
+    require_place(size, "size");
     *size = it.state_size(static_cast<InstanceState*>(state));
   });
 }
@@ -179,7 +176,7 @@ fmi2Status fmi2SerializeFMUstate(fmi2Component instance, fmi2FMUstate state, fmi
 fmi2Status fmi2DeSerializeFMUstate(fmi2Component instance, const fmi2Byte bytes[], size_t size,
                                    fmi2FMUstate* state) {
   return guarded(instance, __func__, [&](Instance& it) {
-    require(state, "state");
+    require_place(state, "state");
     *state = it.deserialize(bytes, size, static_cast<InstanceState*>(*state));
   });
 }
@@ -228,7 +225,7 @@ fmi2Status fmi2GetStatus(fmi2Component instance, fmi2StatusKind, fmi2Status*) {
 }
 fmi2Status fmi2GetRealStatus(fmi2Component instance, fmi2StatusKind kind, fmi2Real* value) {
   return guarded(instance, __func__, [&](Instance& it) {
-    require(value, "value");
+    require_place(value, "value");
     if (kind != fmi2LastSuccessfulTime) no_status();
     *value = it.time();
   });
@@ -238,7 +235,7 @@ fmi2Status fmi2GetIntegerStatus(fmi2Component instance, fmi2StatusKind, fmi2Inte
 }
 fmi2Status fmi2GetBooleanStatus(fmi2Component instance, fmi2StatusKind kind, fmi2Boolean* value) {
   return guarded(instance, __func__, [&](Instance&) {
-    require(value, "value");
+    require_place(value, "value");
     if (kind != fmi2Terminated) no_status();
     *value = fmi2False;  // an instance ends when its importer says so
   });

@@ -18,7 +18,7 @@ fmi3Status guarded(void* component, const char* function, Body&& body) noexcept 
   return static_cast<fmi3Status>(orbearing::fmu::guarded(component, function, std::forward<Body>(body)));
 }
 
-void require(const void* pointer, const char* what) {
+void require_place(const void* pointer, const char* what) {
   if (pointer == nullptr) throw Refused(std::string(what) + ": found NULL; required: a place for it");
 }
 
@@ -66,8 +66,7 @@ fmi3Instance fmi3InstantiateCoSimulation(fmi3String name, fmi3String token, fmi3
                             ? "found intermediate variables; required: none, as the model "
                               "description says"
                             : nullptr;
-    if (wrong == nullptr) return orbearing::fmu::new_instance(__func__, token, resource_path, log, logging);
-    if (log) log(Status::error, "logStatusError", wrong);
+    return orbearing::fmu::new_instance(__func__, wrong, token, resource_path, log, logging);
   } catch (...) {  // no memory for the logger
   }
   return nullptr;
@@ -107,10 +106,9 @@ fmi3Status fmi3GetInt32(fmi3Instance instance, const fmi3ValueReference referenc
   return guarded(instance, __func__, [&](Instance& it) {
     require_equal(value_number, number);
     for (size_t i = 0; i < number; ++i) {
-      require(references, "value references");
-      require(values, "values");
+      require_place(values, "values");
       std::int64_t value = 0;
-      it.get_whole({references + i, 1}, &value);
+      it.get_whole({references == nullptr ? nullptr : references + i, 1}, &value);
       values[i] = static_cast<fmi3Int32>(value);
     }
   });
@@ -126,7 +124,7 @@ fmi3Status fmi3SetFloat64(fmi3Instance instance, const fmi3ValueReference refere
 fmi3Status fmi3GetNumberOfVariableDependencies(fmi3Instance instance, fmi3ValueReference reference,
                                                size_t* number) {
   return guarded(instance, __func__, [&](Instance& it) {
-    require(number, "number");
+    require_place(number, "number");
     *number = dependencies_of(it, reference).size();
   });
 }
@@ -138,10 +136,10 @@ fmi3Status fmi3GetVariableDependencies(fmi3Instance instance, fmi3ValueReference
     const std::vector<size_t>& inputs = dependencies_of(it, dependent);
     require_equal(number, inputs.size());
     if (number == 0) return;
-    require(elements_of_dependent, "elements of the dependent");
-    require(independents, "independents");
-    require(elements_of_independents, "elements of the independents");
-    require(kinds, "kinds");
+    require_place(elements_of_dependent, "elements of the dependent");
+    require_place(independents, "independents");
+    require_place(elements_of_independents, "elements of the independents");
+    require_place(kinds, "kinds");
     const std::uint32_t first = orbearing::fmu::first_reference(it.variables(), Role::input);
     for (size_t i = 0; i < number; ++i) {
       elements_of_dependent[i] = elements_of_independents[i] = 0;  // as a whole
@@ -153,7 +151,7 @@ fmi3Status fmi3GetVariableDependencies(fmi3Instance instance, fmi3ValueReference
 
 fmi3Status fmi3GetFMUState(fmi3Instance instance, fmi3FMUState* state) {
   return guarded(instance, __func__, [&](Instance& it) {
-    require(state, "state");
+    require_place(state, "state");
     *state = it.keep_state(static_cast<InstanceState*>(*state));
   });
 }
@@ -170,7 +168,7 @@ fmi3Status fmi3FreeFMUState(fmi3Instance instance, fmi3FMUState* state) {
 }
 fmi3Status fmi3SerializedFMUStateSize(fmi3Instance instance, fmi3FMUState state, size_t* size) {
   return guarded(instance, __func__, [&](Instance& it) {
-    require(size, "size");
+    require_place(size, "size");
     *size = it.state_size(static_cast<InstanceState*>(state));
   });
 }
@@ -182,7 +180,7 @@ fmi3Status fmi3SerializeFMUState(fmi3Instance instance, fmi3FMUState state, fmi3
 fmi3Status fmi3DeserializeFMUState(fmi3Instance instance, const fmi3Byte bytes[], size_t size,
                                    fmi3FMUState* state) {
   return guarded(instance, __func__, [&](Instance& it) {
-    require(state, "state");
+    require_place(state, "state");
     *state = it.deserialize(reinterpret_cast<const char*>(bytes), size, static_cast<InstanceState*>(*state));
   });
 }

@@ -15,9 +15,10 @@ void tell(const Log& log, const char* function, const char* reason) noexcept {
 
 }  // namespace
 
-Instance* new_instance(const char* function, const char* token, const char* resources, Log log,
-                       bool logging) noexcept {
+Instance* new_instance(const char* function, const char* wrong, const char* token, const char* resources,
+                       Log log, bool logging) noexcept {
   try {
+    if (wrong != nullptr) throw Refused(wrong);
     if (token == nullptr) throw Refused("GUID or instantiation token: found NULL; required: the model's");
     NumberTable numbers = table_from(read_model(resource_folder(resources)));
     return std::make_unique<Instance>(std::move(numbers), token, log, logging).release();

@@ -30,9 +30,9 @@ Status guarded(void* component, const char* function, Body&& body) noexcept {
   return status;
 }
 
-/// A new instance, or null with the reason in `log`.
-Instance* new_instance(const char* function, const char* token, const char* resources, Log log,
-                       bool logging) noexcept;
+/// A new instance, or null with the reason in `log`. `wrong`: what is wrong with the call, or null.
+Instance* new_instance(const char* function, const char* wrong, const char* token, const char* resources,
+                       Log log, bool logging) noexcept;
 
 /// `list` of so many categories as strings. Throws Refused for NULL.
 std::vector<std::string> categories_of(std::size_t number, const char* const* list);

@@ -7,10 +7,6 @@ namespace orbearing::fmu {
 
 namespace {
 
-std::string text_of(double value) {
-  return std::to_string(value);
-}
-
 void require_pointer(const void* pointer, std::size_t number, const char* what) {
   if (pointer == nullptr && number > 0)
     throw Refused(std::string(what) + ": found NULL; required: a list of " + std::to_string(number));
@@ -86,10 +82,10 @@ void Instance::require_phase(std::initializer_list<Phase> allowed, const char* w
 void Instance::setup_experiment(const Experiment& experiment) {
   require_phase({Phase::instantiated}, "set-up of the experiment");
   if (!std::isfinite(experiment.start))
-    throw Refused("start time: found " + text_of(experiment.start) + "; required: a finite number");
+    throw Refused("start time: found " + seconds(experiment.start) + "; required: a finite number");
   if (experiment.stop && !(*experiment.stop >= experiment.start))
-    throw Refused("stop time: found " + text_of(*experiment.stop) + " s; required: not before the start at " +
-                  text_of(experiment.start) + " s");
+    throw Refused("stop time: found " + seconds(*experiment.stop) + "; required: not before the start at " +
+                  seconds(experiment.start));
   state_.experiment_set = true;
   state_.time = experiment.start;
   state_.has_stop = experiment.stop.has_value();
@@ -198,7 +194,7 @@ void Instance::require_settable(const Variable& one, double value) const {
   if (one.role != Role::input && one.role != Role::parameter)
     throw Refused(one.name + ": found a value to set; required: an input or a parameter");
   if (!std::isfinite(value))
-    throw Refused(one.name + ": found " + text_of(value) + "; required: a finite number");
+    throw Refused(one.name + ": found " + std::to_string(value) + "; required: a finite number");
   if (one.role == Role::parameter) {
     require_phase({Phase::instantiated, Phase::initializing}, one.name.c_str());
     require_allowed(facts_.shown.parameters[one.index].facts, value);

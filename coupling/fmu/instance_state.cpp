@@ -74,8 +74,8 @@ InstanceState state_of(const std::vector<double>& numbers, const StateSizes& siz
   return s;
 }
 
-void require(bool good, const std::string& found, const std::string& required) {
-  if (!good) throw Refused("serialised state: found " + found + "; required: " + required);
+Refused no_state(const std::string& found, const std::string& required) {
+  return Refused("serialised state: found " + found + "; required: " + required);
 }
 
 }  // namespace
@@ -96,19 +96,23 @@ std::string bytes_of(const InstanceState& state, std::uint64_t model) {
 }
 
 InstanceState state_from(const char* bytes, std::size_t size, std::uint64_t model, const StateSizes& sizes) {
-  require(size >= sizeof(Header), std::to_string(size) + " bytes", "more");
+  if (size < sizeof(Header))
+    throw no_state(std::to_string(size) + " bytes", "at least " + std::to_string(sizeof(Header)));
   Header header;
   std::memcpy(&header, bytes, sizeof(Header));
-  require(header.magic == Header{}.magic, "other bytes", "a state of an FMU of Orbearing");
-  require(header.format == Header{}.format, "format " + std::to_string(header.format),
-          std::to_string(Header{}.format));
-  require(header.model == model, "that of another model or version of Orbearing", "one of this very model");
+  if (header.magic != Header{}.magic) throw no_state("other bytes", "a state of an FMU of Orbearing");
+  if (header.format != Header{}.format)
+    throw no_state("format " + std::to_string(header.format), std::to_string(Header{}.format));
+  if (header.model != model)
+    throw no_state("that of another model or version of Orbearing", "one of this very model");
   const std::string_view body(bytes + sizeof(Header), size - sizeof(Header));
-  require(header.numbers == body.size() / sizeof(double) && body.size() % sizeof(double) == 0,
-          std::to_string(size) + " bytes", "a whole state");
-  require(header.checksum == hash_of(body), "changed bytes", "a state as it was written");
+  if (header.numbers != body.size() / sizeof(double) || body.size() % sizeof(double) != 0)
+    throw no_state(std::to_string(size) + " bytes", "a whole state");
+  if (header.checksum != hash_of(body)) throw no_state("changed bytes", "a state as it was written");
   std::vector<double> numbers(body.size() / sizeof(double));
-  require(numbers.size() >= count_of(sizes), std::to_string(numbers.size()) + " numbers", "more");
+  if (numbers.size() < count_of(sizes))
+    throw no_state(std::to_string(numbers.size()) + " numbers",
+                   "at least " + std::to_string(count_of(sizes)));
   std::memcpy(numbers.data(), body.data(), body.size());
   return state_of(numbers, sizes);
 }

@@ -1,7 +1,6 @@
 // Steps of an instance: inputs over a step, derivatives of inputs and of outputs.
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "coupling/fmu/instance.hpp"
 
@@ -17,12 +16,6 @@ constexpr const char* kTooManySteps = "largest number of steps";
 
 double slack(double time, double size) {
   return kStepShare * size + kTimeShare * std::fabs(time);
-}
-
-std::string seconds(double value) {
-  std::ostringstream text;
-  text << value << " s";
-  return text.str();
 }
 
 }  // namespace
@@ -118,12 +111,13 @@ void Instance::refuse_step(double length, const std::vector<system::InputPolynom
                            const std::string& reason) {
   // A trial of half the length would take as many steps again before it gives up.
   if (reason.find(kTooManySteps) != std::string::npos)
-    throw Refused(Status::discard,
-                  "step too long: found " + seconds(length) + ", in which " + reason + "; required: shorter steps");
+    throw Refused(Status::discard, "step too long: found " + seconds(length) + ", in which " + reason +
+                                       "; required: shorter steps");
   const double accepted = accepted_length(length, inputs);
   if (accepted > 0.0)
     throw Refused(Status::discard, "step too long: found " + seconds(length) + ", in which " + reason +
-                                       "; required under these inputs: at most about " + seconds(accepted));
+                                       "; required under these inputs: at most about " +
+                                       seconds(accepted, 4));
   throw Refused(Status::discard, "step: found " + seconds(length) + ", in which " + reason +
                                      "; no shorter one was accepted under these inputs either");
 }

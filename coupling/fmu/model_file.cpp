@@ -26,7 +26,7 @@ int digit(char c) {
   return c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
 }
 
-std::string decoded(std::string_view text) {
+std::string decoded(std::string_view text, const std::string& location) {
   std::string out;
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (text[i] != '%') {
@@ -36,8 +36,7 @@ std::string decoded(std::string_view text) {
     const int high = i + 2 < text.size() ? digit(text[i + 1]) : -1;
     const int low = high >= 0 ? digit(text[i + 2]) : -1;
     if (low < 0 || high * 16 + low == 0)
-      throw Refused("resource location: found '" + std::string(text) +
-                    "'; required: two digits behind each %");
+      throw Refused("resource location: found '" + location + "'; required: two digits behind each %");
     out += static_cast<char>(high * 16 + low);
     i += 2;
   }
@@ -59,7 +58,7 @@ std::string path_of(std::string_view rest, const std::string& location) {
     rest.remove_prefix(slash);
   }
   if (starts_with_drive(rest)) rest.remove_prefix(1);
-  return decoded(rest);
+  return decoded(rest, location);
 }
 
 using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;

@@ -1,10 +1,19 @@
 // Why a call of the C interface was not carried out.
 #pragma once
 
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
 namespace orbearing::fmu {
+
+/// A time in a message; by default with all digits in which times of a run differ.
+inline std::string seconds(double value, int digits = 15) {
+  std::ostringstream text;
+  text.precision(digits);
+  text << value << " s";
+  return text.str();
+}
 
 /// As both versions of FMI number them.
 enum class Status { ok, warning, discard, error, fatal };

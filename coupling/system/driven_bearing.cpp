@@ -340,7 +340,7 @@ Eigen::Vector2d DrivenBearing::place_under(const Eigen::Vector2d& load, const Bo
   }
   if (missing.norm() <= kEnough * load.norm()) return there.position;
   std::ostringstream text;
-  text << "driven bearing: found no place of the bore under a load of (" << load.transpose()
+  text << "driven bearing: found no place of the bore under a load of (" << load.x() << ", " << load.y()
        << ") N at the start: " << missing.norm() << " N remain; required: a load that rollers and support stand";
   throw std::runtime_error(text.str());
 }

@@ -101,14 +101,15 @@ TEST(FmuFields, LoadedTeethAreTheSameTeeth) {
   for (std::size_t length = 1; length < 30; ++length)
     EXPECT_REFUSED(std::invalid_argument, "fields 1",
                    from_numbers({numbers.begin(), numbers.begin() + static_cast<long>(length)},
-                              model.set.sun_mesh.loaded));
+                                model.set.sun_mesh.loaded));
 }
 
 TEST(FmuFields, BrokenCurvesAreRefused) {
   const std::vector<double> numbers = test::gear_model().set.sun_mesh.stiffness.numbers();
   for (std::size_t length = 0; length < std::min<std::size_t>(numbers.size(), 40); ++length)
-    EXPECT_REFUSED(std::invalid_argument, "fields 2",
-                   gearset::PeriodicCurve::from_numbers({numbers.begin(), numbers.begin() + static_cast<long>(length)}));
+    EXPECT_REFUSED(
+        std::invalid_argument, "fields 2",
+        gearset::PeriodicCurve::from_numbers({numbers.begin(), numbers.begin() + static_cast<long>(length)}));
   std::vector<double> longer = numbers;
   longer.push_back(0.0);
   EXPECT_REFUSED(std::invalid_argument, "fields 3", gearset::PeriodicCurve::from_numbers(longer));
@@ -149,6 +150,7 @@ TEST(FmuModelText, SaysWhatIsWrong) {
   for (const char* row : {"a 1 nan", "a 1 inf", "a 1 zz", "a 2 1p+0", "a 1 1p+0 1p+0", "a x", "a", " 1 1p+0",
                           "a 99999999999999999999 1p+0", "a 1 1p+5000"})
     EXPECT_REFUSED(std::invalid_argument, "fields 8", table_from(head + row + "\nend\n")) << row;
+  EXPECT_REFUSED(std::invalid_argument, "fields 12", table_from("orbearing-fmu-model 2 bearing\nend\n"));
   EXPECT_EQ(table_from(head + "a 1 -1.8p-1\nend\n").at("a"), std::vector<double>{-0.75});
 }
 
@@ -156,6 +158,10 @@ TEST(FmuModelText, NumbersThatMakeNoSenseAreRefused) {
   NumberTable numbers = numbers_of(test::bearing_model());
   for (NumberRow& row : numbers.rows)
     if (row.name == "bearing.width") row.values = {-1.0};
+  NumberTable twice = numbers;
+  for (NumberRow& row : twice.rows)
+    if (row.name == "bearing.radial_clearance") row.values.push_back(0.0);
+  EXPECT_REFUSED(std::invalid_argument, "fields 13", setup_from<system::DrivenBearingSetup>(twice));
   EXPECT_REFUSED(std::invalid_argument, "fields 9", setup_from<system::DrivenBearingSetup>(numbers));
   EXPECT_REFUSED(std::invalid_argument, "fields 10",
                  setup_from<system::DrivenBearingSetup>(NumberTable{"bearing", {}}));

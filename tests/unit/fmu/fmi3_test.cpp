@@ -18,12 +18,16 @@ const Resources& resources() {
   return resources;
 }
 
+void take(fmi3InstanceEnvironment to, fmi3Status status, fmi3String, fmi3String text) {
+  static_cast<test::Messages*>(to)->list.emplace_back(status, text);
+}
+
 class Instance3 {
  public:
   Instance3() {
     component =
         fmi3InstantiateCoSimulation("one", resources().token().c_str(), (resources().folder() + "/").c_str(),
-                                    false, false, false, false, nullptr, 0, this, &take, nullptr);
+                                    false, false, false, false, nullptr, 0, &messages, &take, nullptr);
   }
   ~Instance3() { fmi3FreeInstance(component); }
   Instance3(const Instance3&) = delete;
@@ -36,7 +40,7 @@ class Instance3 {
   double get(const char* name) {
     const fmi3ValueReference vr = resources().reference(name);
     double value = std::nan("");
-    EXPECT_EQ(fmi3GetFloat64(component, &vr, 1, &value, 1), fmi3OK) << last;
+    EXPECT_EQ(fmi3GetFloat64(component, &vr, 1, &value, 1), fmi3OK) << messages.last();
     return value;
   }
   fmi3Status begin() {
@@ -52,14 +56,13 @@ class Instance3 {
   }
 
   fmi3Instance component = nullptr;
-  std::string last;
+  test::Messages messages;
   double successful = -1.0;
-
- private:
-  static void take(fmi3InstanceEnvironment to, fmi3Status, fmi3String, fmi3String text) {
-    static_cast<Instance3*>(to)->last = text;
-  }
 };
+
+std::string said(Instance3& it, fmi3Status status) {
+  return test::said(it.messages, status);
+}
 
 void press(Instance3& it) {
   it.set("planet.displacement.x", 2e-6);
@@ -71,26 +74,25 @@ TEST(Fmi3Bearing, BeginsUnderItsStartLoadAndSaysWhichStepIsTooLong) {
   Instance3 it;
   it.set("start_load.x", 250.0);
   it.set("start_load.y", 1060.0);
-  ASSERT_EQ(it.begin(), fmi3OK) << it.last;
+  ASSERT_EQ(it.begin(), fmi3OK) << it.messages.last();
   EXPECT_NEAR(it.get("force.x"), -250.0, 1e-5);
   EXPECT_NEAR(it.get("force.y"), -1060.0, 1e-5);
   EXPECT_EQ(it.get("planet.displacement.y"), it.get("planet.start_displacement.y"));
   it.set("planet.velocity.y", 5e5);  // [m/s]  metres in one step
-  EXPECT_EQ(it.step(0.0), fmi3Discard);
-  EXPECT_NE(it.last.find("step too long: found 1e-05 s"), std::string::npos) << it.last;
+  EXPECT_SAID("fmi3 too long", said(it, it.step(0.0)));
   EXPECT_EQ(it.get("time"), 0.0);
 }
 
 TEST(Fmi3Bearing, RunsAsThroughFmi2) {
   Instance3 three;
   Instance2 two(resources());
-  ASSERT_NE(three.component, nullptr) << three.last;
+  ASSERT_NE(three.component, nullptr) << three.messages.last();
   press(three);
   test::press(two);
-  ASSERT_EQ(three.begin(), fmi3OK) << three.last;
+  ASSERT_EQ(three.begin(), fmi3OK) << three.messages.last();
   ASSERT_EQ(two.begin(), fmi2OK);
   for (int i = 0; i < 10; ++i) {
-    ASSERT_EQ(three.step(i * kStep), fmi3OK) << three.last;
+    ASSERT_EQ(three.step(i * kStep), fmi3OK) << three.messages.last();
     ASSERT_EQ(two.step(i * kStep, kStep), fmi2OK);
   }
   for (const char* name : {"force.x", "force.y", "moment", "cage.speed", "roller[7].outer_load"})
@@ -113,12 +115,12 @@ TEST(Fmi3Bearing, AdjointIsTheTransposeOfTheDirectionalDerivative) {
     double seed[3] = {}, column[2] = {};
     seed[k] = 1.0;
     ASSERT_EQ(fmi3GetDirectionalDerivative(it.component, unknowns, 2, knowns, 3, seed, 3, column, 2), fmi3OK)
-        << it.last;
+        << it.messages.last();
     for (std::size_t u = 0; u < 2; ++u) {
       double weight[2] = {}, row[3] = {};
       weight[u] = 1.0;
       ASSERT_EQ(fmi3GetAdjointDerivative(it.component, unknowns, 2, knowns, 3, weight, 2, row, 3), fmi3OK)
-          << it.last;
+          << it.messages.last();
       EXPECT_EQ(row[k], column[u]);
     }
     if (k < 2) {
@@ -138,7 +140,8 @@ TEST(Fmi3Bearing, StatesGoThroughBytes) {
   ASSERT_EQ(fmi3SerializedFMUStateSize(it.component, state, &size), fmi3OK);
   std::vector<fmi3Byte> bytes(size);
   ASSERT_EQ(fmi3SerializeFMUState(it.component, state, bytes.data(), size), fmi3OK);
-  ASSERT_EQ(fmi3DeserializeFMUState(other.component, bytes.data(), size, &moved), fmi3OK) << other.last;
+  ASSERT_EQ(fmi3DeserializeFMUState(other.component, bytes.data(), size, &moved), fmi3OK)
+      << other.messages.last();
   ASSERT_EQ(fmi3SetFMUState(other.component, moved), fmi3OK);
   for (int i = 4; i < 8; ++i) {
     ASSERT_EQ(it.step(i * kStep), fmi3OK);
@@ -163,51 +166,58 @@ TEST(Fmi3Bearing, DependenciesAreThoseOfTheTable) {
   EXPECT_EQ(independents[0], resources().reference("planet.displacement.x"));
   EXPECT_EQ(independents[4], resources().reference("planet.speed"));
   EXPECT_EQ(kinds[4], fmi3Dependent);
-  EXPECT_EQ(fmi3GetNumberOfVariableDependencies(it.component, resources().reference("time"), &number),
-            fmi3Error);
+  const fmi3ValueReference time = resources().reference("time");
+  EXPECT_SAID("fmi3 dependent", said(it, fmi3GetNumberOfVariableDependencies(it.component, time, &number)));
+  EXPECT_SAID("fmi3 no kinds",
+              said(it, fmi3GetVariableDependencies(it.component, resources().reference("force.x"),
+                                                   of_dependent, independents, of_independents, nullptr, 5)));
 }
 
 TEST(Fmi3Bearing, RefusesWithAReason) {
   Instance3 it;
-  const auto refused = [&](fmi3Status status) {
-    EXPECT_EQ(status, fmi3Error);
-    EXPECT_FALSE(it.last.empty());
-    it.last.clear();
-  };
+  const fmi3Instance one = it.component;
   const fmi3ValueReference force = resources().reference("force.x");
   double value = 0.0;
   float single = 0.0f;
-  refused(it.step(0.0));
-  refused(fmi3EnterEventMode(it.component));
-  refused(fmi3EnterStepMode(it.component));
-  refused(fmi3EnterConfigurationMode(it.component));
-  refused(fmi3EvaluateDiscreteStates(it.component));
-  refused(fmi3SetTime(it.component, 0.0));
-  refused(fmi3ActivateModelPartition(it.component, 0, 0.0));
-  refused(fmi3GetFloat32(it.component, &force, 1, &single, 1));
-  EXPECT_EQ(fmi3GetFloat32(it.component, nullptr, 0, nullptr, 0), fmi3OK);
+  EXPECT_SAID("fmi3 step", said(it, it.step(0.0)));
+  EXPECT_SAID("fmi3 events", said(it, fmi3EnterEventMode(one)));
+  EXPECT_SAID("fmi3 step mode", said(it, fmi3EnterStepMode(one)));
+  EXPECT_SAID("fmi3 configuration", said(it, fmi3EnterConfigurationMode(one)));
+  EXPECT_SAID("fmi3 discrete", said(it, fmi3EvaluateDiscreteStates(one)));
+  EXPECT_SAID("fmi3 set time", said(it, fmi3SetTime(one, 0.0)));
+  EXPECT_SAID("fmi3 partition", said(it, fmi3ActivateModelPartition(one, 0, 0.0)));
+  EXPECT_SAID("fmi3 single", said(it, fmi3GetFloat32(one, &force, 1, &single, 1)));
+  EXPECT_EQ(fmi3GetFloat32(one, nullptr, 0, nullptr, 0), fmi3OK);
   ASSERT_EQ(it.begin(), fmi3OK);
-  refused(fmi3GetFloat64(it.component, &force, 1, &value, 2));
-  refused(fmi3EnterInitializationMode(it.component, false, 0.0, 0.0, false, 0.0));
-  EXPECT_EQ(fmi3DoStep(it.component, 0.0, kStep, true, nullptr, nullptr, nullptr, nullptr), fmi3OK);
+  EXPECT_SAID("fmi3 two values", said(it, fmi3GetFloat64(one, &force, 1, &value, 2)));
+  EXPECT_SAID("fmi3 entered", said(it, fmi3EnterInitializationMode(one, false, 0.0, 0.0, false, 0.0)));
+  EXPECT_EQ(fmi3DoStep(one, 0.0, kStep, true, nullptr, nullptr, nullptr, nullptr), fmi3OK);
   std::int32_t rollers = 0;
   const fmi3ValueReference number = resources().reference("bearing.rollers");
-  EXPECT_EQ(fmi3GetInt32(it.component, &number, 1, &rollers, 1), fmi3OK);
+  EXPECT_EQ(fmi3GetInt32(one, &number, 1, &rollers, 1), fmi3OK);
   EXPECT_EQ(rollers, 15);
-  const char* token = resources().token().c_str();
-  const fmi3ValueReference intermediate[] = {force};
-  EXPECT_EQ(fmi3InstantiateCoSimulation("a", token, nullptr, false, false, false, false, nullptr, 0, nullptr,
-                                        nullptr, nullptr),
-            nullptr);
-  EXPECT_EQ(fmi3InstantiateCoSimulation("a", token, resources().folder().c_str(), false, false, false, false,
-                                        intermediate, 1, nullptr, nullptr, nullptr),
-            nullptr);
-  EXPECT_EQ(
-      fmi3InstantiateModelExchange("a", token, resources().folder().c_str(), false, false, nullptr, nullptr),
-      nullptr);
-  EXPECT_EQ(fmi3InstantiateScheduledExecution("a", token, resources().folder().c_str(), false, false, nullptr,
-                                              nullptr, nullptr, nullptr, nullptr),
-            nullptr);
+}
+
+TEST(Fmi3Bearing, InstancesThatAreNone) {
+  test::Messages log;
+  const std::string token = resources().token(), folder = resources().folder();
+  const fmi3ValueReference force = resources().reference("force.x");
+  const auto said_of = [&](fmi3Instance made) {
+    EXPECT_EQ(made, nullptr);
+    return with_names(test::said(log, fmi3Error), resources());
+  };
+  const auto cosim = [&](const char* name, const char* place, std::size_t intermediate) {
+    return said_of(fmi3InstantiateCoSimulation(name, token.c_str(), place, false, false, false, false, &force,
+                                               intermediate, &log, &take, nullptr));
+  };
+  EXPECT_SAID("fmi3 no resources", cosim("a", nullptr, 0));
+  EXPECT_SAID("fmi3 no name", cosim("", folder.c_str(), 0));
+  EXPECT_SAID("fmi3 intermediate", cosim("a", folder.c_str(), 1));
+  EXPECT_SAID("fmi3 exchange", said_of(fmi3InstantiateModelExchange("a", token.c_str(), folder.c_str(), false,
+                                                                    false, &log, &take)));
+  EXPECT_SAID("fmi3 scheduled",
+              said_of(fmi3InstantiateScheduledExecution("a", token.c_str(), folder.c_str(), false, false,
+                                                        &log, &take, nullptr, nullptr, nullptr)));
 }
 
 }  // namespace

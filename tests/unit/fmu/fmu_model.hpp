@@ -14,6 +14,7 @@
 #include "coupling/fmu/model_file.hpp"
 #include "coupling/fmu/variable_table.hpp"
 #include "tests/gear_sets.hpp"
+#include "tests/messages.hpp"
 #include "tests/unit/cosim/driven_reducer.hpp"
 
 namespace orbearing::fmu::test {
@@ -84,6 +85,31 @@ struct Messages {
   }
 };
 
+/// What a call came to: its status and what it logged, as 'error: fmi2DoStep: ...'. Clears the log.
+inline std::string said(Messages& log, int status) {
+  constexpr const char* names[] = {"ok", "warning", "discard", "error", "fatal"};
+  std::string text = names[status];
+  for (const auto& [logged, line] : log.list)
+    text += (logged == status ? ": " : ": logged as " + std::to_string(logged) + ": ") + line;
+  log.list.clear();
+  // How far a run came before it failed is up to its steps.
+  const std::string before = "at t = ";
+  const std::size_t from = text.find(before), to = text.find(" s of a window");
+  if (from != std::string::npos && to != std::string::npos)
+    text.replace(from + before.size(), to - from - before.size(), "TIME");
+  return text;
+}
+
+/// The text with each place of an unpacked FMU as its name.
+inline std::string with_names(std::string text, const Resources& resources) {
+  const std::pair<std::string, std::string> names[] = {{resources.token(), "TOKEN"},
+                                                       {resources.folder(), "FOLDER"}};
+  for (const auto& [word, name] : names)
+    for (std::size_t at = 0; (at = text.find(word, at)) != std::string::npos;)
+      text.replace(at, word.size(), name);
+  return text;
+}
+
 /// One instance of FMI 2.0 with its log.
 class Instance2 {
  public:
@@ -121,6 +147,10 @@ class Instance2 {
   const Resources* resources_;
   fmi2CallbackFunctions callbacks_{};
 };
+
+inline std::string said(Instance2& it, fmi2Status status) {
+  return said(it.messages, status);
+}
 
 /// Displacement that presses the reducer's bearing.
 inline void press(Instance2& instance) {

@@ -8,6 +8,7 @@
 #include <limits>
 #include <string>
 
+#include "tests/messages.hpp"
 #include "tests/unit/gearset/reference_sets.hpp"
 
 namespace orbearing::gearset::checks_test {
@@ -66,6 +67,7 @@ TEST(AssemblyProblems, NameThePlaceAndWhatIsRequired) {
     EXPECT_TRUE(mentions(problems, mistake.place, mistake.text))
         << mistake.place << " / " << mistake.text << " not in:\n"
         << listing(problems);
+    EXPECT_SAID("assembly problems", listing(problems));
   }
 }
 
