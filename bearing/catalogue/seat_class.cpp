@@ -65,7 +65,7 @@ double tolerance(int grade, std::size_t step) {
 const std::array<double, kSteps>& nearer_end(const std::string& letter) {
   for (const ShaftLetter& one : kShafts)
     if (one.letter == letter) return one.nearer;
-  throw std::invalid_argument("no class of seats with the letter '" + letter + "'");
+  throw std::logic_error("no class of seats with the letter '" + letter + "'");
 }
 
 std::vector<std::string> classes(const std::vector<std::string>& letters, int first_grade) {

@@ -33,7 +33,7 @@ double mirror_factor(EndSurface ends, double poisson_ratio) {
     case EndSurface::corrected:
       return 1.29 - (0.08 - 0.5 * poisson_ratio) / (1.0 - poisson_ratio);
   }
-  throw std::invalid_argument("half-space contact: unknown kind of end");
+  throw std::logic_error("half-space contact: unknown kind of end");
 }
 
 double mirror_factor(const HalfSpaceContact& contact) {

@@ -5,6 +5,7 @@
 
 #include "coupling/system/bearing_steps.hpp"
 #include "coupling/system/monolithic.hpp"
+#include "tests/messages.hpp"
 #include "tests/unit/cosim/coupled_reducer.hpp"
 
 namespace orbearing::system::cosim_monolithic_test {
@@ -82,8 +83,8 @@ TEST(Monolithic, FollowedIsAsInWindows) {
   }
   EXPECT_NEAR(followed.bearing(0).revolutions, windows.bearing(0).revolutions, 1e-9);
   SavedState state;
-  EXPECT_THROW(followed.save(state), std::runtime_error);
-  EXPECT_THROW(followed.advance({1.0, 2.0}), std::runtime_error);
+  EXPECT_REFUSED(std::runtime_error, "followed save", followed.save(state));
+  EXPECT_REFUSED(std::runtime_error, "followed window", followed.advance({1.0, 2.0}));
 }
 
 TEST(Monolithic, SubstepsBearingsWithoutHarm) {
@@ -122,10 +123,15 @@ TEST(Monolithic, BearingsCarryWhatTheMeshesLeave) {
 TEST(Monolithic, RefusesWhatItDoesNotKnow) {
   CoupledSetup setup = test::coupled_reducer();
   setup.gears.set.planet.coupled_bearing = false;
-  EXPECT_THROW(Monolithic{setup}, std::invalid_argument);
+  EXPECT_REFUSED(std::invalid_argument, "on springs", Monolithic{setup});
   setup = test::coupled_reducer();
   setup.bearings_per_planet = 0;
-  EXPECT_THROW(Monolithic{setup}, std::invalid_argument);
+  EXPECT_REFUSED(std::invalid_argument, "no bearings", Monolithic{setup});
+  setup = test::coupled_reducer();
+  setup.scratched = {{.planet = 4}};
+  EXPECT_REFUSED(std::invalid_argument, "scratched planet", Monolithic{setup});
+  setup.scratched = {{.planet = 0, .bearing = 2}};
+  EXPECT_REFUSED(std::invalid_argument, "scratched bearing", Monolithic{setup});
 }
 
 }  // namespace

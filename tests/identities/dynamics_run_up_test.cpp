@@ -4,6 +4,7 @@
 #include "bearing/motion/driving.hpp"
 #include "bearing/motion/instant.hpp"
 #include "coupling/system/steady_state.hpp"
+#include "tests/messages.hpp"
 #include "tests/unit/motion/reducer_bearing.hpp"
 
 namespace orbearing::bearing::motion::dynamics_run_up_test {
@@ -84,12 +85,16 @@ TEST(RunUp, CageFollowsTheSpeed) {
 TEST(RunUp, RefusesToComeToRest) {
   DynamicsParameters parameters = test::reducer_parameters();
   parameters.driving.ramp = -20.0;
-  EXPECT_THROW(
-      system::run_up(test::reducer_bearing(), test::reducer_point(6000.0), parameters, short_options(), 0.05),
-      std::invalid_argument);
-  EXPECT_THROW(system::run_to_steady_state(test::reducer_bearing(), test::reducer_point(6000.0), parameters,
-                                           short_options()),
-               std::invalid_argument);
+  const Bearing bearing = test::reducer_bearing();
+  const OperatingPoint point = test::reducer_point(6000.0);
+  system::SteadyStateOptions looking = short_options();
+  looking.look.windows = 1;
+  EXPECT_REFUSED(std::invalid_argument, "run-up to rest",
+                 (void)system::run_up(bearing, point, parameters, short_options(), 0.05));
+  EXPECT_REFUSED(std::invalid_argument, "run-up to settle",
+                 (void)system::run_to_steady_state(bearing, point, parameters, short_options()));
+  EXPECT_REFUSED(std::invalid_argument, "run-up among windows",
+                 (void)system::run_up(bearing, point, parameters, looking, 0.01));
 }
 
 }  // namespace

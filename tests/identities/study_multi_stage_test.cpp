@@ -7,6 +7,7 @@
 
 #include "coupling/study/multi_stage.hpp"
 #include "gearset/drivetrain/power_flow.hpp"
+#include "tests/messages.hpp"
 #include "tests/reducer.hpp"
 #include "tests/unit/gearset/arrangements.hpp"
 
@@ -132,7 +133,7 @@ TEST(MultiStage, DoNotFeelTheSenseOfRotation) {
 
 TEST(MultiStage, NameTheSetThatFails) {
   std::vector<NamedSet> sets = pair_in_series();
-  EXPECT_THROW(evaluate(std::vector<NamedSet>{}), std::invalid_argument);
+  EXPECT_REFUSED(std::invalid_argument, "no sets", (void)evaluate(std::vector<NamedSet>{}));
   sets[1].drivetrain.drive.power = -1.0;
   try {
     evaluate(sets);

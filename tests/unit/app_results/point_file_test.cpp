@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "app/errors.hpp"
+#include "tests/messages.hpp"
 #include "tests/unit/app_results/fake_sweep.hpp"
 
 namespace orbearing::app::point_file_test {
@@ -145,7 +146,7 @@ TEST(PointFile, SameContentGivesTheSameBytes) {
 
 TEST(PointFile, TwoVariablesOfOneNameAreAnErrorOfTheLibrary) {
   const NamedArray array{"load", {}, "N", "load", {1.0}};
-  EXPECT_THROW(netcdf_bytes({{}, {array, array}, {}}), ComputationFailed);
+  EXPECT_REFUSED(ComputationFailed, "point file", netcdf_bytes({{}, {array, array}, {}}));
 }
 
 }  // namespace

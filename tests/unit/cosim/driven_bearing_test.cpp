@@ -109,11 +109,15 @@ TEST_P(DrivenBearingState, StaysAtTheBeginningOnAnError) {
   bearing.save(before);
   BoreInputs inputs = test::constant_polynomial(about);
   inputs.v_y.coefficient[1] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW(bearing.advance(window(2), inputs), std::runtime_error);
+  EXPECT_REFUSED(std::runtime_error, "driven input", bearing.advance(window(2), inputs));
   inputs = test::constant_polynomial(about);
   inputs.x.coefficient[1] = 1e4;  // [m/s]  through all rollers
   EXPECT_THROW(bearing.advance({0.0, 1e-4}, inputs), std::runtime_error);
-  EXPECT_THROW(bearing.advance({1e-3, 0.0}, test::constant_polynomial(about)), std::runtime_error);
+  EXPECT_REFUSED(std::runtime_error, "driven window",
+                 bearing.advance({1e-3, 0.0}, test::constant_polynomial(about)));
+  bearing::motion::BoreMotion nowhere = about;
+  nowhere.velocity.x() = std::numeric_limits<double>::infinity();
+  EXPECT_REFUSED(std::runtime_error, "driven motion", DrivenBearing(setup).initialize(nowhere));
   bearing.save(after);
   EXPECT_EQ(before, after);
 }
@@ -126,7 +130,8 @@ TEST(DrivenBearing, GivesUpWhereItsStepsAreUsedUp) {
   setup.most_steps = 3;
   DrivenBearing bearing(setup);
   bearing.initialize(test::pressed_motion());
-  EXPECT_THROW(bearing.advance({0.0, 1e-3}, test::constant_polynomial(test::pressed_motion())), std::runtime_error);
+  EXPECT_THROW(bearing.advance({0.0, 1e-3}, test::constant_polynomial(test::pressed_motion())),
+               std::runtime_error);
 }
 
 TEST(DrivenBearing, RefusesAForeignState) {

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "tests/messages.hpp"
+
 namespace orbearing::integration::integrate_pieces_test {
 namespace {
 
@@ -69,7 +71,10 @@ TEST(IntegratePieces, GivesUpOnAStateThatIsNotFinite) {
   };
   const IntegrationReport report = integrate_pieces(explodes, x, {0.0, 1.0, 1}, {}, options(1e-9), {});
   EXPECT_FALSE(report.completed);
-  EXPECT_FALSE(report.message.empty());
+  EXPECT_SAID("pieces explode", report.message);
+  x.setConstant(std::numeric_limits<double>::quiet_NaN());
+  EXPECT_SAID("pieces not finite",
+              integrate_pieces(explodes, x, {0.0, 1.0, 1}, {}, options(1e-9), {}).message);
 }
 
 }  // namespace

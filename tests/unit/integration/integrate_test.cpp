@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "tests/messages.hpp"
+
 namespace orbearing::integration::integrate_test {
 namespace {
 
@@ -70,7 +72,7 @@ TEST(Integrate, EndsWithAMessageWhereTheRateIsNotFinite) {
     Eigen::VectorXd x = Eigen::Vector2d::Zero();
     const IntegrationReport report = integrate(breaks, x, {0.0, 0.1, 10}, options, {});
     EXPECT_FALSE(report.completed);
-    EXPECT_FALSE(report.message.empty());
+    EXPECT_SAID("rate not finite", report.message);
     EXPECT_TRUE(x.allFinite()) << "the last good state stays";
   }
 }
@@ -81,12 +83,27 @@ TEST(Integrate, EndsWhenTheStepsAreUsedUp) {
   const IntegrationReport report = integrate(oscillator, x, {0.0, 1.0, 1}, options, {});
   EXPECT_FALSE(report.completed);
   EXPECT_LE(report.steps, 101);
+  EXPECT_SAID("steps used up", report.message);
+  options.most_steps = 1000;
+  options.smallest_step = 2e-3;
+  x = Eigen::Vector2d(1.0, 0.0);
+  EXPECT_SAID("step too small", integrate(oscillator, x, {0.0, 1.0, 1}, options, {}).message);
+  options.most_seconds = -1.0;
+  options.smallest_step = 0.0;
+  x = Eigen::Vector2d(1.0, 0.0);
+  EXPECT_SAID("time used up", integrate(oscillator, x, {0.0, 1.0, 1}, options, {}).message);
 }
 
 TEST(Integrate, RefusesAStateThatIsNotFinite) {
   Eigen::VectorXd x = Eigen::Vector2d(std::nan(""), 0.0);
   IntegrationOptions options{.allowed_error = Eigen::Vector2d::Ones()};
-  EXPECT_FALSE(integrate(oscillator, x, {0.0, 1.0, 1}, options, {}).completed);
+  const IntegrationReport report = integrate(oscillator, x, {0.0, 1.0, 1}, options, {});
+  EXPECT_FALSE(report.completed);
+  EXPECT_SAID("state not finite", report.message);
+  options.method = Method::linearly_implicit;
+  x.setOnes();
+  EXPECT_REFUSED(std::invalid_argument, "implicit steps",
+                 integrate(oscillator, x, {0.0, 1.0, 1}, options, {}));
 }
 
 }  // namespace

@@ -1,17 +1,25 @@
-// Arguments that the libraries of bearings refuse (issue 44, Build 4 b); words and numbers in tests/messages.txt.
+// Arguments that the libraries of bearings refuse (issue 44, Build 4 b); words and numbers in
+// tests/messages.txt.
 #include <gtest/gtest.h>
 
 #include <limits>
 
 #include "bearing/contact/ellipse_traction.hpp"
+#include "bearing/contact/point_contact.hpp"
 #include "bearing/defect/scratched_balls.hpp"
 #include "bearing/defect/scratched_bearing.hpp"
+#include "bearing/defect/scratched_rollers.hpp"
+#include "bearing/equilibrium/row_group.hpp"
+#include "bearing/film/reynolds/line.hpp"
+#include "bearing/film/reynolds/point.hpp"
 #include "bearing/life/basic_life.hpp"
 #include "bearing/life/life_modification.hpp"
 #include "bearing/motion/balls/ball_bearing.hpp"
+#include "bearing/motion/balls/printed_form.hpp"
 #include "bearing/motion/model.hpp"
 #include "bearing/motion/rim.hpp"
 #include "bearing/pin_beam.hpp"
+#include "bearing/pressure/length_grid.hpp"
 #include "bearing/pressure/strip_contact.hpp"
 #include "bearing/profile/profile.hpp"
 #include "bearing/usual_design.hpp"
@@ -37,10 +45,11 @@ void rollers_with(Spoil&& spoil) {
   (void)motion::bearing_model(bearing, point, parameters);
 }
 
-#define EXPECT_ROLLERS_REFUSED(id, ...)                                                            \
-  EXPECT_REFUSED(Refused, id, rollers_with([](Bearing& b, motion::DynamicsParameters& p, OperatingPoint& o) { \
-                   (void)b, (void)p, (void)o;                                                      \
-                   __VA_ARGS__;                                                                    \
+#define EXPECT_ROLLERS_REFUSED(id, ...)                                                          \
+  EXPECT_REFUSED(Refused, id,                                                                    \
+                 rollers_with([](Bearing& b, motion::DynamicsParameters& p, OperatingPoint& o) { \
+                   (void)b, (void)p, (void)o;                                                    \
+                   __VA_ARGS__;                                                                  \
                  }))
 
 TEST(BearingRefusals, OilOfRollersInMotion) {
@@ -48,7 +57,8 @@ TEST(BearingRefusals, OilOfRollersInMotion) {
   EXPECT_ROLLERS_REFUSED("rollers roughness", p.race.squeeze = true; p.lubricant.viscosity = 0.01;
                          p.race.roughness = 0.0);
   EXPECT_ROLLERS_REFUSED("rollers boundary", p.race.lubrication = motion::Lubrication::mixed;
-                         p.lubricant.viscosity = 0.01; p.race.roughness = 1e-6; p.race.boundary_friction = -0.1);
+                         p.lubricant.viscosity = 0.01; p.race.roughness = 1e-6;
+                         p.race.boundary_friction = -0.1);
   EXPECT_ROLLERS_REFUSED("rollers pocket", p.cage.pocket_film = motion::PocketFilm::hydrodynamic;
                          p.lubricant.viscosity = 0.01; p.cage.pocket_roughness = 0.0);
 }
@@ -89,10 +99,10 @@ void balls_with(Spoil&& spoil) {
   (void)balls::ball_numbers(bearing, parameters);
 }
 
-#define EXPECT_BALLS_REFUSED(id, ...)                                              \
+#define EXPECT_BALLS_REFUSED(id, ...)                                                 \
   EXPECT_REFUSED(Refused, id, balls_with([](Bearing& b, balls::MotionParameters& p) { \
-                   (void)b, (void)p;                                               \
-                   __VA_ARGS__;                                                    \
+                   (void)b, (void)p;                                                  \
+                   __VA_ARGS__;                                                       \
                  }))
 
 TEST(BearingRefusals, BallsInMotion) {
@@ -131,9 +141,12 @@ TEST(BearingRefusals, ScratchesOfABearingAtRest) {
   const auto ball = [](auto spoil) { return scratched_with(defect::Scratched::ball, spoil); };
   EXPECT_REFUSED(Refused, "scratched ring", ScratchedMotion{outer([](auto& in) { in.ring.mass = 0.0; })});
   EXPECT_REFUSED(Refused, "scratched load", ScratchedMotion{outer([](auto& in) { in.load = -5.0; })});
-  EXPECT_REFUSED(Refused, "scratched width", ScratchedMotion{outer([](auto& in) { in.scratch.width = 0.0; })});
-  EXPECT_REFUSED(Refused, "scratched depth", ScratchedMotion{outer([](auto& in) { in.scratch.depth = -1e-3; })});
-  EXPECT_REFUSED(Refused, "scratched element", ScratchedMotion{ball([](auto& in) { in.scratch.element = 10; })});
+  EXPECT_REFUSED(Refused, "scratched width",
+                 ScratchedMotion{outer([](auto& in) { in.scratch.width = 0.0; })});
+  EXPECT_REFUSED(Refused, "scratched depth",
+                 ScratchedMotion{outer([](auto& in) { in.scratch.depth = -1e-3; })});
+  EXPECT_REFUSED(Refused, "scratched element",
+                 ScratchedMotion{ball([](auto& in) { in.scratch.element = 10; })});
   EXPECT_REFUSED(Refused, "scratched kind",
                  ScratchedMotion{scratched_with(defect::Scratched::roller, [](auto&) {})});
 }
@@ -152,10 +165,71 @@ TEST(BearingRefusals, ScratchesAmongBallsInMotion) {
   EXPECT_REFUSED(Refused, "ball width", motion(ball([](auto& in) { in.scratch.width = 0.0; })));
   EXPECT_REFUSED(Refused, "ball depth", motion(ball([](auto& in) { in.scratch.depth = 0.0; })));
   EXPECT_REFUSED(Refused, "ball element", motion(ball([](auto& in) { in.scratch.element = 0; })));
-  EXPECT_REFUSED(Refused, "ball scratches", motion(ball([](auto& in) { in.scratch.more_angles.assign(4, 0.1); })));
+  EXPECT_REFUSED(Refused, "ball scratches",
+                 motion(ball([](auto& in) { in.scratch.more_angles.assign(4, 0.1); })));
   EXPECT_REFUSED(Refused, "roller among balls",
                  motion(scratched_with(defect::Scratched::roller, [](auto&) {})));
   EXPECT_REFUSED(Refused, "duty load", (void)defect::scratched_duty(outer([](auto& in) { in.load = 0.0; })));
+}
+
+TEST(BearingRefusals, ScratchesAmongRollersInMotion) {
+  using defect::Scratch;
+  motion::BearingModel model =
+      motion::bearing_model(test::reducer_bearing(), test::reducer_point(6000.0), test::reducer_parameters());
+  const auto put = [&](auto spoil) {
+    Scratch scratch{.race = defect::Scratched::roller, .width = 1e-3, .depth = 1e-5};
+    spoil(scratch);
+    motion::BearingModel one = model;
+    defect::put_scratches({scratch}, one);
+  };
+  EXPECT_REFUSED(Refused, "rollers width", put([](Scratch& s) { s.width = 3e-3; }));
+  EXPECT_REFUSED(Refused, "ball among rollers", put([](Scratch& s) { s.race = defect::Scratched::ball; }));
+  EXPECT_REFUSED(Refused, "scratch as printed",
+                 put([](Scratch& s) { s.form = ScratchForm::literature_variant; }));
+  EXPECT_REFUSED(Refused, "scratched roller", put([](Scratch& s) { s.element = 16; }));
+  EXPECT_REFUSED(Refused, "measured depths", put([](Scratch& s) {
+                   s.form = ScratchForm::profile, s.profile = {0.0, 1.0};
+                 }));
+  const Scratch sound{.race = defect::Scratched::roller, .width = 1e-3, .depth = 1e-5};
+  std::vector<Scratch> three(3, sound);
+  for (int i = 0; i < 3; ++i) three[static_cast<std::size_t>(i)].element = i + 1;
+  EXPECT_REFUSED(Refused, "three rollers", defect::put_scratches(three, model));
+}
+
+TEST(BearingRefusals, FilmsThatAreNone) {
+  using namespace film;
+  const LineFilmCase line{.radius = 5e-3, .modulus = 226e9, .load = 1e5, .rolling = 1.0};
+  const auto lines = [&](auto spoil) {
+    LineFilmCase contact = line;
+    LineFilmGrid grid;
+    spoil(contact, grid);
+    (void)solve_line_film(contact, grid);
+  };
+  EXPECT_REFUSED(Refused, "line load", lines([](auto& c, auto&) { c.load = 0.0; }));
+  EXPECT_REFUSED(Refused, "line speed", lines([](auto& c, auto&) { c.rolling = -1.0; }));
+  EXPECT_REFUSED(Refused, "line cells", lines([](auto&, auto& g) { g.cells = 31; }));
+  const auto points = [&](auto spoil) {
+    PointFilmCase contact{
+        .curvature_x = 100.0, .curvature_y = 100.0, .modulus = 226e9, .load = 10.0, .rolling = 1.0};
+    PointFilmGrid grid;
+    spoil(contact, grid);
+    (void)solve_point_film(contact, grid);
+  };
+  EXPECT_REFUSED(Refused, "point load", points([](auto& c, auto&) { c.load = 0.0; }));
+  EXPECT_REFUSED(Refused, "point speed", points([](auto& c, auto&) { c.rolling = 0.0; }));
+  EXPECT_REFUSED(Refused, "point cells", points([](auto&, auto& g) { g.across = 48; }));
+}
+
+TEST(BearingRefusals, RowsAndContacts) {
+  using equilibrium::RowGroup;
+  const Bearing balls = system::small_ball_bearing(0.0);
+  EXPECT_REFUSED(Refused, "no rows", RowGroup({}));
+  EXPECT_REFUSED(Refused, "side of a row", RowGroup({{.bearing = balls, .side = 0.5}}));
+  EXPECT_REFUSED(Refused, "curvature difference", (void)contact_ellipse(1.0));
+  balls::MotionParameters free = system::small_ball_motion();
+  free.outer.held = false;
+  balls::BallBearing both(balls::ball_numbers(balls, free), {});
+  EXPECT_REFUSED(Refused, "two free rings", balls::PrintedForm{both});
 }
 
 TEST(BearingRefusals, ProfilesThatAreNone) {
@@ -172,6 +246,8 @@ TEST(BearingRefusals, ProfilesThatAreNone) {
   EXPECT_REFUSED(Refused, "johns-gohar", require_sound(JohnsGohar{l, 1e-6, 1.0}));
   EXPECT_REFUSED(Refused, "iso diameter", require_sound(Iso16281{l, 0.0, 1.0}));
   EXPECT_REFUSED(Refused, "iso scale", require_sound(Iso16281{l, l, -1.0}));
+  EXPECT_REFUSED(Refused, "steepness", require_sound(FujiwaraKawase{l, 1e-6, 0.0, 1.0}));
+  EXPECT_REFUSED(Refused, "crowned fraction", require_sound(FujiwaraKawase{l, 1e-6, 1.0, 1.1}));
   EXPECT_REFUSED(Refused, "table of one", require_sound(Table{{0.0}, {0.0}}));
   EXPECT_REFUSED(Refused, "table order", require_sound(Table{{1e-3, 0.0}, {0.0, 1e-6}}));
   EXPECT_REFUSED(Refused, "table drop", require_sound(Table{{0.0, 1e-3}, {0.0, -1e-6}}));
@@ -193,6 +269,7 @@ TEST(BearingRefusals, HalfSpacesAndGrids) {
   const StripContact strips{sound, {}};
   const Eigen::ArrayXd flat = Eigen::ArrayXd::Zero(strips.grid().middle.size());
   EXPECT_REFUSED(Refused, "strip approach", strips.at_approach(flat, kNaN, 0.0));
+  EXPECT_REFUSED(Refused, "strip relief", (void)mean_relief(strips.grid(), [](double) { return kNaN; }));
 }
 
 TEST(BearingRefusals, RimsPinsEllipsesAndLives) {
@@ -208,7 +285,8 @@ TEST(BearingRefusals, RimsPinsEllipsesAndLives) {
   EXPECT_REFUSED(Refused, "ellipse rows", (void)ellipse_points(4, 0));
   EXPECT_REFUSED(Refused, "ellipse points", (void)ellipse_points(20, 20));
   EXPECT_REFUSED(Refused, "cage material", (void)cage_material("wood"));
-  EXPECT_REFUSED(Refused, "kappa", (void)rating::life_modification_factor(rating::RollingElement::ball, 0.09, 1.0));
+  EXPECT_REFUSED(Refused, "kappa",
+                 (void)rating::life_modification_factor(rating::RollingElement::ball, 0.09, 1.0));
   EXPECT_REFUSED(Refused, "fatigue ratio",
                  (void)rating::life_modification_factor(rating::RollingElement::ball, 1.0, -1.0));
   EXPECT_REFUSED(Refused, "standing ratio", (void)rating::required_viscosity(0.0, 50e-3));

@@ -1,11 +1,18 @@
-// Arguments that gears and bearings in motion refuse (issue 44, Build 4 b); words and numbers in tests/messages.txt.
+// Arguments that gears and bearings in motion refuse (issue 44, Build 4 b); words and numbers in
+// tests/messages.txt.
 #include <gtest/gtest.h>
 
 #include <limits>
 
+#include "coupling/study/affine_fit.hpp"
+#include "coupling/study/gear_dynamics.hpp"
 #include "coupling/system/driven_bearing.hpp"
+#include "coupling/system/driven_gears.hpp"
 #include "coupling/system/thermal_network.hpp"
+#include "gearset/dynamics/bodies.hpp"
 #include "gearset/dynamics/model.hpp"
+#include "gearset/mean_loads.hpp"
+#include "gearset/mesh/loaded/loaded_teeth.hpp"
 #include "tests/gear_sets.hpp"
 #include "tests/messages.hpp"
 #include "tests/unit/cosim/driven_reducer.hpp"
@@ -34,6 +41,7 @@ TEST(CouplingRefusals, OfADrivenBearing) {
   EXPECT_DRIVEN_REFUSED("driven error", s.allowed_length_error = 0.0);
   EXPECT_DRIVEN_REFUSED("driven bins", s.bins = 0);
   EXPECT_DRIVEN_REFUSED("driven tilt", s.bore_tilt = {3e-3, 4e-3});
+  EXPECT_DRIVEN_REFUSED("driven tilt without end", s.bore_tilt = {kNaN, 0.0});
   EXPECT_DRIVEN_REFUSED("driven load", s.start_load = {kNaN, 0.0});
   EXPECT_DRIVEN_REFUSED("driven steps", s.most_steps = 0);
   EXPECT_DRIVEN_REFUSED("driven mesh", s.dynamics.excitation.harmonics.resize(2));
@@ -47,10 +55,10 @@ void set_with(Spoil&& spoil) {
   (void)gears::set_model(set, operation);
 }
 
-#define EXPECT_SET_REFUSED(id, ...)                                                         \
+#define EXPECT_SET_REFUSED(id, ...)                                                       \
   EXPECT_REFUSED(Refused, id, set_with([](gears::SetParameters& s, gears::Operation& o) { \
-                   (void)s, (void)o;                                                        \
-                   __VA_ARGS__;                                                             \
+                   (void)s, (void)o;                                                      \
+                   __VA_ARGS__;                                                           \
                  }))
 
 TEST(CouplingRefusals, OfAGearSet) {
@@ -64,9 +72,32 @@ TEST(CouplingRefusals, OfAGearSet) {
   EXPECT_SET_REFUSED("mesh damping", s.sun_mesh.damping = -4.0);
   EXPECT_SET_REFUSED("mesh angle", s.ring_mesh.pressure_angle = 1.5);
   EXPECT_SET_REFUSED("set angles", s.planet_angles = {0.0, 1.0});
+  EXPECT_SET_REFUSED("mesh below zero", s.sun_mesh.stiffness = gearset::PeriodicCurve(
+                                            [](double f) { return 1e8 * (f - 0.1); }, {0.0}, 8));
+  EXPECT_SET_REFUSED("affine bearing", s.planet.affine_bearing.emplace().stiffness.setConstant(kNaN));
+  EXPECT_SET_REFUSED("pulling teeth", s.separation = false;
+                     s.sun_mesh.loaded = std::make_shared<const gearset::LoadedTeeth>(
+                         s.sun_mesh.stiffness, s.sun_mesh.stiffness, -0.4, 2.1, 1e-10,
+                         std::vector<gearset::FaceSlice>{{0.0, 0.0}}));
   EXPECT_SET_REFUSED("run-up from", o.run_up.from = 0.0);
   EXPECT_SET_REFUSED("run-up duration", o.run_up.duration = -1.0);
   EXPECT_SET_REFUSED("mesh frequency", o.mesh_frequency = -7.0);
+}
+
+TEST(CouplingRefusals, OfStudies) {
+  EXPECT_REFUSED(Refused, "orders of a fit", study::AffineFit(100.0, 0));
+  EXPECT_REFUSED(Refused, "mesh at rest", (void)study::run_gears_from({}, {}, {}));
+  const gearset::PlanetarySet set = gearset::reducer();
+  const gearset::WorkingGeometry geometry = gearset::working_geometry(set);
+  EXPECT_REFUSED(
+      Refused, "motor at rest",
+      (void)gearset::mean_loads(set, geometry, gearset::MemberRatios{}, {.power = 1.0, .speed = 0.0}));
+  EXPECT_REFUSED(std::domain_error, "carrier without plates", (void)gears::carrier_body(set, geometry, {}));
+  DrivenGearsSetup driven{.set = gears::test::reducer_dynamics(),
+                          .operation = gears::test::reducer_operation(628.0)};
+  driven.set.planet.coupled_bearing = true;
+  driven.allowed_share = 0.0;
+  EXPECT_REFUSED(Refused, "driven gears' error", DrivenGears{driven});
 }
 
 TEST(CouplingRefusals, OfAThermalNetwork) {
