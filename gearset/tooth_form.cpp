@@ -123,7 +123,8 @@ ExternalTooth make_external_tooth(int teeth, double shift, double module, const 
   tooth.undercut = rack_flank_end(tooth) < 0.0;
   tooth.form_radius = find_form_radius(tooth);
   if (tooth.form_radius >= tooth.tip_radius) {
-    throw std::domain_error("no involute is left between the root fillet and the tip of a tooth");
+    throw std::domain_error(
+        "no involute is left between the root fillet and the tip of a tooth; raise its profile shift");
   }
   return tooth;
 }

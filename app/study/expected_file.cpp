@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <set>
 
 #include "app/case/units.hpp"
@@ -179,9 +177,7 @@ namespace {
 
 // yaml-cpp repairs bytes that are not UTF-8 in silence.
 std::string text_of_file(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  if (!stream) throw BadInput(fmt::format("{}: found a file that cannot be read; required: one that can", file));
+  const std::string text = read_file(file);
   try {
     check_text(text);
   } catch (const YamlFault& fault) {

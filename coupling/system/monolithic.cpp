@@ -202,8 +202,6 @@ void Monolithic::Inside::one_step() {
 }
 
 void Monolithic::Inside::advance(const Window& window) {
-  if (following_)
-    throw std::runtime_error("monolithic solution: found a window after follow(); required: one of both");
   const double close = 4e-16 * std::abs(window.end) + 1e-15;  // [s]
   if (smooth_) smooth_->forget();  // or a run that goes on from a saved state would step otherwise
   const long most = system_.steps + setup_.bearing.most_steps;

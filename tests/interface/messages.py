@@ -118,7 +118,7 @@ def cpp_messages(text, file):
         collects = word in ("push_back", "emplace_back", "add") and i >= 2 and COLLECTING.search(tokens[i - 2])
         if word == "throw":
             end = end_of(tokens, i, statement=True)
-            if "logic_error" in tokens[i:i + 4]:  # an error of the program, which no user can make
+            if "logic_error" in tokens[i:i + 5]:  # an error of the program, which no user can make
                 taken[i:end] = [True] * (end - i)
                 continue
         elif called and (word in REFUSING or collects):

@@ -92,7 +92,9 @@ TEST(CouplingRefusals, OfStudies) {
   EXPECT_REFUSED(
       Refused, "motor at rest",
       (void)gearset::mean_loads(set, geometry, gearset::MemberRatios{}, {.power = 1.0, .speed = 0.0}));
-  EXPECT_REFUSED(std::domain_error, "carrier without plates", (void)gears::carrier_body(set, geometry, {}));
+  EXPECT_REFUSED(std::domain_error, "carrier without plates",
+                 (void)gears::set_bodies(set, geometry,
+                                         {.sun_bore = 50e-3, .ring_outside = 280e-3, .planet_bore = 47e-3}));
   DrivenGearsSetup driven{.set = gears::test::reducer_dynamics(),
                           .operation = gears::test::reducer_operation(628.0)};
   driven.set.planet.coupled_bearing = true;
