@@ -26,9 +26,9 @@ bool is_calculated(const PublishedValue& published) {
 
 double deviation(const PublishedValue& published) {
   const PairPoint point = pair_point(pair(published.settings));
-  for (const bearing::duplex::PairMode& mode : point.asked().modes)
-    if (published.quantity == std::string(bearing::duplex::name_of(mode.kind)) + "_Hz")
-      return mode.frequency / *published.value - 1.0;
+  for (std::size_t i = 0; i < point.asked().modes.size(); ++i)
+    if (published.quantity == fmt::format("modes:/modes/{}/frequency_Hz", i))
+      return point.asked().modes[i].frequency / *published.value - 1.0;
   return std::nan("");
 }
 
