@@ -156,7 +156,7 @@ void add_laminae(const study::PlanetaryDrivetrain& drivetrain) {
       bearing::OperatingPoint point = points[static_cast<std::size_t>(i)];
       point.bore_tilt = 0.5e-3 * (i % 5) * point.bore_load.normalized();
       bearing.rollers().profile = bearing::profile::CircularCrown{bearing.rollers().length, 1e-6 * (i % 8)};
-      benchmark::DoNotOptimize(quasi_static_laminae(LaminaBearing(bearing), point, {}));
+      benchmark::DoNotOptimize(quasi_static_bearing(LaminaBearing(bearing), point, {}));
     }
   });
 }

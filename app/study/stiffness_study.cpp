@@ -89,7 +89,7 @@ StiffnessPoint planet_point(const study::NamedSet& set, double speed) {
   const laminae::LaminaBearing bearing(with_laminae(set.drivetrain));
   bearing::OperatingPoint at = duty.point;
   if (set.drivetrain.bearing.rollers().laminae == 0) at.bore_tilt.setZero();  // as its sweep has it
-  const laminae::LaminaResult result = laminae::quasi_static_laminae(bearing, at, options);
+  const bearing::QuasiStaticResult result = quasi_static_bearing(bearing, at, options);
   StiffnessPoint point{.speed = speed,
                        .load = {{"x_N", result.total_bore_load[0]}, {"y_N", result.total_bore_load[1]}},
                        .set = set.name};

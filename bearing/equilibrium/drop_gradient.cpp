@@ -1,8 +1,5 @@
 #include "bearing/equilibrium/drop_gradient.hpp"
 
-#include <cmath>
-
-#include "bearing/plane.hpp"
 #include "mechanics/convex_search.hpp"
 
 namespace orbearing::bearing::laminae {
@@ -56,34 +53,21 @@ RollerMultipliers multipliers(const AdjointRoller& adjoint, const RollerState& r
   return m;
 }
 
-// The multiplier v of the ring's coordinates, which resist as the rollers do and as the race itself does.
-template <int N>
-Eigen::Vector<double, N> ring_multiplier(const RingCoordinates<N>& ring, const LaminaState& state,
-                                         const std::vector<AdjointRoller>& rollers) {
-  mechanics::Imbalance<N> sum = ring.without_rollers(ring.start(state.displacement));
-  Eigen::Vector<double, N> force = Eigen::Vector<double, N>::Zero(ring.size());
+// The multiplier v of the ring's coordinates, which resist as the rollers do and as the race itself does,
+// along each roller.
+Eigen::ArrayXd ring_multiplier(const RaceEquilibrium& problem, const QuasiStaticState& state,
+                               const std::vector<AdjointRoller>& rollers) {
+  std::vector<RollerState> none;
+  const RingsOnRollers<Eigen::Dynamic> ring = ring_on_rollers<Eigen::Dynamic>(problem, none);
+  const Eigen::MatrixXd& outward = ring.rows.front().outward;
+  Eigen::MatrixXd stiffness = ring.stiffness;
+  Eigen::VectorXd force = Eigen::VectorXd::Zero(outward.rows());
   for (std::size_t j = 0; j < rollers.size(); ++j) {
-    const auto e = ring.outward(static_cast<Eigen::Index>(j));
-    sum.stiffness += state.rollers[j].stiffness * e * e.transpose();
+    const auto e = outward.col(static_cast<Eigen::Index>(j));
+    stiffness += state.rollers[j].stiffness * e * e.transpose();
     force += rollers[j].of_measure * e;
   }
-  return mechanics::lengths_under<N>(force, sum.stiffness);
-}
-
-// That multiplier along each roller, and along x and y.
-struct AlongRollers {
-  Eigen::ArrayXd along;
-  Eigen::Vector2d of_displacement;
-};
-
-template <int N>
-AlongRollers along_rollers(const RaceEquilibrium& problem, const LaminaState& state,
-                           const std::vector<AdjointRoller>& rollers) {
-  const RingCoordinates<N> ring(problem);
-  const Eigen::Vector<double, N> v = ring_multiplier<N>(ring, state, rollers);
-  AlongRollers result{Eigen::ArrayXd(state.angle.size()), v.template head<2>()};
-  for (Eigen::Index j = 0; j < state.angle.size(); ++j) result.along[j] = v.dot(ring.outward(j));
-  return result;
+  return outward.transpose() * mechanics::lengths_under<Eigen::Dynamic>(force, stiffness);
 }
 
 DropGradient none(const LaminaBearing& bearing) {
@@ -96,39 +80,31 @@ DropGradient none(const LaminaBearing& bearing) {
 }  // namespace
 
 DropGradient drop_gradient(const LaminaBearing& bearing, const OperatingPoint& point,
-                           const QuasiStaticOptions& options, const LaminaState& state,
+                           const QuasiStaticOptions& options, const QuasiStaticState& state,
                            const Eigen::Ref<const Eigen::ArrayXXd>& by_inner_load,
                            const Eigen::Ref<const Eigen::ArrayXXd>& by_outer_load) {
-  const RaceEquilibrium problem =
-      quasi_static_problem(bearing.bearing(), bearing.geometry(), point, options, state.angle[0]);
+  const RaceEquilibrium problem = quasi_static_problem(bearing, point, options, state.angle[0]);
   std::vector<AdjointRoller> rollers;
   for (Eigen::Index j = 0; j < state.angle.size(); ++j)
     rollers.push_back(adjoint_roller(bearing, problem.contacts, state.rollers[static_cast<std::size_t>(j)],
                                      by_inner_load.col(j), by_outer_load.col(j)));
   DropGradient gradient = none(bearing);
-  const AlongRollers ring = problem.outer_race.is_rigid()
-                                ? along_rollers<2>(problem, state, rollers)
-                                : along_rollers<Eigen::Dynamic>(problem, state, rollers);
-  gradient.by_load = ring.of_displacement;
+  const Eigen::ArrayXd along = ring_multiplier(problem, state, rollers);
   const Eigen::ArrayXd place = bearing.contact(Race::outer).places();
   for (Eigen::Index j = 0; j < state.angle.size(); ++j) {
     const AdjointRoller& roller = rollers[static_cast<std::size_t>(j)];
-    const Eigen::Vector2d e = direction(state.angle[j]);
-    const double along = ring.along[j];
-    const RollerMultipliers m = multipliers(roller, state.rollers[static_cast<std::size_t>(j)], along);
+    const RollerMultipliers m = multipliers(roller, state.rollers[static_cast<std::size_t>(j)], along[j]);
     const Eigen::ArrayXd balance = m.balance[0] + m.balance[1] * place;
     gradient.inner +=
         roller.inner.stiffness * (m.approach * roller.inner_film_slope + balance - by_inner_load.col(j));
-    const Eigen::ArrayXd outer = roller.outer.stiffness * (m.approach * roller.outer_film_slope - balance -
-                                                           along - by_outer_load.col(j));
-    gradient.outer += outer;
-    gradient.by_tilt += bearing.half_length() * (place * outer).sum() * e;
+    gradient.outer += roller.outer.stiffness *
+                      (m.approach * roller.outer_film_slope - balance - along[j] - by_outer_load.col(j));
   }
   return gradient;
 }
 
 DropGradient drop_gradient(const LaminaBearing& bearing, const OperatingPoint& point,
-                           const QuasiStaticOptions& options, const LaminaResult& result,
+                           const QuasiStaticOptions& options, const QuasiStaticResult& result,
                            const Eigen::Ref<const Eigen::ArrayXXd>& by_inner_load,
                            const Eigen::Ref<const Eigen::ArrayXXd>& by_outer_load) {
   DropGradient sum = none(bearing);
@@ -141,8 +117,6 @@ DropGradient drop_gradient(const LaminaBearing& bearing, const OperatingPoint& p
                       by_inner_load(Eigen::all, places).eval(), by_outer_load(Eigen::all, places).eval());
     sum.inner += one.inner;
     sum.outer += one.outer;
-    sum.by_tilt += one.by_tilt;
-    sum.by_load += one.by_load;
   }
   return sum;
 }

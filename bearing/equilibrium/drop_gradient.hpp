@@ -13,21 +13,19 @@ struct DropGradient {
   Eigen::ArrayXd
       inner;  // [L/m]  (laminae)  by the drop between roller and inner race, of all rollers at once
   Eigen::ArrayXd outer;  // [L/m]  (laminae)  by the drop between roller and outer race
-  Eigen::Vector2d by_tilt = Eigen::Vector2d::Zero();  // [L/rad]  by the bore's tilt
-  Eigen::Vector2d by_load = Eigen::Vector2d::Zero();  // [L/N]    by the load on the bore
 };
 
 /// From the measure's derivatives by the loads of single laminae [L/N], arrays (laminae, rollers), at the
 /// equilibrium `state` of `bearing` under `point`. Laminae out of contact have no influence; where one just
 /// touches, the derivative is that of its side.
 DropGradient drop_gradient(const LaminaBearing& bearing, const OperatingPoint& point,
-                           const QuasiStaticOptions& options, const LaminaState& state,
+                           const QuasiStaticOptions& options, const QuasiStaticState& state,
                            const Eigen::Ref<const Eigen::ArrayXXd>& by_inner_load,
                            const Eigen::Ref<const Eigen::ArrayXXd>& by_outer_load);
 
 /// The same for all cage angles of `result`, arrays (laminae, places).
 DropGradient drop_gradient(const LaminaBearing& bearing, const OperatingPoint& point,
-                           const QuasiStaticOptions& options, const LaminaResult& result,
+                           const QuasiStaticOptions& options, const QuasiStaticResult& result,
                            const Eigen::Ref<const Eigen::ArrayXXd>& by_inner_load,
                            const Eigen::Ref<const Eigen::ArrayXXd>& by_outer_load);
 

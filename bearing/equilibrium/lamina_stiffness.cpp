@@ -12,42 +12,12 @@ namespace {
 
 using Eigen::Matrix2d;
 
-// By approach and end displacement of one contact [N/m].
-Matrix2d contact_stiffness(const LaminaForce& force) {
-  Matrix2d stiffness;
-  stiffness << force.by_approach, force.mixed, force.mixed, force.by_end_displacement;
-  return stiffness;
-}
-
-constexpr double kSingular = 1e-14;  // of a determinant over the square of the trace
-
-// A contact that a single lamina touches holds no tilt about it: then that of what it does hold.
-Matrix2d pseudo_inverse(const Matrix2d& symmetric) {
-  const double size = symmetric.trace();
-  if (!(size > 0.0)) return Matrix2d::Zero();
-  if (symmetric.determinant() > kSingular * size * size) return symmetric.inverse();
-  return symmetric / (size * size);
-}
+constexpr double kHoldsNothing = 1e-14;  // of a determinant over the square of the trace
 
 }  // namespace
 
-// Both contacts in series, where one of them or both may be open or hold no tilt; then the films, which yield
-// with the load alone.
-Matrix2d roller_stiffness(const RollerState& roller) {
-  const Matrix2d inner = contact_stiffness(roller.inner), outer = contact_stiffness(roller.outer);
-  Matrix2d series = inner * pseudo_inverse(inner + outer) * outer;
-  series = 0.5 * (series + series.transpose()).eval();
-  if (!(series(0, 0) > 0.0)) return Matrix2d::Zero();
-  const double share = roller.stiffness / series(0, 0);  // that the films leave
-  series(1, 1) -= (1.0 - share) * series(0, 1) * series(1, 0) / series(0, 0);
-  series(0, 0) *= share;
-  series(0, 1) *= share;
-  series(1, 0) *= share;
-  return series;
-}
-
 // Displacement and tilt come first, then the waves of the race, which follow without force.
-Eigen::Matrix4d stiffness_at(const LaminaBearing& bearing, const LaminaState& state,
+Eigen::Matrix4d stiffness_at(const LaminaBearing& bearing, const QuasiStaticState& state,
                              const ElasticRace& outer_race) {
   const Eigen::Index waves = wave_count(outer_race);
   Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(4 + waves, 4 + waves);
@@ -64,16 +34,16 @@ Eigen::Matrix4d stiffness_at(const LaminaBearing& bearing, const LaminaState& st
   return without_waves(sum, 4);
 }
 
-Eigen::Matrix4d mean_stiffness(const LaminaBearing& bearing, const LaminaResult& result,
+Eigen::Matrix4d mean_stiffness(const LaminaBearing& bearing, const QuasiStaticResult& result,
                                const ElasticRace& outer_race) {
   // Displacement and moment by load and tilt, since these are what all cage angles have in common.
   Matrix2d by_load = Matrix2d::Zero(), by_tilt = Matrix2d::Zero(), moment_by_load = Matrix2d::Zero(),
            moment_by_tilt = Matrix2d::Zero();
   const double share = 1.0 / static_cast<double>(result.states.size());
-  for (const LaminaState& state : result.states) {
+  for (const QuasiStaticState& state : result.states) {
     const Eigen::Matrix4d k = stiffness_at(bearing, state, outer_race);
     const Matrix2d across = k.topLeftCorner<2, 2>();
-    if (!(across.determinant() > kSingular * across.trace() * across.trace()))
+    if (!(across.determinant() > kHoldsNothing * across.trace() * across.trace()))
       throw std::domain_error("stiffness: the bearing bears no load in some direction");
     const Matrix2d compliance = across.inverse();
     const Matrix2d coupled = compliance * k.topRightCorner<2, 2>();

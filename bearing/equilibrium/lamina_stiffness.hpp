@@ -7,21 +7,17 @@
 
 namespace orbearing::bearing::laminae {
 
-/// Stiffness [N/m] of one settled roller between races that approach each other in the middle and at
-/// x = l/2: README.md (13).
-Eigen::Matrix2d roller_stiffness(const RollerState& roller);
-
 /// Slope of the load on the bore and of the moment that holds its tilt by its displacement (x, y) and tilt
 /// (along x, along y): [N/m], [N/rad], [N m/m], [N m/rad]. Exact at the balance `state`, rollers settled:
 /// each is two springs in series, with its films, README.md (13); an outer race that bends follows.
 /// Symmetric.
-Eigen::Matrix4d stiffness_at(const LaminaBearing& bearing, const LaminaState& state,
+Eigen::Matrix4d stiffness_at(const LaminaBearing& bearing, const QuasiStaticState& state,
                              const ElasticRace& outer_race = {});
 
 /// The same of the means over the cage angles of `result`, under a load and a tilt that do not change with
-/// the cage: the slope of what quasi_static_laminae() gives. Throws std::domain_error where the bearing bears
+/// the cage: the slope of what quasi_static_bearing() gives. Throws std::domain_error where the bearing bears
 /// nothing in some direction.
-Eigen::Matrix4d mean_stiffness(const LaminaBearing& bearing, const LaminaResult& result,
+Eigen::Matrix4d mean_stiffness(const LaminaBearing& bearing, const QuasiStaticResult& result,
                                const ElasticRace& outer_race = {});
 
 /// By x, y, z, tilt about x and about y; along z nothing is borne.

@@ -22,14 +22,6 @@ double same_drop(const std::vector<double>& drops) {
   return kSameDrop * std::abs(*std::max_element(drops.begin(), drops.end()));
 }
 
-std::vector<double> drops_at(const Bearing& bearing, Race race) {
-  const CylindricalRollers& rollers = bearing.rollers();
-  if (rollers.laminae == 0) return {0.0};
-  profile::require_sound(rollers.profile);
-  profile::require_sound(bearing.ring(race).profile);
-  return laminae::lamina_drops(rollers.profile, bearing.ring(race).profile, rollers.length, rollers.laminae);
-}
-
 bool are_same(const std::vector<double>& a, const std::vector<double>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                     [same = same_drop(a)](double x, double y) { return std::abs(x - y) <= same; });
@@ -48,8 +40,9 @@ LevelEngine* make_engine([[maybe_unused]] mechanics::InstructionSet set, const L
 std::optional<LevelPitch> LevelPitch::of(const Bearing& bearing, const QuasiStaticOptions& options,
                                          mechanics::InstructionSet set) {
   if (!is_round(bearing) || options.film) return std::nullopt;
-  const std::vector<double> drops = drops_at(bearing, Race::inner);
-  if (!are_same(drops, {drops.rbegin(), drops.rend()}) || !are_same(drops, drops_at(bearing, Race::outer)))
+  const std::vector<double> drops = laminae::lamina_drops(bearing, Race::inner);
+  if (!are_same(drops, {drops.rbegin(), drops.rend()}) ||
+      !are_same(drops, laminae::lamina_drops(bearing, Race::outer)))
     return std::nullopt;
   std::vector<std::size_t> order(drops.size());
   std::iota(order.begin(), order.end(), 0u);
@@ -181,17 +174,16 @@ void LevelPitch::solve(const OperatingPoint& point, PitchResults& results, const
   }
 }
 
-std::optional<laminae::LaminaResult> LevelPitch::laminae_under(const laminae::LaminaBearing& cut,
-                                                               const OperatingPoint& point,
-                                                               const PitchResults* near) {
+std::optional<QuasiStaticResult> LevelPitch::under(const laminae::LaminaBearing& bearing,
+                                                   const OperatingPoint& point, const PitchResults* near) {
   const int positions = options_.cage_positions, rollers = bearing_.rollers().count;
   const auto stride = static_cast<std::size_t>(rollers) * kBlock;  // from one unlike lamina to the next
   const std::size_t of_one_race = laminae_.drop.size() * stride,
                     blocks = static_cast<std::size_t>((positions + kBlock - 1) / kBlock);
-  lamina_loads_.resize(2 * of_one_race * blocks);
+  lamina_loads_.resize(bearing.is_cut() ? 2 * of_one_race * blocks : 0);
   PitchResults pitch;
-  solve(point, pitch, near, lamina_loads_.data());
-  laminae::LaminaResult result = laminae::empty_result(cut, point, options_);
+  solve(point, pitch, near, bearing.is_cut() ? lamina_loads_.data() : nullptr);
+  QuasiStaticResult result = empty_result(bearing, point, options_);
   const double part = 1.0 / static_cast<double>(laminae_.lamina_of.size());
   const auto put = [&](const double* loads, double load, auto column) {
     column.setZero();
@@ -199,7 +191,6 @@ std::optional<laminae::LaminaResult> LevelPitch::laminae_under(const laminae::La
     for (std::size_t k = 0; k < laminae_.lamina_of.size(); ++k)
       column[static_cast<Eigen::Index>(k)] = part * loads[laminae_.lamina_of[k] * stride];
   };
-  result.roller_tilt.setZero();
   for (int position = 0; position < positions; ++position) {
     keep_worst(pitch.reports[static_cast<std::size_t>(position)], result.report);
     result.displacement += pitch.displacement.col(position).matrix() / positions;
@@ -209,6 +200,7 @@ std::optional<laminae::LaminaResult> LevelPitch::laminae_under(const laminae::La
       const Eigen::Index place = position + j * positions;
       result.inner_load[place] = pitch.inner_load(position, j);
       result.outer_load[place] = pitch.outer_load(position, j);
+      if (!bearing.is_cut()) continue;
       const double* loads = block + j * kBlock;
       put(loads, result.inner_load[place], result.inner_lamina_load.col(place));
       put(loads + of_one_race, result.outer_load[place], result.outer_lamina_load.col(place));

@@ -1,5 +1,5 @@
 // Quasi-static equilibria of a bearing whose rollers stay level, over one roller pitch of cage angles,
-// vectorised over these: what lamina_state() or quasi_static_state() gives at each, for studies that ask for
+// vectorised over these: what quasi_static_state() gives at each, for studies that ask for
 // a great many. All instruction sets give the same bits.
 #pragma once
 
@@ -49,11 +49,9 @@ class LevelPitch {
   /// load or speed is not finite. The searches start by themselves; or, where `near` holds the results of
   /// this bearing under another load, along their tangents.
   void solve(const OperatingPoint& point, PitchResults& results, const PitchResults* near = nullptr);
-  /// The same as a LaminaResult without its states, of a bearing with laminae; none where a position did not
-  /// converge.
-  std::optional<laminae::LaminaResult> laminae_under(const laminae::LaminaBearing& cut,
-                                                     const OperatingPoint& point,
-                                                     const PitchResults* near = nullptr);
+  /// The same as a result over the pitch without its states; none where a position did not converge.
+  std::optional<QuasiStaticResult> under(const laminae::LaminaBearing& bearing, const OperatingPoint& point,
+                                         const PitchResults* near = nullptr);
 
  private:
   LevelPitch(const Bearing& bearing, const QuasiStaticOptions& options, UnlikeLaminae laminae,

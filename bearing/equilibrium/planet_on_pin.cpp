@@ -6,7 +6,6 @@
 #include <cmath>
 #include <sstream>
 
-#include "bearing/equilibrium/lamina_stiffness.hpp"
 #include "bearing/plane.hpp"
 #include "mechanics/checks.hpp"
 
@@ -16,158 +15,140 @@ namespace {
 
 using Eigen::Index;
 using Eigen::Vector2d;
-using SeatPlaces = Eigen::VectorXd;
 
 // Coordinates, all lengths: displacement of the planet, its tilt times the lever, then of each bearing's seat
 // on the pin its displacement and its slope times the lever.
 constexpr Index kTiltAt = 2, kPinAt = 4, kPerSeat = 4;
 
-struct PinnedPlanet {
-  const PlanetOnPin& planet;
-  std::vector<RaceEquilibrium> races;  // (bearings)
-  Vector2d load, moment;
-  double lever = 0.0;                            // [m]
-  std::array<Eigen::MatrixXd, 2> pin_stiffness;  // of displacements and slopes, along x and y
-  std::vector<LaminaState>& states;
+Index pin_of(std::size_t bearing) {
+  return kPinAt + kPerSeat * static_cast<Index>(bearing);
+}
 
-  Index size() const { return kPinAt + kPerSeat * static_cast<Index>(planet.bearings.size()); }
-  static Index pin_of(std::size_t bearing) { return kPinAt + kPerSeat * static_cast<Index>(bearing); }
-  Vector2d error(std::size_t k) const {
-    return planet.pin_error.empty() ? Vector2d::Zero() : planet.pin_error[k];
-  }
-  Vector2d inclination(std::size_t k) const {
-    return planet.pin_inclination.empty() ? Vector2d::Zero() : planet.pin_inclination[k];
-  }
-  Vector2d displacement(std::size_t k, const SeatPlaces& at) const {
-    return at.head<2>() + at.segment<2>(kTiltAt) * (planet.place[k] / lever) - at.segment<2>(pin_of(k)) -
-           error(k);
-  }
-  Vector2d tilt(std::size_t k, const SeatPlaces& at) const {
-    return (at.segment<2>(kTiltAt) - at.segment<2>(pin_of(k) + 2)) / lever - inclination(k);
-  }
-  double scale() const {
-    double largest = std::max(load.norm(), moment.norm() / lever);
-    for (const RaceEquilibrium& one : races) largest = std::max(largest, one.inertial_load.abs().maxCoeff());
-    return largest;
-  }
+Vector2d error_of(const PlanetOnPin& planet, std::size_t k) {
+  return planet.pin_error.empty() ? Vector2d::Zero() : planet.pin_error[k];
+}
 
-  mechanics::Imbalance<Eigen::Dynamic> operator()(const SeatPlaces& at) const {
-    mechanics::Imbalance<Eigen::Dynamic> sum;
-    sum.force.setZero(size());
-    sum.stiffness.setZero(size(), size());
-    sum.scale = scale();
-    sum.force.head<2>() = load;
-    sum.force.segment<2>(kTiltAt) = (moment - planet.tilt_stiffness * at.segment<2>(kTiltAt) / lever) / lever;
-    sum.stiffness.block<2, 2>(kTiltAt, kTiltAt) += planet.tilt_stiffness / (lever * lever);
-    for (std::size_t k = 0; k < races.size(); ++k) {
-      sum.force.head<2>() += races[k].load;  // what reaches the ring through the cage
-      sum.force.segment<2>(kTiltAt) += races[k].load * (planet.place[k] / lever);
-    }
-    add_pin(at, sum);
-    for (std::size_t k = 0; k < races.size(); ++k) add_bearing(k, at, sum);
-    return sum;
-  }
+Vector2d inclination_of(const PlanetOnPin& planet, std::size_t k) {
+  return planet.pin_inclination.empty() ? Vector2d::Zero() : planet.pin_inclination[k];
+}
 
-  // Coordinates by approach (outward) and end displacement of roller `j` of a bearing.
-  Eigen::Matrix<double, Eigen::Dynamic, 2> moves(std::size_t k, Index j) const {
-    const Vector2d e = direction(races[k].angle[j]);
-    Eigen::Matrix<double, Eigen::Dynamic, 2> all = Eigen::MatrixXd::Zero(size(), 2);
-    all.col(0).head<2>() = e;
-    all.col(0).segment<2>(kTiltAt) = e * (planet.place[k] / lever);
-    all.col(0).segment<2>(pin_of(k)) = -e;
-    all.col(1).segment<2>(kTiltAt) = e * (planet.bearings[k].half_length() / lever);
-    all.col(1).segment<2>(pin_of(k) + 2) = -all.col(1).segment<2>(kTiltAt);
-    return all;
-  }
+// Part of the planet's load, which acts in the middle of its face, on each bearing [N].
+Vector2d load_share(const PlanetOnPin& planet, const OperatingPoint& point) {
+  return point.bore_load / static_cast<double>(planet.bearings.size());
+}
 
-  // Displacements of all seats stand before all slopes in the pin's own matrix.
-  void add_pin(const SeatPlaces& at, mechanics::Imbalance<Eigen::Dynamic>& sum) const {
-    const auto count = static_cast<Index>(races.size());
-    const auto coordinate = [&](Index i, Index axis) {
-      return kPinAt + kPerSeat * (i % count) + (i < count ? 0 : 2) + axis;
-    };
-    const auto unit = [&](Index i) { return i < count ? 1.0 : 1.0 / lever; };  // of slopes: rad by length
-    for (Index i = 0; i < 2 * count; ++i)
-      for (Index j = 0; j < 2 * count; ++j)
-        for (Index axis = 0; axis < 2; ++axis) {
-          const double stiffness = unit(i) * unit(j) * pin_stiffness[static_cast<std::size_t>(axis)](i, j);
-          sum.stiffness(coordinate(i, axis), coordinate(j, axis)) += stiffness;
-          sum.force[coordinate(i, axis)] -= stiffness * at[coordinate(j, axis)];
-        }
-  }
-
-  void add_bearing(std::size_t k, const SeatPlaces& at, mechanics::Imbalance<Eigen::Dynamic>& sum) const {
-    const LaminaBearing& bearing = planet.bearings[k];
-    const RaceEquilibrium& race = races[k];
-    LaminaState& state = states[k];
-    const SettlingRollers rollers(bearing, race, state.rollers);
-    state.displacement = displacement(k, at);
-    const Vector2d relative = tilt(k, at);
-    for (Index j = 0; j < race.angle.size(); ++j) {
-      const double end_displacement = bearing.half_length() * relative.dot(direction(race.angle[j]));
-      const RollerState& one = rollers.settle(j, race.approach(j, state.displacement), end_displacement);
-      const Eigen::Matrix<double, Eigen::Dynamic, 2> by = moves(k, j);
-      sum.force += by * Vector2d(one.outer.load, one.outer.end_load);
-      sum.stiffness += by * roller_stiffness(one) * by.transpose();
-    }
-  }
-};
-
-PinnedPlanet pinned(const PlanetOnPin& planet, const OperatingPoint& point, const Vector2d& moment,
-                    const QuasiStaticOptions& options, double first_roller,
-                    std::vector<LaminaState>& states) {
-  const Eigen::MatrixXd& along_y =
-      planet.tangential_compliance.size() > 0 ? planet.tangential_compliance : planet.pin_compliance;
-  PinnedPlanet problem{
-      planet, {}, point.bore_load, moment, 0.0, {planet.pin_compliance.inverse(), along_y.inverse()}, states};
+// The bearings as they stand with all coordinates zero, on a pin that is not where it should be; each under
+// its part of the load.
+std::vector<RaceEquilibrium> bearings_on(const PlanetOnPin& planet, const OperatingPoint& point,
+                                         const QuasiStaticOptions& options, double first_roller) {
+  std::vector<RaceEquilibrium> races;
   OperatingPoint unloaded = point;
   unloaded.bore_load.setZero();
   for (std::size_t k = 0; k < planet.bearings.size(); ++k) {
-    const LaminaBearing& bearing = planet.bearings[k];
-    problem.races.push_back(
-        quasi_static_problem(bearing.bearing(), bearing.geometry(), unloaded, options, first_roller));
-    problem.lever = std::max({problem.lever, std::abs(planet.place[k]), bearing.half_length()});
-    states[k].angle = problem.races[k].angle;
-    states[k].rollers.resize(static_cast<std::size_t>(states[k].angle.size()));
+    unloaded.bore_tilt = -inclination_of(planet, k);
+    RaceEquilibrium& one =
+        races.emplace_back(quasi_static_problem(planet.bearings[k], unloaded, options, first_roller));
+    const Vector2d error = error_of(planet, k);
+    if (one.extra_approach.size() == 0) one.extra_approach.setZero(one.angle.size());
+    one.extra_approach += one.angle.cos() * error.x() + one.angle.sin() * error.y();
+    one.load += load_share(planet, point);
   }
-  return problem;
+  return races;
 }
 
-// Where the load would displace the stiffest share of it: each bearing under its part.
-SeatPlaces start_of(const PinnedPlanet& problem) {
-  SeatPlaces at = SeatPlaces::Zero(problem.size());
-  RaceEquilibrium one = problem.races.front();
-  one.load = problem.load / static_cast<double>(problem.races.size());
-  at.head<2>() = first_displacement(one);
+double lever_of(const PlanetOnPin& planet) {
+  double lever = 0.0;
+  for (std::size_t k = 0; k < planet.bearings.size(); ++k)
+    lever = std::max({lever, std::abs(planet.place[k]), planet.bearings[k].half_length()});
+  return lever;
+}
+
+// How the planet and its seats move the races of one bearing.
+SettlingRow<Eigen::Dynamic> row_on(const PlanetOnPin& planet, std::size_t k, const RaceEquilibrium& races,
+                                   double lever, Index size, std::vector<RollerState>& rollers) {
+  Eigen::MatrixXd outward = Eigen::MatrixXd::Zero(size, races.angle.size()), tilting = outward;
+  for (Index j = 0; j < races.angle.size(); ++j) {
+    const Vector2d e = direction(races.angle[j]);
+    outward.col(j).head<2>() = e;
+    outward.col(j).segment<2>(kTiltAt) = e * (planet.place[k] / lever);
+    outward.col(j).segment<2>(pin_of(k)) = -e;
+    tilting.col(j).segment<2>(kTiltAt) = e * (planet.bearings[k].half_length() / lever);
+    tilting.col(j).segment<2>(pin_of(k) + 2) = -tilting.col(j).segment<2>(kTiltAt);
+  }
+  SettlingRow<Eigen::Dynamic> row(races, std::move(outward), rollers);
+  row.tilting = std::move(tilting);
+  return row;
+}
+
+// Displacements of all seats stand before all slopes in the pin's own matrix.
+void add_pin(const PlanetOnPin& planet, double lever, Eigen::MatrixXd& stiffness) {
+  const auto count = static_cast<Index>(planet.bearings.size());
+  const Eigen::MatrixXd& along_y =
+      planet.tangential_compliance.size() > 0 ? planet.tangential_compliance : planet.pin_compliance;
+  const std::array<Eigen::MatrixXd, 2> pin{planet.pin_compliance.inverse(), along_y.inverse()};
+  const auto coordinate = [&](Index i, Index axis) {
+    return kPinAt + kPerSeat * (i % count) + (i < count ? 0 : 2) + axis;
+  };
+  const auto unit = [&](Index i) { return i < count ? 1.0 : 1.0 / lever; };  // of slopes: rad by length
+  for (Index i = 0; i < 2 * count; ++i)
+    for (Index j = 0; j < 2 * count; ++j)
+      for (Index axis = 0; axis < 2; ++axis)
+        stiffness(coordinate(i, axis), coordinate(j, axis)) +=
+            unit(i) * unit(j) * pin[static_cast<std::size_t>(axis)](i, j);
+}
+
+RingsOnRollers<Eigen::Dynamic> rings_on(const PlanetOnPin& planet, const std::vector<RaceEquilibrium>& races,
+                                        const Vector2d& share, const Vector2d& moment, double lever,
+                                        std::vector<std::vector<RollerState>>& rollers) {
+  RingsOnRollers<Eigen::Dynamic> rings;
+  const Index size = pin_of(races.size());
+  rings.load.setZero(size);
+  rings.stiffness.setZero(size, size);
+  rings.rest.setZero(size);
+  rings.load.segment<2>(kTiltAt) = moment / lever;
+  rings.stiffness.block<2, 2>(kTiltAt, kTiltAt) = planet.tilt_stiffness / (lever * lever);
+  add_pin(planet, lever, rings.stiffness);
+  double largest = 0.0;
+  for (std::size_t k = 0; k < races.size(); ++k) {
+    rings.load.head<2>() += races[k].load;
+    const Vector2d through_cage = races[k].load - share;
+    rings.load.segment<2>(kTiltAt) += through_cage * (planet.place[k] / lever);
+    largest = std::max(largest, races[k].inertial_load.abs().maxCoeff());
+    rollers[k].resize(static_cast<std::size_t>(races[k].angle.size()));
+    rings.rows.push_back(row_on(planet, k, races[k], lever, size, rollers[k]));
+  }
+  rings.scale = std::max({rings.load.head<2>().norm(), moment.norm() / lever, largest});
+  return rings;
+}
+
+// Where each bearing would be displaced under its part of the load.
+Eigen::VectorXd start_of(const RaceEquilibrium& first, Index size) {
+  Eigen::VectorXd at = Eigen::VectorXd::Zero(size);
+  at.head<2>() = first_displacement(first);
   return at;
 }
 
-SeatPlaces start_near(const PinnedPlanet& problem, const PlanetOnPinState& near) {
-  SeatPlaces at(problem.size());
+Eigen::VectorXd start_near(const PlanetOnPin& planet, double lever, const PlanetOnPinState& near) {
+  Eigen::VectorXd at(pin_of(planet.bearings.size()));
   at.head<2>() = near.displacement;
-  at.segment<2>(kTiltAt) = near.tilt * problem.lever;
-  for (std::size_t k = 0; k < problem.races.size(); ++k) {
-    const Index pin = PinnedPlanet::pin_of(k);
-    at.segment<2>(pin) = near.displacement + near.tilt * problem.planet.place[k] - problem.error(k) -
-                         near.bearings[k].displacement;
-    at.segment<2>(pin + 2) = problem.lever * (near.tilt - near.bearing_tilt[k] - problem.inclination(k));
+  at.segment<2>(kTiltAt) = near.tilt * lever;
+  for (std::size_t k = 0; k < planet.bearings.size(); ++k) {
+    at.segment<2>(pin_of(k)) =
+        near.displacement + near.tilt * planet.place[k] - error_of(planet, k) - near.bearings[k].displacement;
+    at.segment<2>(pin_of(k) + 2) = lever * (near.tilt - near.bearing_tilt[k] - inclination_of(planet, k));
   }
   return at;
 }
 
-mechanics::SearchLimits limits_of(const PinnedPlanet& problem) {
-  mechanics::SearchLimits limits;
-  for (std::size_t k = 0; k < problem.races.size(); ++k) {
-    RaceEquilibrium one = problem.races[k];
-    one.load += problem.load;
-    const mechanics::SearchLimits own = search_limits(one);
-    const LaminaBearing& bearing = problem.planet.bearings[k];
-    const double more =
-        2.0 * largest_drop(bearing) + problem.error(k).norm() + problem.lever * problem.inclination(k).norm();
-    limits.reach = std::max(limits.reach, own.reach + more);
-    limits.size = std::max(limits.size, own.size + own.reach + more);
-  }
-  return limits;
+void put_bearing(const PlanetOnPin& planet, std::size_t k, const RaceEquilibrium& races,
+                 const Eigen::VectorXd& at, double lever, std::vector<RollerState> rollers,
+                 PlanetOnPinState& state) {
+  QuasiStaticState& one = state.bearings.emplace_back();
+  one.displacement =
+      state.displacement + state.tilt * planet.place[k] - at.segment<2>(pin_of(k)) - error_of(planet, k);
+  state.bearing_tilt.push_back(state.tilt - at.segment<2>(pin_of(k) + 2) / lever - inclination_of(planet, k));
+  put_rollers(races, std::move(rollers), one);
+  state.report.converged = state.report.converged && are_settled(one.rollers);
 }
 
 }  // namespace
@@ -177,34 +158,35 @@ PlanetOnPinState planet_on_pin(const PlanetOnPin& planet, const OperatingPoint& 
                                const PlanetOnPinState* near) {
   mechanics::require(!planet.bearings.empty() && planet.bearings.size() == planet.place.size(),
                      "bearings of a planet", planet.place.size(), "at least one, each with its place");
+  for (const LaminaBearing& one : planet.bearings)
+    mechanics::require(one.is_cut(), "laminae of a bearing whose tilt is computed",
+                       one.bearing().rollers().laminae, "at least one");
   mechanics::require(point.outer_race.is_rigid(), "outer race", "elastic",
                      "a rigid one where the tilt is computed");
-  PlanetOnPinState state;
-  state.bearings.resize(planet.bearings.size());
+  const std::vector<RaceEquilibrium> races = bearings_on(planet, point, options, first_roller);
+  const double lever = lever_of(planet);
+  std::vector<std::vector<RollerState>> rollers(races.size());
   if (near != nullptr)
-    for (std::size_t k = 0; k < state.bearings.size(); ++k)
-      state.bearings[k].rollers = near->bearings[k].rollers;
-  const PinnedPlanet problem = pinned(planet, point, moment, options, first_roller, state.bearings);
-  SeatPlaces at = near != nullptr ? start_near(problem, *near) : start_of(problem);
+    for (std::size_t k = 0; k < races.size(); ++k) rollers[k] = near->bearings[k].rollers;
+  const RingsOnRollers<Eigen::Dynamic> rings =
+      rings_on(planet, races, load_share(planet, point), moment, lever, rollers);
+  Eigen::VectorXd at =
+      near != nullptr ? start_near(planet, lever, *near) : start_of(races.front(), rings.load.size());
   mechanics::Imbalance<Eigen::Dynamic> now;
-  const mechanics::SearchReport search = mechanics::find_balance<Eigen::Dynamic>(
-      [&](const SeatPlaces& place) { return problem(place); }, limits_of(problem), at, now);
+  PlanetOnPinState state;
+  state.report = {mechanics::find_balance<Eigen::Dynamic>(rings, rings.limits(), at, now)};
   state.displacement = at.head<2>();
-  state.tilt = at.segment<2>(kTiltAt) / problem.lever;
-  state.report = {search};
-  for (std::size_t k = 0; k < state.bearings.size(); ++k) {
-    state.bearing_tilt.push_back(problem.tilt(k, at));
-    LaminaState& one = state.bearings[k];
-    one.moment = moment_on_bore(planet.bearings[k], one);
-    state.report.converged = state.report.converged && are_settled(one.rollers);
-  }
+  state.tilt = at.segment<2>(kTiltAt) / lever;
+  for (std::size_t k = 0; k < races.size(); ++k)
+    put_bearing(planet, k, races[k], at, lever, std::move(rollers[k]), state);
   if (!state.report.converged) {
     std::ostringstream text;
-    text << "the planet found no balance on its pin under " << problem.load.norm()
-         << " N: " << search.residual << " N remain; check clearances, profiles, the pin and its errors";
+    text << "the planet found no balance on its pin under " << point.bore_load.norm()
+         << " N: " << state.report.residual
+         << " N remain; check clearances, profiles, the pin and its errors";
     state.report.message = text.str();
   }
-  for (LaminaState& one : state.bearings) one.report = state.report;
+  for (QuasiStaticState& one : state.bearings) one.report = state.report;
   return state;
 }
 
@@ -227,13 +209,13 @@ PlanetOnPinResult planet_on_pin_over_a_pitch(const PlanetOnPin& planet, const Op
     result.tilt += last.tilt / positions;
     result.states.push_back(last);
     for (std::size_t k = 0; k < planet.bearings.size(); ++k) {
-      LaminaResult& one = result.bearings[k];
+      QuasiStaticResult& one = result.bearings[k];
       result.bearing_tilt[k] += last.bearing_tilt[k] / positions;
       one.total_bore_load -= force_on_bore(last.bearings[k]) / positions;
       put_position(planet.bearings[k], last.bearings[k], position, positions, one);
     }
   }
-  for (LaminaResult& one : result.bearings) one.report = result.report;
+  for (QuasiStaticResult& one : result.bearings) one.report = result.report;
   return result;
 }
 

@@ -33,7 +33,8 @@ struct PlanetOnPinState {
   Eigen::Vector2d displacement = Eigen::Vector2d::Zero();  // [m]    of the planet in the middle of its face
   Eigen::Vector2d tilt = Eigen::Vector2d::Zero();          // [rad]  its axis runs along (x, y, 1)
   std::vector<Eigen::Vector2d> bearing_tilt;               // [rad]  (bearings)  of bore against pin
-  std::vector<LaminaState> bearings;  // displacement of the bore against the pin there; moment on the bore
+  std::vector<QuasiStaticState>
+      bearings;  // displacement of the bore against the pin there; moment on the bore
   SolverReport report;
 };
 
@@ -46,7 +47,7 @@ PlanetOnPinState planet_on_pin(const PlanetOnPin& planet, const OperatingPoint& 
 
 /// Balances over one roller pitch: one result for each bearing, and the mean tilt of the planet.
 struct PlanetOnPinResult {
-  std::vector<LaminaResult> bearings;
+  std::vector<QuasiStaticResult> bearings;
   std::vector<Eigen::Vector2d> bearing_tilt;       // [rad]  mean over the cage angles
   Eigen::Vector2d tilt = Eigen::Vector2d::Zero();  // [rad]
   SolverReport report;

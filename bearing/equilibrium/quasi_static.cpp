@@ -10,6 +10,7 @@
 #include "bearing/contact/printed_film.hpp"
 #include "bearing/contact/race_form.hpp"
 #include "bearing/equilibrium/elastic_waves.hpp"
+#include "bearing/equilibrium/lamina_bearing.hpp"
 
 namespace orbearing::bearing {
 
@@ -112,38 +113,86 @@ RaceEquilibrium quasi_static_problem(const Bearing& bearing, const BearingGeomet
   return problem;
 }
 
+RaceEquilibrium quasi_static_problem(const laminae::LaminaBearing& bearing, const OperatingPoint& point,
+                                     const QuasiStaticOptions& options, double first_roller) {
+  RaceEquilibrium problem =
+      quasi_static_problem(bearing.bearing(), bearing.geometry(), point, options, first_roller);
+  if (!bearing.is_cut()) return problem;
+  problem.cut = &bearing;
+  problem.end_displacement = bearing.half_length() * (problem.angle.cos() * point.bore_tilt.x() +
+                                                      problem.angle.sin() * point.bore_tilt.y());
+  return problem;
+}
+
+QuasiStaticState quasi_static_state(const laminae::LaminaBearing& bearing, const OperatingPoint& point,
+                                    const QuasiStaticOptions& options, double first_roller,
+                                    const QuasiStaticState* near) {
+  return solve(quasi_static_problem(bearing, point, options, first_roller), near);
+}
+
 QuasiStaticState quasi_static_state(const Bearing& bearing, const OperatingPoint& point,
                                     const QuasiStaticOptions& options, double first_roller) {
   return solve(quasi_static_problem(bearing, geometry_of(bearing), point, options, first_roller));
 }
 
-QuasiStaticResult quasi_static_bearing(const Bearing& bearing, const OperatingPoint& point,
-                                       const QuasiStaticOptions& options) {
-  require_equal_pitches(bearing);
-  const BearingGeometry geometry = geometry_of(bearing);
-  const int positions = options.cage_positions, rollers = bearing.rollers().count;
-  const int places = positions * rollers;
+QuasiStaticResult empty_result(const laminae::LaminaBearing& bearing, const OperatingPoint& point,
+                               const QuasiStaticOptions& options) {
+  const Bearing& b = bearing.bearing();
+  const int places = options.cage_positions * b.rollers().count;
   QuasiStaticResult result;
   result.angle =
       options.first_roller + Eigen::ArrayXd::LinSpaced(places, 0.0, two_pi * (places - 1) / places);
-  result.inner_load.resize(places);
-  result.outer_load.resize(places);
-  result.race_form = Eigen::ArrayXd::Zero(places);
-  result.total_bore_load = total_bore_load(bearing, geometry, point, options.inertia);
+  for (Eigen::ArrayXd* array : {&result.inner_load, &result.outer_load}) array->resize(places);
+  for (Eigen::ArrayXXd* array : {&result.inner_lamina_load, &result.outer_lamina_load})
+    array->resize(b.rollers().laminae, places);
+  result.total_bore_load = total_bore_load(b, bearing.geometry(), point, options.inertia);
+  result.roller_tilt = result.race_form = Eigen::ArrayXd::Zero(places);
   result.report.converged = true;
-  QuasiStaticState state;
+  return result;
+}
+
+void put_position(const laminae::LaminaBearing& bearing, QuasiStaticState state, Eigen::Index position,
+                  Eigen::Index positions, QuasiStaticResult& result) {
+  const double part = 1.0 / static_cast<double>(positions);
+  result.displacement += part * state.displacement;
+  add_form(state.waves, part, result.angle, result.race_form);
+  result.moment += part * state.moment;
+  keep_worst(state.report, result.report);
+  for (Eigen::Index j = 0; j < state.angle.size(); ++j) {
+    const Eigen::Index place = position + j * positions;
+    result.inner_load[place] = state.inner_load[j];
+    result.outer_load[place] = state.outer_load[j];
+    if (!bearing.is_cut()) continue;
+    const laminae::RollerState& roller = state.rollers[static_cast<std::size_t>(j)];
+    result.roller_tilt[place] = roller.end_displacement / bearing.half_length();
+    bearing.contact(Race::inner)
+        .put_loads(roller.inner_approach(), roller.inner_end_displacement,
+                   result.inner_lamina_load.col(place).data());
+    bearing.contact(Race::outer)
+        .put_loads(roller.outer_approach, roller.outer_end_displacement,
+                   result.outer_lamina_load.col(place).data());
+  }
+  result.states.push_back(std::move(state));
+}
+
+QuasiStaticResult quasi_static_bearing(const laminae::LaminaBearing& bearing, const OperatingPoint& point,
+                                       const QuasiStaticOptions& options) {
+  require_equal_pitches(bearing.bearing());
+  QuasiStaticResult result = empty_result(bearing, point, options);
+  const int positions = options.cage_positions;
   for (int position = 0; position < positions; ++position) {
-    state = solve(quasi_static_problem(bearing, geometry, point, options, result.angle[position]),
-                  position > 0 ? &state : nullptr);
-    for (int roller = 0; roller < rollers; ++roller) {
-      result.inner_load[position + roller * positions] = state.inner_load[roller];
-      result.outer_load[position + roller * positions] = state.outer_load[roller];
-    }
-    result.displacement += state.displacement / positions;
-    add_form(state.waves, 1.0 / positions, result.angle, result.race_form);
-    keep_worst(state.report, result.report);
+    const QuasiStaticState* near = result.states.empty() ? nullptr : &result.states.back();
+    put_position(bearing, quasi_static_state(bearing, point, options, result.angle[position], near), position,
+                 positions, result);
   }
   return result;
+}
+
+QuasiStaticResult quasi_static_bearing(const Bearing& bearing, const OperatingPoint& point,
+                                       const QuasiStaticOptions& options) {
+  Bearing whole = bearing;
+  whole.rollers().laminae = 0;
+  return quasi_static_bearing(laminae::LaminaBearing(whole), point, options);
 }
 
 }  // namespace orbearing::bearing

@@ -5,12 +5,15 @@
 #include <sstream>
 
 #include "bearing/equilibrium/elastic_waves.hpp"
+#include "bearing/equilibrium/lamina_bearing.hpp"
 #include "bearing/equilibrium/roller_balance.hpp"
 #include "bearing/plane.hpp"
 
 namespace orbearing::bearing {
 
 namespace {
+
+using laminae::RollerState;
 
 // The largest length [m] by which the races stand apart or overlap where they are concentric.
 double largest_gap(const RaceEquilibrium& problem) {
@@ -24,52 +27,49 @@ double wave_reach(const RaceEquilibrium& problem, double load) {
   return problem.outer_race.is_rigid() ? 0.0 : problem.outer_race.compliance.sum() * load;
 }
 
+// What profiles and a stated tilt add [m].
+double lamina_reach(const RaceEquilibrium& problem) {
+  return problem.cut ? 2.0 * largest_drop(*problem.cut) + problem.end_displacement.abs().maxCoeff() : 0.0;
+}
+
+void settle(const RaceEquilibrium& races, Eigen::Index j, double approach, double end_displacement,
+            RollerState& roller) {
+  const auto& [inner, outer] = races.contacts;
+  if (races.cut)
+    return settle_roller(
+        {races.cut->contact(Race::inner), races.cut->contact(Race::outer), inner.film(), outer.film()},
+        {approach, 0.0, end_displacement, races.inertial_load[j]}, roller);
+  const RollerBalance whole = balance_roller(inner, outer, races.inertial_load[j], approach);
+  roller.inner.load = whole.inner_load;
+  roller.outer.load = whole.outer_load;
+  roller.stiffness = whole.stiffness;
+  roller.settled = true;
+}
+
 std::string failure_text(const RaceEquilibrium& problem, double residual) {
   std::ostringstream text;
   text << "the races found no balance under " << problem.load.norm() << " N: " << residual
-       << " N remain; check the clearance and the roller count";
+       << " N remain; check the clearance, the roller count, profiles and tilt";
   return text.str();
-}
-
-RollerBalance roller_at(const RaceEquilibrium& problem, Eigen::Index j, double approach) {
-  return balance_roller(problem.contacts.inner, problem.contacts.outer, problem.inertial_load[j], approach);
-}
-
-template <int N>
-void fill_loads(const RaceEquilibrium& problem, const RingCoordinates<N>& ring,
-                const Eigen::Vector<double, N>& place, QuasiStaticState& state) {
-  state.displacement = place.template head<2>();
-  state.waves = place.tail(place.size() - 2);
-  state.angle = problem.angle;
-  state.inner_load.resize(problem.angle.size());
-  state.outer_load.resize(problem.angle.size());
-  for (Eigen::Index j = 0; j < problem.angle.size(); ++j) {
-    const RollerBalance roller = roller_at(problem, j, ring.approach(j, place));
-    state.inner_load[j] = roller.inner_load;
-    state.outer_load[j] = roller.outer_load;
-  }
-}
-
-template <int N>
-mechanics::Imbalance<N> imbalance_at(const RaceEquilibrium& problem, const RingCoordinates<N>& ring,
-                                     const Eigen::Vector<double, N>& place) {
-  return ring.imbalance(place,
-                        [&](Eigen::Index j, double approach) { return roller_at(problem, j, approach); });
 }
 
 template <int N>
 QuasiStaticState solve_in(const RaceEquilibrium& problem, const QuasiStaticState* near) {
-  const RingCoordinates<N> ring(problem);
-  Eigen::Vector<double, N> place = ring.start(near ? near->displacement : first_displacement(problem));
+  std::vector<RollerState> rollers = near && problem.cut ? near->rollers : std::vector<RollerState>();
+  rollers.resize(static_cast<std::size_t>(problem.angle.size()));
+  const RingsOnRollers<N> ring = ring_on_rollers<N>(problem, rollers);
+  Eigen::Vector<double, N> place = ring.rest;
+  place.template head<2>() = near ? near->displacement : first_displacement(problem);
   if (near) place.tail(near->waves.size()) = near->waves;
   mechanics::Imbalance<N> now;
   QuasiStaticState state;
-  state.report = {mechanics::find_balance<N>(
-      [&](const Eigen::Vector<double, N>& at) { return imbalance_at<N>(problem, ring, at); },
-      search_limits(problem), place, now)};
-  if (!state.report.converged) state.report.message = failure_text(problem, state.report.residual);
-  fill_loads<N>(problem, ring, place, state);
+  state.report = {mechanics::find_balance<N>(ring, ring.limits(), place, now)};
+  state.displacement = place.template head<2>();
+  state.waves = place.tail(place.size() - 2);
   state.stiffness = without_waves<N>(now);
+  put_rollers(problem, std::move(rollers), state);
+  state.report.converged = state.report.converged && are_settled(state.rollers);
+  if (!state.report.converged) state.report.message = failure_text(problem, state.report.residual);
   return state;
 }
 
@@ -84,50 +84,81 @@ double RaceEquilibrium::force_scale() const {
   return std::max(load.norm(), inertial_load.abs().maxCoeff());
 }
 
-mechanics::Imbalance<2> RaceEquilibrium::imbalance(const Eigen::Vector2d& displacement) const {
-  return imbalance_at<2>(*this, RingCoordinates<2>(*this), displacement);
+template <int N>
+SettlingRow<N>::SettlingRow(const RaceEquilibrium& of, Moves outward_moves, std::vector<RollerState>& states)
+    : races(&of), outward(std::move(outward_moves)), concentric(of.angle.size()), rollers(&states) {
+  for (Eigen::Index j = 0; j < concentric.size(); ++j)
+    concentric[j] = of.approach(j, Eigen::Vector2d::Zero());
 }
 
 template <int N>
-RingCoordinates<N>::RingCoordinates(const RaceEquilibrium& problem)
-    : concentric_(problem.angle.size()), load_(problem.load), scale_(problem.force_scale()) {
-  const Eigen::Index rollers = problem.angle.size();
-  if constexpr (N == Eigen::Dynamic) {
-    wave_stiffness_ = wave_stiffness(problem.outer_race);
-    wave_at_rest_ = waves_at_rest(problem.outer_race);
+void SettlingRow<N>::add(Eigen::Index j, const Eigen::Vector<double, N>& place,
+                         mechanics::Imbalance<N>& sum) const {
+  RollerState& roller = (*rollers)[static_cast<std::size_t>(j)];
+  const auto out = outward.col(j);
+  const double stated = races->cut ? races->end_displacement[j] : 0.0;
+  if (tilting.size() == 0) {
+    settle(*races, j, concentric[j] - place.dot(out), stated, roller);
+    sum.force += roller.outer.load * out;
+    sum.stiffness += roller.stiffness * out * out.transpose();
+    return;
   }
-  const Eigen::Index waves = wave_stiffness_.size();
-  outward_.resize(2 + waves, rollers);
-  for (Eigen::Index j = 0; j < rollers; ++j) {
-    outward_.col(j).template head<2>() = direction(problem.angle[j]);
-    if (waves > 0) outward_.col(j).tail(waves) = wave_shapes(problem.outer_race, problem.angle[j]);
-    concentric_[j] = problem.approach(j, Eigen::Vector2d::Zero());
-  }
+  settle(*races, j, concentric[j] - place.dot(out), stated + place.dot(tilting.col(j)), roller);
+  Eigen::Matrix<double, N, 2> moves(place.size(), 2);
+  moves << out, tilting.col(j);
+  sum.force += moves * Eigen::Vector2d(roller.outer.load, roller.outer.end_load);
+  sum.stiffness += moves * laminae::roller_stiffness(roller) * moves.transpose();
 }
 
 template <int N>
-mechanics::Imbalance<N> RingCoordinates<N>::without_rollers(const Place& place) const {
-  const Eigen::Index waves = wave_stiffness_.size();
-  mechanics::Imbalance<N> sum;
-  sum.force.setZero(size());
-  sum.stiffness.setZero(size(), size());
-  sum.scale = scale_;
-  sum.force.template head<2>() = load_;
-  sum.force.tail(waves) -= wave_stiffness_.cwiseProduct(place.tail(waves) - wave_at_rest_);
-  sum.stiffness.diagonal().tail(waves) += wave_stiffness_;
+mechanics::Imbalance<N> RingsOnRollers<N>::operator()(const Place& place) const {
+  mechanics::Imbalance<N> sum{load - stiffness * (place - rest), stiffness, scale};
+  for (const SettlingRow<N>& row : rows)
+    for (Eigen::Index j = 0; j < row.concentric.size(); ++j) row.add(j, place, sum);
   return sum;
 }
 
 template <int N>
-Eigen::Vector<double, N> RingCoordinates<N>::start(const Eigen::Vector2d& displacement) const {
-  Place place(size());
-  place.template head<2>() = displacement;
-  place.tail(wave_at_rest_.size()) = wave_at_rest_;
-  return place;
+mechanics::SearchLimits RingsOnRollers<N>::limits() const {
+  mechanics::SearchLimits all;
+  for (const SettlingRow<N>& row : rows) {
+    const mechanics::SearchLimits one = search_limits(*row.races);
+    all.reach = std::max(all.reach, one.reach);
+    all.size = std::max(all.size, one.size);
+  }
+  return all;
 }
 
-template class RingCoordinates<2>;
-template class RingCoordinates<Eigen::Dynamic>;
+template <int N>
+RingsOnRollers<N> ring_on_rollers(const RaceEquilibrium& races, std::vector<RollerState>& rollers) {
+  const Eigen::VectorXd waves = N == 2 ? Eigen::VectorXd() : wave_stiffness(races.outer_race);
+  const Eigen::Index size = 2 + waves.size();
+  typename SettlingRow<N>::Moves outward(size, races.angle.size());
+  for (Eigen::Index j = 0; j < races.angle.size(); ++j) {
+    outward.col(j).template head<2>() = direction(races.angle[j]);
+    if (waves.size() > 0) outward.col(j).tail(waves.size()) = wave_shapes(races.outer_race, races.angle[j]);
+  }
+  RingsOnRollers<N> ring;
+  ring.load.setZero(size);
+  ring.load.template head<2>() = races.load;
+  ring.stiffness.setZero(size, size);
+  ring.rest.setZero(size);
+  if (waves.size() > 0) {
+    ring.stiffness.diagonal().tail(waves.size()) = waves;
+    ring.rest.tail(waves.size()) = waves_at_rest(races.outer_race);
+  }
+  ring.scale = races.force_scale();
+  ring.rows.emplace_back(races, std::move(outward), rollers);
+  return ring;
+}
+
+template struct SettlingRow<2>;
+template struct SettlingRow<Eigen::Dynamic>;
+template struct RingsOnRollers<2>;
+template struct RingsOnRollers<Eigen::Dynamic>;
+template RingsOnRollers<2> ring_on_rollers<2>(const RaceEquilibrium&, std::vector<RollerState>&);
+template RingsOnRollers<Eigen::Dynamic> ring_on_rollers<Eigen::Dynamic>(const RaceEquilibrium&,
+                                                                        std::vector<RollerState>&);
 
 Eigen::Vector2d first_displacement(const RaceEquilibrium& problem) {
   const double load = problem.load.norm();
@@ -143,38 +174,27 @@ mechanics::SearchLimits search_limits(const RaceEquilibrium& problem) {
   const double all = problem.load.norm() + problem.inertial_load.abs().sum();
   const double elastic =
       problem.contacts.inner.elastic().approach(all) + problem.contacts.outer.elastic().approach(all);
-  const double gap = largest_gap(problem);
-  return {.reach = std::max(gap, 1e-6) + elastic + wave_reach(problem, all), .size = gap};
+  const double gap = largest_gap(problem), more = lamina_reach(problem);
+  const double reach = std::max(gap, 1e-6) + elastic + wave_reach(problem, all);
+  return {.reach = reach + more, .size = problem.cut ? gap + reach + more : gap};
+}
+
+void put_rollers(const RaceEquilibrium& problem, std::vector<RollerState> rollers, QuasiStaticState& state) {
+  state.angle = problem.angle;
+  state.inner_load.resize(problem.angle.size());
+  state.outer_load.resize(problem.angle.size());
+  for (Eigen::Index j = 0; j < problem.angle.size(); ++j) {
+    const RollerState& roller = rollers[static_cast<std::size_t>(j)];
+    state.inner_load[j] = roller.inner.load;
+    state.outer_load[j] = roller.outer.load;
+    if (problem.cut)
+      state.moment += problem.cut->half_length() * roller.outer.end_load * direction(problem.angle[j]);
+  }
+  state.rollers = std::move(rollers);
 }
 
 QuasiStaticState solve(const RaceEquilibrium& problem, const QuasiStaticState* near) {
   return problem.outer_race.is_rigid() ? solve_in<2>(problem, near) : solve_in<Eigen::Dynamic>(problem, near);
-}
-
-namespace {
-
-// Where the ring stands in a balance that was found.
-Eigen::VectorXd place_of(const RingCoordinates<Eigen::Dynamic>& ring, const QuasiStaticState& state) {
-  Eigen::VectorXd place(ring.size());
-  place << state.displacement, state.waves;
-  return place;
-}
-
-}  // namespace
-
-Eigen::ArrayXd roller_stiffness(const RaceEquilibrium& problem, const QuasiStaticState& state) {
-  const RingCoordinates<Eigen::Dynamic> ring(problem);
-  const Eigen::VectorXd place = place_of(ring, state);
-  Eigen::ArrayXd stiffness(problem.angle.size());
-  for (Eigen::Index j = 0; j < stiffness.size(); ++j)
-    stiffness[j] = roller_at(problem, j, ring.approach(j, place)).stiffness;
-  return stiffness;
-}
-
-Eigen::Matrix2d stiffness_at(const RaceEquilibrium& problem, const QuasiStaticState& state) {
-  if (problem.outer_race.is_rigid()) return problem.imbalance(state.displacement).stiffness;
-  const RingCoordinates<Eigen::Dynamic> ring(problem);
-  return without_waves(imbalance_at<Eigen::Dynamic>(problem, ring, place_of(ring, state)).stiffness, 2);
 }
 
 }  // namespace orbearing::bearing

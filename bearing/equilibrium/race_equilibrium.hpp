@@ -1,8 +1,11 @@
-// The balance of the outer ring on its rollers: two force equations for the displacement of the races.
+// Rings that balance on the rollers between them: the outer ring of one bearing, or a planet on several;
+// races rigid or elastic, contacts whole or cut into laminae, tilts stated or free. Eqs. (3), (4) and (14) to
+// (16) of README.md.
 #pragma once
 
 #include <Eigen/Core>
 #include <optional>
+#include <vector>
 
 #include "bearing/contact/race_contact.hpp"
 #include "bearing/elastic_race.hpp"
@@ -12,7 +15,11 @@
 
 namespace orbearing::bearing {
 
-/// What the races must balance at one cage angle. Arrays are over rollers.
+namespace laminae {
+class LaminaBearing;
+}
+
+/// What the races of one bearing must balance at one cage angle. Arrays are over rollers.
 struct RaceEquilibrium {
   RollerContacts contacts;
   double clearance = 0.0;                          // [m]    diametral
@@ -21,74 +28,69 @@ struct RaceEquilibrium {
   Eigen::ArrayXd inertial_load = {};               // [N]    of each roller, outward positive
   Eigen::ArrayXd extra_approach = {};  // [m]    by unequal rollers and races that are not round; empty: none
   ElasticRace outer_race = {};         // how the outer race bends
+  const laminae::LaminaBearing* cut = nullptr;  // laminae of the contacts, which outlive this; null: whole
+  Eigen::ArrayXd end_displacement = {};         // [m]    of the outer race of laminae, by its stated tilt
 
   /// Approach of the races at roller `j` [m] when a rigid outer ring is displaced by `displacement` [m].
   double approach(Eigen::Index j, const Eigen::Vector2d& displacement) const;
   /// [N]  the largest of the forces that balance
   double force_scale() const;
-  /// Forces on a rigid outer ring at `displacement` [m].
-  mechanics::Imbalance<2> imbalance(const Eigen::Vector2d& displacement) const;
 };
 
-/// Coordinates of the outer ring in a search: its displacement along x and y [m], then the waves of an
-/// elastic race (elastic_waves.hpp). N = 2 where the race is rigid, else Eigen::Dynamic.
+/// The rollers of one bearing, by the coordinates of the rings. N may be Eigen::Dynamic.
 template <int N>
-class RingCoordinates {
- public:
+struct SettlingRow {
+  using Moves = Eigen::Matrix<double, N, Eigen::Dynamic>;
+
+  SettlingRow(const RaceEquilibrium& of, Moves outward_moves, std::vector<laminae::RollerState>& states);
+
+  /// Settles roller `j` with the rings at `place` and adds what it does to them.
+  void add(Eigen::Index j, const Eigen::Vector<double, N>& place, mechanics::Imbalance<N>& sum) const;
+
+  const RaceEquilibrium* races;
+  Moves outward;              // [-]  (coordinates, rollers)  how far each moves the outer race outward
+  Moves tilting;              // [-]  the same of its end beyond its middle; empty: the tilt is stated
+  Eigen::ArrayXd concentric;  // [m]  (rollers)  approach where all coordinates are zero
+  std::vector<laminae::RollerState>* rollers;  // where their searches start, and what they find
+};
+
+/// Forces on the coordinates of the rings: those of the rollers, and load - stiffness (place - rest).
+template <int N>
+struct RingsOnRollers {
   using Place = Eigen::Vector<double, N>;
 
-  explicit RingCoordinates(const RaceEquilibrium& problem);
+  mechanics::Imbalance<N> operator()(const Place& place) const;
+  mechanics::SearchLimits limits() const;
 
-  Eigen::Index size() const { return outward_.rows(); }
-  /// How far each coordinate moves the race away from roller `j`.
-  auto outward(Eigen::Index j) const { return outward_.col(j); }
-  double approach(Eigen::Index j, const Place& place) const {
-    return concentric_[j] - place.dot(outward_.col(j));
-  }
-  /// Forces on the ring at `place` where `bears(j, approach)` says what roller j does: a structure with its
-  /// outer_load [N] and stiffness [N/m].
-  template <class Rollers>
-  mechanics::Imbalance<N> imbalance(const Place& place, Rollers&& bears) const {
-    mechanics::Imbalance<N> sum = without_rollers(place);
-    for (Eigen::Index j = 0; j < outward_.cols(); ++j) {
-      const auto roller = bears(j, approach(j, place));
-      sum.force += roller.outer_load * outward_.col(j);
-      sum.stiffness += roller.stiffness * outward_.col(j) * outward_.col(j).transpose();
-    }
-    return sum;
-  }
-  /// The load, and what the race itself resists at `place`.
-  mechanics::Imbalance<N> without_rollers(const Place& place) const;
-  /// Where the waves stand without rollers, for a ring displaced by `displacement` [m].
-  Place start(const Eigen::Vector2d& displacement) const;
-
- private:
-  Eigen::Matrix<double, N, Eigen::Dynamic> outward_;  // [-]  (coordinates, rollers)
-  Eigen::ArrayXd concentric_;                         // [m]  (rollers)
-  Eigen::Vector2d load_;                              // [N]
-  double scale_ = 0.0;                                // [N]
-  Eigen::VectorXd wave_stiffness_;                    // [N/m]  (coordinates beyond the second)
-  Eigen::VectorXd wave_at_rest_;                      // [m]
+  Place load;                             // [N]
+  Eigen::Matrix<double, N, N> stiffness;  // [N/m]  without rollers
+  Place rest;                             // [m]
+  double scale = 0.0;                     // [N]  the largest of the forces that balance
+  std::vector<SettlingRow<N>> rows;       // (bearings)
 };
 
-extern template class RingCoordinates<2>;
-extern template class RingCoordinates<Eigen::Dynamic>;
+/// The outer ring of one bearing whose tilt is stated. Coordinates: displacement along x and y, then the
+/// waves of an elastic race (elastic_waves.hpp). N = 2 where it is rigid, else Eigen::Dynamic.
+template <int N>
+RingsOnRollers<N> ring_on_rollers(const RaceEquilibrium& races, std::vector<laminae::RollerState>& rollers);
+
+extern template struct SettlingRow<2>;
+extern template struct SettlingRow<Eigen::Dynamic>;
+extern template struct RingsOnRollers<2>;
+extern template struct RingsOnRollers<Eigen::Dynamic>;
 
 /// Where a search for the displacement of the races begins, and how far it may go: the rollers under the load
 /// in contact, as far as one loaded roller asks.
 Eigen::Vector2d first_displacement(const RaceEquilibrium& problem);
 mechanics::SearchLimits search_limits(const RaceEquilibrium& problem);
 
-/// Displacement, and waves of the outer race, at which the forces on the outer ring balance. The search starts
-/// where the ring stands in `near`, if one is given: the balance of the same bearing under another load or at
-/// another cage angle.
+/// Puts angles, loads and moment of the rollers that settled in a balance.
+void put_rollers(const RaceEquilibrium& problem, std::vector<laminae::RollerState> rollers,
+                 QuasiStaticState& state);
+
+/// Displacement, and waves of the outer race, at which the forces on the outer ring balance. The search
+/// starts where the ring stands in `near`, if one is given: the balance of the same bearing under another
+/// load or at another cage angle.
 QuasiStaticState solve(const RaceEquilibrium& problem, const QuasiStaticState* near = nullptr);
-
-/// Load on the outer race by the approach of the races, of each roller at the balance `state` [N/m].
-Eigen::ArrayXd roller_stiffness(const RaceEquilibrium& problem, const QuasiStaticState& state);
-
-/// How stiffly the outer ring resists displacement at the balance `state` [N/m], the waves of its race free
-/// to follow.
-Eigen::Matrix2d stiffness_at(const RaceEquilibrium& problem, const QuasiStaticState& state);
 
 }  // namespace orbearing::bearing

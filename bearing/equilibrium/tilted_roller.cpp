@@ -1,5 +1,6 @@
 #include "bearing/equilibrium/tilted_roller.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
@@ -147,7 +148,39 @@ void settle_with_film(const TiltedRoller& roller, const RollerSetting& setting, 
   }
 }
 
+// By approach and end displacement of one contact [N/m].
+Eigen::Matrix2d contact_stiffness(const LaminaForce& force) {
+  Eigen::Matrix2d stiffness;
+  stiffness << force.by_approach, force.mixed, force.mixed, force.by_end_displacement;
+  return stiffness;
+}
+
+constexpr double kSingular = 1e-14;  // of a determinant over the square of the trace
+
+// A contact that a single lamina touches holds no tilt about it: then that of what it does hold.
+Eigen::Matrix2d pseudo_inverse(const Eigen::Matrix2d& symmetric) {
+  const double size = symmetric.trace();
+  if (!(size > 0.0)) return Eigen::Matrix2d::Zero();
+  if (symmetric.determinant() > kSingular * size * size) return symmetric.inverse();
+  return symmetric / (size * size);
+}
+
 }  // namespace
+
+// Both contacts in series, where one of them or both may be open or hold no tilt; then the films, which yield
+// with the load alone.
+Eigen::Matrix2d roller_stiffness(const RollerState& roller) {
+  const Eigen::Matrix2d inner = contact_stiffness(roller.inner), outer = contact_stiffness(roller.outer);
+  Eigen::Matrix2d series = inner * pseudo_inverse(inner + outer) * outer;
+  series = 0.5 * (series + series.transpose()).eval();
+  if (!(series(0, 0) > 0.0)) return Eigen::Matrix2d::Zero();
+  const double share = roller.stiffness / series(0, 0);  // that the films leave
+  series(1, 1) -= (1.0 - share) * series(0, 1) * series(1, 0) / series(0, 0);
+  series(0, 0) *= share;
+  series(0, 1) *= share;
+  series(1, 0) *= share;
+  return series;
+}
 
 void settle_roller(const TiltedRoller& roller, const RollerSetting& setting, RollerState& state) {
   const bool dry = roller.inner_film.cap() == 0.0 && roller.outer_film.cap() == 0.0;

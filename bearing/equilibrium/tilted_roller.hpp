@@ -23,25 +23,25 @@ struct TiltedRoller {
 
 /// What the races and the frame do to one roller.
 struct RollerSetting {
-  double approach = 0.0;       // [m]  of the races in the middle
+  double approach = 0.0;                // [m]  of the races in the middle
   double inner_end_displacement = 0.0;  // [m]  of the inner race
   double outer_end_displacement = 0.0;  // [m]  of the outer race
-  double inertial_load = 0.0;  // [N]  outward, in the middle: outer load - inner load
+  double inertial_load = 0.0;           // [N]  outward, in the middle: outer load - inner load
 };
 
 /// Where a roller settles. Start of the next search as well as its result.
 struct RollerState {
-  bool known = false;           // false: no earlier state to start from
-  double elastic = 0.0;         // [m]  sum of both elastic approaches in the middle: approach and films
-  double outer_approach = 0.0;  // [m]  elastic, in the middle
+  bool known = false;             // false: no earlier state to start from
+  double elastic = 0.0;           // [m]  sum of both elastic approaches in the middle: approach and films
+  double outer_approach = 0.0;    // [m]  elastic, in the middle
   double end_displacement = 0.0;  // [m]  of the roller
-  double approach = 0.0;        // [m]  of the races, for which it settled
+  double approach = 0.0;          // [m]  of the races, for which it settled
   double inner_end_displacement = 0.0;  // [m]  how much more the inner contact is approached at x = l/2
   double outer_end_displacement = 0.0;  // [m]  the same of the outer contact
   LaminaForce inner;
   LaminaForce outer;
-  double stiffness = 0.0;                                 // [N/m]  d(outer load)/d(approach of the races)
-  double per_approach = 1.0;                              // [-]    d(elastic)/d(approach)
+  double stiffness = 0.0;     // [N/m]  d(outer load)/d(approach of the races)
+  double per_approach = 1.0;  // [-]    d(elastic)/d(approach)
   Eigen::Vector2d per_elastic =
       Eigen::Vector2d::Zero();  // [-]    d(outer approach, end displacement)/d(elastic)
   bool settled = false;
@@ -63,5 +63,9 @@ inline Eigen::Matrix2d settling_stiffness(const RollerState& state) {
 /// implicit function theorem. A roller that is not squeezed rests on the race towards which its inertial load
 /// points. A known `state` is where the search starts.
 void settle_roller(const TiltedRoller& roller, const RollerSetting& setting, RollerState& state);
+
+/// Stiffness [N/m] of one settled roller between races that approach each other in the middle and at
+/// x = l/2: README.md (13).
+Eigen::Matrix2d roller_stiffness(const RollerState& roller);
 
 }  // namespace orbearing::bearing::laminae

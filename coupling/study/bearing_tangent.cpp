@@ -51,7 +51,7 @@ Matrix2d roller_damping(const bearing::RollerContacts& contacts, const AtCageAng
 AtCageAngle at_cage_angle(const bearing::RaceEquilibrium& problem) {
   const bearing::QuasiStaticState balance = bearing::solve(problem);
   if (!balance.report.converged) throw std::runtime_error(balance.report.message);
-  return {balance.displacement, stiffness_at(problem, balance), balance.inner_load, balance.outer_load};
+  return {balance.displacement, balance.stiffness, balance.inner_load, balance.outer_load};
 }
 
 // Whole contacts, as the bearing in motion has them without laminae.

@@ -48,33 +48,21 @@ struct Give {
 // The bearings of the planets under the forces [N] that they exert on them.
 class PlanetSupport {
  public:
-  PlanetSupport(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
-                const BearingDuty& duty)
+  PlanetSupport(const PlanetaryDrivetrain& drivetrain, const BearingDuty& duty)
       : drivetrain_(drivetrain),
-        bearing_(of_like_rollers(drivetrain.bearing)),
-        geometry_(geometry.bearing),
+        bearing_(of_like_rollers(drivetrain.bearing), mechanics::InstructionSet::baseline),
         duty_(duty),
         options_(quasi_static_options(drivetrain)),
         pitches_(static_cast<std::size_t>(drivetrain.set.planets)),
-        whole_(pitches_.size()),
-        cut_states_(pitches_.size()) {
-    if (LevelPitch::holds(duty.point)) level_ = LevelPitch::of(bearing_, options_);
-    if (bearing_.rollers().laminae > 0) cut_.emplace(bearing_, mechanics::InstructionSet::baseline);
+        settled_(pitches_.size()) {
+    if (LevelPitch::holds(duty.point)) level_ = LevelPitch::of(bearing_.bearing(), options_);
   }
 
   Give give(std::size_t planet, const Vector2d& force) {
     const bearing::OperatingPoint point = point_under(drivetrain_, duty_, force);
     if (level_ && LevelPitch::holds(point))
       if (const std::optional<Give> give = give_of_level_rollers(planet, point)) return *give;
-    return cut_ ? mean_over_angles(point, cut_states_, planet,
-                                   [&](double first_roller, const bearing::laminae::LaminaState* near) {
-                                     return lamina_state(*cut_, point, options_, first_roller, near);
-                                   })
-                : mean_over_angles(
-                      point, whole_, planet, [&](double first_roller, const bearing::QuasiStaticState* near) {
-                        return solve(quasi_static_problem(bearing_, geometry_, point, options_, first_roller),
-                                     near);
-                      });
+    return mean_over_angles(point, settled_[planet]);
   }
 
   /// Where the bearing of each planet last settled; none where cage angles were searched one by one.
@@ -111,32 +99,29 @@ class PlanetSupport {
   }
 
   // The balances of one planet at all cage angles, and the load of one bearing [N] under which they settled.
-  template <class State>
   struct Settled {
-    std::vector<State> states;
+    std::vector<bearing::QuasiStaticState> states;
     Vector2d load = Vector2d::Zero();
   };
 
   // Each search starts where the bearing last settled at that cage angle, displaced along its tangent by
   // what the load has changed; else from the first planet that settled, or from the cage angle before.
-  template <class State, class Search>
-  Give mean_over_angles(const bearing::OperatingPoint& point, std::vector<Settled<State>>& planets,
-                        std::size_t planet, const Search& search) const {
+  Give mean_over_angles(const bearing::OperatingPoint& point, Settled& own) const {
     const int positions = options_.cage_positions;
-    const double step = two_pi / (positions * bearing_.rollers().count);
-    Settled<State>& own = planets[planet];
-    if (own.states.empty()) own = planets.front();
+    const double step = two_pi / (positions * bearing_.bearing().rollers().count);
+    if (own.states.empty()) own = settled_.front();
     const bool known = !own.states.empty();
     Give mean = give_of_support(point);
     for (int i = 0; i < positions; ++i) {
-      State* near = nullptr;
+      bearing::QuasiStaticState* near = nullptr;
       if (known) {
         near = &own.states[static_cast<std::size_t>(i)];
         near->displacement += mechanics::lengths_under<2>(point.bore_load - own.load, near->stiffness);
       } else if (!own.states.empty()) {
         near = &own.states.back();
       }
-      State state = search(options_.first_roller + i * step, near);
+      bearing::QuasiStaticState state =
+          quasi_static_state(bearing_, point, options_, options_.first_roller + i * step, near);
       if (!state.report.converged) throw std::runtime_error("load sharing: " + state.report.message);
       mean.displacement += state.displacement / positions;
       mean.compliance += compliance_of(state.stiffness) / positions;
@@ -158,16 +143,13 @@ class PlanetSupport {
   }
 
   const PlanetaryDrivetrain& drivetrain_;
-  bearing::Bearing bearing_;
-  bearing::BearingGeometry geometry_;
+  bearing::laminae::LaminaBearing bearing_;
   BearingDuty duty_;
   bearing::QuasiStaticOptions options_;
   std::optional<LevelPitch> level_;    // where rollers stay level: all cage angles at once
   std::vector<PitchResults> pitches_;  // (planets)  where they last settled
   PitchResults found_;
-  std::optional<bearing::laminae::LaminaBearing> cut_;
-  std::vector<Settled<bearing::QuasiStaticState>> whole_;  // (planets)
-  std::vector<Settled<bearing::laminae::LaminaState>> cut_states_;
+  std::vector<Settled> settled_;  // (planets)
 };
 
 // Fixed point of a map by what its last steps say of its slope: Anderson's mixing of type II.
@@ -343,7 +325,7 @@ PlanetBalance planet_balance(const PlanetaryDrivetrain& drivetrain, const Drivet
   require_gears(drivetrain);
   const double stiffness = planet_bearing_stiffness(drivetrain, geometry);
   const SetModel set = on_springs(drivetrain, stiffness);
-  PlanetSupport support(drivetrain, geometry, even);
+  PlanetSupport support(drivetrain, even);
   OnSprings found = balanced(set, stiffness, support);
   return {shares_at(set, found.now.state, even), std::move(found.now.forces), std::move(found.offset),
           stiffness, support.pitches()};

@@ -72,96 +72,77 @@ void put_laminae(const Eigen::ArrayXXd& loads, RaceStatistics& means) {
 
 // One bearing of one planet, at rest in the carrier's frame.
 struct QuasiStaticBearing {
-  Eigen::ArrayXd angle;      // [rad]  (places)
-  Eigen::ArrayXd race_form;  // [m]    (places)  of an elastic outer race; else empty
+  bearing::QuasiStaticResult loads;
   WindowStatistics means;
-  std::optional<bearing::laminae::LaminaResult> laminae;
-  Eigen::Vector2d tilt = Eigen::Vector2d::Zero();  // [rad]  of the bore, of laminae
+  Eigen::Vector2d tilt;  // [rad]  of the bore, of laminae
 };
 
-// Loads by place of either model.
-template <class Loads>
 QuasiStaticBearing bearing_under(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
-                                 const BearingDuty& duty, const Loads& loads) {
+                                 const BearingDuty& duty, bearing::QuasiStaticResult loads,
+                                 const Eigen::Vector2d& tilt) {
   if (!loads.report.converged) throw std::runtime_error(loads.report.message);
   const bearing::RollerContacts rolling =
       bearing::rolling_contacts(drivetrain.bearing, geometry.bearing, duty.point.inner_speed,
                                 duty.point.outer_speed, drivetrain.lubricant);
-  QuasiStaticBearing result{.angle = loads.angle};
-  if (!duty.point.outer_race.is_rigid()) result.race_form = loads.race_form;
-  result.means.inner = race_means(loads.inner_load, rolling.inner.film());
-  result.means.outer = race_means(loads.outer_load, rolling.outer.film());
-  return result;
-}
-
-QuasiStaticBearing of_laminae(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
-                              const BearingDuty& duty, bearing::laminae::LaminaResult loads,
-                              const Eigen::Vector2d& tilt) {
-  QuasiStaticBearing result = bearing_under(drivetrain, geometry, duty, loads);
-  put_laminae(loads.inner_lamina_load, result.means.inner);
-  put_laminae(loads.outer_lamina_load, result.means.outer);
-  result.laminae = std::move(loads);
-  result.tilt = tilt;
-  return result;
-}
-
-LaminaRecord record_of(const bearing::laminae::LaminaBearing& cut, const QuasiStaticBearing& bearing) {
-  const bearing::laminae::LaminaResult& loads = *bearing.laminae;
-  return {.lamina_place = as_vector(Eigen::ArrayXd(cut.half_length() * cut.contact(Race::inner).places())),
-          .inner_load = as_vector(loads.inner_lamina_load),
-          .outer_load = as_vector(loads.outer_lamina_load),
-          .roller_tilt = as_vector(loads.roller_tilt),
-          .bore_tilt = bearing.tilt,
-          .moment = loads.moment};
+  WindowStatistics means;
+  means.inner = race_means(loads.inner_load, rolling.inner.film());
+  means.outer = race_means(loads.outer_load, rolling.outer.film());
+  if (drivetrain.bearing.rollers().laminae > 0) {
+    put_laminae(loads.inner_lamina_load, means.inner);
+    put_laminae(loads.outer_lamina_load, means.outer);
+  }
+  if (duty.point.outer_race.is_rigid()) loads.race_form.resize(0);
+  return {std::move(loads), std::move(means), tilt};
 }
 
 // The bearings of planets at rest, planet by planet.
 class BearingsAtRest {
  public:
+  // One instruction set everywhere, so that points are equal to the last bit on all machines of a sweep.
   BearingsAtRest(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry)
-      : drivetrain_(drivetrain), geometry_(geometry), options_(quasi_static_options(drivetrain)) {
-    // One instruction set everywhere, so that points are equal to the last bit on all machines of a sweep.
-    if (drivetrain.bearing.rollers().laminae == 0) return;
-    cut_.emplace(drivetrain.bearing, mechanics::InstructionSet::baseline);
+      : drivetrain_(drivetrain),
+        geometry_(geometry),
+        options_(quasi_static_options(drivetrain)),
+        bearing_(drivetrain.bearing, mechanics::InstructionSet::baseline) {
     if (drivetrain.seats.tilt != TiltState::computed) level_ = LevelPitch::of(drivetrain.bearing, options_);
   }
 
   /// All bearings of a planet: one where they are alike.
   std::vector<QuasiStaticBearing> of(const BearingDuty& duty) {
-    if (drivetrain_.seats.tilt == TiltState::computed) return on_their_pin(duty);
-    std::vector<QuasiStaticBearing> one;
-    one.push_back(
-        cut_ ? of_laminae(drivetrain_, geometry_, duty, loads_of_laminae(duty), duty.point.bore_tilt)
-             : bearing_under(drivetrain_, geometry_, duty,
-                             bearing::quasi_static_bearing(drivetrain_.bearing, duty.point, options_)));
-    return one;
-  }
-
-  std::optional<LaminaRecord> record_of_laminae(const QuasiStaticBearing& bearing) const {
-    if (!cut_) return std::nullopt;
-    return record_of(*cut_, bearing);
-  }
-
- private:
-  std::vector<QuasiStaticBearing> on_their_pin(const BearingDuty& duty) const {
-    bearing::laminae::PlanetOnPinResult planet = tilting_planet(drivetrain_, duty);
     std::vector<QuasiStaticBearing> all;
+    if (drivetrain_.seats.tilt != TiltState::computed) {
+      all.push_back(bearing_under(drivetrain_, geometry_, duty, loads_under(duty), duty.point.bore_tilt));
+      return all;
+    }
+    bearing::laminae::PlanetOnPinResult planet = tilting_planet(drivetrain_, duty);
     for (std::size_t k = 0; k < planet.bearings.size(); ++k)
       all.push_back(
-          of_laminae(drivetrain_, geometry_, duty, std::move(planet.bearings[k]), planet.bearing_tilt[k]));
+          bearing_under(drivetrain_, geometry_, duty, std::move(planet.bearings[k]), planet.bearing_tilt[k]));
     return all;
   }
 
-  bearing::laminae::LaminaResult loads_of_laminae(const BearingDuty& duty) {
+  std::optional<LaminaRecord> record_of_laminae(const QuasiStaticBearing& one) const {
+    if (!bearing_.is_cut()) return std::nullopt;
+    const Eigen::ArrayXd places = bearing_.half_length() * bearing_.contact(Race::inner).places();
+    return LaminaRecord{.lamina_place = as_vector(places),
+                        .inner_load = as_vector(one.loads.inner_lamina_load),
+                        .outer_load = as_vector(one.loads.outer_lamina_load),
+                        .roller_tilt = as_vector(one.loads.roller_tilt),
+                        .bore_tilt = one.tilt,
+                        .moment = one.loads.moment};
+  }
+
+ private:
+  bearing::QuasiStaticResult loads_under(const BearingDuty& duty) {
     if (level_ && LevelPitch::holds(duty.point))
-      if (auto loads = level_->laminae_under(*cut_, duty.point, duty.near.get())) return *std::move(loads);
-    return bearing::laminae::quasi_static_laminae(*cut_, duty.point, options_);
+      if (auto loads = level_->under(bearing_, duty.point, duty.near.get())) return *std::move(loads);
+    return bearing::quasi_static_bearing(bearing_, duty.point, options_);
   }
 
   const PlanetaryDrivetrain& drivetrain_;
   const DrivetrainGeometry& geometry_;
   bearing::QuasiStaticOptions options_;
-  std::optional<bearing::laminae::LaminaBearing> cut_;
+  bearing::laminae::LaminaBearing bearing_;
   std::optional<LevelPitch> level_;
 };
 
@@ -369,9 +350,9 @@ PointResult quasi_static_point(const PlanetaryDrivetrain& drivetrain, const Driv
   PointResult result;
   result.inner = race_result(all.inner);
   result.outer = race_result(all.outer);
-  const Eigen::ArrayXd& angle = bearings.front().angle;
+  const Eigen::ArrayXd& angle = bearings.front().loads.angle;
   result.distribution = {as_vector(angle), as_vector(all.inner.mean_load), as_vector(all.outer.mean_load),
-                         as_vector(bearings.front().race_form)};
+                         as_vector(bearings.front().loads.race_form)};
   const bool seated = drivetrain.seats.tilt == TiltState::computed;
   const std::vector<double> loads =
       seated ? shared_loads(rating.load_of(duties.front()), means, angle, drivetrain.bearing.rollers().count)

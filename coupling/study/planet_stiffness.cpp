@@ -48,10 +48,10 @@ struct LoadedRollers {
 LoadedRollers loaded_rollers(const bearing::RaceEquilibrium& problem) {
   const bearing::QuasiStaticState balance = bearing::solve(problem);
   if (!balance.report.converged) throw std::runtime_error(balance.report.message);
-  const Eigen::ArrayXd stiffness = bearing::roller_stiffness(problem, balance);
+  const auto stiffness = [&](Index j) { return balance.rollers[static_cast<std::size_t>(j)].stiffness; };
   std::vector<Index> loaded;
-  for (Index j = 0; j < stiffness.size(); ++j)
-    if (stiffness[j] > 0.0) loaded.push_back(j);
+  for (Index j = 0; j < problem.angle.size(); ++j)
+    if (stiffness(j) > 0.0) loaded.push_back(j);
   const auto count = static_cast<Index>(loaded.size());
   LoadedRollers rollers{Eigen::Matrix2Xd(2, count), MatrixXd(bearing::wave_count(problem.outer_race), count),
                         Eigen::VectorXd(count)};
@@ -59,7 +59,7 @@ LoadedRollers loaded_rollers(const bearing::RaceEquilibrium& problem) {
     const double angle = problem.angle[loaded[static_cast<std::size_t>(i)]];
     rollers.outward.col(i) = mechanics::direction(angle);
     rollers.shapes.col(i) = bearing::wave_shapes(problem.outer_race, angle);
-    rollers.stiffness[i] = stiffness[loaded[static_cast<std::size_t>(i)]];
+    rollers.stiffness[i] = stiffness(loaded[static_cast<std::size_t>(i)]);
   }
   return rollers;
 }

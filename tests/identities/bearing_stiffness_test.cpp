@@ -1,5 +1,6 @@
-// Issue 15, Build 1: the 5 x 5 stiffness against differences of the equilibrium itself, entry by entry: loads a little larger
-// and smaller, and how the ring then stands. Its product with these slopes is the unit matrix.
+// Issue 15, Build 1: the 5 x 5 stiffness against differences of the equilibrium itself, entry by entry: loads
+// a little larger and smaller, and how the ring then stands. Its product with these slopes is the unit
+// matrix.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -196,8 +197,8 @@ Planet planet(bool film, bool crowned) {
 Eigen::Vector4d means(Planet p, const Eigen::Vector4d& change) {
   p.point.bore_load += change.head<2>();
   p.point.bore_tilt += change.tail<2>();
-  const laminae::LaminaResult result =
-      laminae::quasi_static_laminae(laminae::LaminaBearing(p.bearing), p.point, p.options);
+  const QuasiStaticResult result =
+      quasi_static_bearing(laminae::LaminaBearing(p.bearing), p.point, p.options);
   EXPECT_TRUE(result.report.converged);
   return (Eigen::Vector4d() << result.displacement, -result.moment).finished();
 }
@@ -210,7 +211,7 @@ TEST(PlanetStiffness, EveryEntryIsTheSlopeOfTheMeans) {
       const Planet p = planet(film, crowned);
       const laminae::LaminaBearing bearing(p.bearing);
       const Eigen::Matrix4d stiffness =
-          laminae::mean_stiffness(bearing, laminae::quasi_static_laminae(bearing, p.point, p.options));
+          laminae::mean_stiffness(bearing, quasi_static_bearing(bearing, p.point, p.options));
       Eigen::Matrix4d slopes;
       for (int i = 0; i < 4; ++i) {
         const double step = i < 2 ? 0.02 : 1e-8;  // [N], [rad]: no lamina comes into touch or leaves it
@@ -243,7 +244,7 @@ TEST(PlanetStiffness, EveryEntryIsTheSlopeOfTheMeans) {
 TEST(PlanetStiffness, IsThatOfTheRollersAlongTheLoad) {
   const Planet p = planet(false, false);
   const laminae::LaminaBearing bearing(p.bearing);
-  const laminae::LaminaState state = laminae::lamina_state(bearing, p.point, p.options, 0.2, nullptr);
+  const QuasiStaticState state = quasi_static_state(bearing, p.point, p.options, 0.2, nullptr);
   const Eigen::Matrix4d stiffness = laminae::stiffness_at(bearing, state);
   Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
   for (std::size_t j = 0; j < state.rollers.size(); ++j) {

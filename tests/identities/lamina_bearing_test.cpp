@@ -35,8 +35,8 @@ OperatingPoint planet_point(const Eigen::Vector2d& tilt) {
   return point;
 }
 
-LaminaState solved(const Bearing& bearing, const OperatingPoint& point, double first = 0.1) {
-  LaminaState state = lamina_state(LaminaBearing(bearing), point, {}, first);
+QuasiStaticState solved(const Bearing& bearing, const OperatingPoint& point, double first = 0.1) {
+  QuasiStaticState state = quasi_static_state(LaminaBearing(bearing), point, {}, first);
   EXPECT_TRUE(state.report.converged) << state.report.message;
   return state;
 }
@@ -47,7 +47,7 @@ TEST(LaminaBearing, StraightWithoutTiltIsTheUncutBearingAtAllCageAngles) {
   for (const int n : {1, 40, 200}) {
     Bearing bearing = planet_bearing(n, 0.0);
     bearing.rollers().profile = profile::Straight{};
-    const LaminaResult cut = quasi_static_laminae(LaminaBearing(bearing), point, {});
+    const QuasiStaticResult cut = quasi_static_bearing(LaminaBearing(bearing), point, {});
     const double scale = uncut.outer_load.maxCoeff();
     EXPECT_LE((cut.inner_load - uncut.inner_load).abs().maxCoeff(), kRoundOff * scale);
     EXPECT_LE((cut.outer_load - uncut.outer_load).abs().maxCoeff(), kRoundOff * scale);
@@ -60,8 +60,8 @@ TEST(LaminaBearing, StraightWithoutTiltIsTheUncutBearingAtAllCageAngles) {
 TEST(LaminaBearing, TiltTheOtherWayIsTheMirrorImage) {
   const Eigen::Vector2d tilt(0.4e-3, -1.1e-3);
   const Bearing bearing = planet_bearing(40, kCrown);
-  const LaminaResult one = quasi_static_laminae(LaminaBearing(bearing), planet_point(tilt), {});
-  const LaminaResult other = quasi_static_laminae(LaminaBearing(bearing), planet_point(-tilt), {});
+  const QuasiStaticResult one = quasi_static_bearing(LaminaBearing(bearing), planet_point(tilt), {});
+  const QuasiStaticResult other = quasi_static_bearing(LaminaBearing(bearing), planet_point(-tilt), {});
   const double scale = one.outer_load.maxCoeff();
   EXPECT_LE((one.outer_load - other.outer_load).abs().maxCoeff(), kRoundOff * scale);
   EXPECT_LE((one.outer_lamina_load - other.outer_lamina_load.colwise().reverse()).abs().maxCoeff(),
@@ -101,8 +101,8 @@ TEST(LaminaBearing, DisplacementByTiltIsMomentByLoad) {
 }
 
 TEST(LaminaBearing, RollersTiltBetweenTheRacesAndOutwardWithTheBore) {
-  const LaminaResult result =
-      quasi_static_laminae(LaminaBearing(planet_bearing(40, kCrown)), planet_point({1e-3, 0.0}), {});
+  const QuasiStaticResult result =
+      quasi_static_bearing(LaminaBearing(planet_bearing(40, kCrown)), planet_point({1e-3, 0.0}), {});
   for (Eigen::Index j = 0; j < result.angle.size(); ++j) {
     // A roller that rests on one race alone lies along that.
     if (std::min(result.inner_load[j], result.outer_load[j]) < 1.0) continue;
@@ -134,11 +134,11 @@ TEST(LaminaBearing, MoreCrownIsSofter) {
   }
 }
 
-TEST(LaminaBearing, RefusesABearingThatIsNotCutOrHasAnUnsoundProfile) {
-  EXPECT_THROW(LaminaBearing(planet_bearing(0, 0.0)), std::invalid_argument);
+TEST(LaminaBearing, RefusesAnUnsoundProfileAndAPointThatIsNotFinite) {
   EXPECT_THROW(LaminaBearing(planet_bearing(40, -1e-6)), std::invalid_argument);
   OperatingPoint point = planet_point({std::nan(""), 0.0});
-  EXPECT_THROW(lamina_state(LaminaBearing(planet_bearing(40, 0.0)), point, {}, 0.0), std::invalid_argument);
+  EXPECT_THROW(quasi_static_state(LaminaBearing(planet_bearing(40, 0.0)), point, {}, 0.0),
+               std::invalid_argument);
 }
 
 }  // namespace

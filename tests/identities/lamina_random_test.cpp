@@ -18,14 +18,14 @@ int number_of_draws() {
   return text == nullptr ? 1000 : 10 * std::atoi(text);
 }
 
-double largest_load(const Draw& draw, const LaminaState& state) {
+double largest_load(const Draw& draw, const QuasiStaticState& state) {
   double most = draw.point.bore_load.norm();
   for (const RollerState& roller : state.rollers)
     most = std::max({most, roller.inner.load, roller.outer.load});
   return most;
 }
 
-void expect_balance(const Draw& draw, const LaminaBearing& bearing, const LaminaState& state) {
+void expect_balance(const Draw& draw, const LaminaBearing& bearing, const QuasiStaticState& state) {
   const RaceEquilibrium problem = quasi_static_problem(draw.bearing, geometry_of(draw.bearing), draw.point,
                                                        draw.options, draw.options.first_roller);
   const double scale = largest_load(draw, state) + problem.load.norm();
@@ -57,7 +57,8 @@ TEST(RandomLaminae, BalanceUnderAnyProfileTiltLoadAndMotion) {
                  std::to_string(draw.bearing.rollers().laminae) + " laminae, " +
                  profile::kind(draw.bearing.rollers().profile) + " rollers");
     const LaminaBearing bearing(draw.bearing);
-    const LaminaState state = lamina_state(bearing, draw.point, draw.options, draw.options.first_roller);
+    const QuasiStaticState state =
+        quasi_static_state(bearing, draw.point, draw.options, draw.options.first_roller);
     ASSERT_TRUE(state.report.converged) << draw << ": " << state.report.message;
     expect_balance(draw, bearing, state);
   }
@@ -72,8 +73,8 @@ TEST(RandomLaminae, StraightWithoutTiltAreTheUncutBearing) {
     draw.bearing.rollers().profile = draw.bearing.inner.profile = draw.bearing.outer.profile =
         profile::Straight{};
     draw.point.bore_tilt.setZero();
-    const LaminaState state =
-        lamina_state(LaminaBearing(draw.bearing), draw.point, draw.options, draw.options.first_roller);
+    const QuasiStaticState state =
+        quasi_static_state(LaminaBearing(draw.bearing), draw.point, draw.options, draw.options.first_roller);
     const QuasiStaticState uncut =
         quasi_static_state(draw.bearing, draw.point, draw.options, draw.options.first_roller);
     const double scale = largest_load(draw, state);

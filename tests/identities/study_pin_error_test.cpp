@@ -9,8 +9,8 @@
 #include "bearing/equilibrium/race_equilibrium.hpp"
 #include "coupling/study/load_sharing.hpp"
 #include "coupling/study/operating_point.hpp"
-#include "tests/messages.hpp"
 #include "tests/coupled_reducer.hpp"
+#include "tests/messages.hpp"
 
 namespace orbearing::study::study_pin_error_test {
 namespace {
@@ -75,14 +75,12 @@ TEST(LoadSharing, EndsWhereBearingsBalancedFromNothingStand) {
       const bearing::OperatingPoint point = point_under(drivetrain, even, force);
       Eigen::Vector2d moved = point.bore_load / drivetrain.dynamics.support.stiffness;
       for (int k = 0; k < options.cage_positions; ++k) {
-        const double first =
-            k * boost::math::double_constants::two_pi /
-            (options.cage_positions * drivetrain.bearing.rollers().count);
-        moved += (laminae > 0
-                      ? lamina_state(bearing::laminae::LaminaBearing(drivetrain.bearing), point, options, first)
-                            .displacement
-                      : quasi_static_state(drivetrain.bearing, point, options, first).displacement) /
-                 options.cage_positions;
+        const double first = k * boost::math::double_constants::two_pi /
+                             (options.cage_positions * drivetrain.bearing.rollers().count);
+        moved +=
+            quasi_static_state(bearing::laminae::LaminaBearing(drivetrain.bearing), point, options, first)
+                .displacement /
+            options.cage_positions;
       }
       const Eigen::Vector2d expected = moved + force / balance.stiffness;
       EXPECT_LT((balance.offset.col(i) - expected).norm(), 1e-8 * force.norm() / balance.stiffness)
@@ -172,8 +170,8 @@ TEST(PinErrors, HaveASystemsLivesOfTheSameLives) {
   EXPECT_GT(std::abs(point.rating.system_hours.modified / point.rating.system_hours.basic - 1.0), 0.01);
 }
 
-// Issue 44, item 16. The sun's thrust follows from its torque, however its planets share it; axial force and overturning
-// moment of one planet are means over the planets.
+// Issue 44, item 16. The sun's thrust follows from its torque, however its planets share it; axial force and
+// overturning moment of one planet are means over the planets.
 TEST(PinErrors, LeaveTheThrustOfTheSunAsItIs) {
   PlanetaryDrivetrain drivetrain = displaced(4, 10e-6, false);
   drivetrain.set.helix_angle = 0.2;

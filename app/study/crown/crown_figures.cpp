@@ -130,7 +130,7 @@ ordered_json pressure_curves(const Stage& stage) {
 ordered_json zone_of(const Stage& stage, const Named& profile, double tilt, std::size_t bearing) {
   const DutyLoads all =
       loads_at(stage.problem, profile.made, lean_by(stage.problem, tilt), heaviest(stage.problem));
-  const bearing::laminae::LaminaResult& loads = all.bearings[bearing];
+  const bearing::QuasiStaticResult& loads = all.bearings[bearing];
   const double half = 0.5 * stage.problem.bearing.rollers().length;
   ordered_json rows = ordered_json::array();
   std::vector<double> x;

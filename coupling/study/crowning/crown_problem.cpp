@@ -13,8 +13,8 @@ namespace orbearing::study::crowning {
 
 namespace {
 
+using bearing::QuasiStaticResult;
 using bearing::laminae::LaminaBearing;
-using bearing::laminae::LaminaResult;
 using bearing::profile::Profile;
 
 void require_whole(const std::vector<SpectrumPoint>& spectrum) {
@@ -32,10 +32,10 @@ void require_whole(const std::vector<SpectrumPoint>& spectrum) {
                                 "; 1 is required");
 }
 
-LaminaResult balanced(const LaminaBearing& bearing, const CrownProblem& problem, const Lean& lean,
-                      std::size_t duty) {
-  LaminaResult loads =
-      bearing::laminae::quasi_static_laminae(bearing, tilted(problem.duties[duty], lean), problem.options);
+QuasiStaticResult balanced(const LaminaBearing& bearing, const CrownProblem& problem, const Lean& lean,
+                           std::size_t duty) {
+  QuasiStaticResult loads =
+      bearing::quasi_static_bearing(bearing, tilted(problem.duties[duty], lean), problem.options);
   if (!loads.report.converged) throw std::runtime_error(loads.report.message);
   return loads;
 }
@@ -43,7 +43,7 @@ LaminaResult balanced(const LaminaBearing& bearing, const CrownProblem& problem,
 // Of one duty.
 CrownLife duty_life(const CrownProblem& problem, const LaminaBearing& bearing,
                     const std::vector<DropSlope>& slopes, const Lean& lean, std::size_t duty) {
-  const LaminaResult loads = balanced(bearing, problem, lean, duty);
+  const QuasiStaticResult loads = balanced(bearing, problem, lean, duty);
   const bearing::life::LogLife life =
       log_life(problem.ratings[duty], loads.inner_lamina_load, loads.outer_lamina_load);
   const bearing::laminae::DropGradient by_drops =
@@ -129,9 +129,10 @@ DutyLoads planet_loads(const CrownProblem& problem, const Profile& profile, cons
   return loads;
 }
 
-Eigen::ArrayXXd mean_of(const std::vector<LaminaResult>& bearings, Eigen::ArrayXXd LaminaResult::*loads) {
+Eigen::ArrayXXd mean_of(const std::vector<QuasiStaticResult>& bearings,
+                        Eigen::ArrayXXd QuasiStaticResult::*loads) {
   std::vector<Eigen::ArrayXXd> all;
-  for (const LaminaResult& one : bearings) all.push_back(one.*loads);
+  for (const QuasiStaticResult& one : bearings) all.push_back(one.*loads);
   return mean_by_damage(all);
 }
 
@@ -145,11 +146,11 @@ Eigen::ArrayXXd mean_by_damage(const std::vector<Eigen::ArrayXXd>& loads) {
 }
 
 Eigen::ArrayXXd DutyLoads::inner_lamina_load() const {
-  return mean_of(bearings, &LaminaResult::inner_lamina_load);
+  return mean_of(bearings, &QuasiStaticResult::inner_lamina_load);
 }
 
 Eigen::ArrayXXd DutyLoads::outer_lamina_load() const {
-  return mean_of(bearings, &LaminaResult::outer_lamina_load);
+  return mean_of(bearings, &QuasiStaticResult::outer_lamina_load);
 }
 
 Lean lean_by(const CrownProblem& problem, double angle) {

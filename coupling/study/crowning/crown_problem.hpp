@@ -32,7 +32,7 @@ struct CrownProblem {
   std::vector<LaminaRating> ratings;  // (duties)
   RatedBearing rated;
   bearing::rating::BearingRating rating;  // with as many laminae
-  std::optional<PlanetSeat> seat{};   // where the tilt is computed; none: it is stated
+  std::optional<PlanetSeat> seat{};       // where the tilt is computed; none: it is stated
 };
 
 /// How a planet leans [rad]. Where tilts are stated: that of the bore on its pin, along the load and across.
@@ -61,7 +61,7 @@ CrownProblem one_duty(const CrownProblem& problem, std::size_t duty);
 
 /// Loads of the bearings that a study takes at one duty: of a planet whose tilt is computed all, else one.
 struct DutyLoads {
-  std::vector<bearing::laminae::LaminaResult> bearings;
+  std::vector<bearing::QuasiStaticResult> bearings;
   double tilt = 0.0;        // [rad]  largest of a bore against its pin
   double load_share = 1.0;  // [-]    largest load of a bearing over their mean
 

@@ -10,8 +10,8 @@ namespace orbearing::study::crowning {
 namespace {
 
 namespace rating = bearing::rating;
+using bearing::QuasiStaticResult;
 using bearing::Race;
-using bearing::laminae::LaminaResult;
 using bearing::laminae::RollerState;
 using bearing::profile::Profile;
 
@@ -19,7 +19,7 @@ constexpr double kIdle = 1e-3;  // of the greatest load: less takes nothing from
 
 // Pressures [Pa] (laminae, places) on one race, at some of the cage angles.
 Eigen::ArrayXXd pressures_on(Race race, const CrownProblem& problem, const RollerPressure& pressure,
-                             const Profile& profile, const LaminaResult& loads, int angles) {
+                             const Profile& profile, const QuasiStaticResult& loads, int angles) {
   const bool inner = race == Race::inner;
   const double half = 0.5 * problem.bearing.rollers().length;
   const double idle = kIdle * (inner ? loads.inner_load : loads.outer_load).maxCoeff();
@@ -45,7 +45,7 @@ Eigen::ArrayXXd loads_on(Race race, const CrownProblem& problem, const RollerPre
                          const Profile& profile, const DutyLoads& loads, int angles) {
   const rating::RollerSet set = rating::roller_set(problem.bearing);
   std::vector<Eigen::ArrayXXd> all;
-  for (const LaminaResult& one : loads.bearings)
+  for (const QuasiStaticResult& one : loads.bearings)
     all.push_back(rating::loads_of_pressures(pressures_on(race, problem, pressure, profile, one, angles), set,
                                              race, problem.bearing.material));
   return mean_by_damage(all);

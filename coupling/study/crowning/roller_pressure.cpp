@@ -6,8 +6,8 @@ namespace orbearing::study::crowning {
 
 namespace {
 
+using bearing::QuasiStaticResult;
 using bearing::Race;
-using bearing::laminae::LaminaResult;
 using bearing::laminae::RollerState;
 using bearing::profile::Profile;
 
@@ -36,8 +36,8 @@ bearing::half_space::RollerContactPressure RollerPressure::on(Race race, const P
 WorstRoller worst_roller(const CrownProblem& problem, const DutyLoads& loads, Race race) {
   const double half_length = 0.5 * problem.bearing.rollers().length;
   WorstRoller worst;
-  for (const LaminaResult& one : loads.bearings)
-    for (const bearing::laminae::LaminaState& state : one.states)
+  for (const QuasiStaticResult& one : loads.bearings)
+    for (const bearing::QuasiStaticState& state : one.states)
       for (std::size_t j = 0; j < state.rollers.size(); ++j)
         keep_worst(state.rollers[j], race, half_length, state.angle[static_cast<Eigen::Index>(j)], worst);
   return worst;

@@ -7,7 +7,6 @@
 
 #include "bearing/equilibrium/elastic_waves.hpp"
 #include "bearing/equilibrium/quasi_static.hpp"
-#include "bearing/equilibrium/roller_balance.hpp"
 #include "tests/unit/bearing/example_bearings.hpp"
 
 namespace orbearing::bearing::elastic_race_test {
@@ -45,21 +44,20 @@ RaceEquilibrium problem_with(double softness) {
 
 mechanics::Imbalance<Eigen::Dynamic> imbalance_at(const RaceEquilibrium& problem,
                                                   const Eigen::VectorXd& place) {
-  const RingCoordinates<Eigen::Dynamic> ring(problem);
-  return ring.imbalance(place, [&](Eigen::Index j, double approach) {
-    return balance_roller(problem.contacts.inner, problem.contacts.outer, problem.inertial_load[j], approach);
-  });
+  std::vector<laminae::RollerState> rollers(static_cast<std::size_t>(problem.angle.size()));
+  return ring_on_rollers<Eigen::Dynamic>(problem, rollers)(place);
 }
 
 TEST(ElasticRace, StiffnessIsTheSlopeOfTheForce) {
   const RaceEquilibrium problem = problem_with(1.0);
-  const RingCoordinates<Eigen::Dynamic> ring(problem);
-  Eigen::VectorXd place = ring.start({5e-6, 12e-6});
+  std::vector<laminae::RollerState> none;
+  Eigen::VectorXd place = ring_on_rollers<Eigen::Dynamic>(problem, none).rest;
+  place.head<2>() << 5e-6, 12e-6;
   place[3] += 1e-6;
   const Eigen::MatrixXd stiffness = imbalance_at(problem, place).stiffness;
   EXPECT_LT((stiffness - stiffness.transpose()).norm(), 1e-14 * stiffness.norm());
-  for (Eigen::Index i = 0; i < ring.size(); ++i) {
-    const Eigen::VectorXd h = 1e-9 * Eigen::VectorXd::Unit(ring.size(), i);
+  for (Eigen::Index i = 0; i < place.size(); ++i) {
+    const Eigen::VectorXd h = 1e-9 * Eigen::VectorXd::Unit(place.size(), i);
     const Eigen::VectorXd slope =
         (imbalance_at(problem, place + h).force - imbalance_at(problem, place - h).force) / 2e-9;
     EXPECT_LT((stiffness.col(i) + slope).norm(), 1e-5 * stiffness.col(i).norm()) << i;
@@ -112,7 +110,7 @@ TEST(ElasticRace, SpreadsTheLoad) {
 TEST(ElasticRace, BearingGivesWayAsItsStiffnessSays) {
   RaceEquilibrium problem = problem_with(1.0);
   const QuasiStaticState state = solve(problem);
-  const Eigen::Matrix2d compliance = stiffness_at(problem, state).inverse();
+  const Eigen::Matrix2d compliance = state.stiffness.inverse();
   for (int axis = 0; axis < 2; ++axis) {
     const Eigen::Vector2d more = 0.05 * Eigen::Vector2d::Unit(axis), load = problem.load;
     problem.load = load + more;

@@ -15,7 +15,6 @@ namespace orbearing::bearing::vectorised::level_pitch_test {
 namespace {
 
 using laminae::LaminaBearing;
-using laminae::LaminaResult;
 using mechanics::InstructionSet;
 
 constexpr double kAgreement = 1e-9;  // of the largest force at hand, as both searches require
@@ -34,20 +33,6 @@ Draw next_level(RandomBearings& bearings, int kind) {
   return draw;
 }
 
-struct Loads {
-  Eigen::ArrayXd inner, outer;
-  Eigen::Vector2d displacement;
-};
-
-Loads by_search(const Draw& draw) {
-  if (draw.bearing.rollers().laminae == 0) {
-    const QuasiStaticResult found = quasi_static_bearing(draw.bearing, draw.point, draw.options);
-    return {found.inner_load, found.outer_load, found.displacement};
-  }
-  const LaminaResult found = quasi_static_laminae(LaminaBearing(draw.bearing), draw.point, draw.options);
-  return {found.inner_load, found.outer_load, found.displacement};
-}
-
 TEST(LevelPitch, RandomBearingsAgreeWithTheReadableSearches) {
   RandomBearings bearings;
   int unbalanced = 0;
@@ -57,9 +42,10 @@ TEST(LevelPitch, RandomBearingsAgreeWithTheReadableSearches) {
     ASSERT_TRUE(level && LevelPitch::holds(draw.point)) << draw;
     PitchResults pitch;
     level->solve(draw.point, pitch);
-    const Loads expected = by_search(draw);
-    const double allowed = kAgreement * std::max({draw.point.bore_load.norm(), expected.inner.maxCoeff(),
-                                                  expected.outer.maxCoeff()});
+    const QuasiStaticResult expected =
+        quasi_static_bearing(LaminaBearing(draw.bearing), draw.point, draw.options);
+    const double allowed = kAgreement * std::max({draw.point.bore_load.norm(), expected.inner_load.maxCoeff(),
+                                                  expected.outer_load.maxCoeff()});
     for (Eigen::Index p = 0; p < pitch.inner_load.rows(); ++p) {
       if (!pitch.reports[static_cast<std::size_t>(p)].converged) {
         ++unbalanced;
@@ -67,9 +53,9 @@ TEST(LevelPitch, RandomBearingsAgreeWithTheReadableSearches) {
       }
       for (Eigen::Index j = 0; j < pitch.inner_load.cols(); ++j) {
         const Eigen::Index place = p + j * pitch.inner_load.rows();
-        EXPECT_NEAR(pitch.inner_load(p, j), expected.inner[place], allowed)
+        EXPECT_NEAR(pitch.inner_load(p, j), expected.inner_load[place], allowed)
             << "bearing " << i << ": " << draw;
-        EXPECT_NEAR(pitch.outer_load(p, j), expected.outer[place], allowed)
+        EXPECT_NEAR(pitch.outer_load(p, j), expected.outer_load[place], allowed)
             << "bearing " << i << ": " << draw;
       }
     }
@@ -82,14 +68,16 @@ TEST(LevelPitch, LaminaLoadsAndMeansAreThoseOfTheReadableSearch) {
   RandomBearings bearings;
   for (int i = 0; i < kBearings; ++i) {
     const Draw draw = next_level(bearings, i);
-    if (draw.bearing.rollers().laminae == 0) continue;
     const LaminaBearing cut(draw.bearing);
-    const std::optional<LaminaResult> found =
-        LevelPitch::of(draw.bearing, draw.options)->laminae_under(cut, draw.point);
+    const std::optional<QuasiStaticResult> found =
+        LevelPitch::of(draw.bearing, draw.options)->under(cut, draw.point);
     if (!found) continue;
-    const LaminaResult expected = quasi_static_laminae(cut, draw.point, draw.options);
+    const QuasiStaticResult expected = quasi_static_bearing(cut, draw.point, draw.options);
     const double largest = std::max(
         {draw.point.bore_load.norm(), expected.inner_load.maxCoeff(), expected.outer_load.maxCoeff()});
+    EXPECT_LE((found->inner_load - expected.inner_load).abs().maxCoeff(), kAgreement * largest) << draw;
+    EXPECT_LE((found->outer_load - expected.outer_load).abs().maxCoeff(), kAgreement * largest) << draw;
+    if (!cut.is_cut()) continue;
     EXPECT_LE((found->inner_lamina_load - expected.inner_lamina_load).abs().maxCoeff(), kAgreement * largest)
         << draw;
     EXPECT_LE((found->outer_lamina_load - expected.outer_lamina_load).abs().maxCoeff(), kAgreement * largest)
@@ -112,9 +100,7 @@ TEST(LevelPitch, StiffnessIsTheSlopeOfTheForces) {
                            boost::math::double_constants::two_pi * static_cast<double>(p) /
                                static_cast<double>(pitch.reports.size()) / draw.bearing.rollers().count;
       const Eigen::Matrix2d expected =
-          draw.bearing.rollers().laminae == 0
-              ? quasi_static_state(draw.bearing, draw.point, draw.options, angle).stiffness
-              : lamina_state(LaminaBearing(draw.bearing), draw.point, draw.options, angle).stiffness;
+          quasi_static_state(LaminaBearing(draw.bearing), draw.point, draw.options, angle).stiffness;
       EXPECT_LE((pitch.stiffness[p] - expected).cwiseAbs().maxCoeff(),
                 kSlopes * expected.cwiseAbs().maxCoeff() + 1.0)
           << draw;

@@ -47,7 +47,7 @@ PinBeam stiff_pin() {
   return pin;
 }
 
-Vector2d force_of(const LaminaState& bearing) {
+Vector2d force_of(const QuasiStaticState& bearing) {
   Vector2d sum = kNone;
   for (Eigen::Index j = 0; j < bearing.angle.size(); ++j)
     sum += bearing.rollers[static_cast<std::size_t>(j)].outer.load *
@@ -62,8 +62,9 @@ TEST(PlanetOnPin, OfEqualBearingsOnAStiffPinIsOneBearing) {
   const PlanetOnPinResult planet =
       planet_on_pin_over_a_pitch(two_bearings(stiff_pin()), loaded(load), kNone, options);
   ASSERT_TRUE(planet.report.converged) << planet.report.message;
-  const LaminaResult alone = quasi_static_laminae(LaminaBearing(cut_bearing()), loaded(0.5 * load), options);
-  for (const LaminaResult& one : planet.bearings) {
+  const QuasiStaticResult alone =
+      quasi_static_bearing(LaminaBearing(cut_bearing()), loaded(0.5 * load), options);
+  for (const QuasiStaticResult& one : planet.bearings) {
     EXPECT_LT((one.outer_lamina_load - alone.outer_lamina_load).abs().maxCoeff(),
               1e-6 * alone.outer_lamina_load.maxCoeff());
     EXPECT_LT((one.inner_load - alone.inner_load).abs().maxCoeff(), 1e-6 * alone.inner_load.maxCoeff());
@@ -116,12 +117,12 @@ TEST(PlanetOnPin, BearingWithMoreClearanceCarriesLess) {
   // tilted rollers takes off.
   const LaminaBearing one(cut_bearing()), other(cut_bearing(more));
   const double f = force_of(state.bearings[0]).norm() / force_of(state.bearings[1]).norm();
-  const Vector2d first = lamina_state(one, loaded(0.5 * load), {}, 0.0).displacement;
-  const Vector2d second = lamina_state(other, loaded(0.5 * load), {}, 0.0).displacement;
+  const Vector2d first = quasi_static_state(one, loaded(0.5 * load), {}, 0.0).displacement;
+  const Vector2d second = quasi_static_state(other, loaded(0.5 * load), {}, 0.0).displacement;
   const double free_tilt = (second - first).y() / (2.0 * kPlace);
-  const double k = stiffness_at(one, lamina_state(one, loaded(0.5 * load), {}, 0.0))(1, 1);
-  const double c = 0.5 * (stiffness_at(one, lamina_state(one, loaded(0.5 * load), {}, 0.0))(3, 3) +
-                          stiffness_at(other, lamina_state(other, loaded(0.5 * load), {}, 0.0))(3, 3));
+  const double k = stiffness_at(one, quasi_static_state(one, loaded(0.5 * load), {}, 0.0))(1, 1);
+  const double c = 0.5 * (stiffness_at(one, quasi_static_state(one, loaded(0.5 * load), {}, 0.0))(3, 3) +
+                          stiffness_at(other, quasi_static_state(other, loaded(0.5 * load), {}, 0.0))(3, 3));
   // Both bearings resist the tilt t with c; their forces make up for it: k kPlace^2 (t0 - t) 2 = 2 c t.
   const double tilt = free_tilt * k * kPlace * kPlace / (k * kPlace * kPlace + c);
   const double difference = c * tilt / kPlace;  // [N]  by which each force leaves the half
@@ -141,7 +142,7 @@ TEST(PlanetOnPin, ClampedPinLoadsTheBearingAtTheWall) {
   ASSERT_TRUE(state.report.converged) << state.report.message;
   const LaminaBearing one(cut_bearing());
   // Both bearings have the displacement u - p_k; forces F_k = F_0 + k (u - p_k - d_0), tilts -p'_k against c.
-  const LaminaState even = lamina_state(one, loaded(0.5 * load), {}, 0.0);
+  const QuasiStaticState even = quasi_static_state(one, loaded(0.5 * load), {}, 0.0);
   const Eigen::Matrix4d slope = stiffness_at(one, even);
   const double k = slope(1, 1), c = slope(3, 3), d0 = even.displacement.y(), f0 = 0.5 * load.y();
   // Unknowns: u, p (2), p' (2).  F_k on the pin; M_k = -c p'_k... p = C (F, M), sum F = load.
@@ -182,7 +183,7 @@ TEST(PlanetOnPin, InclinedPinIsFeltWhereTheMeshesHoldThePlanet) {
   planet.tilt_stiffness = 5e2 * Eigen::Matrix2d::Identity();
   const PlanetOnPinState held = planet_on_pin(planet, loaded(load), kNone, {}, 0.0);
   const LaminaBearing one(cut_bearing());
-  const Eigen::Matrix4d slope = stiffness_at(one, lamina_state(one, loaded(0.5 * load), {}, 0.0));
+  const Eigen::Matrix4d slope = stiffness_at(one, quasi_static_state(one, loaded(0.5 * load), {}, 0.0));
   const double bearings = 2.0 * (slope(1, 1) * kPlace * kPlace + slope(3, 3));
   const double tilt = inclined.y() * bearings / (bearings + 5e2);
   const double difference = slope(1, 1) * kPlace * (tilt - inclined.y());

@@ -60,17 +60,22 @@ TEST(RaceEquilibrium, ApproachIsMinusTheDisplacementOutwardLessHalfTheClearance)
   EXPECT_NEAR(problem.approach(0, {-20e-6, 3e-6}), 20e-6 - 5e-6, 20e-6 * kRoundOff);
 }
 
+mechanics::Imbalance<2> imbalance_at(const RaceEquilibrium& problem, const Eigen::Vector2d& displacement) {
+  std::vector<laminae::RollerState> rollers(15);
+  return ring_on_rollers<2>(problem, rollers)(displacement);
+}
+
 TEST(RaceEquilibrium, StiffnessIsTheSlopeOfTheForce) {
   for (const std::optional<Lubricant>& lubricant :
        {std::optional<Lubricant>(), std::optional<Lubricant>(kOil)}) {
     const RaceEquilibrium problem = planet_equilibrium(lubricant);
     const Eigen::Vector2d at(-12e-6, -18e-6);
     const double step = 1e-9;
-    const Eigen::Matrix2d stiffness = problem.imbalance(at).stiffness;
+    const Eigen::Matrix2d stiffness = imbalance_at(problem, at).stiffness;
     for (int axis = 0; axis < 2; ++axis) {
       const Eigen::Vector2d h = step * Eigen::Vector2d::Unit(axis);
       const Eigen::Vector2d slope =
-          (problem.imbalance(at + h).force - problem.imbalance(at - h).force) / (2.0 * step);
+          (imbalance_at(problem, at + h).force - imbalance_at(problem, at - h).force) / (2.0 * step);
       EXPECT_LT((stiffness.col(axis) + slope).norm(), stiffness.norm() * kDifferenceError);
     }
   }
@@ -82,8 +87,8 @@ TEST(RaceEquilibrium, SolutionLeavesNoForce) {
     const RaceEquilibrium problem = planet_equilibrium(lubricant);
     const QuasiStaticState state = solve(problem);
     ASSERT_TRUE(state.report.converged) << state.report.message;
-    EXPECT_LT(problem.imbalance(state.displacement).force.norm(), 1e-9 * problem.load.norm());
-    EXPECT_EQ(state.report.residual, problem.imbalance(state.displacement).force.norm());
+    EXPECT_LT(imbalance_at(problem, state.displacement).force.norm(), 1e-9 * problem.load.norm());
+    EXPECT_EQ(state.report.residual, imbalance_at(problem, state.displacement).force.norm());
     EXPECT_GT(state.report.iterations, 0);
     EXPECT_TRUE(state.report.message.empty());
   }
