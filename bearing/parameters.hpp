@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bearing/profile/profile.hpp"
+#include "bearing/race_harmonic.hpp"
 #include "mechanics/described.hpp"
 #include "mechanics/material.hpp"
 
@@ -95,15 +96,6 @@ enum class ContactLaw {
 constexpr described::Names<ContactLaw, 2> names_of(ContactLaw) {
   return {{{ContactLaw::palmgren, "palmgren"}, {ContactLaw::iso16281, "iso16281"}}};
 }
-
-/// One wave of a race that is not round: its radius grows by amplitude cos(order * angle + phase).
-struct RaceHarmonic {
-  int order = 2;           // [-]    waves around the race: 2 for an oval
-  double amplitude = 0.0;  // [m]
-  double phase = 0.0;      // [rad]
-  bool turning = false;    // true: angle from a mark on the race (waviness made into it); false: from the
-                           // outward direction (a shape that loads hold while the race turns through it)
-};
 
 /// How a film takes part in the approach of roller and race.
 enum class FilmApproach {

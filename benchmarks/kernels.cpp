@@ -11,7 +11,6 @@
 
 #include "bearing/equilibrium/lamina_bearing.hpp"
 #include "bearing/equilibrium/level_pitch.hpp"
-#include "bearing/motion/equations.hpp"
 #include "benchmarks/frozen/constants.hpp"
 #include "benchmarks/runs.hpp"
 #include "coupling/integration/rosenbrock2.hpp"
@@ -70,7 +69,6 @@ Duty without_pressed_oil(Duty duty) {
 // A settled bearing and the arrays its kernels write to.
 struct Bench {
   Contest contest;
-  bearing::motion::PlanetBearingEquations plain;
   frozen::Equations before;
   Eigen::VectorXd flat;
   Eigen::VectorXd flat_rate;
@@ -79,7 +77,6 @@ struct Bench {
 
   explicit Bench(const Duty& duty)
       : contest(duty),
-        plain(duty.model()),
         before(frozen::constants_of(without_pressed_oil(duty).model())),
         flat(contest.settled(kSettling)),
         flat_rate(flat.size()),
@@ -99,7 +96,6 @@ struct Bench {
 
 void add_kernels(const std::shared_ptr<Bench>& b) {
   bearing::vectorised::VectorBearing& fast = b->contest.fast();
-  add("plain_rhs", [b] { b->plain.derivative(0.0, b->flat, b->flat_rate); });
   add("frozen_rhs", [b] { b->before.derivative(b->flat, b->flat_rate); });
   add("rhs", [b, &fast] { fast.derivative(0.0, b->x.data(), b->rate.data()); });
   add("jacobian", [b, &fast] { fast.linearise(0.0, b->x.data(), b->rate.data()); });
@@ -194,8 +190,7 @@ KernelTimes time_kernels(const study::PlanetaryDrivetrain& drivetrain) {
   benchmark::RunSpecifiedBenchmarks(&keeper);
   benchmark::Shutdown();
   const std::map<std::string, double>& ns = keeper.nanoseconds;
-  return {.plain_rhs = ns.at("plain_rhs"),
-          .frozen_rhs = ns.at("frozen_rhs"),
+  return {.frozen_rhs = ns.at("frozen_rhs"),
           .rhs = ns.at("rhs"),
           .jacobian = ns.at("jacobian"),
           .factor = ns.at("factor"),

@@ -9,8 +9,7 @@ namespace orbearing::bench {
 
 /// Times of single calls [ns] at 6000 rpm and zero clearance.
 struct KernelTimes {
-  double plain_rhs = 0.0;   // readable equations
-  double frozen_rhs = 0.0;  // readable equations of commit d33b5f5
+  double frozen_rhs = 0.0;  // plain equations of commit d33b5f5
   double rhs = 0.0;         // vectorised
   double jacobian = 0.0;    // vectorised, with the Jacobian
   double factor = 0.0;      // of 1 - g J

@@ -52,7 +52,6 @@ void put_kernels(const KernelTimes& times, Json& out) {
   out["factor_ns"] = times.factor;
   out["solve_ns"] = times.solve;
   out["step_ns"] = times.step;
-  out["plain_rhs_ns"] = times.plain_rhs;
   out["frozen_rhs_ns"] = times.frozen_rhs;
   out["rollers_exponent"] = times.exponent;
   for (const auto& [rollers, step] : times.step_by_rollers)

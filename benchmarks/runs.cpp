@@ -20,20 +20,9 @@ constexpr int kMostOrder = 5;              // of BDF, as CVODE comes
 constexpr double kFirstStep = 1e-6;        // [s]
 constexpr double kFirstRollerAngle = 0.0;  // [rad]
 
-// From the flat state to the padded one, whose other entries stay as they are.
-void scatter(const bearing::vectorised::PaddedLayout& layout, const double* flat, double* padded) {
-  const int z = layout.rollers;
-  for (int group = 0; group < layout.groups(); ++group)
-    std::copy_n(flat + group * z, z, padded + group * layout.lanes());
-  std::copy_n(flat + layout.groups() * z, 14, padded + layout.cage());
-}
-
 }  // namespace
 
-Contest::Contest(const Duty& duty) : duty_(duty), model_(duty.model()), fast_(model_) {
-  padded_state_ = fast_.padded(Eigen::VectorXd::Zero(model_.layout.size()));
-  padded_rate_.resize(padded_state_.size());
-}
+Contest::Contest(const Duty& duty) : duty_(duty), model_(duty.model()), fast_(model_) {}
 
 Eigen::VectorXd Contest::allowed(double length) const {
   return system::allowed_errors(model_, length);
@@ -93,9 +82,8 @@ void Contest::finish(const Stopwatch& watch, const Eigen::VectorXd& start, const
 }
 
 void Contest::derivative(double time, const double* x, double* dx) {
-  scatter(fast_.layout(), x, padded_state_.data());
-  fast_.derivative(time, padded_state_.data(), padded_rate_.data());
-  fast_.flatten(padded_rate_.data(), Eigen::Map<Eigen::VectorXd>(dx, model_.layout.size()));
+  const Eigen::Index size = model_.layout.size();
+  fast_.derivative(time, Eigen::Map<const Eigen::VectorXd>(x, size), Eigen::Map<Eigen::VectorXd>(dx, size));
 }
 
 Run Contest::run_odeint(Method method, const Eigen::VectorXd& start, const Span& span, double tolerance) {

@@ -75,8 +75,6 @@ class Contest {
   Duty duty_;
   bearing::motion::BearingModel model_;
   bearing::vectorised::VectorBearing fast_;
-  std::vector<double> padded_state_;
-  std::vector<double> padded_rate_;
 };
 
 }  // namespace orbearing::bench

@@ -32,13 +32,4 @@ auto damped_load(const Load& elastic_load, const Damping& damping, const Speed& 
                     decltype((load - elastic_load) * approach_speed)>{load, power};
 }
 
-/// The same beside a load `squeezed` [N] of oil that is pressed out, with the sign of the approach speed:
-/// both together never pull.
-inline DampedLoad<double, double> with_squeeze(const DampedLoad<double, double>& damped, double elastic_load,
-                                               double squeezed, double approach_speed) {
-  if (squeezed == 0.0) return damped;
-  const double load = mechanics::larger(damped.load + squeezed, 0.0);
-  return {load, (load - elastic_load) * approach_speed};
-}
-
 }  // namespace orbearing::bearing

@@ -98,6 +98,7 @@ struct PocketLaw {
   template <class Number, class... Parts>
   auto oil(const Number& radius, const Number& deviation, const PocketMotion<Parts...>& m) const {
     using mechanics::larger, mechanics::root, mechanics::sign_of, mechanics::value_of;
+    constexpr double kAtRest = 1e-20;  // [m/s]  far below any speed: a film at rest has an angle psi, too
     const RigidLineFilm<Number> film{Number{} + viscous, root(2.0 * radius)};
     const auto closing = m.speed_ahead - m.cage_speed * m.along;
     const auto roller_surface = (m.cage_speed - m.spin) * radius;
@@ -105,7 +106,7 @@ struct PocketLaw {
     const auto before = [&](const auto& toward, const auto& closes, const auto& runs) {
       const auto gap = larger((half_clearance - deviation) - toward, Number{} + roughness);
       const auto rolling = 0.5 * (runs + bar_surface);
-      return film.at(film.slenderness(gap), rolling * sign_of(value_of(rolling)), closes);
+      return film.at(film.slenderness(gap), rolling * sign_of(value_of(rolling)) + kAtRest, closes);
     };
     const auto front = before(m.offset, closing, roller_surface);
     const auto rear = before(-m.offset, -closing, -roller_surface);

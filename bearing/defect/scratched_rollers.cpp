@@ -50,7 +50,6 @@ void put_scratches(const std::vector<Scratch>& scratches, motion::BearingModel& 
   for (const Scratch& scratch : scratches) {
     if (scratch.race == Scratched::none) continue;
     check(scratch, model);
-    model.plain = false;
     const ScratchLaw on_inner = scratch_law(scratch, Race::inner, geometry);
     const ScratchLaw on_outer = scratch_law(scratch, Race::outer, geometry);
     for (const double angle : angles_of(scratch)) {

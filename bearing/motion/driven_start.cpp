@@ -1,13 +1,15 @@
 #include "bearing/motion/driven_start.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
 
 #include "bearing/equilibrium/elastic_waves.hpp"
 #include "bearing/equilibrium/roller_balance.hpp"
-#include "bearing/motion/driven_bore.hpp"
+#include "bearing/motion/vectorised/model_constants.hpp"
 
 namespace orbearing::bearing::motion {
 
@@ -95,13 +97,18 @@ PinProblem pin_problem(const Bearing& bearing, const BearingModel& model,
   point.outer_speed = motion.speed;
   point.outer_race = model.point.outer_race;
   const Vector2 none = Vector2::Zero();
+  const auto of_waves = [&](double vectorised::RimWave::*number) {
+    Eigen::VectorXd all(model.layout.waves);
+    std::transform(model.rim.begin(), model.rim.end(), all.begin(), std::mem_fn(number));
+    return all;
+  };
   return {
       quasi_static_problem(bearing, model.geometry, point, start_options(parameters), first_roller),
       motion.position,
-      model.pin_mass * inertial_acceleration(frame_of(model, motion), none, none),
+      model.pin_mass * inertial_acceleration(vectorised::surroundings_of(model, motion).frame, none, none),
       model.support.stiffness,
-      model.rim.stiffness,
-      model.rim.at_rest};
+      of_waves(&vectorised::RimWave::stiffness),
+      of_waves(&vectorised::RimWave::at_rest)};
 }
 
 template <int N>
@@ -167,7 +174,9 @@ Eigen::VectorXd driven_start(const Bearing& bearing, const BearingModel& model,
   const QuasiStaticOptions options = start_options(parameters);
   place_bodies(model, rolling_contacts(bearing, model.geometry, 0.0, motion.speed, added_film(options)),
                balance.rollers, {balance.pin, motion.position, cage_speed, spin}, first_roller, x);
-  return state_at(model, motion, x);
+  x.segment<2>(model.layout.bore()) = motion.position;
+  x.segment<2>(model.layout.bore() + 2) = motion.velocity;
+  return x;
 }
 
 }  // namespace orbearing::bearing::motion

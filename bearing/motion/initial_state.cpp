@@ -2,9 +2,10 @@
 
 #include <cmath>
 
+#include "bearing/contact/race_form.hpp"
 #include "bearing/equilibrium/elastic_waves.hpp"
 #include "bearing/equilibrium/race_equilibrium.hpp"
-#include "bearing/motion/instant.hpp"
+#include "bearing/motion/vectorised/model_constants.hpp"
 
 namespace orbearing::bearing::motion {
 
@@ -20,7 +21,7 @@ Vector2 pin_displacement(const BearingModel& model, const QuasiStaticState& bala
 
 // Radius of a race at `angle`, as at t = 0, film and form included.
 double race_radius(const RaceModel& race, double angle) {
-  return race.side.radius + form_at(race.form, angle, 0.0).height;
+  return race.radius + form_at(race.form, angle, 0.0).height;
 }
 
 // Centre of a roller on the ray `outward` from the pin: on the inner race where it carries, else on the
@@ -51,16 +52,14 @@ void set_roller(const Vector2& centre, double angle, double cage_speed, double s
 }
 
 // Each roller tilted to where its contacts balance.
-void tilt_rollers(const BearingModel& model, double* x) {
+void tilt_rollers(const BearingModel& model, Eigen::Ref<Eigen::VectorXd> x) {
   if (!model.layout.tilting) return;
-  const ConstStateViews state = state_views(model.layout, x);
-  const RingBodies rings = ring_bodies(model, state);
-  MutableStateViews tilted = mutable_state_views(model.layout, x);
+  const auto seen = vectorised::seen_rollers(model, vectorised::surroundings_at(model, 0.0), x);
+  MutableStateViews state = mutable_state_views(model.layout, x.data());
   for (Eigen::Index j = 0; j < model.layout.rollers; ++j) {
-    const RollerBody roller = roller_body(model, state, j);
-    const LaminaStand stand = roller_contacts(model, rings, roller, j).stand;
-    tilted.end_displacement[j] =
-        model.laminae->balanced_end_displacement(stand.inner_approach, stand.outer_approach, roller.outward);
+    const vectorised::SeenRoller& roller = seen[static_cast<std::size_t>(j)];
+    state.end_displacement[j] = model.laminae->balanced_end_displacement(
+        roller.inner.elastic_approach, roller.outer.elastic_approach, direction(state.angle[j]));
   }
 }
 
@@ -93,7 +92,7 @@ void place_bodies(const BearingModel& model, const bearing::RollerContacts& cont
   for (Eigen::Index j = 0; j < model.layout.rollers; ++j)
     set_roller(roller_centre(model, contacts, balance, j, start.pin, start.bore), balance.angle[j],
                start.cage_speed, start.spin, j, state);
-  tilt_rollers(model, x.data());
+  tilt_rollers(model, x);
 }
 
 InitialState initial_state(const Bearing& bearing, const BearingModel& model,

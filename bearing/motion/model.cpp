@@ -5,7 +5,6 @@
 
 #include "bearing/contact/race_form.hpp"
 #include "bearing/equilibrium/elastic_waves.hpp"
-#include "bearing/motion/race_model.hpp"
 #include "mechanics/checks.hpp"
 
 namespace orbearing::bearing::motion {
@@ -97,24 +96,21 @@ void check(const Bearing& bearing, const BearingGeometry& geometry, const Dynami
           "a finite number");
 }
 
-PocketModel pocket_model(const BearingGeometry& geometry, double length,
-                         const DynamicsParameters& parameters) {
+PocketLaw pocket_law(double length, const DynamicsParameters& parameters) {
   const CageParameters& cage = parameters.cage;
   return {.half_clearance = 0.5 * cage.pocket_clearance,
           .stiffness = cage.pocket_stiffness,
           .damping = cage.pocket_damping,
-          .friction = cage.pocket_friction,
-          .sliding_scale = parameters.race.sliding_scale,
-          .roller_radius = geometry.element_radius,
+          .friction = {cage.pocket_friction, parameters.race.sliding_scale},
           .viscous = cage.pocket_film == PocketFilm::hydrodynamic
                          ? 2.0 * parameters.lubricant.viscosity * length
                          : 0.0,
           .roughness = cage.pocket_roughness};
 }
 
-NeighbourModel neighbour_model(const Bearing& bearing, const DynamicsParameters& parameters) {
+vectorised::NeighbourConstants neighbours(const Bearing& bearing, const DynamicsParameters& parameters) {
   const RaceContactParameters& race = parameters.race;
-  return {.elastic = roller_race_contact(bearing.contact_law, bearing.rollers().length),
+  return {.stiffness = roller_race_contact(bearing.contact_law, bearing.rollers().length).constant(),
           .damping = race.damping_law == DampingLaw::approach_speed ? race.damping : 0.0,
           .friction = {parameters.neighbours.friction, race.sliding_scale}};
 }
@@ -175,14 +171,9 @@ std::vector<double> larger_rollers(const Bearing& bearing) {
   return larger;
 }
 
-bool is_plain(const Bearing& bearing, const BearingModel& model) {
-  return model.layout.caged && is_round(bearing) && !model.inner.friction.mixed &&
-         !model.pocket.with_film() && !model.laminae && model.layout.waves == 0;
-}
-
 laminae::LaminaContact lamina_contact(const CylindricalRollers& rollers, const RaceModel& race,
                                       const profile::Profile& race_profile) {
-  return {laminae::lamina_law(race.load.elastic()), rollers.length,
+  return {laminae::lamina_law(LineContact(race.stiffness)), rollers.length,
           laminae::lamina_drops(rollers.profile, race_profile, rollers.length, rollers.laminae)};
 }
 
@@ -275,11 +266,11 @@ BearingModel bearing_model(const Bearing& bearing, const OperatingPoint& point,
       .pin_mass = geometry.inner_ring_mass,
       .inner = race_model(bearing, geometry, point, Race::inner, parameters),
       .outer = race_model(bearing, geometry, point, Race::outer, parameters),
-      .rim = rim_model(moving.outer_race, parameters.rim),
+      .rim = rim_waves(moving.outer_race, parameters.rim),
       .inner_film = film_contact(bearing, geometry, Race::inner, parameters.lubricant),
       .outer_film = film_contact(bearing, geometry, Race::outer, parameters.lubricant),
-      .pocket = pocket_model(geometry, rollers.length, parameters),
-      .neighbours = neighbour_model(bearing, parameters),
+      .pocket = pocket_law(rollers.length, parameters),
+      .neighbours = neighbours(bearing, parameters),
       .radius_deviation = larger_rollers(bearing),
       .pocket_direction = pocket_directions(rollers.count),
       .guidance = guidance_model(bearing, parameters),
@@ -295,7 +286,6 @@ BearingModel bearing_model(const Bearing& bearing, const OperatingPoint& point,
   set_drag(bearing, parameters.drag, model);
   model.laminae = lamina_races(bearing, model);
   model.layout.tilting = model.laminae && !model.laminae->upright();
-  model.plain = is_plain(bearing, model);
   if (model.driving.ramp != 0.0) set_driving(parameters.inertia, model);
   return model;
 }

@@ -15,14 +15,12 @@
 #include "bearing/contact/lamina_races.hpp"
 #include "bearing/equilibrium/quasi_static.hpp"
 #include "bearing/motion/cage_guidance.hpp"
-#include "bearing/motion/cage_pocket.hpp"
 #include "bearing/motion/driving.hpp"
 #include "bearing/motion/layout.hpp"
-#include "bearing/motion/neighbour_contact.hpp"
 #include "bearing/motion/oil_drag.hpp"
 #include "bearing/motion/parameters.hpp"
 #include "bearing/motion/pin_support.hpp"
-#include "bearing/motion/race_forces.hpp"
+#include "bearing/motion/race_model.hpp"
 #include "bearing/motion/rim.hpp"
 
 namespace orbearing::bearing::motion {
@@ -54,11 +52,11 @@ struct BearingModel {
   RaceModel inner;
   RaceModel outer;
   std::optional<LaminaRaces> laminae;  // none: line contacts of straight rollers
-  RimModel rim;                        // no waves: rigid
+  std::vector<vectorised::RimWave> rim;  // none: rigid
   FilmContact inner_film;
   FilmContact outer_film;
-  PocketModel pocket;         // of a cage
-  NeighbourModel neighbours;  // without one
+  PocketLaw pocket;                           // of a cage
+  vectorised::NeighbourConstants neighbours;  // without one
   std::vector<RollerScratch> roller_scratches = {};
   std::vector<double> radius_deviation;   // [m]  (rollers)  radius of each roller less the stated one
   std::vector<Vector2> pocket_direction;  // [-]  of each pocket at cage angle zero
@@ -70,8 +68,7 @@ struct BearingModel {
   QuadraticDrag cage_drag;   // churning by the cage
   MeshExcitation excitation;
   Driving driving;
-  BoreLoads bore_loads;  // of a run-up
-  bool plain = true;     // round races without scratches, equal straight rollers without scratches, full lubrication, pockets without film
+  BoreLoads bore_loads;               // of a run-up
   double kinematic_cage_speed = 0.0;  // [rad/s]  at which the cage starts, and to which its slip refers
 };
 
@@ -83,12 +80,6 @@ struct BearingModel {
 /// a clearance or a stiffness leaves the equations without meaning.
 BearingModel bearing_model(const Bearing& bearing, const OperatingPoint& point,
                            const DynamicsParameters& parameters);
-
-/// What roller `j` is like.
-inline RollerSurface surface_of(const BearingModel& model, Eigen::Index j) {
-  return {model.radius_deviation[static_cast<std::size_t>(j)],
-          model.roller_scratches.empty() ? nullptr : &model.roller_scratches, static_cast<int>(j)};
-}
 
 /// The laminae of `model`; null where its contacts are not cut. Valid as long as the model stays in its
 /// place.

@@ -1,6 +1,7 @@
 #include "bearing/motion/rim.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "bearing/equilibrium/elastic_waves.hpp"
 #include "mechanics/checks.hpp"
@@ -17,9 +18,8 @@ ElasticRace moving_waves(ElasticRace race, const RimParameters& parameters) {
   return race;
 }
 
-RimModel rim_model(const ElasticRace& race, const RimParameters& parameters) {
-  RimModel rim;
-  if (race.is_rigid()) return rim;
+std::vector<vectorised::RimWave> rim_waves(const ElasticRace& race, const RimParameters& parameters) {
+  if (race.is_rigid()) return {};
   mechanics::require(parameters.damping_ratio >= 0.0, "damping ratio of a rim", parameters.damping_ratio,
                      "0 or more");
   mechanics::require(race.mass.size() == race.compliance.size(), "masses of the waves of an elastic race",
@@ -28,11 +28,15 @@ RimModel rim_model(const ElasticRace& race, const RimParameters& parameters) {
     if (order != 1)
       mechanics::require(race.mass[order] > 0.0, "mass of a wave of an elastic race [kg]", race.mass[order],
                          "more than 0");
-  rim.stiffness = wave_stiffness(race);
-  rim.mass = waves_of_orders(race, race.mass);
-  rim.damping = 2.0 * parameters.damping_ratio * rim.stiffness.cwiseProduct(rim.mass).cwiseSqrt();
-  rim.at_rest = waves_at_rest(race);
-  return rim;
+  const Eigen::VectorXd stiffness = wave_stiffness(race), mass = waves_of_orders(race, race.mass),
+                        at_rest = waves_at_rest(race);
+  std::vector<vectorised::RimWave> waves;
+  for (Eigen::Index i = 0; i < stiffness.size(); ++i)
+    waves.push_back({.stiffness = stiffness[i],
+                     .mass = mass[i],
+                     .damping = 2.0 * parameters.damping_ratio * std::sqrt(stiffness[i] * mass[i]),
+                     .at_rest = at_rest[i]});
+  return waves;
 }
 
 }  // namespace orbearing::bearing::motion

@@ -1,9 +1,10 @@
 #include "bearing/motion/snapshot.hpp"
 
+#include <array>
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 
-#include "bearing/motion/instant.hpp"
+#include "bearing/motion/vectorised/model_constants.hpp"
 
 namespace orbearing::bearing::motion {
 
@@ -11,8 +12,118 @@ namespace {
 
 using boost::math::double_constants::two_pi;
 
+using vectorised::SeenRoller;
+using vectorised::Surroundings;
+using Contact = vectorised::SeenContact<double>;
+
 constexpr double kDifferenceTime =
     1e-9;  // [s]  far below the shortest period, far above round-off in the speeds
+
+// Between a roller and its pocket: touch and, where there is one, film.
+struct PocketTouch {
+  double load = 0.0;    // [N]  positive where the roller pushes the cage in the sense of rotation
+  double power = 0.0;   // [W]  lost
+  double energy = 0.0;  // [J]
+};
+
+PocketTouch pocket_touch(const PocketLaw& law, double stated_radius, double deviation,
+                         const BodyMotion& roller, const BodyMotion& cage, const Vector2& outward) {
+  const Vector2 ahead = across(outward), from_cage = roller.position - cage.position;
+  const Vector2 velocity = roller.velocity - cage.velocity;
+  const PocketMotion motion{from_cage.dot(ahead),  from_cage.dot(outward), velocity.dot(ahead),
+                            velocity.dot(outward), roller.speed,           cage.speed};
+  const double radius = stated_radius + deviation, bar = std::copysign(1.0, motion.offset);
+  PocketTouch all;
+  if (const double depth = law.depth(bar, motion.offset, deviation); depth > 0.0) {
+    const auto touch = law.touch(bar, radius, deviation, motion);
+    all = {-touch.ahead, touch.power + touch.along * touch.sliding, 0.5 * law.stiffness * depth * depth};
+  }
+  if (law.with_film()) {
+    const auto oil = law.oil(radius, deviation, motion);
+    all.load -= oil.ahead;
+    all.power += oil.power;
+  }
+  return all;
+}
+
+// All bodies in one state, and what can be read off the rollers.
+class Instant {
+ public:
+  Instant(const BearingModel& model, const Surroundings& now, const Eigen::Ref<const Eigen::VectorXd>& x)
+      : model_(model),
+        state(state_views(model.layout, x.data())),
+        frame(now.frame),
+        bore{state.bore_position, state.bore_velocity, now.bore.speed, now.bore.turned},
+        pin{state.pin_position, state.pin_velocity, now.pin.speed, now.pin.turned},
+        seen(vectorised::seen_rollers(model, now, x)) {
+    if (!model.layout.caged) return;
+    cage = {state.cage_position, state.cage_velocity, state.cage_speed};
+    cage_direction_ = direction(state.cage_angle);
+  }
+
+  Vector2 outward(Eigen::Index j) const { return direction(state.angle[j]); }
+  BodyMotion roller(Eigen::Index j) const {
+    const Vector2 out = outward(j);
+    return {state.radius[j] * out,
+            state.radial_speed[j] * out + state.radius[j] * state.orbital_speed[j] * across(out),
+            state.spin[j]};
+  }
+  const SeenRoller& seen_at(Eigen::Index j) const { return seen[static_cast<std::size_t>(j)]; }
+
+  PocketTouch pocket(Eigen::Index j) const {
+    if (!model_.layout.caged) return {};
+    const auto i = static_cast<std::size_t>(j);
+    const Vector2& own = model_.pocket_direction[i];
+    return pocket_touch(model_.pocket, model_.geometry.element_radius, model_.radius_deviation[i], roller(j),
+                        cage, own.x() * cage_direction_ + own.y() * across(cage_direction_));
+  }
+  LaminaStand stand(Eigen::Index j) const {
+    return {seen_at(j).inner.elastic_approach, seen_at(j).outer.elastic_approach,
+            model_.layout.tilting ? state.end_displacement[j] : 0.0};
+  }
+  const BodyMotion& land() const { return model_.guiding_race == Race::outer ? bore : pin; }
+  GuidanceForces guidance() const { return guidance_forces(model_.guidance, cage, land()); }
+
+  // Of rollers and land on a ring, about its centre.
+  Wrench on_ring(Race race) const {
+    const bool inner = race == Race::inner;
+    Wrench sum;
+    for (Eigen::Index j = 0; j < model_.layout.rollers; ++j) {
+      const Contact& contact = inner ? seen_at(j).inner : seen_at(j).outer;
+      const Vector2 out = outward(j), force = contact.f_r * out + contact.f_t * across(out);
+      const Vector2 arm = state.radius[j] * out - (inner ? pin : bore).position;
+      sum += {-force, -contact.moment - cross(arm, force)};
+    }
+    if (race == model_.guiding_race) sum += guidance().on_land;
+    return sum;
+  }
+
+ private:
+  const BearingModel& model_;
+  Vector2 cage_direction_ = Vector2::UnitX();
+
+ public:
+  ConstStateViews state;
+  CarrierFrame frame;
+  BodyMotion bore, pin;
+  BodyMotion cage{Vector2::Zero(), Vector2::Zero()};  // at rest where there is none
+  std::vector<SeenRoller> seen;
+};
+
+// What the tilting of a roller loses, and what holds the bore's tilt while the roller passes through it [W].
+struct TiltPower {
+  double lost = 0.0;
+  double held = 0.0;
+};
+
+TiltPower tilt_power(const BearingModel& model, const Instant& now, Eigen::Index j) {
+  if (!model.layout.tilting) return {};
+  const Vector2 outward = now.outward(j);
+  const LaminaRaceLoads loads = model.laminae->loads(now.stand(j), outward);
+  const double passing =
+      model.laminae->bore_end_displacement().dot(across(outward)) * now.state.orbital_speed[j];
+  return {loads.excess * loads.excess / model.laminae->resistance(), -loads.outer_end_load * passing};
+}
 
 double wrapped(double angle) {
   return angle - two_pi * std::floor(angle / two_pi);
@@ -39,11 +150,11 @@ void resize(Snapshot& into, Eigen::Index rollers, bool cut, bool caged) {
   into.loss = {};
 }
 
-void record(const RaceForces& forces, const FilmContact& film, Eigen::Index j, RaceSnapshot& race) {
-  race.load[j] = forces.load;
-  race.sliding[j] = forces.sliding;
-  race.entrainment[j] = forces.entrainment;
-  race.least_film[j] = Film(film, forces.entrainment).least(forces.load);
+void record(const Contact& contact, const FilmContact& film, Eigen::Index j, RaceSnapshot& race) {
+  race.load[j] = contact.load;
+  race.sliding[j] = contact.sliding;
+  race.entrainment[j] = contact.entrainment;
+  race.least_film[j] = Film(film, contact.entrainment).least(contact.load);
 }
 
 void put_stand(const LaminaStand& stand, Eigen::Index j, Snapshot& into) {
@@ -52,20 +163,15 @@ void put_stand(const LaminaStand& stand, Eigen::Index j, Snapshot& into) {
   into.end_displacement[j] = stand.end_displacement;
 }
 
-void add_neighbour(const NeighbourTouch& ahead, Eigen::Index j, Snapshot& into) {
-  into.neighbour_load[j] = ahead.load;
-  into.loss.neighbours += ahead.damping_power + ahead.friction_power;
-}
-
-void add_losses(const BearingModel& model, const RollerBody& roller, const RollerForces& forces,
-                PowerLoss& loss) {
-  loss.race_damping += forces.inner.damping_power + forces.outer.damping_power + forces.tilt_power;
-  loss.inner_traction += forces.inner.traction_power;
-  loss.outer_traction += forces.outer.traction_power;
-  loss.rolling += forces.inner.rolling_power + forces.outer.rolling_power;
-  loss.pockets += forces.pocket.damping_power + forces.pocket.friction_power + forces.pocket.film_power;
-  loss.drag += model.orbit_drag.power(roller.radius * roller.orbital_speed) +
-               model.spin_drag.power(roller.motion.speed);
+void add_losses(const BearingModel& model, const Instant& now, Eigen::Index j, PowerLoss& loss) {
+  const auto& [inner, outer, neighbour_load, neighbour_energy, neighbour_power] = now.seen_at(j);
+  loss.race_damping += inner.damping_power + outer.damping_power + tilt_power(model, now, j).lost;
+  loss.inner_traction += inner.traction_power;
+  loss.outer_traction += outer.traction_power;
+  loss.rolling += inner.rolling_power + outer.rolling_power;
+  loss.neighbours += neighbour_power;
+  loss.drag += model.orbit_drag.power(now.state.radius[j] * now.state.orbital_speed[j]) +
+               model.spin_drag.power(now.state.spin[j]);
 }
 
 double kinetic(const BodyInertia& body, const BodyMotion& motion) {
@@ -76,126 +182,179 @@ double centrifugal(const CarrierFrame& frame, double mass, double orbit_radius, 
   return -0.5 * mass * frame.centrifugal * (position + Vector2(orbit_radius, 0.0)).squaredNorm();
 }
 
-double elastic_energy(const RaceModel& model, double elastic_approach) {
-  return elastic_approach > 0.0 ? model.load.elastic().energy(elastic_approach) : 0.0;
+double elastic_energy(const RaceModel& race, double elastic_approach) {
+  return elastic_approach > 0.0 ? LineContact(race.stiffness).energy(elastic_approach) : 0.0;
 }
 
 // Both contacts of a roller. What the film holds is that of the straight contact.
-double contact_energy(const BearingModel& model, const RingBodies& rings, const RollerBody& roller,
-                      Eigen::Index j) {
-  const RollerSurface surface = surface_of(model, j);
-  const double straight = race_energy(model.inner, roller.motion, rings.pin, surface) +
-                          race_energy(model.outer, roller.motion, rings.bore, surface, rings.waves);
+double contact_energy(const BearingModel& model, const Instant& now, Eigen::Index j) {
+  const auto stored = [](const RaceModel& race, const Contact& contact) {
+    return race_energy(race, contact.elastic_approach, contact.entrainment);
+  };
+  const double straight =
+      stored(model.inner, now.seen_at(j).inner) + stored(model.outer, now.seen_at(j).outer);
   if (!model.laminae) return straight;
-  const LaminaStand stand = roller_contacts(model, rings, roller, j).stand;
+  const LaminaStand stand = now.stand(j);
   return straight - elastic_energy(model.inner, stand.inner_approach) -
-         elastic_energy(model.outer, stand.outer_approach) + model.laminae->energy(stand, roller.outward);
-}
-
-void add_roller_energy(const BearingModel& model, const CarrierFrame& frame, const RingBodies& rings,
-                       const RollerBody& roller, Eigen::Index j, StoredEnergy& energy) {
-  const double larger = model.radius_deviation[static_cast<std::size_t>(j)];
-  const BodyMotion& motion = roller.motion;
-  energy.kinetic += kinetic(model.roller, motion);
-  energy.centrifugal += centrifugal(frame, model.roller.mass, frame.orbit_radius, motion.position);
-  energy.races += contact_energy(model, rings, roller, j);
-  if (model.layout.caged)
-    energy.pockets += pocket_energy(model.pocket, motion.position, rings.cage.position,
-                                    pocket_direction(model, rings, j), larger);
+         elastic_energy(model.outer, stand.outer_approach) + model.laminae->energy(stand, now.outward(j));
 }
 
 double rim_damping(const BearingModel& model, const ConstStateViews& state) {
   double power = 0.0;
   for (Eigen::Index i = 0; i < model.layout.waves; ++i)
-    power += model.rim.damping[i] * state.wave_speed[i] * state.wave_speed[i];
+    power += model.rim[static_cast<std::size_t>(i)].damping * state.wave_speed[i] * state.wave_speed[i];
   return power;
 }
 
-void add_rim_energy(const BearingModel& model, const ConstStateViews& state, double time,
+void add_rim_energy(const BearingModel& model, const ConstStateViews& state, double meshes,
                     StoredEnergy& energy) {
-  const double meshes = mesh_ratio(model.driving, time);
   for (Eigen::Index i = 0; i < model.layout.waves; ++i) {
-    const double beyond = state.wave[i] - meshes * model.rim.at_rest[i];
-    energy.rim += 0.5 * model.rim.stiffness[i] * beyond * beyond;
-    energy.kinetic += 0.5 * model.rim.mass[i] * state.wave_speed[i] * state.wave_speed[i];
+    const vectorised::RimWave& wave = model.rim[static_cast<std::size_t>(i)];
+    const double beyond = state.wave[i] - meshes * wave.at_rest;
+    energy.rim += 0.5 * wave.stiffness * beyond * beyond;
+    energy.kinetic += 0.5 * wave.mass * state.wave_speed[i] * state.wave_speed[i];
   }
 }
 
-// Of teeth whose forces on the waves fall in a run-up.
-double teeth_power(const BearingModel& model, const ConstStateViews& state, double time) {
-  const double meshes = mesh_ratio(model.driving, time), slope = -model.driving.ramp * meshes * meshes;
+// Of teeth whose forces on the waves change at `slope` [1/s] of their means.
+double teeth_power(const BearingModel& model, const ConstStateViews& state, double meshes, double slope) {
   double power = 0.0;
-  for (Eigen::Index i = 0; i < model.layout.waves; ++i)
-    power -= model.rim.stiffness[i] * (state.wave[i] - meshes * model.rim.at_rest[i]) * slope *
-             model.rim.at_rest[i];
+  for (Eigen::Index i = 0; i < model.layout.waves; ++i) {
+    const vectorised::RimWave& wave = model.rim[static_cast<std::size_t>(i)];
+    power -= wave.stiffness * (state.wave[i] - meshes * wave.at_rest) * slope * wave.at_rest;
+  }
   return power;
 }
 
-// Wrenches on the rings alone, without what is reported per roller, and the power that out-of-round races
-// give.
-RingWrenches ring_wrenches(const BearingModel& model, const ConstStateViews& state, const RingBodies& rings,
-                           double& out_of_roundness) {
-  RingWrenches sum;
-  for (Eigen::Index j = 0; j < model.layout.rollers; ++j) {
-    const RollerForces forces = roller_forces(model, rings, roller_body(model, state, j), j);
-    out_of_roundness += forces.held_tilt - forces.inner.form_power - forces.outer.form_power;
-    sum.add(forces);
-  }
-  sum.add(guidance_forces(model.guidance, rings.cage, land_body(model, rings)), model.guiding_race);
-  return sum;
+// What holds forms and a tilted bore while races and rollers turn through them.
+double holding_power(const BearingModel& model, const Instant& now) {
+  double power = 0.0;
+  for (Eigen::Index j = 0; j < model.layout.rollers; ++j)
+    power +=
+        tilt_power(model, now, j).held - now.seen_at(j).inner.form_power - now.seen_at(j).outer.form_power;
+  return power;
 }
 
-double euler_power(const BearingModel& model, const ConstStateViews& state, const RingBodies& rings) {
+double euler_power(const BearingModel& model, const Instant& now) {
   CarrierFrame only;
-  only.euler = model.frame.euler;
+  only.euler = now.frame.euler;
   const auto power_on = [&](double mass, double orbit_radius, const BodyMotion& body) {
     only.orbit_radius = orbit_radius;
     return mass * inertial_acceleration(only, body.position, Vector2::Zero()).dot(body.velocity);
   };
-  const double orbit_radius = model.frame.orbit_radius;
-  double power = power_on(model.cage.mass, orbit_radius, rings.cage) +
-                 power_on(model.pin_mass, orbit_radius, rings.pin) +
-                 power_on(model.bore_mass, 0.0, rings.bore) -
-                 model.cage.inertia * only.euler * rings.cage.speed;
+  const double orbit_radius = now.frame.orbit_radius;
+  double power = power_on(model.cage.mass, orbit_radius, now.cage) +
+                 power_on(model.pin_mass, orbit_radius, now.pin) + power_on(model.bore_mass, 0.0, now.bore) -
+                 model.cage.inertia * only.euler * now.cage.speed;
   for (Eigen::Index j = 0; j < model.layout.rollers; ++j) {
-    const BodyMotion roller = roller_body(model, state, j).motion;
+    const BodyMotion roller = now.roller(j);
     power +=
         power_on(model.roller.mass, orbit_radius, roller) - model.roller.inertia * only.euler * roller.speed;
   }
   return power;
 }
 
-double entrainment(const RaceModel& race, const BodyMotion& roller, const RollerSurface& surface,
-                   const BodyMotion& ring) {
-  return entrainment_speed(race_motion(race, roller, surface, ring).contact.rolling, race.entrainment_scale);
-}
+// What is prescribed a little before, now and a little after.
+using ThreeTimes = std::array<Surroundings, 3>;
 
-double changing_film_power(const BearingModel& model, double time, const Eigen::Ref<const Eigen::VectorXd>& x,
+double changing_film_power(const BearingModel& model, const ThreeTimes& times,
+                           const Eigen::Ref<const Eigen::VectorXd>& x,
                            const Eigen::Ref<const Eigen::VectorXd>& dx) {
-  const Eigen::VectorXd before = x - kDifferenceTime * dx;
-  const Eigen::VectorXd after = x + kDifferenceTime * dx;
-  const ConstStateViews views[] = {state_views(model.layout, before.data()),
-                                   state_views(model.layout, x.data()),
-                                   state_views(model.layout, after.data())};
-  const RingBodies rings[] = {ring_bodies(model, views[0], time - kDifferenceTime),
-                              ring_bodies(model, views[1], time),
-                              ring_bodies(model, views[2], time + kDifferenceTime)};
+  const auto before = vectorised::seen_rollers(model, times[0], x - kDifferenceTime * dx),
+             now = vectorised::seen_rollers(model, times[1], x),
+             after = vectorised::seen_rollers(model, times[2], x + kDifferenceTime * dx);
   double power = 0.0;
-  const auto add = [&](const RaceModel& race, const BodyMotion RingBodies::*ring, Eigen::Index j) {
-    const RollerSurface surface = surface_of(model, j);
-    const BodyMotion now = roller_body(model, views[1], j).motion;
-    const double speed = entrainment(race, now, surface, rings[1].*ring);
-    const double change = entrainment(race, roller_body(model, views[2], j).motion, surface, rings[2].*ring) -
-                          entrainment(race, roller_body(model, views[0], j).motion, surface, rings[0].*ring);
-    const RaceWaves waves = &race == &model.outer ? rings[1].waves : RaceWaves{};
-    const double approach = race_motion(race, now, surface, rings[1].*ring, waves).contact.approach;
-    power += race.load.energy_slope(approach, speed) * change / (2.0 * kDifferenceTime);
-  };
-  for (Eigen::Index j = 0; j < model.layout.rollers; ++j) {
-    add(model.inner, &RingBodies::pin, j);
-    add(model.outer, &RingBodies::bore, j);
+  for (std::size_t j = 0; j < now.size(); ++j) {
+    const auto add = [&](const RaceModel& race, Contact SeenRoller::*contact) {
+      const Contact& here = now[j].*contact;
+      const double change = (after[j].*contact).entrainment - (before[j].*contact).entrainment;
+      power +=
+          race_energy_slope(race, here.elastic_approach, here.entrainment) * change / (2.0 * kDifferenceTime);
+    };
+    add(model.inner, &SeenRoller::inner);
+    add(model.outer, &SeenRoller::outer);
   }
   return power;
+}
+
+StoredEnergy energy_of(const BearingModel& model, const Instant& now, double meshes) {
+  const CarrierFrame& frame = now.frame;
+  StoredEnergy energy;
+  for (Eigen::Index j = 0; j < model.layout.rollers; ++j) {
+    const BodyMotion roller = now.roller(j);
+    energy.kinetic += kinetic(model.roller, roller);
+    energy.centrifugal += centrifugal(frame, model.roller.mass, frame.orbit_radius, roller.position);
+    energy.races += contact_energy(model, now, j);
+    energy.pockets += now.pocket(j).energy;
+    energy.neighbours += now.seen_at(j).neighbour_energy;
+  }
+  energy.kinetic += kinetic(model.cage, now.cage) + 0.5 * model.bore_mass * now.bore.velocity.squaredNorm() +
+                    0.5 * model.pin_mass * now.pin.velocity.squaredNorm();
+  energy.centrifugal += centrifugal(frame, model.cage.mass, frame.orbit_radius, now.cage.position) +
+                        centrifugal(frame, model.pin_mass, frame.orbit_radius, now.pin.position) +
+                        centrifugal(frame, model.bore_mass, 0.0, now.bore.position);
+  energy.guidance = guidance_energy(model.guidance, now.cage.position, now.land().position);
+  energy.support = model.support.energy(now.pin.position);
+  add_rim_energy(model, now.state, meshes, energy);
+  return energy;
+}
+
+// `growth` [1/s]: of all speeds.
+PowerInput power_of(const BearingModel& model, const ThreeTimes& times, const Vector2& load, double growth,
+                    const Eigen::Ref<const Eigen::VectorXd>& x, const Eigen::Ref<const Eigen::VectorXd>& dx) {
+  const Instant now(model, times[1], x);
+  const double meshes = times[1].meshes;
+  return {.bore_load = load.dot(now.bore.velocity),
+          .rotations = -now.on_ring(Race::outer).moment * now.bore.speed -
+                       now.on_ring(Race::inner).moment * now.pin.speed,
+          .euler = euler_power(model, now),
+          .changing_film = changing_film_power(model, times, x, dx),
+          .out_of_roundness = holding_power(model, now),
+          .changing_frame = 2.0 * growth * energy_of(model, now, meshes).centrifugal,
+          .teeth = teeth_power(model, now.state, meshes, -growth * meshes)};
+}
+
+void take(const BearingModel& model, const Surroundings& surroundings,
+          const Eigen::Ref<const Eigen::VectorXd>& x, Snapshot& into) {
+  const Instant now(model, surroundings, x);
+  const bool caged = model.layout.caged;
+  into.laminae = cut_races(model);
+  resize(into, model.layout.rollers, into.laminae != nullptr, caged);
+  for (Eigen::Index j = 0; j < model.layout.rollers; ++j) {
+    record(now.seen_at(j).inner, model.inner_film, j, into.inner);
+    record(now.seen_at(j).outer, model.outer_film, j, into.outer);
+    into.angle[j] = wrapped(now.state.angle[j]);
+    if (into.laminae) put_stand(now.stand(j), j, into);
+    const PocketTouch pocket = now.pocket(j);
+    if (caged)
+      into.pocket_load[j] = pocket.load;
+    else
+      into.neighbour_load[j] = now.seen_at(j).neighbour_load;
+    into.loss.pockets += pocket.power;
+    add_losses(model, now, j, into.loss);
+  }
+  into.orbital_speed = now.state.orbital_speed;
+  into.spin = now.state.spin;
+  const GuidanceForces guidance = now.guidance();
+  into.loss.guidance = guidance.film_power + guidance.touch_down_power;
+  into.loss.drag += model.cage_drag.power(now.cage.speed);
+  into.loss.support = model.support.power(now.pin.velocity);
+  into.loss.race_damping += rim_damping(model, now.state);
+  into.waves = now.state.wave;
+  into.race_speeds = race_speeds(model.geometry, now.pin.speed, now.bore.speed);
+  into.orbit_angle = caged ? now.state.cage_angle : now.state.angle.mean();
+  into.orbit_speed = caged ? now.cage.speed : now.state.orbital_speed.mean();
+  into.cage_position = now.cage.position;
+  into.cage_eccentricity = guidance.eccentricity;
+  into.on_bore = now.on_ring(Race::outer);
+}
+
+Eigen::VectorXd with_bore(const BearingModel& model, const BoreMotion& motion,
+                          const Eigen::Ref<const Eigen::VectorXd>& x) {
+  Eigen::VectorXd moved = x;
+  moved.segment<2>(model.layout.bore()) = motion.position;
+  moved.segment<2>(model.layout.bore() + 2) = motion.velocity;
+  return moved;
 }
 
 }  // namespace
@@ -214,79 +373,46 @@ Snapshot snapshot(const BearingModel& model, const Eigen::Ref<const Eigen::Vecto
 
 void take_snapshot(const BearingModel& model, const Eigen::Ref<const Eigen::VectorXd>& x, Snapshot& into,
                    double time) {
-  const ConstStateViews state = state_views(model.layout, x.data());
-  const RingBodies rings = ring_bodies(model, state, time);
-  RingWrenches on_rings;
-  into.laminae = cut_races(model);
-  resize(into, model.layout.rollers, into.laminae != nullptr, model.layout.caged);
-  for (Eigen::Index j = 0; j < model.layout.rollers; ++j) {
-    const RollerBody roller = roller_body(model, state, j);
-    const RollerForces forces = roller_forces(model, rings, roller, j);
-    record(forces.inner, model.inner_film, j, into.inner);
-    record(forces.outer, model.outer_film, j, into.outer);
-    into.angle[j] = wrapped(roller.angle);
-    into.orbital_speed[j] = roller.orbital_speed;
-    into.spin[j] = roller.motion.speed;
-    if (into.laminae) put_stand(forces.stand, j, into);
-    if (model.layout.caged)
-      into.pocket_load[j] = forces.pocket.load;
-    else
-      add_neighbour(neighbour_forces(model, state, roller, j).ahead, j, into);
-    add_losses(model, roller, forces, into.loss);
-    on_rings.add(forces);
-  }
-  const GuidanceForces guidance = guidance_forces(model.guidance, rings.cage, land_body(model, rings));
-  on_rings.add(guidance, model.guiding_race);
-  into.loss.guidance = guidance.film_power + guidance.touch_down_power;
-  into.loss.drag += model.cage_drag.power(rings.cage.speed);
-  into.loss.support = model.support.power(rings.pin.velocity);
-  into.loss.race_damping += rim_damping(model, state);
-  into.waves = state.wave;
-  into.race_speeds = race_speeds(model.geometry, rings.pin.speed, rings.bore.speed);
-  into.orbit_angle = model.layout.caged ? state.cage_angle : state.angle.mean();
-  into.orbit_speed = model.layout.caged ? rings.cage.speed : state.orbital_speed.mean();
-  into.cage_position = rings.cage.position;
-  into.cage_eccentricity = guidance.eccentricity;
-  into.bore_friction_moment = on_rings.bore.moment;
+  take(model, vectorised::surroundings_at(model, time), x, into);
+}
+
+Snapshot driven_snapshot(const BearingModel& model, const BoreMotion& motion,
+                         const Eigen::Ref<const Eigen::VectorXd>& x) {
+  Snapshot result;
+  take(model, vectorised::surroundings_of(model, motion), with_bore(model, motion, x), result);
+  return result;
 }
 
 StoredEnergy stored_energy(const BearingModel& model, const Eigen::Ref<const Eigen::VectorXd>& x,
                            double time) {
-  const ConstStateViews state = state_views(model.layout, x.data());
-  const CarrierFrame frame = frame_at(model, time);
-  const RingBodies rings = ring_bodies(model, state, time);
-  StoredEnergy energy;
-  for (Eigen::Index j = 0; j < model.layout.rollers; ++j) {
-    const RollerBody roller = roller_body(model, state, j);
-    add_roller_energy(model, frame, rings, roller, j, energy);
-    energy.neighbours += neighbour_forces(model, state, roller, j).ahead.energy;
-  }
-  energy.kinetic += kinetic(model.cage, rings.cage) +
-                    0.5 * model.bore_mass * rings.bore.velocity.squaredNorm() +
-                    0.5 * model.pin_mass * rings.pin.velocity.squaredNorm();
-  energy.centrifugal += centrifugal(frame, model.cage.mass, frame.orbit_radius, rings.cage.position) +
-                        centrifugal(frame, model.pin_mass, frame.orbit_radius, rings.pin.position) +
-                        centrifugal(frame, model.bore_mass, 0.0, rings.bore.position);
-  energy.guidance = guidance_energy(model.guidance, rings.cage.position, land_body(model, rings).position);
-  energy.support = model.support.energy(rings.pin.position);
-  add_rim_energy(model, state, time, energy);
-  return energy;
+  const Surroundings now = vectorised::surroundings_at(model, time);
+  return energy_of(model, Instant(model, now, x), now.meshes);
+}
+
+StoredEnergy driven_energy(const BearingModel& model, const BoreMotion& motion,
+                           const Eigen::Ref<const Eigen::VectorXd>& x) {
+  const Surroundings now = vectorised::surroundings_of(model, motion);
+  const Eigen::VectorXd moved = with_bore(model, motion, x);
+  return energy_of(model, Instant(model, now, moved), now.meshes);
 }
 
 PowerInput power_input(const BearingModel& model, double time, const Eigen::Ref<const Eigen::VectorXd>& x,
                        const Eigen::Ref<const Eigen::VectorXd>& dx) {
-  const ConstStateViews state = state_views(model.layout, x.data());
-  const RingBodies rings = ring_bodies(model, state, time);
-  double out_of_roundness = 0.0;
-  const RingWrenches on_rings = ring_wrenches(model, state, rings, out_of_roundness);
-  const double ramp = model.driving.ramp / speed_ratio(model.driving, time);
-  return {.bore_load = bore_load(model, time).dot(rings.bore.velocity),
-          .rotations = -on_rings.bore.moment * rings.bore.speed - on_rings.pin.moment * rings.pin.speed,
-          .euler = euler_power(model, state, rings),
-          .changing_film = changing_film_power(model, time, x, dx),
-          .out_of_roundness = out_of_roundness,
-          .changing_frame = 2.0 * ramp * stored_energy(model, x, time).centrifugal,
-          .teeth = teeth_power(model, state, time)};
+  const auto at = [&](double t) { return vectorised::surroundings_at(model, t); };
+  return power_of(model, {at(time - kDifferenceTime), at(time), at(time + kDifferenceTime)},
+                  bore_load(model, time), model.driving.ramp / speed_ratio(model.driving, time), x, dx);
+}
+
+PowerInput driven_power_input(const BearingModel& model, const BoreMotion& motion,
+                              const Eigen::Ref<const Eigen::VectorXd>& x,
+                              const Eigen::Ref<const Eigen::VectorXd>& dx) {
+  const auto in = [&](double seconds) {
+    Surroundings now = vectorised::surroundings_of(model, motion);
+    now.bore.turned += seconds * now.bore.speed;
+    return now;
+  };
+  return power_of(model, {in(-kDifferenceTime), in(0.0), in(kDifferenceTime)}, Vector2::Zero(), 0.0,
+                  with_bore(model, motion, x), dx);
 }
 
 }  // namespace orbearing::bearing::motion

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 
 #include "bearing/life/damage.hpp"
+#include "bearing/motion/bore_motion.hpp"
 #include "bearing/motion/model.hpp"
 
 namespace orbearing::bearing::motion {
@@ -79,7 +80,7 @@ struct Snapshot {
   double orbit_speed = 0.0;  // [rad/s]  likewise; relative to the carrier
   Vector2 cage_position = Vector2::Zero();  // [m]
   double cage_eccentricity = 0.0;           // [-]  of the land's clearance
-  double bore_friction_moment = 0.0;        // [N m]  of the bearing on the bore
+  BoreReaction on_bore;                     // of rollers, film and, where the outer ring guides it, the cage
   RaceSpeeds race_speeds;
   /// Where the contacts stand [m] (rollers), and the laminae; empty and none where contacts are not cut.
   Eigen::ArrayXd inner_approach, outer_approach, end_displacement;
@@ -94,9 +95,15 @@ RollerLoads loads_of(const Snapshot& snapshot);
 /// Snapshot of the state `x` at `time` [s], which matters in a run-up and where waves turn with a race.
 Snapshot snapshot(const BearingModel& model, const Eigen::Ref<const Eigen::VectorXd>& x, double time = 0.0);
 
-/// As above, into a snapshot that is used again: no allocation after the first.
+/// As above, into a snapshot that is used again.
 void take_snapshot(const BearingModel& model, const Eigen::Ref<const Eigen::VectorXd>& x, Snapshot& into,
                    double time = 0.0);
+
+/// What can be read off a bearing in the state `x` whose bore others move: it stands where `motion` says,
+/// whatever its four entries of `x` hold. Loads, speeds and frame that `model` was made with are not used,
+/// nor are its excitation and its run-up; the pin ring does not turn.
+Snapshot driven_snapshot(const BearingModel& model, const BoreMotion& motion,
+                         const Eigen::Ref<const Eigen::VectorXd>& x);
 
 /// Energy of the state `x` at `time` [s].
 StoredEnergy stored_energy(const BearingModel& model, const Eigen::Ref<const Eigen::VectorXd>& x,
@@ -105,5 +112,12 @@ StoredEnergy stored_energy(const BearingModel& model, const Eigen::Ref<const Eig
 /// Power that enters at `time` [s] in the state `x` whose rate is `dx`.
 PowerInput power_input(const BearingModel& model, double time, const Eigen::Ref<const Eigen::VectorXd>& x,
                        const Eigen::Ref<const Eigen::VectorXd>& dx);
+
+/// As their namesakes, under `motion`. What moves the bore is no part of the power.
+StoredEnergy driven_energy(const BearingModel& model, const BoreMotion& motion,
+                           const Eigen::Ref<const Eigen::VectorXd>& x);
+PowerInput driven_power_input(const BearingModel& model, const BoreMotion& motion,
+                              const Eigen::Ref<const Eigen::VectorXd>& x,
+                              const Eigen::Ref<const Eigen::VectorXd>& dx);
 
 }  // namespace orbearing::bearing::motion

@@ -76,7 +76,7 @@ void StatisticsCollector::add_state(double time, const Snapshot& sample) {
   sums_.mean_cage_eccentricity += sample.cage_eccentricity;
   sums_.largest_cage_eccentricity = std::max(sums_.largest_cage_eccentricity, sample.cage_eccentricity);
   sums_.mean_cage_position += sample.cage_position;
-  sums_.bore_friction_moment += sample.bore_friction_moment;
+  sums_.bore_friction_moment += sample.on_bore.moment;
   sums_.loss += sample.loss;
   if (sums_.mean_waves.size() == 0)
     sums_.mean_waves = sample.waves;

@@ -1,9 +1,10 @@
 #include "benchmarks/frozen/constants.hpp"
 
+#include <algorithm>
 #include <random>
 #include <stdexcept>
 
-#include "bearing/motion/equations.hpp"
+#include "bearing/motion/vectorised/vector_bearing.hpp"
 
 namespace orbearing::bench::frozen {
 
@@ -13,10 +14,21 @@ void require_within(bool holds, const char* what) {
   if (!holds) throw std::invalid_argument(std::string("the frozen equations have no ") + what);
 }
 
+bool is_plain(const bearing::motion::BearingModel& model) {
+  const auto round = [](const bearing::motion::RaceModel& race) {
+    return race.form.empty() && race.scratches.empty();
+  };
+  const auto equal = [](double deviation) { return deviation == 0.0; };
+  return model.layout.caged && round(model.inner) && round(model.outer) && !model.laminae &&
+         model.rim.empty() &&
+         std::all_of(model.radius_deviation.begin(), model.radius_deviation.end(), equal) &&
+         !model.inner.friction.mixed && !model.pocket.with_film();
+}
+
 void check(const bearing::motion::BearingModel& model) {
   using namespace bearing;
-  require_within(model.plain, "waves, unequal or crowned rollers, mixed lubrication or pocket film");
-  require_within(model.inner.load.with_film(), "dry contacts");
+  require_within(is_plain(model), "waves, unequal or crowned rollers, mixed lubrication or pocket film");
+  require_within(model.inner.film, "dry contacts");
   const auto& friction = model.inner.friction;
   require_within(!friction.limiting_shear && friction.rolling_resistance && !friction.computed_rolling,
                  "limiting shear, and not rolling resistance off or computed");
@@ -27,16 +39,16 @@ void check(const bearing::motion::BearingModel& model) {
                  "loads that change in time");
 }
 
-Race race_of(const bearing::motion::RaceModel& race, const bearing::FilmContact& film) {
-  const OiledLine line{.stiffness = race.load.elastic().constant(),
+Race race_of(const bearing::motion::RaceModel& race, const bearing::FilmContact& film, double roller_radius) {
+  const OiledLine line{.stiffness = race.stiffness,
                        .equivalent_radius = film.equivalent_radius,
                        .length = film.length,
                        .reduced_modulus = film.reduced_modulus,
                        .viscosity = film.lubricant.viscosity,
                        .pressure_viscosity = film.lubricant.pressure_viscosity};
-  return {.side = race.side.side,
-          .radius = race.side.radius,
-          .roller_radius = race.roller_radius,
+  return {.side = race.side,
+          .radius = race.radius,
+          .roller_radius = roller_radius,
           .damping = race.damping,
           .entrainment_scale = race.entrainment_scale,
           .friction = race.friction.coulomb.friction,
@@ -64,10 +76,10 @@ Model constants_of(const bearing::motion::BearingModel& model) {
       .outer_speed = model.point.outer_speed,
       .inner_speed = model.point.inner_speed,
       .bore_load = model.point.bore_load,
-      .inner = race_of(model.inner, model.inner_film),
-      .outer = race_of(model.outer, model.outer_film),
-      .pocket = {pocket.half_clearance, pocket.stiffness, pocket.damping, pocket.friction,
-                 pocket.sliding_scale, pocket.roller_radius},
+      .inner = race_of(model.inner, model.inner_film, model.geometry.element_radius),
+      .outer = race_of(model.outer, model.outer_film, model.geometry.element_radius),
+      .pocket = {pocket.half_clearance, pocket.stiffness, pocket.damping, pocket.friction.friction,
+                 pocket.friction.sliding_scale, model.geometry.element_radius},
       .pocket_direction = model.pocket_direction,
       .guidance = {land.side, land.clearance, land.cage_radius, land.land_width, land.lands, land.viscosity,
                    land.largest_eccentricity, land.stiffness, land.damping, land.friction,
@@ -82,7 +94,7 @@ Model constants_of(const bearing::motion::BearingModel& model) {
 double largest_difference(const bearing::motion::BearingModel& model, const Eigen::VectorXd& x, int states) {
   constexpr double kLength = 2e-6, kSpeed = 0.05, kTurning = 0.01;  // [m], [m/s], [-] of an angular speed
   const Equations frozen(constants_of(model));
-  const bearing::motion::PlanetBearingEquations today(model);
+  bearing::vectorised::VectorBearing today(model);
   const auto kinds = bearing::motion::variable_kinds(model.layout);
   std::mt19937 chance(1);
   std::uniform_real_distribution<double> some(-1.0, 1.0);

@@ -14,7 +14,7 @@ using boost::math::double_constants::pi;
 
 // Of a roller between its races [rad/s].
 double roller_frequency(const bearing::motion::BearingModel& model) {
-  const double stiffness = 2.0 * model.inner.load.load(kTypicalApproach, 1.0) / kTypicalApproach;
+  const double stiffness = 2.0 * race_load(model.inner, kTypicalApproach, 1.0) / kTypicalApproach;
   return std::sqrt(std::max(stiffness, 1.0) / model.roller.mass);
 }
 
@@ -22,18 +22,18 @@ double roller_frequency(const bearing::motion::BearingModel& model) {
 // race runs past the contact at `speed` [m/s].
 double damping_of_impact(const bearing::motion::RaceModel& race, double speed, double mass) {
   constexpr double kLoad = 1.0, kSlow = 1e-9;  // [N], [m/s]
-  if (!race.squeeze) return 0.0;
-  const auto& [law, film] = *race.squeeze;
+  if (!race.squeezed) return 0.0;
+  const bearing::SqueezeFilm<double>& law = race.squeeze;
   const double u = bearing::motion::entrainment_speed(speed, race.entrainment_scale);
-  const double gap = std::max(std::exp(film.log_unloaded(std::log(u))), law.least);
+  const double gap = std::max(std::exp(race.film_law.log_unloaded(std::log(u))), law.least);
   const double resistance = law.load(0.0, 0.0, gap, u, kSlow) / kSlow;
-  const double elastic = std::pow(kLoad / race.load.elastic().constant(), bearing::kLineApproachExponent);
+  const double elastic = std::pow(kLoad / race.stiffness, bearing::kLineApproachExponent);
   return resistance / (2.0 * std::sqrt(mass * kLoad / (bearing::kLineApproachExponent * elastic)));
 }
 
 // Of the ring on its rollers, of which a quarter bear [s].
 double ring_time(const bearing::motion::BearingModel& model) {
-  const double load = model.inner.load.load(kTypicalApproach, 1.0);
+  const double load = race_load(model.inner, kTypicalApproach, 1.0);
   const double races = 0.25 * static_cast<double>(model.layout.rollers) * load / kTypicalApproach;
   return std::sqrt(model.bore_mass / std::max(races, 1.0));
 }
@@ -56,7 +56,7 @@ bool impacts_are_damped(const bearing::motion::BearingModel& model) {
   const double cage =
       bearing::kinematic_cage_speed(model.geometry, model.point.inner_speed, model.point.outer_speed);
   const auto damped = [&](const bearing::motion::RaceModel& race, double speed) {
-    return damping_of_impact(race, (speed - cage) * race.side.radius, model.roller.mass) >= kDampedImpact;
+    return damping_of_impact(race, (speed - cage) * race.radius, model.roller.mass) >= kDampedImpact;
   };
   return damped(model.inner, model.point.inner_speed) && damped(model.outer, model.point.outer_speed);
 }
@@ -65,11 +65,12 @@ bool impacts_are_damped(const bearing::motion::BearingModel& model) {
 //   integral of dQ/dV dg = 3 pi/4 (2 eta l) 2R (S(roughness) - S(half the clearance))
 // by rigid_line_film.hpp, with psi = pi/2 as rolling has it.
 bool blows_are_damped(const bearing::motion::BearingModel& model) {
-  const bearing::motion::PocketModel& pocket = model.pocket;
+  const bearing::PocketLaw& pocket = model.pocket;
+  const double radius = model.geometry.element_radius;
   if (!model.layout.caged || !pocket.with_film()) return false;
-  const bearing::RigidLineFilm<double> film{pocket.viscous, std::sqrt(2.0 * pocket.roller_radius)};
+  const bearing::RigidLineFilm<double> film{pocket.viscous, std::sqrt(2.0 * radius)};
   const double within = film.slenderness(pocket.roughness) - film.slenderness(pocket.half_clearance);
-  const double momentum = 0.75 * pi * pocket.viscous * 2.0 * pocket.roller_radius * within;
+  const double momentum = 0.75 * pi * pocket.viscous * 2.0 * radius * within;
   return momentum >= kStoppedBlow * model.roller.mass;
 }
 
@@ -107,8 +108,10 @@ std::vector<double> linearly_implicit_errors(const bearing::vectorised::VectorBe
 }
 
 double longest_step(const bearing::motion::BearingModel& model) {
-  const double bar = model.layout.caged ? model.pocket.stiffness
-                                        : model.neighbours.elastic.load(kTypicalApproach) / kTypicalApproach;
+  const double bar =
+      model.layout.caged
+          ? model.pocket.stiffness
+          : bearing::LineContact(model.neighbours.stiffness).load(kTypicalApproach) / kTypicalApproach;
   const double impact = std::sqrt(model.roller.mass / std::max(bar, 1.0));
   return kStepOfImpact * std::min(ring_time(model), impact);
 }

@@ -30,8 +30,7 @@ CoupledSystem::CoupledSystem(const CoupledModel& model, long bins, bool turning)
       begin_reactions_(static_cast<std::size_t>(model.bearings())),
       stages_(begin_reactions_.size()),
       port_matrices_(begin_reactions_.size()),
-      reduced_(begin_reactions_.size()),
-      bore_speed_(begin_reactions_.size(), 0.0) {
+      reduced_(begin_reactions_.size()) {
   for (int b = 0; b < model.bearings(); ++b) bearings_.emplace_back(model.bearing_of(b));
   gear_size_ = (model.gears.layout.size() + kEight - 1) / kEight * kEight;
   bearing_size_ = bearings_.front().layout().size();
@@ -69,12 +68,10 @@ void CoupledSystem::evaluate(double time, const double* x, double* dx) {
     const PlanetPort& port = model_.port_of(b);
     if (b % model_.per_planet == 0) motion = bore_motion(model_, port, now, part(x, 0), part(x, n));
     VectorBearing& bearing = bearings_[static_cast<std::size_t>(b)];
-    if constexpr (WithSlopes) {
+    if constexpr (WithSlopes)
       bearing.linearise(motion, of_bearing(x, b), of_bearing(dx, b));
-      bore_speed_[static_cast<std::size_t>(b)] = motion.speed;
-    } else {
+    else
       bearing.derivative(motion, of_bearing(x, b), of_bearing(dx, b));
-    }
     const auto reaction = bearing.reaction();
     port_loads_.force.col(b / model_.per_planet) += reaction.force;
     port_loads_.moment[b / model_.per_planet] += reaction.moment;
@@ -163,11 +160,8 @@ void CoupledSystem::solve(const double* rhs, double* k) {
 }
 
 void CoupledSystem::begun(const std::vector<double>& x) {
-  for (int b = 0; b < bearings(); ++b) {
-    const auto place = static_cast<std::size_t>(b);
-    loads[place].take(bearing(b), of_bearing(x.data(), b),
-                      bearing::motion::race_speeds(bearing(b).model().geometry, 0.0, bore_speed_[place]));
-  }
+  for (int b = 0; b < bearings(); ++b)
+    loads[static_cast<std::size_t>(b)].take(bearing(b), of_bearing(x.data(), b));
 }
 
 void CoupledSystem::stepped(double, double length) {

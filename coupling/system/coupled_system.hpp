@@ -98,8 +98,7 @@ class CoupledSystem {
   struct Reduced {
     double force[3]{};  // [N], [N m]
   };
-  std::vector<Reduced> reduced_;     // (bearings)  of the stage that is being solved
-  std::vector<double> bore_speed_;  // [rad/s]  (bearings)  at the last linearisation
+  std::vector<Reduced> reduced_;  // (bearings)  of the stage that is being solved
   gearset::dynamics::PortLoads port_loads_, stage_loads_;
   gearset::dynamics::ForceSlopes slopes_;
   gearset::dynamics::StageMatrix matrix_;

@@ -8,7 +8,6 @@
 #include <string>
 #include <utility>
 
-#include "bearing/motion/driven_bore.hpp"
 #include "bearing/motion/driven_start.hpp"
 #include "coupling/integration/rosenbrock2.hpp"
 #include "coupling/integration/window.hpp"

@@ -38,7 +38,6 @@ class DrivenSystem {
 
   void linearise(double time, const double* x, double* dx) {
     const bearing::motion::BoreMotion motion = at(time);
-    bore_speed_ = motion.speed;
     if (known_) {
       std::copy_n(known_, bearing_.layout().size(), dx);
       std::copy_n(motion.acceleration.data(), 2, dx + bearing_.layout().bore() + 2);
@@ -74,8 +73,7 @@ class DrivenSystem {
 
   void begun(const std::vector<double>& x) {
     if (std::exchange(known_, nullptr)) return;
-    loads_.take(bearing_, x.data(),
-                bearing::motion::race_speeds(bearing_.model().geometry, 0.0, bore_speed_));
+    loads_.take(bearing_, x.data());
   }
   void stepped(double, double length) {
     loads_.count(length, &sums_);
@@ -104,7 +102,6 @@ class DrivenSystem {
   InputPolynomial angle_;
   system::LoadsAtStep& loads_;
   bearing::motion::DamageSums& sums_;
-  double bore_speed_ = 0.0;  // [rad/s]  at the last linearisation
   bearing::vectorised::PortMatrix port_;
   bearing::motion::BoreReaction begin_;  // at the last linearisation
   const double* known_ = nullptr;        // rate at the beginning, where it need not be asked for

@@ -4,7 +4,6 @@
 #include <limits>
 #include <stdexcept>
 
-#include "bearing/motion/driven_bore.hpp"
 #include "coupling/integration/rosenbrock3.hpp"
 #include "coupling/integration/rosenbrock4.hpp"
 #include "coupling/integration/run.hpp"
@@ -22,19 +21,12 @@ using integration::IntegrationOptions;
 using integration::IntegrationReport;
 using integration::OutputTimes;
 
-bearing::motion::RaceSpeeds speeds_of(const BearingModel& model) {
-  return bearing::motion::race_speeds(model.geometry, model.point.inner_speed, model.point.outer_speed);
-}
-
 // The vectorised bearing as the linearly implicit stepper and its windows see it.
 class FreeSystem {
  public:
   FreeSystem(VectorBearing& bearing, const StepObserver& on_step,
              bearing::motion::StatisticsCollector* collector)
-      : bearing_(bearing),
-        on_step_(on_step),
-        races_(speeds_of(bearing.model())),
-        loads_(static_cast<int>(bearing.layout().rollers)) {
+      : bearing_(bearing), on_step_(on_step), loads_(static_cast<int>(bearing.layout().rollers)) {
     loads_.collector = collector;
   }
 
@@ -47,7 +39,7 @@ class FreeSystem {
   void begun(const std::vector<double>& x) {
     from_ = x;
     force_ = bearing_.reaction().force;
-    loads_.take(bearing_, x.data(), races_);
+    loads_.take(bearing_, x.data());
   }
   void stepped(double time, double length) {
     const double weight = loads_.count(length, nullptr);
@@ -61,7 +53,6 @@ class FreeSystem {
  private:
   VectorBearing& bearing_;
   const StepObserver& on_step_;
-  bearing::motion::RaceSpeeds races_;
   LoadsAtStep loads_;
   std::vector<double> from_;
   Eigen::Vector2d force_ = Eigen::Vector2d::Zero();  // [N]
@@ -136,15 +127,10 @@ IntegrationReport integrate_bearing(VectorBearing& bearing, Eigen::VectorXd& x, 
   return report;
 }
 
-FreeBearing::FreeBearing(BearingModel model, Eigen::VectorXd start, double length_error,
+FreeBearing::FreeBearing(const BearingModel& model, Eigen::VectorXd start, double length_error,
                          const IntegrationOptions& options)
-    : equations_(std::move(model)), options_(options), state_(std::move(start)), shown_(state_) {
-  options_.allowed_error = allowed_errors(this->model(), length_error);
-  if (options_.method != integration::Method::linearly_implicit) return;
-  if (bearing::vectorised::supports(this->model()))
-    vectorised_.emplace(this->model());
-  else
-    options_.method = integration::Method::dopri5;
+    : bearing_(model), options_(options), state_(std::move(start)), shown_(state_) {
+  options_.allowed_error = allowed_errors(model, length_error);
 }
 
 void FreeBearing::take_snapshot(int, bearing::motion::Snapshot& into) const {
@@ -163,37 +149,32 @@ void FreeBearing::advance(const OutputTimes& times, const std::function<void(dou
   options.step = std::min(options.step, times.interval);
   options.most_seconds -= report_.wall_seconds;
   options.most_steps -= report_.steps;
-  append(vectorised_ ? advance_vectorised(times, options, show) : advance_readable(times, options, show),
+  append(shows_steps() ? advance_implicitly(times, options, show) : advance_explicitly(times, options, show),
          report_);
   shown_ = state_;
   if (!report_.completed) throw std::runtime_error(report_.message);
 }
 
-IntegrationReport FreeBearing::advance_vectorised(const OutputTimes& times, const IntegrationOptions& options,
+IntegrationReport FreeBearing::advance_implicitly(const OutputTimes& times, const IntegrationOptions& options,
                                                   const integration::Observer& show) {
   const auto on_step = [this](const StepSample& step) {
-    const double* bore = step.state + vectorised_->layout().bore();
+    const double* bore = step.state + bearing_.layout().bore();
     observers_.on_bore({step.time, step.weight, {bore[0], bore[1]}, {bore[2], bore[3]}, step.bore_force});
   };
-  return integrate_bearing(*vectorised_, state_, times, options, show,
+  return integrate_bearing(bearing_, state_, times, options, show,
                            observers_.on_bore ? StepObserver(on_step) : nullptr, observers_.loads.front());
 }
 
-IntegrationReport FreeBearing::advance_readable(const OutputTimes& times, const IntegrationOptions& options,
-                                                const integration::Observer& show) {
+IntegrationReport FreeBearing::advance_explicitly(const OutputTimes& times, const IntegrationOptions& options,
+                                                  const integration::Observer& show) {
   const auto derivative = [this](double time, const Eigen::Ref<const Eigen::VectorXd>& x,
-                                 Eigen::Ref<Eigen::VectorXd> dx) { equations_.derivative(time, x, dx); };
+                                 Eigen::Ref<Eigen::VectorXd> dx) { bearing_.derivative(time, x, dx); };
   const auto observe = [&](double time, const Eigen::Ref<const Eigen::VectorXd>& x) {
     show(time, x);
     if (!observers_.on_bore) return;
-    const bearing::OperatingPoint& point = model().point;
-    const bearing::motion::BoreMotion motion{.position = x.segment<2>(model().layout.bore()),
-                                             .velocity = x.segment<2>(model().layout.bore() + 2),
-                                             .speed = point.outer_speed,
-                                             .angle = point.outer_speed * time,
-                                             .carrier_speed = point.carrier.speed,
-                                             .carrier_acceleration = point.carrier.acceleration};
-    observers_.on_bore({time, 1.0, motion.position, motion.velocity, reaction(model(), motion, x).force});
+    const Eigen::Index bore = model().layout.bore();
+    observers_.on_bore(
+        {time, 1.0, x.segment<2>(bore), x.segment<2>(bore + 2), snapshot(model(), x, time).on_bore.force});
   };
   return integrate(derivative, state_, times, options, observe);
 }

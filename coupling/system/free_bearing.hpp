@@ -1,9 +1,6 @@
 // A planet bearing by itself, under the load that its bore gets: its integration, and its motion.
 #pragma once
 
-#include <optional>
-
-#include "bearing/motion/equations.hpp"
 #include "bearing/motion/vectorised/vector_bearing.hpp"
 #include "coupling/system/motion.hpp"
 
@@ -31,17 +28,16 @@ integration::IntegrationReport integrate_bearing(bearing::vectorised::VectorBear
                                                  const StepObserver& on_step,
                                                  bearing::motion::StatisticsCollector* collector = nullptr);
 
-/// By linearly implicit steps where they are asked for and the vectorised bearing knows all of the model,
-/// else by the readable equations.
+/// By linearly implicit steps, or by the explicit ones that are asked for.
 class FreeBearing final : public Motion {
  public:
   /// From the state `start`; `length_error` [m] is allowed in one step, and all other errors follow from it.
-  FreeBearing(bearing::motion::BearingModel model, Eigen::VectorXd start, double length_error,
+  FreeBearing(const bearing::motion::BearingModel& model, Eigen::VectorXd start, double length_error,
               const integration::IntegrationOptions& options);
 
   int bearings() const override { return 1; }
   bool keeps_to_interval() const override { return false; }
-  bool shows_steps() const override { return vectorised_.has_value(); }
+  bool shows_steps() const override { return options_.method == integration::Method::linearly_implicit; }
   void observe_steps(const StepObservers& observers) override { observers_ = observers; }
   /// The last step ends with `times`.
   void advance(const integration::OutputTimes& times,
@@ -49,20 +45,19 @@ class FreeBearing final : public Motion {
   void take_snapshot(int b, bearing::motion::Snapshot& into) const override;
   integration::IntegrationReport report() const override { return report_; }
 
-  const bearing::motion::BearingModel& model() const { return equations_.model(); }
+  const bearing::motion::BearingModel& model() const { return bearing_.model(); }
   /// In the order of StateLayout; after an error the last one that was seen.
   const Eigen::VectorXd& state() const { return state_; }
 
  private:
-  integration::IntegrationReport advance_vectorised(const integration::OutputTimes& times,
+  integration::IntegrationReport advance_implicitly(const integration::OutputTimes& times,
                                                     const integration::IntegrationOptions& options,
                                                     const integration::Observer& show);
-  integration::IntegrationReport advance_readable(const integration::OutputTimes& times,
-                                                  const integration::IntegrationOptions& options,
-                                                  const integration::Observer& show);
+  integration::IntegrationReport advance_explicitly(const integration::OutputTimes& times,
+                                                    const integration::IntegrationOptions& options,
+                                                    const integration::Observer& show);
 
-  bearing::motion::PlanetBearingEquations equations_;
-  std::optional<bearing::vectorised::VectorBearing> vectorised_;
+  bearing::vectorised::VectorBearing bearing_;
   integration::IntegrationOptions options_;
   integration::IntegrationReport report_;
   StepObservers observers_{{nullptr}, {}};

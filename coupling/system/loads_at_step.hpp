@@ -33,11 +33,13 @@ struct LoadsAtStep {
     outer_approach.assign(loads.outer_approach, loads.outer_approach + angle.size());
     end_displacement.assign(loads.end_displacement, loads.end_displacement + angle.size());
   }
-  /// Those of the padded state `x`, at which `bearing` was evaluated last, with its races at `speeds`.
-  void take(const bearing::vectorised::VectorBearing& bearing, const double* x,
-            const bearing::motion::RaceSpeeds& speeds) {
+  /// Those of the padded state `x`, at which `bearing` was evaluated last.
+  void take(const bearing::vectorised::VectorBearing& bearing, const double* x) {
     const int lanes = bearing.layout().lanes();
     const bearing::vectorised::ContactLoads loads = bearing.loads();
+    const bearing::vectorised::Surroundings& now = bearing.surroundings();
+    const bearing::motion::RaceSpeeds speeds =
+        bearing::motion::race_speeds(bearing.model().geometry, now.pin.speed, now.bore.speed);
     take({x + lanes, x + 3 * lanes, loads.inner, loads.outer, speeds, cut_races(bearing.model()),
           loads.inner_approach, loads.outer_approach, loads.end_displacement});
   }

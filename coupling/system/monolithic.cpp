@@ -7,7 +7,6 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "bearing/motion/driven_bore.hpp"
 #include "coupling/integration/gear_steps.hpp"
 #include "coupling/integration/rosenbrock4.hpp"
 #include "coupling/integration/window.hpp"
@@ -392,16 +391,17 @@ DrivenGearsOutput Monolithic::gears() const {
 }
 
 bearing::motion::BoreReaction Monolithic::reaction(int b) const {
-  return bearing::motion::reaction(inside_->model_.bearing_of(b), inside_->motion(b),
-                                   inside_->bearing_state(b));
+  return driven_snapshot(inside_->model_.bearing_of(b), inside_->motion(b), inside_->bearing_state(b))
+      .on_bore;
 }
 
 DrivenBearingOutput Monolithic::bearing(int b) const {
   const Inside& in = *inside_;
   const BoreMotion motion = in.motion(b);
   const bearing::motion::BearingModel& model = in.model_.bearing_of(b);
-  return driven_output(model.geometry, motion.speed, driven_snapshot(model, motion, in.bearing_state(b)),
-                       reaction(b), in.turned_[static_cast<std::size_t>(b)], life(b).bearing);
+  const Snapshot now = driven_snapshot(model, motion, in.bearing_state(b));
+  return driven_output(model.geometry, motion.speed, now, now.on_bore,
+                       in.turned_[static_cast<std::size_t>(b)], life(b).bearing);
 }
 
 void Monolithic::take_snapshot(int b, Snapshot& into) const {

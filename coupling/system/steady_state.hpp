@@ -53,9 +53,7 @@ void describe(Visitor& visit, SteadyStateOptions& m) {
   rows(
       visit,
       field(m.integration.method, "simulation.integrator", Felt::motion,
-            "how the roller dynamics is integrated: linearly implicit steps on the vectorised equations, or "
-            "the "
-            "readable equations by explicit steps of order 5",
+            "how the roller dynamics is integrated: linearly implicit steps, or explicit steps of order 5",
             {.models = planetary_drivetrain, .reason = "the same means in a fraction of the time"}),
       field(m.observed_windows, "simulation.observed_revolutions", Felt::run,
             "cage revolutions that are averaged once steady",

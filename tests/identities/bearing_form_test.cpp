@@ -3,7 +3,7 @@
 
 #include "bearing/contact/printed_film.hpp"
 #include "bearing/contact/race_form.hpp"
-#include "bearing/motion/race_model.hpp"
+#include "bearing/motion/snapshot.hpp"
 #include "tests/messages.hpp"
 #include "tests/unit/bearing/example_bearings.hpp"
 #include "tests/unit/motion/reducer_bearing.hpp"
@@ -72,28 +72,35 @@ TEST(RaceForm, MeansOverOnePitchRefuseWhatDiffersFromPitchToPitch) {
 // One wave that turns with the race is a race whose centre circles: the same forces, to the second order in
 // the shift over the radius.
 TEST(RaceForm, OneTurningWaveIsACirclingRace) {
-  constexpr double kShift = 1e-6;  // [m]
+  constexpr double kShift = 1e-6, kPitchRadius = 17.82e-3;  // [m]
   Bearing bearing = test::reducer_bearing();
-  const motion::RaceModel round =
-      race_model(bearing, geometry_of(bearing), kPoint, Race::outer, test::reducer_parameters());
+  bearing.rollers().count = 2;
+  bearing.cage = {};
+  const motion::BearingModel round = bearing_model(bearing, kPoint, test::reducer_parameters());
   bearing.outer.form = {{1, kShift, 0.0, true}};
-  const motion::RaceModel waved =
-      race_model(bearing, geometry_of(bearing), kPoint, Race::outer, test::reducer_parameters());
-  const double speed = -900.0, angle = 0.7, place = 0.2;
+  const motion::BearingModel waved = bearing_model(bearing, kPoint, test::reducer_parameters());
+  const double angle = 0.7, place = 0.2;
   const mechanics::Vector2 to_mark(std::cos(angle), std::sin(angle));
-  const mechanics::BodyMotion race{{0.0, 0.0}, {0.0, 0.0}, speed, angle};
-  const mechanics::BodyMotion circling{kShift * to_mark, kShift * speed * mechanics::across(to_mark), speed,
-                                       0.0};
-  const mechanics::Vector2 outward(std::cos(place), std::sin(place));
-  const mechanics::BodyMotion roller{(17.82e-3 + 4e-6) * outward, {0.0, 0.0}, -4000.0};
-  const motion::RaceForces found = race_forces(waved, roller, race);
-  const motion::RaceForces expected = race_forces(round, roller, circling);
-  const double second_order = kShift * kShift / 17.82e-3 / 4e-6 * 10.0 / 9.0;
-  EXPECT_NEAR(found.load, expected.load, 2.0 * second_order * expected.load);
-  EXPECT_LT((found.on_roller.force - expected.on_roller.force).norm(), 1e-5 * expected.load);
+  motion::BoreMotion turning, circling;
+  turning.speed = circling.speed = -900.0;
+  turning.angle = angle;
+  circling.position = kShift * to_mark;
+  circling.velocity = kShift * circling.speed * mechanics::across(to_mark);
+  // One roller pressed into the outer race, the other far from it.
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(round.layout.size());
+  motion::MutableStateViews state = motion::mutable_state_views(round.layout, x.data());
+  state.radius << kPitchRadius + 4e-6, kPitchRadius - 1e-3;
+  state.angle << place, place + 3.0;
+  state.spin[0] = -4000.0;
+  const motion::Snapshot found = driven_snapshot(waved, turning, x);
+  const motion::Snapshot expected = driven_snapshot(round, circling, x);
+  const double second_order = kShift * kShift / kPitchRadius / 4e-6 * 10.0 / 9.0;
+  EXPECT_NEAR(found.outer.load[0], expected.outer.load[0], 2.0 * second_order * expected.outer.load[0]);
+  EXPECT_LT((found.on_bore.force - expected.on_bore.force).norm(), 1e-5 * expected.outer.load[0]);
   const double first_order =
-      kShift / 17.82e-3;  // of the line's turning on the approach speed, which is squared
-  EXPECT_NEAR(found.damping_power, expected.damping_power, 4.0 * first_order * expected.damping_power);
+      kShift / kPitchRadius;  // of the line's turning on the approach speed, which is squared
+  EXPECT_NEAR(found.loss.race_damping, expected.loss.race_damping,
+              4.0 * first_order * expected.loss.race_damping);
 }
 
 TEST(PrintedFilm, IsAClearance) {

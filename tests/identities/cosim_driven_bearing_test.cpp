@@ -1,9 +1,8 @@
 // A driven bearing in time: against the free bearing whose bore it follows, its order, its energy.
 #include <gtest/gtest.h>
 
-#include "bearing/motion/driven_bore.hpp"
 #include "bearing/motion/driven_start.hpp"
-#include "bearing/motion/equations.hpp"
+#include "bearing/motion/vectorised/vector_bearing.hpp"
 #include "coupling/integration/integrate.hpp"
 #include "coupling/integration/rosenbrock2.hpp"
 #include "coupling/integration/window.hpp"
@@ -43,7 +42,7 @@ TEST(DrivenBearingPath, FollowsTheFreeBearing) {
 
   constexpr double kStep = 0.5e-6;  // [s]
   constexpr long kSteps = 600;      // 0.3 ms
-  const bearing::motion::PlanetBearingEquations equations(model);
+  bearing::vectorised::VectorBearing equations(model);
   integration::IntegrationOptions options;
   options.step = 1e-8;
   options.allowed_error = allowed_errors(model, 1e-15);
@@ -59,7 +58,7 @@ TEST(DrivenBearingPath, FollowsTheFreeBearing) {
     driven.advance({time - kStep, time}, inputs);
     BoreMotion here = inputs.at(kStep);
     here.angle = point.outer_speed * time;
-    const Eigen::Vector2d expected = reaction(model, here, now).force;
+    const Eigen::Vector2d expected = driven_snapshot(model, here, now).on_bore.force;
     worst = std::max(worst, (driven.reaction(here).force - expected).norm());
     largest = std::max(largest, expected.norm());
     before = now;

@@ -1,11 +1,12 @@
-// Gears and bearings as one system: against the readable equations of both, its order, its energy.
+// Gears and bearings as one system: against the equations of both put together plainly, its order, its
+// energy.
 #include "coupling/system/monolithic.hpp"
 
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 
-#include "bearing/motion/driven_bore.hpp"
+#include "bearing/motion/vectorised/vector_bearing.hpp"
 #include "coupling/integration/gear_steps.hpp"
 #include "coupling/integration/rosenbrock2.hpp"
 #include "coupling/integration/rosenbrock4.hpp"
@@ -24,7 +25,8 @@ using bearing::motion::BoreMotion;
 // The coupled equations from the readable side: [ gears | bearing | bearing | ... ].
 class ReadableSystem {
  public:
-  explicit ReadableSystem(const system::CoupledModel& model) : model_(model), gears_(model.gears) {}
+  explicit ReadableSystem(const system::CoupledModel& model)
+      : model_(model), gears_(model.gears), bearing_(model.bearing) {}
 
   Eigen::Index gear_size() const { return model_.gears.layout.size(); }
   Eigen::Index bearing_size() const { return model_.bearing.layout.size(); }
@@ -48,9 +50,8 @@ class ReadableSystem {
                                        Eigen::VectorXd::Zero(model_.gears.layout.planets)};
     for (int b = 0; b < model_.bearings(); ++b) {
       const Eigen::Index from = gear_size() + b * bearing_size();
-      const auto reaction =
-          driven_derivative(model_.bearing, motion(b, time, x), x.segment(from, bearing_size()),
-                            dx.segment(from, bearing_size()));
+      const auto reaction = bearing_.derivative(motion(b, time, x), x.segment(from, bearing_size()),
+                                                dx.segment(from, bearing_size()));
       loads.force.col(b / model_.per_planet) += reaction.force;
       loads.moment[b / model_.per_planet] += reaction.moment;
     }
@@ -60,6 +61,7 @@ class ReadableSystem {
  private:
   const system::CoupledModel& model_;
   gearset::dynamics::PlanetarySetEquations gears_;
+  bearing::vectorised::VectorBearing bearing_;
 };
 
 Eigen::VectorXd allowed_errors(const system::CoupledSetup& setup, const system::CoupledModel& model) {
@@ -222,6 +224,7 @@ TEST_F(MonolithicPath, KeepsItsEnergy) {
   system::CoupledModel here = system::coupled_model(setup);
   BearingModel massless = here.bearing;
   massless.bore_mass = 0.0;  // it belongs to the gears
+  bearing::vectorised::VectorBearing alone(massless);
   ReadableSystem readable(here);
   const Eigen::Index n = here.gears.layout.freedoms();
 
@@ -238,17 +241,16 @@ TEST_F(MonolithicPath, KeepsItsEnergy) {
                 std::abs(gears.input()) + gears.loss()};
     for (int b = 0; b < here.bearings(); ++b) {
       const BoreMotion motion = readable.motion(b, time, x);
-      const BearingModel at = model_at(massless, motion);
-      const Eigen::VectorXd state = state_at(at, motion, now.bearings[static_cast<std::size_t>(b)]);
+      const Eigen::VectorXd& state = now.bearings[static_cast<std::size_t>(b)];
       Eigen::VectorXd dx(state.size());
       BoreMotion moving = motion;
       moving.acceleration = here.port_of(b).along(rate.segment(n, n));
-      const auto reaction = driven_derivative(massless, moving, state, dx);
-      const auto input = power_input(at, 0.0, state, dx);
+      const auto reaction = alone.derivative(moving, state, dx);
+      const auto input = driven_power_input(massless, motion, state, dx);
       const double nominal = motion.speed - here.port_of(b).turn(now.gears.tail(n));
       const double loss = driven_snapshot(massless, motion, state).loss.total();
       const double power = input.changing_film + input.euler - reaction.moment * nominal - loss;
-      sum.energy += stored_energy(at, state).total();
+      sum.energy += driven_energy(massless, motion, state).total();
       sum.power += power;
       sum.turnover += std::abs(power) + loss;
     }

@@ -3,8 +3,8 @@
 
 #include <cstdlib>
 
-#include "bearing/motion/equations.hpp"
 #include "bearing/motion/snapshot.hpp"
+#include "bearing/motion/vectorised/vector_bearing.hpp"
 #include "coupling/integration/rosenbrock3.hpp"
 #include "coupling/integration/rosenbrock4.hpp"
 #include "coupling/system/bearing_steps.hpp"
@@ -57,7 +57,7 @@ class LocalFlowAudit {
   double energy(const Eigen::VectorXd& x) const { return stored_energy(bearing_.model(), x, time_).total(); }
 
   const VectorBearing& bearing_;
-  PlanetBearingEquations equations_;
+  VectorBearing equations_;
   integration::IntegrationOptions exact_;
   Snapshot snapshot_;
   Eigen::VectorXd x_;
@@ -158,7 +158,7 @@ TEST(EnergyOfSteps, FindsWhatWasAddedByHandAndNothingElse) {
   const DynamicsParameters parameters = test::reducer_parameters();
   const BearingModel model = bearing_model(test::reducer_bearing(), test::reducer_point(6000.0), parameters);
   const VectorBearing bearing(model);
-  const PlanetBearingEquations equations(model);
+  VectorBearing equations(model);
   const integration::IntegrationOptions fine{
       .method = Method::fixed_dopri5, .allowed_error = {}, .step = 5e-8};
   for (const double push : {0.0, kPush}) {
@@ -216,10 +216,10 @@ Eigen::VectorXd end_of_equal_steps(const BearingModel& model, const Eigen::Vecto
   return end;
 }
 
-// By the readable equations and a method of order 5: its error, 1e-5 of the ones to be measured, does not
+// By a method of order 5: its error, 1e-5 of the ones to be measured, does not
 // count.
 Eigen::VectorXd exact_end(const BearingModel& model, Eigen::VectorXd x) {
-  const PlanetBearingEquations equations(model);
+  VectorBearing equations(model);
   const auto motion = [&](double time, const Eigen::Ref<const Eigen::VectorXd>& at,
                           Eigen::Ref<Eigen::VectorXd> rate) { equations.derivative(time, at, rate); };
   const integration::IntegrationOptions fine{
@@ -417,8 +417,8 @@ TEST(BlowsAreDamped, WhereTheFilmStopsARoller) {
   };
   const auto speed_at_the_bar = [&](double viscosity) {
     const BearingModel model = model_of(viscosity);
-    const PocketLaw law = pocket_law(model.pocket);
-    const double radius = model.pocket.roller_radius, spin = 1e6 / radius;  // [m], [rad/s]  rolling alone
+    const PocketLaw& law = model.pocket;
+    const double radius = model.geometry.element_radius, spin = 1e6 / radius;  // [m], [rad/s]  rolling alone
     double offset = 0.0, speed = system::kStoppedBlow;
     const auto squeezed = [&](double v) {
       return law.oil(radius, 0.0, PocketMotion{offset, 0.0, v, 0.0, spin, 0.0}).ahead;

@@ -2,9 +2,8 @@
 // gives power.
 #include <gtest/gtest.h>
 
-#include "bearing/motion/equations.hpp"
-#include "bearing/motion/instant.hpp"
 #include "bearing/motion/snapshot.hpp"
+#include "bearing/motion/vectorised/vector_bearing.hpp"
 #include "tests/many_scratches.hpp"
 #include "tests/unit/motion/reducer_bearing.hpp"
 
@@ -113,14 +112,14 @@ TEST_P(DynamicsIdentity, ForcesAreTheSlopeOfTheEnergy) {
   point.outer_speed = point.inner_speed = 0.0;
   parameters.driving = {};  // Euler's terms have no potential
   const BearingModel model = model_now();
-  const PlanetBearingEquations equations(model);
+  vectorised::VectorBearing equations(model);
   const StateLayout& layout = model.layout;
   const Eigen::Index z = layout.rollers;
   const auto mass_of = [&](Eigen::Index i, const Eigen::VectorXd& x) {
     if (i < z) return model.roller.mass;
     if (i < 2 * z) return model.roller.mass * x[i - z] * x[i - z];
     if (i < layout.bore()) return i == layout.cage() + 2 ? model.cage.inertia : model.cage.mass;
-    if (i >= layout.wave()) return model.rim.mass[i - layout.wave()];
+    if (i >= layout.wave()) return model.rim[static_cast<std::size_t>(i - layout.wave())].mass;
     return i < layout.pin() ? model.bore_mass : model.pin_mass;
   };
   const auto check = [&](const Eigen::VectorXd& x, Eigen::Index position, Eigen::Index velocity,
@@ -160,7 +159,7 @@ TEST_P(DynamicsIdentity, ForcesAreTheSlopeOfTheEnergy) {
 TEST_P(DynamicsIdentity, PowerBalancesInEveryState) {
   if (parameters.driving.ramp == 0.0) point.carrier.acceleration = 300.0;
   const BearingModel model = model_now();
-  const PlanetBearingEquations equations(model);
+  vectorised::VectorBearing equations(model);
   for (int k = 0; k < kStates; ++k) {
     const Eigen::VectorXd x = test::shaken_state(model, bearing, parameters, 5e-6, kSpeed, random);
     Eigen::VectorXd dx(x.size());
@@ -190,34 +189,55 @@ TEST_P(DynamicsIdentity, LossesAreNeverNegative) {
   }
 }
 
-// Forces inside the bearing cancel, and so do their moments about the origin.
+// Forces inside the bearing cancel, and so do their moments about the origin: what Newton and Euler ask for
+// beyond what acts from outside. The pin's moment is that of the power that keeps it turning.
 TEST_P(DynamicsIdentity, InnerForcesAndMomentsCancel) {
+  point.inner_speed = -300.0;
   const BearingModel model = model_now();
+  vectorised::VectorBearing equations(model);
+  const CarrierFrame frame = frame_at(model, 0.0);
   for (int k = 0; k < kStates; ++k) {
     const Eigen::VectorXd x = test::shaken_state(model, bearing, parameters, 3e-5, kSpeed, random);
-    const ConstStateViews state = state_views(model.layout, x.data());
-    const RingBodies rings = ring_bodies(model, state);
-    RingWrenches on_rings;
+    Eigen::VectorXd dx(x.size());
+    equations.derivative(0.0, x, dx);
+    const ConstStateViews at = state_views(model.layout, x.data()),
+                          rate = state_views(model.layout, dx.data());
     Vector2 force = Vector2::Zero();
     double moment = 0.0, scale = 0.0;
-    const auto add = [&](const Wrench& wrench, const Vector2& at) {
-      force += wrench.force;
-      moment += wrench.moment + cross(at, wrench.force);
-      scale += wrench.force.norm();
+    const auto add = [&](const Vector2& on_body, double turning, const Vector2& place) {
+      force += on_body;
+      moment += turning + cross(place, on_body);
+      scale += on_body.norm();
     };
     for (Eigen::Index j = 0; j < model.layout.rollers; ++j) {
-      const RollerBody roller = roller_body(model, state, j);
-      const RollerForces forces = roller_forces(model, rings, roller, j);
-      for (const Wrench& wrench : {forces.inner.on_roller, forces.outer.on_roller, forces.pocket.on_roller})
-        add(wrench, roller.motion.position);
-      add(neighbour_forces(model, state, roller, j).on_roller(), roller.motion.position);
-      on_rings.add(forces);
+      const double r = at.radius[j], theta = at.angle[j], orbital = at.orbital_speed[j];
+      const double radial = rate.radial_speed[j] - radial_inertial_acceleration(frame, r, theta, orbital);
+      const double along = r * rate.orbital_speed[j] + 2.0 * at.radial_speed[j] * orbital -
+                           tangential_inertial_acceleration(frame, r, theta, at.radial_speed[j]);
+      const Vector2 out = direction(theta);
+      add(model.roller.mass * radial * out +
+              (model.roller.mass * along - model.orbit_drag.force(r * orbital)) * across(out),
+          model.roller.inertia * (rate.spin[j] + frame.euler) - model.spin_drag.force(at.spin[j]), r * out);
     }
-    on_rings.add(guidance_forces(model.guidance, rings.cage, land_body(model, rings)), model.guiding_race);
-    add(on_rings.cage, rings.cage.position);
-    add(on_rings.bore, rings.bore.position);
-    add(on_rings.pin, rings.pin.position);
-    const double round_off = 1e-14 * scale;
+    const auto beyond = [&](const auto& acceleration, const CarrierFrame& in, const auto& place,
+                            const auto& velocity) -> Vector2 {
+      return acceleration - inertial_acceleration(in, place, velocity);
+    };
+    if (model.layout.caged)
+      add(model.cage.mass * beyond(rate.cage_velocity, frame, at.cage_position, at.cage_velocity),
+          model.cage.inertia * (rate.cage_speed + frame.euler) - model.cage_drag.force(at.cage_speed),
+          at.cage_position);
+    CarrierFrame centred = frame;
+    centred.orbit_radius = 0.0;
+    const double on_bore = equations.reaction().moment;
+    add(model.bore_mass * beyond(rate.bore_velocity, centred, at.bore_position, at.bore_velocity) -
+            bore_load(model, 0.0),
+        on_bore, at.bore_position);
+    const double holding = power_input(model, 0.0, x, dx).rotations;
+    add(model.pin_mass * beyond(rate.pin_velocity, frame, at.pin_position, at.pin_velocity) -
+            model.support.force(at.pin_position, at.pin_velocity),
+        -(holding + on_bore * model.point.outer_speed) / model.point.inner_speed, at.pin_position);
+    const double round_off = 1e-11 * scale;  // accelerations are those of the carrier, too
     EXPECT_NEAR(force.norm(), 0.0, round_off);
     EXPECT_NEAR(moment, 0.0, round_off * model.geometry.outer_radius);
   }
@@ -228,7 +248,7 @@ TEST_P(DynamicsIdentity, RollersCanBeRenamed) {
   if (!bearing.rollers().diameter_deviation.empty() || GetParam().refinement == Refinement::scratches)
     GTEST_SKIP() << "these rollers have names";
   const BearingModel model = model_now();
-  const PlanetBearingEquations equations(model);
+  vectorised::VectorBearing equations(model);
   const Eigen::Index z = model.layout.rollers;
   const Eigen::VectorXd x = test::shaken_state(model, bearing, parameters, 1e-5, kSpeed, random);
   Eigen::VectorXd renamed = x, dx(x.size()), renamed_dx(x.size());
@@ -265,8 +285,8 @@ TEST(FullComplement, WithRoomLeftMovesAsInACageOutOfReach) {
     in_cage.head(5 * z) = x.head(5 * z);
     in_cage[caged.layout.cage() + 2] = 0.3;  // where the first roller begins
     in_cage.tail(8) = x.tail(8);
-    PlanetBearingEquations(full).derivative(0.0, x, dx);
-    PlanetBearingEquations(caged).derivative(0.0, in_cage, dx_caged);
+    vectorised::VectorBearing(full).derivative(0.0, x, dx);
+    vectorised::VectorBearing(caged).derivative(0.0, in_cage, dx_caged);
     const double round_off = 1e-12;
     EXPECT_LT((dx.head(5 * z) - dx_caged.head(5 * z)).norm(), round_off * dx.head(5 * z).norm());
     EXPECT_LT((dx.tail(4) - dx_caged.tail(4)).norm(), round_off * dx.tail(4).norm()) << "the pin";

@@ -2,8 +2,8 @@
 // Cartesian coordinates, absolute speeds, no fictitious forces (tests/reference/inertial_bearing.hpp).
 #include <gtest/gtest.h>
 
-#include "bearing/motion/equations.hpp"
 #include "bearing/motion/snapshot.hpp"
+#include "bearing/motion/vectorised/vector_bearing.hpp"
 #include "tests/reference/inertial_bearing.hpp"
 #include "tests/unit/motion/reducer_bearing.hpp"
 
@@ -216,7 +216,7 @@ TEST_P(InertialFrame, SeesTheSameMotion) {
   constexpr int kStates = 60;
   constexpr double kAllowed = 1e-8;  // [-]  of the largest rate of the same kind
   const BearingModel model = bearing_model(bearing, point, parameters);
-  const PlanetBearingEquations equations(model);
+  vectorised::VectorBearing equations(model);
   reference::BearingNumbers numbers = numbers_of(bearing, parameters, model.geometry);
   numbers.rim = rim_of(point.outer_race, parameters.rim.damping_ratio);
   const StateLayout& layout = model.layout;

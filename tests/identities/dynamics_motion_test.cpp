@@ -5,8 +5,8 @@
 #include <cstdlib>
 
 #include "bearing/equilibrium/elastic_waves.hpp"
-#include "bearing/motion/equations.hpp"
 #include "bearing/motion/snapshot.hpp"
+#include "bearing/motion/vectorised/vector_bearing.hpp"
 #include "coupling/integration/integrate.hpp"
 #include "coupling/system/bearing_steps.hpp"
 #include "coupling/system/steady_state.hpp"
@@ -19,7 +19,7 @@ namespace {
 using integration::IntegrationOptions;
 using integration::Method;
 
-integration::RightHandSide motion_of(const PlanetBearingEquations& equations) {
+integration::RightHandSide motion_of(vectorised::VectorBearing& equations) {
   return [&equations](double time, const Eigen::Ref<const Eigen::VectorXd>& x,
                       Eigen::Ref<Eigen::VectorXd> dx) { equations.derivative(time, x, dx); };
 }
@@ -27,7 +27,7 @@ integration::RightHandSide motion_of(const PlanetBearingEquations& equations) {
 // The state with two more variables, the energy that has entered and that has been lost [J], which the
 // integrator carries along at its own order.
 struct Audit {
-  const PlanetBearingEquations& equations;
+  vectorised::VectorBearing& equations;
   mutable Snapshot now;
 
   void operator()(double time, const Eigen::Ref<const Eigen::VectorXd>& x,
@@ -60,7 +60,7 @@ TEST_P(EnergyAudit, ClosesOverAMillisecond) {
   OperatingPoint point = test::reducer_point(6000.0);
   point.bore_tilt = GetParam().tilt * Vector2(0.8, 0.6);
   if (GetParam().rim) point.outer_race = test::bending_race();
-  const PlanetBearingEquations equations(bearing_model(bearing, point, parameters));
+  vectorised::VectorBearing equations(bearing_model(bearing, point, parameters));
   const Eigen::Index n = equations.model().layout.size();
   Eigen::VectorXd x = Eigen::VectorXd::Zero(n + 2);
   x.head(n) = initial_state(bearing, equations.model(), parameters, 0.3).x;
@@ -135,12 +135,12 @@ class Path {
         exact_(end(Method::fixed_dopri5, 1.25e-8)) {}
 
   /// Distance from the exact end of the path, as a length [m].
-  double error(Method method, double step) const {
+  double error(Method method, double step) {
     return (end(method, step) - exact_).cwiseProduct(weight_).norm();
   }
 
  private:
-  Eigen::VectorXd end(Method method, double step) const {
+  Eigen::VectorXd end(Method method, double step) {
     Eigen::VectorXd x = start_;
     const IntegrationOptions options{.method = method, .allowed_error = {}, .step = step};
     const auto report = integration::integrate(motion_of(equations_), x, {0.0, 3e-4, 1}, options, {});
@@ -148,7 +148,7 @@ class Path {
     return x;
   }
 
-  PlanetBearingEquations equations_;
+  vectorised::VectorBearing equations_;
   Eigen::VectorXd start_;
   Eigen::VectorXd weight_;
   Eigen::VectorXd exact_;
@@ -164,7 +164,7 @@ TEST(DynamicPath, ConvergesAtTheOrderOfTheMethodWhereContactsStayClosed) {
   free_cage.cage.pocket_clearance = 2e-3;
   free_cage.cage.guide_diameter = 0.0;
   test::Random random;
-  const Path path(preloaded, free_cage,
+  Path path(preloaded, free_cage,
                   test::shaken_state(model_at_6000_rpm(preloaded, free_cage), preloaded, free_cage, 2.4e-6,
                                      4e-2, random));
   EXPECT_NEAR(std::log2(path.error(Method::rk4, 2e-7) / path.error(Method::rk4, 1e-7)), 4.0, kMargin);
@@ -187,7 +187,7 @@ TEST_P(ImpactPath, ConvergesThroughImpacts) {
   for (Method method : {Method::rk4, Method::fixed_dopri5}) {
     double coarse = 0.0, fine = 0.0;
     for (double first_roller : {0.0, 0.1, 0.2, 0.3}) {
-      const Path path(
+      Path path(
           bearing, parameters,
           initial_state(bearing, model_at_6000_rpm(bearing, parameters), parameters, first_roller).x);
       coarse += path.error(method, 8e-7);

@@ -1,5 +1,5 @@
 // The motion of bearings drawn at random, RANDOM_MOTIONS of them from number RANDOM_MOTIONS_FROM on, a tenth
-// of that by the readable equations: each run ends with sound numbers or a reason. RANDOM_MOTIONS_TABLE: a
+// of that by explicit steps: each run ends with sound numbers or a reason. RANDOM_MOTIONS_TABLE: a
 // file for one line about each.
 #include <gtest/gtest.h>
 

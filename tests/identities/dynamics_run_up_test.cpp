@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "bearing/motion/driving.hpp"
-#include "bearing/motion/instant.hpp"
+#include "bearing/motion/vectorised/model_constants.hpp"
 #include "coupling/system/steady_state.hpp"
 #include "tests/messages.hpp"
 #include "tests/unit/motion/reducer_bearing.hpp"
@@ -37,16 +37,13 @@ TEST(RunUp, LoadsAreThoseOfTheSpeedThatIsReached) {
 
 TEST(RunUp, AnglesAreTheIntegralsOfTheSpeeds) {
   const BearingModel model = ramping_model(-40.0);
-  const Eigen::VectorXd x = Eigen::VectorXd::Zero(model.layout.size());
-  const ConstStateViews state = state_views(model.layout, x.data());
+  const auto bore = [&](double time) { return vectorised::surroundings_at(model, time).bore; };
   const double time = 0.01, step = 1e-5;
-  const double slope = (ring_bodies(model, state, time + step).bore.angle -
-                        ring_bodies(model, state, time - step).bore.angle) /
-                       (2.0 * step);
-  const double speed = ring_bodies(model, state, time).bore.speed;
+  const double slope = (bore(time + step).turned - bore(time - step).turned) / (2.0 * step);
+  const double speed = bore(time).speed;
   EXPECT_NEAR(slope, speed, 1e-10 * std::abs(speed)) << "a parabola's central difference is exact";
   EXPECT_NEAR(speed, 0.6 * model.point.outer_speed, kRoundOff * std::abs(speed));
-  EXPECT_EQ(ring_bodies(model, state, 0.0).bore.angle, 0.0);
+  EXPECT_EQ(bore(0.0).turned, 0.0);
 }
 
 TEST(RunUp, RefusesAnAccelerationBesidesItsOwn) {

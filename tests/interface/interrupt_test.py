@@ -37,7 +37,7 @@ def sweep(fidelity, *values, of="reducer_150kW"):
 COMPUTATIONS = {
     "quasi-static": sweep("quasi-static", FINE),
     "dynamic": sweep("dynamic", *LONG),
-    "dynamic, readable equations": sweep("dynamic", "simulation.integrator=dopri5", *LONG),
+    "dynamic, explicit steps": sweep("dynamic", "simulation.integrator=dopri5", *LONG),
     "dynamic, continued": [*sweep("dynamic", *LONG), "--continue", "up"],
     "dynamic, as built": sweep("dynamic", *LONG, of="reducer_150kW_as_built"),
     "co-simulated": sweep("co-simulated", *LONG),

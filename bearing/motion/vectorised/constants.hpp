@@ -7,27 +7,33 @@
 #include "bearing/contact/pocket_law.hpp"
 #include "bearing/contact/squeeze_film.hpp"
 #include "bearing/contact/surface_scratch.hpp"
+#include "bearing/inertial_frame.hpp"
+#include "bearing/race_harmonic.hpp"
 
 namespace orbearing::bearing::vectorised {
 
 /// Lanes to which the arrays over rollers are padded, whatever the instruction set.
 inline constexpr int kPadding = 16;
 
-/// One wave of a race's form: height amplitude cos(order angle + phase).
-struct WaveConstants {
-  int order = 0;
-  double amplitude = 0.0;  // [m]
-  double phase = 0.0;      // [rad]  now
-  bool turning = false;    // with the race
+/// Numbers in a row that others keep.
+template <class T>
+struct Listed {
+  const T* first = nullptr;
+  int count = 0;
+
+  bool empty() const { return count == 0; }
+  const T& operator[](int i) const { return first[i]; }
+  const T* begin() const { return first; }
+  const T* end() const { return first + count; }
 };
 
-/// Numbers of the contacts of one race; see motion/race_forces.hpp. For one race Number is double;
-/// vectorised laws hold the numbers of both.
+/// Numbers of the contacts of one race. For one race Number is double; vectorised laws hold the numbers of
+/// both.
 template <class Number>
 struct RaceNumbers {
   Number side{};               // [-]      -1 inner race, +1 outer race
   Number radius{};             // [m]
-  Number speed{};              // [rad/s]  of the race
+  Number speed{};              // [rad/s]  of the race now
   Number stiffness{};          // [N/m^(10/9)]
   Number log_stiffness{};      // its logarithm
   Number damping{};            // [s/m]
@@ -41,19 +47,22 @@ struct RaceNumbers {
   Number film_cap_approach{};  // [m]  elastic approach where the cap begins, at 1 m/s
 };
 
-/// One race: its laws and its form.
-struct RaceConstants : RaceNumbers<double> {
+/// The laws of one race.
+struct RaceLaws : RaceNumbers<double> {
   bool film = false;      // adds to the elastic approach
   bool squeezed = false;  // resists the approach
   FrictionLaws<double> friction;
-  int waves = 0;                        // of the form; none: round
-  const WaveConstants* wave = nullptr;  // (waves)
-  int scratches = 0;
-  const RaceScratch* scratch = nullptr;  // (scratches)  their angles now
+};
+
+/// One race: its laws and its form.
+struct RaceConstants : RaceLaws {
+  double turned = 0.0;  // [rad]  by the race now
+  Listed<RaceHarmonic> form;
+  Listed<RaceScratch> scratches;
 };
 
 /// What the search by powers takes of the film law and the stiffness.
-inline void set_film_powers(RaceConstants& c) {
+inline void set_film_powers(RaceNumbers<double>& c) {
   using Film = FilmLaw<double>;
   c.film_factor = mechanics::exponential(c.film_law.log_factor - Film::kLoad * c.log_stiffness);
   c.film_cap = mechanics::exponential(c.film_law.log_unloaded(0.0));
@@ -61,7 +70,7 @@ inline void set_film_powers(RaceConstants& c) {
       mechanics::exponential(kLineApproachExponent * (c.film_law.log_cap_load - c.log_stiffness));
 }
 
-/// The contacts cut into laminae; see motion/lamina_races.hpp.
+/// The contacts cut into laminae; see contact/lamina_races.hpp.
 struct LaminaConstants {
   int count = 0;                       // 0: line contacts of straight rollers
   const double* place = nullptr;       // (count)  -1 to 1
@@ -73,24 +82,23 @@ struct LaminaConstants {
   bool upright = true;                 // symmetric, and no roller ever tilts
 };
 
-/// The waves of an elastic outer race; see motion/rim.hpp.
-struct RimConstants {
-  int waves = 0;                      // 0: rigid
-  const double* stiffness = nullptr;  // (waves)  [N/m]
-  const double* mass = nullptr;       // (waves)  [kg]
-  const double* damping = nullptr;    // (waves)  [N s/m]
-  const double* at_rest = nullptr;    // (waves)  [m]  without rollers
+/// A wave of an elastic outer race as a body of the motion, equation (16) of bearing/motion/README.md.
+struct RimWave {
+  double stiffness = 0.0;  // [N/m]
+  double mass = 0.0;       // [kg]
+  double damping = 0.0;    // [N s/m]
+  double at_rest = 0.0;    // [m]    without rollers, under the mean forces of the teeth
 };
 
 /// The land that guides the cage.
 struct LandConstants {
   bool present = false;
   bool on_bore = true;  // the bore carries the land, else the pin
-  double speed = 0.0;   // [rad/s]  of the land
   LandLaw law;
 };
 
-/// Rollers that touch one another; see motion/neighbour_contact.hpp.
+/// Rollers that touch one another without a cage, the same for all. Assumption: they meet along their whole
+/// length, whatever their profile and tilt, with the line contact of the races, whose law knows no radius.
 struct NeighbourConstants {
   double stiffness = 0.0;  // [N/m^(10/9)]
   double damping = 0.0;    // [s/m]
@@ -107,24 +115,20 @@ struct Constants {
   double spin_drag = 0.0;       // [N m s^2/rad^2]
   double cage_drag = 0.0;       // [N m s^2/rad^2]
 
-  double coriolis_speed = 0.0;  // [rad/s]
-  double centrifugal = 0.0;     // [rad^2/s^2]
-  double euler = 0.0;           // [rad/s^2]
-  double own_orbit = 1.0;       // [-]
-  double orbit_radius = 0.0;    // [m]
+  CarrierFrame frame;   // now
+  double meshes = 1.0;  // [-]  forces of the teeth on the waves of a rim now, over their means
 
   RaceConstants inner;
   RaceConstants outer;
   LaminaConstants laminae;
-  RimConstants rim;
+  Listed<RimWave> rim;  // none: rigid
 
   bool caged = true;
   PocketLaw pocket;               // of a cage
   NeighbourConstants neighbours;  // without one
 
   int followed = 0;  // rollers whose turning is followed
-  int roller_scratches = 0;
-  const RollerScratch* roller_scratch = nullptr;  // (roller_scratches)
+  Listed<RollerScratch> roller_scratches;
 
   double cage_mass = 0.0;          // [kg]
   double cage_inertia = 0.0;       // [kg m^2]

@@ -33,6 +33,12 @@ struct PaddedLayout {
   int size() const { return (end() + kPadding - 1) / kPadding * kPadding; }
 };
 
+[[gnu::always_inline]] inline PaddedLayout layout_of(const Constants& constants) {
+  const LaminaConstants& laminae = constants.laminae;
+  return {constants.rollers, constants.followed, laminae.count > 0 && !laminae.upright, constants.rim.count,
+          constants.caged};
+}
+
 /// Loads of all contacts at the last evaluation [N], lanes() entries each; of contacts cut into laminae also
 /// where they stand.
 struct ContactLoads {
@@ -51,13 +57,28 @@ struct RollerConstants {
   const double* radius;         // [m]
 };
 
-/// What the frame and the bore do at one instant, for a bearing whose bore is driven.
-struct Surroundings {
-  double coriolis_speed = 0.0;  // [rad/s]
-  double centrifugal = 0.0;     // [rad^2/s^2]
-  double euler = 0.0;           // [rad/s^2]
-  double bore_speed = 0.0;      // [rad/s]
+/// How a race turns.
+struct RaceTurn {
+  double speed = 0.0;   // [rad/s]
+  double turned = 0.0;  // [rad]  since the start
 };
+
+/// What is prescribed at one instant.
+struct Surroundings {
+  CarrierFrame frame;
+  RaceTurn pin;
+  RaceTurn bore;
+  double meshes = 1.0;  // [-]  Constants::meshes
+};
+
+[[gnu::always_inline]] inline void put_surroundings(const Surroundings& now, Constants& constants) {
+  constants.frame = now.frame;
+  constants.inner.speed = now.pin.speed;
+  constants.inner.turned = now.pin.turned;
+  constants.outer.speed = now.bore.speed;
+  constants.outer.turned = now.bore.turned;
+  constants.meshes = now.meshes;
+}
 
 /// What rollers and land do to the bore.
 struct BoreForces {
@@ -93,7 +114,7 @@ class Engine {
   virtual void solve(const double* rhs, double* k) const = 0;
   virtual ContactLoads loads() const = 0;
 
-  /// From here on, in place of what the constants say.
+  /// From here on; to be called before the first evaluation.
   virtual void set_surroundings(const Surroundings& surroundings) = 0;
   /// At the last evaluation.
   virtual BoreForces bore_forces() const = 0;

@@ -1,19 +1,20 @@
-// Rollers of a full complement that touch one another, one roller and one of its neighbours a lane:
-// motion/neighbour_contact.hpp with its slopes, in polar axes of the roller.
+// Rollers of a full complement, which no cage keeps apart, where they touch: one roller and one of its
+// neighbours a lane, in polar axes of the roller.
+//
+//     t            n from the roller's centre to that of its neighbour, t = z x n; both spin alike, so that
+//     ^            their surfaces slide on one another at the sum of their speeds
+//   ( o )( o ) --> n
+//
+// They touch in the middle of what they overlap: both arms together are the distance of the centres, so that
+// forces and moments balance.
 #pragma once
 
 #include "bearing/motion/vectorised/race_contact.hpp"
+#include "mechanics/packs/aligned_array.hpp"
 
 namespace orbearing::bearing::vectorised::ORBEARING_PACKS {
 
 using namespace mechanics::ORBEARING_PACKS;
-
-/// Motion of rollers in their own polar coordinates.
-struct RollerMotion {
-  Pack r, theta, radial, orbital;  // [m], [rad], [m/s], [rad/s]
-  Pack spin;                       // [rad/s]
-  Pack radius;                     // [m]  of the roller
-};
 
 /// What a neighbour's motion changes: slopes of the force on the roller by its motion relative to the
 /// neighbour, and where that is.
@@ -30,10 +31,51 @@ struct NeighbourSlopes {
   }
 };
 
-/// Force on the roller from one neighbour; lanes outside `present` touch nothing. Whether any touches.
+/// Numbers of the neighbours of each roller, moved into its lane.
+class Neighbours {
+ public:
+  static constexpr int kGroups = 6;  // of the state, the end displacements with it
+
+  explicit Neighbours(int packs)
+      : lanes_(packs * kLanes), ahead_(kGroups * packs), behind_(kGroups * packs) {}
+
+  /// From the first `groups` groups of lanes of `x`.
+  void take(const double* x, int groups, int rollers) {
+    for (int group = 0; group < groups; ++group) {
+      const double* from = x + group * lanes_;
+      double *ahead = entry(ahead_, group), *behind = entry(behind_, group);
+      for (int j = 0; j + 1 < rollers; ++j) {
+        ahead[j] = from[j + 1];
+        behind[j + 1] = from[j];
+      }
+      ahead[rollers - 1] = from[0];
+      behind[0] = from[rollers - 1];
+      for (int j = rollers; j < lanes_; ++j) ahead[j] = behind[j] = from[j] + 1.0;  // lanes without a roller
+    }
+  }
+  Pack ahead(int group, int pack) const { return load(entry(ahead_, group) + pack * kLanes); }
+  Pack behind(int group, int pack) const { return load(entry(behind_, group) + pack * kLanes); }
+
+ private:
+  double* entry(AlignedArray<Pack>& of, int group) const {
+    return reinterpret_cast<double*>(&of[0]) + group * lanes_;
+  }
+  const double* entry(const AlignedArray<Pack>& of, int group) const {
+    return reinterpret_cast<const double*>(&of[0]) + group * lanes_;
+  }
+  int lanes_;
+  AlignedArray<Pack> ahead_, behind_;
+};
+
+/// Force of one neighbour on the roller, and what the contact stores and loses.
+struct NeighbourForce : ContactForce<Pack> {
+  Pack energy{}, power{};  // [J], [W]
+};
+
+/// Lanes outside `present` touch nothing. Whether any touches.
 template <bool WithSlopes>
 bool neighbour_contact(const NeighbourConstants& law, const Mask& present, const RollerMotion& own,
-                       const RollerMotion& other, ContactForce<Pack>& force, NeighbourSlopes& slopes) {
+                       const RollerMotion& other, NeighbourForce& force, NeighbourSlopes& slopes) {
   const SineCosine turn = sine_cosine(other.theta - own.theta);
   const Pack d_r = other.r * turn.cosine - own.r, d_t = other.r * turn.sine;
   const Pack square = d_r * d_r + d_t * d_t, inverse = inverse_root(square), distance = square * inverse;
@@ -59,6 +101,8 @@ bool neighbour_contact(const NeighbourConstants& law, const Mask& present, const
     force.f_t = friction * n_r - load * n_t;
     force.moment = friction * arm;
     force.load = load;
+    force.energy = (1.0 / (1.0 + kLineExponent)) * elastic * approach;
+    force.power = (elastic - load) * v_n + friction * sliding;
   };
   if constexpr (!WithSlopes) {
     put(law.friction.force(load, sliding));

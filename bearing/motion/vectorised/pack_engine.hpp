@@ -6,17 +6,11 @@
 #include "bearing/motion/vectorised/neighbour_contact.hpp"
 #include "bearing/motion/vectorised/pocket_contact.hpp"
 #include "bearing/motion/vectorised/roller_chain.hpp"
-#include "mechanics/packs/aligned_array.hpp"
 #include "mechanics/packs/dual.hpp"
 
 namespace orbearing::bearing::vectorised::ORBEARING_PACKS {
 
 using namespace mechanics::ORBEARING_PACKS;
-
-/// Position and velocity of a ring or of the cage.
-struct Body {
-  double x, y, v_x, v_y;
-};
 
 /// A vector in the plane.
 struct Pair {
@@ -58,42 +52,6 @@ struct NeighbourPack {
   NeighbourSlopes ahead, behind;
 };
 
-/// Numbers of the neighbours of each roller, moved into its lane.
-class Neighbours {
- public:
-  static constexpr int kGroups = 6;  // of the state, the end displacements with it
-
-  explicit Neighbours(int packs)
-      : lanes_(packs * kLanes), ahead_(kGroups * packs), behind_(kGroups * packs) {}
-
-  /// From the first `groups` groups of lanes of `x`.
-  void take(const double* x, int groups, int rollers) {
-    for (int group = 0; group < groups; ++group) {
-      const double* from = x + group * lanes_;
-      double *ahead = entry(ahead_, group), *behind = entry(behind_, group);
-      for (int j = 0; j + 1 < rollers; ++j) {
-        ahead[j] = from[j + 1];
-        behind[j + 1] = from[j];
-      }
-      ahead[rollers - 1] = from[0];
-      behind[0] = from[rollers - 1];
-      for (int j = rollers; j < lanes_; ++j) ahead[j] = behind[j] = from[j] + 1.0;  // lanes without a roller
-    }
-  }
-  Pack ahead(int group, int pack) const { return load(entry(ahead_, group) + pack * kLanes); }
-  Pack behind(int group, int pack) const { return load(entry(behind_, group) + pack * kLanes); }
-
- private:
-  double* entry(AlignedArray<Pack>& of, int group) const {
-    return reinterpret_cast<double*>(&of[0]) + group * lanes_;
-  }
-  const double* entry(const AlignedArray<Pack>& of, int group) const {
-    return reinterpret_cast<const double*>(&of[0]) + group * lanes_;
-  }
-  int lanes_;
-  AlignedArray<Pack> ahead_, behind_;
-};
-
 /// What the rollers do to the rings, summed pack by pack.
 struct RingLoads {
   Pair pin, bore, cage;
@@ -109,9 +67,9 @@ struct LandForce {
 };
 
 template <class T>
-LandForce<T> land_force(const LandConstants& land, const LandMotion<T>& motion) {
+LandForce<T> land_force(const LandConstants& land, double land_speed, const LandMotion<T>& motion) {
   if (!land.present) return {};
-  const LandForces<T> now = land.law.forces(motion, land.speed);
+  const LandForces<T> now = land.law.forces(motion, land_speed);
   const T couple = 0.5 * (motion.offset_x * now.film_y - motion.offset_y * now.film_x);
   return {now.film_x + now.touch_x, now.film_y + now.touch_y,
           now.shear - couple + (land.law.side * land.law.cage_radius) * now.touch_friction};
@@ -123,9 +81,7 @@ class PackEngine final : public Engine {
       : c_(constants),
         races_(race_pair(c_)),
         given_(rollers),
-        layout_{constants.rollers, constants.followed,
-                constants.laminae.count > 0 && !constants.laminae.upright, constants.rim.waves,
-                constants.caged},
+        layout_(layout_of(c_)),
         packs_(layout_.lanes() / kLanes),
         linear_(packs_),
         block_(packs_),
@@ -134,7 +90,7 @@ class PackEngine final : public Engine {
         inner_approach_(packs_),
         outer_approach_(packs_),
         tip_(packs_),
-        wave_force_(constants.rim.waves),
+        wave_force_(constants.rim.count),
         neighbour_(c_.caged ? 0 : packs_),
         neighbours_(c_.caged ? 0 : packs_),
         radii_(c_.caged ? 0 : packs_),
@@ -273,37 +229,20 @@ class PackEngine final : public Engine {
 inline FreeSlopes free_slopes(const Constants& c, const RollerPack& at, const Pack& f_r, const Pack& f_t,
                               const Pack& spin, const Pack& orbit_rate) {
   const double per_mass = 1.0 / c.roller_mass;
-  const Pack twice = 2.0 * c.own_orbit * at.orbital + 2.0 * c.coriolis_speed;
+  const CarrierFrame& frame = c.frame;
+  const Pack twice = 2.0 * frame.own_orbit * at.orbital + 2.0 * frame.coriolis_speed;
   const Pack drag = (-2.0 * c.orbit_drag * per_mass) * absolute(at.r * at.orbital);
-  const double far = c.centrifugal * c.orbit_radius, late = c.euler * c.orbit_radius;
+  const double far = frame.centrifugal * frame.orbit_radius, late = frame.euler * frame.orbit_radius;
   FreeSlopes s;
-  s.radial_by_r = at.orbital * (twice - c.own_orbit * at.orbital) + c.centrifugal;
+  s.radial_by_r = at.orbital * (twice - frame.own_orbit * at.orbital) + frame.centrifugal;
   s.radial_by_theta = f_t * per_mass - far * at.sine - late * at.cosine;
   s.radial_by_orbital = at.r * twice;
-  s.orbital_by_r = (drag * at.orbital - orbit_rate - c.euler) * at.per_r;
+  s.orbital_by_r = (drag * at.orbital - orbit_rate - frame.euler) * at.per_r;
   s.orbital_by_theta = (late * at.sine - f_r * per_mass - far * at.cosine) * at.per_r;
-  s.orbital_by_radial = -2.0 * (c.coriolis_speed + at.orbital) * at.per_r;
+  s.orbital_by_radial = -2.0 * (frame.coriolis_speed + at.orbital) * at.per_r;
   s.orbital_by_orbital = drag - 2.0 * at.radial * at.per_r;
   s.spin_by_spin = (-2.0 * c.spin_drag / c.roller_inertia) * absolute(spin);
   return s;
-}
-
-/// Motion of the rollers relative to `body`, in their polar axes.
-inline RelativeMotion<Pack> relative_motion(const Pack& r, const Pack& radial, const Pack& orbital,
-                                            const Pack& spin, const Pack& cosine, const Pack& sine,
-                                            const Body& body) {
-  return {r - (body.x * cosine + body.y * sine), body.x * sine - body.y * cosine,
-          radial - (body.v_x * cosine + body.v_y * sine), r * orbital + body.v_x * sine - body.v_y * cosine,
-          spin};
-}
-
-/// Motions relative to the inner and to the outer race side by side.
-inline RelativeMotion<PackPair> joined(const RelativeMotion<Pack>& inner, const RelativeMotion<Pack>& outer) {
-  return {{inner.d_r, outer.d_r},
-          {inner.d_t, outer.d_t},
-          {inner.w_r, outer.w_r},
-          {inner.w_t, outer.w_t},
-          inner.spin};
 }
 
 /// Adds the opposite of a force in polar axes to a sum in x and y.
@@ -321,7 +260,7 @@ bool PackEngine::push_neighbours(int p, const RollerMotion& own, ContactForce<Pa
                            all.ahead(3, p), all.ahead(4, p), radii_.ahead(0, p)};
   const RollerMotion behind{all.behind(0, p), all.behind(1, p), all.behind(2, p),
                             all.behind(3, p), all.behind(4, p), radii_.behind(0, p)};
-  ContactForce<Pack> one, other;
+  NeighbourForce one, other;
   NeighbourPack& slopes = neighbour_[p];
   const bool before = neighbour_contact<WithSlopes>(c_.neighbours, here, own, ahead, one, slopes.ahead);
   const bool after = neighbour_contact<WithSlopes>(c_.neighbours, here, own, behind, other, slopes.behind);
@@ -402,14 +341,13 @@ void PackEngine::evaluate_rollers(int p, const double* x, double* dx, RingLoads&
   const Pack speed = r * orbital;
   const Pack drag = -c_.orbit_drag * speed * absolute(speed);
   const double per_mass = 1.0 / c_.roller_mass, per_inertia = 1.0 / c_.roller_inertia;
-  const Pack radial_rate = f_r * per_mass + c_.own_orbit * speed * orbital + 2.0 * c_.coriolis_speed * speed +
-                           c_.centrifugal * (r + c_.orbit_radius * cosine) -
-                           c_.euler * c_.orbit_radius * sine;
+  const CarrierFrame& frame = c_.frame;
+  const Pack radial_rate = f_r * per_mass + radial_inertial_acceleration(frame, r, cosine, sine, orbital);
   const Pack orbit_rate =
-      ((f_t + drag) * per_mass - 2.0 * c_.coriolis_speed * radial - c_.centrifugal * c_.orbit_radius * sine -
-       c_.euler * (r + c_.orbit_radius * cosine) - 2.0 * radial * orbital) /
+      ((f_t + drag) * per_mass + tangential_inertial_acceleration(frame, r, cosine, sine, radial) -
+       2.0 * radial * orbital) /
       r;
-  const Pack spin_rate = (moment - c_.spin_drag * spin * absolute(spin)) * per_inertia - c_.euler;
+  const Pack spin_rate = (moment - c_.spin_drag * spin * absolute(spin)) * per_inertia - frame.euler;
   store(radial, entry(dx, 0, p));
   store(orbital, entry(dx, 1, p));
   store(only(here, radial_rate), entry(dx, 2, p));
@@ -446,10 +384,8 @@ void PackEngine::evaluate(const double* x, double load_x, double load_y, double*
   for (int i = 0; i < layout_.waves; ++i) wave_force_[i] = Pack{};
   for (int p = 0; p < packs_; ++p) evaluate_rollers<WithSlopes, Caged>(p, x, dx, sums);
   for (int i = layout_.wave(); i < layout_.size(); ++i) dx[i] = 0.0;
-  for (int i = 0; i < c_.roller_scratches; ++i) {
-    const RollerScratch& scratch = c_.roller_scratch[i];
+  for (const RollerScratch& scratch : c_.roller_scratches)
     dx[layout_.turned() + scratch.followed] = x[4 * layout_.lanes() + scratch.roller];
-  }
   evaluate_waves(x, dx);
   evaluate_rings<Caged>(x, load_x, load_y, sums, guided, dx);
 }
@@ -458,9 +394,10 @@ inline void PackEngine::evaluate_waves(const double* x, double* dx) const {
   const double *place = x + layout_.wave(), *speed = x + layout_.wave_speed();
   for (int i = 0; i < layout_.waves; ++i) {
     dx[layout_.wave() + i] = speed[i];
-    dx[layout_.wave_speed() + i] = (sum(wave_force_[i]) - c_.rim.damping[i] * speed[i] -
-                                    c_.rim.stiffness[i] * (place[i] - c_.rim.at_rest[i])) /
-                                   c_.rim.mass[i];
+    const RimWave& wave = c_.rim[i];
+    dx[layout_.wave_speed() + i] = (sum(wave_force_[i]) - wave.damping * speed[i] -
+                                    wave.stiffness * (place[i] - c_.meshes * wave.at_rest)) /
+                                   wave.mass;
   }
 }
 

@@ -14,19 +14,22 @@ template <bool WithSlopes>
 LandForce<double> PackEngine::evaluate_land(const double* x) {
   const double* cage = x + layout_.cage();
   const double* land = x + (c_.land.on_bore ? layout_.bore() : layout_.pin());
+  const double land_speed = c_.land.on_bore ? c_.outer.speed : c_.inner.speed;
   const double offset[5] = {cage[0] - land[0], cage[1] - land[1], cage[3] - land[2], cage[4] - land[3],
                             cage[5]};
   if constexpr (WithSlopes) {
     const auto variable = [&](int index) { return GuidanceDual::variable(offset[index], index); };
-    const LandForce<GuidanceDual> force = land_force(
-        c_.land, LandMotion<GuidanceDual>{variable(0), variable(1), variable(2), variable(3), variable(4)});
+    const LandForce<GuidanceDual> force =
+        land_force(c_.land, land_speed,
+                   LandMotion<GuidanceDual>{variable(0), variable(1), variable(2), variable(3), variable(4)});
     land_x_ = force.x;
     land_y_ = force.y;
     land_moment_ = force.moment;
     cage_speed_ = cage[5];
     return {force.x.value, force.y.value, force.moment.value};
   } else {
-    return land_force(c_.land, LandMotion<double>{offset[0], offset[1], offset[2], offset[3], offset[4]});
+    return land_force(c_.land, land_speed,
+                      LandMotion<double>{offset[0], offset[1], offset[2], offset[3], offset[4]});
   }
 }
 
@@ -47,21 +50,17 @@ void PackEngine::evaluate_rings(const double* x, double load_x, double load_y, c
            sums.cage_moment},
           of_rollers);
   const auto& [pin_x, pin_y, bore_x, bore_y, bore_moment, cage_x, cage_y, cage_moment] = of_rollers;
-  const auto frame_x = [&](double px, double py, double vy, double orbit_radius) {
-    return 2.0 * c_.coriolis_speed * vy + c_.centrifugal * (px + orbit_radius) + c_.euler * py;
-  };
-  const auto frame_y = [&](double px, double py, double vx, double orbit_radius) {
-    return -2.0 * c_.coriolis_speed * vx + c_.centrifugal * py - c_.euler * (px + orbit_radius);
-  };
+  const CarrierFrame& frame = c_.frame;
   if constexpr (Caged) {
+    const PlaneAcceleration added = inertial_acceleration(frame, cage[0], cage[1], cage[3], cage[4]);
     cage_rate[0] = cage[3];
     cage_rate[1] = cage[4];
     cage_rate[2] = cage[5];
-    cage_rate[3] = (cage_x + land_x) / c_.cage_mass + frame_x(cage[0], cage[1], cage[4], c_.orbit_radius);
-    cage_rate[4] = (cage_y + land_y) / c_.cage_mass + frame_y(cage[0], cage[1], cage[3], c_.orbit_radius);
+    cage_rate[3] = (cage_x + land_x) / c_.cage_mass + added.x;
+    cage_rate[4] = (cage_y + land_y) / c_.cage_mass + added.y;
     cage_rate[5] =
         (cage_moment + guided.moment - c_.cage_drag * cage[5] * __builtin_fabs(cage[5])) / c_.cage_inertia -
-        c_.euler;
+        frame.euler;
   }
   // The load on the bore holds the planet's inertial load at the origin: here only what displacement adds.
   on_bore_ = {bore_x - on_bore * land_x, bore_y - on_bore * land_y,
@@ -69,28 +68,26 @@ void PackEngine::evaluate_rings(const double* x, double load_x, double load_y, c
                   on_bore * (guided.moment + (cage[0] - land[0]) * land_y - (cage[1] - land[1]) * land_x)};
   bore_rate[0] = bore[2];
   bore_rate[1] = bore[3];
-  bore_rate[2] =
-      (bore_x - on_bore * land_x + load_x) / c_.bore_mass + frame_x(bore[0], bore[1], bore[3], 0.0);
-  bore_rate[3] =
-      (bore_y - on_bore * land_y + load_y) / c_.bore_mass + frame_y(bore[0], bore[1], bore[2], 0.0);
+  CarrierFrame centred = frame;
+  centred.orbit_radius = 0.0;
+  const PlaneAcceleration to_bore = inertial_acceleration(centred, bore[0], bore[1], bore[2], bore[3]);
+  bore_rate[2] = (bore_x - on_bore * land_x + load_x) / c_.bore_mass + to_bore.x;
+  bore_rate[3] = (bore_y - on_bore * land_y + load_y) / c_.bore_mass + to_bore.y;
   const double on_pin = 1.0 - on_bore;
+  const PlaneAcceleration to_pin = inertial_acceleration(frame, pin[0], pin[1], pin[2], pin[3]);
   pin_rate[0] = pin[2];
   pin_rate[1] = pin[3];
   pin_rate[2] =
       (pin_x - on_pin * land_x - c_.support_stiffness * pin[0] - c_.support_damping * pin[2]) / c_.pin_mass +
-      frame_x(pin[0], pin[1], pin[3], c_.orbit_radius);
+      to_pin.x;
   pin_rate[3] =
       (pin_y - on_pin * land_y - c_.support_stiffness * pin[1] - c_.support_damping * pin[3]) / c_.pin_mass +
-      frame_y(pin[0], pin[1], pin[2], c_.orbit_radius);
+      to_pin.y;
 }
 
 inline void PackEngine::set_surroundings(const Surroundings& now) {
-  c_.coriolis_speed = now.coriolis_speed;
-  c_.centrifugal = now.centrifugal;
-  c_.euler = now.euler;
-  c_.outer.speed = now.bore_speed;
-  races_.speed = {c_.inner.speed, now.bore_speed};
-  if (c_.land.on_bore) c_.land.speed = now.bore_speed;
+  put_surroundings(now, c_);
+  races_.speed = {c_.inner.speed, c_.outer.speed};
 }
 
 }  // namespace orbearing::bearing::vectorised::ORBEARING_PACKS

@@ -131,7 +131,7 @@ void PackEngine::reduce_rollers(const double* rhs, double* k, double (&b)[kOpenU
            on_cage_mass * loads.cage.x - sums[4], on_cage_mass * loads.cage.y - sums[5],
            (g / c_.cage_inertia) * loads.cage_moment - sums[6], g * bore_moment - sums[7]},
           of_rollers);
-  const double turn = c_.centrifugal, late = c_.euler;
+  const double turn = c_.frame.centrifugal, late = c_.frame.euler;
   double land[3]{};
   const double* guide = c_.land.on_bore ? bore : pin;
   const GuidanceDual* force[3] = {&land_x_, &land_y_, &land_moment_};
@@ -179,9 +179,9 @@ inline void PackEngine::tilt_rollers(int p, const double* rhs, const Pack& shift
 inline void PackEngine::complete_waves(const double* rhs, double* k) const {
   const double *place = rhs + layout_.wave(), *speed = rhs + layout_.wave_speed();
   for (int i = 0; i < layout_.waves; ++i) {
-    const double per_mass = g_ / c_.rim.mass[i], stiffness = per_mass * c_.rim.stiffness[i];
-    const double rate =
-        (speed[i] - stiffness * place[i]) / (1.0 + per_mass * c_.rim.damping[i] + g_ * stiffness);
+    const RimWave& wave = c_.rim[i];
+    const double per_mass = g_ / wave.mass, stiffness = per_mass * wave.stiffness;
+    const double rate = (speed[i] - stiffness * place[i]) / (1.0 + per_mass * wave.damping + g_ * stiffness);
     k[layout_.wave_speed() + i] = rate;
     k[layout_.wave() + i] = place[i] + g_ * rate;
   }

@@ -1,6 +1,12 @@
-// Rollers on a race: forces and their derivatives, one roller a lane. The laws are those of
-// bearing/contact/film_law.hpp, friction.hpp and
-// damping.hpp, which give their own slopes; those of the motion (motion/race_forces.hpp) stand here.
+// Rollers on a race: how they move, forces and their derivatives, one roller a lane. The laws are those of
+// bearing/contact/film_law.hpp, friction.hpp and damping.hpp, which give their own slopes.
+//
+//   inner race (side -1)          outer race (side +1)
+//     o ---n--> (roller)            (roller) is inside; n from the race's centre to the roller's
+//   race centre                     contact point at  side * roller_radius * n  from the roller's centre
+//
+// The tangential force of the rolling resistance on the roller makes the moments of both surfaces balance; it
+// is what the tilted oil pressure leaves after the drag at the inlet.
 //
 // Vectors are in polar axes (e_r, e_theta) of each roller. A derivative treats these axes as at rest; what
 // their turning adds is the caller's (ContactSlopes).
@@ -22,6 +28,36 @@ struct RelativeMotion {
   Number w_t;  // [m/s]
   Pack spin;   // [rad/s]  of the roller
 };
+
+/// Position and velocity of a ring or of the cage.
+struct Body {
+  double x, y, v_x, v_y;
+};
+
+/// Rollers in their own polar coordinates.
+struct RollerMotion {
+  Pack r, theta, radial, orbital;  // [m], [rad], [m/s], [rad/s]
+  Pack spin;                       // [rad/s]
+  Pack radius;                     // [m]  of the roller
+};
+
+/// Motion of the rollers relative to `body`, in their polar axes.
+inline RelativeMotion<Pack> relative_motion(const Pack& r, const Pack& radial, const Pack& orbital,
+                                            const Pack& spin, const Pack& cosine, const Pack& sine,
+                                            const Body& body) {
+  return {r - (body.x * cosine + body.y * sine), body.x * sine - body.y * cosine,
+          radial - (body.v_x * cosine + body.v_y * sine), r * orbital + body.v_x * sine - body.v_y * cosine,
+          spin};
+}
+
+/// Motions relative to the inner and to the outer race side by side.
+inline RelativeMotion<PackPair> joined(const RelativeMotion<Pack>& inner, const RelativeMotion<Pack>& outer) {
+  return {{inner.d_r, outer.d_r},
+          {inner.d_t, outer.d_t},
+          {inner.w_r, outer.w_r},
+          {inner.w_t, outer.w_t},
+          inner.spin};
+}
 
 /// Force on the roller through its centre and moment about it; the other body feels the opposite force.
 template <class Number>
@@ -55,7 +91,8 @@ inline void split(const ContactSlopes<PackPair>& both, ContactSlopes<Pack>& inne
   }
 }
 
-/// How rollers move against a race, motion/contact_motion.hpp; speeds along the tangent t = z x n.
+/// How rollers move against a race: exact kinematics of rigid bodies, where the line of centres turns at its
+/// own rate; speeds along the tangent t = z x n.
 struct RaceMotion {
   PackPair n_r, n_t;              // [-]    normal, from the race's centre to the roller's
   PackPair inverse;               // [1/m]  1 / distance of both centres
@@ -96,7 +133,7 @@ inline RaceMotion race_motion(const RacePair& race, const Pack& radius, const Ma
     }
     gap -= m.form.height;
     opening -= m.form.slope * m.line - m.form.turning_slope * race.speed;
-    if (race.roller_scratches > 0) {
+    if (!race.roller_scratches.empty()) {
       FormSlopes<PackPair> own{};
       add_roller_scratches(race, state, c, s, own);
       gap -= own.height;
@@ -148,8 +185,9 @@ TangentForce tangent_force(const mechanics::SparseDual<kVariables, PackPair>& x,
   return t;
 }
 
-/// What the laws give in a motion: motion/race_forces.hpp.
+/// What the laws give in a motion.
 struct RaceLoads {
+  PackPair elastic_approach, elastic_load;       // [m], [N]  in the middle of the contact
   PackPair load;                                 // [N]  >= 0, with damping and squeeze
   PackPair by_approach, by_closing, by_rolling;  // its slopes
   TangentForce friction;
@@ -207,6 +245,8 @@ RaceLoads race_loads(const RacePair& race, const RaceMotion& m, const Pack& cosi
   ElasticLoad e{elastic_approach<WithSlopes>(race, m.approach, log_speed), {}};
   e.load = race.laminae.count > 0 ? lamina_load(race, e.approach, cosine, sine, stand)
                                   : straight_load(race, e.approach);
+  x.elastic_approach = e.approach.value;
+  x.elastic_load = e.load.load;
   const auto damped = damping_factor(race.damping, variable<0>(m.closing));
   x.load = e.load.load * damped.value;
   if constexpr (WithSlopes) {
@@ -355,6 +395,28 @@ inline void race_slopes(const RacePair& race, const RaceMotion& m, const RaceLoa
   slopes.by_spin[2] = n.spin.moment;
 }
 
+/// Along the normal and the tangent, and about the roller's centre.
+struct NormalForce {
+  PackPair normal, tangential, moment;
+};
+
+inline NormalForce normal_force(const RacePair& race, const RaceMotion& m, const RaceLoads& x) {
+  NormalForce force{-race.side * x.load, x.friction.force + x.inlet.force * x.tilt,
+                    (x.friction.force - x.inlet.force) * m.roller_arm};
+  if (!race.round) {
+    force.tangential += race.side * x.load * m.form.slope * m.inverse;
+    force.moment -= race.side * x.load * m.form.rolling_slope;
+  }
+  return force;
+}
+
+/// In polar axes.
+inline ContactForce<PackPair> contact_force(const RaceMotion& m, const RaceLoads& x,
+                                            const NormalForce& force) {
+  return {force.normal * m.n_r - force.tangential * m.n_t, force.normal * m.n_t + force.tangential * m.n_r,
+          force.moment, x.load};
+}
+
 /// Forces of both races on the rollers, and their slopes where wanted. `radius` [m] are those of the rollers;
 /// lanes outside `present` have no contact. `cosine` and `sine` are those of the rollers' places. `stand` is
 /// set where the contacts are cut into laminae.
@@ -365,27 +427,16 @@ ContactForce<PackPair> race_contact(const RacePair& race, const Pack& radius, co
                                     LaminaStand& stand) {
   const RaceMotion m = race_motion(race, radius, present, cosine, sine, state, relative);
   const RaceLoads x = race_loads<WithSlopes>(race, m, cosine, sine, stand);
-  ContactForce<PackPair> result;
   if (!any(x.load > 0.0)) {
     if constexpr (WithSlopes) slopes = ContactSlopes<PackPair>{};
-    return result;
+    return {};
   }
-  const PackPair f_n = -race.side * x.load;
-  PackPair f_t = x.friction.force + x.inlet.force * x.tilt;
-  PackPair moment = (x.friction.force - x.inlet.force) * m.roller_arm;
-  if (!race.round) {
-    f_t += race.side * x.load * m.form.slope * m.inverse;
-    moment -= race.side * x.load * m.form.rolling_slope;
-  }
+  const NormalForce force = normal_force(race, m, x);
   if (race.rim_waves > 0)
     add_wave_forces(race.rim_waves, x.load.high, m.n_r.high * cosine - m.n_t.high * sine,
                     m.n_r.high * sine + m.n_t.high * cosine, state.wave_force);
-  result.f_r = f_n * m.n_r - f_t * m.n_t;
-  result.f_t = f_n * m.n_t + f_t * m.n_r;
-  result.moment = moment;
-  result.load = x.load;
-  if constexpr (WithSlopes) race_slopes(race, m, x, f_n, f_t, slopes);
-  return result;
+  if constexpr (WithSlopes) race_slopes(race, m, x, force.normal, force.tangential, slopes);
+  return contact_force(m, x, force);
 }
 
 }  // namespace orbearing::bearing::vectorised::ORBEARING_PACKS

@@ -1,5 +1,12 @@
-// Form of a race at the contacts: bearing/contact/race_form.hpp for packs of contacts, with one derivative
-// more.
+// What the form of a race changes in a contact: bearing/contact/race_form.hpp for packs of contacts, with one
+// derivative more. The load stays the slope of the stored energy:
+//
+//   approach = s (distance - R(phi)) + a,   phi: angle of the normal n
+//   force on the roller = -load d(approach)/d(position) = -s load n + s load R'(phi) / distance t
+//
+// so that a small tangential force joins the normal one; its moment about the race's centre, s load R', goes
+// to the race, for the roller is round and takes none. A scratch of the race is a form too. One of the roller
+// is as well, but turns with the roller, which then takes the moment.
 #pragma once
 
 #include "bearing/motion/vectorised/race_pair.hpp"
@@ -27,9 +34,9 @@ struct FormSlopes {
 /// inner one (side -1).
 inline void add_scratches(const RaceConstants& race, const Pack& cosine, const Pack& sine,
                           FormSlopes<Pack>& sum) {
-  for (int i = 0; i < race.scratches; ++i) {
-    const RaceScratch& scratch = race.scratch[i];
-    const TrackSinking<Pack> sunk = sinking_at(scratch.law, scratch.radius, scratch.angle, cosine, sine);
+  for (const RaceScratch& scratch : race.scratches) {
+    const TrackSinking<Pack> sunk =
+        sinking_at(scratch.law, scratch.radius, scratch.angle + race.turned, cosine, sine);
     sum.height += race.side * sunk.depth;
     sum.slope += race.side * sunk.by_angle;
     sum.bend += race.side * sunk.bend;
@@ -60,7 +67,7 @@ struct PackMultiples {
   }
 };
 
-/// Adds the waves of the elastic outer race: motion/form_motion.hpp.
+/// Adds the waves of the elastic outer race, as a form that stands in the carrier and changes.
 inline void add_rim(int waves, const FormState& state, const Pack& cosine, const Pack& sine,
                     FormSlopes<PackPair>& form) {
   Pack height = spread(state.wave[0]), rate = spread(state.wave_speed[0]), slope{}, bend{}, rate_slope{};
@@ -96,8 +103,7 @@ inline void add_wave_forces(int waves, const Pack& load, const Pack& cosine, con
 /// `cosine`, `sine` of the normal's angle in the carrier frame.
 inline FormSlopes<Pack> form_slopes(const RaceConstants& race, const Pack& cosine, const Pack& sine) {
   FormSlopes<Pack> sum{};
-  for (int i = 0; i < race.waves; ++i) {
-    const WaveConstants& wave = race.wave[i];
+  for (const RaceHarmonic& wave : race.form) {
     // (cosine + i sine)^order, by squaring.
     Pack c = spread(1.0), s{}, base_c = cosine, base_s = sine;
     for (int n = wave.order; n > 0; n /= 2) {
@@ -110,9 +116,9 @@ inline FormSlopes<Pack> form_slopes(const RaceConstants& race, const Pack& cosin
       base_s = 2.0 * base_c * base_s;
       base_c = square;
     }
-    const double turn_c = wave.amplitude * __builtin_cos(wave.phase);
-    const double turn_s = wave.amplitude * __builtin_sin(wave.phase);
-    const double order = wave.order;
+    const double order = wave.order, phase = wave.turning ? wave.phase - order * race.turned : wave.phase;
+    const double turn_c = wave.amplitude * __builtin_cos(phase);
+    const double turn_s = wave.amplitude * __builtin_sin(phase);
     const Pack height = turn_c * c - turn_s * s;
     const Pack slope = -order * (turn_c * s + turn_s * c);
     sum.height += height;
@@ -154,8 +160,7 @@ inline void add_roller_scratch(const RollerScratch& scratch, double side, double
 
 inline void add_roller_scratches(const RacePair& race, const FormState& rollers, const PackPair& cosine,
                                  const PackPair& sine, FormSlopes<PackPair>& form) {
-  for (int i = 0; i < race.roller_scratches; ++i) {
-    const RollerScratch& scratch = race.roller_scratch[i];
+  for (const RollerScratch& scratch : race.roller_scratches) {
     const int lane = scratch.roller - rollers.first;
     if (lane < 0 || lane >= kLanes) continue;
     const Mask own = first_lanes(lane + 1) & ~first_lanes(lane);

@@ -17,8 +17,7 @@ struct RacePair : RaceNumbers<NumberPair> {
   const RaceConstants* inner = nullptr;
   const RaceConstants* outer = nullptr;
   LaminaConstants laminae;
-  int roller_scratches = 0;
-  const RollerScratch* roller_scratch = nullptr;  // (roller_scratches)
+  Listed<RollerScratch> roller_scratches;
 };
 
 /// The numbers of both races side by side. Constants hold nothing but numbers.
@@ -45,14 +44,13 @@ inline RacePair race_pair(const Constants& constants) {
   static_cast<FrictionChoice&>(both.friction) = inner.friction;
   both.film = inner.film;
   both.squeezed = inner.squeezed;
-  both.round = inner.waves == 0 && outer.waves == 0 && inner.scratches == 0 && outer.scratches == 0 &&
-               constants.roller_scratches == 0 && constants.rim.waves == 0;
-  both.rim_waves = constants.rim.waves;
+  both.round = inner.form.empty() && outer.form.empty() && inner.scratches.empty() &&
+               outer.scratches.empty() && constants.roller_scratches.empty() && constants.rim.empty();
+  both.rim_waves = constants.rim.count;
   both.inner = &inner;
   both.outer = &outer;
   both.laminae = constants.laminae;
   both.roller_scratches = constants.roller_scratches;
-  both.roller_scratch = constants.roller_scratch;
   return both;
 }
 

@@ -202,10 +202,10 @@ void PackEngine::build_block(int p, double g) {
 template <bool OpenBore, bool Caged>
 void PackEngine::add_rings(double g, RingBlock& rings) const {
   const auto frame = [&](int first) {
-    rings.a[first][first] += 1.0 - g * g * c_.centrifugal;
-    rings.a[first + 1][first + 1] += 1.0 - g * g * c_.centrifugal;
-    rings.a[first][first + 1] -= g * (2.0 * c_.coriolis_speed + g * c_.euler);
-    rings.a[first + 1][first] += g * (2.0 * c_.coriolis_speed + g * c_.euler);
+    rings.a[first][first] += 1.0 - g * g * c_.frame.centrifugal;
+    rings.a[first + 1][first + 1] += 1.0 - g * g * c_.frame.centrifugal;
+    rings.a[first][first + 1] -= g * (2.0 * c_.frame.coriolis_speed + g * c_.frame.euler);
+    rings.a[first + 1][first] += g * (2.0 * c_.frame.coriolis_speed + g * c_.frame.euler);
   };
   frame(kPin);
   if constexpr (!OpenBore) frame(kBore);

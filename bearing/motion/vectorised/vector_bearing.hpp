@@ -1,5 +1,4 @@
-// The planet bearing in time, vectorised over rollers, with its Jacobian in block-arrow form: the fast path
-// beside the readable equations of bearing/motion, with which it agrees to round-off.
+// The planet bearing in time, vectorised over rollers, with its Jacobian in block-arrow form.
 //
 // A roller couples only with pin, bore and cage. In the stages of a linearly implicit method positions follow
 // from velocities, so one roller leaves three unknowns and the rings seven; eliminating the rollers costs
@@ -9,15 +8,10 @@
 #include <memory>
 #include <vector>
 
-#include "bearing/motion/bore_motion.hpp"
-#include "bearing/motion/model.hpp"
-#include "bearing/motion/vectorised/engine.hpp"
+#include "bearing/motion/vectorised/model_constants.hpp"
 #include "mechanics/packs/instruction_set.hpp"
 
 namespace orbearing::bearing::vectorised {
-
-/// Whether the vectorised bearing knows all that `model` holds: not run-ups.
-bool supports(const motion::BearingModel& model);
 
 /// The vectorised bearing: engine, layout and conversion from and to the flat state of bearing/motion.
 class VectorBearing {
@@ -25,7 +19,7 @@ class VectorBearing {
   explicit VectorBearing(const motion::BearingModel& model,
                          mechanics::InstructionSet set = mechanics::best_instruction_set());
 
-  const PaddedLayout& layout() const { return layout_; }
+  const PaddedLayout& layout() const { return given_.layout(); }
   const motion::BearingModel& model() const { return model_; }
   mechanics::InstructionSet instruction_set() const { return set_; }
 
@@ -33,17 +27,27 @@ class VectorBearing {
   void derivative(double time, const double* x, double* dx);
   /// As derivative(), and keeps the Jacobian for factor() and solve().
   void linearise(double time, const double* x, double* dx);
-  /// Slope of the right-hand side by time alone through the load on the bore at `time` [s], into `rate`
-  /// (padded). That of waves and scratches that turn with a race is left out: the order does not ask for it.
+  /// Slope of the right-hand side by time alone through the load on the bore at `time` [s], and in a run-up
+  /// through all that it changes, into `rate` (padded), where it was linearised last. That of waves and
+  /// scratches that turn with a race at a steady speed is left out: the order does not ask for it.
   void time_slope(double time, double* rate);
   bool factor(double g) { return engine_->factor(g); }
   void solve(const double* rhs, double* k) const { engine_->solve(rhs, k); }
   ContactLoads loads() const { return engine_->loads(); }
+  /// At the last evaluation.
+  const Surroundings& surroundings() const { return now_; }
+
+  /// As derivative(), of a state in the order of motion/layout.hpp.
+  void derivative(double time, const Eigen::Ref<const Eigen::VectorXd>& x, Eigen::Ref<Eigen::VectorXd> dx);
 
   /// As their namesakes, for a bore that is driven: it stands where its four entries of `x` say, and its
   /// velocity changes at the acceleration of `motion`; place and velocity of `motion` are not used.
   void derivative(const motion::BoreMotion& motion, const double* x, double* dx);
   void linearise(const motion::BoreMotion& motion, const double* x, double* dx);
+  /// Of a state in the order of motion/layout.hpp, with its bore where `motion` says; what the bearing does
+  /// to it.
+  motion::BoreReaction derivative(const motion::BoreMotion& motion,
+                                  const Eigen::Ref<const Eigen::VectorXd>& x, Eigen::Ref<Eigen::VectorXd> dx);
   /// What the bearing does to the bore, at the last evaluation.
   motion::BoreReaction reaction() const;
   /// Slopes of its force, at the last linearisation.
@@ -58,25 +62,22 @@ class VectorBearing {
     engine_->complete(rhs, rate, k);
   }
 
-  std::vector<double> padded(const Eigen::Ref<const Eigen::VectorXd>& flat) const;
-  void flatten(const double* padded, Eigen::Ref<Eigen::VectorXd> flat) const;
+  std::vector<double> padded(const Eigen::Ref<const Eigen::VectorXd>& flat) const {
+    return given_.padded(flat);
+  }
+  void flatten(const double* padded, Eigen::Ref<Eigen::VectorXd> flat) const { given_.flatten(padded, flat); }
 
  private:
-  void set_time(double time);
-  void set_motion(const motion::BoreMotion& motion);
+  void set(const Surroundings& now);
 
   motion::BearingModel model_;
-  PaddedLayout layout_;
+  ModelConstants given_;  // of model_
   mechanics::InstructionSet set_;
-  std::vector<double> pocket_cosine_;
-  std::vector<double> pocket_sine_;
-  std::vector<double> roller_radius_;
-  std::vector<WaveConstants> inner_waves_;
-  std::vector<WaveConstants> outer_waves_;
-  std::vector<RaceScratch> inner_scratches_;
-  std::vector<RaceScratch> outer_scratches_;
-  bool turning_forms_ = false;  // waves or scratches
+  bool changes_;
+  Surroundings now_;
   std::unique_ptr<Engine> engine_;
+  std::vector<double> flat_state_, flat_rate_;  // padded, of a flat state
+  std::vector<double> last_state_, last_rate_;  // padded, of the last linearisation in a run-up
 };
 
 }  // namespace orbearing::bearing::vectorised

@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include "bearing/motion/equations.hpp"
 #include "bearing/motion/snapshot.hpp"
 #include "tests/unit/motion/reducer_bearing.hpp"
 

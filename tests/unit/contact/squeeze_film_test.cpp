@@ -9,7 +9,6 @@
 
 #include "bearing/contact/film.hpp"
 #include "bearing/contact/race_contact.hpp"
-#include "bearing/motion/race_load.hpp"
 #include "tests/unit/motion/reducer_bearing.hpp"
 
 namespace orbearing::bearing::squeeze_film_test {
@@ -98,14 +97,16 @@ TEST(SqueezeFilm, NeverPullsAndNeverGives) {
 TEST(SqueezeFilm, GapIsTheDistanceOfBodiesThatDoNotTouchAndTheFilmOfThoseThatDo) {
   const Contact contact;
   const double u = std::log(8.0), central = std::exp(contact.film.log_unloaded(u));
-  const motion::RaceLoadLaw filmed(contact.elastic, contact.oil);
+  const auto filmed = [&](double approach) {
+    return elastic_approach(contact.film, std::log(contact.elastic.constant()), approach, u).value;
+  };
   for (const double approach : {-20e-6, -2e-6, -0.3e-6, 0.0, 0.4e-6, 5e-6}) {
     const double dry_load = contact.elastic.load(approach);
     const double dry = contact.law.gap(false, contact.film, approach, approach, dry_load, u);
     EXPECT_NEAR(
         dry, approach <= 0.0 ? central - approach : std::exp(contact.film.log_central(std::log(dry_load), u)),
         1e-12 * dry);
-    const double elastic = filmed.elastic_approach(approach, 8.0), load = contact.elastic.load(elastic);
+    const double elastic = filmed(approach), load = contact.elastic.load(elastic);
     const double wet = contact.law.gap(true, contact.film, approach, elastic, load, u);
     EXPECT_NEAR(wet, elastic <= 0.0 ? -approach : std::exp(contact.film.log_central(std::log(load), u)),
                 1e-9 * wet);

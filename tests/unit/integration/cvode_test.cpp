@@ -6,9 +6,9 @@
 
 #include <cmath>
 
-#include "bearing/motion/equations.hpp"
 #include "bearing/motion/initial_state.hpp"
 #include "bearing/motion/snapshot.hpp"
+#include "bearing/motion/vectorised/vector_bearing.hpp"
 #include "benchmarks/cvode.hpp"
 #include "coupling/integration/integrate.hpp"
 #include "coupling/system/bearing_steps.hpp"
@@ -82,7 +82,7 @@ class CvodeBearing : public testing::Test {
   bearing::Bearing bearing = test::reducer_bearing();
   bearing::OperatingPoint point = test::reducer_point(6000.0);
   bearing::motion::DynamicsParameters parameters = film_on();
-  bearing::motion::PlanetBearingEquations equations;
+  bearing::vectorised::VectorBearing equations;
   Eigen::VectorXd start;
   Eigen::VectorXd allowed;
 

@@ -275,11 +275,11 @@ TEST(BearingRefusals, HalfSpacesAndGrids) {
 TEST(BearingRefusals, RimsPinsEllipsesAndLives) {
   ElasticRace race = test::bending_race();
   EXPECT_REFUSED(Refused, "rim order", (void)motion::moving_waves(race, {.most_order = -1}));
-  EXPECT_REFUSED(Refused, "rim damping", (void)motion::rim_model(race, {.damping_ratio = -0.1}));
+  EXPECT_REFUSED(Refused, "rim damping", (void)motion::rim_waves(race, {.damping_ratio = -0.1}));
   race.mass[2] = 0.0;
-  EXPECT_REFUSED(Refused, "rim mass", (void)motion::rim_model(race, {}));
+  EXPECT_REFUSED(Refused, "rim mass", (void)motion::rim_waves(race, {}));
   race.mass.conservativeResize(3);
-  EXPECT_REFUSED(Refused, "rim masses", (void)motion::rim_model(race, {}));
+  EXPECT_REFUSED(Refused, "rim masses", (void)motion::rim_waves(race, {}));
   EXPECT_REFUSED(Refused, "pin span", (void)pin_compliance({.diameter = 0.01}, {0.0}));
   EXPECT_REFUSED(Refused, "ellipse slices", (void)ellipse_points(0, 4));
   EXPECT_REFUSED(Refused, "ellipse rows", (void)ellipse_points(4, 0));

@@ -1,11 +1,11 @@
 // The bearing whose bore is driven, against the one whose bore is free, and its balance of power.
-#include "bearing/motion/driven_bore.hpp"
+#include "bearing/motion/driven_start.hpp"
 
 #include <gtest/gtest.h>
 
 #include "bearing/equilibrium/elastic_waves.hpp"
-#include "bearing/motion/driven_start.hpp"
-#include "bearing/motion/equations.hpp"
+#include "bearing/motion/snapshot.hpp"
+#include "bearing/motion/vectorised/vector_bearing.hpp"
 #include "tests/unit/motion/reducer_bearing.hpp"
 
 namespace orbearing::bearing::motion::driven_bore_test {
@@ -64,12 +64,12 @@ class DrivenBore : public testing::TestWithParam<Variant> {
 // F = m (a - frame) - load.
 TEST_P(DrivenBore, ReactionIsWhatTheFreeBoreFeels) {
   const BearingModel model = bearing_model(bearing, point, parameters);
-  const PlanetBearingEquations free(model);
+  vectorised::VectorBearing equations(model);
   constexpr double kTime = 1e-3;
   for (int i = 0; i < kStates; ++i) {
     const Eigen::VectorXd x = shaken(model, i);
     Eigen::VectorXd free_rate(x.size()), rate(x.size());
-    free.derivative(kTime, x, free_rate);
+    equations.derivative(kTime, x, free_rate);
     BoreMotion motion = motion_of(model, x, kTime);
     motion.acceleration = free_rate.segment<2>(model.layout.bore() + 2);
     CarrierFrame centred = model.frame;
@@ -78,13 +78,13 @@ TEST_P(DrivenBore, ReactionIsWhatTheFreeBoreFeels) {
         model.bore_mass *
             (motion.acceleration - inertial_acceleration(centred, motion.position, motion.velocity)) -
         point.bore_load;
-    const BoreReaction found = driven_derivative(model, motion, x, rate);
+    const BoreReaction found = equations.derivative(motion, x, rate);
     EXPECT_LT((found.force - expected).norm(), 1e-12 * (expected.norm() + point.bore_load.norm()));
     EXPECT_EQ((rate - free_rate).cwiseAbs().maxCoeff(), 0.0) << "all bodies feel the same";
-    const BoreReaction alone = reaction(model, motion, x);
+    const BoreReaction alone = driven_snapshot(model, motion, x).on_bore;
     EXPECT_LT((found.force - alone.force).norm(), 1e-12 * found.force.norm());
     EXPECT_NEAR(found.moment, alone.moment, 1e-12 * found.force.norm() * model.geometry.outer_radius);
-    EXPECT_NEAR(found.moment, snapshot(model, x, kTime).bore_friction_moment,
+    EXPECT_NEAR(found.moment, snapshot(model, x, kTime).on_bore.moment,
                 1e-12 * found.force.norm() * model.geometry.outer_radius);
   }
 }
@@ -94,19 +94,25 @@ TEST_P(DrivenBore, ReactionIsWhatTheFreeBoreFeels) {
 TEST_P(DrivenBore, PowerAtTheBoreIsStoredOrLost) {
   BearingModel model = bearing_model(bearing, point, parameters);
   model.bore_mass = 0.0;  // its inertia belongs to whoever moves it
+  vectorised::VectorBearing equations(model);
   int kinked = 0;
   for (int i = 0; i < kStates; ++i) {
     const Eigen::VectorXd x = shaken(model, i);
     const BoreMotion motion = motion_of(model, x, 0.0);
     Eigen::VectorXd rate(x.size());
-    const BoreReaction on_bore = driven_derivative(model, motion, x, rate);
-    const BearingModel now = model_at(model, motion);
-    const PowerInput input = power_input(now, 0.0, x, rate);
+    const BoreReaction on_bore = equations.derivative(motion, x, rate);
+    const PowerInput input = driven_power_input(model, motion, x, rate);
     const double loss = driven_snapshot(model, motion, x).loss.total();
     const double at_port = -on_bore.force.dot(motion.velocity) - on_bore.moment * motion.speed;
     const double others = input.euler + input.changing_film + input.out_of_roundness;
     const auto slope = [&](double step) {
-      const auto energy = [&](double time) { return stored_energy(now, x + time * rate, time).total(); };
+      const auto energy = [&](double time) {
+        BoreMotion then = motion;
+        then.position += time * motion.velocity;
+        then.velocity += time * motion.acceleration;
+        then.angle += time * motion.speed;
+        return driven_energy(model, then, x + time * rate).total();
+      };
       return (energy(step) - energy(-step)) / (2.0 * step);
     };
     const double narrow = slope(1e-9), wide = slope(2e-9);
@@ -130,19 +136,23 @@ TEST_P(DrivenBore, StartsWithThePinInBalance) {
     motion.carrier_speed = point.carrier.speed;
     const PinBalance balance = balance_pin(bearing, model, parameters, motion, 0.3);
     ASSERT_TRUE(balance.rollers.report.converged);
-    Vector2 force = model.pin_mass *
-                        inertial_acceleration(frame_of(model, motion), Vector2(0.0, 0.0), Vector2(0.0, 0.0)) -
+    Vector2 force = model.pin_mass * inertial_acceleration(vectorised::surroundings_of(model, motion).frame,
+                                                           Vector2(0.0, 0.0), Vector2(0.0, 0.0)) -
                     model.support.stiffness * balance.pin;
     for (Eigen::Index j = 0; j < model.layout.rollers; ++j)
       force -= balance.rollers.inner_load[j] *
                Vector2(std::cos(balance.rollers.angle[j]), std::sin(balance.rollers.angle[j]));
     EXPECT_LT(force.norm(), 1e-8 * (1.0 + balance.rollers.inner_load.sum()));
-    Eigen::VectorXd on_waves = -model.rim.stiffness.cwiseProduct(balance.rollers.waves - model.rim.at_rest);
+    Eigen::VectorXd on_waves(model.layout.waves);
+    for (Eigen::Index i = 0; i < model.layout.waves; ++i) {
+      const vectorised::RimWave& wave = model.rim[static_cast<std::size_t>(i)];
+      on_waves[i] = -wave.stiffness * (balance.rollers.waves[i] - wave.at_rest);
+    }
     for (Eigen::Index j = 0; j < model.layout.rollers && GetParam().rim; ++j)
       on_waves += balance.rollers.outer_load[j] * wave_shapes(model.point.outer_race, balance.rollers.angle[j]);
     EXPECT_LT(on_waves.norm(), 1e-8 * (1.0 + balance.rollers.inner_load.sum()));
     const Eigen::VectorXd x = driven_start(bearing, model, parameters, motion, 0.3);
-    const BoreReaction on_bore = reaction(model, motion, x);
+    const BoreReaction on_bore = driven_snapshot(model, motion, x).on_bore;
     // The rollers' own places are those of straight rays and round races: some per cent.
     Vector2 expected = Vector2::Zero();
     for (Eigen::Index j = 0; j < model.layout.rollers; ++j)
@@ -178,7 +188,7 @@ TEST_P(DrivenBore, StartsWhereAllIsZero) {
   const Eigen::VectorXd x = driven_start(bearing, model, parameters, {}, 0.0);
   Eigen::VectorXd rate(x.size());
   EXPECT_TRUE(x.allFinite());
-  driven_derivative(model, {}, x, rate);
+  vectorised::VectorBearing(model).derivative(BoreMotion{}, x, rate);
   EXPECT_TRUE(rate.allFinite());
 }
 
