@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <boost/version.hpp>
+#include <set>
 
 #include "app/case/field_table.hpp"
 #include "app/case/resolved_writer.hpp"
@@ -54,12 +55,13 @@ constexpr const char* kPowerPath = "input.power";
 /// Settings of one combination of the swept values that the bins of a spectrum do not state.
 std::vector<std::vector<Setting>> lines_of_spectrum(const ResolvedCase& resolved) {
   std::vector<std::vector<Setting>> lines;
+  std::set<std::vector<Setting>> known;
   for (std::size_t i = 0; i < sweep_size(resolved); ++i) {
     std::vector<Setting> line = sweep_point(resolved, i);
     std::erase_if(line, [](const Setting& setting) {
       return setting.first == kSpeedPath || setting.first == kPowerPath;
     });
-    if (std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(std::move(line));
+    if (known.insert(line).second) lines.push_back(std::move(line));
   }
   return lines;
 }
@@ -76,19 +78,21 @@ bool is_idle_bin(const std::vector<Setting>& settings) {
 /// The bins that turn, for each combination of the other swept values.
 void add_spectrum(const ResolvedCase& resolved, LoadSpectrum& spectrum, std::vector<SweepPoint>& points) {
   const std::vector<std::vector<Setting>> lines = lines_of_spectrum(resolved);
+  const std::vector<std::size_t> turning = spectrum.turning();
+  const std::size_t count = points.size() + lines.size() * turning.size();
+  if (static_cast<double>(count) > most_points)
+    throw BadInput(
+        fmt::format("{}: spectrum: found {} operating points with those of the sweep; required: at most {}",
+                    resolved.origin(kSpectrumPath), count, most_points));
   spectrum.lines = lines.size();
   for (const std::vector<Setting>& line : lines)
-    for (const std::size_t number : spectrum.turning()) {
+    for (const std::size_t number : turning) {
       const LoadBin& bin = spectrum.bins[number];
       std::vector<Setting> settings = line;
       settings.emplace_back(kPowerPath, entering_power_text(bin));
       settings.emplace_back(kSpeedPath, fmt::format("{} rad/s", bin.speed));
       points.push_back(point_of(resolved, std::move(settings)));
     }
-  if (static_cast<double>(points.size()) > most_points)
-    throw BadInput(
-        fmt::format("{}: spectrum: found {} operating points with those of the sweep; required: at most {}",
-                    resolved.origin(kSpectrumPath), points.size(), most_points));
 }
 
 }  // namespace
