@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bearing/equilibrium/lamina_bearing.hpp"
+#include "bearing/equilibrium/quasi_static.hpp"
 #include "bearing/equilibrium/level_pitch.hpp"
 #include "benchmarks/frozen/constants.hpp"
 #include "benchmarks/runs.hpp"

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "bearing/motion/vectorised/vector_bearing.hpp"
+#include "bearing/motion/vector_bearing.hpp"
 #include "benchmarks/clocks.hpp"
 #include "benchmarks/load_tally.hpp"
 #include "benchmarks/reducer.hpp"

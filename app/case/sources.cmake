@@ -19,6 +19,7 @@ set(ORBEARING_CASE_SOURCES
   case/drivetrain_fields.cpp
   case/field.cpp
   case/field_table.cpp
+  case/described_use.cpp
   case/field_use.cpp
   case/film_fields.cpp
   case/former_keys.cpp

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include "bearing/equilibrium/lamina_bearing.hpp"
+#include "bearing/equilibrium/quasi_static.hpp"
 
 namespace orbearing::bearing::laminae {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bearing/contact/lamina_contact.hpp"
-#include "bearing/equilibrium/quasi_static.hpp"
+#include "bearing/equilibrium/quasi_static_state.hpp"
 #include "bearing/geometry.hpp"
 #include "bearing/parameters.hpp"
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bearing/equilibrium/lamina_bearing.hpp"
+#include "bearing/equilibrium/quasi_static.hpp"
 #include "bearing/equilibrium/level_engine.hpp"
 #include "mechanics/packs/instruction_set.hpp"
 

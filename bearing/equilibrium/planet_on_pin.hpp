@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "bearing/equilibrium/lamina_bearing.hpp"
+#include "bearing/equilibrium/quasi_static.hpp"
 
 namespace orbearing::bearing::laminae {
 

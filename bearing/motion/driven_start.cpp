@@ -9,7 +9,7 @@
 
 #include "bearing/equilibrium/elastic_waves.hpp"
 #include "bearing/equilibrium/roller_balance.hpp"
-#include "bearing/motion/vectorised/model_constants.hpp"
+#include "bearing/motion/model_constants.hpp"
 
 namespace orbearing::bearing::motion {
 

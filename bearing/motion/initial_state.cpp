@@ -5,7 +5,7 @@
 #include "bearing/contact/race_form.hpp"
 #include "bearing/equilibrium/elastic_waves.hpp"
 #include "bearing/equilibrium/race_equilibrium.hpp"
-#include "bearing/motion/vectorised/model_constants.hpp"
+#include "bearing/motion/model_constants.hpp"
 
 namespace orbearing::bearing::motion {
 

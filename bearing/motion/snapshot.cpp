@@ -4,7 +4,7 @@
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 
-#include "bearing/motion/vectorised/model_constants.hpp"
+#include "bearing/motion/model_constants.hpp"
 
 namespace orbearing::bearing::motion {
 

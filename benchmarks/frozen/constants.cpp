@@ -4,7 +4,7 @@
 #include <random>
 #include <stdexcept>
 
-#include "bearing/motion/vectorised/vector_bearing.hpp"
+#include "bearing/motion/vector_bearing.hpp"
 
 namespace orbearing::bench::frozen {
 

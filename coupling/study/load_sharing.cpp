@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "bearing/equilibrium/lamina_bearing.hpp"
+#include "bearing/equilibrium/quasi_static.hpp"
 #include "bearing/equilibrium/level_pitch.hpp"
 #include "coupling/study/bearing_tangent.hpp"
 #include "gearset/dynamics/bearing_force.hpp"

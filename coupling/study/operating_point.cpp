@@ -9,6 +9,7 @@
 #include "bearing/contact/line_contact.hpp"
 #include "bearing/equilibrium/elastic_waves.hpp"
 #include "bearing/equilibrium/lamina_bearing.hpp"
+#include "bearing/equilibrium/quasi_static.hpp"
 #include "bearing/equilibrium/level_pitch.hpp"
 #include "bearing/equilibrium/race_equilibrium.hpp"
 #include "bearing/life/lundberg_palmgren.hpp"

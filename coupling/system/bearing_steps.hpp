@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "bearing/motion/vectorised/vector_bearing.hpp"
+#include "bearing/motion/vector_bearing.hpp"
 #include "coupling/integration/step_control.hpp"
 
 namespace orbearing::system {

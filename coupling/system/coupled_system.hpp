@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "bearing/motion/vectorised/vector_bearing.hpp"
+#include "bearing/motion/vector_bearing.hpp"
 #include "coupling/system/coupled_model.hpp"
 #include "coupling/system/driven_system.hpp"
 #include "coupling/system/stage_reactions.hpp"

@@ -1,7 +1,7 @@
 // A planet bearing by itself, under the load that its bore gets: its integration, and its motion.
 #pragma once
 
-#include "bearing/motion/vectorised/vector_bearing.hpp"
+#include "bearing/motion/vector_bearing.hpp"
 #include "coupling/system/motion.hpp"
 
 namespace orbearing::system {

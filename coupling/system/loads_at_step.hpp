@@ -6,7 +6,7 @@
 
 #include "bearing/life/damage.hpp"
 #include "bearing/motion/statistics.hpp"
-#include "bearing/motion/vectorised/vector_bearing.hpp"
+#include "bearing/motion/vector_bearing.hpp"
 
 namespace orbearing::system {
 

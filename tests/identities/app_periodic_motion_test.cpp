@@ -13,7 +13,7 @@
 #include "app/case/case_file.hpp"
 #include "app/study/planetary_case.hpp"
 #include "bearing/motion/initial_state.hpp"
-#include "bearing/motion/vectorised/vector_bearing.hpp"
+#include "bearing/motion/vector_bearing.hpp"
 #include "coupling/integration/rosenbrock2.hpp"
 #include "coupling/study/operating_point.hpp"
 #include "coupling/system/bearing_steps.hpp"

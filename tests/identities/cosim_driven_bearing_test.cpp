@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "bearing/motion/driven_start.hpp"
-#include "bearing/motion/vectorised/vector_bearing.hpp"
+#include "bearing/motion/vector_bearing.hpp"
 #include "coupling/integration/integrate.hpp"
 #include "coupling/integration/rosenbrock2.hpp"
 #include "coupling/integration/window.hpp"

@@ -6,7 +6,7 @@
 
 #include <stdexcept>
 
-#include "bearing/motion/vectorised/vector_bearing.hpp"
+#include "bearing/motion/vector_bearing.hpp"
 #include "coupling/integration/gear_steps.hpp"
 #include "coupling/integration/rosenbrock2.hpp"
 #include "coupling/integration/rosenbrock4.hpp"

@@ -4,7 +4,7 @@
 #include <cstdlib>
 
 #include "bearing/motion/snapshot.hpp"
-#include "bearing/motion/vectorised/vector_bearing.hpp"
+#include "bearing/motion/vector_bearing.hpp"
 #include "coupling/integration/rosenbrock3.hpp"
 #include "coupling/integration/rosenbrock4.hpp"
 #include "coupling/system/bearing_steps.hpp"

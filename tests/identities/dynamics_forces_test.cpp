@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "bearing/motion/snapshot.hpp"
-#include "bearing/motion/vectorised/vector_bearing.hpp"
+#include "bearing/motion/vector_bearing.hpp"
 #include "tests/many_scratches.hpp"
 #include "tests/unit/motion/reducer_bearing.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "bearing/equilibrium/elastic_waves.hpp"
 #include "bearing/motion/snapshot.hpp"
-#include "bearing/motion/vectorised/vector_bearing.hpp"
+#include "bearing/motion/vector_bearing.hpp"
 #include "coupling/integration/integrate.hpp"
 #include "coupling/system/bearing_steps.hpp"
 #include "coupling/system/steady_state.hpp"

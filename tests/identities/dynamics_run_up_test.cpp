@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "bearing/motion/driving.hpp"
-#include "bearing/motion/vectorised/model_constants.hpp"
+#include "bearing/motion/model_constants.hpp"
 #include "coupling/system/steady_state.hpp"
 #include "tests/messages.hpp"
 #include "tests/unit/motion/reducer_bearing.hpp"

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "bearing/equilibrium/lamina_bearing.hpp"
+#include "bearing/equilibrium/quasi_static.hpp"
 
 namespace orbearing::bearing::laminae::lamina_bearing_test {
 namespace {

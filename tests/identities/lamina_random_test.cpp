@@ -6,6 +6,7 @@
 #include <string>
 
 #include "bearing/equilibrium/lamina_bearing.hpp"
+#include "bearing/equilibrium/quasi_static.hpp"
 #include "tests/random_laminae.hpp"
 
 namespace orbearing::bearing::laminae::lamina_random_test {

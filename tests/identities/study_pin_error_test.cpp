@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "bearing/equilibrium/lamina_bearing.hpp"
+#include "bearing/equilibrium/quasi_static.hpp"
 #include "bearing/equilibrium/race_equilibrium.hpp"
 #include "coupling/study/load_sharing.hpp"
 #include "coupling/study/operating_point.hpp"

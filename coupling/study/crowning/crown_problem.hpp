@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bearing/equilibrium/lamina_bearing.hpp"
+#include "bearing/equilibrium/quasi_static.hpp"
 #include "bearing/life/lamina_life.hpp"
 #include "coupling/study/crowning/profile_family.hpp"
 #include "coupling/study/tilting_planet.hpp"

@@ -8,7 +8,7 @@
 
 #include "bearing/motion/initial_state.hpp"
 #include "bearing/motion/snapshot.hpp"
-#include "bearing/motion/vectorised/vector_bearing.hpp"
+#include "bearing/motion/vector_bearing.hpp"
 #include "benchmarks/cvode.hpp"
 #include "coupling/integration/integrate.hpp"
 #include "coupling/system/bearing_steps.hpp"

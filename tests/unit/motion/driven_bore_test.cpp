@@ -5,7 +5,7 @@
 
 #include "bearing/equilibrium/elastic_waves.hpp"
 #include "bearing/motion/snapshot.hpp"
-#include "bearing/motion/vectorised/vector_bearing.hpp"
+#include "bearing/motion/vector_bearing.hpp"
 #include "tests/unit/motion/reducer_bearing.hpp"
 
 namespace orbearing::bearing::motion::driven_bore_test {

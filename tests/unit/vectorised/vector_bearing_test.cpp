@@ -1,5 +1,5 @@
 // The vectorised bearing by all instruction sets, and its linear algebra against differences.
-#include "bearing/motion/vectorised/vector_bearing.hpp"
+#include "bearing/motion/vector_bearing.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "bearing/motion/vectorised/model_constants.hpp"
+#include "bearing/motion/model_constants.hpp"
 
 #include <algorithm>
 #include <cassert>

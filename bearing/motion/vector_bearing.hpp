@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-#include "bearing/motion/vectorised/model_constants.hpp"
+#include "bearing/motion/model_constants.hpp"
 #include "mechanics/packs/instruction_set.hpp"
 
 namespace orbearing::bearing::vectorised {

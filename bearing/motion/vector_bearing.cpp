@@ -1,4 +1,4 @@
-#include "bearing/motion/vectorised/vector_bearing.hpp"
+#include "bearing/motion/vector_bearing.hpp"
 
 #include <algorithm>
 

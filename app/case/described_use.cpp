@@ -1,0 +1,404 @@
+// Who uses the fields whose rows stand beside their members: use_of() of field_use.hpp. Beside the other pairs of
+// this folder it has no header of its own, since what it asks of a case stands above the fields.
+#include <algorithm>
+#include <initializer_list>
+#include <iterator>
+
+#include "app/case/field_use.hpp"
+#include "app/case/mesh_fields.hpp"
+#include "app/case/use_conditions.hpp"
+
+namespace orbearing::app {
+
+namespace {
+
+// Analyses that hold the physics. All others cannot feel what belongs to it alone.
+unsigned holding(described::Felt felt) {
+  using enum described::Felt;
+  switch (felt) {
+    case everywhere:
+      return use::all;
+    case planet:
+      return use::of_a_drivetrain;
+    case pair:
+    case thrust:
+      return use::mesh;
+    case gear_bodies:
+      return use::gears_in_motion | use::natural;
+    case central_teeth:
+      return use::gears_in_motion | use::natural | use::mesh;
+    case output:
+      return 0;
+    case gear_motion:
+      return use::gears_in_motion;
+    case balance:
+      return use::lives | use::bearings_as_springs | use::fmu_bearing | use::lone_balance |
+             use::balls_in_motion | use::defect | use::duplex | use::planet_stiffness;
+    case carrier:
+      return use::lives | use::bearings_as_springs | use::fmu_bearing | use::balls_in_motion |
+             use::planet_stiffness;
+    case walls:
+      return use::gears_in_motion | use::natural | use::rollers_in_motion;
+    case pin:
+      return use::rollers_in_motion | use::bearings_as_springs | use::balls_in_motion;
+    case load_sharing:
+      return use::gears_in_motion | use::quasi_static;
+    case places:
+      return use::gears_in_motion | use::quasi_static | use::natural | use::mesh;
+    case at_rest:
+      return use::rollers_at_rest | use::one_set_in_time | use::bearings_as_springs;
+    case motion:
+      return use::rollers_in_motion | use::balls_in_motion;
+    case euler:
+      return use::dynamic | use::dynamic_of_sets | use::gears | use::fmu_gearset | use::fmu_bearing;
+    case life:
+      return use::lives | use::fmu_bearing | use::static_load;
+    case run:
+      return use::in_time;
+    case run_up:
+      return use::dynamic | use::dynamic_of_sets;
+    case lone:
+      return use::lone_balance | use::balls_in_motion | use::defect | use::duplex;
+    case turning_balls:
+      return use::lone_balance | use::duplex;
+    case lone_run:
+      return use::ball_run;
+    case defect:
+      return use::defect | use::moving_defect | use::planet_defect;
+    case exchange:
+      return use::co_simulated;
+    case one_contact:
+      return use::spin_film;
+  }
+  return 0;
+}
+
+// Analyses that ought to hold the physics and leave it out: they warn. Of several sets the meshes give mean
+// forces, and crown varies a planet of the mean load.
+unsigned leaving_out(described::Felt felt) {
+  using enum described::Felt;
+  if (felt == gear_bodies || felt == gear_motion || felt == central_teeth) return use::dynamic_of_sets;
+  // All that moves bearings knows none with scratches but what is run for them.
+  if (felt == described::Felt::defect)
+    return use::lives | use::gears | use::fmu_bearing | use::fmu_gearset | use::planet_stiffness;
+  return felt == load_sharing || felt == places ? use::dynamic_of_sets | use::crown | use::planet_stiffness
+                                                : 0u;
+}
+
+// How single parameters differ from what their physics says.
+struct Exception {
+  std::string_view path;
+  unsigned refused_by = 0;  // analyses that ought to take it and cannot
+  unsigned unfelt_by = 0;   // analyses that vary it themselves, or do not need it
+  unsigned unused_by = 0;   // analyses that ought to feel it and leave it out
+};
+
+constexpr unsigned other_rungs = use::co_simulated | use::monolithic;
+constexpr unsigned no_tilt = (use::rollers_in_motion & ~use::dynamic) | use::planet_stiffness;
+constexpr Exception exceptions[] = {
+    {"input.acceleration", use::quasi_static | other_rungs, 0, use::gears | use::fmu_gearset},
+    {"gearset.planet_rim", use::gears | use::fmu_gearset | use::fmu_bearing},
+    // Coupled gears start on it; --fidelity dynamic fits a law of its own.
+    {"gearset.dynamics.planet.bearing_stiffness", 0, 0, use::dynamic},
+    {"gearset.dynamics.damping_ratio.bearing", 0, use::fmu_gearset, use::one_set_in_time},
+    {"film.approach", other_rungs | use::fmu_bearing},
+    {"bearing.roller_diameter_deviation", use::rollers_at_rest},  // their mean knows like rollers
+    {"bearing.cage.reference_speed", other_rungs | use::fmu_bearing},
+    {"bearing.misalignment.planet_tilt", 0, use::crown},
+    // A computed tilt is that of bearings at rest, with which one bearing may go on; gears do not feel it.
+    {"bearing.tilt_state", no_tilt, use::bearings_as_springs},
+    {"bearing.axial_places", no_tilt, use::bearings_as_springs},
+    {"bearing.clearance_differences", no_tilt, use::bearings_as_springs},
+    {"support.pin_ends", no_tilt, use::bearings_as_springs},
+    {"support.pin_span", no_tilt, use::bearings_as_springs},
+    {"support.carrier_twist_stiffness", no_tilt, use::bearings_as_springs},
+    {"support.pin_inclination.radial", no_tilt, use::bearings_as_springs},
+    {"support.pin_inclination.tangential", no_tilt, use::bearings_as_springs},
+    {"load.tilt", use::ball_run},
+    // Contacts and oil of the whole motion have damping and steps of their own.
+    {"contact.damping_ratio", 0, use::moving_defect},
+    {"contact.damping_model", 0, use::moving_defect},
+    {"signal.length_error", 0, use::moving_defect},
+    {"simulation.integrator", other_rungs | use::fmu_bearing}};
+
+// What gives way under the planets besides, with its ends: felt at rest too where planets carry unlike
+// loads, since then it decides who carries how much.
+constexpr std::string_view giving_way[] = {"bearing.bore",
+                                           "support.stiffness",
+                                           "gearset.dynamics.sun.mass",
+                                           "gearset.dynamics.sun.support_stiffness",
+                                           "gearset.dynamics.ring.mass",
+                                           "gearset.dynamics.ring.support_stiffness",
+                                           "gearset.dynamics.carrier.mass",
+                                           "gearset.dynamics.carrier.support_stiffness",
+                                           "gearset.dynamics.carrier.plate_ratio",
+                                           "gearset.dynamics.planet.mass",
+                                           "gearset.dynamics.backlash",
+                                           "gearset.dynamics.separation",
+                                           "gearset.dynamics.transmission_error.sun",
+                                           "gearset.dynamics.transmission_error.ring"};
+
+Use with_load_sharing(const Use& use, std::string_view path) {
+  const bool gives_way = makes_meshes(path) || std::find(std::begin(giving_way), std::end(giving_way),
+                                                         path) != std::end(giving_way);
+  return gives_way ? use.felt_too(use::quasi_static, where_planets_carry_unlike_loads()) : use;
+}
+
+// "one|other"
+std::vector<std::string> either_of(std::string_view values) {
+  std::vector<std::string> found;
+  for (std::size_t bar = 0; bar != std::string_view::npos; values.remove_prefix(bar + 1)) {
+    bar = values.find('|');
+    found.emplace_back(values.substr(0, bar));
+    if (bar == std::string_view::npos) break;
+  }
+  return found;
+}
+
+Exception exception_of(std::string_view path) {
+  for (const Exception& exception : exceptions)
+    if (exception.path == path) return exception;
+  return {path};
+}
+
+Use also_used(Use use, unsigned analyses) {
+  use.by |= analyses;
+  use.unfelt_by &= ~analyses;
+  return use;
+}
+
+// Power and speed make the load of the meshes, under which teeth give way and helical ones push along the
+// axis.
+Use with_mesh_loads(const Use& use, std::string_view path) {
+  const bool makes_them = path == "input.power" || path == "input.speed" || path == "parallel_stage.front";
+  return makes_them ? also_used(use, use::mesh) : use;
+}
+
+// Length and form of a relief count where there is one.
+Use with_relief(const Use& use, std::string_view path) {
+  if (path != "gearset.tip_relief.length" && path != "gearset.tip_relief.form") return use;
+  return use.when(
+      where_given({"gearset.tip_relief.sun", "gearset.tip_relief.planet", "gearset.tip_relief.ring"}));
+}
+
+// Laminae and what tilts the bore belong to lives, and are felt by the stiffness too; the law of line
+// contacts knows no modulus, their films do.
+Use with_stiffness(Use use, std::string_view path) {
+  if (path.starts_with("bearing.misalignment.")) return also_used(use, use::planet_stiffness);
+  if (path == "gearset.planet_rim") return also_used(use, use::mesh);
+  if (path == "bearing.laminae") return also_used(use, use::stiffness | use::planet_stiffness);
+  if (path != "material.youngs_modulus" && path != "material.poisson_ratio") return use;
+  return use.felt_only(use::planet_stiffness, {where("film.enabled", {"true"})})
+      .felt_too(use::planet_stiffness, where("gearset.planet_rim", {"elastic"}));
+}
+
+// Balls feel their mass, and the film under them, where a ring turns.
+Use with_turning_rings(const Use& use, const described::Facts& facts) {
+  Condition turning = where_given({"operation.shaft_speed", "operation.outer_speed", "operation.speeds"});
+  if (facts.felt == described::Felt::turning_balls) return use.when(turning);
+  if (facts.path == "material.density")
+    return use.felt_too(use::lone_balance | use::duplex,
+                        {turning, where_given({"bearing.balls"}), where("equilibrium.ball_inertia", {"true"})});
+  if (facts.path == "film.enabled") {
+    turning.paths.emplace_back("input.speed");  // planets turn always
+    return also_used(use, use::lone_balance).when(turning);
+  }
+  return use;
+}
+
+const Condition& where_filmed() {
+  static const Condition filmed = where("film.enabled", {"true"});
+  return filmed;
+}
+
+std::vector<Condition> where_viscosity_makes_kappa() {
+  return {where_given({"life.cleanliness", "life.contamination_factor"}),
+          where_absent("life.viscosity_ratio"), where_absent("lubricant.kinematic_viscosity")};
+}
+
+// It makes the viscosity of a grade, under films, or kinematic that which is stated.
+Use with_density(const Use& use) {
+  const Condition grade = where_given({"lubricant.grade"});
+  std::vector<Condition> stated = where_viscosity_makes_kappa();
+  stated.push_back(where_absent("lubricant.grade"));
+  return use.felt_too(use::quasi_static, grade)
+      .felt_too(use::crown | use::planet_stiffness | use::bearings_as_springs, {grade, where_filmed()})
+      .felt_too(use::quasi_static | use::crown, stated);
+}
+
+// Films stand in results of lives; elsewhere the oil is felt where a film takes part in the approach, or
+// where the life by its cleanliness is made of its viscosity.
+Use with_oil(const Use& use, std::string_view path) {
+  if (path == "lubricant.density") return with_density(use);
+  if (path == "lubricant.flow")
+    return use.when(where("drag.mixture", {"carried"}))
+        .when(where("drag.enabled", {"true"}))
+        .felt_too(use::ball_run, where("heat.enabled", {"true"}));
+  if (path != "lubricant.viscosity" && path != "lubricant.pressure_viscosity") return use;
+  constexpr unsigned with_film_alone = use::bearings_as_springs | use::planet_stiffness | use::crown;
+  Use oil = also_used(use, use::spin_film)
+                .felt_only(with_film_alone, {where_filmed()})
+                .felt_too(use::lone_balance, where_filmed());
+  if (path == "lubricant.viscosity") oil = oil.felt_too(use::crown, where_viscosity_makes_kappa());
+  return oil.when(where_absent("lubricant.grade"));
+}
+
+// Besides the friction of the races, others build up over the same sliding speed.
+Use with_other_frictions(const Use& use) {
+  constexpr unsigned moving = use::rollers_in_motion | use::balls_in_motion | use::planet_defect;
+  return use.felt_too(moving, where_given({"bearing.cage.pocket_friction"}))
+      .felt_too(moving, where("contact.lubrication", {"mixed"}))
+      .felt_too(moving, {where("bearing.complement", {"full"}), where_given({"bearing.neighbour_friction"})});
+}
+
+Condition where_gears_run_up() {
+  return where_true(gears_run_up, "beside gearset.dynamics.run_up.duration and another run_up.from than 1");
+}
+
+// The carrier's speed grows in a run-up, and as the master of an FMU has it.
+Use with_run_up(const Use& use) {
+  return use.felt_only(use::dynamic | use::dynamic_of_sets, {where_given({"input.acceleration"})})
+      .felt_only(use::gears | use::fmu_gearset, {where_gears_run_up()});
+}
+
+// Forces in the frame of the carrier; an FMU of a bearing has its speed as an input.
+Use with_rotating_carrier(const Use& use) {
+  return use.limited(use::of_a_drivetrain & ~unsigned{use::fmu_bearing},
+                     {where_true(carrier_rotates, "where the carrier rotates")});
+}
+
+// The diameter of the pin makes its stiffness where none is stated.
+Use with_pins(const Use& use) {
+  const Condition derived = where_absent("support.stiffness");
+  Use pins = use;
+  for (Way& way : pins.ways) way.conditions.push_back(derived);
+  return pins;
+}
+
+bool is_one_of(std::string_view path, std::initializer_list<std::string_view> paths) {
+  return std::find(paths.begin(), paths.end(), path) != paths.end();
+}
+
+// What makes the clearance of a bearing on its seats.
+bool makes_clearance(std::string_view path) {
+  return is_one_of(path, {"bearing.radial_clearance", "bearing.clearance_state"}) ||
+         path.starts_with("bearing.fit.") || path.starts_with("bearing.temperature.");
+}
+
+// What makes the race of the planet, and with it its mass.
+bool makes_race(std::string_view path) {
+  return makes_clearance(path) || is_one_of(path, {"bearing.per_planet", "bearing.roller_diameter",
+                                                   "bearing.pitch_diameter", "bearing.width"});
+}
+
+// What makes the rim that bends: bearings hold the race in it.
+Use with_rim(const Use& use, std::string_view path) {
+  return makes_race(path) ? use.felt_too(use::mesh, where("gearset.planet_rim", {"elastic"})) : use;
+}
+
+// Gears are affected by a bearing through its springs, which the case may state; what makes the mass of a
+// planet as well affects them beside these too.
+Use with_springs(const Use& use, const described::Facts& facts) {
+  using enum described::Felt;
+  const std::string_view path = facts.path;
+  if (is_one_of(path, {"gearset.web.thickness", "gearset.web.rim"}))
+    return use.limited(use::gears_in_motion | use::natural | use::quasi_static,
+                       {where_true(teeth_make_meshes, "where the stiffness of a mesh is not given")});
+  if (is_one_of(path, {"material.youngs_modulus", "material.poisson_ratio"}))
+    return use.limited(use::bearings_as_springs,
+                       {where_true(material_makes_springs, "where a stiffness is not given")});
+  if (is_one_of(path, {"input.power", "input.speed", "parallel_stage.front"}))
+    return use.limited(path == "input.power" ? use::natural : use::modes,
+                       {where_true(loads_make_springs, "where a stiffness depends on the load")});
+  if (is_one_of(path, {"inertia.coriolis", "inertia.carrier_centrifugal"}))
+    return use.limited(use::modes, {where_bearings_make_springs()});
+  const bool of_bearing =
+      facts.felt == balance || facts.felt == carrier || facts.felt == pin || facts.felt == at_rest;
+  if (!of_bearing || makes_race(path) || path == "material.density" || path == "gearset.planet_rim")
+    return use;
+  return use.limited(use::bearings_as_springs, {where_bearings_make_springs()});
+}
+
+// A carrier that is held pulls on nothing.
+Use with_carrier(const Use& use, std::string_view path) {
+  if (is_one_of(path, {"inertia.coriolis", "inertia.carrier_centrifugal"})) return with_rotating_carrier(use);
+  const std::string rotating = "where the carrier rotates and inertia.carrier_centrifugal is true";
+  if (path.starts_with("bearing.cage."))
+    return use.limited(use::rollers_at_rest | use::bearings_as_springs,
+                       {where_true(carrier_pulls, rotating)});
+  const bool of_planet =
+      is_one_of(path, {"gearset.face_width", "gearset.addendum", "gearset.clearance",
+                       "gearset.root_fillet_radius", "gearset.addendum_of.planet",
+                       "gearset.clearance_of.planet", "bearing.outside_diameter", "bearing.width"});
+  if (!of_planet) return use;
+  return use
+      .limited(use::rollers_at_rest,
+               {where_true(planet_counts_at_rest,
+                           rotating + ", or the planet bends, tilts or is pressed on a seat")})
+      .felt_too(use::quasi_static, where_planets_carry_unlike_loads());
+}
+
+// A member that is held does not move, unless a spring holds it.
+Use with_held_members(const Use& use, std::string_view path) {
+  constexpr std::string_view block = "gearset.dynamics.", mass = ".equivalent_mass";
+  if (!path.starts_with(block) || !path.ends_with(mass)) return use;
+  const std::string member(path.substr(block.size(), path.size() - block.size() - mass.size()));
+  if (member == "planet") return use;
+  std::vector<std::string> others{"sun", "ring", "carrier"};
+  std::erase(others, member);
+  return use.limited(use::natural, {where("gearset.fixed", others), where_absent("gearset.teeth.sun"),
+                                    where_given({std::string(block) + member + ".torsional_stiffness"})});
+}
+
+// The outer ring is a part of the planet's mass, and of its rim.
+Use with_ring_width(const Use& use) {
+  return use.limited(use::rollers_at_rest | use::bearings_as_springs,
+                     {where("bearing.rings", {"both", "outer"}), where("gearset.planet_rim", {"elastic"})});
+}
+
+// Fields that are felt by unlike physics, of which each hangs on other choices.
+Use with_other_ways(const Use& use, std::string_view path) {
+  if (path == "traction.sliding_scale") return with_other_frictions(use);
+  if (path == "traction.limiting_friction")
+    return use.felt_too(use::balls_in_motion, where("traction.law", {"ree-eyring"}));
+  if (path == "contact.roughness")
+    return use.felt_too(use::quasi_static | use::in_time, where("life.viscosity_ratio_by", {"film"}));
+  if (path == "bearing.fit.expansion")
+    return use.when(where_true(fits_are_warm, "beside a bearing.temperature"));
+  if (path == "defect.profile") return use.when(where("defect.race", {"outer", "inner", "ball", "roller"}));
+  if (path == "bearing.width") return with_ring_width(use);
+  if (path == "inertia.euler") return with_rotating_carrier(with_run_up(use));
+  if (path == "bearing.bore") return with_pins(use);
+  // Of a driven sun or ring the power makes the force of the teeth, whichever member is held.
+  if (path == "gearset.fixed") return use.felt_only(use::mesh, {where("input.member", {"carrier"})});
+  return use;
+}
+
+}  // namespace
+
+Use use_of(const described::Facts& facts) {
+  const Exception but = exception_of(facts.path);
+  const unsigned without = leaving_out(facts.felt) | but.unused_by;
+  const unsigned by = holding(facts.felt) & ~(but.refused_by | but.unfelt_by | but.unused_by);
+  const unsigned unfelt = (use::all & ~(by | but.refused_by | without)) | but.unfelt_by;
+  const Use at_rest =
+      with_mesh_loads(with_load_sharing(Use(by, unfelt, but.refused_by), facts.path), facts.path);
+  const Use with_films = with_oil(
+      with_relief(with_turning_rings(with_stiffness(at_rest, facts.path), facts), facts.path), facts.path);
+  const Use use = with_carrier(
+      with_springs(with_held_members(with_rim(with_films, facts.path), facts.path), facts), facts.path);
+  const described::Where& only = facts.details.where;
+  if (only.path.empty()) return with_other_ways(use, facts.path);
+  const std::vector<std::string> paths = either_of(only.path);
+  return with_other_ways(
+      use.when(only.value.empty() ? where_given(paths)
+                                  : Condition{.paths = paths, .values = either_of(only.value)}),
+      facts.path);
+}
+
+Condition where_bearings_make_springs() {
+  return where_true(bearings_make_springs,
+                    "where gearset.dynamics.planet.bearing_stiffness is not given, or beside an elastic rim");
+}
+
+}  // namespace orbearing::app
