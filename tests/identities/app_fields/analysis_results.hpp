@@ -169,8 +169,11 @@ inline std::string result_of(const ResolvedCase& in, use::Analysis analysis) {
       return defect_json(defect_study(in)).dump();
     case use::moving_defect:
       return defect_json(defect_study(in, DefectRung::all)).dump();
-    case use::duplex_modes:
-      return record_text(pair_point(in)) + record_text(duplex_study(in));
+    case use::duplex_modes: {
+      std::string text = record_text(pair_point(in));
+      for (const PairAtSpeed& at : pair_over_speed(in)) text += record_text(at);
+      return text;
+    }
     case use::duplex_run:
       return record_text(duplex_study(in));
     case use::spin_film:
