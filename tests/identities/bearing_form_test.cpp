@@ -74,7 +74,7 @@ TEST(RaceForm, MeansOverOnePitchRefuseWhatDiffersFromPitchToPitch) {
 TEST(RaceForm, OneTurningWaveIsACirclingRace) {
   constexpr double kShift = 1e-6, kPitchRadius = 17.82e-3;  // [m]
   Bearing bearing = test::reducer_bearing();
-  bearing.rollers().count = 2;
+  bearing.rollers().count = 3;
   bearing.cage = {};
   const motion::BearingModel round = bearing_model(bearing, kPoint, test::reducer_parameters());
   bearing.outer.form = {{1, kShift, 0.0, true}};
@@ -86,11 +86,11 @@ TEST(RaceForm, OneTurningWaveIsACirclingRace) {
   turning.angle = angle;
   circling.position = kShift * to_mark;
   circling.velocity = kShift * circling.speed * mechanics::across(to_mark);
-  // One roller pressed into the outer race, the other far from it.
+  // One roller pressed into the outer race, the others far from it.
   Eigen::VectorXd x = Eigen::VectorXd::Zero(round.layout.size());
   motion::MutableStateViews state = motion::mutable_state_views(round.layout, x.data());
-  state.radius << kPitchRadius + 4e-6, kPitchRadius - 1e-3;
-  state.angle << place, place + 3.0;
+  state.radius << kPitchRadius + 4e-6, kPitchRadius - 1e-3, kPitchRadius - 1e-3;
+  state.angle << place, place + 2.0, place + 4.0;
   state.spin[0] = -4000.0;
   const motion::Snapshot found = driven_snapshot(waved, turning, x);
   const motion::Snapshot expected = driven_snapshot(round, circling, x);
