@@ -38,9 +38,7 @@ struct LoneResult {
 LoneResult recorded_result(const Record& record, std::vector<std::string> warnings);
 template <class Result>
 LoneResult described_result(const Result& result, std::vector<std::string> warnings) {
-  Record record;
-  describe(record, result);
-  return recorded_result(record, std::move(warnings));
+  return recorded_result(record_of(result), std::move(warnings));
 }
 
 /// Opens the folder that the options name, computes, keeps what is not kept yet and prints. Returns the exit

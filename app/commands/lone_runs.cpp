@@ -211,8 +211,7 @@ int duplex_modes(const ResolvedCase& resolved, const Options& options) {
   const std::vector<std::string> unused = require_used(resolved, use::duplex_modes);
   const PairPoint point = pair_point(resolved);
   const std::vector<PairAtSpeed> over_speed = pair_over_speed(resolved);
-  Record record;
-  describe(record, point);
+  Record record = record_of(point);
   if (!over_speed.empty()) record.table("over_speed", "speed", "the pair at operation.speeds", over_speed);
   nlohmann::ordered_json object{{"case", resolved.text("name")}};
   object.update(json_of(record));

@@ -68,7 +68,7 @@ class KeptRuns {
 };
 
 Derivatives derivatives_of(const ResolvedCase& resolved, const ScalarResult& result,
-                     const ScalarResult::Value& here, const Options& options) {
+                           const ScalarResult::Value& here, const Options& options) {
   KeptRuns kept(result.is_at_rest() ? "" : options.output);
   std::optional<Progress> progress;
   return derivatives(

@@ -14,6 +14,14 @@ namespace orbearing::app {
 
 using described::Record;
 
+/// All that a result describes.
+template <class Result>
+Record record_of(const Result& result) {
+  Record record;
+  describe(record, result);
+  return record;
+}
+
 /// Numbers in their customary units. What is for files alone is left out.
 nlohmann::ordered_json json_of(const Record& record);
 /// Unit of each number in that object by its key; "1" of a ratio.

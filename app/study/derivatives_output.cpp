@@ -8,6 +8,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "app/results/row_text.hpp"
+
 namespace orbearing::app {
 
 namespace {
@@ -15,14 +17,6 @@ namespace {
 std::string side_text(int side) {
   if (side == 0) return "";
   return side > 0 ? "to larger values alone" : "to smaller values alone";
-}
-
-// Quoted where a comma or quotation mark would end the cell.
-std::string csv_cell(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
 }
 
 std::string number_or_nothing(const std::optional<double>& value) {
@@ -99,7 +93,7 @@ std::string derivatives_csv(const Derivatives& d) {
                         one.standing, one.derivative, one.error, number_or_nothing(one.elasticity), one.step,
                         one.change, side_text(one.side));
   for (const NoDerivative& one : d.not_differentiable)
-    text += fmt::format("{},{},,,,,,,,{}\n", one.path, csv_cell(one.given), csv_cell(one.reason));
+    text += fmt::format("{},{},,,,,,,,{}\n", one.path, csv_field(one.given), csv_field(one.reason));
   for (const std::string& path : d.without_effect) text += fmt::format("{},,,,0,,,,0,without effect\n", path);
   return text;
 }

@@ -11,6 +11,7 @@
 #include "app/errors.hpp"
 #include "app/results/record_writers.hpp"
 #include "app/results/result_row.hpp"
+#include "app/results/row_text.hpp"
 #include "app/study/ball_study.hpp"
 #include "app/study/computable.hpp"
 #include "app/study/defect_output.hpp"
@@ -40,28 +41,16 @@ struct Run {
   std::function<Json(const ResolvedCase&)> compute;
 };
 
-template <class Result>
-Json described_json(const Result& result) {
-  Record record;
-  describe(record, result);
-  return json_of(record);
-}
-
 Json gears_alone(const ResolvedCase& in) {
   const study::GearRunResult run = study::run_gears(moving_gears_of(in), gear_run_options(in));
   if (!run.completed) throw ComputationFailed(run.message);
   return gear_run_json(run);
 }
 
-// The row of its one point, and the name of the limiting set.
+// The row of its one point.
 Json drivetrain_point(const ResolvedCase& in, study::Fidelity fidelity) {
   const std::vector<std::string> sets = bearing_set_names(in);
-  const TableHead head = table_head({}, sets);
-  const ResultRow row = result_row(study::evaluate(bearing_sets(in), fidelity), {}, sets);
-  Json object;
-  for (std::size_t i = 0; i < head.names.size(); ++i) object[head.names[i]] = row.values[i];
-  object[std::string(limiting_set_column)] = row.limiting_set;
-  return object;
+  return row_json(table_head({}, sets), result_row(study::evaluate(bearing_sets(in), fidelity), {}, sets));
 }
 
 bool has_planet_bearing(const ResolvedCase& in) {
@@ -82,7 +71,7 @@ Run run_of(const ResolvedCase& in, const std::string& fidelity) {
   if (is_static_bearing(in))
     return {use::static_load, in.has("bearing.balls") ? scatter::of_balls : scatter::at_rest,
             of(static_study, static_json)};
-  if (is_duplex(in)) return {use::duplex_run, scatter::of_balls, of(duplex_study, described_json<DuplexStudy>)};
+  if (is_duplex(in)) return {use::duplex_run, scatter::of_balls, [](const ResolvedCase& c) { return json_of(record_of(duplex_study(c))); }};
   if (is_ball_run(in))
     return {use::ball_run, scatter::in_motion,
             [](const ResolvedCase& c) { return ball_json(ball_study(c)); }};

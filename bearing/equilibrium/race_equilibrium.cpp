@@ -112,7 +112,8 @@ void SettlingRow<N>::add(Eigen::Index j, const Eigen::Vector<double, N>& place,
 
 template <int N>
 mechanics::Imbalance<N> RingsOnRollers<N>::operator()(const Place& place) const {
-  mechanics::Imbalance<N> sum{load - stiffness * (place - rest), stiffness, scale};
+  mechanics::Imbalance<N> sum{load, stiffness, scale};
+  if constexpr (N == Eigen::Dynamic) sum.force -= stiffness * (place - rest);
   for (const SettlingRow<N>& row : rows)
     for (Eigen::Index j = 0; j < row.concentric.size(); ++j) row.add(j, place, sum);
   return sum;

@@ -54,7 +54,8 @@ struct SettlingRow {
   std::vector<laminae::RollerState>* rollers;  // where their searches start, and what they find
 };
 
-/// Forces on the coordinates of the rings: those of the rollers, and load - stiffness (place - rest).
+/// Forces on the coordinates of the rings: those of the rollers, and load - stiffness (place - rest). A rigid
+/// ring by itself (N = 2) has no stiffness but its rollers'.
 template <int N>
 struct RingsOnRollers {
   using Place = Eigen::Vector<double, N>;

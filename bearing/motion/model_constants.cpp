@@ -66,12 +66,12 @@ Constants constants_of(const motion::BearingModel& model) {
   return c;
 }
 
+}  // namespace
+
 bool turns_unevenly(const motion::RaceModel& race) {
   return !race.scratches.empty() || std::any_of(race.form.begin(), race.form.end(),
                                                 [](const RaceHarmonic& wave) { return wave.turning; });
 }
-
-}  // namespace
 
 Surroundings surroundings_at(const motion::BearingModel& model, double time) {
   const double ratio = speed_ratio(model.driving, time), turned = equivalent_time(model.driving, time);

@@ -15,6 +15,9 @@ Surroundings surroundings_at(const motion::BearingModel& model, double time);
 /// And where others move its bore: the pin ring does not turn, teeth press on its waves with their means.
 Surroundings surroundings_of(const motion::BearingModel& model, const motion::BoreMotion& motion);
 
+/// Whether scratches or waves turn with the race.
+bool turns_unevenly(const motion::RaceModel& race);
+
 /// Whether what is prescribed for `model` changes in time.
 bool surroundings_change(const motion::BearingModel& model);
 

@@ -12,6 +12,7 @@ using orbearing::fmu::InstanceState;
 using orbearing::fmu::Log;
 using orbearing::fmu::References;
 using orbearing::fmu::Refused;
+using orbearing::fmu::require_place;
 using orbearing::fmu::Status;
 
 template <class Body>
@@ -35,10 +36,6 @@ Log log_of(const fmi2CallbackFunctions* functions, const std::string& name) {
              Status status, const char* category, const char* text) {
     log(environment, name.c_str(), static_cast<fmi2Status>(status), category, format_of(text).c_str());
   };
-}
-
-void require_place(const void* pointer, const char* what) {
-  if (pointer == nullptr) throw Refused(std::string(what) + ": found NULL; required: a place for it");
 }
 
 // No variable is Boolean or a string.

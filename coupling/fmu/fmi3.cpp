@@ -9,6 +9,7 @@ using orbearing::fmu::Instance;
 using orbearing::fmu::InstanceState;
 using orbearing::fmu::Log;
 using orbearing::fmu::Refused;
+using orbearing::fmu::require_place;
 using orbearing::fmu::Role;
 using orbearing::fmu::Status;
 using orbearing::fmu::Variable;
@@ -16,10 +17,6 @@ using orbearing::fmu::Variable;
 template <class Body>
 fmi3Status guarded(void* component, const char* function, Body&& body) noexcept {
   return static_cast<fmi3Status>(orbearing::fmu::guarded(component, function, std::forward<Body>(body)));
-}
-
-void require_place(const void* pointer, const char* what) {
-  if (pointer == nullptr) throw Refused(std::string(what) + ": found NULL; required: a place for it");
 }
 
 void require_equal(size_t found, size_t required) {

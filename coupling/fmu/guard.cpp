@@ -30,6 +30,10 @@ Instance* new_instance(const char* function, const char* wrong, const char* toke
   return nullptr;
 }
 
+void require_place(const void* pointer, const char* what) {
+  if (pointer == nullptr) throw Refused(std::string(what) + ": found NULL; required: a place for it");
+}
+
 std::vector<std::string> categories_of(std::size_t number, const char* const* list) {
   std::vector<std::string> categories;
   for (std::size_t i = 0; i < number; ++i) {

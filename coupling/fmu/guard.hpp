@@ -34,6 +34,9 @@ Status guarded(void* component, const char* function, Body&& body) noexcept {
 Instance* new_instance(const char* function, const char* wrong, const char* token, const char* resources,
                        Log log, bool logging) noexcept;
 
+/// Throws Refused for NULL, where a call writes `what`.
+void require_place(const void* pointer, const char* what);
+
 /// `list` of so many categories as strings. Throws Refused for NULL.
 std::vector<std::string> categories_of(std::size_t number, const char* const* list);
 

@@ -117,13 +117,9 @@ double longest_step(const bearing::motion::BearingModel& model) {
 }
 
 bool has_all_slopes(const bearing::motion::BearingModel& model) {
-  const auto turns = [](const bearing::motion::RaceModel& race) {
-    return !race.scratches.empty() ||
-           std::any_of(race.form.begin(), race.form.end(),
-                       [](const bearing::RaceHarmonic& wave) { return wave.turning; });
-  };
+  using bearing::vectorised::turns_unevenly;
   return !model.layout.tilting && model.layout.waves == 0 && model.layout.followed == 0 &&
-         !turns(model.inner) && !turns(model.outer);
+         !turns_unevenly(model.inner) && !turns_unevenly(model.outer);
 }
 
 int order_of_steps(const bearing::motion::BearingModel& model, bool shaken) {

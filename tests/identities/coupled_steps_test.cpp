@@ -24,6 +24,17 @@ CoupledSetup smooth_reducer() {
   return setup;
 }
 
+std::vector<double> state_of(const CoupledSystem& system, const Monolithic& run) {
+  const CoupledStart now = run.state();
+  std::vector<double> x(system.size(), 0.0);
+  std::copy(now.gears.begin(), now.gears.end(), x.begin());
+  for (int b = 0; b < system.bearings(); ++b) {
+    const auto padded = system.bearing(b).padded(now.bearings[static_cast<std::size_t>(b)]);
+    std::copy(padded.begin(), padded.end(), system.of_bearing(x.data(), b));
+  }
+  return x;
+}
+
 // The coupled reducer, from a state in which meshes whose stiffness jumps have made its rollers bounce.
 class CoupledStepsOfReducer : public testing::Test {
  protected:
@@ -39,18 +50,7 @@ class CoupledStepsOfReducer : public testing::Test {
     Monolithic run(test::coupled_reducer());
     run.initialize(0.0);
     run.advance({0.0, begin});
-    return state_of(run);
-  }
-
-  std::vector<double> state_of(const Monolithic& run) {
-    const CoupledStart now = run.state();
-    std::vector<double> x(system.size(), 0.0);
-    std::copy(now.gears.begin(), now.gears.end(), x.begin());
-    for (int b = 0; b < system.bearings(); ++b) {
-      const auto padded = system.bearing(b).padded(now.bearings[static_cast<std::size_t>(b)]);
-      std::copy(padded.begin(), padded.end(), system.of_bearing(x.data(), b));
-    }
-    return x;
+    return state_of(system, run);
   }
 
   // Of the gears after `length` [s], by steps of `h` [s] of all; with `substepped` bearings at most
@@ -97,13 +97,8 @@ TEST(TimeSlope, IsThatOfTheMeshStiffness) {
   WithAllSlopes system(model, 72);
   const double begin = 1e-4, period = 1.0 / model.gears.operation.mesh_frequency;
   system.set_piece(begin, begin, begin + 100.0 * period);
-  const CoupledStart now = run.state();
-  std::vector<double> x(system.size(), 0.0), slope(x), rate(x), after(x), before(x);
-  std::copy(now.gears.begin(), now.gears.end(), x.begin());
-  for (int b = 0; b < system.bearings(); ++b) {
-    const auto padded = system.bearing(b).padded(now.bearings[static_cast<std::size_t>(b)]);
-    std::copy(padded.begin(), padded.end(), system.of_bearing(x.data(), b));
-  }
+  const std::vector<double> x = state_of(system, run);
+  std::vector<double> slope(x), rate(x), after(x), before(x);
   const double at = 50.2 * period, step = 1e-3 * period;
   system.linearise(at, x.data(), rate.data());
   system.time_slope(at, slope.data());
@@ -168,7 +163,7 @@ TEST_F(CoupledStepsOfReducer, GearsFeelWhatSubsteppedBearingsDid) {
   double plain = 0.0, substepped = 0.0;
   for (int k = 0; k < 36; ++k) {
     run.advance({k == 0 ? 0.0 : begin + 1e-4 * (k - 1), begin + 1e-4 * k});
-    const std::vector<double> x = state_of(run);
+    const std::vector<double> x = state_of(system, run);
     const Eigen::VectorXd exact = velocities(x, length, h / 128, 0, 1.0);
     plain += (velocities(x, length, h, 0, 1.0) - exact).squaredNorm();
     substepped += (velocities(x, length, h, 8, 1.0) - exact).squaredNorm();

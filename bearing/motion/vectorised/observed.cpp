@@ -29,18 +29,20 @@ SeenContact<PackPair> seen_contact(const RacePair& race, const RaceMotion& m, co
           .form_power = form_power};
 }
 
-// The numbers of one roller.
-void put_lane(const SeenContact<PackPair>& both, int lane, SeenRoller& seen) {
+// The numbers of so many rollers, the first of a pack.
+void put_lanes(const SeenContact<PackPair>& both, int count, SeenRoller* seen) {
   constexpr int kNumbers = sizeof(SeenContact<double>) / sizeof(double);
   static_assert(sizeof both == kNumbers * sizeof(PackPair));
   double packs[kNumbers][2][kLanes], inner[kNumbers], outer[kNumbers];
   __builtin_memcpy(packs, &both, sizeof packs);
-  for (int i = 0; i < kNumbers; ++i) {
-    inner[i] = packs[i][0][lane];
-    outer[i] = packs[i][1][lane];
+  for (int lane = 0; lane < count; ++lane) {
+    for (int i = 0; i < kNumbers; ++i) {
+      inner[i] = packs[i][0][lane];
+      outer[i] = packs[i][1][lane];
+    }
+    __builtin_memcpy(&seen[lane].inner, inner, sizeof inner);
+    __builtin_memcpy(&seen[lane].outer, outer, sizeof outer);
   }
-  __builtin_memcpy(&seen.inner, inner, sizeof inner);
-  __builtin_memcpy(&seen.outer, outer, sizeof outer);
 }
 
 class Observer {
@@ -49,11 +51,8 @@ class Observer {
       : c_(constants), races_(race_pair(c_)), given_(rollers), x_(x), layout_(layout_of(c_)) {}
 
   void observe(SeenRoller* seen) const {
-    for (int first = 0; first < c_.rollers; first += kLanes) {
-      const SeenContact<PackPair> both = races_at(first);
-      for (int lane = 0; lane < kLanes && first + lane < c_.rollers; ++lane)
-        put_lane(both, lane, seen[first + lane]);
-    }
+    for (int first = 0; first < c_.rollers; first += kLanes)
+      put_lanes(races_at(first), c_.rollers - first < kLanes ? c_.rollers - first : kLanes, seen + first);
     if (!c_.caged) observe_neighbours(seen);
   }
 

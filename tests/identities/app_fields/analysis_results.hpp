@@ -47,9 +47,7 @@ std::string digits(const Numbers& numbers) {
 /// All that a result describes and prints.
 template <class Result>
 std::string record_text(const Result& result) {
-  Record record;
-  describe(record, result);
-  return json_of(record).dump();
+  return json_of(record_of(result)).dump();
 }
 
 /// Lives under the spectrum that the case states, and what each bin uses up.
