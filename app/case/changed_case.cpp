@@ -36,13 +36,6 @@ void put(CaseData& data, const std::string& path, FieldReading reading, Place pl
   data.assumed.erase(path);
 }
 
-void replace(CaseData& data, unsigned model, const Setting& setting, Place place,
-             std::vector<Mistake>& mistakes) {
-  const auto& [path, text] = setting;
-  if (const Field* field = settable_field(data, model, path, place, mistakes))
-    put(data, path, read_field_text(*field, text), place, mistakes);
-}
-
 // "gearset.pin_errors[2]" as path and element; nothing where it has no such end.
 std::optional<std::pair<std::string, std::size_t>> element_of(const std::string& path) {
   const std::size_t bracket = path.find('[');
@@ -75,30 +68,20 @@ void replace_element(CaseData& data, const Field& field, const std::string& path
   put(data, path, read_field(field, entry), place, mistakes);
 }
 
-void replace(CaseData& data, unsigned model, const NumberSetting& setting, Place place,
+void replace(CaseData& data, unsigned model, const Setting& setting, Place place,
              std::vector<Mistake>& mistakes) {
-  const auto element = element_of(setting.first);
-  const std::string& path = element ? element->first : setting.first;
+  const auto element = setting.number ? element_of(setting.path) : std::nullopt;
+  const std::string& path = element ? element->first : setting.path;
   const Field* field = settable_field(data, model, path, place, mistakes);
   if (field == nullptr) return;
   if (element)
-    replace_element(data, *field, path, element->second, setting.second, place, mistakes);
+    replace_element(data, *field, path, element->second, *setting.number, place, mistakes);
+  else if (!setting.number)
+    put(data, path, read_field_text(*field, setting.text), place, mistakes);
   else if (is_numeric(*field))
-    put(data, path, read_field_number(*field, setting.second), place, mistakes);
+    put(data, path, read_field_number(*field, *setting.number, setting.text), place, mistakes);
   else
     mistakes.push_back({place, path, {"a number", requirement(*field) + " is required"}});
-}
-
-template <class Settings>
-ResolvedCase changed(CaseData data, unsigned model, const Settings& settings,
-                     std::vector<Mistake>& mistakes) {
-  throw_if_stopped();  // sweeps ask for their points by the ten thousand
-  int number = 0;
-  for (const auto& setting : settings) replace(data, model, setting, {true, ++number, 1}, mistakes);
-  fill_derived_defaults(data);
-  ResolvedCase result(std::move(data));
-  check_consistency(result, mistakes);
-  return result;
 }
 
 }  // namespace
@@ -111,18 +94,22 @@ ResolvedCase ResolvedCase::with(const std::vector<Setting>& settings) const {
 }
 
 ResolvedCase ResolvedCase::with(const std::vector<Setting>& settings, std::vector<Mistake>& mistakes) const {
-  return changed(*data_, model(), settings, mistakes);
-}
-
-ResolvedCase ResolvedCase::with_numbers(const std::vector<NumberSetting>& settings) const {
-  std::vector<Mistake> mistakes;
-  ResolvedCase result = changed(*data_, model(), settings, mistakes);
-  if (!mistakes.empty()) throw_mistakes(file(), std::move(mistakes));
+  throw_if_stopped();  // sweeps ask for their points by the ten thousand
+  CaseData data = *data_;
+  int number = 0;
+  for (const Setting& setting : settings) replace(data, model(), setting, {true, ++number, 1}, mistakes);
+  fill_derived_defaults(data);
+  ResolvedCase result(std::move(data));
+  check_consistency(result, mistakes);
   return result;
 }
 
 ResolvedCase ResolvedCase::with(const std::string& path, const std::string& text) const {
   return with(std::vector<Setting>{{path, text}});
+}
+
+ResolvedCase ResolvedCase::with(const std::string& path, double number) const {
+  return with(std::vector<Setting>{{path, "", number}});
 }
 
 ResolvedCase ResolvedCase::of_set(std::string_view set) const {

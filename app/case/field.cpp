@@ -369,10 +369,12 @@ std::string column_key(const ListColumn& column) {
   return key;
 }
 
-FieldReading read_field_number(const Field& field, double value) {
+FieldReading read_field_number(const Field& field, double value, std::string text) {
   assert(is_numeric(field));
-  std::string text = fmt::format("{}", value);
-  if (field.kind == Kind::quantity) text += " " + std::string(field.dimension.si);
+  if (text.empty()) {
+    text = fmt::format("{}", value);
+    if (field.kind == Kind::quantity) text += " " + std::string(field.dimension.si);
+  }
   if (!std::isfinite(value)) return bad(quote(text) + " is not a number", field);
   if (field.kind == Kind::integer && value != std::round(value))
     return bad(quote(text) + " is not a whole number", field);

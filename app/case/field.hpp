@@ -79,8 +79,9 @@ struct FieldReading {
 /// Checks one entry of the case against its field: kind, unit, finiteness, range.
 FieldReading read_field(const Field& field, const Entry& entry);
 
-/// The same for a number of the program [SI]: what a case gives that says it in SI. Numeric fields only.
-FieldReading read_field_number(const Field& field, double value);
+/// The same for a number of the program [SI], written as `text`; none: as a case says it in SI. Numeric fields
+/// only.
+FieldReading read_field_number(const Field& field, double value, std::string text = "");
 
 /// Whether some columns of its rows are left out, so that rows are blocks.
 bool has_choices(const Field& field);

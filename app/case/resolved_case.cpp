@@ -93,10 +93,20 @@ bool ResolvedCase::operator==(const ResolvedCase& other) const {
          axes() == other.axes() && uncertain() == other.uncertain();
 }
 
+std::vector<double> swept_speeds(const ResolvedCase& resolved) {
+  for (const SweepAxis& axis : resolved.axes())
+    if (axis.path == kSpeedPath) return axis.numbers;
+  return {resolved.quantity(kSpeedPath)};
+}
+
 std::size_t sweep_size(const ResolvedCase& resolved) {
   std::size_t size = 1;
   for (const SweepAxis& axis : resolved.axes()) size *= axis.values.size();
   return size;
+}
+
+Setting input_speed(double rpm) {
+  return {kSpeedPath, fmt::format("{} rpm", rpm), convert(rpm, "rpm", find_field(kSpeedPath)->dimension.si).value};
 }
 
 std::vector<Setting> sweep_point(const ResolvedCase& resolved, std::size_t index) {
@@ -105,7 +115,7 @@ std::vector<Setting> sweep_point(const ResolvedCase& resolved, std::size_t index
   std::size_t block = sweep_size(resolved);
   for (const SweepAxis& axis : resolved.axes()) {
     block /= axis.values.size();
-    settings.emplace_back(axis.path, axis.values[index / block]);
+    settings.push_back(axis.setting(index / block));
     index %= block;
   }
   return settings;

@@ -12,19 +12,26 @@
 
 #include "app/case/case_shape.hpp"
 #include "app/case/field.hpp"
+#include "app/case/setting.hpp"
 
 namespace orbearing::app {
 
 /// The field that a sweep over speed varies.
 inline const std::string kSpeedPath = "input.speed";
 
+/// The speed of the input by its number in the unit of tables.
+Setting input_speed(double rpm);
+
 /// One axis of a sweep.
 struct SweepAxis {
   std::string path;                 // swept field
   std::vector<std::string> values;  // as they would be written in a case: "1000 rpm"
+  std::vector<double> numbers;      // [SI] the same, or plain
   std::string written;              // the axis as the resolved case repeats it (YAML flow style)
   Place place;
   std::vector<Place> places{};  // of each value
+
+  Setting setting(std::size_t value) const { return {path, values[value], numbers[value]}; }
 
   bool operator==(const SweepAxis& other) const {
     return path == other.path && values == other.values && written == other.written;
@@ -62,12 +69,6 @@ struct StatedUncertainty {
 
   bool operator==(const StatedUncertainty&) const = default;
 };
-
-/// Replacement of one independent value: field path and text as in a case.
-using Setting = std::pair<std::string, std::string>;
-
-/// The same by a number [SI]; of a list of numbers, "PATH[i]" is its element i, counted from 0.
-using NumberSetting = std::pair<std::string, double>;
 
 /// A checked value with its place; the table's default where `from_default`.
 struct StoredValue {
@@ -140,7 +141,7 @@ class ResolvedCase {
   /// Copy with independent values replaced, checked singly and together. Throws BadInput.
   ResolvedCase with(const std::vector<Setting>& settings) const;
   ResolvedCase with(const std::string& path, const std::string& text) const;
-  ResolvedCase with_numbers(const std::vector<NumberSetting>& settings) const;
+  ResolvedCase with(const std::string& path, double number) const;  // [SI]
   /// As with(), with what is wrong added to `mistakes` instead; what could not be set keeps its value.
   ResolvedCase with(const std::vector<Setting>& settings, std::vector<Mistake>& mistakes) const;
 
@@ -159,6 +160,9 @@ class ResolvedCase {
 
   std::shared_ptr<const CaseData> data_;  // copies share it: a case does not change
 };
+
+/// Speeds of the input [rad/s] in the order of their axis; the case's own where none are swept.
+std::vector<double> swept_speeds(const ResolvedCase& resolved);
 
 /// Number of operating points: the product of the axes, 1 without a sweep.
 std::size_t sweep_size(const ResolvedCase& resolved);

@@ -43,7 +43,7 @@ class AxisReader {
         mistakes_(mistakes) {}
 
   SweepAxis read() {
-    SweepAxis axis{key_, {}, {}, entry_.place};
+    SweepAxis axis{key_, {}, {}, {}, entry_.place};
     if (entry_.shape == Entry::Shape::list) {
       read_values(axis);
     } else if (entry_.shape == Entry::Shape::block) {
@@ -74,6 +74,7 @@ class AxisReader {
         object(item.place, path_, describe(item) + " stands twice", "each value once is required");
       } else {
         axis.values.push_back(reading.value.given);
+        axis.numbers.push_back(reading.value.number);
         axis.places.push_back(item.place);
         written.push_back(write_scalar(reading.value.given));
       }
@@ -86,7 +87,12 @@ class AxisReader {
     const std::optional<Steps> steps = read_steps();
     if (!steps || !check_steps(*steps)) return;
     const auto last = static_cast<int>(std::lround(steps->count()));
-    for (int i = 0; i <= last; ++i) axis.values.push_back(steps->text(steps->from + i * steps->step));
+    for (int i = 0; i <= last; ++i) {
+      const double value = steps->from + i * steps->step;
+      axis.values.push_back(steps->text(value));
+      axis.numbers.push_back(steps->unit.empty() ? value
+                                                 : *convert(value, steps->unit, field_.dimension.si).value);
+    }
     axis.places.assign(axis.values.size(), entry_.place);
     axis.written = fmt::format("{{from: {}, to: {}, step: {}}}", write_scalar(part("from").text),
                                write_scalar(part("to").text), write_scalar(part("step").text));

@@ -31,21 +31,16 @@ std::string mistake_text(const Mistake& mistake) {
 }
 
 /// The case's own value where the axis holds it, else the axis' first.
-std::string reference_value(const ResolvedCase& resolved, const SweepAxis& axis) {
-  const auto number = [&](const std::string& text) {
-    return read_field_text(*find_field(axis.path), text).value.number;
-  };
-  if (resolved.has(axis.path)) {
-    const double own = number(resolved.given(axis.path));
-    for (const std::string& value : axis.values)
-      if (number(value) == own) return value;
-  }
-  return axis.values.front();
+Setting reference_value(const ResolvedCase& resolved, const SweepAxis& axis) {
+  const auto own = resolved.has(axis.path)
+                       ? std::find(axis.numbers.begin(), axis.numbers.end(), resolved.value(axis.path).number)
+                       : axis.numbers.end();
+  return axis.setting(own == axis.numbers.end() ? 0 : static_cast<std::size_t>(own - axis.numbers.begin()));
 }
 
 ResolvedCase at_reference(const ResolvedCase& resolved, const std::vector<const SweepAxis*>& axes) {
   std::vector<Setting> settings;
-  for (const SweepAxis* axis : axes) settings.emplace_back(axis->path, reference_value(resolved, *axis));
+  for (const SweepAxis* axis : axes) settings.push_back(reference_value(resolved, *axis));
   std::vector<Mistake> ignored;  // each axis meets its own value again
   return resolved.without_sweep().with(settings, ignored);
 }
@@ -54,7 +49,7 @@ AxisObjections objections_to(const SweepAxis& axis, const ResolvedCase& referenc
   AxisObjections found{&axis, {}};
   for (std::size_t i = 0; i < axis.values.size(); ++i) {
     std::vector<Mistake> mistakes;
-    reference.with({{axis.path, axis.values[i]}}, mistakes);
+    reference.with({axis.setting(i)}, mistakes);
     for (Mistake& mistake : mistakes) found.objections.push_back({i, std::move(mistake)});
   }
   return found;

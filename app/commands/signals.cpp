@@ -91,7 +91,7 @@ class SignalSet {
     Json labels{{"signal", number}};
     if (!folder_.path().empty()) labels["file"] = fmt::format("signals/{:05}.csv", number);
     for (const Setting& setting : variants_[number].settings)
-      if (setting.first != "defect.race") labels[setting.first] = setting.second;
+      if (setting.path != "defect.race") labels[setting.path] = setting.text;
     labels.update(signal_labels(changed, study, noise));
     return labels;
   }

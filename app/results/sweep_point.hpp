@@ -3,8 +3,9 @@
 
 #include <limits>
 #include <string>
-#include <utility>
 #include <vector>
+
+#include "app/case/setting.hpp"
 
 namespace orbearing::app {
 
@@ -13,7 +14,7 @@ struct SweepPoint {
   double input_speed =
       std::numeric_limits<double>::quiet_NaN();                 // [rad/s]  kept in the row of a failed point
   std::vector<double> axis_values;                              // one per header.axes, in the axis' unit
-  std::vector<std::pair<std::string, std::string>> settings{};  // that make the case's operating point
+  std::vector<Setting> settings{};                              // that make the case's operating point
 };
 
 }  // namespace orbearing::app

@@ -44,7 +44,7 @@ struct CaseNumber {
     constexpr double round_off = 1e-12;
     const double here = value(in);
     const double required = here != 0.0 ? here * std::exp(offset) : offset * per_unit();
-    ResolvedCase other = in.with_numbers({{path(), required}});
+    ResolvedCase other = in.with(path(), required);
     if (std::abs(value(other) - required) > round_off * std::abs(required)) return std::nullopt;
     return other;
   }

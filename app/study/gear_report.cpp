@@ -129,10 +129,6 @@ constexpr long kSpectrumPeriods = 32;  // of the series: lines 1/32 of an order 
 constexpr int kSpectrumOrders = 8;
 constexpr double kStill = 1e-3;  // of the largest frequency: a mode below is a free rotation
 
-ResolvedCase at_rpm(const ResolvedCase& resolved, double rpm) {
-  return resolved.with("input.speed", fmt::format("{:.17g} rpm", rpm));
-}
-
 // The speeds of the sweep with as many in equal steps between as make kFewestRuns.
 std::vector<double> with_speeds_between(const std::vector<double>& speeds) {
   if (speeds.size() < 2) return speeds;
@@ -153,7 +149,7 @@ struct SpeedPoint {
 };
 
 SpeedPoint computed_point(const ResolvedCase& resolved, double rpm, long series_periods) {
-  const SetModel model = gear_model_of(at_rpm(resolved, rpm));
+  const SetModel model = gear_model_of(resolved.with({input_speed(rpm)}));
   study::GearRunOptions options = gear_run_options(resolved);
   options.series_periods = std::min(series_periods, options.observed_periods);
   SpeedPoint point{.modes = {rpm, model.operation.mesh_frequency,
@@ -311,7 +307,7 @@ nlohmann::ordered_json gear_report(const ResolvedCase& resolved, std::vector<dou
   std::sort(speeds_rpm.begin(), speeds_rpm.end());
   const ResolvedCase fixed = resolved.without_sweep();
   const double middle = speeds_rpm[speeds_rpm.size() / 2];
-  const ResolvedCase at_middle = at_rpm(fixed, middle);
+  const ResolvedCase at_middle = fixed.with({input_speed(middle)});
   const gearset::PlanetarySet set = drivetrain_of(at_middle).set;
   const std::vector<SpeedPoint> points = computed_points(fixed, with_speeds_between(speeds_rpm));
   return {{"tooth_pairs", tooth_pairs_json(gearset::working_geometry(set), planetary_meshes_of(at_middle))},

@@ -19,20 +19,9 @@ std::vector<Setting> split_settings(const std::vector<std::string>& settings) {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos)
       throw BadInput("expected.yaml: settings: found " + text + "; required: path=value");
-    split.emplace_back(text.substr(0, equals), text.substr(equals + 1));
+    split.push_back({text.substr(0, equals), text.substr(equals + 1)});
   }
   return split;
-}
-
-std::vector<double> speeds_of_sweep(const ResolvedCase& resolved) {
-  for (const SweepAxis& axis : resolved.axes()) {
-    if (axis.path != kSpeedPath) continue;
-    std::vector<double> speeds;
-    for (const std::string& value : axis.values)
-      speeds.push_back(resolved.with(axis.path, value).quantity(axis.path));
-    return speeds;
-  }
-  return {resolved.quantity(kSpeedPath)};
 }
 
 }  // namespace
@@ -61,7 +50,7 @@ std::vector<ChangeResult> results_of(const ResolvedCase& resolved, const std::ve
   std::vector<std::size_t> left;                            // points of each change
   for (const NamedChange& change : changes) {
     const ResolvedCase changed = with_settings(resolved, change.settings);
-    const std::vector<double> speeds = study.speed.empty() ? speeds_of_sweep(changed) : study.speed;
+    const std::vector<double> speeds = study.speed.empty() ? swept_speeds(changed) : study.speed;
     for (std::size_t i = 0; i < speeds.size(); ++i) places.emplace_back(results.size(), i);
     sets.push_back(bearing_sets(changed));
     left.push_back(speeds.size());

@@ -145,11 +145,10 @@ void add_clearance(const ResolvedCase& resolved, const study::NamedSet& set, std
   constexpr std::size_t most_speeds = 24;
   for (const SweepAxis& axis : resolved.axes()) {
     if (axis.path != kSpeedPath || axis.values.size() > most_speeds) continue;
-    for (const std::string& speed : axis.values) {
+    for (std::size_t i = 0; i < axis.values.size(); ++i) {
       study::NamedSet there = set;
-      study::turn_at(resolved.without_sweep().with(kSpeedPath, speed).quantity(kSpeedPath), there.drivetrain,
-                     there.geometry);
-      add("operating", there.drivetrain.bearing.radial_clearance, kMicro, "um", "at " + speed);
+      study::turn_at(axis.numbers[i], there.drivetrain, there.geometry);
+      add("operating", there.drivetrain.bearing.radial_clearance, kMicro, "um", "at " + axis.values[i]);
     }
   }
 }

@@ -57,7 +57,7 @@ Json our_life(const SweepOutcome& outcome, const SpeedSlice& slice, double rpm) 
   if (const ResultRow* row = row_at(outcome, slice.columns, rpm))
     return {{"ours_h", number_or_null(value_of(outcome.head, *row, "life_h"))}, {"ours_by", "point of the sweep"}};
   if (outcome.header.fidelity != "quasi-static") return {{"ours_h", nullptr}, {"ours_by", ""}};
-  const study::PointResult point = compute_point(slice.at.without_sweep(), {{kSpeedPath, fmt::format("{} rpm", rpm)}},
+  const study::PointResult point = compute_point(slice.at.without_sweep(), {input_speed(rpm)},
                                                  study::Fidelity::quasi_static);
   const bool known = point.status == "ok";
   return {{"ours_h", known ? number_or_null(point.life_hours) : Json(nullptr)},

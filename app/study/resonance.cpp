@@ -90,7 +90,7 @@ std::vector<NamedFrequency> named_frequencies(const std::vector<Mode>& modes, in
 
 ModesAtSpeed modes_at_rpm(const ResolvedCase& resolved, double rpm) {
   const gearset::dynamics::SetModel model =
-      gear_model_of(resolved.with("input.speed", fmt::format("{:.17g} rpm", rpm)));
+      gear_model_of(resolved.with({input_speed(rpm)}));
   return {rpm, model.operation.mesh_frequency,
           named_frequencies(modes_at_speed(model), model.parameters.planets)};
 }

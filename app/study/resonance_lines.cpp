@@ -11,7 +11,7 @@ namespace orbearing::app {
 namespace {
 
 std::vector<Setting> other_settings(std::vector<Setting> settings) {
-  std::erase_if(settings, [](const Setting& setting) { return setting.first == kSpeedPath; });
+  std::erase_if(settings, [](const Setting& setting) { return setting.path == kSpeedPath; });
   return settings;
 }
 
@@ -19,11 +19,7 @@ std::vector<Setting> other_settings(std::vector<Setting> settings) {
 
 std::vector<double> speeds_rpm(const ResolvedCase& resolved) {
   std::vector<double> speeds;
-  for (const SweepAxis& axis : resolved.axes())
-    if (axis.path == kSpeedPath)
-      for (const std::string& value : axis.values)
-        speeds.push_back(speed_in_rpm(resolved.with(axis.path, value).quantity(axis.path)));
-  if (speeds.empty()) speeds.push_back(speed_in_rpm(resolved.quantity(kSpeedPath)));
+  for (const double speed : swept_speeds(resolved)) speeds.push_back(speed_in_rpm(speed));
   return speeds;
 }
 

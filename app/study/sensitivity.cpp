@@ -96,7 +96,7 @@ void put_derivatives(const ResolvedCase& resolved, double peak_rpm, int jobs, st
   for (const Sensitivity& one : all) options.paths.push_back(one.change.group);
   if (options.paths.empty()) return;
   const ResolvedCase at_peak =
-      resolved.without_sweep().with_numbers({{kSpeedPath, peak_rpm * kRadiansPerSecond}});
+      resolved.without_sweep().with({input_speed(peak_rpm)});
   const ScalarResult life = scalar_result(at_peak);
   const Derivatives found = derivatives(at_peak, life, value_here(at_peak, life), options);
   for (Sensitivity& one : all)
@@ -107,7 +107,7 @@ void put_derivatives(const ResolvedCase& resolved, double peak_rpm, int jobs, st
 ChangeStudy study_of(const ResolvedCase& resolved, const MotionPlan& plan, int jobs) {
   ChangeStudy study{.fidelity = fidelity_of(plan.fidelity), .jobs = jobs};
   for (const double rpm : plan.speed_rpm)
-    study.speed.push_back(resolved.with(kSpeedPath, fmt::format("{:.17g} rpm", rpm)).quantity(kSpeedPath));
+    study.speed.push_back(resolved.with({input_speed(rpm)}).quantity(kSpeedPath));
   return study;
 }
 

@@ -77,7 +77,7 @@ std::vector<SignalVariant> signal_variants(const ResolvedCase& resolved,
     for (auto axis = axes.rbegin(); axis != axes.rend(); ++axis) {
       const std::size_t which = rest % axis->values.size();
       rest /= axis->values.size();
-      settings.insert(settings.begin(), {axis->path, axis->values[which]});
+      settings.insert(settings.begin(), Setting{axis->path, axis->values[which]});
       if (axis->path == "defect.race") race = axis->values[which];
       if (felt_by_scratches_alone(axis->path) && which > 0) first_of_defect = false;
     }
@@ -97,7 +97,7 @@ std::vector<std::string> axes_without_effect(const std::vector<SignalAxis>& axes
     std::size_t compared = 0, unlike = 0;
     for (std::size_t i = 0; i < variants.size(); ++i) {
       std::vector<Setting> others = variants[i].settings;
-      std::erase_if(others, [&](const Setting& setting) { return setting.first == axis.path; });
+      std::erase_if(others, [&](const Setting& setting) { return setting.path == axis.path; });
       const auto [found, is_first] = first.try_emplace(std::move(others), i);
       if (is_first) continue;
       ++compared;

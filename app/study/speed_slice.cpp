@@ -10,16 +10,15 @@ namespace orbearing::app {
 
 namespace {
 
-// The value of the axis nearest to the case's own, as written.
-std::string nearest(const ResolvedCase& resolved, const SweepAxis& axis) {
-  if (!resolved.has(axis.path)) return axis.values.front();
-  const double own = axis_value(resolved, axis.path);
-  const auto distance = [&](const std::string& value) {
-    return std::abs(axis_value(resolved.with(axis.path, value), axis.path) - own);
-  };
-  return *std::min_element(
-      axis.values.begin(), axis.values.end(),
-      [&](const std::string& one, const std::string& other) { return distance(one) < distance(other); });
+// The value of the axis nearest to the case's own.
+Setting nearest(const ResolvedCase& resolved, const SweepAxis& axis) {
+  if (!resolved.has(axis.path)) return axis.setting(0);
+  const double own = resolved.value(axis.path).number;
+  const auto best =
+      std::min_element(axis.numbers.begin(), axis.numbers.end(), [&](double one, double other) {
+        return std::abs(one - own) < std::abs(other - own);
+      });
+  return axis.setting(static_cast<std::size_t>(best - axis.numbers.begin()));
 }
 
 }  // namespace
@@ -31,10 +30,10 @@ SpeedSlice speed_slice(const ResolvedCase& resolved) {
   if (!speed_swept || axes.size() < 2) return {resolved, nullptr};
   std::vector<Setting> settings;
   for (const SweepAxis& axis : axes)
-    if (axis.path != kSpeedPath) settings.emplace_back(axis.path, nearest(resolved, axis));
+    if (axis.path != kSpeedPath) settings.push_back(nearest(resolved, axis));
   SpeedSlice slice{resolved.with(settings), nlohmann::ordered_json::object()};
-  for (const auto& [path, value] : settings)
-    slice.columns[axis_column(path).column] = axis_value(slice.at, path);
+  for (const Setting& one : settings)
+    slice.columns[axis_column(one.path).column] = axis_value(slice.at, one.path);
   return slice;
 }
 

@@ -26,7 +26,7 @@ namespace {
 
 std::string label_of(const std::vector<Setting>& settings) {
   std::string label;
-  for (const auto& [path, value] : settings) label += (label.empty() ? "" : ", ") + path + " = " + value;
+  for (const Setting& one : settings) label += (label.empty() ? "" : ", ") + one.path + " = " + one.text;
   return label;
 }
 
@@ -59,20 +59,20 @@ std::vector<std::vector<Setting>> lines_of_spectrum(const ResolvedCase& resolved
   for (std::size_t i = 0; i < sweep_size(resolved); ++i) {
     std::vector<Setting> line = sweep_point(resolved, i);
     std::erase_if(line, [](const Setting& setting) {
-      return setting.first == kSpeedPath || setting.first == kPowerPath;
+      return setting.path == kSpeedPath || setting.path == kPowerPath;
     });
     if (known.insert(line).second) lines.push_back(std::move(line));
   }
   return lines;
 }
 
-std::string entering_power_text(const LoadBin& bin) {
-  return fmt::format("{} W", bin.entering_power());
+Setting entering_power(const LoadBin& bin) {
+  return {kPowerPath, fmt::format("{} W", bin.entering_power()), bin.entering_power()};
 }
 
 // It has next to no power and next to endless life, which nobody has mistaken.
 bool is_idle_bin(const std::vector<Setting>& settings) {
-  return std::find(settings.begin(), settings.end(), Setting{kPowerPath, entering_power_text(LoadBin{})}) != settings.end();
+  return std::find(settings.begin(), settings.end(), entering_power(LoadBin{})) != settings.end();
 }
 
 /// The bins that turn, for each combination of the other swept values.
@@ -89,8 +89,8 @@ void add_spectrum(const ResolvedCase& resolved, LoadSpectrum& spectrum, std::vec
     for (const std::size_t number : turning) {
       const LoadBin& bin = spectrum.bins[number];
       std::vector<Setting> settings = line;
-      settings.emplace_back(kPowerPath, entering_power_text(bin));
-      settings.emplace_back(kSpeedPath, fmt::format("{} rad/s", bin.speed));
+      settings.push_back(entering_power(bin));
+      settings.push_back({kSpeedPath, fmt::format("{} rad/s", bin.speed), bin.speed});
       points.push_back(point_of(resolved, std::move(settings)));
     }
 }
@@ -98,8 +98,8 @@ void add_spectrum(const ResolvedCase& resolved, LoadSpectrum& spectrum, std::vec
 }  // namespace
 
 SweepPoint point_at_rpm(const ResolvedCase& resolved, std::vector<Setting> settings, double rpm) {
-  for (auto& [path, value] : settings)
-    if (path == kSpeedPath) value = fmt::format("{} rpm", rpm);
+  for (Setting& one : settings)
+    if (one.path == kSpeedPath) one = input_speed(rpm);
   return point_of(resolved, std::move(settings));
 }
 

@@ -51,7 +51,7 @@ std::vector<Observation> observations_at_ends(const ResolvedCase& resolved, cons
   std::vector<Observation> found;
   if (!(most > 0.0)) return found;
   for (const double speed : {least, most})
-    for (Observation& one : observations(resolved.without_sweep().with("input.speed", fmt::format("{} rpm", speed))))
+    for (Observation& one : observations(resolved.without_sweep().with({input_speed(speed)})))
       found.push_back(std::move(one));
   return found;
 }

@@ -244,11 +244,11 @@ std::vector<std::vector<double>> sampled_values(const ResolvedCase& variant, con
                                  variant.text("name"), one.path));
   std::vector<std::vector<double>> sampled(rows.size());
   for (const std::vector<double>& sample : uncertain_samples(uncertain, options.samples, options.seed)) {
-    std::vector<NumberSetting> settings;
-    for (std::size_t i = 0; i < sample.size(); ++i) settings.emplace_back(uncertain.inputs[i].path, sample[i]);
+    std::vector<Setting> settings;
+    for (std::size_t i = 0; i < sample.size(); ++i) settings.push_back({uncertain.inputs[i].path, "", sample[i]});
     std::vector<double> values(rows.size(), std::numeric_limits<double>::quiet_NaN());
     try {
-      values = values_of(variant.with_numbers(settings), rows);
+      values = values_of(variant.with(settings), rows);
     } catch (const BadInput&) {
     } catch (const ComputationFailed&) {
     }

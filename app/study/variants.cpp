@@ -19,10 +19,10 @@ namespace orbearing::app {
 
 namespace {
 
-std::vector<NumberSetting> settings_of(const Variants& variants, std::size_t index) {
-  std::vector<NumberSetting> settings;
+std::vector<Setting> settings_of(const Variants& variants, std::size_t index) {
+  std::vector<Setting> settings;
   for (std::size_t i = 0; i < variants.paths.size(); ++i)
-    settings.emplace_back(variants.paths[i], variants.values[index * variants.paths.size() + i]);
+    settings.push_back({variants.paths[i], "", variants.values[index * variants.paths.size() + i]});
   return settings;
 }
 
@@ -44,11 +44,11 @@ void require_variable(const ResolvedCase& point, const Variants& variants) {
   if (!mistakes.empty()) throw BadInput(mistakes);
 }
 
-study::PointResult evaluate(const ResolvedCase& point, const std::vector<NumberSetting>& settings,
+study::PointResult evaluate(const ResolvedCase& point, const std::vector<Setting>& settings,
                             study::Fidelity level) {
   study::PointResult result;
   try {
-    const ResolvedCase variant = point.with_numbers(settings);
+    const ResolvedCase variant = point.with(settings);
     result.input_speed = variant.quantity(kSpeedPath);
     const std::vector<study::NamedSet> sets = bearing_sets(variant);
     result = judged(study::evaluate(sets, level), sets);

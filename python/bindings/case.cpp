@@ -16,7 +16,7 @@ namespace py = pybind11;
 
 namespace {
 
-using Settings = std::vector<app::Setting>;
+using Settings = std::vector<std::pair<std::string, std::string>>;
 
 std::vector<std::string> as_options(const Settings& settings) {
   std::vector<std::string> texts;
@@ -157,15 +157,19 @@ void add_case(py::module_& module) {
       .def(
           "with_settings",
           [](const CoreCase& core, const Settings& settings) {
-            return CoreCase{core.resolved.with(settings)};
+            std::vector<app::Setting> all;
+            for (const auto& [path, text] : settings) all.push_back({path, text});
+            return CoreCase{core.resolved.with(all)};
           },
           py::arg("settings"), py::call_guard<py::gil_scoped_release>(),
           "A copy with values replaced, by (path, text as in a case file); what follows from them is derived "
           "anew.")
       .def(
           "with_numbers",
-          [](const CoreCase& core, const std::vector<app::NumberSetting>& settings) {
-            return CoreCase{core.resolved.with_numbers(settings)};
+          [](const CoreCase& core, const std::vector<std::pair<std::string, double>>& settings) {
+            std::vector<app::Setting> all;
+            for (const auto& [path, number] : settings) all.push_back({path, "", number});
+            return CoreCase{core.resolved.with(all)};
           },
           py::arg("settings"), "The same by (path, number in SI).")
       .def(

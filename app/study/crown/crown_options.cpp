@@ -216,17 +216,6 @@ study::NamedSet set_of(const ResolvedCase& resolved, const CrownOptions& options
 
 }  // namespace
 
-std::vector<double> swept_speeds(const ResolvedCase& resolved) {
-  for (const SweepAxis& axis : resolved.axes()) {
-    if (axis.path != kSpeedPath) continue;
-    std::vector<double> speeds;
-    for (const std::string& text : axis.values)
-      speeds.push_back(resolved.without_sweep().with(kSpeedPath, text).quantity(kSpeedPath));
-    return speeds;
-  }
-  return {resolved.quantity(kSpeedPath)};
-}
-
 nlohmann::ordered_json options_json(const CrownOptions& options) {
   return {{"profile", options.profiles},
           {"tilts", options.tilts},
@@ -273,7 +262,7 @@ CrownCase crown_case(const ResolvedCase& resolved, const CrownOptions& options) 
     return {resolved,
             {"tilts: stated, 0 to 2 mrad, and not computed beside " + reason + "; --tilts states others"}};
   std::vector<Setting> settings{{"bearing.tilt_state", "computed"}};
-  if (!resolved.has("bearing.laminae")) settings.emplace_back("bearing.laminae", std::to_string(kLaminae));
+  if (!resolved.has("bearing.laminae")) settings.push_back({"bearing.laminae", std::to_string(kLaminae)});
   return {resolved.with(settings), {}};
 }
 

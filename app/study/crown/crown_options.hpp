@@ -61,7 +61,4 @@ CrownCase crown_case(const ResolvedCase& resolved, const CrownOptions& options);
 /// Of a case as crown_case() gives it. Throws BadInput with every mistake at once.
 CrownRequest crown_request(const ResolvedCase& resolved, const CrownOptions& options);
 
-/// Speeds of the input [rad/s] that the case sweeps; its own speed where it sweeps none.
-std::vector<double> swept_speeds(const ResolvedCase& resolved);
-
 }  // namespace orbearing::app

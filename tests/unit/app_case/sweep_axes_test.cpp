@@ -14,6 +14,14 @@ using testing::IsEmpty;
 using testing::Pair;
 using testing::StartsWith;
 
+using Texts = std::vector<std::pair<std::string, std::string>>;
+
+Texts texts_of_point(const ResolvedCase& resolved, std::size_t index) {
+  Texts texts;
+  for (const Setting& one : sweep_point(resolved, index)) texts.emplace_back(one.path, one.text);
+  return texts;
+}
+
 std::vector<std::string> speeds(const std::string& axis) {
   return shipped({"sweep={}", "sweep.input.speed=" + axis}).axes().at(0).values;
 }
@@ -34,11 +42,11 @@ TEST(SweepAxes, MakeEveryCombinationFirstAxisSlowest) {
   const ResolvedCase resolved = shipped(
       {"sweep={}", "sweep.input.power=[75 kW, 150 kW]", "sweep.bearing.rollers={from: 13, to: 15, step: 1}"});
   ASSERT_EQ(sweep_size(resolved), 6U);
-  EXPECT_THAT(sweep_point(resolved, 0),
+  EXPECT_THAT(texts_of_point(resolved, 0),
               ElementsAre(Pair("input.power", "75 kW"), Pair("bearing.rollers", "13")));
-  EXPECT_THAT(sweep_point(resolved, 2),
+  EXPECT_THAT(texts_of_point(resolved, 2),
               ElementsAre(Pair("input.power", "75 kW"), Pair("bearing.rollers", "15")));
-  EXPECT_THAT(sweep_point(resolved, 3),
+  EXPECT_THAT(texts_of_point(resolved, 3),
               ElementsAre(Pair("input.power", "150 kW"), Pair("bearing.rollers", "13")));
 }
 
@@ -96,6 +104,23 @@ TEST(SweepAxes, LimitTheNumberOfPoints) {
       ElementsAre(HasSubstr("132012 operating points")));
 }
 
+// A point takes numbers that were read once: they are those that the reader makes of the texts, to the bit.
+TEST(SweepAxes, NumbersOfAPointAreThoseOfItsTexts) {
+  const ResolvedCase resolved =
+      shipped({"sweep={}", "sweep.input.speed={from: 0.1 krpm, to: 0.7 krpm, step: 0.1 krpm}",
+               "sweep.bearing.radial_clearance=[5 um, 0.0123 mm]"});
+  for (std::size_t i = 0; i < sweep_size(resolved); ++i) {
+    const ResolvedCase point = resolved.with(sweep_point(resolved, i));
+    for (const auto& [path, text] : texts_of_point(resolved, i)) {
+      EXPECT_EQ(point.quantity(path), resolved.with(path, text).quantity(path)) << path << " = " << text;
+      EXPECT_EQ(point.given(path), text);
+    }
+  }
+  const ResolvedCase at = resolved.with({input_speed(74.45)});
+  EXPECT_EQ(at.quantity("input.speed"), resolved.with("input.speed", "74.45 rpm").quantity("input.speed"));
+  EXPECT_EQ(at.given("input.speed"), "74.45 rpm");
+}
+
 // Every combination of the axes once, the first axis slowest.
 TEST(SweepAxes, PointsAreAllCombinations) {
   const ResolvedCase resolved = shipped({"sweep={}", "sweep.input.speed=[1000 rpm, 2000 rpm, 3000 rpm]",
@@ -106,9 +131,9 @@ TEST(SweepAxes, PointsAreAllCombinations) {
   for (const char* speed : {"1000 rpm", "2000 rpm", "3000 rpm"})
     for (const char* rollers : {"13", "14"})
       for (const char* clearance : {"0 um", "5 um", "10 um", "15 um", "20 um"}) {
-        const std::vector<Setting> expected{
+        const Texts expected{
             {"input.speed", speed}, {"bearing.rollers", rollers}, {"bearing.radial_clearance", clearance}};
-        EXPECT_EQ(sweep_point(resolved, index), expected) << "point " << index;
+        EXPECT_EQ(texts_of_point(resolved, index), expected) << "point " << index;
         ++index;
       }
 }
