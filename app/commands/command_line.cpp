@@ -325,6 +325,7 @@ void add_commands(CommandTable table) {
   validate.add_option("--jobs", options.jobs, "threads; default: one for each core")
       ->check(CLI::Range(1, 4096));
   CLI::App& report = table.add("report", "write DIR/report.html", report_command);
+  report.add_flag("--data-only", options.data_only, "what the page is made of, and no page")->group("");
   add_settings(report, options);
   report.add_option("DIR", options.folders, "folder of a sweep")->required()->expected(1);
   report
@@ -343,8 +344,7 @@ bool known(const CLI::App& program, const std::string& word) {
 }
 
 // The name of a command that does not exist is reported as such and not as a missing command.
-void require_known_command(const CLI::App& program, int argc, char** argv) {
-  const std::string word = argc > 1 ? argv[1] : "";
+void require_known_command(const CLI::App& program, const std::string& word) {
   if (word.empty() || word.front() == '-' || known(program, word)) return;
   throw BadInput(
       fmt::format("orbearing: found the command {}; required: check, run, sweep, merge, crown, mesh, modes, "
@@ -374,17 +374,28 @@ void print_error(std::string_view text) {
   }
 }
 
+// The program of all commands, which writes what it reads into `asked`.
+class Reader {
+ public:
+  explicit Reader(Asked& asked) {
+    program_.set_version_flag("--version", std::string(program_version));
+    program_.require_subcommand(1);
+    add_commands(CommandTable{program_, asked.options, asked.command});
+  }
+
+  CLI::App& program() { return program_; }
+
+ private:
+  CLI::App program_{"Orbearing: planet bearings inside planetary drivetrains", "orbearing"};
+};
+
 int parse_and_run(int argc, char** argv) {
   require_utf8(argc, argv);
-  Options options;
-  Command chosen = nullptr;
-  CLI::App program("Orbearing: planet bearings inside planetary drivetrains", "orbearing");
-  program.set_version_flag("--version", std::string(program_version));
-  program.require_subcommand(1);
-  CommandTable table{program, options, chosen};
-  add_commands(table);
+  Asked asked;
+  Reader reader(asked);
+  CLI::App& program = reader.program();
   add_python_commands(program);
-  require_known_command(program, argc, argv);
+  require_known_command(program, argc > 1 ? argv[1] : "");
   hand_over(argc, argv);
   try {
     program.parse(argc, argv);
@@ -395,7 +406,7 @@ int parse_and_run(int argc, char** argv) {
     fmt::print(code == 0 ? stdout : stderr, "{}", answer.str());
     return code == 0 ? kDone : kBadInput;
   }
-  return chosen(options);
+  return asked.command(asked.options);
 }
 
 // What was printed is on its way only now: a full disk shows here and not when it was printed.
@@ -419,6 +430,18 @@ void require_place_of_results(const Options& options) {
   if (!options.json)
     throw BadInput("--output: missing; required: a folder for the results, or --json to print them alone");
   if (options.resume) throw BadInput("--resume: found without --output; required: the folder to go on with");
+}
+
+Asked asked_by(const std::vector<std::string>& words) {
+  Asked asked;
+  Reader reader(asked);
+  require_known_command(reader.program(), words.empty() ? "" : words.front());
+  try {
+    reader.program().parse(std::vector<std::string>(words.rbegin(), words.rend()));
+  } catch (const CLI::ParseError& error) {
+    throw BadInput(error.what());
+  }
+  return asked;
 }
 
 int run_command_line(int argc, char** argv) {

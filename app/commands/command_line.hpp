@@ -75,6 +75,14 @@ int spectrum_command(const Options& options);
 /// resume.
 void require_place_of_results(const Options& options);
 
+/// What words behind the program's name ask for.
+struct Asked {
+  int (*command)(const Options&) = nullptr;
+  Options options;
+};
+/// Throws BadInput where no command takes them.
+Asked asked_by(const std::vector<std::string>& words);
+
 /// Exit code: 0 done; 1 the computation failed, wholly or at some points; 2 bad input or usage.
 int run_command_line(int argc, char** argv);
 

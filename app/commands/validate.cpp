@@ -1,4 +1,5 @@
-#include <fmt/core.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
@@ -7,6 +8,7 @@
 
 #include "app/case/case_file.hpp"
 #include "app/commands/presentation.hpp"
+#include "app/commands/request.hpp"
 #include "app/errors.hpp"
 #include "app/study/published_comparison.hpp"
 #include "app/study/sensitivity.hpp"
@@ -79,30 +81,14 @@ nlohmann::ordered_json validation_json(const std::vector<ValidationTable>& table
           {"warnings", warnings}};
 }
 
-using Command = int (*)(const Options&);
-const std::map<std::string, Command> kCommandsOfRows{{"run", run_command},
-                                                     {"mesh", mesh_command},
-                                                     {"modes", modes_command},
-                                                     {"stiffness", stiffness_command},
-                                                     {"check", check_command}};
-
 // What the command prints for the case with --json.
 nlohmann::ordered_json command_result(const std::string& command, const std::string& fidelity,
                                       const ResolvedCase& resolved) {
-  const auto found = kCommandsOfRows.find(command);
-  if (found == kCommandsOfRows.end())
-    throw BadInput("expected.yaml: quantity: found the command " + command +
-                   "; required: run, mesh, modes, stiffness or check");
-  nlohmann::ordered_json result;
-  std::string failures;
-  Options options;
-  options.given = resolved;
-  options.fidelity = fidelity;
-  options.json = options.quiet = true;
-  options.take_result = [&](const nlohmann::ordered_json& object) { result = object; };
-  options.take_failures = [&](const std::string& line) { failures += line; };
-  if (found->second(options) != 0) throw ComputationFailed(command + ": " + failures);
-  return result;
+  Request request{.command = command, .given = resolved};
+  if (fidelity != Options{}.fidelity) request.options["fidelity"] = fidelity;
+  Answer found = answer(request);
+  if (found.code != 0) throw ComputationFailed(fmt::format("{}: {}", command, fmt::join(found.failures, "; ")));
+  return std::move(found.result);
 }
 
 int validate_motion(const Options& options) {

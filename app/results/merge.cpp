@@ -169,7 +169,6 @@ SweepOutcome write_merged(const std::vector<ShardResults>& shards, const fs::pat
 }  // namespace
 
 SweepOutcome merge_shards(const std::vector<fs::path>& folders, const fs::path& folder, bool grid_only) {
-  if (folders.empty()) throw BadInput("merge: no folder was given; those of all shards are required");
   const std::vector<ShardResults> shards = read_shards(folders);
   check(shards);
   const std::vector<fs::path> missing = missing_folders(folder);

@@ -153,12 +153,12 @@ class Case:
         output: folder of the results, as of the command line. In motion a temporary one is kept with the result where
         none is given, so that its points and its report need no second computation.
         """
-        return self._compute("sweep", SweepResult, output=output, progress=progress, fidelity=fidelity, jobs=jobs,
-                             grid_only=grid_only, direction=direction, resume=resume or None)
+        return self._compute("sweep", SweepResult, output=output, progress=progress, fidelity=fidelity,
+                             jobs=jobs or None, grid_only=grid_only or None, resume=resume or None, **{"continue": direction})
 
     def crown(self, output: Optional[PathLike] = None, progress: Progress = None, jobs: int = 0, **options) -> CrownResult:
         """Trade study of the rollers' profile; options are those of `orbearing crown`, with _ for -: tilts, drops, ..."""
-        return self._compute("crown", CrownResult, output=output, progress=progress, jobs=jobs, **options)
+        return self._compute("crown", CrownResult, output=output, progress=progress, jobs=jobs or None, **options)
 
     def modes(self, speed: Optional[str] = None) -> ModesResult:
         """Natural frequencies and what each mode is; at rest unless a speed such as "6000 rpm" is given."""
@@ -175,8 +175,8 @@ class Case:
     def sensitivities(self, output: Optional[PathLike] = None, fidelity: Optional[str] = None, result: str = "", by: Sequence[str] = (),
                       jobs: int = 0, progress: Progress = None) -> SensitivityResult:
         """Derivatives of the life, or of the number of a run whose key is `result`, by every number of the case or of the inputs `by`."""
-        return self._compute("sensitivities", SensitivityResult, output=output, progress=progress, fidelity=fidelity, result=result,
-                             by=list(by), jobs=jobs)
+        return self._compute("sensitivities", SensitivityResult, output=output, progress=progress, fidelity=fidelity, result=result or None,
+                             by=list(by), jobs=jobs or None)
 
     def uncertainty(self, **options) -> "UncertaintyResult":
         """See orbearing.uncertainty(): the spread of life by the numbers that the case's block `uncertain:` names."""

@@ -94,20 +94,17 @@ double tolerance_of(const std::string& option, const std::string& text, const Di
 crowning::Distribution distribution_of(const CrownOptions& options, bool computed, Mistakes& mistakes) {
   using enum crowning::Distribution;
   if (options.distribution.empty()) return computed ? normal : worst;
-  for (const crowning::Distribution one : {worst, normal, uniform})
-    if (name_of(one) == options.distribution) {
-      if (!computed && one != worst)
-        mistakes.push_back("--distribution: found " + options.distribution +
-                           " beside stated tilts; required: worst, or computed tilts");
-      if (options.tolerance.empty() && options.tilt_tolerance.empty())
-        mistakes.push_back(
-            "--distribution: found without a tolerance; required: --tolerance or "
-            "--tilt-tolerance beside it");
-      return one;
-    }
-  mistakes.push_back(fmt::format("--distribution: found {}; required: worst, normal or uniform",
-                                 quote(options.distribution)));
-  return worst;
+  const crowning::Distribution stated = options.distribution == name_of(normal)    ? normal
+                                        : options.distribution == name_of(uniform) ? uniform
+                                                                                   : worst;
+  if (!computed && stated != worst)
+    mistakes.push_back("--distribution: found " + options.distribution +
+                       " beside stated tilts; required: worst, or computed tilts");
+  if (options.tolerance.empty() && options.tilt_tolerance.empty())
+    mistakes.push_back(
+        "--distribution: found without a tolerance; required: --tolerance or "
+        "--tilt-tolerance beside it");
+  return stated;
 }
 
 std::vector<double> shares_of(const CrownOptions& options, std::size_t speeds, Mistakes& mistakes) {
@@ -181,12 +178,9 @@ std::vector<std::string> profiles_of(const CrownOptions& options, const bearing:
   return names;
 }
 
-crowning::LifeMeasure measure_of(const CrownOptions& options, Mistakes& mistakes) {
-  if (options.life == "iso16281") return crowning::LifeMeasure::iso16281;
-  if (options.life != "lundberg-palmgren")
-    mistakes.push_back(
-        fmt::format("--life: found {}; required: lundberg-palmgren or iso16281", quote(options.life)));
-  return crowning::LifeMeasure::lundberg_palmgren;
+crowning::LifeMeasure measure_of(const CrownOptions& options) {
+  return options.life == "iso16281" ? crowning::LifeMeasure::iso16281
+                                    : crowning::LifeMeasure::lundberg_palmgren;
 }
 
 void require_bearing(const ResolvedCase& resolved) {
@@ -272,7 +266,7 @@ CrownRequest crown_request(const ResolvedCase& resolved, const CrownOptions& opt
   const bearing::Bearing& bearing = set.drivetrain.bearing;
   const bool computed = set.drivetrain.seats.tilt == study::TiltState::computed;
   Mistakes mistakes;
-  CrownRequest request{.measure = measure_of(options, mistakes),
+  CrownRequest request{.measure = measure_of(options),
                        .laminae = bearing.rollers().laminae > 0 ? bearing.rollers().laminae : kLaminae,
                        .spectrum = spectrum_of(resolved, options, mistakes),
                        .profiles = profiles_of(options, bearing, mistakes),

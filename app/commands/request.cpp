@@ -1,0 +1,79 @@
+#include "app/commands/request.hpp"
+
+#include <algorithm>
+
+#include "app/case/case_file.hpp"
+#include "app/commands/command_line.hpp"
+#include "app/errors.hpp"
+#include "app/results/progress.hpp"
+#include "mechanics/cancellation.hpp"
+
+namespace orbearing::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string word_of(const Json& value) {
+  return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
+void add_option(const std::string& name, const Json& value, std::vector<std::string>& words) {
+  if (value.is_null() || value == false) return;
+  if (value.is_array()) {
+    for (const Json& one : value) add_option(name, one, words);
+    return;
+  }
+  if (name == "folders") {
+    words.push_back(word_of(value));
+    return;
+  }
+  std::string option = "--" + name;
+  std::replace(option.begin(), option.end(), '_', '-');
+  words.push_back(value == true ? option : option + "=" + word_of(value));
+}
+
+// The same as a user would type it.
+std::vector<std::string> words_of(const Request& request) {
+  std::vector<std::string> words{request.command};
+  if (request.given || !request.case_text.empty())
+    words.push_back("case.yaml");  // stands for it
+  else if (!request.case_file.empty())
+    words.push_back(request.case_file);
+  for (const std::string& setting : request.settings) words.push_back("--set=" + setting);
+  for (const auto& [name, value] : request.options.items()) add_option(name, value, words);
+  return words;
+}
+
+}  // namespace
+
+Answer answer(const Request& request) {
+  Asked asked = asked_by(words_of(request));
+  Options& options = asked.options;
+  options.json = options.quiet = true;
+  if (request.given)
+    options.given = request.given;
+  else if (!request.case_text.empty())
+    options.given = parse_case(request.case_text, "case.yaml", request.settings);
+  Answer answer;
+  options.take_result = [&](const Json& object) { answer.result = object; };
+  options.take_failures = [&](const std::string& line) { answer.failures.push_back(line); };
+  struct Stop {
+    bool wished = false;
+    ~Stop() {
+      if (wished) clear_stop();  // it was for this request alone
+    }
+  } stop;
+  ProgressObserver observer;
+  if (request.progress)
+    observer = [&](std::size_t done, std::size_t all, const std::string& doing) {
+      if (request.progress(done, all, doing)) return;
+      stop.wished = true;
+      request_stop();
+    };
+  const ObservedProgress observed(std::move(observer));
+  answer.code = asked.command(options);
+  return answer;
+}
+
+}  // namespace orbearing::app
