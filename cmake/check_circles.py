@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 """check_circles.py ROOT: prints each circle of includes between folders and between header-and-source
-pairs, with the includes that make it, and fails where there is one.
+pairs, and of imports between modules of the Python package, with what makes it, and fails where there is one.
 
 A folder stands for the files directly in it; a folder within it stands for itself, so bearing/ may know
 bearing/profile/ as long as bearing/profile/ does not know bearing/. x.hpp and x.cpp are one pair. Only
 includes written from the root count, which is how CheckArchitecture.cmake wants them."""
 
+import ast
 import collections
 import pathlib
 import re
@@ -27,8 +28,28 @@ def includes(root):
                     yield path.relative_to(root), pathlib.PurePath(header)
 
 
+def imports(root):
+    """The same of the modules of the Python package, imports within functions and for types alone among them."""
+    package = root / "python"
+
+    def file_of(name):
+        module = package / name.replace(".", "/")
+        return next((file for file in (module.with_suffix(".py"), module / "__init__.py") if file.is_file()), None)
+
+    for path in sorted(package.rglob("*.py")):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            found = []
+            if isinstance(node, ast.Import):
+                found = [file_of(alias.name) for alias in node.names]
+            elif isinstance(node, ast.ImportFrom) and node.module:  # of a module, or of what it holds
+                found = [file_of(f"{node.module}.{alias.name}") or file_of(node.module) for alias in node.names]
+            for file in filter(None, found):
+                if file != path:
+                    yield path.relative_to(root), pathlib.PurePath(file.relative_to(root))
+
+
 def graph_of(edges, node):
-    """node -> node -> the includes between them."""
+    """node -> node -> the includes or imports between them."""
     graph = collections.defaultdict(lambda: collections.defaultdict(list))
     for source, target in edges:
         if node(source) != node(target):
@@ -88,6 +109,7 @@ def main():
     edges = list(includes(pathlib.Path(sys.argv[1])))
     count = report(graph_of(edges, lambda path: str(path.parent)), "folders")
     count += report(graph_of(edges, lambda path: str(path.with_suffix(""))), "pairs")
+    count += report(graph_of(imports(pathlib.Path(sys.argv[1])), str), "modules")
     return 1 if count else 0
 
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from html import escape
 
-from orbearing import page as pages
 from orbearing.blocks import Table, format_number, format_quantity, is_number
 from orbearing.result_folder import Report, records
+from orbearing.tables import table
 
 
 def lives_table(content: dict) -> Table:
@@ -30,4 +30,4 @@ def section(report: Report) -> str:
     speed = content.get("speed_rpm")
     where = f'<p>At {escape(format_quantity(speed, "rpm", 4))} input speed:</p>\n' if is_number(speed) else ""
     advice = "\n".join(f"<p>{escape(line)}</p>" for line in str(content.get("advice") or "").splitlines() if line)
-    return f'<section id="lives">{where}{pages.table(lives_table(content))}\n<p>{escape(loads_line(content))}</p>\n{advice}</section>'
+    return f'<section id="lives">{where}{table(lives_table(content))}\n<p>{escape(loads_line(content))}</p>\n{advice}</section>'

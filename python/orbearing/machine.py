@@ -9,7 +9,7 @@ import numpy as np
 from orbearing import _core
 
 if TYPE_CHECKING:
-    from orbearing.case import Case
+    from orbearing.results import ComputedCase
 
 
 class _Machine:
@@ -18,7 +18,7 @@ class _Machine:
 
     _model = ""
 
-    def __init__(self, case: "Case"):
+    def __init__(self, case: "ComputedCase"):
         self._machine = _core.Machine(case.core, self._model)
 
     @property

@@ -6,13 +6,14 @@ from html import escape
 from pathlib import Path
 from typing import Any, Sequence
 
-from orbearing.blocks import MISSING, FigureBlock, Table, format_number, format_quantity, is_number
+from orbearing import lives
+from orbearing.blocks import MISSING, FigureBlock, Table, format_quantity, is_number
 from orbearing.result_folder import Report, records
 from orbearing.summary import headline, summary_table
+from orbearing.tables import table
 
 STYLE_SHEET = Path(__file__).with_name("page.css")
 LEAST_CHANGE = 1e-3  # [h]
-SHORT, SHORT_CELL = 14, ' class="short"'  # letters of a text that stays on one line, as a number with its unit
 
 
 def page(report: Report, blocks: Sequence[FigureBlock], animations: Sequence[str] = ()) -> str:
@@ -29,28 +30,9 @@ def page(report: Report, blocks: Sequence[FigureBlock], animations: Sequence[str
     ])
 
 
-def cell(value: Any) -> str:
-    """A table cell: numbers rounded for reading, text escaped, a dash for what is missing."""
-    if is_number(value):
-        return f'<td class="number">{format_number(float(value))}</td>'
-    if value is None or value == "" or isinstance(value, float):  # a float that is no number is missing
-        return f'<td class="number">{MISSING}</td>'
-    text = str(value)
-    return f'<td{SHORT_CELL if len(text) <= SHORT else ""}>{escape(text)}</td>'
-
-
-def table(content: Table) -> str:
-    """An HTML table that scrolls sideways where the screen is narrow."""
-    head = "".join(f'<th scope="col">{escape(text)}</th>' for text in content.head)
-    rows = "\n".join("<tr>" + "".join(cell(value) for value in row) + "</tr>" for row in content.rows)
-    return f'<div class="scroll"><table>\n<thead><tr>{head}</tr></thead>\n<tbody>\n{rows}\n</tbody>\n</table></div>'
-
-
 def _answer(report: Report) -> str:
     name = report.record("case").get("name") or "unnamed case"
     title = f'<p class="case">{escape(str(name))}</p>\n<h1>{escape(headline(report))}</h1>'
-    from orbearing import lives
-
     return f"<header>{title}</header>\n{lives.section(report)}\n{table(summary_table(report))}"
 
 

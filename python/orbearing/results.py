@@ -6,43 +6,21 @@ import contextlib
 import html
 import inspect
 import json
-import re
 import shutil
 import tempfile
 import weakref
 from pathlib import Path
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, Iterator, Mapping, Optional
+from typing import TYPE_CHECKING, Any, Iterator, Mapping, Optional, Protocol
 
 import numpy as np
 
+from orbearing.units import units_of
+
 if TYPE_CHECKING:
     import xarray
+    from orbearing import _core
     from orbearing.blocks import FigureBlock
-    from orbearing.case import Case
-
-# Ends of names -> units as udunits and pint read them; the longest end counts.
-_UNITS = {
-    "_N_s_per_m": "N s m-1", "_N_per_m": "N m-1", "_N_per_mm_um": "N mm-1 um-1", "_N_m": "N m", "_N_mm": "N mm", "_m_per_N": "m N-1", "_per_s": "s-1",
-    "_m_s2": "m s-2", "_m_per_s2": "m s-2", "_kg_m2": "kg m2", "_per_kg": "kg-1", "_per_mm": "mm-1", "_percent": "percent",
-    "_rpm": "rpm", "_Mrev": "megarevolution", "_mrad": "mrad", "_MPa": "MPa", "_Hz": "Hz", "_um": "um", "_mm": "mm", "_us": "us", "_ms": "ms",
-    "_deg": "degree", "_N": "N", "_kN": "kN", "_W": "W", "_kW": "kW", "_h": "h", "_s": "s", "_m_s": "m s-1", "_rad_s": "rad s-1", "_K": "K", "_m": "m",
-    "_rad": "rad", "_kg": "kg",
-}
-# Lives by the names of the standards, of one bearing, a race, a set or the system; and what only looks like a unit: an elliptic integral.
-_LIFE = re.compile(r"(^|\.|^system_|^inner_|^outer_)L10(r|m|mr)?h$")
-_NO_UNIT = re.compile(r"(^|\.)elliptic_[KE]$")
-# Numbers whose names have no unit and are no ratios.
-_PLAIN = "1"
-
-
-def units_of(name: str) -> str:
-    """The unit that a name's end states; "1" where it states none."""
-    if _LIFE.search(name):
-        return "h"
-    fitting = [end for end in _UNITS if name.endswith(end) and not _NO_UNIT.search(name)]
-    return _UNITS[max(fitting, key=len)] if fitting else _PLAIN
-
 
 def number_array(values) -> np.ndarray:
     """Numbers with NaN in place of None, not to be written to."""
@@ -72,6 +50,16 @@ def _new_axes(width: float = 1.0):
     return pyplot.subplots(figsize=(style.PANEL[0] * width, style.PANEL[1]), layout="constrained")[1]
 
 
+class ComputedCase(Protocol):
+    """What a result knows of its case, an orbearing.Case."""
+
+    name: str
+    core: "_core.CoreCase"
+
+    def copy(self) -> "ComputedCase":
+        """The same case, which changes by itself."""
+
+
 class Result(Mapping):
     """What a command found. A mapping of the keys of its JSON; arrays are read-only.
 
@@ -79,7 +67,7 @@ class Result(Mapping):
     the result.
     """
 
-    def __init__(self, data: dict, command: str, case: "Case", options: Optional[dict] = None, folder: Optional[str] = None,
+    def __init__(self, data: dict, command: str, case: "ComputedCase", options: Optional[dict] = None, folder: Optional[str] = None,
                  kept: Optional[str] = None):
         self._data = _frozen(data)
         self._command, self._case, self._options = command, case, MappingProxyType(dict(options or {}))
@@ -94,7 +82,7 @@ class Result(Mapping):
         return _thawed(self._data)
 
     @property
-    def case(self) -> "Case":
+    def case(self) -> "ComputedCase":
         """The case it was computed from, a copy."""
         return self._case.copy()
 

@@ -70,3 +70,14 @@ verdict(pairs
   "circle of pairs: gearset/kinds -> gearset/modes -> gearset/kinds"
   "  gearset/kinds.cpp includes gearset/modes.hpp"
   "  gearset/modes.cpp includes gearset/kinds.hpp")
+
+# Issue 45, Build 12. Modules of the Python package, one of which asks for the other within a function.
+file(WRITE "${WORK}/modules/python/orbearing/case.py" "import os\nfrom orbearing.results import Result\n")
+file(WRITE "${WORK}/modules/python/orbearing/results.py"
+     "from orbearing import units\ndef case():\n    import orbearing.case\n")
+file(WRITE "${WORK}/modules/python/orbearing/units.py" "import re\n")
+file(WRITE "${WORK}/modules/python/orbearing/__init__.py" "from orbearing.case import Case\n")
+verdict(modules
+  "circle of modules: python/orbearing/case.py -> python/orbearing/results.py -> python/orbearing/case.py"
+  "  python/orbearing/case.py includes python/orbearing/results.py"
+  "  python/orbearing/results.py includes python/orbearing/case.py")

@@ -21,7 +21,7 @@ sys.dont_write_bytecode = True
 ROOT = Path(os.environ.get("ORBEARING_SOURCE_DIR", Path(__file__).resolve().parents[2])).resolve()
 sys.path.insert(0, str(ROOT / "python"))
 
-from orbearing.results import units_of  # noqa: E402
+from orbearing.units import units_of  # noqa: E402
 
 BY_HAND = {
     # sweep, run

@@ -9,9 +9,9 @@ from typing import Any
 
 import numpy as np
 
-from orbearing.results import units_of
 from orbearing.studies.design import SPEED, Design, Parameter
 from orbearing.studies.table import LIFE, SPEED_COLUMN, SYSTEM_LIFE, ResultTable
+from orbearing.units import units_of
 
 CONVENTIONS = "CF-1.10"
 ASIDE = ".tmp"

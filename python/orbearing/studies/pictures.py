@@ -1,4 +1,4 @@
-"""Pictures and the page of a study."""
+"""Pictures and the page of a study; `result` is its orbearing.StudyResult."""
 
 from __future__ import annotations
 
@@ -12,14 +12,15 @@ from orbearing import page, style
 from orbearing.blocks import FigureBlock, Table, format_number, format_quantity
 from orbearing.studies.dataset import in_rpm
 from orbearing.studies.design import SPEED
-from orbearing.studies.result import MOST_CURVES, MOST_ROWS, StudyResult
 from orbearing.studies.table import LIFE
 
 PICTURE = (6.0, 4.0)  # [inch]
+MOST_CURVES = 60  # that a picture shows one by one
+MOST_ROWS = 200  # of a table on a page
 QUANTILES = (0.05, 0.25, 0.5, 0.75, 0.95)
 
 
-def life_picture(result: StudyResult, axes=None):
+def life_picture(result, axes=None):
     """Life over speed, or over the first parameter where the speed is no dimension; returns the axes."""
     if axes is None:
         from matplotlib import pyplot
@@ -42,12 +43,12 @@ def life_picture(result: StudyResult, axes=None):
     return axes
 
 
-def _colouring(result: StudyResult):
+def _colouring(result):
     """The first parameter but the speed, which colours curves; None where nothing else varies."""
     return next((p for p in result.design.parameters if p.path != SPEED), None)
 
 
-def _curves(axes, result: StudyResult, speed: np.ndarray, curves: np.ndarray) -> None:
+def _curves(axes, result, speed: np.ndarray, curves: np.ndarray) -> None:
     from matplotlib import colormaps
     from matplotlib.colors import Normalize
 
@@ -84,7 +85,7 @@ def _quantiles(axes, speed: np.ndarray, curves: np.ndarray) -> None:
     style.legend_above(axes, columns=3)
 
 
-def _over_parameter(axes, result: StudyResult, parameter, life: np.ndarray) -> None:
+def _over_parameter(axes, result, parameter, life: np.ndarray) -> None:
     places = result.design.along(parameter, np.arange(result.points))
     values = parameter.values if parameter.is_number else np.arange(len(parameter.texts), dtype=float)
     axes.plot(values[places], life, linestyle="", marker=".", color=style.BLUE)
@@ -92,7 +93,7 @@ def _over_parameter(axes, result: StudyResult, parameter, life: np.ndarray) -> N
     style.life_axis(axes)
 
 
-def _peak_block(result: StudyResult) -> FigureBlock | None:
+def _peak_block(result) -> FigureBlock | None:
     """Where the peak stands, over the first parameter."""
     parameter = _colouring(result)
     if parameter is None or not result.design.over_speed:
@@ -114,7 +115,7 @@ def _peak_block(result: StudyResult) -> FigureBlock | None:
     return FigureBlock("peaks", f"Peak over {parameter.path}", caption, (style.to_svg(figure, "peaks", caption),))
 
 
-def headline(result: StudyResult) -> str:
+def headline(result) -> str:
     """The answer in one sentence."""
     lives = [v for v in result.variants() if v.get("peak_life_h", v.get(LIFE)) is not None]
     if not lives:
@@ -133,7 +134,7 @@ def _shown(value) -> str:
     return format_number(value) if isinstance(value, float) else str(value)
 
 
-def _variants_table(result: StudyResult) -> str:
+def _variants_table(result) -> str:
     rows = result.variants()
     units = {p.path: p.unit for p in result.design.parameters if p.unit not in ("", "1")}
     head = tuple(f"{name} ({units[name]})" if name in units else name for name in (rows[0] if rows else {}))
@@ -141,12 +142,12 @@ def _variants_table(result: StudyResult) -> str:
     return f"<section>\n<h2>Variants</h2>\n{note}{page.table(Table(head, [tuple(row.values()) for row in rows[:MOST_ROWS]]))}\n</section>"
 
 
-def _warnings(result: StudyResult) -> str:
+def _warnings(result) -> str:
     said = "<ul>" + "\n".join(f"<li>{escape(text)}</li>" for text in result.warnings) + "</ul>" if result.warnings else "<p>None.</p>"
     return f"<section>\n<h2>Warnings</h2>\n{said}\n</section>"
 
 
-def page_of(result: StudyResult) -> str:
+def page_of(result) -> str:
     """The whole document; the same results give the same bytes."""
     with style.context():
         figure, axes = style.panel(PICTURE)
@@ -166,7 +167,7 @@ def page_of(result: StudyResult) -> str:
         _variants_table(result), _warnings(result), "</main>", "</body>", "</html>", ""])
 
 
-def write_report(result: StudyResult, path: Path) -> Path:
+def write_report(result, path: Path) -> Path:
     """Writes the page aside and renames it."""
     aside = path.with_name(f".{path.name}.tmp")
     aside.write_text(page_of(result), encoding="utf-8")

@@ -14,9 +14,6 @@ from orbearing.studies.design import SPEED, Design
 from orbearing.studies.folder import read_folder
 from orbearing.studies.table import DONE, LIFE, NOT_COMPUTED, ResultTable
 
-MOST_CURVES = 60  # that a picture shows one by one
-MOST_ROWS = 200  # of a table on a page
-
 
 @dataclass(frozen=True)
 class StudyResult:

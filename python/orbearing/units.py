@@ -1,0 +1,27 @@
+"""Units of results by the ends of their names."""
+
+from __future__ import annotations
+
+import re
+
+# Ends of names -> units as udunits and pint read them; the longest end counts.
+_UNITS = {
+    "_N_s_per_m": "N s m-1", "_N_per_m": "N m-1", "_N_per_mm_um": "N mm-1 um-1", "_N_m": "N m", "_N_mm": "N mm", "_m_per_N": "m N-1", "_per_s": "s-1",
+    "_m_s2": "m s-2", "_m_per_s2": "m s-2", "_kg_m2": "kg m2", "_per_kg": "kg-1", "_per_mm": "mm-1", "_percent": "percent",
+    "_rpm": "rpm", "_Mrev": "megarevolution", "_mrad": "mrad", "_MPa": "MPa", "_Hz": "Hz", "_um": "um", "_mm": "mm", "_us": "us", "_ms": "ms",
+    "_deg": "degree", "_N": "N", "_kN": "kN", "_W": "W", "_kW": "kW", "_h": "h", "_s": "s", "_m_s": "m s-1", "_rad_s": "rad s-1", "_K": "K", "_m": "m",
+    "_rad": "rad", "_kg": "kg",
+}
+# Lives by the names of the standards, of one bearing, a race, a set or the system; and what only looks like a unit: an elliptic integral.
+_LIFE = re.compile(r"(^|\.|^system_|^inner_|^outer_)L10(r|m|mr)?h$")
+_NO_UNIT = re.compile(r"(^|\.)elliptic_[KE]$")
+# Numbers whose names have no unit and are no ratios.
+PLAIN = "1"
+
+
+def units_of(name: str) -> str:
+    """The unit that a name's end states; "1" where it states none."""
+    if _LIFE.search(name):
+        return "h"
+    fitting = [end for end in _UNITS if name.endswith(end) and not _NO_UNIT.search(name)]
+    return _UNITS[max(fitting, key=len)] if fitting else PLAIN
