@@ -21,14 +21,17 @@ fs::path package_beside(const fs::path& folder) {
 Resources& in_use() {
   static Resources found = [] {
     std::error_code ignored;
-    const fs::path folder = fs::read_symlink("/proc/self/exe", ignored).parent_path().parent_path();
-    // Debian's own interpreter has the packages that are needed; another may come first on the PATH.
-    return Resources{folder, package_beside(folder), "/usr/bin/python3"};
+    return resources_of(fs::read_symlink("/proc/self/exe", ignored).parent_path().parent_path());
   }();
   return found;
 }
 
 }  // namespace
+
+Resources resources_of(const fs::path& folder) {
+  // Debian's own interpreter has the packages that are needed; another may come first on the PATH.
+  return {folder, package_beside(folder), "/usr/bin/python3"};
+}
 
 const Resources& resources() {
   return in_use();

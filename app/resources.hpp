@@ -14,6 +14,9 @@ struct Resources {
   std::filesystem::path interpreter;  // of Python
 };
 
+/// Of a build folder or an installation.
+Resources resources_of(const std::filesystem::path& folder);
+
 const Resources& resources();
 
 /// Takes others, for a program that is a part of another, as of Python's interpreter. To be called before the

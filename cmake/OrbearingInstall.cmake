@@ -4,14 +4,10 @@ include(CMakePackageConfigHelpers)
 set(orbearing_package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/Orbearing")
 set(orbearing_data_dir "${CMAKE_INSTALL_DATADIR}/orbearing")
 
-install(TARGETS orbearing_mechanics orbearing_gearset orbearing_bearing orbearing_coupling
-        EXPORT OrbearingTargets
-        ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
-foreach(folder IN ITEMS mechanics gearset bearing coupling)
-  install(DIRECTORY "${PROJECT_SOURCE_DIR}/${folder}"
-          DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/orbearing"
-          FILES_MATCHING PATTERN "*.hpp")
-endforeach()
+if(TARGET orbearing_library)
+  install(TARGETS orbearing_library EXPORT OrbearingTargets LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/orbearing" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
+endif()
 
 install(EXPORT OrbearingTargets NAMESPACE orbearing:: DESTINATION "${orbearing_package_dir}")
 configure_package_config_file(

@@ -8,13 +8,13 @@
 
 #include "app/case/case_file.hpp"
 #include "app/commands/presentation.hpp"
-#include "app/commands/request.hpp"
 #include "app/errors.hpp"
 #include "app/study/published_comparison.hpp"
 #include "app/study/sensitivity.hpp"
 #include "app/study/validation_table.hpp"
 #include "gearset/drivetrain/power_flow.hpp"
 #include "gearset/mean_loads.hpp"
+#include "orbearing/request.hpp"
 
 namespace orbearing::app {
 
@@ -84,11 +84,11 @@ nlohmann::ordered_json validation_json(const std::vector<ValidationTable>& table
 // What the command prints for the case with --json.
 nlohmann::ordered_json command_result(const std::string& command, const std::string& fidelity,
                                       const ResolvedCase& resolved) {
-  Request request{.command = command, .given = resolved};
-  if (fidelity != Options{}.fidelity) request.options["fidelity"] = fidelity;
-  Answer found = answer(request);
+  Request request{.command = command, .given = Case(resolved)};
+  if (fidelity != Options{}.fidelity) request.options = fmt::format(R"({{"fidelity": "{}"}})", fidelity);
+  const Answer found = answer(request);
   if (found.code != 0) throw ComputationFailed(fmt::format("{}: {}", command, fmt::join(found.failures, "; ")));
-  return std::move(found.result);
+  return nlohmann::ordered_json::parse(found.result);
 }
 
 int validate_motion(const Options& options) {

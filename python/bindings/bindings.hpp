@@ -6,14 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "app/case/resolved_case.hpp"
+#include "orbearing/case.hpp"
 
 namespace orbearing::python {
-
-/// A case as Python holds it; immutable, so that threads may share it.
-struct CoreCase {
-  app::ResolvedCase resolved;
-};
 
 void add_errors(pybind11::module_& module);
 void add_case(pybind11::module_& module);

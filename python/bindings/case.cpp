@@ -7,7 +7,6 @@
 #include "app/case/field_table.hpp"
 #include "app/case/resolved_writer.hpp"
 #include "app/case/settings.hpp"
-#include "app/errors.hpp"
 #include "python/bindings/bindings.hpp"
 
 namespace orbearing::python {
@@ -24,16 +23,16 @@ std::vector<std::string> as_options(const Settings& settings) {
   return texts;
 }
 
-const app::Field& field_at(const CoreCase& core, const std::string& path) {
-  for (const app::Input& input : core.resolved.inputs())
+const app::Field& field_at(const Case& core, const std::string& path) {
+  for (const app::Input& input : core.content().inputs())
     if (input.path == path) return *input.field;
   std::vector<std::string> known;
-  for (const app::Input& input : core.resolved.inputs()) known.push_back(input.path);
+  for (const app::Input& input : core.content().inputs()) known.push_back(input.path);
   const std::string near = app::nearest_word(path, known);
-  throw app::BadInput(
+  throw BadInput(
       fmt::format("{}: {}: found a path that this case does not know{}; required: the path of a value "
                   "of the case",
-                  core.resolved.file(), path, near.empty() ? "" : " (did you mean '" + near + "'?)"));
+                  core.content().file(), path, near.empty() ? "" : " (did you mean '" + near + "'?)"));
 }
 
 // Rows as a case writes them: a list of all columns, or the names of those that the row has.
@@ -53,30 +52,30 @@ py::list rows_of(const app::Field& field, const std::vector<double>& numbers) {
   return rows;
 }
 
-py::object value_of(const CoreCase& core, const std::string& path) {
+py::object value_of(const Case& core, const std::string& path) {
   const app::Field& field = field_at(core, path);
-  if (!core.resolved.has(path)) return py::none();
+  if (!core.content().has(path)) return py::none();
   switch (field.kind) {
     case app::Kind::quantity:
-      return py::float_(core.resolved.quantity(path));
+      return py::float_(core.content().quantity(path));
     case app::Kind::number:
-      return py::float_(core.resolved.number(path));
+      return py::float_(core.content().number(path));
     case app::Kind::integer:
-      return py::int_(core.resolved.integer(path));
+      return py::int_(core.content().integer(path));
     case app::Kind::flag:
-      return py::bool_(core.resolved.flag(path));
+      return py::bool_(core.content().flag(path));
     case app::Kind::choice:
-      return py::str(core.resolved.choice(path));
+      return py::str(core.content().choice(path));
     case app::Kind::text:
-      return py::str(core.resolved.text(path));
+      return py::str(core.content().text(path));
     case app::Kind::list:
-      if (field.element == app::Kind::text) return py::cast(core.resolved.texts(path));
-      if (!field.columns.empty()) return rows_of(field, core.resolved.list(path));
+      if (field.element == app::Kind::text) return py::cast(core.content().texts(path));
+      if (!field.columns.empty()) return rows_of(field, core.content().list(path));
       if (field.element == app::Kind::integer) {
-        const std::vector<double>& whole = core.resolved.list(path);
+        const std::vector<double>& whole = core.content().list(path);
         return py::cast(std::vector<long>(whole.begin(), whole.end()));
       }
-      return py::cast(core.resolved.list(path));
+      return py::cast(core.content().list(path));
   }
   return py::none();
 }
@@ -95,7 +94,7 @@ py::object si_units(const std::string& path) {
 double in_si(const app::Field& field, const std::string& path, const std::string& text) {
   const app::FieldReading reading = app::read_field_text(field, text);
   if (!reading.good)
-    throw app::BadInput(
+    throw BadInput(
         fmt::format("{}: found {}; required: {}", path, reading.complaint.found, app::requirement(field)));
   return reading.value.number;
 }
@@ -120,7 +119,7 @@ const char* kind_name(app::Kind kind) {
   return "";
 }
 
-py::dict described(const CoreCase& core, const app::Input& input) {
+py::dict described(const Case& core, const app::Input& input) {
   const auto& [path, field] = input;
   py::dict row;
   row["path"] = path;
@@ -128,62 +127,62 @@ py::dict described(const CoreCase& core, const app::Input& input) {
   row["unit"] = std::string(field->dimension.customary);
   row["si_unit"] = std::string(field->dimension.si);
   row["meaning"] = field->meaning;
-  const bool given = core.resolved.has(path);
-  row["given"] = given ? py::object(py::str(core.resolved.given(path))) : py::none();
-  const auto& assumed = core.resolved.assumed();
+  const bool given = core.content().has(path);
+  row["given"] = given ? py::object(py::str(core.content().given(path))) : py::none();
+  const auto& assumed = core.content().assumed();
   const auto reason = assumed.find(path);
-  const bool is_default = given && core.resolved.origin(path) == "default";
+  const bool is_default = given && core.content().origin(path) == "default";
   row["source"] = !given ? "absent" : is_default ? "default" : reason != assumed.end() ? "assumed" : "given";
   row["reason"] = reason == assumed.end() ? "" : reason->second;
   return row;
 }
 
-py::list inputs_of(const CoreCase& core) {
+py::list inputs_of(const Case& core) {
   py::list rows;
-  for (const app::Input& input : core.resolved.inputs()) rows.append(described(core, input));
+  for (const app::Input& input : core.content().inputs()) rows.append(described(core, input));
   return rows;
 }
 
-py::dict axes_of(const CoreCase& core) {
+py::dict axes_of(const Case& core) {
   py::dict axes;
-  for (const app::SweepAxis& axis : core.resolved.axes()) axes[py::str(axis.path)] = py::cast(axis.values);
+  for (const app::SweepAxis& axis : core.content().axes()) axes[py::str(axis.path)] = py::cast(axis.values);
   return axes;
 }
 
 }  // namespace
 
 void add_case(py::module_& module) {
-  py::class_<CoreCase>(module, "CoreCase", "A case with every value checked; it never changes.")
+  py::class_<Case>(module, "CoreCase", "A case with every value checked; it never changes.")
       .def(
           "with_settings",
-          [](const CoreCase& core, const Settings& settings) {
+          [](const Case& core, const Settings& settings) {
             std::vector<app::Setting> all;
             for (const auto& [path, text] : settings) all.push_back({path, text});
-            return CoreCase{core.resolved.with(all)};
+            return Case{core.content().with(all)};
           },
           py::arg("settings"), py::call_guard<py::gil_scoped_release>(),
           "A copy with values replaced, by (path, text as in a case file); what follows from them is derived "
           "anew.")
       .def(
           "with_numbers",
-          [](const CoreCase& core, const std::vector<std::pair<std::string, double>>& settings) {
+          [](const Case& core, const std::vector<std::pair<std::string, double>>& settings) {
             std::vector<app::Setting> all;
             for (const auto& [path, number] : settings) all.push_back({path, "", number});
-            return CoreCase{core.resolved.with(all)};
+            return Case{core.content().with(all)};
           },
           py::arg("settings"), "The same by (path, number in SI).")
       .def(
-          "without_sweep", [](const CoreCase& core) { return CoreCase{core.resolved.without_sweep()}; },
+          "without_sweep", [](const Case& core) { return Case{core.content().without_sweep()}; },
           "The one operating point that the values state.")
       .def(
           "si",
-          [](const CoreCase& core, const std::string& path, const std::string& text) {
+          [](const Case& core, const std::string& path, const std::string& text) {
             return in_si(field_at(core, path), path, text);
           },
           py::arg("path"), py::arg("text"), "What the case's reader makes of a text for that input, in SI.")
       .def(
           "si",
-          [](const CoreCase& core, const std::string& path, const std::vector<std::string>& texts) {
+          [](const Case& core, const std::string& path, const std::vector<std::string>& texts) {
             const app::Field& field = field_at(core, path);
             std::vector<double> values;
             for (const std::string& text : texts) values.push_back(in_si(field, path, text));
@@ -193,10 +192,10 @@ void add_case(py::module_& module) {
       .def("value", &value_of, py::arg("path"), "The present value, in SI; None where there is none.")
       .def(
           "given",
-          [](const CoreCase& core, const std::string& path) -> py::object {
+          [](const Case& core, const std::string& path) -> py::object {
             field_at(core, path);
-            if (!core.resolved.has(path)) return py::none();
-            return py::str(core.resolved.given(path));
+            if (!core.content().has(path)) return py::none();
+            return py::str(core.content().given(path));
           },
           py::arg("path"), "The present value as written, with its unit; None where there is none.")
       .def("inputs", &inputs_of,
@@ -205,26 +204,26 @@ void add_case(py::module_& module) {
            "(given, assumed, default or absent) and reason.")
       .def("axes", &axes_of, "Swept inputs and their values as written.")
       .def(
-          "resolved", [](const CoreCase& core) { return app::write_resolved(core.resolved); },
+          "resolved", [](const Case& core) { return app::write_resolved(core.content()); },
           "The resolved case as YAML, from which the same numbers follow.")
-      .def("hash", [](const CoreCase& core) { return app::case_hash(core.resolved); })
-      .def("file", [](const CoreCase& core) { return core.resolved.file(); })
-      .def("name", [](const CoreCase& core) { return core.resolved.text("name"); })
-      .def("model", [](const CoreCase& core) { return core.resolved.choice("model"); });
+      .def("hash", [](const Case& core) { return app::case_hash(core.content()); })
+      .def("file", [](const Case& core) { return core.content().file(); })
+      .def("name", [](const Case& core) { return core.content().text("name"); })
+      .def("model", [](const Case& core) { return core.content().choice("model"); });
   module.def("si_units", &si_units, py::arg("path"),
              "(unit, [(column, unit), ...]) of the numbers at a path, in SI, empty where they have none; None where no "
              "input has that path.");
   module.def(
       "load",
       [](const std::string& file, const Settings& settings) {
-        return CoreCase{app::read_case(file, as_options(settings))};
+        return Case{app::read_case(file, as_options(settings))};
       },
       py::arg("file"), py::arg("settings") = Settings{}, py::call_guard<py::gil_scoped_release>(),
       "Reads and checks a case file.");
   module.def(
       "parse",
       [](const std::string& text, const std::string& name, const Settings& settings) {
-        return CoreCase{app::parse_case(text, name, as_options(settings))};
+        return Case{app::parse_case(text, name, as_options(settings))};
       },
       py::arg("text"), py::arg("name") = "case", py::arg("settings") = Settings{},
       py::call_guard<py::gil_scoped_release>(),

@@ -1,11 +1,9 @@
 // The commands of the command line, their results as JSON; and the command line itself.
 #include <pybind11/stl.h>
 
-#include <nlohmann/json.hpp>
-
 #include "app/commands/command_line.hpp"
-#include "app/commands/request.hpp"
 #include "app/results/interruption.hpp"
+#include "orbearing/request.hpp"
 #include "python/bindings/bindings.hpp"
 
 namespace orbearing::python {
@@ -15,25 +13,24 @@ namespace py = pybind11;
 namespace {
 
 // Python's own handler runs only when the interpreter does: this one is heard while the program computes.
-py::tuple compute(const CoreCase* core, const std::string& command, const py::dict& options,
+py::tuple compute(const Case* stated, const std::string& command, const py::dict& options,
                   const py::object& progress) {
-  app::Request request{.command = command};
-  if (core != nullptr) request.given = core->resolved;
-  const auto text = py::cast<std::string>(py::module_::import("json").attr("dumps")(options));
-  request.options = nlohmann::ordered_json::parse(text);
+  Request request{.command = command};
+  if (stated != nullptr) request.given = *stated;
+  request.options = py::cast<std::string>(py::module_::import("json").attr("dumps")(options));
   if (!progress.is_none())
     request.progress = [&](std::size_t done, std::size_t all, const std::string& doing) {
       const py::gil_scoped_acquire held;
       progress(done, all, doing);
       return true;  // an exception of its own ends the computation
     };
-  app::Answer found;
+  Answer found;
   {
     const py::gil_scoped_release released;
     const app::Interruption interruption;
-    found = app::answer(request);
+    found = answer(request);
   }
-  return py::make_tuple(found.result.dump(), found.failures);
+  return py::make_tuple(found.result, found.failures);
 }
 
 int command_line(const std::vector<std::string>& arguments) {

@@ -2,7 +2,6 @@
 // orbearing.ComputationError.
 #include <pybind11/stl.h>
 
-#include "app/errors.hpp"
 #include "mechanics/cancellation.hpp"
 #include "python/bindings/bindings.hpp"
 
@@ -25,13 +24,13 @@ void add_errors(py::module_&) {
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) std::rethrow_exception(thrown);
-    } catch (const app::BadInput& error) {
+    } catch (const BadInput& error) {
       raise("CaseError", error.messages);
-    } catch (const app::Interrupted& error) {
+    } catch (const Interrupted& error) {
       PyErr_SetString(PyExc_KeyboardInterrupt, error.what());
     } catch (const Cancelled& wish) {
       PyErr_SetString(PyExc_KeyboardInterrupt, wish.what());
-    } catch (const app::ComputationFailed& error) {
+    } catch (const ComputationFailed& error) {
       raise("ComputationError", std::string(error.what()));
     }
   });

@@ -1,46 +1,65 @@
-// Uses one function of each library through the installed headers.
+// Uses each header that is installed.
 #include <cmath>
 #include <cstdlib>
+#include <string>
 
-#include "bearing/geometry.hpp"
-#include "coupling/study/operating_point.hpp"
-#include "gearset/kinematics.hpp"
+#include "orbearing/case.hpp"
+#include "orbearing/errors.hpp"
+#include "orbearing/participant.hpp"
+#include "orbearing/request.hpp"
+#include "orbearing/sweep.hpp"
+#include "orbearing/version.hpp"
 
 namespace {
 
-bool equal(double value, double expected) {
-  const double round_off = 1e-12;
-  return std::abs(value - expected) <= round_off * std::abs(expected);
+bool equal(double value, double expected, double share) {
+  return std::abs(value - expected) <= share * std::abs(expected);
 }
 
-/// Willis' equation with the ring fixed: carrier / sun = sun_teeth / (sun_teeth + ring_teeth).
-bool gearset_works() {
-  orbearing::gearset::PlanetarySet set;
-  set.sun_teeth = 20;
-  set.planet_teeth = 20;
-  set.ring_teeth = 60;
-  set.planets = 3;
-  const orbearing::gearset::Drive drive{orbearing::gearset::Member::sun, 1000.0, 100.0};
-  return equal(orbearing::gearset::member_speeds(set, drive).carrier, 25.0);
+const orbearing::Case& reducer() {
+  static const auto read = orbearing::Case::read(REDUCER);
+  return read;
 }
 
-/// Pure rolling under a turning outer race: half its speed, times one plus roller / pitch diameter.
-bool bearing_works() {
-  orbearing::bearing::Bearing bearing;
-  bearing.rollers().count = 10;
-  bearing.rollers().diameter = 5e-3;
-  bearing.rollers().length = 5e-3;
-  bearing.pitch_diameter = 40e-3;
-  const auto geometry = orbearing::bearing::geometry_of(bearing);
-  return equal(orbearing::bearing::kinematic_cage_speed(geometry, 0.0, 80.0), 40.0 * (1.0 + 5.0 / 40.0));
+// Half the power, the same numbers by text and by SI; mistakes are said with their place.
+bool case_works() {
+  const orbearing::Case half = reducer().with("input.power", "75 kW");
+  bool refused = false;
+  try {
+    (void)reducer().with("input.power", "75 mm");
+  } catch (const orbearing::BadInput& error) {
+    refused = error.messages.size() == 1 && error.messages.front().find("input.power") != std::string::npos;
+  }
+  return refused && half.number("input.power") == 75e3 && half.text("input.power") == "75 kW" &&
+         reducer().with("input.power", 75e3).number("input.power") == 75e3 &&
+         orbearing::Case::parse(half.resolved()).number("input.power") == 75e3;
 }
 
-bool coupling_works() {
-  return orbearing::study::PointResult().status == "ok";
+// At half the power the teeth carry half the load: what is left of the planet's is centrifugal.
+bool sweep_works() {
+  const orbearing::Points points = orbearing::evaluate(reducer(), {"input.power"}, {150e3, 75e3});
+  std::size_t column = 0;
+  while (points.columns.at(column) != "tangential_load_N") ++column;
+  const double whole = points.numbers[column], half = points.numbers[points.columns.size() + column];
+  return points.status == std::vector<std::string>{"ok", "ok"} && equal(half, 0.5 * whole, 1e-12);
+}
+
+bool request_works() {
+  const orbearing::Answer answer = orbearing::answer({.command = "run", .given = reducer()});
+  return answer.code == 0 && answer.result.find("\"life_h\"") != std::string::npos;
+}
+
+// The bearing in its balance: what it is loaded by is what it returns.
+bool participant_works() {
+  orbearing::Participant bearing = orbearing::Participant::bearing(reducer());
+  bearing.advance(1e-5);
+  return equal(bearing.time(), 1e-5, 1e-12) && !bearing.inputs().empty() &&
+         bearing.values().size() == bearing.outputs().size();
 }
 
 }  // namespace
 
 int main() {
-  return gearset_works() && bearing_works() && coupling_works() ? EXIT_SUCCESS : EXIT_FAILURE;
+  const bool works = !orbearing::version().empty() && case_works() && sweep_works() && request_works() && participant_works();
+  return works ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -1,14 +1,14 @@
-#include "app/commands/request.hpp"
+#include "orbearing/request.hpp"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "app/case/case_file.hpp"
 #include "app/commands/command_line.hpp"
-#include "app/errors.hpp"
 #include "app/results/progress.hpp"
 #include "mechanics/cancellation.hpp"
 
-namespace orbearing::app {
+namespace orbearing {
 
 namespace {
 
@@ -41,22 +41,25 @@ std::vector<std::string> words_of(const Request& request) {
   else if (!request.case_file.empty())
     words.push_back(request.case_file);
   for (const std::string& setting : request.settings) words.push_back("--set=" + setting);
-  for (const auto& [name, value] : request.options.items()) add_option(name, value, words);
+  const Json options = Json::parse(request.options, nullptr, false);
+  if (!options.is_object())
+    throw BadInput("options: found " + request.options + "; required: a JSON object of options by their names");
+  for (const auto& [name, value] : options.items()) add_option(name, value, words);
   return words;
 }
 
 }  // namespace
 
 Answer answer(const Request& request) {
-  Asked asked = asked_by(words_of(request));
-  Options& options = asked.options;
+  app::Asked asked = app::asked_by(words_of(request));
+  app::Options& options = asked.options;
   options.json = options.quiet = true;
   if (request.given)
-    options.given = request.given;
+    options.given = request.given->content();
   else if (!request.case_text.empty())
-    options.given = parse_case(request.case_text, "case.yaml", request.settings);
-  Answer answer;
-  options.take_result = [&](const Json& object) { answer.result = object; };
+    options.given = app::parse_case(request.case_text, "case.yaml", request.settings);
+  Answer answer{.result = "null"};
+  options.take_result = [&](const Json& object) { answer.result = object.dump(); };
   options.take_failures = [&](const std::string& line) { answer.failures.push_back(line); };
   struct Stop {
     bool wished = false;
@@ -64,16 +67,16 @@ Answer answer(const Request& request) {
       if (wished) clear_stop();  // it was for this request alone
     }
   } stop;
-  ProgressObserver observer;
+  app::ProgressObserver observer;
   if (request.progress)
     observer = [&](std::size_t done, std::size_t all, const std::string& doing) {
       if (request.progress(done, all, doing)) return;
       stop.wished = true;
       request_stop();
     };
-  const ObservedProgress observed(std::move(observer));
+  const app::ObservedProgress observed(std::move(observer));
   answer.code = asked.command(options);
   return answer;
 }
 
-}  // namespace orbearing::app
+}  // namespace orbearing

@@ -1,0 +1,104 @@
+#include "orbearing/sweep.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <mutex>
+
+#include "app/case/field_table.hpp"
+#include "app/study/computable.hpp"
+#include "app/study/fidelity.hpp"
+#include "app/study/planetary_case.hpp"
+#include "app/study/plausibility.hpp"
+#include "app/study/sweep_study.hpp"
+#include "coupling/study/parallel.hpp"
+
+namespace orbearing {
+
+namespace {
+
+// What is wrong with all points is said once, and not in each row.
+void require_varied(const app::ResolvedCase& point, const std::vector<std::string>& paths, std::size_t numbers) {
+  if (paths.empty() || numbers % paths.size() != 0)
+    throw BadInput(fmt::format("values: found {} numbers for {} paths; required: at least one path, and a number for "
+                               "each of them in each row",
+                               numbers, paths.size()));
+  std::vector<std::string> mistakes;
+  const std::vector<app::Input> inputs = point.inputs();
+  for (const std::string& path : paths) {
+    if (std::count(paths.begin(), paths.end(), path) > 1)
+      mistakes.push_back(path + ": found twice among the varied inputs; required: once");
+    const std::string field = path.substr(0, path.find('['));
+    if (std::none_of(inputs.begin(), inputs.end(), [&](const app::Input& input) { return input.path == field; }))
+      mistakes.push_back(
+          fmt::format("{}: {}: found a path that this case does not know; required: the path of a "
+                      "number of the case",
+                      point.file(), path));
+  }
+  if (!mistakes.empty()) throw BadInput(mistakes);
+}
+
+void require_rung(const std::string& fidelity) {
+  const std::vector<std::string>& names = app::fidelity_names();
+  if (std::find(names.begin(), names.end(), fidelity) == names.end())
+    throw BadInput(fmt::format("fidelity: found {}; required: one of {}", fidelity, fmt::join(names, ", ")));
+}
+
+study::PointResult point_with(const app::ResolvedCase& point, const std::vector<app::Setting>& settings,
+                              study::Fidelity level) {
+  study::PointResult result;
+  try {
+    const app::ResolvedCase variant = point.with(settings);
+    result.input_speed = variant.quantity(app::kSpeedPath);
+    const std::vector<study::NamedSet> sets = app::bearing_sets(variant);
+    result = app::judged(study::evaluate(sets, level), sets);
+  } catch (const std::exception& error) {
+    result.status = error.what();
+  }
+  return result;
+}
+
+// Without the columns that hold text.
+Points points_of(const app::TableHead& head, const std::vector<app::ResultRow>& rows) {
+  std::vector<std::size_t> taken;
+  Points points;
+  for (std::size_t i = 0; i < head.names.size(); ++i) {
+    if (i == head.status_place || i == head.set_place || i == head.refined_place) continue;
+    taken.push_back(i);
+    points.columns.push_back(head.names[i]);
+  }
+  for (const app::ResultRow& row : rows) {
+    for (const std::size_t i : taken) points.numbers.push_back(row.values[i]);
+    points.status.push_back(row.status);
+  }
+  return points;
+}
+
+}  // namespace
+
+Points evaluate(const Case& stated, const std::vector<std::string>& paths, const std::vector<double>& values,
+                const std::string& fidelity, int jobs, const std::function<void(std::size_t)>& done) {
+  const app::ResolvedCase point = stated.content().without_sweep();
+  require_rung(fidelity);
+  require_varied(point, paths, values.size());
+  app::sweep_request(point, fidelity);  // refuses what has no operating points
+  app::require_computable(point, fidelity, false);
+  const study::Fidelity level = app::fidelity_of(fidelity);
+  const std::vector<std::string> sets = app::bearing_set_names(point);
+  std::vector<app::ResultRow> rows(values.size() / paths.size());
+  std::mutex telling;
+  std::size_t finished = 0;
+  study::in_parallel(rows.size(), jobs, [&](std::size_t index) {
+    std::vector<app::Setting> settings;
+    for (std::size_t i = 0; i < paths.size(); ++i)
+      settings.push_back({paths[i], "", values[index * paths.size() + i]});
+    rows[index] = app::result_row(point_with(point, settings, level), {}, sets);
+    if (!done) return;
+    const std::scoped_lock lock(telling);
+    done(++finished);
+  });
+  return points_of(app::table_head({}, sets), rows);
+}
+
+}  // namespace orbearing

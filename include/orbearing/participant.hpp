@@ -1,0 +1,62 @@
+// A bearing in time, and the gears without their bearings: what an FMU of them holds, in this process.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "orbearing/case.hpp"
+
+namespace orbearing {
+
+/// An input or an output.
+struct Port {
+  std::string name;
+  std::string unit;
+  std::string meaning;
+};
+
+/// Moved by its caller, who sets inputs, advances it and reads outputs. Axes x (outward) and y (in the sense of carrier
+/// rotation) turn with the carrier; SI throughout. An unknown name throws BadInput.
+class Participant {
+ public:
+  /// One bearing of one planet; BadInput for a case that has none, or of several sets.
+  static Participant bearing(const Case& stated);
+  /// The gear set with its planet bearings left out.
+  static Participant gearset(const Case& stated);
+
+  std::vector<Port> inputs() const;
+  std::vector<Port> outputs() const;
+  double time() const;  // [s]
+
+  /// A slope by time that is given stands for the rate that otherwise goes with the input.
+  void set_input(const std::string& name, double value, std::optional<double> slope = std::nullopt);
+  double input(const std::string& name) const;
+
+  /// Takes the inputs as they are; what nobody set fits the rest: the displacement is that under the start load. The
+  /// first advance() does it where it was not asked for.
+  void initialize(double time);    // [s]
+  void advance(double length);     // [s]
+  double output(const std::string& name);
+  std::vector<double> values();    // of all outputs
+  /// [unit of output / unit of input], the inner state held.
+  double slope(const std::string& output, const std::string& input);
+
+  /// Everything the future depends on: time, inputs, their slopes, the inner state.
+  std::vector<double> save();
+  /// A state of a participant of the same case.
+  void restore(const std::vector<double>& state);
+
+  ~Participant();
+  Participant(Participant&&) noexcept;
+  Participant& operator=(Participant&&) noexcept;
+
+ private:
+  class Content;
+  explicit Participant(std::unique_ptr<Content> content);
+
+  std::unique_ptr<Content> content_;
+};
+
+}  // namespace orbearing
