@@ -8,11 +8,11 @@
 //     }
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
-#include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
-#include <ranges>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -31,6 +31,15 @@ inline constexpr Dimension small_angle{"angle", "rad", "mrad", "", 1e-3};
 inline constexpr Dimension pressure{"pressure", "Pa", "MPa", "", 1e6};
 inline constexpr Dimension cycles{"frequency", "Hz", "Hz", ""};
 inline constexpr Dimension inverse_mass{"inverse mass", "kg-1", "kg-1", ""};
+inline constexpr Dimension growth{"rate", "s-1", "s-1", ""};
+inline constexpr Dimension hours{"time", "h", "h", ""};
+inline constexpr Dimension revolutions{"revolutions", "revolution", "Mrev", "", 1e6};
+inline constexpr Dimension heat{"power", "W", "W", ""};
+inline constexpr Dimension small_torque{"torque", "N.m", "N.mm", "", 1e-3};
+inline constexpr Dimension acceleration{"acceleration", "m/s2", "m/s2", ""};
+inline constexpr Dimension curvature{"curvature", "m-1", "mm-1", "", 1e3};
+inline constexpr Dimension race_compliance{"compliance", "m/N", "m/N", ""};
+inline constexpr Dimension tooth_stiffness{"stiffness by width", "Pa", "N/(mm.um)", "", 1e9};
 }  // namespace dimension
 
 /// What stands for a value that there is none of. All that is not finite is taken for it.
@@ -46,11 +55,14 @@ struct Along {
   std::vector<std::string> labels;
 };
 
+enum class NumberKind { real, whole, yes_or_no };
+
 /// Numbers [SI] in the order of their dimensions, the last fastest; a single one has no dimension.
 struct Numbers {
   std::vector<Along> along{};
   std::vector<std::size_t> shape{};
   std::vector<double> values{};
+  NumberKind kind = NumberKind::real;
 };
 
 class Record;
@@ -65,7 +77,8 @@ struct Child {
   std::vector<Record> one;  // that has one element
 };
 struct Nothing {};
-using Content = std::variant<Nothing, Numbers, std::int64_t, bool, std::string, Table, Child>;
+using Texts = std::vector<std::string>;
+using Content = std::variant<Nothing, Numbers, std::string, Texts, Table, Child>;
 
 /// One value with all that is known of it.
 struct Entry {
@@ -76,6 +89,7 @@ struct Entry {
   std::string symbol{};                   // of the standard that has one
   std::optional<std::string> variable{};  // in files of arrays; none: `name` less its unit
   bool in_files_alone = false;            // what is too long to print
+  bool detail = false;                    // what text leaves out
   std::string file{};                     // of a table in a folder of results; none: none
 };
 
@@ -89,7 +103,7 @@ class Record {
                const std::optional<double>& value) {
     return this->value(std::move(name), dimension, std::move(meaning), value.value_or(kAbsent));
   }
-  /// A count, a yes or no, a text.
+  /// A count, a yes or no, a text or several.
   template <class Plain>
   Entry& value(std::string name, std::string meaning, const Plain& plain) {
     return add(std::move(name), {}, std::move(meaning), plain_content(plain));
@@ -128,11 +142,16 @@ class Record {
                  [](Record& row, const auto& item) { describe(row, item); });
   }
 
+  /// What there is none of.
+  Entry& nothing(std::string name, std::string meaning) {
+    return add(std::move(name), {}, std::move(meaning), Nothing{});
+  }
+
   /// A structure within this one, likewise; none of an optional one: nothing.
   template <class Part, class Fill>
   Entry& child(std::string name, std::string meaning, const Part& part, const Fill& fill) {
     if constexpr (is_optional<Part>) {
-      if (!part) return add(std::move(name), {}, std::move(meaning), Nothing{});
+      if (!part) return nothing(std::move(name), std::move(meaning));
       return child(std::move(name), std::move(meaning), *part, fill);
     } else {
       Child child{std::vector<Record>(1)};
@@ -147,6 +166,10 @@ class Record {
   }
 
   const std::vector<Entry>& entries() const { return entries_; }
+  /// The one called so, which is there.
+  Entry& entry(std::string_view name) {
+    return *std::ranges::find_if(entries_, [&](const Entry& one) { return one.name == name; });
+  }
 
  private:
   Entry& add(std::string name, const Dimension& dimension, std::string meaning, Content content) {
@@ -155,10 +178,11 @@ class Record {
 
   template <class Plain>
   static Content plain_content(const Plain& plain) {
-    if constexpr (std::is_same_v<Plain, bool>)
+    if constexpr (std::is_integral_v<Plain>)
+      return Numbers{.values = {static_cast<double>(plain)},
+                     .kind = std::is_same_v<Plain, bool> ? NumberKind::yes_or_no : NumberKind::whole};
+    else if constexpr (std::is_same_v<Plain, Texts>)
       return plain;
-    else if constexpr (std::is_integral_v<Plain>)
-      return static_cast<std::int64_t>(plain);
     else
       return std::string(plain);
   }
@@ -181,5 +205,13 @@ class Record {
 
   std::vector<Entry> entries_;
 };
+
+/// A value of each of `items`: a member or a function.
+template <class Items, class Value>
+auto each(const Items& items, const Value& value) {
+  std::vector<std::decay_t<std::invoke_result_t<Value, decltype(*items.begin())>>> values;
+  for (const auto& item : items) values.push_back(std::invoke(value, item));
+  return values;
+}
 
 }  // namespace orbearing::described

@@ -4,13 +4,15 @@
 #include <filesystem>
 #include <mutex>
 
+#include "app/case/printable.hpp"
 #include "app/case/resolved_writer.hpp"
 #include "app/case/unused_inputs.hpp"
-#include "app/case/printable.hpp"
 #include "app/commands/presentation.hpp"
 #include "app/errors.hpp"
 #include "app/results/durable_file.hpp"
+#include "app/results/point_file.hpp"
 #include "app/results/progress.hpp"
+#include "app/results/record_writers.hpp"
 #include "app/results/result_folder.hpp"
 #include "app/study/crown/crown_files.hpp"
 #include "app/study/crown/crown_output.hpp"
@@ -23,8 +25,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string netcdf_of(const ManifestHeader& header, const CrownStudy& study) {
-  PointContent content = crown_content(study);
+std::string netcdf_of(const ManifestHeader& header, const CrownStudy& study, const Record& record) {
+  PointContent content = content_of(record);
   const std::vector<std::pair<std::string, std::string>> common{
       {"Conventions", "CF-1.10"},
       {"title", header.case_name + ", crowning of the planet bearing's rollers"},
@@ -55,9 +57,10 @@ std::vector<std::string> require_crown_uses(const ResolvedCase& resolved, const 
 }
 
 nlohmann::ordered_json result_json(const ResolvedCase& resolved, const CrownOptions& options,
-                                   const std::vector<std::string>& noted, const CrownStudy& study) {
+                                   const std::vector<std::string>& noted, const CrownStudy& study,
+                                   const Record& record) {
   nlohmann::ordered_json object{{"case", resolved.text("name")}, {"options", options_json(options)}};
-  object.update(crown_json(study));
+  object.update(json_of(record));
   object["assumptions"] = assumptions_json(resolved);
   std::vector<std::string> warnings = noted;
   for (std::string& warning : gear_warnings(resolved)) warnings.push_back(std::move(warning));
@@ -70,6 +73,7 @@ nlohmann::ordered_json result_json(const ResolvedCase& resolved, const CrownOpti
   warnings.insert(warnings.end(), study.warnings.begin(), study.warnings.end());
   object["warnings"] = warnings;
   object["versions"] = versions_json();
+  object["units"] = units_of(record);
   return object;
 }
 
@@ -94,13 +98,15 @@ int crown_command(const Options& options) {
     result = read_crown(options.output);
   } else {
     const CrownStudy study = computed(request, options);
-    result = {result_json(resolved, options.crown, noted, study), crown_text(study), study.failed};
+    Record record;
+    describe(record, study);
+    result = {result_json(resolved, options.crown, noted, study, record), text_of(record), study.failed};
     std::map<std::string, std::string> others;
     if (!options.output.empty()) {
       write_crown(options.output, result);
       others = checksums_of(options.output, {crown_file_name});
     }
-    folder.keep({{0, netcdf_of(header, study), done_row(folder.head()), std::move(others)}});
+    folder.keep({{0, netcdf_of(header, study, record), done_row(folder.head()), std::move(others)}});
   }
   if (options.json)
     print_object(result.object, options);
@@ -109,7 +115,8 @@ int crown_command(const Options& options) {
   for (const auto& warning : result.object["warnings"])
     if (!options.json && !options.quiet) fmt::print("warning: {}\n", printable(warning.get<std::string>()));
   if (result.failed == 0) return 0;
-  print_failures(fmt::format("crown: {} points found no balance; their status says why", result.failed), options);
+  print_failures(fmt::format("crown: {} points found no balance; their status says why", result.failed),
+                 options);
   return 1;
 }
 

@@ -26,7 +26,8 @@ nlohmann::ordered_json whole_json(const ResolvedCase& resolved, const LoneResult
   object["assumptions"] = assumptions_json(resolved);
   object["warnings"] = result.warnings;
   object["versions"] = versions_json();
-  if (!result.units.is_null()) object["units"] = result.units;
+  if (!result.units.is_null())
+    object["units"].update(result.units);  // stiffness has such an object of its own
   return object;
 }
 
@@ -56,6 +57,15 @@ std::map<std::string, std::string> write_files(const std::filesystem::path& fold
   return sums;
 }
 
+// "load_max_N" of "inner" may be the column inner_load_max_N.
+void add_to_row(const std::string& prefix, const nlohmann::ordered_json& object,
+                std::vector<std::pair<std::string, double>>& row) {
+  for (const auto& [name, value] : object.items()) {
+    if (value.is_number()) row.emplace_back(prefix + name, value.get<double>());
+    if (value.is_object()) add_to_row(prefix + name + "_", value, row);
+  }
+}
+
 }  // namespace
 
 LoneResult recorded_result(const Record& record, std::vector<std::string> warnings) {
@@ -64,11 +74,9 @@ LoneResult recorded_result(const Record& record, std::vector<std::string> warnin
                     .content = content_of(record),
                     .warnings = std::move(warnings),
                     .units = units_of(record)};
-  for (const auto& [name, value] : result.json.items())
-    if (value.is_number()) result.row.emplace_back(name, value.get<double>());
+  add_to_row("", result.json, result.row);
   for (const described::Entry& entry : record.entries())
-    if (!entry.file.empty())
-      result.files.emplace_back(entry.file, csv_of(std::get<described::Table>(entry.content)));
+    if (!entry.file.empty()) result.files.emplace_back(entry.file, csv_of(entry));
   return result;
 }
 
@@ -92,7 +100,11 @@ int run_alone(const ResolvedCase& resolved, const Options& options, const LoneAn
 
 std::string lone_result_file(const ManifestHeader& header, const char* what, PointContent content,
                              const std::string& status) {
-  content.attributes = result_attributes(header, what, status);
+  std::vector<std::pair<std::string, std::string>> attributes = result_attributes(header, what, status);
+  for (auto& own : content.attributes)
+    if (std::ranges::none_of(attributes, [&](const auto& one) { return one.first == own.first; }))
+      attributes.push_back(std::move(own));
+  content.attributes = std::move(attributes);
   return netcdf_bytes(content);
 }
 

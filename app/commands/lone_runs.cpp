@@ -16,7 +16,7 @@
 #include "app/study/gear_case.hpp"
 #include "app/study/gear_output.hpp"
 #include "app/study/planet_defect.hpp"
-#include "app/study/static_output.hpp"
+#include "app/study/static_study.hpp"
 #include "app/units.hpp"
 
 namespace orbearing::app {
@@ -45,37 +45,6 @@ auto with_progress(const Options& options, const char* doing, std::size_t parts,
       [&](double share) { progress.show(static_cast<std::size_t>(share * static_cast<double>(parts))); });
 }
 
-Row with_lives(Row row, const BearingLives& lives) {
-  for (auto& value : life_values(lives)) row.push_back(std::move(value));
-  return row;
-}
-
-Row row_of(const StaticStudy& study) {
-  const Eigen::ArrayXd& inner = study.contact_load;
-  const Eigen::ArrayXd& outer = study.outer_load.size() > 0 ? study.outer_load : study.contact_load;
-  Row row{{"inner_load_max_N", inner.maxCoeff()},
-          {"outer_load_max_N", outer.maxCoeff()},
-          {"inner_load_rms_N", std::sqrt(inner.square().mean())},
-          {"outer_load_rms_N", std::sqrt(outer.square().mean())},
-          {"inner_life_Mrev", 1e-6 * study.lundberg_palmgren.inner},
-          {"outer_life_Mrev", 1e-6 * study.lundberg_palmgren.outer}};
-  return with_lives(std::move(row), study.all_lives());
-}
-
-Row row_of(const BallStudy& study) {
-  const system::BallMeans& m = study.run.means;
-  Row row{{"inner_load_max_N", m.inner_load_max},
-          {"outer_load_max_N", m.outer_load_max},
-          {"inner_load_rms_N", m.inner_load_rms},
-          {"outer_load_rms_N", m.outer_load_rms},
-          {"inner_life_Mrev", 1e-6 * m.life.inner},
-          {"outer_life_Mrev", 1e-6 * m.life.outer},
-          {"cage_slip", m.cage_slip},
-          {"film_inner_um", 1e6 * m.inner_film},
-          {"film_outer_um", 1e6 * m.outer_film}};
-  return with_lives(std::move(row), study.all_lives());
-}
-
 // Columns are of lives: a vibration has none but the largest load.
 Row row_of_load(double inner, double outer) {
   return {{"inner_load_max_N", inner}, {"outer_load_max_N", outer}};
@@ -90,11 +59,9 @@ int run_static_case(const ResolvedCase& resolved, const Options& options) {
   const std::vector<std::string> unused = require_used(resolved, use::static_load);
   return run_alone(resolved, options, {"static", "bearing under a static load"}, [&]() -> LoneResult {
     const StaticStudy study = static_study(resolved);
-    return {.json = static_json(study),
-            .text = static_text(study),
-            .content = static_content(study),
-            .warnings = joined(unused, study.warnings),
-            .row = row_of(study)};
+    LoneResult result = described_result(study, joined(unused, study.warnings));
+    result.text = lives_text(study.life_table()) + "\n" + result.text;
+    return result;
   });
 }
 
@@ -107,11 +74,9 @@ int run_ball_case(const ResolvedCase& resolved, const Options& options) {
     const BallStudy study = with_progress(options, "time, in thousandths: ", 1000, [&](const auto& progress) {
       return ball_study(resolved, progress);
     });
-    return {.json = ball_json(study),
-            .text = ball_text(study),
-            .content = ball_content(study),
-            .warnings = joined(unused, study.warnings),
-            .row = row_of(study)};
+    LoneResult result = described_result(study, joined(unused, study.warnings));
+    result.text = lives_text(study.life_table()) + "\n" + result.text;
+    return result;
   });
 }
 
@@ -181,20 +146,8 @@ int run_film_case(const ResolvedCase& resolved, const Options& options) {
   const std::vector<std::string> unused = require_used(resolved, use::spin_film);
   return run_alone(resolved, options, {"film", "film of a contact"}, [&]() -> LoneResult {
     const FilmStudy study = film_study(resolved);
-    LoneResult result{.json = film_json(study),
-                      .text = film_text(study),
-                      .content = film_content(study),
-                      .warnings = joined(unused, study.warnings),
-                      .files = {{"film.csv", film_csv(study)}}};
-    for (std::size_t i = 0; i < study.points.size(); ++i) {
-      const FilmPoint& point = study.points[i];
-      result.failed = result.failed || point.lost();
-      if (point.lost()) continue;
-      if (point.solution)
-        result.files.emplace_back(fmt::format("film_map_{}.csv", i + 1), film_map_csv(*point.solution));
-      if (point.line)
-        result.files.emplace_back(fmt::format("film_line_{}.csv", i + 1), film_line_csv(*point.line));
-    }
+    LoneResult result = described_result(study, joined(unused, study.warnings));
+    result.failed = std::ranges::any_of(study.points, &FilmPoint::lost);
     return result;
   });
 }
@@ -252,13 +205,13 @@ int run_gear_case(const ResolvedCase& resolved, const Options& options) {
     if (!run.completed) throw ComputationFailed(resolved.text("name") + ": " + run.message);
     std::vector<std::string> warnings = joined(gear_dynamics_warnings(resolved), unused);
     if (!run.steady) warnings.push_back(run.message);
-    return {.json = gear_run_json(run),
-            .text = gear_run_text(run),
-            .content = gear_run_content(run),
-            .warnings = warnings,
-            .row = {{"input_speed_rpm", kRpm * resolved.quantity("input.speed")},
-                    {"carrier_speed_rpm", kRpm * model.operation.speeds.carrier}},
-            .status = run.message.empty() ? "ok" : run.message};
+    Record record;
+    describe_gear_run(record, run);
+    LoneResult result = recorded_result(record, warnings);
+    result.row = {{"input_speed_rpm", kRpm * resolved.quantity("input.speed")},
+                  {"carrier_speed_rpm", kRpm * model.operation.speeds.carrier}};
+    if (!run.message.empty()) result.status = run.message;
+    return result;
   });
 }
 

@@ -1,8 +1,9 @@
-#include <fmt/core.h>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "app/case/units.hpp"
 #include "app/case/unused_inputs.hpp"
+#include "app/commands/lone_result.hpp"
 #include "app/commands/lone_runs.hpp"
 #include "app/commands/presentation.hpp"
 #include "app/errors.hpp"
@@ -58,20 +59,20 @@ int modes_command(const Options& options) {
       require_used(resolved, speed > 0.0 ? use::modes_at_speed : use::modes);
   warnings.insert(warnings.end(), unused.begin(), unused.end());
   if (speed > 0.0 && resolved.has(kSpeedPath) && resolved.place(kSpeedPath).option)
-    warnings.push_back(fmt::format("{}: {} has no effect beside --speed, which stands in its place", kSpeedPath,
-                                   resolved.given(kSpeedPath)));
-  const std::vector<gearset::dynamics::Mode> modes =
-      speed > 0.0 ? modes_at_speed(model) : modes_at_rest(model);
-  if (options.json) {
-    nlohmann::ordered_json object{{"case", resolved.text("name")}, {"modes", modes_json(modes)}};
-    if (speed > 0.0) object["campbell"] = campbell_json(model, speed);
-    object["warnings"] = warnings;
-    print_object(object, options);
-    return 0;
-  }
-  if (options.quiet) return 0;
-  fmt::print("{}", modes_text(modes));
-  print_warnings(warnings);
+    warnings.push_back(fmt::format("{}: {} has no effect beside --speed, which stands in its place",
+                                   kSpeedPath, resolved.given(kSpeedPath)));
+  Record record;
+  describe(record, mode_study(model, speed > 0.0));
+  if (speed > 0.0)
+    record
+        .child("campbell", "frequencies over speed", model,
+               [&](Record& diagram, const auto& of) { describe_campbell(diagram, of, speed); })
+        .detail = true;
+  nlohmann::ordered_json object{{"case", resolved.text("name")}};
+  object.update(json_of(record));
+  object["warnings"] = warnings;
+  object["units"] = units_of(record);
+  present_lone_result(object, text_of(record), options);
   return 0;
 }
 

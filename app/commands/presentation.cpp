@@ -6,12 +6,12 @@
 
 #include "app/case/case_file.hpp"
 #include "app/case/printable.hpp"
+#include "app/results/record_writers.hpp"
 #include "app/results/terminal_chart.hpp"
 #include "app/results/terminal_table.hpp"
 #include "app/study/life_peak.hpp"
 #include "app/study/lives_of_sweep.hpp"
 #include "app/study/power_table.hpp"
-#include "app/study/stiffness_output.hpp"
 #include "app/study/stiffness_study.hpp"
 #include "app/study/sweep_study.hpp"
 #include "app/study/sweep_warnings.hpp"
@@ -66,7 +66,9 @@ nlohmann::ordered_json stiffness_of_run(const ResolvedCase& resolved) {
     return nullptr;
   const StiffnessStudy study = stiffness_study(resolved);
   const auto matrix = [](const StiffnessPoint& point) {
-    return point.stiffness ? stiffness_json(*point.stiffness) : nlohmann::ordered_json(nullptr);
+    Record record;
+    describe(record, point);
+    return json_of(record).at("stiffness");
   };
   if (study.points.size() == 1) return matrix(study.points.front());
   nlohmann::ordered_json by_set;

@@ -19,13 +19,10 @@ int stiffness_command(const Options& options) {
       require_used(resolved, planet ? use::planet_stiffness : use::stiffness, Axes::all);
   const StiffnessStudy study = stiffness_study(resolved);
   return run_alone(resolved, options, {"stiffness", "stiffness"}, [&]() -> LoneResult {
-    LoneResult result{.json = stiffness_json(study),
-                      .text = stiffness_text(study),
-                      .content = stiffness_content(study),
-                      .warnings = joined(unused, study.warnings),
-                      .files = {{"stiffness.csv", stiffness_csv(study)}},
-                      .failed = std::any_of(study.points.begin(), study.points.end(),
-                                            [](const StiffnessPoint& point) { return !point.stiffness; })};
+    LoneResult result = described_result(study, joined(unused, study.warnings));
+    result.files = {{"stiffness.csv", stiffness_csv(study)}};
+    result.failed = std::any_of(study.points.begin(), study.points.end(),
+                                [](const StiffnessPoint& point) { return !point.stiffness; });
     // A table for ROSS knows no load: one for each.
     for (std::size_t series = 0; series < study.series; ++series)
       result.files.emplace_back(study.series == 1 ? "ross.xls" : fmt::format("ross_{}.xls", series + 1),

@@ -5,10 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
+#include <utility>
 
-#include "app/results/json_number.hpp"
-#include "app/units.hpp"
+#include "app/results/record_writers.hpp"
 #include "bearing/life/lundberg_palmgren.hpp"
 
 namespace orbearing::app {
@@ -16,8 +15,6 @@ namespace orbearing::app {
 namespace {
 
 namespace rating = bearing::rating;
-
-constexpr double kMegaRevolution = 1e-6;  // per revolution
 
 /// One line of the table: names of its numbers, and what it is by.
 struct LifeLine {
@@ -32,14 +29,28 @@ std::array<LifeLine, 5> life_lines(const LifeWords& words) {
   const std::string reduction = balls || words.reduction_factor == 0.0
                                     ? ""
                                     : fmt::format(", reduction factor {:g}", words.reduction_factor);
-  return {{{"L10h", "L10_Mrev", fmt::format("ISO 281: (C/P)^{}", balls ? "3" : "(10/3)")},
-           {"L10rh", "L10r_Mrev", fmt::format("ISO/TS 16281: load of each {}", element)},
-           {"L10mh", "L10m_Mrev", "ISO 281: a_1 a_ISO L10h, a_ISO by C_u/P"},
-           {"L10mrh", "L10mr_Mrev",
-            balls ? std::string("ISO/TS 16281: a_1 a_ISO L10rh, a_ISO by the load that gives L10rh")
-                  : std::string("ISO/TS 16281: a_1 and a_ISO of each lamina")},
-           {"life_h", "life_Mrev",
-            fmt::format("Lundberg-Palmgren: loads of this analysis, exponent {}{}", balls ? 3 : 4, reduction)}}};
+  return {
+      {{"L10h", "L10_Mrev", fmt::format("ISO 281: (C/P)^{}", balls ? "3" : "(10/3)")},
+       {"L10rh", "L10r_Mrev", fmt::format("ISO/TS 16281: load of each {}", element)},
+       {"L10mh", "L10m_Mrev", "ISO 281: a_1 a_ISO L10h, a_ISO by C_u/P"},
+       {"L10mrh", "L10mr_Mrev",
+        balls ? std::string("ISO/TS 16281: a_1 a_ISO L10rh, a_ISO by the load that gives L10rh")
+              : std::string("ISO/TS 16281: a_1 and a_ISO of each lamina")},
+       {"life_h", "life_Mrev",
+        fmt::format("Lundberg-Palmgren: loads of this analysis, exponent {}{}", balls ? 3 : 4, reduction)}}};
+}
+
+// Ratings, loads and factors of all bearings: those with a symbol.
+std::vector<described::Entry> load_entries() {
+  Record names;
+  describe(names, BearingLives{});
+  std::vector<described::Entry> loads = names.entries();
+  std::erase_if(loads, [](const described::Entry& entry) { return entry.symbol.empty(); });
+  return loads;
+}
+
+const char* unit_beside(const described::Entry& entry) {
+  return entry.dimension.customary == "1" ? "" : entry.dimension.customary.data();
 }
 
 std::string life_number_text(double value) {
@@ -47,30 +58,13 @@ std::string life_number_text(double value) {
   return std::isfinite(value) ? fmt::format("{:.6g}", value) : "-";
 }
 
-/// What stands below the table: name, symbol, unit.
-struct LoadEntry {
-  const char* name;
-  const char* symbol;
-  const char* unit;
-};
-constexpr std::array<LoadEntry, 5> kForces{
-    {{"C_N", "C", "N"}, {"C0_N", "C0", "N"}, {"Cu_N", "C_u", "N"}, {"P_N", "P", "N"}, {"P0_N", "P0", "N"}}};
-constexpr std::array<LoadEntry, 7> kRatios{{{"C_over_P", "C/P", ""},
-                                            {"S0", "S0", ""},
-                                            {"contact_pressure_max_MPa", "contact pressure", "MPa"},
-                                            {"kappa", "kappa", ""},
-                                            {"e_C", "e_C", ""},
-                                            {"a_ISO", "a_ISO", ""},
-                                            {"a_ISO_r", "a_ISO_r", ""}}};
-
-/// "C 48417 N, C0 ...": what has no number is left out.
-template <class Entries>
-std::string listed(const LifeValue& value, const Entries& entries) {
+// "C 48417 N, C0 ...": what has no number is left out.
+std::string listed(const LifeValue& value, const std::vector<described::Entry>& entries) {
   std::string text;
-  for (const LoadEntry& entry : entries)
+  for (const described::Entry& entry : entries)
     if (const double found = value(entry.name); std::isfinite(found))
-      text += fmt::format("{}{} {:.5g}{}{}", text.empty() ? "" : ", ", entry.symbol, found, *entry.unit ? " " : "",
-                          entry.unit);
+      text += fmt::format("{}{} {:.5g}{}{}", text.empty() ? "" : ", ", entry.symbol, found,
+                          *unit_beside(entry) ? " " : "", unit_beside(entry));
   return text.empty() ? "" : text + "\n";
 }
 
@@ -80,36 +74,56 @@ bool has_modified(const LifeValue& value) {
 
 }  // namespace
 
-NamedValues life_values(const BearingLives& lives) {
+void describe(Record& record, const BearingLives& lives) {
+  using namespace described;
   const rating::RatingLives& standard = lives.standard;
-  const std::array<std::pair<const char*, double>, 5> of{{{"L10", standard.basic},
-                                                          {"L10r", standard.reference.bearing},
-                                                          {"L10m", standard.modified},
-                                                          {"L10mr", standard.modified_reference.bearing},
-                                                          {"life", lives.lundberg_palmgren}}};
-  NamedValues values;
-  for (const auto& [name, revolutions] : of)
-    values.emplace_back(fmt::format("{}_Mrev", name), kMegaRevolution * revolutions);
-  for (const auto& [name, revolutions] : of)
-    values.emplace_back(std::string(name) == "life" ? "life_h" : fmt::format("{}h", name),
-                        lives.speed != 0.0 ? bearing::hours(revolutions, lives.speed) : rating::kNotRated);
-  const double kappa = standard.oil ? standard.oil->viscosity_ratio : rating::kNotRated;
-  const double contamination = standard.oil ? standard.oil->contamination_factor : rating::kNotRated;
-  for (const auto& [name, value] : std::initializer_list<std::pair<const char*, double>>{
-           {"C_N", standard.dynamic_capacity},
-           {"C0_N", standard.static_capacity},
-           {"Cu_N", standard.fatigue_load_limit},
-           {"P_N", standard.dynamic_load},
-           {"P0_N", standard.static_load},
-           {"C_over_P", standard.load_ratio()},
-           {"S0", standard.static_safety()},
-           {"contact_pressure_max_MPa", kMega * lives.pressure},
-           {"kappa", kappa},
-           {"e_C", contamination},
-           {"a_ISO", standard.life_modification},
-           {"a_ISO_r", standard.reference_modification}})
-    values.emplace_back(name, value);
-  return values;
+  struct Life {
+    const char* revolutions;
+    const char* hours;
+    const char* meaning;
+    double value;  // [rev]
+  };
+  const std::array<Life, 5> all{
+      {{"L10_Mrev", "L10h", "basic rating life of ISO 281", standard.basic},
+       {"L10r_Mrev", "L10rh", "basic reference rating life of ISO/TS 16281", standard.reference.bearing},
+       {"L10m_Mrev", "L10mh", "modified rating life of ISO 281", standard.modified},
+       {"L10mr_Mrev", "L10mrh", "modified reference rating life of ISO/TS 16281",
+        standard.modified_reference.bearing},
+       {"life_Mrev", "life_h", "by Lundberg and Palmgren, of the loads of this analysis",
+        lives.lundberg_palmgren}}};
+  for (const Life& life : all)
+    record.value(life.revolutions, dimension::revolutions, life.meaning, life.value).detail = true;
+  record.entry("life_Mrev").variable = "life_revolutions";
+  for (const Life& life : all)
+    record
+        .value(life.hours, dimension::hours, life.meaning,
+               lives.speed != 0.0 ? bearing::hours(life.value, lives.speed) : kAbsent)
+        .detail = true;
+  const auto add = [&](const char* name, const Dimension& of, const char* symbol, const char* meaning,
+                       double value) {
+    described::Entry& entry = record.value(name, of, meaning, value);
+    entry.symbol = symbol;
+    entry.detail = true;
+  };
+  add("C_N", dimension::force, "C", "basic dynamic load rating", standard.dynamic_capacity);
+  add("C0_N", dimension::force, "C0", "basic static load rating", standard.static_capacity);
+  add("Cu_N", dimension::force, "C_u", "fatigue load limit", standard.fatigue_load_limit);
+  add("P_N", dimension::force, "P", "dynamic equivalent load", standard.dynamic_load);
+  add("P0_N", dimension::force, "P0", "static equivalent load", standard.static_load);
+  add("C_over_P", dimension::ratio, "C/P", "basic dynamic load rating over equivalent load",
+      standard.load_ratio());
+  add("S0", dimension::ratio, "S0", "basic static load rating over static equivalent load",
+      standard.static_safety());
+  add("contact_pressure_max_MPa", dimension::pressure, "contact pressure", "largest, after Hertz",
+      lives.pressure);
+  add("kappa", dimension::ratio, "kappa", "viscosity ratio of ISO 281",
+      standard.oil ? standard.oil->viscosity_ratio : kAbsent);
+  add("e_C", dimension::ratio, "e_C", "contamination factor of ISO 281",
+      standard.oil ? standard.oil->contamination_factor : kAbsent);
+  add("a_ISO", dimension::ratio, "a_ISO", "life modification factor of ISO 281, from C_u/P",
+      standard.life_modification);
+  add("a_ISO_r", dimension::ratio, "a_ISO_r", "L10mrh over L10rh at a reliability of 90 %",
+      standard.reference_modification);
 }
 
 std::string design_advice(bool oil, rating::RollingElement element) {
@@ -121,48 +135,58 @@ std::string design_advice(bool oil, rating::RollingElement element) {
   if (oil) differ += " L10h, L10rh and life_h do not include the oil.";
   if (!balls) differ += " life_h falls with the power 4 of the load, L10h with 10/3.";
   if (oil)
-    return fmt::format("Design by L10mrh: it includes {}, the oil film and its cleanliness.\n{}\n", includes, differ);
+    return fmt::format("Design by L10mrh: it includes {}, the oil film and its cleanliness.\n{}\n", includes,
+                       differ);
   return fmt::format(
-      "Design by L10rh: it includes {}. State lubricant.grade, lubricant.temperature and life.cleanliness to get "
+      "Design by L10rh: it includes {}. State lubricant.grade, lubricant.temperature and life.cleanliness to "
+      "get "
       "L10mrh.\n{}\n",
       includes, differ);
 }
 
-LifeValue value_by_name(NamedValues values) {
-  return [values = std::move(values)](const std::string& name) {
-    const auto found =
-        std::find_if(values.begin(), values.end(), [&](const auto& one) { return one.first == name; });
-    return found == values.end() ? rating::kNotRated : found->second;
+LifeValue value_by_name(const BearingLives& lives) {
+  Record record;
+  describe(record, lives);
+  return [record = std::move(record)](const std::string& name) {
+    for (const described::Entry& entry : record.entries())
+      if (entry.name == name) {
+        const double value = std::get<described::Numbers>(entry.content).values.front();
+        return std::isinf(value) ? value : in_customary_unit(entry.dimension, value);
+      }
+    return described::kAbsent;
   };
 }
 
-std::string lives_text(const LifeValue& value, const LifeWords& words) {
+void describe(Record& record, const LifeTable& table) {
+  using namespace described;
+  constexpr Dimension million_revolutions{"revolutions", "Mrev", "Mrev", ""};
+  const auto& [value, words] = table;
+  record.table("lives", "life", "of one bearing", life_lines(words), [&](Record& row, const LifeLine& line) {
+    row.value("key", "name among the results", line.hours);
+    row.value("hours", dimension::hours, "at the speed of the analysis", value(line.hours));
+    row.value("Mrev", million_revolutions, "the same in revolutions", value(line.revolutions));
+    row.value("by", "standard or method", line.by);
+  });
+  record.table("loads", "load", "ratings, loads and factors", load_entries(),
+               [&](Record& row, const described::Entry& entry) {
+                 row.value("key", "name among the results", entry.name);
+                 row.value("symbol", "of the standard", entry.symbol);
+                 row.value("value", {}, "in the unit beside", value(entry.name));
+                 row.value("unit", "of the value", unit_beside(entry));
+               });
+  record.value("advice", "by which life to design", design_advice(has_modified(value), words.element));
+}
+
+std::string lives_text(const LifeTable& table) {
+  const auto& [value, words] = table;
   std::string text = fmt::format("{:<20} {:>12} {:>12}  {}\n", "life of one bearing", "[h]", "[Mrev]", "by");
   for (const LifeLine& line : life_lines(words))
     text += fmt::format("{:<20} {:>12} {:>12}  {}\n", line.hours, life_number_text(value(line.hours)),
                         life_number_text(value(line.revolutions)), line.by);
-  return text + listed(value, kForces) + listed(value, kRatios) + design_advice(has_modified(value), words.element);
-}
-
-nlohmann::ordered_json lives_record(const LifeValue& value, const LifeWords& words) {
-  nlohmann::ordered_json record{{"lives", nlohmann::ordered_json::array()},
-                                {"loads", nlohmann::ordered_json::array()},
-                                {"advice", design_advice(has_modified(value), words.element)}};
-  for (const LifeLine& line : life_lines(words))
-    record["lives"].push_back({{"key", line.hours},
-                               {"hours", number_or_null(value(line.hours))},
-                               {"Mrev", number_or_null(value(line.revolutions))},
-                               {"by", line.by}});
-  const auto add = [&](const auto& entries) {
-    for (const LoadEntry& entry : entries)
-      record["loads"].push_back({{"key", entry.name},
-                                 {"symbol", entry.symbol},
-                                 {"value", number_or_null(value(entry.name))},
-                                 {"unit", entry.unit}});
-  };
-  add(kForces);
-  add(kRatios);
-  return record;
+  const std::vector<described::Entry> loads = load_entries();
+  const auto ratios = std::ranges::find_if(loads, [](const auto& entry) { return entry.name == "C_over_P"; });
+  return text + listed(value, {loads.begin(), ratios}) + listed(value, {ratios, loads.end()}) +
+         design_advice(has_modified(value), words.element);
 }
 
 }  // namespace orbearing::app

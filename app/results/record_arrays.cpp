@@ -10,7 +10,6 @@ namespace orbearing::app {
 
 namespace {
 
-using described::Entry;
 using described::Numbers;
 
 // "N.m/rad" at the end of a key: "_N_m_per_rad", or "_N_m_rad".
@@ -25,13 +24,28 @@ std::string at_end_of_key(std::string_view unit, std::string_view over) {
 }
 
 // The entry's own, or its key less the unit at its end.
-std::string variable_of(const Entry& entry) {
+std::string variable_of(const described::Entry& entry) {
   if (entry.variable) return *entry.variable;
   for (const std::string_view over : {"_per_", "_"})
     if (const std::string end = at_end_of_key(entry.dimension.customary, over);
         end.size() > 1 && entry.name.size() > end.size() && entry.name.ends_with(end))
       return entry.name.substr(0, entry.name.size() - end.size());
   return entry.name;
+}
+
+// "N.m/rad" as conventions have it: "N m rad-1".
+std::string units_of(const described::Dimension& dimension) {
+  if (dimension.si.empty()) return "1";
+  std::string units;
+  bool below = false;
+  for (const char c : dimension.si) {
+    if (c == '/') below = true;
+    units += c == '/' || c == '.' ? ' ' : c;
+  }
+  const char last = units.back();
+  if (!below) return units;
+  if (last < '2' || last > '9') return units + "-1";
+  return units.substr(0, units.size() - 1) + '-' + last;
 }
 
 /// Records that are alike, one for each element of `along`: a missing one is null.
@@ -49,35 +63,36 @@ class Arrays {
     std::vector<std::string> done;
     for (const Record* record : bundle.records) {
       if (record == nullptr) continue;
-      for (const Entry& entry : record->entries()) {
+      for (const described::Entry& entry : record->entries()) {
         if (std::find(done.begin(), done.end(), entry.name + variable_of(entry)) != done.end()) continue;
         done.push_back(entry.name + variable_of(entry));
-        add(entry, same_entries(bundle, entry), bundle);
+        const Same same = same_entries(bundle, entry);
+        const auto given = std::ranges::find_if(same, [](const described::Entry* one) {
+          return one != nullptr && !std::holds_alternative<described::Nothing>(one->content);
+        });
+        if (given != same.end()) add(**given, same, bundle);
       }
     }
   }
 
  private:
-  using Same = std::vector<const Entry*>;  // of each record; null where it has none
+  using Same = std::vector<const described::Entry*>;  // of each record; null where it has none
 
-  static Same same_entries(const Bundle& bundle, const Entry& one) {
+  static Same same_entries(const Bundle& bundle, const described::Entry& one) {
     Same same;
     for (const Record* record : bundle.records) {
       same.push_back(nullptr);
       if (record == nullptr) continue;
-      for (const Entry& entry : record->entries())
+      for (const described::Entry& entry : record->entries())
         if (entry.name == one.name && entry.variable == one.variable) same.back() = &entry;
     }
     return same;
   }
 
-  void add(const Entry& entry, const Same& same, const Bundle& bundle) {
+  void add(const described::Entry& entry, const Same& same, const Bundle& bundle) {
     const std::string name = bundle.prefix + variable_of(entry);
     if (const auto* numbers = std::get_if<Numbers>(&entry.content)) {
       add_numbers(name, entry, *numbers, same, bundle);
-    } else if (std::holds_alternative<bool>(entry.content) ||
-               std::holds_alternative<std::int64_t>(entry.content)) {
-      add_plain(name, entry, same, bundle);
     } else if (const auto* text = std::get_if<std::string>(&entry.content);
                text != nullptr && bundle.along.empty()) {
       content_.attributes.emplace_back(name, *text);
@@ -85,7 +100,7 @@ class Arrays {
       add_table(name.empty() ? name : name + "_", *table, same, bundle);
     } else if (std::holds_alternative<described::Child>(entry.content)) {
       Bundle inner{{}, bundle.along, name.empty() ? name : name + "_"};
-      for (const Entry* one : same) {
+      for (const described::Entry* one : same) {
         const auto* child = one == nullptr ? nullptr : std::get_if<described::Child>(&one->content);
         inner.records.push_back(child == nullptr ? nullptr : &child->one.front());
       }
@@ -98,7 +113,7 @@ class Arrays {
                  const Bundle& bundle) {
     std::size_t most = 0;
     std::vector<const described::Table*> tables;
-    for (const Entry* one : same) {
+    for (const described::Entry* one : same) {
       tables.push_back(one == nullptr ? nullptr : std::get_if<described::Table>(&one->content));
       if (tables.back() != nullptr) most = std::max(most, tables.back()->rows.size());
     }
@@ -111,26 +126,16 @@ class Arrays {
     add(inner);
   }
 
-  void add_plain(const std::string& name, const Entry& entry, const Same& same, const Bundle& bundle) {
-    std::vector<double> values;
-    for (const Entry* one : same) {
-      const bool* flag = one == nullptr ? nullptr : std::get_if<bool>(&one->content);
-      const std::int64_t* count = one == nullptr ? nullptr : std::get_if<std::int64_t>(&one->content);
-      values.push_back(flag != nullptr ? double(*flag) : count != nullptr ? double(*count) : not_given);
-    }
-    put(name, entry, bundle.along, std::move(values));
-  }
-
-  void add_numbers(const std::string& name, const Entry& entry, const Numbers& first, const Same& same,
-                   const Bundle& bundle) {
+  void add_numbers(const std::string& name, const described::Entry& entry, const Numbers& first,
+                   const Same& same, const Bundle& bundle) {
     const Numbers* longest = &first;
-    for (const Entry* one : same)
+    for (const described::Entry* one : same)
       if (const auto* numbers = one == nullptr ? nullptr : std::get_if<Numbers>(&one->content);
           numbers != nullptr && numbers->values.size() > longest->values.size())
         longest = numbers;
     if (longest->values.empty()) return;
     std::vector<double> values;
-    for (const Entry* one : same) {
+    for (const described::Entry* one : same) {
       const Numbers* numbers = one == nullptr ? nullptr : std::get_if<Numbers>(&one->content);
       for (std::size_t i = 0; i < longest->values.size(); ++i) {
         const double value =
@@ -154,13 +159,9 @@ class Arrays {
       content_.attributes.emplace_back(along.name, names);
   }
 
-  void put(const std::string& name, const Entry& entry, const std::vector<NamedDimension>& along,
+  void put(const std::string& name, const described::Entry& entry, const std::vector<NamedDimension>& along,
            std::vector<double> values) {
-    NamedArray array{name,
-                     {},
-                     std::string(entry.dimension.si.empty() ? "1" : entry.dimension.si),
-                     entry.meaning,
-                     std::move(values)};
+    NamedArray array{name, {}, units_of(entry.dimension), entry.meaning, std::move(values)};
     for (const NamedDimension& dimension : along) {
       array.dimensions.push_back(dimension.name);
       const auto known = std::find_if(content_.dimensions.begin(), content_.dimensions.end(),

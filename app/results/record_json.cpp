@@ -1,5 +1,7 @@
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "app/results/record_writers.hpp"
 #include "app/results/result_row.hpp"
@@ -8,7 +10,6 @@ namespace orbearing::app {
 
 namespace {
 
-using described::Entry;
 using Json = nlohmann::ordered_json;
 
 template <class... Callables>
@@ -18,14 +19,17 @@ struct Overloaded : Callables... {
 template <class... Callables>
 Overloaded(Callables...) -> Overloaded<Callables...>;
 
-Json number_json(const described::Dimension& dimension, double si) {
-  const double value = in_customary_unit(dimension, si);
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
+Json number_json(const described::Entry& entry, described::NumberKind kind, double si) {
+  const double value = in_customary_unit(entry.dimension, si);
+  if (!std::isfinite(value)) return nullptr;
+  if (kind == described::NumberKind::yes_or_no) return value != 0.0;
+  return kind == described::NumberKind::whole ? Json(std::llround(value)) : Json(value);
 }
 
 // Of the dimensions from `depth` on; `next` is the first number not yet taken.
-Json nested(const Entry& entry, const described::Numbers& numbers, std::size_t depth, std::size_t& next) {
-  if (depth == numbers.shape.size()) return number_json(entry.dimension, numbers.values[next++]);
+Json nested(const described::Entry& entry, const described::Numbers& numbers, std::size_t depth,
+            std::size_t& next) {
+  if (depth == numbers.shape.size()) return number_json(entry, numbers.kind, numbers.values[next++]);
   const std::vector<std::string>& labels = numbers.along[depth].labels;
   Json list = labels.empty() ? Json::array() : Json::object();
   for (std::size_t i = 0; i < numbers.shape[depth]; ++i)
@@ -36,7 +40,7 @@ Json nested(const Entry& entry, const described::Numbers& numbers, std::size_t d
   return list;
 }
 
-Json content_json(const Entry& entry) {
+Json content_json(const described::Entry& entry) {
   return std::visit(Overloaded{[&](const described::Numbers& numbers) {
                                  std::size_t next = 0;
                                  return nested(entry, numbers, 0, next);
@@ -52,18 +56,26 @@ Json content_json(const Entry& entry) {
                     entry.content);
 }
 
-void add_units(const Record& record, Json& units) {
-  for (const Entry& entry : record.entries()) {
+struct UnitOfKey {
+  std::string path;  // "mesh_force_N/sun/mean"
+  std::string key;   // "mean"
+  std::string_view unit;
+};
+
+void add_units(const Record& record, const std::string& above, std::vector<UnitOfKey>& units) {
+  for (const described::Entry& entry : record.entries()) {
+    if (entry.in_files_alone) continue;
+    const std::string path = above + entry.name;
     if (const auto* child = std::get_if<described::Child>(&entry.content))
-      add_units(child->one.front(), units);
+      add_units(child->one.front(), path + "/", units);
     if (const auto* table = std::get_if<described::Table>(&entry.content))
-      for (const Record& row : table->rows) add_units(row, units);
+      for (const Record& row : table->rows) add_units(row, path + "/", units);
     const auto* numbers = std::get_if<described::Numbers>(&entry.content);
-    if (numbers == nullptr || entry.in_files_alone) continue;
-    if (!entry.name.empty())
-      units[entry.name] = entry.dimension.customary;
-    else
-      for (const std::string& label : numbers->along.back().labels) units[label] = entry.dimension.customary;
+    if (numbers == nullptr || entry.dimension.customary.empty()) continue;
+    if (!entry.name.empty()) units.push_back({path, entry.name, entry.dimension.customary});
+    if (entry.name.empty())
+      for (const std::string& label : numbers->along.back().labels)
+        units.push_back({above + label, label, entry.dimension.customary});
   }
 }
 
@@ -75,7 +87,7 @@ double in_customary_unit(const described::Dimension& dimension, double value) {
 
 Json json_of(const Record& record) {
   Json object = Json::object();
-  for (const Entry& entry : record.entries()) {
+  for (const described::Entry& entry : record.entries()) {
     if (entry.in_files_alone) continue;
     if (entry.name.empty())
       object.update(content_json(entry));
@@ -86,8 +98,12 @@ Json json_of(const Record& record) {
 }
 
 Json units_of(const Record& record) {
+  std::vector<UnitOfKey> all;
+  add_units(record, "", all);
+  std::map<std::string, std::set<std::string_view>> of_key;
+  for (const UnitOfKey& one : all) of_key[one.key].insert(one.unit);
   Json units = Json::object();
-  add_units(record, units);
+  for (const UnitOfKey& one : all) units[of_key.at(one.key).size() == 1 ? one.key : one.path] = one.unit;
   return units;
 }
 

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,37 +12,38 @@ namespace orbearing::app {
 
 namespace {
 
-using described::Entry;
 using described::Numbers;
 
 constexpr std::size_t kNumbersInLine = 12;
 
 /// A name and what stands for its value: numbers of an array with labels have a name each.
 struct Cell {
-  std::string name;
-  std::string unit;
-  std::string meaning;
-  std::optional<double> number;
-  std::string text;
+  std::string name{};
+  std::string unit{};
+  std::string meaning{};
+  std::optional<double> number{};
+  std::string text{};
+  described::NumberKind kind = described::NumberKind::real;
 };
 
 std::string shown(const Cell& cell) {
   if (!cell.number) return cell.text;
-  return std::isfinite(*cell.number) ? fmt::format("{:.6g}", *cell.number) : "-";
+  if (!std::isfinite(*cell.number)) return "-";
+  if (cell.kind == described::NumberKind::real) return fmt::format("{:.6g}", *cell.number);
+  return cell.kind == described::NumberKind::whole ? fmt::format("{:.0f}", *cell.number)
+                                                   : fmt::format("{}", *cell.number != 0.0);
 }
 
-std::string unit_of(const Entry& entry) {
+std::string unit_of(const described::Entry& entry) {
   return entry.dimension.customary == "1" ? std::string() : std::string(entry.dimension.customary);
 }
 
-std::string list_text(const Entry& entry, const Numbers& numbers) {
+std::string list_text(const described::Entry& entry, const Numbers& numbers) {
   std::vector<double> values;
   for (const double value : numbers.values) values.push_back(in_customary_unit(entry.dimension, value));
   if (values.size() <= kNumbersInLine) {
     std::string text;
-    for (const double value : values)
-      text += (text.empty() ? "" : " ") +
-              shown({.name = {}, .unit = {}, .meaning = {}, .number = value, .text = {}});
+    for (const double value : values) text += (text.empty() ? "" : " ") + shown({.number = value});
     return text;
   }
   std::erase_if(values, [](double value) { return !std::isfinite(value); });
@@ -50,7 +52,7 @@ std::string list_text(const Entry& entry, const Numbers& numbers) {
   return fmt::format("{} values, {:.6g} to {:.6g}", numbers.values.size(), *least, *most);
 }
 
-void add_numbers(const Entry& entry, const Numbers& numbers, const std::string& name,
+void add_numbers(const described::Entry& entry, const Numbers& numbers, const std::string& name,
                  std::vector<Cell>& cells) {
   const bool labelled = numbers.shape.size() == 1 && !numbers.along[0].labels.empty();
   if (!labelled && !numbers.shape.empty()) {
@@ -59,18 +61,18 @@ void add_numbers(const Entry& entry, const Numbers& numbers, const std::string& 
   }
   for (std::size_t i = 0; i < numbers.values.size(); ++i) {
     const std::string label = labelled ? numbers.along[0].labels[i] : "";
-    cells.push_back({label.empty() || name.empty() ? name + label : name + "." + label,
-                     unit_of(entry),
-                     entry.meaning,
-                     in_customary_unit(entry.dimension, numbers.values[i]),
-                     {}});
+    cells.push_back({.name = label.empty() || name.empty() ? name + label : name + "." + label,
+                     .unit = unit_of(entry),
+                     .meaning = entry.meaning,
+                     .number = in_customary_unit(entry.dimension, numbers.values[i]),
+                     .kind = numbers.kind});
   }
 }
 
 // Of all but tables, those of a structure named after it.
 void add_cells(const Record& record, const std::string& prefix, std::vector<Cell>& cells) {
-  for (const Entry& entry : record.entries()) {
-    if (entry.in_files_alone) continue;
+  for (const described::Entry& entry : record.entries()) {
+    if (entry.in_files_alone || entry.detail) continue;
     const std::string name = prefix + entry.name;
     if (const auto* numbers = std::get_if<Numbers>(&entry.content)) add_numbers(entry, *numbers, name, cells);
     if (const auto* child = std::get_if<described::Child>(&entry.content))
@@ -79,8 +81,8 @@ void add_cells(const Record& record, const std::string& prefix, std::vector<Cell
       cells.push_back({name, "", entry.meaning, std::nullopt, std::move(text)});
     };
     if (const auto* text = std::get_if<std::string>(&entry.content)) add(*text);
-    if (const auto* flag = std::get_if<bool>(&entry.content)) add(*flag ? "true" : "false");
-    if (const auto* count = std::get_if<std::int64_t>(&entry.content)) add(fmt::format("{}", *count));
+    if (const auto* texts = std::get_if<described::Texts>(&entry.content))
+      add(fmt::format("{}", fmt::join(*texts, ", ")));
   }
 }
 
@@ -113,32 +115,59 @@ Grid grid_of(const described::Table& table) {
   return grid;
 }
 
+using Texts = std::vector<std::vector<std::string>>;  // columns, each with its name first
+
+Texts transposed(const Texts& columns) {
+  Texts rows(columns.front().size());
+  for (const std::vector<std::string>& column : columns)
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i].push_back(column[i]);
+  return rows;
+}
+
+std::size_t width_of(const std::vector<std::string>& column) {
+  return std::ranges::max(column, {}, &std::string::size).size();
+}
+
+// Numbers to the right, texts to the left.
+std::vector<std::string> lines_of(const Texts& columns) {
+  std::vector<std::string> lines(columns.front().size());
+  for (const std::vector<std::string>& column : columns) {
+    const bool numbers = column.size() > 1 && column[1].find_first_of("0123456789") <= 1;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      lines[i] += numbers ? fmt::format("  {:>{}}", column[i], width_of(column))
+                          : fmt::format("  {:<{}}", column[i], width_of(column));
+  }
+  return lines;
+}
+
+// A table of many values and few rows has a line for each value.
 std::string table_text(const std::string& title, const described::Table& table) {
+  constexpr std::size_t widest = 160;
   const Grid grid = grid_of(table);
-  std::vector<std::string> lines(grid.rows.size() + 1);
+  Texts columns;
   for (const std::string& name : grid.names) {
-    std::vector<std::string> column{name};
+    columns.push_back({name});
     for (const auto& row : grid.rows) {
       const Cell* cell = cell_called(row, name);
-      column.push_back(cell == nullptr ? "" : shown(*cell));
+      columns.back().push_back(cell == nullptr ? "" : shown(*cell));
     }
-    std::size_t width = 0;
-    for (const std::string& text : column) width = std::max(width, text.size());
-    for (std::size_t i = 0; i < lines.size(); ++i) lines[i] += fmt::format("  {:>{}}", column[i], width);
   }
+  std::vector<std::string> lines = lines_of(columns);
+  if (lines.front().size() > widest && grid.rows.size() < grid.names.size())
+    lines = lines_of(transposed(columns));
   std::string text = "\n" + title + "\n";
-  for (const std::string& line : lines) text += line + "\n";
+  for (const std::string& line : lines) text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
   return text;
 }
 
-std::string title_of(const std::string& name, const Entry& entry) {
+std::string title_of(const std::string& name, const described::Entry& entry) {
   return entry.meaning.empty() ? name : name + ": " + entry.meaning;
 }
 
 std::string tables_text(const Record& record, const std::string& prefix) {
   std::string text;
-  for (const Entry& entry : record.entries()) {
-    if (entry.in_files_alone) continue;
+  for (const described::Entry& entry : record.entries()) {
+    if (entry.in_files_alone || entry.detail) continue;
     if (const auto* table = std::get_if<described::Table>(&entry.content);
         table != nullptr && !table->rows.empty())
       text += table_text(title_of(prefix + entry.name, entry), *table);
@@ -150,7 +179,44 @@ std::string tables_text(const Record& record, const std::string& prefix) {
 
 std::string in_csv(const Cell& cell) {
   if (!cell.number) return csv_field(cell.text);
-  return std::isfinite(*cell.number) ? fmt::format("{}", *cell.number) : std::string();
+  if (!std::isfinite(*cell.number)) return "";
+  return cell.kind == described::NumberKind::real ? fmt::format("{}", *cell.number) : shown(cell);
+}
+
+template <class Items, class Field>
+std::string csv_line(const Items& items, const Field& field) {
+  std::string line;
+  for (const auto& item : items) line += field(item) + ",";
+  line.back() = '\n';  // in place of the last comma
+  return line;
+}
+
+// Place in `numbers` of the element of `whole` at `place`.
+std::size_t place_in(const Numbers& numbers, const Numbers& whole, std::size_t place) {
+  std::vector<std::size_t> at(whole.shape.size());
+  for (std::size_t i = at.size(); i-- > 0; place /= whole.shape[i]) at[i] = place % whole.shape[i];
+  std::size_t found = 0;
+  for (std::size_t i = 0; i < numbers.shape.size(); ++i)
+    for (std::size_t k = 0; k < at.size(); ++k)
+      if (whole.along[k].name == numbers.along[i].name) found = found * numbers.shape[i] + at[k];
+  return found;
+}
+
+std::string csv_of_arrays(const Record& arrays) {
+  const std::vector<described::Entry>& columns = arrays.entries();
+  const auto numbers_of = [](const described::Entry& column) -> const Numbers& {
+    return std::get<Numbers>(column.content);
+  };
+  const Numbers& whole = numbers_of(*std::ranges::max_element(
+      columns, {}, [&](const described::Entry& column) { return numbers_of(column).values.size(); }));
+  std::string text = csv_line(columns, [](const described::Entry& column) { return csv_field(column.name); });
+  for (std::size_t row = 0; row < whole.values.size(); ++row)
+    text += csv_line(columns, [&](const described::Entry& column) {
+      const Numbers& numbers = numbers_of(column);
+      return in_csv(
+          {.number = in_customary_unit(column.dimension, numbers.values[place_in(numbers, whole, row)])});
+    });
+  return text;
 }
 
 }  // namespace
@@ -170,19 +236,16 @@ std::string text_of(const Record& record) {
   return text + tables_text(record, "");
 }
 
-std::string csv_of(const described::Table& table) {
-  const Grid grid = grid_of(table);
-  std::string text;
-  const auto end_line = [&text] { text.back() = '\n'; };  // in place of the last comma
-  for (const std::string& name : grid.names) text += csv_field(name) + ",";
-  end_line();
-  for (const std::vector<Cell>& row : grid.rows) {
-    for (const std::string& name : grid.names) {
+std::string csv_of(const described::Entry& table) {
+  if (const auto* arrays = std::get_if<described::Child>(&table.content))
+    return csv_of_arrays(arrays->one.front());
+  const Grid grid = grid_of(std::get<described::Table>(table.content));
+  std::string text = csv_line(grid.names, [](const std::string& name) { return csv_field(name); });
+  for (const std::vector<Cell>& row : grid.rows)
+    text += csv_line(grid.names, [&](const std::string& name) {
       const Cell* cell = cell_called(row, name);
-      text += (cell == nullptr ? "" : in_csv(*cell)) + ",";
-    }
-    end_line();
-  }
+      return cell == nullptr ? std::string() : in_csv(*cell);
+    });
   return text;
 }
 

@@ -24,14 +24,16 @@ Record record_of(const Result& result) {
 
 /// Numbers in their customary units. What is for files alone is left out.
 nlohmann::ordered_json json_of(const Record& record);
-/// Unit of each number in that object by its key; "1" of a ratio.
+/// Unit of each number in that object by its key; "1" of a ratio. Where keys of one name have several units,
+/// by the path: "mesh_force_N/sun/mean".
 nlohmann::ordered_json units_of(const Record& record);
 
 /// The same for terminals: a line for each value, tables, longer lists by their range.
 std::string text_of(const Record& record);
 
-/// A table as lines of RFC 4180, ended by "\n"; structures and labelled numbers of its rows as columns.
-std::string csv_of(const described::Table& table);
+/// A table as lines of RFC 4180, ended by "\n", with structures and labelled numbers of its rows as columns;
+/// of a structure its arrays as columns, a line for each element of the largest.
+std::string csv_of(const described::Entry& table);
 
 /// Arrays and single numbers in SI, texts as attributes; the rows of a table along its dimension.
 PointContent content_of(const Record& record);

@@ -7,10 +7,8 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "app/case/static_case.hpp"
-#include "app/results/json_number.hpp"
 #include "app/results/result_row.hpp"
 #include "app/units.hpp"
 #include "bearing/equilibrium/static_bearing.hpp"
@@ -22,7 +20,7 @@ namespace {
 namespace balance = bearing::equilibrium;
 using bearing::Race;
 
-constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
+constexpr double kMissing = described::kAbsent;
 constexpr std::array<Race, 2> both_races{Race::inner, Race::outer};
 
 const char* race_name(Race race) {
@@ -112,7 +110,7 @@ std::optional<double> highest_at(const SpeedTable& table, const std::string& nam
                right = (value(best + 1) - value(best)) / (x2 - x1);
   const double bend = (right - left) / (x2 - x0);
   if (!(bend < 0.0)) return std::nullopt;
-  return 0.5 * (x0 + x1) - left / (2.0 * bend);
+  return (0.5 * (x0 + x1) - left / (2.0 * bend)) / kRpm;
 }
 
 std::optional<balance::RingState> balanced(const bearing::Bearing& bearing, const balance::RowMotion& motion,
@@ -177,14 +175,10 @@ std::vector<std::string> film_warnings(const bearing::Bearing& bearing, const st
   return warnings;
 }
 
-nlohmann::ordered_json films_json(const std::vector<BallFilm>& films) {
-  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-  for (const BallFilm& film : films) {
-    nlohmann::ordered_json row{{"ball", film.ball}, {"race", race_name(film.race)}};
-    row.update(film_json(film.point));
-    rows.push_back(std::move(row));
-  }
-  return rows;
+void describe(described::Record& row, const BallFilm& film) {
+  row.value("ball", "counted from 0", film.ball);
+  row.value("race", "inner or outer", race_name(film.race));
+  describe(row, film.point);
 }
 
 std::optional<SpeedTable> speed_table(const ResolvedCase& in) {
@@ -199,33 +193,23 @@ std::optional<SpeedTable> speed_table(const ResolvedCase& in) {
     table.warnings.push_back(
         fmt::format("operation.speeds: the film at {:.6g} rpm lies outside of the ranges of its regressions",
                     fmt::join(beyond, ", ")));
-  table.inner_turning_rpm = highest_at(table, "film_inner_h_min_um");
-  table.outer_turning_rpm = highest_at(table, "film_outer_h_min_um");
+  table.inner_turning = highest_at(table, "film_inner_h_min_um");
+  table.outer_turning = highest_at(table, "film_outer_h_min_um");
   return table;
 }
 
-nlohmann::ordered_json speeds_json(const SpeedTable& table) {
-  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-  for (const std::vector<double>& values : table.rows) {
-    nlohmann::ordered_json row;
-    for (std::size_t i = 0; i < values.size(); ++i) row[table.columns[i].name] = number_or_null(values[i]);
-    rows.push_back(std::move(row));
-  }
-  const auto speed = [](const std::optional<double>& rpm) {
-    return rpm ? nlohmann::ordered_json(*rpm) : nlohmann::ordered_json(nullptr);
-  };
-  return {{"over_speed", rows},
-          {"least_film_turns_at_rpm",
-           {{"inner", speed(table.inner_turning_rpm)}, {"outer", speed(table.outer_turning_rpm)}}}};
-}
-
-void add_speeds(const SpeedTable& table, PointContent& content) {
-  content.add_dimension("speed", table.rows.size());
-  for (std::size_t i = 0; i < table.columns.size(); ++i) {
-    const SpeedTable::Column& column = table.columns[i];
-    content.add_each("over_speed_" + column.name, {"speed"}, column.units, column.meaning, table.rows,
-                     [&](const std::vector<double>& values) { return values[i]; });
-  }
+void describe(described::Record& record, const SpeedTable& table) {
+  record.table("over_speed", "speed", "the most loaded ball at operation.speeds", table.rows,
+               [&](described::Record& row, const std::vector<double>& values) {
+                 for (std::size_t i = 0; i < values.size(); ++i) {
+                   const auto& [name, units, meaning] =
+                       table.columns[i];  // values are in the unit of the name
+                   row.value(name, {"", units, units, ""}, meaning, values[i]).variable = name;
+                 }
+               });
+  record.array("least_film_turns_at_rpm", described::dimension::angular_speed,
+               "speed of the largest least film", {{"race", {"inner", "outer"}}},
+               std::array{table.inner_turning.value_or(kMissing), table.outer_turning.value_or(kMissing)});
 }
 
 }  // namespace orbearing::app

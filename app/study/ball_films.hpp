@@ -1,13 +1,11 @@
 // Films under the balls of a bearing in balance, and its balance over speed, with films and with Hertz's law.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/case/resolved_case.hpp"
-#include "app/results/point_content.hpp"
 #include "app/study/film_study.hpp"
 #include "bearing/equilibrium/ring_balance.hpp"
 
@@ -20,15 +18,14 @@ struct BallFilm {
   FilmPoint point;  // sizes of speed and spin, whatever their sense
 };
 
+void describe(described::Record& row, const BallFilm& film);
+
 /// Of all loaded balls of a state whose rings turn, inner race first; empty for one at rest.
 std::vector<BallFilm> ball_films(const bearing::Bearing& bearing, const bearing::Lubricant& oil,
                                  const bearing::equilibrium::RingState& state);
 
 /// What of them lies outside of the ranges of the regressions, one line for each race and quantity.
 std::vector<std::string> film_warnings(const bearing::Bearing& bearing, const std::vector<BallFilm>& films);
-
-/// `film` as the results of a contact by itself have it, with ball and race.
-nlohmann::ordered_json films_json(const std::vector<BallFilm>& films);
 
 /// The ball with the largest load on the inner race, over the speed of the inner ring.
 struct SpeedTable {
@@ -40,17 +37,15 @@ struct SpeedTable {
   std::vector<Column> columns;
   std::vector<std::vector<double>> rows;  // (speeds, columns)  not a number where there is none
   std::optional<double>
-      inner_turning_rpm;  // speed of the largest least film, none where the table ends first
-  std::optional<double> outer_turning_rpm;
+      inner_turning;  // [rad/s]  speed of the largest least film, none where the table ends first
+  std::optional<double> outer_turning;
   std::vector<std::string> warnings;
 };
+
+void describe(described::Record& record, const SpeedTable& table);
 
 /// At `operation.speeds`; none where the case has none. With film and without where `film.enabled` says so.
 /// A speed at which no balance is found has no numbers, and a warning.
 std::optional<SpeedTable> speed_table(const ResolvedCase& resolved);
-
-nlohmann::ordered_json speeds_json(const SpeedTable& table);
-/// Adds the columns to a file of results, over a dimension `speed`.
-void add_speeds(const SpeedTable& table, PointContent& content);
 
 }  // namespace orbearing::app

@@ -2,14 +2,12 @@
 #pragma once
 
 #include <functional>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/case/resolved_case.hpp"
 #include "app/results/life_table.hpp"
-#include "app/results/point_content.hpp"
 #include "bearing/equilibrium/ring_axes.hpp"
 #include "coupling/system/heated_balls.hpp"
 
@@ -19,30 +17,31 @@ namespace orbearing::app {
 struct BallStudy {
   system::BallRunResult run;
   std::vector<system::WarmState> warming;  // from cold to steady; empty where temperatures are stated
-  double rolling_cage_speed = 0.0;  // [rad/s]  of pure rolling, at the end
-  double life_hours = 0.0;          // [h]      of the bearing at the speed of the end
-  double life_with_balls_hours = 0.0;  // [h]   where its balls may fail too, Eq. (35) of [Chen2026]
-  double dynamic_capacity = 0.0;    // [N]
-  bearing::rating::RatingLives lives;  // by the standards, of loads averaged over time
-  double turning_speed = 0.0;       // [rad/s]  at the end, of the race that turns relative to the load
-  double largest_pressure = 0.0;    // [Pa]
-  double radial_clearance = 0.0;    // [m]      at the temperatures of the run
+  double rolling_cage_speed = 0.0;         // [rad/s]  of pure rolling, at the end
+  double life_hours = 0.0;                 // [h]      of the bearing at the speed of the end
+  double life_with_balls_hours = 0.0;      // [h]   where its balls may fail too, Eq. (35) of [Chen2026]
+  double dynamic_capacity = 0.0;           // [N]
+  bearing::rating::RatingLives lives;      // by the standards, of loads averaged over time
+  double turning_speed = 0.0;              // [rad/s]  at the end, of the race that turns relative to the load
+  double largest_pressure = 0.0;           // [Pa]
+  double radial_clearance = 0.0;           // [m]      at the temperatures of the run
   /// Of the balance under the same load at the final speeds, as orbearing stiffness has it; none where there
   /// is none.
   std::optional<bearing::equilibrium::RingStiffness> stiffness;
   std::vector<std::string> warnings;
 
   BearingLives all_lives() const { return {lives, run.means.life.bearing, turning_speed, largest_pressure}; }
+  LifeTable life_table() const {
+    return {value_by_name(all_lives()), {bearing::rating::RollingElement::ball}};
+  }
 };
+
+void describe(described::Record& record, const BallStudy& study);
 
 /// Whether a case is that of a ball bearing in time.
 bool is_ball_run(const ResolvedCase& resolved);
 
 /// `progress` gets the share done [-], if any. Throws ComputationFailed where the run ends early.
 BallStudy ball_study(const ResolvedCase& resolved, const std::function<void(double)>& progress = {});
-
-nlohmann::ordered_json ball_json(const BallStudy& study);
-std::string ball_text(const BallStudy& study);
-PointContent ball_content(const BallStudy& study);
 
 }  // namespace orbearing::app

@@ -203,6 +203,7 @@ PairPoint balanced(const ResolvedCase& in) {
 
 namespace {
 
+using described::each;
 using described::Record;
 namespace dimension = described::dimension;
 
@@ -282,13 +283,6 @@ void describe(Record& row, const Prediction& prediction) {
   row.value("nonlinear_Hz", dimension::cycles, "with the identified shaft", pair->nonlinear[mode]);
   row.value("linear_Hz", dimension::cycles, "with the shaft identified for it", pair->linear[mode]);
   row.value("identified_from", "whether the shaft was identified from the pair", pair->identified_from);
-}
-
-template <class Items, class Value>
-auto each(const Items& items, const Value& value) {
-  std::vector<std::decay_t<decltype(std::invoke(value, items[0]))>> values;
-  for (const auto& item : items) values.push_back(std::invoke(value, item));
-  return values;
 }
 
 }  // namespace

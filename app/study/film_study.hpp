@@ -1,14 +1,13 @@
 // Films of a contact that rolls and spins, by the regressions of bearing/film or by Reynolds' equation.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/case/resolved_case.hpp"
-#include "app/results/point_content.hpp"
 #include "bearing/film/film_choice.hpp"
+#include "mechanics/record.hpp"
 
 namespace orbearing::app {
 
@@ -31,30 +30,20 @@ struct FilmPoint {
   }
 };
 
+/// Its motion and films; nothing where it is not loaded.
+void describe(described::Record& row, const FilmPoint& point);
+
 struct FilmStudy {
   std::vector<FilmPoint> points;
   std::vector<std::string> warnings;  // what lies outside of the ranges of the regressions, or was not solved
 };
 
+/// With pressure and film at each node of the solutions of Reynolds' equation.
+void describe(described::Record& record, const FilmStudy& study);
+
 /// Whether a case is that of a contact by itself.
 bool is_spin_film(const ResolvedCase& resolved);
 
 FilmStudy film_study(const ResolvedCase& resolved);
-
-/// Of the first point, by its name in the results: "h_c_um", "h_min_um", "h_c_HamrockDowson_um",
-/// "h_min_HamrockDowson_um", "h_0_um", of lines "h_flow_um", "h_min_DowsonHigginson_um" and
-/// "rolling_resistance_N"; NaN for a name that is not known.
-double film_property(const FilmStudy& study, const std::string& quantity);
-
-/// load_N, rolling_speed_m_s, spin_rad_s and the films in um; null where nothing is loaded.
-nlohmann::ordered_json film_json(const FilmPoint& point);
-nlohmann::ordered_json film_json(const FilmStudy& study);
-std::string film_text(const FilmStudy& study);
-PointContent film_content(const FilmStudy& study);
-/// The same as rows of text.
-std::string film_csv(const FilmStudy& study);
-/// Pressure and film at each node of a solution of Reynolds' equation, as rows of text.
-std::string film_map_csv(const bearing::film::PointFilm& solution);
-std::string film_line_csv(const bearing::film::LineFilm& solution);
 
 }  // namespace orbearing::app

@@ -1,35 +1,83 @@
 #include "app/study/gear_output.hpp"
 
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
+#include <array>
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
-#include <limits>
-#include <map>
+#include <numeric>
 
 namespace orbearing::app {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using described::each;
+using described::Record;
 using gearset::dynamics::Mode;
 using gearset::dynamics::ModeKind;
 using study::GearRunResult;
 using study::PlanetStatistics;
 using study::SignalStatistics;
+namespace dimension = described::dimension;
 
-using Signal = SignalStatistics PlanetStatistics::*;
+struct NamedSignal {
+  const char* key;   // of its table in JSON
+  const char* name;  // of its series
+  const described::Dimension& of;
+  const char* meaning;
+  SignalStatistics PlanetStatistics::*statistics;
+  Eigen::ArrayXXd study::GearSeries::*series;
+};
+
+constexpr NamedSignal kMeshForces[] = {
+    {"sun", "sun_mesh_force", dimension::force, "force of the sun mesh along the line of action",
+     &PlanetStatistics::sun_mesh_force, &study::GearSeries::sun_mesh_force},
+    {"ring", "ring_mesh_force", dimension::force, "force of the ring mesh along the line of action",
+     &PlanetStatistics::ring_mesh_force, &study::GearSeries::ring_mesh_force}};
+constexpr NamedSignal kBearingForces[] = {
+    {"x", "bearing_force_x", dimension::force, "force of its bearings on the planet, outward",
+     &PlanetStatistics::radial_force, &study::GearSeries::radial_force},
+    {"y", "bearing_force_y", dimension::force,
+     "force of its bearings on the planet, in the sense of carrier rotation",
+     &PlanetStatistics::tangential_force, &study::GearSeries::tangential_force}};
+constexpr NamedSignal kAccelerations[] = {
+    {"x_of_planets", "planet_acceleration_x", dimension::acceleration,
+     "acceleration of the planet in the carrier's frame, outward", &PlanetStatistics::radial_acceleration,
+     &study::GearSeries::radial_acceleration},
+    {"y_of_planets", "planet_acceleration_y", dimension::acceleration,
+     "acceleration of the planet in the carrier's frame, in the sense of carrier rotation",
+     &PlanetStatistics::tangential_acceleration, &study::GearSeries::tangential_acceleration}};
+
+// A row for each planet, and the series of all.
+template <class Signals>
+void describe_signals(Record& record, const Signals& signals, const GearRunResult& result) {
+  for (const NamedSignal& signal : signals) {
+    record
+        .table(signal.key, "planet", signal.meaning, result.planets,
+               [&](Record& row, const PlanetStatistics& planet) {
+                 const SignalStatistics& s = planet.*signal.statistics;
+                 row.value("mean", signal.of, "mean", s.mean);
+                 row.value("rms", signal.of, "root mean square", s.rms);
+                 row.value("min", signal.of, "least value", s.least);
+                 row.value("max", signal.of, "largest value", s.largest);
+                 row.array("mesh_harmonics", signal.of, "amplitude at orders of the mesh frequency",
+                           {"order"}, s.amplitudes)
+                     .variable = "harmonics";
+               })
+        .variable = signal.name;
+    record.series(signal.name, signal.of, signal.meaning, {"planet", "time"}, result.series.*signal.series);
+  }
+}
 
 // rms over all planets, and the largest of all.
-Json of_all_planets(const GearRunResult& result, Signal signal) {
+void describe_all_planets(Record& record, const char* name, const GearRunResult& result,
+                          SignalStatistics PlanetStatistics::*signal) {
   double square = 0.0, largest = 0.0;
   for (const PlanetStatistics& planet : result.planets) {
     square += (planet.*signal).rms * (planet.*signal).rms / static_cast<double>(result.planets.size());
     largest = std::max(largest, (planet.*signal).maximum);
   }
-  return {{"rms", std::sqrt(square)}, {"max", largest}};
+  record.array(name, dimension::acceleration, "of all planets", {{"statistic", {"rms", "max"}}},
+               std::array{std::sqrt(square), largest});
 }
 
 // rms over all planets, along any one direction of the housing.
@@ -41,24 +89,16 @@ double housing_acceleration(const GearRunResult& result) {
   return std::sqrt(square);
 }
 
-Json of_each_planet(const GearRunResult& result, Signal signal, bool harmonics) {
-  Json list = Json::array();
-  for (const PlanetStatistics& planet : result.planets) {
-    const SignalStatistics& s = planet.*signal;
-    Json one = {{"mean", s.mean}, {"rms", s.rms}, {"min", s.least}, {"max", s.largest}};
-    if (harmonics) one["mesh_harmonics"] = s.amplitudes;
-    list.push_back(std::move(one));
-  }
-  return list;
-}
-
-Json load_sharing(const GearRunResult& result) {
-  Json share = Json::array(), most = Json::array();
-  for (const PlanetStatistics& planet : result.planets) {
-    share.push_back(planet.load_share);
-    most.push_back(planet.most_load_share);
-  }
-  return {{"mean", share}, {"largest", most}};
+void describe_accelerations(Record& record, const GearRunResult& result) {
+  describe_all_planets(record, "x", result, &PlanetStatistics::radial_acceleration);
+  describe_all_planets(record, "y", result, &PlanetStatistics::tangential_acceleration);
+  for (const char* axis : {"x", "y"})
+    record.entry(axis).variable = std::string("planet_acceleration_all_") + axis;
+  record
+      .value("housing_rms", dimension::acceleration, "along any direction fixed in the housing",
+             housing_acceleration(result))
+      .variable = "planet_acceleration_housing_rms";
+  describe_signals(record, kAccelerations, result);
 }
 
 }  // namespace
@@ -75,102 +115,81 @@ const char* kind_name(ModeKind kind) {
   return "planet";
 }
 
-Json modes_json(const std::vector<Mode>& modes) {
-  Json list = Json::array();
-  for (const Mode& mode : modes)
-    list.push_back({{"frequency_Hz", mode.frequency},
-                    {"kind", kind_name(mode.kind)},
-                    {"multiplicity", mode.multiplicity},
-                    {"growth_per_s", mode.growth}});
-  return list;
+void describe(Record& record, const ModeStudy& study) {
+  record.table("modes", "mode", "natural modes", study.modes, [&](Record& row, const Mode& mode) {
+    row.value("frequency_Hz", dimension::cycles, "natural frequency", mode.frequency);
+    row.value("kind", "rotational, translational or planet", kind_name(mode.kind));
+    row.value("multiplicity", "modes of this frequency and kind", mode.multiplicity);
+    row.value("growth_per_s", dimension::growth, "rate at which the motion grows", mode.growth);
+    row.value("over_planet_frequency", dimension::ratio, "over that of a planet on its bearing alone",
+              mode.frequency / study.planet_frequency);
+  });
 }
 
-std::string modes_text(const std::vector<Mode>& modes) {
-  std::string text = fmt::format("{:>12}  {:14}{:>12}\n", "frequency_Hz", "kind", "multiplicity");
-  for (const Mode& mode : modes)
-    text += fmt::format("{:12.1f}  {:14}{:12}{}\n", mode.frequency, kind_name(mode.kind), mode.multiplicity,
-                        mode.growth > 0.0 ? fmt::format("  grows at {:.3g} /s", mode.growth) : "");
-  return text;
-}
-
-ModeStudy mode_study(const gearset::dynamics::SetModel& model) {
+ModeStudy mode_study(const gearset::dynamics::SetModel& model, bool at_speed) {
   const auto& planet = model.parameters.planet;
-  return {modes_at_rest(model),
+  return {at_speed ? modes_at_speed(model) : modes_at_rest(model),
           std::sqrt(planet.bearing_stiffness / planet.mass) / boost::math::double_constants::two_pi};
 }
 
-double mode_property(const ModeStudy& study, const std::string& quantity) {
-  std::map<std::string, int> count;
-  for (const Mode& mode : study.modes) {
-    if (!(mode.frequency > 0.0)) continue;
-    const std::string kind = kind_name(mode.kind);
-    const std::string name = fmt::format("{}_{}", kind, ++count[kind]);
-    if (name + "_Hz" == quantity) return mode.frequency;
-    if (name + "_1" == quantity) return mode.frequency / study.planet_frequency;
-  }
-  return std::numeric_limits<double>::quiet_NaN();
-}
-
-Json campbell_json(const gearset::dynamics::SetModel& model, double nominal_speed) {
+void describe_campbell(Record& record, const gearset::dynamics::SetModel& model, double nominal_speed) {
   constexpr int steps = 20;
   constexpr int harmonics = 4;
-  std::vector<double> factors;
-  for (int i = 0; i <= steps; ++i) factors.push_back(static_cast<double>(i) / steps);
-  const Eigen::MatrixXd frequencies = campbell_frequencies(model, factors);
-  Json speeds = Json::array(), natural = Json::array(), mesh = Json::array();
-  for (std::size_t i = 0; i < factors.size(); ++i) {
-    const auto column = frequencies.col(static_cast<Eigen::Index>(i));
-    speeds.push_back(factors[i] * nominal_speed * 30.0 / boost::math::double_constants::pi);
-    natural.push_back(std::vector<double>(column.begin(), column.end()));
-    Json orders = Json::array();
-    for (int order = 1; order <= harmonics; ++order)
-      orders.push_back(order * factors[i] * model.operation.mesh_frequency);
-    mesh.push_back(std::move(orders));
+  std::vector<double> factors, speeds;
+  std::vector<std::array<double, harmonics>> mesh;
+  for (int i = 0; i <= steps; ++i) {
+    factors.push_back(static_cast<double>(i) / steps);
+    speeds.push_back(factors.back() * nominal_speed);
+    for (int order = 1; order <= harmonics; ++order) {
+      if (order == 1) mesh.emplace_back();
+      mesh.back()[static_cast<std::size_t>(order - 1)] =
+          order * factors.back() * model.operation.mesh_frequency;
+    }
   }
-  return {{"speed_rpm", speeds}, {"frequencies_Hz", natural}, {"mesh_harmonics_Hz", mesh}};
+  record.array("speed_rpm", dimension::angular_speed, "from rest to the nominal speed", {"speed"}, speeds);
+  record.array("frequencies_Hz", dimension::cycles, "natural, ascending", {"speed", "frequency"},
+               campbell_frequencies(model, factors).transpose().eval());
+  record.array("mesh_harmonics_Hz", dimension::cycles, "orders 1 to 4 of the mesh frequency",
+               {"speed", "order"}, mesh);
 }
 
-Json gear_run_json(const GearRunResult& result) {
-  return {{"mesh_frequency_Hz", result.mesh_frequency},
-          {"steady", result.steady},
-          {"planet_acceleration_m_per_s2",
-           {{"x", of_all_planets(result, &PlanetStatistics::radial_acceleration)},
-            {"y", of_all_planets(result, &PlanetStatistics::tangential_acceleration)},
-            {"housing_rms", housing_acceleration(result)},
-            {"x_of_planets", of_each_planet(result, &PlanetStatistics::radial_acceleration, true)},
-            {"y_of_planets", of_each_planet(result, &PlanetStatistics::tangential_acceleration, true)}}},
-          {"mesh_force_N",
-           {{"sun", of_each_planet(result, &PlanetStatistics::sun_mesh_force, true)},
-            {"ring", of_each_planet(result, &PlanetStatistics::ring_mesh_force, true)}}},
-          {"bearing_force_N",
-           {{"x", of_each_planet(result, &PlanetStatistics::radial_force, true)},
-            {"y", of_each_planet(result, &PlanetStatistics::tangential_force, true)}}},
-          {"load_sharing", load_sharing(result)},
-          {"share_of_time_with_parted_teeth", result.separated},
-          {"run",
-           {{"windows", result.windows},
-            {"simulated_s", result.report.reached},
-            {"steps", result.report.steps},
-            {"rhs_calls", result.report.rhs_calls}}}};
-}
-
-std::string gear_run_text(const GearRunResult& result) {
-  std::string text = fmt::format("mesh frequency {:.1f} Hz; {} after {} windows\n", result.mesh_frequency,
-                                 result.steady ? "steady" : "NOT steady", result.windows);
-  text += fmt::format("{:>6} {:>12} {:>12} {:>12} {:>12} {:>11} {:>11} {:>10}\n", "planet", "a_x rms",
-                      "a_x max", "a_y rms", "a_y max", "sun max", "ring max", "share");
-  text += fmt::format("{:>6} {:>12} {:>12} {:>12} {:>12} {:>11} {:>11} {:>10}\n", "", "m/s2", "m/s2", "m/s2",
-                      "m/s2", "N", "N", "mean");
-  for (std::size_t i = 0; i < result.planets.size(); ++i) {
-    const PlanetStatistics& p = result.planets[i];
-    text += fmt::format("{:>6} {:12.5g} {:12.5g} {:12.5g} {:12.5g} {:11.5g} {:11.5g} {:10.4f}\n", i + 1,
-                        p.radial_acceleration.rms, p.radial_acceleration.maximum,
-                        p.tangential_acceleration.rms, p.tangential_acceleration.maximum,
-                        p.sun_mesh_force.largest, p.ring_mesh_force.largest, p.load_share);
-  }
-  if (result.separated > 0.0)
-    text += fmt::format("some teeth are parted for {:.2g} % of the time\n", 100.0 * result.separated);
-  return text;
+void describe_gear_run(Record& record, const GearRunResult& result) {
+  record.value("mesh_frequency_Hz", dimension::cycles, "teeth that come into contact per time",
+               result.mesh_frequency);
+  record.value("steady", "whether the motion repeats", result.steady);
+  const auto add = [&](const char* name, const char* meaning, const auto& fill) {
+    record.child(name, meaning, result, fill).variable = "";
+  };
+  add("planet_acceleration_m_per_s2", "of the planets", describe_accelerations);
+  add("mesh_force_N", "of the teeth",
+      [](Record& forces, const GearRunResult& of) { describe_signals(forces, kMeshForces, of); });
+  add("bearing_force_N", "on the planets",
+      [](Record& forces, const GearRunResult& of) { describe_signals(forces, kBearingForces, of); });
+  add("load_sharing", "tangential bearing force over the mean of all planets",
+      [](Record& shares, const GearRunResult& of) {
+        shares
+            .array("mean", dimension::ratio, "over time", {"planet"},
+                   each(of.planets, &PlanetStatistics::load_share))
+            .variable = "load_share";
+        shares
+            .array("largest", dimension::ratio, "at an instant", {"planet"},
+                   each(of.planets, &PlanetStatistics::most_load_share))
+            .variable = "largest_load_share";
+      });
+  record
+      .value("share_of_time_with_parted_teeth", dimension::ratio, "share of time with parted teeth",
+             result.separated)
+      .variable = "parted_share";
+  record.child("run", "of the integration", result, [](Record& run, const GearRunResult& of) {
+    run.value("windows", "until steady", of.windows);
+    run.value("simulated_s", dimension::time, "", of.report.reached);
+    run.value("steps", "", of.report.steps);
+    run.value("rhs_calls", "", of.report.rhs_calls);
+  });
+  std::vector<double> orders(result.planets.front().sun_mesh_force.amplitudes.size());
+  std::iota(orders.begin(), orders.end(), 1.0);
+  record.series("order", dimension::ratio, "order of the mesh frequency", {"order"}, orders);
+  record.series("time", dimension::time, "since the start of the run", {"time"}, result.series.time);
 }
 
 }  // namespace orbearing::app

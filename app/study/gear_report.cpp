@@ -11,9 +11,10 @@
 #include <nlohmann/json_fwd.hpp>
 #include <set>
 
+#include "app/results/record_writers.hpp"
 #include "app/study/gear_case.hpp"
 #include "app/study/gear_output.hpp"
-#include "app/study/mesh_output.hpp"
+#include "app/study/mesh_study.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/study/resonance.hpp"
 #include "app/units.hpp"
@@ -187,7 +188,9 @@ Json runs_json(const std::vector<SpeedPoint>& points, const std::vector<double>&
              {"swept", std::find(swept.begin(), swept.end(), point.modes.rpm) != swept.end()},
              {"status", point.status}};
     if (point.run.completed) {
-      const Json run = gear_run_json(point.run);
+      Record record;
+      describe_gear_run(record, point.run);
+      const Json run = json_of(record);
       row["steady"] = point.run.steady;
       const Json& acceleration = run["planet_acceleration_m_per_s2"];
       row["acceleration_m_per_s2"] = {{"x", acceleration["x"]}, {"y", acceleration["y"]}};
@@ -254,7 +257,7 @@ Json mode_shapes(const SetModel& model) {
     shapes.push_back({{"name", name},
                       {"frequency_Hz", mode.frequency},
                       {"multiplicity", mode.multiplicity},
-                      {"kind", modes_json({mode})[0]["kind"]},
+                      {"kind", kind_name(mode.kind)},
                       {"shape", snapshot_of(mode)}});
   }
   return {{"places_rad", model.planet_angles},
@@ -294,7 +297,9 @@ Json one_of_each_kind(const MeshStudy& study) {
   std::set<std::string> seen;
   for (const NamedMesh& mesh : study.meshes)
     if (seen.insert(mesh.first).second) few.meshes.push_back(mesh);
-  return meshes_json(few);
+  Record record;
+  describe(record, few);
+  return json_of(record).at("meshes");
 }
 
 }  // namespace

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app/results/json_number.hpp"
 #include "app/results/life_table.hpp"
+#include "app/results/record_writers.hpp"
 #include "app/results/result_row.hpp"
 
 namespace orbearing::app {
@@ -26,13 +26,13 @@ const ResultRow* shown_row(const SweepOutcome& outcome) {
   return shown;
 }
 
-LifeValue value_in(const SweepOutcome& outcome, const ResultRow& row) {
-  return [&](const std::string& name) { return value_of(outcome.head, row, name); };
-}
-
 LifeWords words_of(const ResolvedCase& in) {
   return {bearing::rating::RollingElement::roller,
           in.has("life.reduction_factor") ? in.number("life.reduction_factor") : 0.0};
+}
+
+LifeTable table_at(const SweepOutcome& outcome, const ResultRow& row, const ResolvedCase& in) {
+  return {[&](const std::string& name) { return value_of(outcome.head, row, name); }, words_of(in)};
 }
 
 }  // namespace
@@ -40,19 +40,20 @@ LifeWords words_of(const ResolvedCase& in) {
 std::string lives_text_of(const ResolvedCase& resolved, const SweepOutcome& outcome) {
   const ResultRow* row = shown_row(outcome);
   if (row == nullptr) return "";
-  const std::string table = lives_text(value_in(outcome, *row), words_of(resolved));
+  const std::string table = lives_text(table_at(outcome, *row, resolved));
   if (outcome.rows.size() == 1) return table + "\n";
-  return fmt::format("at {:.6g} rpm, where {} is longest:\n{}\n", value_of(outcome.head, *row, "input_speed_rpm"),
-                     outcome.head.life, table);
+  return fmt::format("at {:.6g} rpm, where {} is longest:\n{}\n",
+                     value_of(outcome.head, *row, "input_speed_rpm"), outcome.head.life, table);
 }
 
 nlohmann::ordered_json lives_record_of(const ResolvedCase& resolved, const SweepOutcome& outcome) {
   const ResultRow* row = shown_row(outcome);
   if (row == nullptr) return nullptr;
-  nlohmann::ordered_json record = lives_record(value_in(outcome, *row), words_of(resolved));
-  record["speed_rpm"] = number_or_null(value_of(outcome.head, *row, "input_speed_rpm"));
-  record["life_key"] = outcome.head.life;
-  return record;
+  Record record;
+  describe(record, table_at(outcome, *row, resolved));
+  record.value("speed_rpm", {}, "of the point", value_of(outcome.head, *row, "input_speed_rpm"));
+  record.value("life_key", "life that results go by", outcome.head.life);
+  return json_of(record);
 }
 
 }  // namespace orbearing::app

@@ -1,51 +1,69 @@
 #include "app/study/mesh_output.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
-#include <algorithm>
+#include <array>
 #include <cmath>
-
-#include "app/units.hpp"
+#include <limits>
 
 namespace orbearing::app {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using described::Dimension;
+using described::Record;
+namespace dimension = described::dimension;
 
 constexpr int kCurveSamples = 200;     // of the curve, a period
 constexpr std::size_t kErrorStep = 4;  // of the samples of a transmission error, one is written
 
-Json parts_json(const gearset::GearCompliance& gear) {
-  return {{"bending_N_per_m", 1.0 / gear.tooth.bending},
-          {"shear_N_per_m", 1.0 / gear.tooth.shear},
-          {"axial_N_per_m", 1.0 / gear.tooth.axial},
-          {"foundation_N_per_m", 1.0 / gear.foundation}};
+// Least or largest stiffness while `pairs` pairs touch; NaN where that many never do, or helical teeth come
+// into contact one end first.
+double while_pairs_touch(const gearset::MeshStiffness& mesh, int pairs, bool largest) {
+  constexpr int samples = 2000;
+  double found = std::numeric_limits<double>::quiet_NaN();
+  if (mesh.overlap_ratio > 0.0) return found;
+  for (int i = 0; i < samples; ++i) {
+    const double fraction = (i + 0.5) / samples;
+    if (std::ceil(mesh.contact_ratio - fraction) != pairs) continue;
+    const double value = mesh.curve.value(fraction);
+    if (!(largest ? found >= value : found <= value)) found = value;
+  }
+  return found;
 }
 
-Json pitch_point_json(const NamedMesh& mesh) {
+void describe_parts(Record& record, const gearset::GearCompliance& gear) {
+  record.value("bending_N_per_m", dimension::stiffness, "of the tooth", 1.0 / gear.tooth.bending);
+  record.value("shear_N_per_m", dimension::stiffness, "of the tooth", 1.0 / gear.tooth.shear);
+  record.value("axial_N_per_m", dimension::stiffness, "of the tooth", 1.0 / gear.tooth.axial);
+  record.value("foundation_N_per_m", dimension::stiffness, "of the body below it", 1.0 / gear.foundation);
+}
+
+void describe_pitch_point(Record& record, const NamedMesh& mesh) {
   const gearset::PairCompliance& pair = mesh.stiffness.at_pitch_point;
-  Json point = parts_json(pair.first);
-  point["hertz_N_per_m"] = 1.0 / pair.hertz;
-  point["pair_N_per_m"] = 1.0 / pair.sum();
-  point["gears"] = Json::array({parts_json(pair.first), parts_json(pair.second)});
-  point["gears"][0]["gear"] = mesh.first;
-  point["gears"][1]["gear"] = mesh.second;
-  return point;
+  describe_parts(record, pair.first);
+  record.value("hertz_N_per_m", dimension::stiffness, "of the contact", 1.0 / pair.hertz);
+  record.value("pair_N_per_m", dimension::stiffness, "of all in series", 1.0 / pair.sum());
+  const std::array gears{std::pair(mesh.first, pair.first), std::pair(mesh.second, pair.second)};
+  record.table("gears", "gear", "both gears", gears, [](Record& row, const auto& gear) {
+    describe_parts(row, gear.second);
+    row.value("gear", "", gear.first);
+  });
 }
 
-Json standard_json(const NamedMesh& mesh) {
-  constexpr double unit = 1e9;  // [Pa] of 1 N/(mm um)
-  return {{"c_th_N_per_mm_um", mesh.standard.theoretical_single / unit},
-          {"c_prime_N_per_mm_um", mesh.standard.single / unit},
-          {"c_gamma_N_per_mm_um", mesh.standard.mesh / unit},
-          {"mean_N_per_m", mesh.standard.mesh * mesh.face_width},
-          {"in_range", mesh.standard.in_range}};
+void describe_standard(Record& record, const NamedMesh& mesh) {
+  const gearset::Iso6336Stiffness& standard = mesh.standard;
+  record.value("c_th_N_per_mm_um", dimension::tooth_stiffness, "theoretical, of one pair",
+               standard.theoretical_single);
+  record.value("c_prime_N_per_mm_um", dimension::tooth_stiffness, "of one pair", standard.single);
+  record.value("c_gamma_N_per_mm_um", dimension::tooth_stiffness, "of the mesh", standard.mesh);
+  record.value("mean_N_per_m", dimension::stiffness, "the same over the face width",
+               standard.mesh * mesh.face_width);
+  record.value("in_range", "whether the gears lie in the range of the standard", standard.in_range);
 }
 
-Json curve_json(const gearset::PeriodicCurve& curve) {
-  Json points = Json::array();
+std::vector<std::array<double, 2>> sampled(const gearset::PeriodicCurve& curve) {
+  std::vector<std::array<double, 2>> points;
   for (int i = 0; i < kCurveSamples; ++i) {
     const double fraction = double(i) / kCurveSamples;
     points.push_back({fraction, curve.value(fraction)});
@@ -53,142 +71,94 @@ Json curve_json(const gearset::PeriodicCurve& curve) {
   return points;
 }
 
-Json error_json(const gearset::TransmissionError& error) {
-  Json harmonics = Json::array(), curve = Json::array();
-  for (const double amplitude : error.harmonics) harmonics.push_back(1e6 * amplitude);
+void describe_error(Record& record, const gearset::TransmissionError& error) {
+  constexpr Dimension fraction_and_um{"transmission error", "um", "um", ""};
+  std::vector<std::array<double, 2>> curve;
   const double samples = static_cast<double>(error.curve.size());
   for (std::size_t i = 0; i < error.curve.size(); i += kErrorStep)
     curve.push_back({(static_cast<double>(i) + 0.5) / samples, 1e6 * error.curve[i]});
-  return {{"force_N", error.force},
-          {"mean_um", 1e6 * error.mean},
-          {"peak_to_peak_um", 1e6 * error.peak_to_peak},
-          {"harmonics_um", harmonics},
-          {"curve_um", curve}};
+  record.value("force_N", dimension::force, "of the mesh", error.force);
+  record.value("mean_um", dimension::small_length, "over a mesh period", error.mean);
+  record.value("peak_to_peak_um", dimension::small_length, "over a mesh period", error.peak_to_peak);
+  record.array("harmonics_um", dimension::small_length, "at orders 1, 2, ... of the mesh frequency",
+               {"order"}, error.harmonics);
+  record.array("curve_um", fraction_and_um, "fraction of the mesh period, error", {"sample", "pair"}, curve);
 }
 
-Json mesh_json(const NamedMesh& mesh) {
-  const gearset::PeriodicCurve& curve = mesh.stiffness.curve;
-  Json json{{"name", mesh.name},
-            {"contact_ratio", mesh.stiffness.contact_ratio},
-            {"overlap_ratio", mesh.stiffness.overlap_ratio},
-            {"total_contact_ratio", mesh.stiffness.contact_ratio + mesh.stiffness.overlap_ratio},
-            {"mean_N_per_m", curve.mean()},
-            {"min_N_per_m", curve.least()},
-            {"max_N_per_m", curve.largest()},
-            {"phase", mesh.phase},
-            {"at_pitch_point", pitch_point_json(mesh)},
-            {"iso6336", standard_json(mesh)},
-            {"jumps", curve.jumps()},
-            {"curve", curve_json(curve)}};
-  if (mesh.error) json["transmission_error"] = error_json(*mesh.error);
-  return json;
+void describe_form(Record& record, const gearset::rim::RaceForm& form) {
+  record.array("cosine_m_per_N", dimension::race_compliance, "orders 0, 1, ...", {"wave"}, form.cosine);
+  record.array("sine_m_per_N", dimension::race_compliance, "orders 0, 1, ...", {"wave"}, form.sine);
 }
 
-std::string error_text(const NamedMesh& mesh) {
-  if (!mesh.error) return "";
-  const gearset::TransmissionError& error = *mesh.error;
-  return fmt::format(
-      "transmission error under {:.5g} N: mean {:.4g} um, peak to peak {:.4g} um, harmonics {:.3g}, {:.3g}, "
-      "{:.3g} um\n",
-      error.force, 1e6 * error.mean, 1e6 * error.peak_to_peak, 1e6 * error.harmonics[0],
-      1e6 * error.harmonics[1], 1e6 * error.harmonics[2]);
+void describe_axial(Record& record, const AxialForces& axial) {
+  const gearset::MeanLoads& loads = axial.loads;
+  record.value("base_helix_angle_deg", dimension::angle, "of the teeth", axial.base_helix_angle);
+  record.value("tooth_normal_force_N", dimension::force, "of one mesh of one planet", loads.tooth_force);
+  record.value("sun_on_planet_N", dimension::force, "along the axis", loads.axial_force);
+  record.value("ring_on_planet_N", dimension::force, "along the axis", 0.0 - loads.axial_force);
+  record.value("planet_overturning_moment_N_m", dimension::torque, "of both on a planet",
+               loads.overturning_moment);
+  record.value("thrust_on_sun_N", dimension::force, "of all planets", loads.sun_thrust);
+  record.value("thrust_on_ring_N", dimension::force, "of all planets", 0.0 - loads.sun_thrust);
+  record.value("sun_thrust_held_by", "", described::text_of(axial.held_by));
+  record.child("held_by_housing", "axial reactions", axial.reactions, [](Record& held, const auto& of) {
+    held.value("sun_N", dimension::force, "", of.sun);
+    held.value("carrier_N", dimension::force, "", of.carrier);
+    held.value("ring_N", dimension::force, "", of.ring);
+  });
 }
 
-std::string row(const NamedMesh& mesh) {
-  const gearset::PeriodicCurve& curve = mesh.stiffness.curve;
-  return fmt::format("{:<16} {:>8.4f} {:>10.4g} {:>10.4g} {:>10.4g} {:>8.4f} {:>12.4g}\n", mesh.name,
-                     mesh.stiffness.contact_ratio, 1e-6 * curve.mean(), 1e-6 * curve.least(),
-                     1e-6 * curve.largest(), mesh.phase, 1e-6 * mesh.standard.mesh * mesh.face_width);
-}
-
-std::string parts_row(const std::string& name, const gearset::GearCompliance& gear) {
-  return fmt::format("  {:<14} {:>10.5g} {:>10.5g} {:>10.5g} {:>10.5g}\n", name, 1e-6 / gear.tooth.bending,
-                     1e-6 / gear.tooth.shear, 1e-6 / gear.tooth.axial, 1e-6 / gear.foundation);
-}
-
-std::string parts_text(const NamedMesh& mesh) {
-  const gearset::PairCompliance& pair = mesh.stiffness.at_pitch_point;
-  return fmt::format("\n{}: one pair of teeth at the pitch point, {:.5g} N/um; contact alone {:.5g} N/um\n",
-                     mesh.first + " and " + mesh.second, 1e-6 / pair.sum(), 1e-6 / pair.hertz) +
-         fmt::format("  {:<14} {:>10} {:>10} {:>10} {:>10}  [N/um]\n", "", "bending", "shear", "axial",
-                     "foundation") +
-         parts_row(mesh.first, pair.first) + parts_row(mesh.second, pair.second);
-}
-
-Json waves_json(const Eigen::ArrayXd& waves) {
-  return std::vector<double>(waves.begin(), waves.end());
-}
-
-Json form_json(const gearset::rim::RaceForm& form) {
-  return {{"cosine_m_per_N", waves_json(form.cosine)}, {"sine_m_per_N", waves_json(form.sine)}};
-}
-
-std::string axial_text(const AxialForces& axial) {
-  return fmt::format(
-      "\nhelical teeth: on each planet {:.4g} N from the sun along the axis and as much against it from the "
-      "ring, which overturn it by {:.4g} N m\nthrust of the sun {:.4g} N, held by the {}; of the ring {:.4g} "
-      "N\n",
-      axial.loads.axial_force, axial.loads.overturning_moment, axial.loads.sun_thrust,
-      described::text_of(axial.held_by), 0.0 - axial.loads.sun_thrust);
-}
-
-std::string rim_text(const gearset::rim::RimInfluence& rim) {
-  return fmt::format(
-      "\nrim of the planet, beyond a race that is held: the tooth of the sun mesh gives way by {:.4g} um/kN, "
-      "that of the ring mesh by {:.4g}, each by {:.4g} under the other's force\n",
-      1e9 * rim.meshes(0, 0), 1e9 * rim.meshes(1, 1), 1e9 * rim.meshes(0, 1));
+void describe_rim(Record& record, const gearset::rim::RimInfluence& rim) {
+  record.array("race_by_rollers_m_per_N", dimension::race_compliance, "orders 0, 1, ...", {"wave"}, rim.race);
+  record.child("race_by_sun", "race by a force of the sun", rim.by_sun, describe_form);
+  record.child("race_by_ring", "race by a force of the ring", rim.by_ring, describe_form);
+  record.array("teeth_m_per_N", dimension::race_compliance, "teeth by forces of the meshes",
+               {{"mesh", {"sun_by_sun", "sun_by_ring", "ring_by_ring"}}},
+               std::array{rim.meshes(0, 0), rim.meshes(0, 1), rim.meshes(1, 1)});
 }
 
 }  // namespace
 
-Json planet_rim_json(const MeshStudy& study) {
-  if (!study.planet_rim) return nullptr;
-  const gearset::rim::RimInfluence& rim = *study.planet_rim;
-  return {{"race_by_rollers_m_per_N", waves_json(rim.race)},
-          {"race_by_sun", form_json(rim.by_sun)},
-          {"race_by_ring", form_json(rim.by_ring)},
-          {"teeth_m_per_N",
-           {{"sun_by_sun", rim.meshes(0, 0)},
-            {"sun_by_ring", rim.meshes(0, 1)},
-            {"ring_by_ring", rim.meshes(1, 1)}}}};
+void describe(Record& row, const NamedMesh& mesh) {
+  const gearset::MeshStiffness& stiffness = mesh.stiffness;
+  const gearset::PeriodicCurve& curve = stiffness.curve;
+  row.value("name", "", mesh.name);
+  row.value("contact_ratio", dimension::ratio, "transverse", stiffness.contact_ratio);
+  row.value("overlap_ratio", dimension::ratio, "of helical teeth", stiffness.overlap_ratio);
+  row.value("total_contact_ratio", dimension::ratio, "sum of both",
+            stiffness.contact_ratio + stiffness.overlap_ratio);
+  row.value("mean_N_per_m", dimension::stiffness, "over a mesh period", curve.mean());
+  row.value("min_N_per_m", dimension::stiffness, "over a mesh period", curve.least());
+  row.value("max_N_per_m", dimension::stiffness, "over a mesh period", curve.largest());
+  row.value("phase", dimension::ratio, "of the mesh period, behind the first mesh", mesh.phase);
+  row.child("at_pitch_point", "one pair of teeth; parts of the first gear's", mesh, describe_pitch_point);
+  row.child("iso6336", "by ISO 6336, method B", mesh, describe_standard);
+  row.array("jumps", dimension::ratio, "fractions of the period where the stiffness jumps", {"jump"},
+            curve.jumps());
+  row.array("curve", {}, "fraction of the mesh period, stiffness", {"sample", "pair"}, sampled(curve));
+  if (mesh.error) row.child("transmission_error", "under load", *mesh.error, describe_error);
+  for (const auto& [name, pairs] : {std::pair("single", 1), std::pair("double", 2)}) {
+    row.value(std::string(name) + "_min_N_per_m", dimension::stiffness, "least while so many pairs touch",
+              while_pairs_touch(stiffness, pairs, false));
+    row.value(std::string(name) + "_max_N_per_m", dimension::stiffness, "largest while so many pairs touch",
+              while_pairs_touch(stiffness, pairs, true));
+  }
 }
 
-Json axial_json(const MeshStudy& study) {
-  if (!study.axial) return nullptr;
-  const gearset::MeanLoads& loads = study.axial->loads;
-  const gearset::AxialReactions& held = study.axial->reactions;
-  return {{"base_helix_angle_deg", kDegree * study.axial->base_helix_angle},
-          {"tooth_normal_force_N", loads.tooth_force},
-          {"sun_on_planet_N", loads.axial_force},
-          {"ring_on_planet_N", 0.0 - loads.axial_force},
-          {"planet_overturning_moment_N_m", loads.overturning_moment},
-          {"thrust_on_sun_N", loads.sun_thrust},
-          {"thrust_on_ring_N", 0.0 - loads.sun_thrust},
-          {"sun_thrust_held_by", described::text_of(study.axial->held_by)},
-          {"held_by_housing", {{"sun_N", held.sun}, {"carrier_N", held.carrier}, {"ring_N", held.ring}}}};
+void describe(Record& record, const MeshStudy& study) {
+  record.table("meshes", "mesh", "stiffness over the mesh period", study.meshes);
+  if (study.axial) record.child("axial", "forces of helical teeth", *study.axial, describe_axial);
+  if (study.planet_rim)
+    record.child("planet_rim", "influence functions of the elastic rim", *study.planet_rim, describe_rim);
 }
 
-Json meshes_json(const MeshStudy& study) {
-  Json list = Json::array();
-  for (const NamedMesh& mesh : study.meshes) list.push_back(mesh_json(mesh));
-  return list;
-}
-
-std::string mesh_text(const MeshStudy& study, Glyphs glyphs) {
-  std::string text = fmt::format("{:<16} {:>8} {:>10} {:>10} {:>10} {:>8} {:>12}\n", "mesh", "contact",
-                                 "mean", "least", "largest", "phase", "ISO 6336 B");
-  text += fmt::format("{:<16} {:>8} {:>10} {:>10} {:>10} {:>8} {:>12}\n", "", "ratio", "[N/um]", "[N/um]",
-                      "[N/um]", "[1]", "mean [N/um]");
-  for (const NamedMesh& mesh : study.meshes) text += row(mesh);
-  std::string last;
+std::string mesh_charts(const MeshStudy& study, Glyphs glyphs) {
+  std::string text, last;
   for (const NamedMesh& mesh : study.meshes) {  // meshes of a kind differ in their phase only
     if (mesh.first == last) continue;
     last = mesh.first;
-    text += parts_text(mesh) + error_text(mesh) +
-            mesh_chart(mesh.stiffness, mesh.first + " and " + mesh.second, glyphs);
+    text += "\n" + mesh_chart(mesh.stiffness, mesh.first + " and " + mesh.second, glyphs);
   }
-  if (study.axial) text += axial_text(*study.axial);
-  if (study.planet_rim) text += rim_text(*study.planet_rim);
   return text;
 }
 

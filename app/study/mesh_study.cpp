@@ -23,8 +23,6 @@ namespace orbearing::app {
 
 namespace {
 
-constexpr double kNewtonPerMillimetreMicrometre = 1e9;  // [Pa]
-
 void add_texts(const gearset::Warnings& warnings, std::vector<std::string>& texts) {
   for (const gearset::Warning& warning : warnings) texts.push_back(warning.place + ": " + warning.text);
 }
@@ -198,21 +196,6 @@ MeshStudy set_study(const ResolvedCase& in) {
   return study;
 }
 
-// Least or largest stiffness while `pairs` pairs touch; NaN where that many never do, or helical teeth come
-// into contact one end first.
-double extreme(const gearset::MeshStiffness& mesh, int pairs, bool largest) {
-  constexpr int samples = 2000;
-  double found = std::numeric_limits<double>::quiet_NaN();
-  if (mesh.overlap_ratio > 0.0) return found;
-  for (int i = 0; i < samples; ++i) {
-    const double fraction = (i + 0.5) / samples;
-    if (std::ceil(mesh.contact_ratio - fraction) != pairs) continue;
-    const double value = mesh.curve.value(fraction);
-    if (!(largest ? found >= value : found <= value)) found = value;
-  }
-  return found;
-}
-
 double mass(const gearset::ExternalTooth& gear, const gearset::GearPair& pair, double density) {
   return density * pair.face_width * gearset::section_moments(gear, 0.5 * pair.bore).area;
 }
@@ -250,31 +233,6 @@ std::vector<Derived> pair_quantities(const ResolvedCase& resolved, const MeshStu
           {"pair.mass.second", mass(geometry.gears[1], pair, density), "kg", "the driven gear"},
           {"pair.mesh_stiffness", study.meshes.front().stiffness.curve.mean(), "N/m",
            "mean over the mesh period, from tooth geometry"}};
-}
-
-double mesh_property(const MeshStudy& study, const std::string& quantity) {
-  const NamedMesh& mesh = study.meshes.front();
-  const gearset::MeshStiffness& stiffness = mesh.stiffness;
-  const gearset::PairCompliance& pair = stiffness.at_pitch_point;
-  const gearset::Iso6336Stiffness& standard = mesh.standard;
-  const std::map<std::string, double> known{
-      {"contact_ratio", stiffness.contact_ratio},
-      {"overlap_ratio", stiffness.overlap_ratio},
-      {"mean_N_per_m", stiffness.curve.mean()},
-      {"single_min_N_per_m", extreme(stiffness, 1, false)},
-      {"single_max_N_per_m", extreme(stiffness, 1, true)},
-      {"double_min_N_per_m", extreme(stiffness, 2, false)},
-      {"double_max_N_per_m", extreme(stiffness, 2, true)},
-      {"hertz_N_per_m", 1.0 / pair.hertz},
-      {"bending_N_per_m", 1.0 / pair.first.tooth.bending},
-      {"shear_N_per_m", 1.0 / pair.first.tooth.shear},
-      {"axial_N_per_m", 1.0 / pair.first.tooth.axial},
-      {"foundation_N_per_m", 1.0 / pair.first.foundation},
-      {"c_th_N_per_mm_um", standard.theoretical_single / kNewtonPerMillimetreMicrometre},
-      {"c_prime_N_per_mm_um", standard.single / kNewtonPerMillimetreMicrometre},
-      {"c_gamma_N_per_mm_um", standard.mesh / kNewtonPerMillimetreMicrometre}};
-  const auto found = known.find(quantity);
-  return found == known.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
 }
 
 }  // namespace orbearing::app

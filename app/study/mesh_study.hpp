@@ -15,6 +15,7 @@
 #include "gearset/mesh/mesh_stiffness.hpp"
 #include "gearset/mesh/planetary_meshes.hpp"
 #include "gearset/rim/rim_influence.hpp"
+#include "mechanics/record.hpp"
 
 namespace orbearing::app {
 
@@ -29,6 +30,9 @@ struct NamedMesh {
   double face_width = 0.0;                            // [m]
   std::optional<gearset::TransmissionError> error{};  // of a set, under the mean load of its meshes
 };
+
+/// The parts at the pitch point are those of the first gear's tooth; `gears` holds them for both.
+void describe(described::Record& row, const NamedMesh& mesh);
 
 /// Axial forces of a set with helical teeth at the case's input.
 struct AxialForces {
@@ -45,6 +49,10 @@ struct MeshStudy {
   std::vector<std::string> warnings;
 };
 
+/// Axial forces are positive along the axis on which the carrier turns counterclockwise; influence functions
+/// of the rim are orders of waves from 0 on.
+void describe(described::Record& record, const MeshStudy& study);
+
 /// Of a case of the model gear-pair or planetary-drivetrain. Throws BadInput for another model.
 MeshStudy mesh_study(const ResolvedCase& resolved);
 
@@ -57,9 +65,5 @@ gearset::PlanetaryMeshes planetary_meshes_of(const ResolvedCase& resolved,
 
 /// What follows from the inputs of a gear-pair, for `orbearing check`.
 std::vector<Derived> pair_quantities(const ResolvedCase& resolved, const MeshStudy& study);
-
-/// A number of the first mesh by its name in the validation table, such as "mean_N_per_m" or
-/// "c_prime_N_per_mm_um"; NaN for a name that is not known.
-double mesh_property(const MeshStudy& study, const std::string& quantity);
 
 }  // namespace orbearing::app

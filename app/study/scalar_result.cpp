@@ -24,7 +24,6 @@
 #include "app/study/planet_defect.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/study/rated_oil.hpp"
-#include "app/study/static_output.hpp"
 #include "app/study/static_study.hpp"
 #include "coupling/study/multi_stage.hpp"
 
@@ -44,7 +43,9 @@ struct Run {
 Json gears_alone(const ResolvedCase& in) {
   const study::GearRunResult run = study::run_gears(moving_gears_of(in), gear_run_options(in));
   if (!run.completed) throw ComputationFailed(run.message);
-  return gear_run_json(run);
+  Record record;
+  describe_gear_run(record, run);
+  return json_of(record);
 }
 
 // The row of its one point.
@@ -64,20 +65,23 @@ Run run_of_drivetrain(const ResolvedCase& in, const std::string& fidelity) {
           [level](const ResolvedCase& changed) { return drivetrain_point(changed, level); }};
 }
 
+// What `study` finds of a case, by the names that it describes.
+template <class Study>
+std::function<Json(const ResolvedCase&)> described(const Study& study) {
+  return [study](const ResolvedCase& changed) { return json_of(record_of(study(changed))); };
+}
+
 Run run_of(const ResolvedCase& in, const std::string& fidelity) {
-  const auto of = [](auto study, auto json) {
-    return [=](const ResolvedCase& changed) { return json(study(changed)); };
-  };
   if (is_static_bearing(in))
     return {use::static_load, in.has("bearing.balls") ? scatter::of_balls : scatter::at_rest,
-            of(static_study, static_json)};
-  if (is_duplex(in)) return {use::duplex_run, scatter::of_balls, [](const ResolvedCase& c) { return json_of(record_of(duplex_study(c))); }};
+            described(static_study)};
+  if (is_duplex(in)) return {use::duplex_run, scatter::of_balls, described(duplex_study)};
   if (is_ball_run(in))
     return {use::ball_run, scatter::in_motion,
-            [](const ResolvedCase& c) { return ball_json(ball_study(c)); }};
+            described([](const ResolvedCase& c) { return ball_study(c); })};
   if (is_spin_film(in))
     return {use::spin_film, scatter::of_films,
-            [](const ResolvedCase& c) { return film_json(film_study(c)); }};
+            described([](const ResolvedCase& c) { return film_study(c); })};
   if (is_defect(in))
     return {use::defect, scatter::in_motion,
             [](const ResolvedCase& c) { return defect_json(defect_study(c)); }};

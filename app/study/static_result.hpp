@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -61,8 +60,9 @@ std::optional<StaticSteps> static_steps(const bearing::Bearing& bearing,
                                         const bearing::rating::Ratings& ratings,
                                         const bearing::equilibrium::RingState& state);
 
-/// As `run --json` has it, below `steps`.
-nlohmann::ordered_json steps_json(const StaticSteps& steps);
+void describe(described::Record& record, const RollerSteps& rollers);
+void describe(described::Record& record, const BallSteps& balls);
+void describe(described::Record& record, const StaticSteps& steps);
 
 /// Results; lives in revolutions, infinite where nothing is loaded.
 struct StaticStudy {
@@ -81,16 +81,22 @@ struct StaticStudy {
   Eigen::ArrayXXd lamina_load;    // [N]    (laminae, rollers); empty for balls
   double largest_pressure = 0.0;  // [Pa]  after Hertz, without what edges add
   bearing::rating::Ratings ratings;
-  bearing::rating::RatingLives lives;      // by the standards
-  bearing::BearingLife lundberg_palmgren;  // [rev]
-  double reduction_factor = 0.0;           // [-]      in its capacities; of rollers
-  double speed = 0.0;                      // [rad/s]  of the rings against each other; 0: not known
-  std::optional<std::vector<BallFilm>> films;             // of balls whose film takes part
+  bearing::rating::RatingLives lives;          // by the standards
+  bearing::BearingLife lundberg_palmgren;      // [rev]
+  double reduction_factor = 0.0;               // [-]      in its capacities; of rollers
+  double speed = 0.0;                          // [rad/s]  of the rings against each other; 0: not known
+  std::optional<std::vector<BallFilm>> films;  // of balls whose film takes part
   std::optional<SpeedTable> over_speed;
   std::optional<StaticSteps> steps;  // none where balls turn
   std::vector<std::string> warnings;
 
   BearingLives all_lives() const { return {lives, lundberg_palmgren.bearing, speed, largest_pressure}; }
+  LifeTable life_table() const;
 };
+
+void describe(described::Record& record, const StaticStudy& study);
+
+/// Of both races [N].
+double largest_load(const StaticStudy& study);
 
 }  // namespace orbearing::app

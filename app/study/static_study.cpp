@@ -2,15 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
-#include <tuple>
 
 #include "app/case/static_case.hpp"
 #include "app/errors.hpp"
 #include "app/study/static_ratings.hpp"
-#include "app/units.hpp"
 #include "bearing/equilibrium/ring_axes.hpp"
 #include "bearing/equilibrium/static_bearing.hpp"
 
@@ -73,33 +69,6 @@ StaticStudy static_study(const ResolvedCase& in) {
   if (study.over_speed)
     for (const std::string& warning : study.over_speed->warnings) study.warnings.push_back(warning);
   return study;
-}
-
-double largest_load(const StaticStudy& study) {
-  const double inner = study.contact_load.maxCoeff();
-  return study.outer_load.size() > 0 ? std::max(inner, study.outer_load.maxCoeff()) : inner;
-}
-
-double static_property(const StaticStudy& study, const std::string& quantity) {
-  const auto among = [&](const char* name, double value) {
-    return quantity == name ? std::optional<double>(value) : std::nullopt;
-  };
-  for (const auto& value :
-       {among("radial_um", 1e6 * study.radial), among("axial_um", 1e6 * study.axial),
-        among("tilt_mrad", 1e3 * study.tilt), among("contact_load_max_N", largest_load(study)),
-        among("f_c", study.ratings.capacity_factor), among("C_r_N", study.ratings.dynamic_capacity),
-        among("pressure_max_MPa", kMega * study.largest_pressure)})
-    if (value) return *value;
-  for (const auto& [name, value] : life_values(study.all_lives()))
-    if (name == quantity) return value;
-  for (Eigen::Index j = 0; j < study.contact_load.size(); ++j)
-    for (const auto& [name, values, unit] :
-         {std::tuple("contact_load_{}_N", &study.contact_load, 1.0),
-          std::tuple("outer_contact_load_{}_N", &study.outer_load, 1.0),
-          std::tuple("contact_angle_{}_deg", &study.contact_angle, kDegree),
-          std::tuple("outer_contact_angle_{}_deg", &study.outer_angle, kDegree)})
-      if (j < values->size() && quantity == fmt::format(fmt::runtime(name), j)) return unit * (*values)[j];
-  return std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace orbearing::app

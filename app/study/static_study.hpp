@@ -17,11 +17,4 @@ bool is_static_bearing(const ResolvedCase& resolved);
 /// Throws ComputationFailed where no balance is found, BadInput for another model.
 StaticStudy static_study(const ResolvedCase& resolved);
 
-/// Of both races [N].
-double largest_load(const StaticStudy& study);
-
-/// A number by its name in the validation table, such as "radial_um", "L10r_Mrev" or "contact_load_2_N"
-/// (counted from 0); NaN for a name that is not known.
-double static_property(const StaticStudy& study, const std::string& quantity);
-
 }  // namespace orbearing::app

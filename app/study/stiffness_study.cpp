@@ -153,4 +153,54 @@ StiffnessStudy stiffness_study(const ResolvedCase& in) {
   return study;
 }
 
+namespace {
+
+using described::Record;
+namespace dimension = described::dimension;
+
+constexpr const char* kOfRing = "x, y, z [m], tilt about x, tilt about y [rad]";
+
+}  // namespace
+
+void describe(Record& row, const StiffnessPoint& point) {
+  row.value("speed_rpm", dimension::angular_speed, "of the inner ring; of a drivetrain, of its input",
+            point.speed);
+  row.child("load", "on the ring that moves", point, [](Record& loads, const StiffnessPoint& of) {
+    for (const auto& [name, value] : of.load)
+      loads.value(name, name.ends_with("_m") ? dimension::torque : dimension::force, "", value);
+  });
+  if (!point.set.empty()) row.value("set", "whose planet bearing", point.set);
+  if (point.stiffness) {
+    row.array("stiffness", {},
+              "rows and columns x, y, z, tilt about x, tilt about y: N/m, N/rad, N m/m, N m/rad",
+              {"row", "column"}, *point.stiffness);
+    row.array("displacement", {}, kOfRing, {"row"}, point.displacement);
+  } else {
+    row.nothing("stiffness", "no balance");
+    row.nothing("displacement", "no balance");
+  }
+  if (point.largest_pressure)
+    row.value("pressure_max_MPa", dimension::pressure, "after Hertz", point.largest_pressure);
+  row.nothing("damping", "none");
+  row.value("status", "ok, or why there is no balance", point.status);
+  row.value("series", "points that belong to one table over speed", point.series);
+}
+
+void describe(Record& record, const StiffnessStudy& study) {
+  record.table("points", "point", study.frame, study.points).variable = "";
+  record.value("order", "of rows and columns", described::Texts{"x", "y", "z", "tilt_x", "tilt_y"});
+  record.child("units", "of the stiffness", study, [](Record& units, const StiffnessStudy&) {
+    units.value("force_by_place", "", "N/m");
+    units.value("force_by_tilt", "", "N/rad");
+    units.value("moment_by_place", "", "N m/m");
+    units.value("moment_by_tilt", "", "N m/rad");
+    units.value("displacement", "", "m, rad");
+  });
+  record.value("frame", "what moves against what", study.frame);
+  record.child("damping", "of the ring", study, [](Record& damping, const StiffnessStudy& of) {
+    damping.nothing("value", "none");
+    damping.value("reason", "why there is none", of.damping);
+  });
+}
+
 }  // namespace orbearing::app

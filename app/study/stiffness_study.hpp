@@ -9,6 +9,7 @@
 
 #include "app/case/resolved_case.hpp"
 #include "bearing/equilibrium/ring_axes.hpp"
+#include "mechanics/record.hpp"
 
 namespace orbearing::app {
 
@@ -24,6 +25,8 @@ struct StiffnessPoint {
   std::string status = "ok";                 // or why there is none
 };
 
+void describe(described::Record& row, const StiffnessPoint& point);
+
 struct StiffnessStudy {
   std::vector<StiffnessPoint> points;
   std::size_t series = 1;
@@ -31,6 +34,8 @@ struct StiffnessStudy {
   std::string damping;  // why there is none
   std::vector<std::string> warnings;
 };
+
+void describe(described::Record& record, const StiffnessStudy& study);
 
 /// Of a single bearing: the inner ring against the outer one, x along the radial load, at each of
 /// `operation.load_factors` over each of `operation.speeds`, else at the case's own load and speed. Of a

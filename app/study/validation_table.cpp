@@ -18,11 +18,6 @@
 #include "app/errors.hpp"
 #include "app/study/defect_study.hpp"
 #include "app/study/planet_defect.hpp"
-#include "app/study/film_study.hpp"
-#include "app/study/gear_case.hpp"
-#include "app/study/gear_output.hpp"
-#include "app/study/mesh_study.hpp"
-#include "app/study/static_study.hpp"
 #include "app/study/uncertain_samples.hpp"
 
 namespace orbearing::app {
@@ -128,7 +123,8 @@ std::string sensitivities_text(const ValidationTable& table) {
                       "worth [h]", "by each unit", "other reading");
   for (const Sensitivity& one : table.sensitivities)
     text += fmt::format("{:<44} {:>14.0f} {:>12.0f} {:>+11.0f} {:>17}  {}\n", one.change.group,
-                        one.peak_speed_rpm, one.peak_life_h, one.difference_h, by_unit_text(one), one.change.name);
+                        one.peak_speed_rpm, one.peak_life_h, one.difference_h, by_unit_text(one),
+                        one.change.name);
   return text;
 }
 
@@ -152,44 +148,38 @@ ValuesOf of_study(const StudyOf& study_of, const Property& property_of) {
   };
 }
 
-ModeStudy modes_of(const ResolvedCase& resolved) {
-  return mode_study(gear_model_of(resolved));
-}
-
 bool has_life_curve(const ResolvedCase& resolved) {
   return resolved.model() == planetary_drivetrain && !is_planet_defect(resolved) && resolved.shape().teeth;
 }
 
 // Numbers by name.
 ValuesOf named_values(const ResolvedCase& resolved) {
-  if (resolved.model() == gear_pair) return of_study(mesh_study, mesh_property);
-  if (is_static_bearing(resolved)) return of_study(static_study, static_property);
   if (is_defect(resolved))
     return of_study([](const ResolvedCase& in) { return defect_study(in); }, defect_property);
-  if (is_spin_film(resolved)) return of_study(film_study, film_property);
-  if (resolved.model() != planetary_drivetrain)
-    throw BadInput(resolved.origin("model") + ": model: found " + resolved.choice("model") +
-                   "; quantities by name are those of planetary-drivetrain, gear-pair, roller-bearing, ball-bearing, "
-                   "raceway-defect or spin-film; required: one of these models, or quantities such as "
-                   "run:/json/pointer");
+  if (!is_planet_defect(resolved) && !has_life_curve(resolved))
+    throw BadInput(
+        resolved.origin("model") + ": model: found " + resolved.choice("model") +
+        "; quantities by name are those of planetary-drivetrain with teeth or raceway-defect; required: one "
+        "of these models, or quantities such as run:/json/pointer");
   if (is_planet_defect(resolved))
     return of_study([](const ResolvedCase& in) { return planet_defect_study(in); }, planet_defect_property);
-  if (!resolved.shape().teeth) return of_study(modes_of, mode_property);
   return of_study([](const ResolvedCase& in) { return life_curve(in); }, property);
 }
 
-double number_at(const nlohmann::ordered_json& object, const std::string& quantity, const std::string& pointer) {
+double number_at(const nlohmann::ordered_json& object, const std::string& quantity,
+                 const std::string& pointer) {
   nlohmann::ordered_json found;
   try {
     found = object.at(nlohmann::ordered_json::json_pointer(pointer));
   } catch (const nlohmann::ordered_json::exception& error) {
-    throw BadInput(fmt::format("expected.yaml: quantity: found {} ({}); required: a number of that result", quantity,
-                               error.what()));
+    throw BadInput(fmt::format("expected.yaml: quantity: found {} ({}); required: a number of that result",
+                               quantity, error.what()));
   }
   if (found.is_null()) return std::numeric_limits<double>::quiet_NaN();
   if (found.is_boolean()) return found.get<bool>() ? 1.0 : 0.0;
   if (found.is_number()) return found.get<double>();
-  throw BadInput(fmt::format("expected.yaml: quantity: {} is {}; required: a number", quantity, found.type_name()));
+  throw BadInput(
+      fmt::format("expected.yaml: quantity: {} is {}; required: a number", quantity, found.type_name()));
 }
 
 // Numbers by pointers into what a command prints.
@@ -233,8 +223,8 @@ std::optional<ValidationBand> band_of(std::vector<double> sampled, int lost) {
                         .lost = lost};
 }
 
-// Values of `rows` at samples of the uncertain inputs of the variant: [row][sample]. A sample that contradicts the
-// case or cannot be computed gives NaN.
+// Values of `rows` at samples of the uncertain inputs of the variant: [row][sample]. A sample that
+// contradicts the case or cannot be computed gives NaN.
 std::vector<std::vector<double>> sampled_values(const ResolvedCase& variant, const Rows& rows,
                                                 const ValuesOf& values_of, const ValidationOptions& options) {
   const UncertainInputs uncertain = uncertain_inputs(variant);
@@ -310,7 +300,8 @@ class RowsOfCase {
   void compute(const Variant& variant) {
     const ResolvedCase changed = with_settings(resolved_, variant.settings);
     if (!variant.named.empty()) compute(changed, variant, variant.named, named_values(changed));
-    if (!variant.pointed.empty()) compute(changed, variant, variant.pointed, pointed_values(options_.result_of));
+    if (!variant.pointed.empty())
+      compute(changed, variant, variant.pointed, pointed_values(options_.result_of));
   }
 
   std::vector<ValidationRow> in_order(const ExpectedFile& expected) const {
@@ -321,11 +312,13 @@ class RowsOfCase {
   }
 
  private:
-  void compute(const ResolvedCase& changed, const Variant& variant, const Rows& rows, const ValuesOf& values_of) {
+  void compute(const ResolvedCase& changed, const Variant& variant, const Rows& rows,
+               const ValuesOf& values_of) {
     const std::string reading = reading_of(variant.settings);
     try {
       const std::vector<double> values = values_of(changed, rows);
-      for (std::size_t i = 0; i < rows.size(); ++i) rows_.emplace(rows[i], judged(*rows[i], values[i], reading));
+      for (std::size_t i = 0; i < rows.size(); ++i)
+        rows_.emplace(rows[i], judged(*rows[i], values[i], reading));
     } catch (const ComputationFailed& error) {
       for (const PublishedValue* row : rows) rows_.emplace(row, failed(*row, reading, error.what()));
       return;
@@ -341,7 +334,8 @@ class RowsOfCase {
 };
 
 // What the other readings of a drivetrain's case make of its life curve.
-void put_other_readings(const ResolvedCase& resolved, const ExpectedFile& expected, int jobs, ValidationTable& table) {
+void put_other_readings(const ResolvedCase& resolved, const ExpectedFile& expected, int jobs,
+                        ValidationTable& table) {
   const std::vector<ChangeResult> results =
       results_of(resolved, with_reference(expected.alternatives), {.jobs = jobs});
   table.sensitivities = sensitivities(results);
@@ -349,7 +343,8 @@ void put_other_readings(const ResolvedCase& resolved, const ExpectedFile& expect
   for (const Sensitivity& one : table.sensitivities)
     for (const PublishedValue& published : expected.published)
       if (has_other_readings(published))
-        table.other_readings.push_back(judged(published, property(one.curve, published.quantity), one.change.name));
+        table.other_readings.push_back(
+            judged(published, property(one.curve, published.quantity), one.change.name));
 }
 
 std::vector<std::string> sorted(std::vector<std::string> texts) {
@@ -360,7 +355,8 @@ std::vector<std::string> sorted(std::vector<std::string> texts) {
 // The key in REFERENCES.md with its brackets; the text itself where there is none.
 std::string source_key(const std::string& source) {
   const std::size_t begin = source.find('['), end = source.find(']');
-  return begin == std::string::npos || end == std::string::npos ? source : source.substr(begin, end + 1 - begin);
+  return begin == std::string::npos || end == std::string::npos ? source
+                                                                : source.substr(begin, end + 1 - begin);
 }
 
 }  // namespace
@@ -377,7 +373,8 @@ ValidationTable validation_table_of(const ResolvedCase& resolved, const Expected
                                     const ValidationOptions& options) {
   ValidationTable table{.case_name = resolved.text("name")};
   RowsOfCase rows(resolved, options);
-  for (const Variant& variant : variants_of(expected, static_cast<bool>(options.result_of))) rows.compute(variant);
+  for (const Variant& variant : variants_of(expected, static_cast<bool>(options.result_of)))
+    rows.compute(variant);
   table.rows = rows.in_order(expected);
   if (!expected.alternatives.empty() && has_life_curve(resolved))
     put_other_readings(resolved, expected, options.jobs, table);
@@ -413,8 +410,10 @@ ValidationCount counted(const std::vector<ValidationTable>& tables) {
 
 std::string count_text(const std::vector<ValidationTable>& tables) {
   const ValidationCount count = counted(tables);
-  std::string text = fmt::format("\n{} distinct published values from {} sources ({} of them trends, {} that constants of their case were identified from)\n",
-                                 count.published, count.sources, count.trends, count.fitted);
+  std::string text = fmt::format(
+      "\n{} distinct published values from {} sources ({} of them trends, {} that constants of their case "
+      "were identified from)\n",
+      count.published, count.sources, count.trends, count.fitted);
   for (const EvidenceKind kind : kEvidenceKinds) {
     const auto verdicts = count.verdicts.find(evidence_name(kind));
     if (verdicts == count.verdicts.end()) continue;
@@ -427,7 +426,8 @@ std::string count_text(const std::vector<ValidationTable>& tables) {
     text += fmt::format("  {:<15} {:>4}: {}{}\n", evidence_name(kind), all, fmt::join(parts, ", "),
                         counts(kind) ? "" : "; not counted");
   }
-  if (count.remembered > 0) text += fmt::format("  remembered, not read: {}; not counted\n", count.remembered);
+  if (count.remembered > 0)
+    text += fmt::format("  remembered, not read: {}; not counted\n", count.remembered);
   return text + fmt::format("{} comparisons of the same values under other readings\n",
                             count.comparisons_under_other_readings);
 }
@@ -465,14 +465,17 @@ std::string validation_text(const ValidationTable& table) {
       const PublishedValue& published = row.published;
       if (published.kind != kind) continue;
       if (std::exchange(first, false))
-        text += fmt::format("{:<24} {:>10} {:>10} {:>10} {:>10}  {:<13}  {}\n", evidence_name(kind), "published", "ours",
-                            "deviation", "tolerance", "verdict", "quantity");
+        text += fmt::format("{:<24} {:>10} {:>10} {:>10} {:>10}  {:<13}  {}\n", evidence_name(kind),
+                            "published", "ours", "deviation", "tolerance", "verdict", "quantity");
       text += fmt::format("{:<24} {:>10} {:>10} {:>10} {:>10.3g}  {:<13}  {}{}\n", published.source,
-                          cell(published.value), cell(row.ours), deviation_cell(row.deviation), published.tolerance,
-                          row.verdict, key_with_reading(row), published.memory ? " (remembered)" : published.fitted ? " (identified from)" : "");
+                          cell(published.value), cell(row.ours), deviation_cell(row.deviation),
+                          published.tolerance, row.verdict, key_with_reading(row),
+                          published.memory   ? " (remembered)"
+                          : published.fitted ? " (identified from)"
+                                             : "");
       if (row.band)
-        text += fmt::format("{:<24} inputs: {:.6g} to {:.6g} (50 %), {:.6g} to {:.6g} (90 %)\n", "", row.band->low_50,
-                            row.band->high_50, row.band->low_90, row.band->high_90);
+        text += fmt::format("{:<24} inputs: {:.6g} to {:.6g} (50 %), {:.6g} to {:.6g} (90 %)\n", "",
+                            row.band->low_50, row.band->high_50, row.band->low_90, row.band->high_90);
       if (row.verdict == "missed" && !published.why.empty())
         text += fmt::format("{:<24} missed: {}\n", "", published.why);
     }

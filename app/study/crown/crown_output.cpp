@@ -2,121 +2,135 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
 
-#include <algorithm>
+#include <array>
 #include <cmath>
-
-#include "app/results/json_number.hpp"
-#include "app/units.hpp"
 
 namespace orbearing::app {
 
 namespace {
 
-using nlohmann::ordered_json;
 using namespace study::crowning;
 
-ordered_json point_json(const CrownPoint& point, const std::string& profile, bool computed) {
+using described::Record;
+namespace dimension = described::dimension;
+
+void describe_hours(Record& record, const bearing::rating::RatedHours& hours) {
+  record.value("L10h", dimension::hours, "life of one bearing by ISO 281", hours.basic);
+  record.value("L10rh", dimension::hours, "life of one bearing by ISO/TS 16281", hours.reference);
+  record.value("L10mh", dimension::hours, "life of one bearing by ISO 281, with a_ISO", hours.modified);
+  record.value("L10mrh", dimension::hours, "life of one bearing by ISO/TS 16281, with a_ISO of each lamina",
+               hours.modified_reference);
+}
+
+void describe_pressure(Record& record, double peak, double edge_ratio) {
+  record.value("peak_pressure_MPa", dimension::pressure,
+               "of the most loaded roller, mean over a hundredth of its length", peak);
+  record.value("edge_ratio", dimension::ratio, "pressure near the ends over that in the middle", edge_ratio);
+}
+
+void describe_point(Record& row, const CrownPoint& point, const std::string& profile, bool computed) {
   const bool ok = point.status == "ok";
-  return {{"drop_um", in_table_unit(point.drop, kMicro)},
-          {"tilt_mrad", in_table_unit(computed ? point.largest_tilt : point.tilt, kMilli)},
-          {"life_h", number_or_null(point.life_hours)},
-          {"peak_pressure_MPa", ok ? number_or_null(kMega * point.pressure.peak) : nullptr},
-          {"edge_ratio", ok ? number_or_null(point.pressure.edge_ratio) : nullptr},
-          {"profile", profile},
-          {"L10h", number_or_null(point.rated_hours.basic)},
-          {"L10rh", number_or_null(point.rated_hours.reference)},
-          {"L10mh", number_or_null(point.rated_hours.modified)},
-          {"L10mrh", number_or_null(point.rated_hours.modified_reference)},
-          {"status", point.status}};
+  row.value("drop_um", dimension::small_length, "relief of one roller", point.drop);
+  row.value("tilt_mrad", dimension::small_angle, "of the bore on its pin",
+            computed ? point.largest_tilt : point.tilt);
+  row.value("life_h", dimension::hours, "of one bearing", point.life_hours);
+  describe_pressure(row, ok ? point.pressure.peak : described::kAbsent,
+                    ok ? point.pressure.edge_ratio : described::kAbsent);
+  row.value("profile", "kind", profile);
+  describe_hours(row, point.rated_hours);
+  row.value("status", "ok, or why there is no balance", point.status);
 }
 
-ordered_json design_json(const CrownDesign& design, LifeMeasure measure) {
-  const char* other = measure == LifeMeasure::iso16281 ? "lundberg_palmgren_life_h" : "iso16281_life_h";
-  ordered_json object{{"profile", design.profile},
-                      {"drop_um", kMicro * design.crown.drop},
-                      {"life_h", number_or_null(design.life_hours)},
-                      {"peak_pressure_MPa", number_or_null(kMega * design.peak_pressure)},
-                      {"edge_ratio", number_or_null(design.edge_ratio)},
-                      {other, number_or_null(design.other_life_hours)},
-                      {"L10h", number_or_null(design.rated_hours.basic)},
-                      {"L10rh", number_or_null(design.rated_hours.reference)},
-                      {"L10mh", number_or_null(design.rated_hours.modified)},
-                      {"L10mrh", number_or_null(design.rated_hours.modified_reference)},
-                      {"half_space_life_h", number_or_null(design.pressure_life_hours)}};
+void describe_design(Record& record, const CrownDesign& design, LifeMeasure measure) {
+  record.value("profile", "kind", design.profile);
+  record.value("drop_um", dimension::small_length, "relief of one roller", design.crown.drop);
+  record.value("life_h", dimension::hours, "worst over the tilts", design.life_hours);
+  describe_pressure(record, design.peak_pressure, design.edge_ratio);
+  record.value(measure == LifeMeasure::iso16281 ? "lundberg_palmgren_life_h" : "iso16281_life_h",
+               dimension::hours, "by the measure that is not optimised", design.other_life_hours);
+  describe_hours(record, design.rated_hours);
+  record.value("half_space_life_h", dimension::hours, "from half-space pressures",
+               design.pressure_life_hours);
   if (std::isfinite(design.untilted_life_hours)) {
-    object["untilted_life_h"] = design.untilted_life_hours;
-    object["untilted_half_space_life_h"] = number_or_null(design.untilted_pressure_life_hours);
+    record.value("untilted_life_h", dimension::hours, "without tilt", design.untilted_life_hours);
+    record.value("untilted_half_space_life_h", dimension::hours, "without tilt",
+                 design.untilted_pressure_life_hours);
   }
-  if (design.has_share) object["crowned_share"] = design.crown.share;
-  if (std::isfinite(design.life_in_band)) object["life_in_band_h"] = design.life_in_band;
-  return object;
+  if (design.has_share)
+    record.value("crowned_share", dimension::ratio, "of each half of the roller", design.crown.share);
+  if (std::isfinite(design.life_in_band))
+    record.value("life_in_band_h", dimension::hours, "worst within the tolerances", design.life_in_band);
 }
 
-ordered_json search_json(const CrownSearch& search, LifeMeasure measure) {
-  ordered_json object = design_json(search.best, measure);
-  ordered_json ends = ordered_json::array();
-  for (const SearchEnd& end : search.ends)
-    ends.push_back({{"start_um", kMicro * end.start.drop},
-                    {"drop_um", kMicro * end.crown.drop},
-                    {"crowned_share", search.best.has_share ? ordered_json(end.crown.share) : nullptr},
-                    {"life_h", number_or_null(end.life_hours)},
-                    {"evaluations", end.evaluations}});
-  object["starts"] = {{"count", search.ends.size()}, {"in_optimum", search.in_best}, {"ends", ends}};
-  return object;
+void describe_search(Record& record, const CrownSearch& search, LifeMeasure measure) {
+  describe_design(record, search.best, measure);
+  record
+      .child("starts", "of the search", search,
+             [](Record& starts, const CrownSearch& of) {
+               starts.value("count", "of starts", of.ends.size());
+               starts.value("in_optimum", "starts that ended in the best", of.in_best);
+               starts.table("ends", "start", "where each start ended", of.ends,
+                            [&](Record& row, const SearchEnd& end) {
+                              row.value("start_um", dimension::small_length, "", end.start.drop);
+                              row.value("drop_um", dimension::small_length, "", end.crown.drop);
+                              row.value("crowned_share", dimension::ratio, "",
+                                        of.best.has_share ? end.crown.share : described::kAbsent);
+                              row.value("life_h", dimension::hours, "", end.life_hours);
+                              row.value("evaluations", "", end.evaluations);
+                            });
+             })
+      .detail = true;
 }
 
-ordered_json front_json(const CrownStudy& study) {
-  ordered_json front = ordered_json::array();
+void describe_front(Record& record, const CrownStudy& study) {
+  std::vector<std::pair<std::string, WorstOfTilts>> front;
   for (std::size_t profile = 0; profile < study.worst.size(); ++profile)
     for (const WorstOfTilts& one : study.worst[profile])
-      if (one.efficient)
-        front.push_back({{"profile", study.request.profiles[profile]},
-                         {"drop_um", in_table_unit(one.drop, kMicro)},
-                         {"life_h", one.life_hours},
-                         {"peak_pressure_MPa", kMega * one.peak_pressure}});
-  return front;
+      if (one.efficient) front.emplace_back(study.request.profiles[profile], one);
+  record
+      .table("front", "front", "drops of which no other lives longer at a lower pressure", front,
+             [](Record& row, const auto& one) {
+               row.value("profile", "kind", one.first);
+               row.value("drop_um", dimension::small_length, "", one.second.drop);
+               row.value("life_h", dimension::hours, "", one.second.life_hours);
+               row.value("peak_pressure_MPa", dimension::pressure, "", one.second.peak_pressure);
+             })
+      .detail = true;
 }
 
 double power_at(const CrownStudy& study, const SpectrumPoint& point) {
   return point.power.value_or(study.request.drivetrain.drive.power);
 }
 
+void describe_spectrum_point(Record& row, const CrownStudy& study, const SpectrumPoint& point) {
+  row.value("input_speed_rpm", dimension::angular_speed, "", point.speed);
+  row.value("power_kW", dimension::power, "", power_at(study, point));
+  row.value("share", dimension::ratio, "of the time", point.share);
+}
+
 // Of the points of the spectrum those that turn for some time, in their order, as the problem takes them.
-ordered_json duties_json(const CrownStudy& study) {
-  ordered_json duties = ordered_json::array();
-  for (const SpectrumPoint& point : study.request.spectrum) {
-    if (point.speed <= 0.0 || point.share <= 0.0) continue;
-    const DutyRecord& record = study.recommended.duties[duties.size()];
-    duties.push_back({{"input_speed_rpm", in_table_unit(point.speed, kRpm)},
-                      {"power_kW", in_table_unit(power_at(study, point), kKilo)},
-                      {"share", point.share},
-                      {"tilt_mrad", in_table_unit(record.tilt, kMilli)},
-                      {"load_share", record.load_share},
-                      {"half_space_life_h", number_or_null(record.pressure_life_hours)},
-                      {"life_h", number_or_null(record.life_hours)},
-                      {"damage_share", number_or_null(record.damage_share)},
-                      {"peak_pressure_MPa", number_or_null(kMega * record.pressure.peak)},
-                      {"edge_ratio", number_or_null(record.pressure.edge_ratio)}});
-  }
-  return duties;
+void describe_duties(Record& record, const CrownStudy& study) {
+  std::vector<SpectrumPoint> points;
+  for (const SpectrumPoint& point : study.request.spectrum)
+    if (point.speed > 0.0 && point.share > 0.0) points.push_back(point);
+  std::size_t next = 0;
+  record.table("points", "duty", "what each point of the spectrum does", points,
+               [&](Record& row, const SpectrumPoint& point) {
+                 const DutyRecord& duty = study.recommended.duties[next++];
+                 describe_spectrum_point(row, study, point);
+                 row.value("tilt_mrad", dimension::small_angle, "", duty.tilt);
+                 row.value("load_share", dimension::ratio, "", duty.load_share);
+                 row.value("half_space_life_h", dimension::hours, "", duty.pressure_life_hours);
+                 row.value("life_h", dimension::hours, "", duty.life_hours);
+                 row.value("damage_share", dimension::ratio, "", duty.damage_share);
+                 describe_pressure(row, duty.pressure.peak, duty.pressure.edge_ratio);
+               });
 }
 
-ordered_json drop_life_json(const DropLife& at) {
-  return {{"drop_um", kMicro * at.drop}, {"life_share", number_or_null(at.life_share)}};
-}
-
-// Where there are tolerances.
-ordered_json tolerance_json(const CrownStudy& study) {
-  const CrownRequest& request = study.request;
-  const HalfSpaceAdvice& advice = study.recommended.advice;
-  const char* tilt = request.computes_tilt() ? "pin_inclination_mrad" : "tilt_mrad";
-  return {{"drop_um", kMicro * request.tolerance.drop},
-          {tilt, kMilli * request.tolerance.tilt},
-          {"distribution", name_of(request.distribution)},
-          {"half_space_life_h", number_or_null(advice.life_hours)},
-          {"quadrature_error", number_or_null(advice.quadrature_error)}};
+void describe_drop_life(Record& record, const DropLife& at) {
+  record.value("drop_um", dimension::small_length, "relief of one roller", at.drop);
+  record.value("life_share", dimension::ratio, "of the longest life", at.life_share);
 }
 
 bool has_tolerance(const CrownStudy& study) {
@@ -129,208 +143,116 @@ std::string rollers_to_take(const CrownStudy& study) {
   return study.straight.edge_ratio > 1.0 ? "straight with relieved ends" : "straight";
 }
 
-ordered_json recommended_json(const CrownStudy& study) {
-  const auto& [design, advice, duties] = study.recommended;
-  ordered_json object{{"profile", design.profile},
-                      {"drop_um", kMicro * design.crown.drop},
-                      {"least_drop_um", kMicro * advice.band.least},
-                      {"most_drop_um", kMicro * advice.band.most},
-                      {"most_is_greatest_studied", advice.band.open},
-                      {"half_space_life_h", number_or_null(design.pressure_life_hours)},
-                      {"life_h", number_or_null(design.life_hours)},
-                      {"peak_pressure_MPa", number_or_null(kMega * design.peak_pressure)},
-                      {"edge_ratio", number_or_null(design.edge_ratio)},
-                      {"life_kept_in_band", kKeptLife},
-                      {"straight_life_share", number_or_null(advice.straight_life_hours / advice.life_hours)},
-                      {"no_crown_needed", advice.no_crown_needed()},
-                      {"rollers", rollers_to_take(study)},
-                      {"missed", {drop_life_json(advice.low), drop_life_json(advice.high)}},
-                      {"by_laminae", drop_life_json(advice.other)},
-                      {"interpolation_error", number_or_null(advice.interpolation_error)}};
-  if (design.has_share) object["crowned_share"] = design.crown.share;
-  if (has_tolerance(study)) object["within_tolerances"] = tolerance_json(study);
-  object["points"] = duties_json(study);
-  object["curve"] = ordered_json::array();
-  for (const DropLife& one : advice.curve) object["curve"].push_back(drop_life_json(one));
-  return object;
-}
-
-std::string tolerance_text(const CrownStudy& study) {
-  if (!has_tolerance(study)) return "";
+// Where there are tolerances.
+void describe_tolerance(Record& record, const CrownStudy& study) {
   const CrownRequest& request = study.request;
-  return fmt::format(" for drops within {:.3g} um and {} within {:.3g} mrad, {}",
-                     kMicro * request.tolerance.drop, request.computes_tilt() ? "pins inclined" : "tilts",
-                     kMilli * request.tolerance.tilt,
-                     request.distribution == Distribution::worst
-                         ? "at their worst"
-                         : fmt::format("{} distribution, of which nine tenths live {:.0f} h",
-                                       name_of(request.distribution), study.recommended.advice.life_hours));
+  const HalfSpaceAdvice& advice = study.recommended.advice;
+  record.value("drop_um", dimension::small_length, "of drops", request.tolerance.drop);
+  record.value(request.computes_tilt() ? "pin_inclination_mrad" : "tilt_mrad", dimension::small_angle,
+               "of tilts", request.tolerance.tilt);
+  record.value("distribution", "", name_of(request.distribution));
+  record.value("half_space_life_h", dimension::hours, "worst, or of nine tenths", advice.life_hours);
+  record.value("quadrature_error", dimension::ratio, "", advice.quadrature_error);
 }
 
-std::string recommended_text(const CrownStudy& study) {
+void describe_recommended(Record& record, const CrownStudy& study) {
   const auto& [design, advice, duties] = study.recommended;
-  std::string text = fmt::format(
-      "recommended by half-space pressures{}: rollers {}\n  {}, drop {:.3g} um{}; from {:.3g} to {}{:.3g} um{} at least "
-      "{:.0f} % of its life is left\n  straight rollers leave {:.1f} %, {:.3g} um {:.1f} %, {:.3g} um {:.1f} "
-      "%, "
-      "the drop by laminae ({:.3g} um) {:.1f} %\n",
-      tolerance_text(study), rollers_to_take(study), design.profile, kMicro * design.crown.drop,
-      advice.no_crown_needed() ? " (no crown is needed)" : "", kMicro * advice.band.least,
-      advice.band.open ? "beyond " : "", kMicro * advice.band.most,
-      advice.band.open ? " (the greatest studied)" : "", 100.0 * kKeptLife,
-      100.0 * advice.straight_life_hours / advice.life_hours, kMicro * advice.low.drop,
-      100.0 * advice.low.life_share, kMicro * advice.high.drop, 100.0 * advice.high.life_share,
-      kMicro * advice.other.drop, 100.0 * advice.other.life_share);
-  text += fmt::format("  {:>10} {:>9} {:>9} {:>10} {:>12} {:>10} {:>6}\n", "rpm", "kW", "mrad", "life [h]",
-                      "half-space", "peak [MPa]", "edge");
-  std::size_t next = 0;
-  for (const SpectrumPoint& point : study.request.spectrum) {
-    if (point.speed <= 0.0 || point.share <= 0.0) continue;
-    const DutyRecord& duty = duties[next++];
-    text +=
-        fmt::format("  {:>10.6g} {:>9.4g} {:>9.3g} {:>10.0f} {:>12.0f} {:>10.0f} {:>6.2f}\n",
-                    kRpm * point.speed, kKilo * power_at(study, point), kMilli * duty.tilt, duty.life_hours,
-                    duty.pressure_life_hours, kMega * duty.pressure.peak, duty.pressure.edge_ratio);
-  }
-  return text;
+  record.value("profile", "kind", design.profile);
+  record.value("drop_um", dimension::small_length, "recommended", design.crown.drop);
+  record.value("least_drop_um", dimension::small_length, "of the band that keeps the life",
+               advice.band.least);
+  record.value("most_drop_um", dimension::small_length, "of that band", advice.band.most);
+  record.value("most_is_greatest_studied", "whether the band ends beyond", advice.band.open);
+  record.value("half_space_life_h", dimension::hours, "from half-space pressures",
+               design.pressure_life_hours);
+  record.value("life_h", dimension::hours, "by laminae", design.life_hours);
+  describe_pressure(record, design.peak_pressure, design.edge_ratio);
+  record.value("life_kept_in_band", dimension::ratio, "of the longest life", kKeptLife);
+  record.value("straight_life_share", dimension::ratio, "of the longest life, by straight rollers",
+               advice.straight_life_hours / advice.life_hours);
+  record.value("no_crown_needed", "whether straight rollers are sufficient", advice.no_crown_needed());
+  record.value("rollers", "to take", rollers_to_take(study));
+  record.table("missed", "missed", "drops below and above", std::array{advice.low, advice.high},
+               describe_drop_life);
+  record.child("by_laminae", "the best drop by laminae", advice.other, describe_drop_life);
+  record.value("interpolation_error", dimension::ratio, "of the longest life", advice.interpolation_error);
+  if (design.has_share)
+    record.value("crowned_share", dimension::ratio, "of each half of the roller", design.crown.share);
+  if (has_tolerance(study)) record.child("within_tolerances", "", study, describe_tolerance);
+  describe_duties(record, study);
+  record.table("curve", "curve", "life over drop", advice.curve, describe_drop_life).detail = true;
 }
 
-ordered_json spectrum_json(const CrownStudy& study) {
-  ordered_json spectrum = ordered_json::array();
-  for (const SpectrumPoint& point : study.request.spectrum)
-    spectrum.push_back({{"input_speed_rpm", in_table_unit(point.speed, kRpm)},
-                        {"power_kW", in_table_unit(power_at(study, point), kKilo)},
-                        {"share", point.share}});
-  return spectrum;
-}
-
-std::string design_line(const char* name, const CrownDesign& design, double straight) {
-  std::string line = fmt::format(
-      "{:<12} {:<18} {:>8.3g} {:>10.0f} {:>8.3g} {:>10} {:>10.0f} {:>6.2f} {:>11.0f}", name, design.profile,
-      kMicro * design.crown.drop, design.life_hours, design.life_hours / straight,
-      std::isfinite(design.untilted_life_hours) ? fmt::format("{:.0f}", design.untilted_life_hours) : "-",
-      kMega * design.peak_pressure, design.edge_ratio, design.pressure_life_hours);
-  if (design.has_share) line += fmt::format("  crowned over {:.3g} of each half", design.crown.share);
-  if (std::isfinite(design.life_in_band))
-    line += fmt::format("  {:.0f} h within the tolerances", design.life_in_band);
-  return line + "\n";
-}
-
-std::string grid_text(const CrownStudy& study, std::size_t profile) {
-  const std::vector<double>& tilts = study.request.tilts;
-  std::string text =
-      fmt::format("profile {}: life [h], peak pressure [MPa], edge ratio at tilts of the bore\n{:>10}",
-                  study.request.profiles[profile], "drop [um]");
-  for (const double tilt : tilts)
-    text += fmt::format(
-        "  | {:>24}", study.request.computes_tilt() ? "computed" : fmt::format("{:.4g} mrad", kMilli * tilt));
-  text += '\n';
-  for (std::size_t i = 0; i < study.points[profile].size(); ++i) {
-    const CrownPoint& point = study.points[profile][i];
-    if (i % tilts.size() == 0) text += fmt::format("{:>10.4g}", kMicro * point.drop);
-    text += point.status == "ok" ? fmt::format("  | {:>10.0f} {:>7.0f} {:>5.2f}", point.life_hours,
-                                               kMega * point.pressure.peak, point.pressure.edge_ratio)
-                                 : fmt::format("  | {:>24}", "no balance");
-    if ((i + 1) % tilts.size() == 0) text += '\n';
-  }
-  return text + '\n';
-}
-
-std::string where_text(const CrownStudy& study) {
-  const auto& spectrum = study.request.spectrum;
-  const auto [low, high] =
-      std::minmax_element(spectrum.begin(), spectrum.end(),
-                          [](const SpectrumPoint& a, const SpectrumPoint& b) { return a.speed < b.speed; });
-  const std::string where = spectrum.size() == 1
-                                ? fmt::format("input speed {:.6g} rpm", kRpm * spectrum.front().speed)
-                                : fmt::format("spectrum of {} points, {:.6g} to {:.6g} rpm", spectrum.size(),
-                                              kRpm * low->speed, kRpm * high->speed);
-  const std::string tilts =
-      study.request.computes_tilt()
-          ? "tilts computed from planet, pin and bearings"
-          : fmt::format("worst of tilts {:.4g} to {:.4g} mrad", kMilli * study.request.tilts.front(),
-                        kMilli * study.request.tilts.back());
-  return fmt::format("{}; life by laminae after {}; {}\n", where, name_of(study.request.measure), tilts);
+// Over profile, drop and tilt.
+void describe_grid(Record& record, const CrownStudy& study) {
+  const CrownRequest& request = study.request;
+  record.series("drop", dimension::length, "relief of one roller at the outermost of 40 laminae", {"drop"},
+                request.drops);
+  record.series("tilt", dimension::angle,
+                request.computes_tilt() ? "beyond the tilt that is computed"
+                                        : "tilt of the planet's bore on its pin in the plane of the load",
+                {"tilt"}, request.tilts);
+  const auto add = [&](const char* name, const described::Dimension& of, const char* meaning,
+                       double (*value)(const CrownPoint&)) {
+    std::vector<std::vector<std::vector<double>>> values;
+    for (const auto& points : study.points) {
+      values.emplace_back();
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        if (i % request.tilts.size() == 0) values.back().emplace_back();
+        values.back().back().push_back(points[i].status == "ok" ? value(points[i]) : described::kAbsent);
+      }
+    }
+    record.series(name, of, meaning, {"profile", "drop", "tilt"}, values);
+  };
+  add("largest_tilt", dimension::angle, "largest tilt of a bore on its pin, computed or stated",
+      [](const CrownPoint& p) { return p.largest_tilt; });
+  add("life", dimension::hours, "life of one bearing", [](const CrownPoint& p) { return p.life_hours; });
+  add("L10h", dimension::hours, "life of one bearing by ISO 281",
+      [](const CrownPoint& p) { return p.rated_hours.basic; });
+  add("L10rh", dimension::hours, "life of one bearing by ISO/TS 16281",
+      [](const CrownPoint& p) { return p.rated_hours.reference; });
+  add("L10mh", dimension::hours, "life of one bearing by ISO 281, with a_ISO",
+      [](const CrownPoint& p) { return p.rated_hours.modified; });
+  add("L10mrh", dimension::hours, "life of one bearing by ISO/TS 16281, with a_ISO of each lamina",
+      [](const CrownPoint& p) { return p.rated_hours.modified_reference; });
+  add("peak_pressure", dimension::stress,
+      "greatest pressure of the most loaded roller, mean over a hundredth of its length",
+      [](const CrownPoint& p) { return p.pressure.peak; });
+  add("edge_ratio", dimension::ratio, "pressure near the ends over that in the middle",
+      [](const CrownPoint& p) { return p.pressure.edge_ratio; });
 }
 
 }  // namespace
 
-ordered_json crown_json(const CrownStudy& study) {
-  const LifeMeasure measure = study.request.measure;
-  const bool computed = study.request.computes_tilt();
-  ordered_json points = ordered_json::array();
+void describe(Record& record, const CrownStudy& study) {
+  const CrownRequest& request = study.request;
+  const LifeMeasure measure = request.measure;
+  record.value("tilt", "computed or stated", request.computes_tilt() ? "computed" : "stated");
+  record.value("life_measure", "of the laminae", name_of(measure));
+  record.value("laminae", "of a roller", request.laminae);
+  record.table("spectrum", "spectrum", "duties", request.spectrum,
+               [&](Record& row, const SpectrumPoint& point) { describe_spectrum_point(row, study, point); });
+  std::vector<std::pair<std::string, CrownPoint>> points;
   for (std::size_t profile = 0; profile < study.points.size(); ++profile)
     for (const CrownPoint& point : study.points[profile])
-      points.push_back(point_json(point, study.request.profiles[profile], computed));
-  ordered_json object{{"tilt", computed ? "computed" : "stated"},
-                      {"life_measure", name_of(measure)},
-                      {"laminae", study.request.laminae},
-                      {"spectrum", spectrum_json(study)},
-                      {"points", points},
-                      {"optimum", search_json(study.searches[study.best], measure)},
-                      {"recommended", recommended_json(study)},
-                      {"straight", design_json(study.straight, measure)},
-                      {"reference", design_json(study.reference, measure)}};
-  if (!study.robust.empty()) object["robust"] = search_json(study.robust[study.best_robust], measure);
-  object["optima"] = ordered_json::array();
-  for (const CrownSearch& search : study.searches) object["optima"].push_back(search_json(search, measure));
-  object["front"] = front_json(study);
-  return object;
-}
-
-std::string crown_text(const CrownStudy& study) {
-  std::string text = where_text(study) + '\n';
-  for (std::size_t profile = 0; profile < study.points.size(); ++profile) text += grid_text(study, profile);
-  const double straight = study.straight.life_hours;
-  text += fmt::format("{:<12} {:<18} {:>8} {:>10} {:>8} {:>10} {:>10} {:>6} {:>11}\n",
-                      study.request.computes_tilt() ? "" : "worst tilt", "profile", "drop", "life", "times",
-                      "untilted", "peak", "edge", "life [h] of");
-  text += fmt::format("{:<12} {:<18} {:>8} {:>10} {:>8} {:>10} {:>10} {:>6} {:>11}\n", "", "", "[um]", "[h]",
-                      "straight", "[h]", "[MPa]", "ratio", "half-space");
-  text += design_line("straight", study.straight, straight);
-  text += design_line("ISO/TS 16281", study.reference, straight);
-  for (const CrownSearch& search : study.searches) text += design_line("optimum", search.best, straight);
-  for (const CrownSearch& search : study.robust) text += design_line("tolerant", search.best, straight);
-  return text + recommended_text(study);
-}
-
-PointContent crown_content(const CrownStudy& study) {
-  const CrownRequest& request = study.request;
-  PointContent content;
-  content.dimensions = {
-      {"profile", request.profiles.size()}, {"drop", request.drops.size()}, {"tilt", request.tilts.size()}};
-  content.add("drop", {"drop"}, "m", "relief of one roller at the outermost of 40 laminae", request.drops);
-  content.add("tilt", {"tilt"}, "rad",
-              request.computes_tilt() ? "beyond the tilt that is computed"
-                                      : "tilt of the planet's bore on its pin in the plane of the load",
-              request.tilts);
-  const auto add = [&](const char* name, const char* units, const char* meaning,
-                       double (*value)(const CrownPoint&)) {
-    std::vector<double> values;
-    for (const auto& points : study.points)
-      for (const CrownPoint& point : points)
-        values.push_back(point.status == "ok" ? value(point) : std::nan(""));
-    content.add(name, {"profile", "drop", "tilt"}, units, meaning, values);
-  };
-  add("largest_tilt", "rad", "largest tilt of a bore on its pin, computed or stated",
-      [](const CrownPoint& p) { return p.largest_tilt; });
-  add("life", "h", "life of one bearing", [](const CrownPoint& p) { return p.life_hours; });
-  add("L10h", "h", "life of one bearing by ISO 281",
-      [](const CrownPoint& p) { return p.rated_hours.basic; });
-  add("L10rh", "h", "life of one bearing by ISO/TS 16281",
-      [](const CrownPoint& p) { return p.rated_hours.reference; });
-  add("L10mh", "h", "life of one bearing by ISO 281, with a_ISO",
-      [](const CrownPoint& p) { return p.rated_hours.modified; });
-  add("L10mrh", "h", "life of one bearing by ISO/TS 16281, with a_ISO of each lamina",
-      [](const CrownPoint& p) { return p.rated_hours.modified_reference; });
-  add("peak_pressure", "Pa",
-      "greatest pressure of the most loaded roller, mean over a hundredth of its length",
-      [](const CrownPoint& p) { return p.pressure.peak; });
-  add("edge_ratio", "1", "pressure near the ends over that in the middle",
-      [](const CrownPoint& p) { return p.pressure.edge_ratio; });
-  content.attributes = {{"profiles", fmt::format("{}", fmt::join(request.profiles, " "))},
-                        {"life_measure", name_of(request.measure)}};
-  return content;
+      points.emplace_back(request.profiles[profile], point);
+  record.table("points", "point", "life, pressure and edge ratio over profile, drop and tilt", points,
+               [&](Record& row, const auto& one) {
+                 describe_point(row, one.second, one.first, request.computes_tilt());
+               });
+  const auto search = [&](Record& one, const CrownSearch& of) { describe_search(one, of, measure); };
+  const auto design = [&](Record& one, const CrownDesign& of) { describe_design(one, of, measure); };
+  record.child("optimum", "longest life by laminae", study.searches[study.best], search);
+  record.child("recommended", "by half-space pressures", study, describe_recommended);
+  record.child("straight", "straight rollers", study.straight, design);
+  record.child("reference", "profile of ISO/TS 16281", study.reference, design);
+  if (!study.robust.empty())
+    record.child("robust", "best within the tolerances", study.robust[study.best_robust], search);
+  record.table("optima", "optimum", "of each profile", study.searches, search);
+  describe_front(record, study);
+  record.value("profiles", "in the order of the grid", fmt::format("{}", fmt::join(request.profiles, " ")))
+      .in_files_alone = true;
+  describe_grid(record, study);
 }
 
 }  // namespace orbearing::app

@@ -10,25 +10,22 @@
 
 #include "app/case/field_use.hpp"
 #include "app/case/spectrum_case.hpp"
+#include "app/results/record_writers.hpp"
 #include "app/results/result_row.hpp"
 #include "app/study/ball_study.hpp"
 #include "app/study/crown/crown_study.hpp"
 #include "app/study/defect_output.hpp"
 #include "app/study/defect_study.hpp"
-#include "app/results/record_writers.hpp"
 #include "app/study/duplex_study.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/study/film_study.hpp"
 #include "app/study/fmu_model.hpp"
 #include "app/study/gear_case.hpp"
 #include "app/study/gear_output.hpp"
-#include "app/study/mesh_output.hpp"
 #include "app/study/mesh_study.hpp"
 #include "app/study/planet_defect.hpp"
 #include "app/study/planetary_case.hpp"
-#include "app/study/static_output.hpp"
 #include "app/study/static_study.hpp"
-#include "app/study/stiffness_output.hpp"
 #include "app/study/stiffness_study.hpp"
 #include "app/study/sweep_study.hpp"
 #include "coupling/fmu/model.hpp"
@@ -124,12 +121,16 @@ inline std::string machine_result(const fmu::NumberTable& numbers, bool bearing,
 inline std::string modes_result(const ResolvedCase& in, bool turning) {
   constexpr double carrier_speed = 100.0, nominal_speed = 900.0;  // [rad/s]
   const auto model = in.shape().teeth ? gear_model_of(in) : gear_model_at(in, turning ? carrier_speed : 0.0);
-  if (!turning) return modes_json(modes_at_rest(model)).dump();
-  return modes_json(modes_at_speed(model)).dump() + campbell_json(model, nominal_speed).dump();
+  if (!turning) return record_text(mode_study(model));
+  Record campbell;
+  describe_campbell(campbell, model, nominal_speed);
+  return record_text(mode_study(model, true)) + json_of(campbell).dump();
 }
 
 inline std::string gears_result(const ResolvedCase& in) {
-  return gear_run_json(study::run_gears(moving_gears_of(in), gear_run_options(in))).dump();
+  Record record;
+  describe_gear_run(record, study::run_gears(moving_gears_of(in), gear_run_options(in)));
+  return json_of(record).dump();
 }
 
 inline std::string result_of(const ResolvedCase& in, use::Analysis analysis) {
@@ -153,16 +154,15 @@ inline std::string result_of(const ResolvedCase& in, use::Analysis analysis) {
     case use::modes_at_speed:
       return modes_result(in, analysis == use::modes_at_speed);
     case use::mesh:
-      return meshes_json(mesh_study(in)).dump() + axial_json(mesh_study(in)).dump() +
-             planet_rim_json(mesh_study(in)).dump();
+      return record_text(mesh_study(in));
     case use::fmu_bearing:
       return machine_result(bearing_numbers(in), true);
     case use::fmu_gearset:
       return machine_result(gear_numbers(in), false);
     case use::static_load:
-      return static_json(static_study(in)).dump();
+      return record_text(static_study(in));
     case use::ball_run:
-      return ball_json(ball_study(in)).dump();
+      return record_text(ball_study(in));
     case use::defect:
       return defect_json(defect_study(in)).dump();
     case use::moving_defect:
@@ -175,10 +175,10 @@ inline std::string result_of(const ResolvedCase& in, use::Analysis analysis) {
     case use::duplex_run:
       return record_text(duplex_study(in));
     case use::spin_film:
-      return film_json(film_study(in)).dump();
+      return record_text(film_study(in));
     case use::stiffness:
     case use::planet_stiffness:
-      return stiffness_json(stiffness_study(in)).dump();
+      return record_text(stiffness_study(in));
   }
   return {};
 }

@@ -92,7 +92,7 @@ const NamedArray& array_called(const PointContent& content, const std::string& n
 TEST(Record, IsArraysInSiUnderNamesWithoutUnits) {
   const PointContent content = content_of(record_of(found()));
   EXPECT_EQ(array_called(content, "speed").values, std::vector{kRpm6000});
-  EXPECT_EQ(array_called(content, "speed").units, "rad/s");
+  EXPECT_EQ(array_called(content, "speed").units, "rad s-1");
   EXPECT_EQ(array_called(content, "inner_film").values, std::vector{2e-6});
   EXPECT_EQ(array_called(content, "rows_load_max").dimensions, std::vector<std::string>{"row"});
   EXPECT_EQ(array_called(content, "rows_load_max").values, (std::vector{1.0, 2.5}));
@@ -128,8 +128,18 @@ TEST(Record, HasTablesAsCsv) {
     describe(row, race);
     row.array("", described::dimension::cycles, "", {{"mode", {"x_Hz", "y_Hz"}}}, std::array{1.0, 2.0});
   });
-  EXPECT_EQ(csv_of(std::get<described::Table>(record.entries().front().content)),
+  EXPECT_EQ(csv_of(record.entries().front()),
             "name,load_max_N,film_um,x_Hz,y_Hz\n\"a, b\",1,,1,2\n\"a, b\",2.5,1,1,2\n");
+}
+
+TEST(Record, HasArraysOfAGridAsCsv) {
+  Record record;
+  record.child("map", "", found(), [](Record& map, const Found& of) {
+    map.series("x_mm", described::dimension::length, "", {"x"}, std::array{0.0, 1e-3});
+    map.series("y_mm", described::dimension::length, "", {"y"}, std::array{0.0, 2e-3});
+    map.series("k_N_per_m", described::dimension::stiffness, "", {"x", "y"}, of.stiffness);
+  });
+  EXPECT_EQ(csv_of(record.entries().front()), "x_mm,y_mm,k_N_per_m\n0,0,1\n0,2,2\n1,0,3\n1,2,4\n");
 }
 
 TEST(Record, IsTextWithMeanings) {

@@ -6,9 +6,9 @@
 
 #include "app/case/case_file.hpp"
 #include "app/errors.hpp"
+#include "app/results/record_writers.hpp"
 #include "app/study/ball_films.hpp"
 #include "app/study/film_study.hpp"
-#include "app/study/static_output.hpp"
 #include "app/study/static_study.hpp"
 
 namespace orbearing::app::film_study_test {
@@ -17,9 +17,27 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::StartsWith;
 
 ResolvedCase shipped(const std::string& name, const std::vector<std::string>& settings = {}) {
   return read_case(std::string(ORBEARING_SOURCE_DIR "/cases/") + name + "/case.yaml", settings);
+}
+
+Record record_of(const FilmStudy& study) {
+  Record record;
+  describe(record, study);
+  return record;
+}
+
+double number(const nlohmann::ordered_json& row, const char* key) {
+  return row.at(key).get<double>();
+}
+
+std::string csv_called(const std::string& file, const FilmStudy& study) {
+  const Record record = record_of(study);
+  for (const described::Entry& entry : record.entries())
+    if (entry.file == file) return csv_of(entry);
+  return "no such file";
 }
 
 TEST(FilmStudy, RowsOfPointsInSi) {
@@ -41,11 +59,11 @@ TEST(FilmStudy, RowsThatAreNone) {
 TEST(FilmStudy, ThePrintedRowsAreMet) {
   const FilmStudy study = film_study(shipped("spin_film_guo2013", {"points=[[500 N, 10 m/s, 300 rad/s]]"}));
   constexpr double asked = 0.015;
-  EXPECT_NEAR(film_property(study, "h_c_HamrockDowson_um") / 0.6428, 1.0, asked);
-  EXPECT_NEAR(film_property(study, "h_c_um") / 0.6429, 1.0, asked);
-  EXPECT_NEAR(film_property(study, "h_min_HamrockDowson_um") / 0.5236, 1.0, asked);
-  EXPECT_NEAR(film_property(study, "h_min_um") / 0.4891, 1.0, asked);
-  EXPECT_TRUE(std::isnan(film_property(study, "h_um")));
+  const nlohmann::ordered_json row = json_of(record_of(study)).at("film").at(0);
+  EXPECT_NEAR(number(row, "h_c_HamrockDowson_um") / 0.6428, 1.0, asked);
+  EXPECT_NEAR(number(row, "h_c_um") / 0.6429, 1.0, asked);
+  EXPECT_NEAR(number(row, "h_min_HamrockDowson_um") / 0.5236, 1.0, asked);
+  EXPECT_NEAR(number(row, "h_min_um") / 0.4891, 1.0, asked);
   EXPECT_THAT(study.warnings, IsEmpty());
 }
 
@@ -72,7 +90,7 @@ TEST(FilmStudy, BySolvingReynoldsEquation) {
     EXPECT_GT(study.points[i].films.rigid, 0.0);
   }
   EXPECT_LT(study.points[0].films.least, study.points[1].films.least);
-  EXPECT_THAT(film_map_csv(*study.points[0].solution), HasSubstr("x_mm,y_mm,pressure_GPa,film_um"));
+  EXPECT_THAT(csv_called("film_map_1.csv", study), StartsWith("x_mm,y_mm,pressure_GPa,film_um"));
 }
 
 // A film of a tenth of a squared step: null in the results, with a warning that names the row.
@@ -82,7 +100,7 @@ TEST(FilmStudy, APointThatReynoldsEquationDoesNotSolveIsNullAndWarned) {
                                                "points=[[2000 N, 0.001 m/s, 0 rad/s]]"}));
   ASSERT_FALSE(study.points.at(0).solution->converged);
   EXPECT_THAT(study.warnings, ElementsAre(HasSubstr("row 1 Reynolds' equation was not solved")));
-  const nlohmann::ordered_json row = film_json(study).at("film").at(0);
+  const nlohmann::ordered_json row = json_of(record_of(study)).at("film").at(0);
   EXPECT_TRUE(row.at("h_c_um").is_null());
   EXPECT_TRUE(row.at("h_min_um").is_null());
   EXPECT_TRUE(row.at("h_0_um").is_null());
@@ -101,15 +119,15 @@ TEST(FilmStudy, ThePublishedContactIsSolvedByReynoldsEquation) {
 TEST(FilmStudy, ALineContactIsSolved) {
   const FilmStudy study = film_study(shipped("reynolds_line", {"points=[[684 N, 1.14 m/s, 0 rad/s]]"}));
   EXPECT_THAT(study.warnings, IsEmpty());
-  const nlohmann::ordered_json row = film_json(study).at("film").at(0);
-  EXPECT_EQ(row.at("h_min_um").get<double>(), film_property(study, "h_min_um"));
-  EXPECT_NEAR(film_property(study, "h_min_um") / film_property(study, "h_min_DowsonHigginson_um"), 1.0, 0.1);
-  EXPECT_GT(film_property(study, "h_flow_um"), film_property(study, "h_c_um"));
-  EXPECT_GT(film_property(study, "rolling_resistance_N"), 0.0);
+  const nlohmann::ordered_json row = json_of(record_of(study)).at("film").at(0);
+  EXPECT_NEAR(number(row, "h_min_um") / number(row, "h_min_DowsonHigginson_um"), 1.0, 0.1);
+  EXPECT_GT(number(row, "h_flow_um"), number(row, "h_c_um"));
+  EXPECT_GT(number(row, "rolling_resistance_N"), 0.0);
   EXPECT_FALSE(row.contains("h_c_HamrockDowson_um"));
-  EXPECT_THAT(film_csv(study), HasSubstr("h_flow_um,h_min_DowsonHigginson_um,rolling_resistance_N,status\n"));
-  EXPECT_THAT(film_text(study), HasSubstr("rolling_resistance [N]"));
-  EXPECT_THAT(film_line_csv(*study.points[0].line), HasSubstr("x_mm,pressure_GPa,film_um,oil_fraction\n"));
+  EXPECT_THAT(csv_called("film.csv", study),
+              HasSubstr("h_flow_um,h_min_DowsonHigginson_um,rolling_resistance_N,status\n"));
+  EXPECT_THAT(text_of(record_of(study)), HasSubstr("rolling_resistance_N"));
+  EXPECT_THAT(csv_called("film_line_1.csv", study), StartsWith("x_mm,pressure_GPa,film_um,oil_fraction\n"));
 }
 
 TEST(FilmStudy, AContactIsAnEllipseOrALine) {
@@ -174,7 +192,7 @@ TEST(BallFilms, TheApproachIsTheFilms) {
 TEST(BallFilms, TheTurningPointNeedsBothSides) {
   const auto turning = [](const char* speeds) {
     return speed_table(shipped("spin_bearing_7210", {std::string("operation.speeds=") + speeds}))
-        ->inner_turning_rpm;
+        ->inner_turning;
   };
   const std::optional<double> coarse = turning("[9000 rpm, 11000 rpm, 13000 rpm]");
   const std::optional<double> fine = turning("[11200 rpm, 11300 rpm, 11400 rpm, 11500 rpm]");
