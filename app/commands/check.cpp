@@ -9,6 +9,7 @@
 #include "app/case/uncertain_case.hpp"
 #include "app/case/unused_inputs.hpp"
 #include "app/commands/presentation.hpp"
+#include "app/results/record_writers.hpp"
 #include "app/study/defect_study.hpp"
 #include "app/study/duplex_study.hpp"
 #include "app/study/gear_case.hpp"
@@ -70,13 +71,13 @@ int check_command(const Options& options) {
     nlohmann::json object = check_json(resolved, checked.derived);
     if (!resolved.uncertain().inputs.empty()) object["uncertain"] = uncertain_json(resolved);
     object["warnings"] = checked.warnings;
-    if (checked.power) object.update(power_json(*checked.power));
+    if (checked.power) object.update(json_of(record_of(*checked.power)));
     print_object(object, options);
     return 0;
   }
   if (options.quiet) return 0;
   fmt::print("{}", check_table(resolved, checked.derived));
-  if (checked.power) fmt::print("\n{}", power_text(*checked.power));
+  if (checked.power) fmt::print("\n{}", text_of(record_of(*checked.power)));
   print_warnings(checked.warnings);
   return 0;
 }

@@ -119,6 +119,16 @@ void present_lone_result(const nlohmann::ordered_json& object, const std::string
   }
 }
 
+void present_record(const ResolvedCase& resolved, const Record& record,
+                    const std::vector<std::string>& warnings, const Options& options,
+                    const std::string& more) {
+  nlohmann::ordered_json object{{"case", resolved.text("name")}};
+  object.update(json_of(record));
+  object["warnings"] = warnings;
+  object["units"] = units_of(record);
+  present_lone_result(object, text_of(record) + more, options);
+}
+
 ResultRow lone_row(const TableHead& head, const std::vector<std::pair<std::string, double>>& values) {
   ResultRow row{std::vector<double>(head.names.size(), std::numeric_limits<double>::quiet_NaN()), "ok"};
   for (const auto& [name, value] : values) {

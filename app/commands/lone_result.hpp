@@ -54,6 +54,11 @@ std::string lone_result_file(const ManifestHeader& header, const char* what, Poi
 void present_lone_result(const nlohmann::ordered_json& object, const std::string& text,
                          const Options& options);
 
+/// The same of a record by itself, with the case's name and the units; `more` follows its text.
+void present_record(const ResolvedCase& resolved, const Record& record,
+                    const std::vector<std::string>& warnings, const Options& options,
+                    const std::string& more = "");
+
 /// A row of the table of a sweep that has these values [in the columns' units]; all else stays empty.
 ResultRow lone_row(const TableHead& head, const std::vector<std::pair<std::string, double>>& values = {});
 

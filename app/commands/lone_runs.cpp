@@ -166,11 +166,7 @@ int duplex_modes(const ResolvedCase& resolved, const Options& options) {
   const std::vector<PairAtSpeed> over_speed = pair_over_speed(resolved);
   Record record = record_of(point);
   if (!over_speed.empty()) record.table("over_speed", "speed", "the pair at operation.speeds", over_speed);
-  nlohmann::ordered_json object{{"case", resolved.text("name")}};
-  object.update(json_of(record));
-  object["warnings"] = joined(unused, point.warnings);
-  object["units"] = units_of(record);
-  present_lone_result(object, text_of(record), options);
+  present_record(resolved, record, joined(unused, point.warnings), options);
   return has_failed(over_speed) ? 1 : 0;
 }
 

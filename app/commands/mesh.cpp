@@ -1,5 +1,3 @@
-#include <nlohmann/json.hpp>
-
 #include "app/case/unused_inputs.hpp"
 #include "app/commands/lone_result.hpp"
 #include "app/commands/presentation.hpp"
@@ -16,13 +14,7 @@ int mesh_command(const Options& options) {
   for (std::string& warning : judge(observations(resolved)).warnings)
     study.warnings.push_back(std::move(warning));
   study.warnings.insert(study.warnings.end(), unused.begin(), unused.end());
-  Record record;
-  describe(record, study);
-  nlohmann::ordered_json object{{"case", resolved.text("name")}};
-  object.update(json_of(record));
-  object["warnings"] = study.warnings;
-  object["units"] = units_of(record);
-  present_lone_result(object, text_of(record) + mesh_charts(study, glyphs_of_locale()), options);
+  present_record(resolved, record_of(study), study.warnings, options, mesh_charts(study, glyphs_of_locale()));
   return 0;
 }
 

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "app/case/units.hpp"
 #include "app/case/unused_inputs.hpp"
@@ -68,11 +67,7 @@ int modes_command(const Options& options) {
         .child("campbell", "frequencies over speed", model,
                [&](Record& diagram, const auto& of) { describe_campbell(diagram, of, speed); })
         .detail = true;
-  nlohmann::ordered_json object{{"case", resolved.text("name")}};
-  object.update(json_of(record));
-  object["warnings"] = warnings;
-  object["units"] = units_of(record);
-  present_lone_result(object, text_of(record), options);
+  present_record(resolved, record, warnings, options);
   return 0;
 }
 

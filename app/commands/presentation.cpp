@@ -84,7 +84,11 @@ int present_sweep(const ResolvedCase& resolved, const SweepOutcome& outcome, con
   if (options.json) {
     nlohmann::ordered_json object =
         sweep_json(outcome, found.peak, assumptions_json(resolved), warnings, versions_json());
-    if (resolved.axes().empty()) object.update(power_json(power_table(resolved)));
+    if (resolved.axes().empty()) {
+      const Record power = record_of(power_table(resolved));
+      object.update(json_of(power));
+      object["units"].update(units_of(power));
+    }
     if (resolved.axes().empty() && outcome.failed == 0 && outcome.header.fidelity == "quasi-static")
       object["stiffness"] = stiffness_of_run(resolved);
     print_object(object, options);

@@ -14,7 +14,7 @@
 #include "app/errors.hpp"
 #include "app/results/durable_file.hpp"
 #include "app/results/progress.hpp"
-#include "app/study/derivatives_output.hpp"
+#include "app/study/derivatives.hpp"
 
 namespace orbearing::app {
 
@@ -98,11 +98,9 @@ int sensitivities_command(const Options& options) {
   const LoneAnalysis analysis{table.c_str(), "sensitivities of a result", "sensitivities.json"};
   return run_alone(resolved, options, analysis, [&]() -> LoneResult {
     const Derivatives found = derivatives_of(resolved, result, here, options);
-    return {.json = derivatives_json(found),
-            .text = derivatives_text(found),
-            .content = derivatives_content(found),
-            .warnings = warnings,
-            .files = {{"sensitivities.csv", derivatives_csv(found)}}};
+    LoneResult described = described_result(found, warnings);
+    described.files = {{"sensitivities.csv", derivatives_csv(found)}};
+    return described;
   });
 }
 

@@ -6,6 +6,7 @@
 #include "app/commands/presentation.hpp"
 #include "app/errors.hpp"
 #include "app/results/durable_file.hpp"
+#include "app/results/record_writers.hpp"
 #include "app/results/result_row.hpp"
 #include "app/study/load_series.hpp"
 #include "app/study/sweep_study.hpp"
@@ -15,24 +16,26 @@ namespace orbearing::app {
 namespace {
 
 namespace fs = std::filesystem;
+namespace dimension = described::dimension;
 
 double torque_of_bin(const LoadBin& bin) {
   return bin.turns() ? bin.power / bin.speed : 0.0;
 }
 
-nlohmann::ordered_json bins_json(const LoadSpectrum& spectrum) {
-  nlohmann::ordered_json bins = nlohmann::ordered_json::array();
-  for (const LoadBin& bin : spectrum.bins)
-    bins.push_back({{"torque_N_m", in_table_unit(torque_of_bin(bin), 1.0)},
-                    {"speed_rpm", speed_in_rpm(bin.speed)},
-                    {"share", bin.share}});
-  return bins;
+void describe_bin(Record& row, const LoadBin& bin) {
+  row.value("torque_N_m", dimension::torque, "of the driving member", torque_of_bin(bin));
+  row.value("speed_rpm", dimension::angular_speed, "of the driving member", bin.speed);
+  row.value("share", dimension::ratio, "of time", bin.share);
 }
 
-void print_bins(const LoadSpectrum& spectrum) {
-  fmt::print("{:>14} {:>12} {:>10}\n", "torque [N.m]", "speed [rpm]", "share");
-  for (const LoadBin& bin : spectrum.bins)
-    fmt::print("{:>14.6g} {:>12.6g} {:>10.4g}\n", torque_of_bin(bin), speed_in_rpm(bin.speed), bin.share);
+void describe_series(Record& record, const std::string& file, const LoadSeries& series,
+                     const BinnedSeries& found, const Options& options) {
+  record.value("series", "file", file);
+  record.value("samples", "of the record", series.time.size());
+  record.value("duration_s", dimension::time, "of the record", found.duration);
+  record.value("reversed_share", dimension::ratio, "of time, below 0", found.reversed_share);
+  record.value("torque_exponent", dimension::ratio, "of the mean torque of a bin", options.exponent);
+  record.table("bins", "bin", "of the load spectrum", found.spectrum.bins, describe_bin);
 }
 
 void write_rows(const Options& options, const std::string& series, const LoadSpectrum& spectrum) {
@@ -69,24 +72,24 @@ int spectrum_command(const Options& options) {
         100.0 * found.loaded_rest_share));
   constexpr double noticeable = 0.01;
   if (found.steep_excess > noticeable)
-    warnings.push_back(fmt::format(
-        "--bins: torques differ within bins: a modified life (a_ISO) can come out up to {:.2g} % too long, since it "
-        "falls by up to the power {:g} of the load and bins keep the power {:.4g}; for such lives take more bins of "
-        "torque or --exponent {:g}",
-        100.0 * found.steep_excess, kSteepestExponent, options.exponent, kSteepestExponent));
+    warnings.push_back(
+        fmt::format("--bins: torques differ within bins: a modified life (a_ISO) can come out up to {:.2g} % "
+                    "too long, since it "
+                    "falls by up to the power {:g} of the load and bins keep the power {:.4g}; for such "
+                    "lives take more bins of "
+                    "torque or --exponent {:g}",
+                    100.0 * found.steep_excess, kSteepestExponent, options.exponent, kSteepestExponent));
   if (!options.output.empty()) write_rows(options, file, found.spectrum);
+  Record record;
+  describe_series(record, file, series, found, options);
   if (options.json) {
-    const nlohmann::ordered_json object{{"series", file},
-                                        {"samples", series.time.size()},
-                                        {"duration_s", found.duration},
-                                        {"reversed_share", found.reversed_share},
-                                        {"torque_exponent", options.exponent},
-                                        {"bins", bins_json(found.spectrum)},
-                                        {"warnings", warnings},
-                                        {"versions", versions_json()}};
+    nlohmann::ordered_json object = json_of(record);
+    object["warnings"] = warnings;
+    object["versions"] = versions_json();
+    object["units"] = units_of(record);
     print_object(object, options);
   } else if (!options.quiet) {
-    print_bins(found.spectrum);
+    fmt::print("{}", text_of(record));
     print_warnings(warnings);
   }
   return 0;

@@ -11,7 +11,7 @@
 #include <memory>
 
 #include "app/errors.hpp"
-#include "app/results/series_content.hpp"
+#include "app/results/record_writers.hpp"
 
 namespace orbearing::app {
 namespace {
@@ -70,98 +70,17 @@ std::string variable_name(std::string column) {
   return column;
 }
 
-void add_scalars(PointContent& content, const std::vector<Column>& columns,
-                 const study::PointResult& result) {
-  for (const Column& column : columns) {
-    const bool known = is_computed(result.status) || column.variable == "input_speed";
-    content.add(column.variable, column.units, column.meaning, known ? column.value(result) : not_given);
-  }
+// A failed point has results of no set.
+void describe_sets(Record& record, const std::vector<std::string>& names, const study::PointResult& result) {
+  record.child("sets", "each by itself", result.sets, [&](Record& sets, const auto& results) {
+    for (std::size_t i = 0; i < names.size(); ++i)
+      sets.child(names[i], "one of several sets", i < results.size() ? results[i] : study::SetResult{});
+  });
 }
 
-// Of each of several sets; a failed point has none.
-void add_sets(PointContent& content, const std::vector<std::string>& sets, const study::PointResult& result) {
-  for (std::size_t i = 0; i < sets.size(); ++i)
-    for (const SetColumn& column : set_columns()) {
-      const bool known = is_computed(result.status) && i < result.sets.size();
-      content.add("sets_" + sets[i] + "_" + column.variable, column.units,
-                  column.meaning + ", set " + sets[i], known ? column.value(result.sets[i]) : not_given);
-    }
-}
-
-void add_distribution(PointContent& content, const study::LoadDistribution& loads) {
-  content.add_dimension("place", loads.angle.size());
-  content.add("angle", {"place"}, "rad",
-              "place on the race, from the outward radial direction towards carrier rotation", loads.angle);
-  content.add("inner_load", {"place"}, "N", "load of a roller on the inner race", loads.inner_load);
-  content.add("outer_load", {"place"}, "N", "load of a roller on the outer race", loads.outer_load);
-  if (!loads.race_form.empty())
-    content.add("race_form", {"place"}, "m",
-                "outward displacement of the outer race by bending of the planet's rim", loads.race_form);
-}
-
-// Lives by the standards of each bearing or planet.
-template <class Results>
-void add_rated_hours(PointContent& content, const std::string& dimension, const Results& results) {
-  using bearing::rating::RatedHours;
-  const auto add = [&](const char* life, const char* meaning, double RatedHours::*hours) {
-    content.add_each(dimension + "_" + life, {dimension}, "h", meaning, results,
-                     [hours](const auto& one) { return one.rated_hours.*hours; });
-  };
-  add("L10h", "basic rating life of ISO 281 of one bearing", &RatedHours::basic);
-  add("L10rh", "basic reference rating life of ISO/TS 16281 of one bearing", &RatedHours::reference);
-  add("L10mh", "modified rating life of ISO 281 of one bearing", &RatedHours::modified);
-  add("L10mrh", "modified reference rating life of ISO/TS 16281 of one bearing",
-      &RatedHours::modified_reference);
-}
-
-// The bearings of a planet whose tilt is computed.
-void add_seats(PointContent& content, const std::vector<study::SeatResult>& seats) {
-  content.add_dimension("bearing", seats.size());
-  const auto add = [&](const char* name, const char* units, const char* meaning, const auto& value) {
-    content.add_each(name, {"bearing"}, units, meaning, seats, value);
-  };
-  add("bearing_place", "m", "place along the axis, from the middle of the face", &study::SeatResult::place);
-  add("bearing_load", "N", "load of the rollers on the bore", &study::SeatResult::load);
-  add("bearing_tilt_x", "rad", "tilt of the bore against the pin, outward",
-      [](const study::SeatResult& seat) { return seat.tilt.x(); });
-  add("bearing_tilt_y", "rad", "the same, in the sense of rotation",
-      [](const study::SeatResult& seat) { return seat.tilt.y(); });
-  add("bearing_life", "h", "fatigue life of one bearing", &study::SeatResult::life_hours);
-  add_rated_hours(content, "bearing", seats);
-}
-
-// Where planets carry unlike loads, or were computed one by one.
-void add_planets(PointContent& content, const std::vector<study::PlanetResult>& planets) {
-  content.add_dimension("planet", planets.size());
-  content.add_each("planet_load_share", {"planet"}, "1",
-                   "tangential load of a planet, mean over time, over the mean of all planets", planets,
-                   &study::PlanetResult::load_share);
-  content.add_each("planet_bearing_load", {"planet"}, "N",
-                   "load of the rollers on the bore of one bearing of a planet, mean over time", planets,
-                   &study::PlanetResult::load);
-  content.add_each("planet_life", {"planet"}, "h", "fatigue life of one bearing of a planet", planets,
-                   &study::PlanetResult::life_hours);
-  add_rated_hours(content, "planet", planets);
-}
-
-// Of a bearing cut into laminae, whose places are those of the distribution.
-void add_laminae(PointContent& content, const study::LaminaRecord& record) {
-  content.add_dimension("lamina", record.lamina_place.size());
-  content.add("lamina_place", {"lamina"}, "m", "middle of a lamina, from the middle of the roller",
-              record.lamina_place);
-  content.add("inner_lamina_load", {"place", "lamina"}, "N", "load of a lamina of a roller on the inner race",
-              record.inner_load);
-  content.add("outer_lamina_load", {"place", "lamina"}, "N", "load of a lamina of a roller on the outer race",
-              record.outer_load);
-  content.add("roller_tilt", {"place"}, "rad", "tilt of a roller, outward at positive lamina places",
-              record.roller_tilt);
-  const auto add_vector = [&](const std::string& name, const char* units, const std::string& meaning,
-                              const Eigen::Vector2d& value) {
-    content.add(name + "_x", units, meaning + ", outward", value.x());
-    content.add(name + "_y", units, meaning + ", in the sense of rotation", value.y());
-  };
-  add_vector("bore_tilt", "rad", "inclination of the bore's axis against the pin's", record.bore_tilt);
-  add_vector("bore_moment", "N.m", "moment of the rollers on the bore along its tilt", record.moment);
+void forget_all_but_speed(PointContent& content) {
+  for (NamedArray& array : content.arrays)
+    if (array.name != "input_speed") array.values = {not_given};
 }
 
 }  // namespace
@@ -182,20 +101,13 @@ std::vector<std::pair<std::string, std::string>> result_attributes(const Manifes
 
 PointContent point_content(const ManifestHeader& header, std::size_t point,
                            const std::vector<double>& axis_values, const study::PointResult& result) {
-  PointContent content;
-  add_scalars(content, leading_columns(), result);
-  add_scalars(content, trailing_columns(), result);
+  Record record = record_of(result);
+  if (!header.sets.empty()) describe_sets(record, header.sets, result);
+  PointContent content = content_of(record);
+  if (!is_computed(result.status)) forget_all_but_speed(content);
   for (std::size_t i = 0; i < header.axes.size(); ++i)
     content.add(variable_name(header.axes[i].column), header.axes[i].units, header.axes[i].meaning,
                 axis_values[i]);
-  add_sets(content, header.sets, result);
-  if (is_computed(result.status) && !result.distribution.angle.empty())
-    add_distribution(content, result.distribution);
-  if (is_computed(result.status) && result.laminae) add_laminae(content, *result.laminae);
-  if (is_computed(result.status) && !result.seats.empty()) add_seats(content, result.seats);
-  if (is_computed(result.status) && !result.planets.empty()) add_planets(content, result.planets);
-  if (result.dynamic) add_series(result.dynamic->series, content);
-  if (result.dynamic) add_final_state(result.dynamic->final_state, result.dynamic->layout, content);
   content.attributes = result_attributes(header, fmt::format("operating point {}", point), result.status);
   if (header.continued) content.attributes.emplace_back("continue", to_string(*header.continued));
   if (!header.sets.empty()) content.attributes.emplace_back("limiting_set", result.limiting_set);
@@ -235,7 +147,7 @@ std::vector<double> read_final_state(const std::filesystem::path& file) {
   int dimension = 0;
   std::size_t size = 0;
   std::vector<double> state;
-  if (nc_inq_varid(number, final_state_name, &variable) == NC_NOERR &&
+  if (nc_inq_varid(number, study::kFinalState, &variable) == NC_NOERR &&
       nc_inq_vardimid(number, variable, &dimension) == NC_NOERR &&
       nc_inq_dimlen(number, dimension, &size) == NC_NOERR) {
     state.resize(size);

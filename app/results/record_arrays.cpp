@@ -93,9 +93,8 @@ class Arrays {
     const std::string name = bundle.prefix + variable_of(entry);
     if (const auto* numbers = std::get_if<Numbers>(&entry.content)) {
       add_numbers(name, entry, *numbers, same, bundle);
-    } else if (const auto* text = std::get_if<std::string>(&entry.content);
-               text != nullptr && bundle.along.empty()) {
-      content_.attributes.emplace_back(name, *text);
+    } else if (std::holds_alternative<std::string>(entry.content) && bundle.along.size() < 2) {
+      content_.attributes.emplace_back(name, joined(same));
     } else if (const auto* table = std::get_if<described::Table>(&entry.content)) {
       add_table(name.empty() ? name : name + "_", *table, same, bundle);
     } else if (std::holds_alternative<described::Child>(entry.content)) {
@@ -106,6 +105,16 @@ class Arrays {
       }
       add(inner);
     }
+  }
+
+  // "given, assumed": of the rows of a table.
+  static std::string joined(const Same& same) {
+    std::string texts;
+    for (const described::Entry* one : same) {
+      const auto* text = one == nullptr ? nullptr : std::get_if<std::string>(&one->content);
+      texts += (one == same.front() ? "" : ", ") + (text == nullptr ? std::string() : *text);
+    }
+    return texts;
   }
 
   // Rows of unlike numbers are filled up with nothing.

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "app/results/record_writers.hpp"
-#include "app/results/row_text.hpp"
 
 namespace orbearing::app {
 
@@ -92,13 +92,7 @@ std::vector<Cell> cells_of(const Record& record) {
   return cells;
 }
 
-const Cell* cell_called(const std::vector<Cell>& cells, const std::string& name) {
-  const auto found =
-      std::find_if(cells.begin(), cells.end(), [&](const Cell& cell) { return cell.name == name; });
-  return found == cells.end() ? nullptr : &*found;
-}
-
-/// Rows of cells under the names that any of them has.
+/// Rows of cells under the names that any of them has; missing ones are empty.
 struct Grid {
   std::vector<std::string> names;
   std::vector<std::vector<Cell>> rows;
@@ -106,12 +100,17 @@ struct Grid {
 
 Grid grid_of(const described::Table& table) {
   Grid grid;
-  for (const Record& row : table.rows) {
-    grid.rows.push_back(cells_of(row));
-    for (const Cell& cell : grid.rows.back())
-      if (std::find(grid.names.begin(), grid.names.end(), cell.name) == grid.names.end())
-        grid.names.push_back(cell.name);
+  std::map<std::string, std::size_t> columns;
+  for (const Record& record : table.rows) {
+    std::vector<Cell>& row = grid.rows.emplace_back(grid.names.size());
+    for (Cell& cell : cells_of(record)) {
+      const auto [column, added] = columns.try_emplace(cell.name, grid.names.size());
+      if (added) grid.names.push_back(cell.name);
+      if (added) row.emplace_back();
+      row[column->second] = std::move(cell);
+    }
   }
+  for (std::vector<Cell>& row : grid.rows) row.resize(grid.names.size());
   return grid;
 }
 
@@ -145,12 +144,9 @@ std::string table_text(const std::string& title, const described::Table& table) 
   constexpr std::size_t widest = 160;
   const Grid grid = grid_of(table);
   Texts columns;
-  for (const std::string& name : grid.names) {
-    columns.push_back({name});
-    for (const auto& row : grid.rows) {
-      const Cell* cell = cell_called(row, name);
-      columns.back().push_back(cell == nullptr ? "" : shown(*cell));
-    }
+  for (std::size_t i = 0; i < grid.names.size(); ++i) {
+    columns.push_back({grid.names[i]});
+    for (const std::vector<Cell>& row : grid.rows) columns.back().push_back(shown(row[i]));
   }
   std::vector<std::string> lines = lines_of(columns);
   if (lines.front().size() > widest && grid.rows.size() < grid.names.size())
@@ -176,6 +172,17 @@ std::string tables_text(const Record& record, const std::string& prefix) {
   }
   return text;
 }
+
+}  // namespace
+
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string result = "\"";
+  for (const char c : text) result += c == '"' ? "\"\"" : std::string(1, c);
+  return result + '"';
+}
+
+namespace {
 
 std::string in_csv(const Cell& cell) {
   if (!cell.number) return csv_field(cell.text);
@@ -241,11 +248,7 @@ std::string csv_of(const described::Entry& table) {
     return csv_of_arrays(arrays->one.front());
   const Grid grid = grid_of(std::get<described::Table>(table.content));
   std::string text = csv_line(grid.names, [](const std::string& name) { return csv_field(name); });
-  for (const std::vector<Cell>& row : grid.rows)
-    text += csv_line(grid.names, [&](const std::string& name) {
-      const Cell* cell = cell_called(row, name);
-      return cell == nullptr ? std::string() : in_csv(*cell);
-    });
+  for (const std::vector<Cell>& row : grid.rows) text += csv_line(row, in_csv);
   return text;
 }
 

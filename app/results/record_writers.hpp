@@ -31,11 +31,13 @@ nlohmann::ordered_json units_of(const Record& record);
 /// The same for terminals: a line for each value, tables, longer lists by their range.
 std::string text_of(const Record& record);
 
+/// A text as a field of RFC 4180, in quotes where it needs them.
+std::string csv_field(const std::string& text);
 /// A table as lines of RFC 4180, ended by "\n", with structures and labelled numbers of its rows as columns;
 /// of a structure its arrays as columns, a line for each element of the largest.
 std::string csv_of(const described::Entry& table);
 
-/// Arrays and single numbers in SI, texts as attributes; the rows of a table along its dimension.
+/// Arrays and single numbers in SI, texts as attributes, those of a table joined; its rows along its dimension.
 PointContent content_of(const Record& record);
 
 /// A number [SI] in the customary unit, to the 15 digits that a conversion leaves of it, so that 6000 rpm,

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -14,36 +13,16 @@
 
 namespace orbearing::app {
 
-/// A quantity of a result and the column that shows it. The lists of columns are the one place that fixes
-/// names, units and order of sweep.csv, of the keys in `--json` and of the scalars in points/*.nc.
-template <class Result>
-struct ColumnOf {
-  std::string name;      // in tables, with its unit: input_speed_rpm
-  std::string variable;  // in netCDF files, in SI: input_speed
-  std::string units;     // of the variable, as udunits reads it
-  std::string meaning;
-  double per_unit = 1.0;                       // table value = SI value x per_unit
-  std::function<double(const Result&)> value;  // SI; not finite where there is none
-};
-using Column = ColumnOf<study::PointResult>;
-/// Of one of several sets; the column's name begins with "sets.NAME.", the variable's with "sets_NAME_".
-using SetColumn = ColumnOf<study::SetResult>;
-
 /// The value of a column that has none.
 inline constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
 
+/// The one number of a point that failed.
+inline constexpr std::string_view input_speed_column = "input_speed_rpm";
 /// Names of the columns that hold text; the second only where there are several sets.
 inline constexpr std::string_view status_column = "status";
 inline constexpr std::string_view limiting_set_column = "limiting_set";
 /// The column that says which points were added to the grid around the peak: true or false.
 inline constexpr std::string_view refined_column = "refined";
-
-/// Columns before `status`, and those that follow it; swept axes come after both.
-const std::vector<Column>& leading_columns();
-const std::vector<Column>& trailing_columns();
-
-/// Columns of each of several sets, behind all others and the name of the limiting set.
-const std::vector<SetColumn>& set_columns();
 
 /// A swept case key other than input.speed: its values stand in the rows in the unit of the case file.
 struct SweptAxis {

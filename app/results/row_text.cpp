@@ -6,6 +6,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "app/results/record_writers.hpp"
+
 namespace orbearing::app {
 namespace {
 
@@ -19,13 +21,6 @@ std::string ResultRow::*text_member(const TableHead& head, std::size_t i) {
 }
 
 }  // namespace
-
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string result = "\"";
-  for (const char c : text) result += c == '"' ? "\"\"" : std::string(1, c);
-  return result + '"';
-}
 
 std::string csv_head(const TableHead& head) {
   std::string line;
@@ -48,17 +43,19 @@ std::string csv_line(const TableHead& head, const ResultRow& row) {
 }
 
 nlohmann::ordered_json row_json(const TableHead& head, const ResultRow& row) {
-  nlohmann::ordered_json object = nlohmann::ordered_json::object();
-  for (std::size_t i = 0; i < head.names.size(); ++i) {
-    nlohmann::ordered_json& field = object[head.names[i]];
+  described::Record record;
+  describe_row(record, head, row);
+  return json_of(record);
+}
+
+void describe_row(described::Record& record, const TableHead& head, const ResultRow& row) {
+  for (std::size_t i = 0; i < head.names.size(); ++i)
     if (const auto text = text_member(head, i))
-      field = row.*text;
+      record.value(head.names[i], "", row.*text);
     else if (i == head.refined_place)
-      field = row.refined;
-    else if (std::isfinite(row.values[i]))
-      field = row.values[i];
-  }
-  return object;
+      record.value(head.names[i], "", row.refined);
+    else
+      record.value(head.names[i], {}, "", row.values[i]);
 }
 
 ResultRow row_from_json(const TableHead& head, const nlohmann::ordered_json& object) {

@@ -8,12 +8,12 @@
 
 namespace orbearing::app {
 
-/// A text as a field of RFC 4180, in quotes where it needs them.
-std::string csv_field(const std::string& text);
-
 /// Lines of RFC 4180, ended by "\n". A missing value is an empty field.
 std::string csv_head(const TableHead& head);
 std::string csv_line(const TableHead& head, const ResultRow& row);
+
+/// The row as part of a record; a missing value is absent.
+void describe_row(described::Record& record, const TableHead& head, const ResultRow& row);
 
 /// Object with a key per column; a missing value is null.
 nlohmann::ordered_json row_json(const TableHead& head, const ResultRow& row);

@@ -15,7 +15,6 @@ set(ORBEARING_RESULTS_SOURCES
   results/result_folder.cpp
   results/result_row.cpp
   results/row_text.cpp
-  results/series_content.cpp
   results/spectrum_life.cpp
   results/sweep_json.cpp
   results/sweep_run.cpp

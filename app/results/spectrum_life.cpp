@@ -8,7 +8,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "app/results/json_number.hpp"
+#include "app/results/record_writers.hpp"
 #include "app/results/row_text.hpp"
 #include "app/units.hpp"
 #include "bearing/life/basic_life.hpp"
@@ -17,6 +17,7 @@ namespace orbearing::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
+namespace dimension = described::dimension;
 
 constexpr double infinite_life = std::numeric_limits<double>::infinity();
 
@@ -139,20 +140,6 @@ double torque(const LoadBin& bin) {
   return bin.turns() ? bin.power / bin.speed : 0.0;
 }
 
-Json bin_json(const TableHead& head, const SpectrumBin& bin) {
-  Json object{{"power_kW", in_table_unit(bin.bin.power, kKilo)},
-              {"torque_N_m", in_table_unit(torque(bin.bin), 1.0)},
-              {"speed_rpm", speed_in_rpm(bin.bin.speed)},
-              {"share", bin.bin.share},
-              {"damage_share", number_or_null(bin.damage_share)},
-              {"damage_share_L10mh", number_or_null(bin.modified_damage_share)}};
-  if (bin.row)
-    object.update(row_json(head, *bin.row));
-  else
-    object["status"] = "at rest";
-  return object;
-}
-
 /// Swept values that the rows of a spectrum do not state themselves, by their place among all.
 std::vector<std::size_t> own_axes(const TableHead& head) {
   std::vector<std::size_t> own;
@@ -161,21 +148,61 @@ std::vector<std::size_t> own_axes(const TableHead& head) {
   return own;
 }
 
-Json result_json(const ManifestHeader& header, const TableHead& head, const SpectrumResult& result) {
-  Json object;
+/// A bin by its number, from 0, among those of a result.
+struct NumberedBin {
+  const SpectrumResult* result;
+  std::size_t number;
+};
+
+std::vector<NumberedBin> bins_of(const SpectrumResult& result) {
+  std::vector<NumberedBin> bins;
+  for (std::size_t i = 0; i < result.bins.size(); ++i) bins.push_back({&result, i});
+  return bins;
+}
+
+ResultRow row_at_rest(const TableHead& head, const SpectrumResult& result) {
+  ResultRow row{std::vector<double>(head.names.size(), not_given), "at rest"};
+  for (const std::size_t i : own_axes(head))
+    if (i < result.axis_values.size()) row.values[head.first_axis + i] = result.axis_values[i];
+  return row;
+}
+
+void describe_bin(Record& row, const TableHead& head, const NumberedBin& numbered) {
+  const SpectrumBin& bin = numbered.result->bins[numbered.number];
+  row.value("bin", "number, as stated", numbered.number + 1);
+  row.value("power_kW", dimension::power, "that enters", bin.bin.power);
+  row.value("torque_N_m", dimension::torque, "of the driving member", torque(bin.bin));
+  row.value("speed_rpm", dimension::angular_speed, "of the driving member", bin.bin.speed);
+  row.value("share", dimension::ratio, "of time", bin.bin.share);
+  row.value("damage_share", dimension::ratio, "of the life of one bearing that results go by",
+            bin.damage_share);
+  row.value("damage_share_L10mh", dimension::ratio, "the same of L10mh", bin.modified_damage_share);
+  describe_row(row, head, bin.row ? *bin.row : row_at_rest(head, *numbered.result));
+}
+
+void describe_bins(Record& record, const TableHead& head, const std::vector<NumberedBin>& bins) {
+  record.table("bins", "bin", "of the load spectrum", bins,
+               [&](Record& row, const NumberedBin& bin) { describe_bin(row, head, bin); });
+}
+
+void describe_result(Record& record, const ManifestHeader& header, const TableHead& head,
+                     const SpectrumResult& result) {
+  constexpr described::Dimension million_revolutions{"revolutions", "Mrev", "Mrev", ""};
   for (const std::size_t i : own_axes(head))
     if (i < result.axis_values.size())
-      object[head.names[head.first_axis + i]] = number_or_null(result.axis_values[i]);
-  for (const auto& [name, life] : result.lives) object[name] = number_or_null(life);
-  object["life_key"] = header.life;
-  if (!result.limiting_set.empty()) object["limiting_set"] = result.limiting_set;
+      record.value(head.names[head.first_axis + i], {}, "swept", result.axis_values[i]);
+  for (const auto& [name, life] : result.lives)
+    record.value(name, name.ends_with("_Mrev") ? million_revolutions : dimension::hours, "under the spectrum",
+                 life);
+  record.value("life_key", "life that results go by", header.life);
+  if (!result.limiting_set.empty())
+    record.value("limiting_set", "whose bearings live shortest", result.limiting_set);
   if (header.spectrum.hours > 0.0) {
-    object["hours"] = header.spectrum.hours;
-    object["used_up"] = number_or_null(header.spectrum.hours / life_of(result, header.life));
+    record.value("hours", dimension::hours, "required", header.spectrum.hours);
+    record.value("used_up", dimension::ratio, "of the life in these hours",
+                 header.spectrum.hours / life_of(result, header.life));
   }
-  object["bins"] = Json::array();
-  for (const SpectrumBin& bin : result.bins) object["bins"].push_back(bin_json(head, bin));
-  return object;
+  describe_bins(record, head, bins_of(result));
 }
 
 /// Bins that use up most first.
@@ -237,29 +264,22 @@ std::vector<SpectrumResult> spectrum_results(const ManifestHeader& header,
 Json spectrum_json(const ManifestHeader& header, const std::vector<SpectrumResult>& results) {
   if (results.empty()) return nullptr;
   const TableHead head = head_of(header);
-  if (own_axes(head).empty()) return result_json(header, head, results.front());
   Json list = Json::array();
-  for (const SpectrumResult& result : results) list.push_back(result_json(header, head, result));
-  return list;
+  for (const SpectrumResult& result : results) {
+    Record record;
+    describe_result(record, header, head, result);
+    list.push_back(json_of(record));
+  }
+  return own_axes(head).empty() ? list.front() : list;
 }
 
 std::string spectrum_csv(const ManifestHeader& header, const std::vector<SpectrumResult>& results) {
-  const TableHead head = head_of(header);
-  std::string text =
-      "bin,power_kW,torque_N_m,speed_rpm,share,damage_share,damage_share_L10mh," + csv_head(head);
-  const auto number = [](double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; };
+  std::vector<NumberedBin> bins;
   for (const SpectrumResult& result : results)
-    for (std::size_t i = 0; i < result.bins.size(); ++i) {
-      const SpectrumBin& bin = result.bins[i];
-      ResultRow at_rest{std::vector<double>(head.names.size(), not_given), "at rest"};
-      std::copy(result.axis_values.begin(), result.axis_values.end(),
-                at_rest.values.begin() + static_cast<std::ptrdiff_t>(head.first_axis));
-      text += fmt::format("{},{},{},{},{},{},{},{}", i + 1, in_table_unit(bin.bin.power, kKilo),
-                          in_table_unit(torque(bin.bin), 1.0), speed_in_rpm(bin.bin.speed), bin.bin.share,
-                          number(bin.damage_share), number(bin.modified_damage_share),
-                          csv_line(head, bin.row ? *bin.row : at_rest));
-    }
-  return text;
+    for (const NumberedBin& bin : bins_of(result)) bins.push_back(bin);
+  Record record;
+  describe_bins(record, head_of(header), bins);
+  return csv_of(record.entry("bins"));
 }
 
 std::string spectrum_text(const ManifestHeader& header, const std::vector<SpectrumResult>& results) {
@@ -267,8 +287,9 @@ std::string spectrum_text(const ManifestHeader& header, const std::vector<Spectr
   const TableHead head = head_of(header);
   std::string text;
   for (const SpectrumResult& result : results) {
-    text += fmt::format("\nload spectrum of {} bins, by the rule of Palmgren and Miner\n", result.bins.size()) +
-            lives_under_spectrum(result, header.life);
+    text +=
+        fmt::format("\nload spectrum of {} bins, by the rule of Palmgren and Miner\n", result.bins.size()) +
+        lives_under_spectrum(result, header.life);
     for (const std::size_t i : own_axes(head))
       if (i < result.axis_values.size())
         text += fmt::format("{} = {:.10g}\n", head.names[head.first_axis + i], result.axis_values[i]);

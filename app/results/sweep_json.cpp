@@ -1,8 +1,10 @@
 #include "app/results/sweep_json.hpp"
 
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/results/record_writers.hpp"
 #include "app/results/row_text.hpp"
 
 namespace orbearing::app {
@@ -10,20 +12,32 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json number_or_null(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-
-Json peak_json(const LifePeak& peak) {
-  return {{"speed_rpm", number_or_null(peak.speed_rpm)},
-          {"life_h", number_or_null(peak.life_h)},
-          {"refined_speed_rpm", number_or_null(peak.refined_speed_rpm)},
-          {"refined_life_h", number_or_null(peak.refined_life_h)},
-          {"life_key", peak.life},
-          {"between_rpm", {number_or_null(peak.lower_rpm), number_or_null(peak.upper_rpm)}}};
+// Of the columns of the points.
+Json column_units(const ManifestHeader& header) {
+  Record columns;
+  study::describe_row(columns, {});
+  Json units = units_of(columns);
+  for (const SweptAxis& axis : header.axes) units[axis.column] = axis.units;
+  Record set;
+  describe(set, study::SetResult{});
+  for (const std::string& name : header.sets)
+    for (const auto& [column, unit] : units_of(set).items()) units["sets." + name + "." + column] = unit;
+  return units;
 }
 
 }  // namespace
+
+void describe(Record& record, const LifePeak& peak) {
+  using namespace described;
+  constexpr Dimension rpm{"angular speed", "rpm", "rpm", ""};
+  record.value("speed_rpm", rpm, "of the best point of the grid", peak.speed_rpm);
+  record.value("life_h", dimension::hours, "there", peak.life_h);
+  record.value("refined_speed_rpm", rpm, "of the best of all points", peak.refined_speed_rpm);
+  record.value("refined_life_h", dimension::hours, "there", peak.refined_life_h);
+  record.value("life_key", "life whose peak it is", peak.life);
+  record.array("between_rpm", rpm, "neighbours of the refined peak", {"side"},
+               std::array{peak.lower_rpm, peak.upper_rpm});
+}
 
 LifePeak grid_peak(const TableHead& head, const std::vector<ResultRow>& rows) {
   LifePeak peak{.life = head.life};
@@ -40,11 +54,14 @@ Json sweep_json(const SweepOutcome& outcome, const LifePeak& peak, const Json& a
                 const Json& warnings, const Json& versions) {
   Json points = Json::array();
   for (const ResultRow& row : outcome.rows) points.push_back(row_json(outcome.head, row));
-  Json object{{"points", std::move(points)}, {"peak", peak_json(peak)}};
+  const Record peak_record = record_of(peak);
+  Json object{{"points", std::move(points)}, {"peak", json_of(peak_record)}};
   if (!outcome.spectra.empty()) object["spectrum"] = spectrum_json(outcome.header, outcome.spectra);
   object["assumptions"] = assumptions;
   object["warnings"] = warnings;
   object["versions"] = versions;
+  object["units"] = column_units(outcome.header);
+  object["units"].update(units_of(peak_record));
   return object;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/results/sweep_run.hpp"
+#include "mechanics/record.hpp"
 
 namespace orbearing::app {
 
@@ -21,12 +22,15 @@ struct LifePeak {
   std::string life{"life_h"};  // column of the life whose peak it is
 };
 
+void describe(described::Record& record, const LifePeak& peak);
+
 /// Best row of the grid, those added to it left out; the refined values are left for the caller. NaN where no
 /// point has a life.
 LifePeak grid_peak(const TableHead& head, const std::vector<ResultRow>& rows);
 
-/// Object with `points`, `peak`, `spectrum` where the case states one, `assumptions`, `warnings`, `versions`,
-/// in this order; no number where a value is missing, but null. The last three are taken as they are.
+/// Object with `points`, `peak`, `spectrum` where the case states one, `assumptions`, `warnings`, `versions`
+/// and `units`, in this order; no number where a value is missing, but null. Assumptions, warnings and versions
+/// are taken as they are.
 nlohmann::ordered_json sweep_json(const SweepOutcome& outcome, const LifePeak& peak,
                                   const nlohmann::ordered_json& assumptions,
                                   const nlohmann::ordered_json& warnings,

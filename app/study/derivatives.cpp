@@ -10,6 +10,7 @@
 
 #include "app/case/unused_inputs.hpp"
 #include "app/errors.hpp"
+#include "app/results/record_writers.hpp"
 #include "coupling/study/parallel.hpp"
 
 namespace orbearing::app {
@@ -246,6 +247,69 @@ Derivatives derivatives(const ResolvedCase& resolved, const ScalarResult& result
   std::stable_sort(found.inputs.begin(), found.inputs.end(),
                    [&](const Derivative& a, const Derivative& b) { return weight(a) > weight(b); });
   return found;
+}
+
+namespace {
+
+std::string side_text(int side) {
+  if (side == 0) return "";
+  return side > 0 ? "to larger values alone" : "to smaller values alone";
+}
+
+// Of a life; that of another result is in its key.
+described::Dimension dimension_of(const Derivatives& d) {
+  if (d.unit == "h") return described::dimension::hours;
+  return d.unit == "Mrev" ? described::Dimension{"revolutions", "1e6", "Mrev", ""} : described::Dimension{};
+}
+
+}  // namespace
+
+void describe(described::Record& row, const Derivative& one) {
+  row.value("path", "of the input", one.path);
+  row.value("value", {}, "of the input, in its unit", one.value);
+  row.value("unit", "customary, of the input", one.unit);
+  row.value("standing", "given, assumed or default", one.standing);
+  row.value("derivative", {}, "of the result, per unit of the input", one.derivative);
+  row.value("error", {}, "estimated, of the derivative", one.error);
+  row.value("elasticity", {}, "d ln(result)/d ln(input)", one.elasticity);
+  row.value("step", "a change whose effect is stated", one.step);
+  row.value("change", {}, "of the result by that step", one.change);
+  if (one.side != 0) row.value("remark", "where the slope is that of one side", side_text(one.side));
+}
+
+void describe(described::Record& row, const NoDerivative& one) {
+  row.value("path", "of the input", one.path);
+  row.value("given", "value", one.given);
+  row.value("reason", "why there is no derivative", one.reason);
+}
+
+void describe(described::Record& record, const Derivatives& d) {
+  record.value("quantity", "key of the result", d.quantity);
+  described::Entry& result = record.value(d.quantity, dimension_of(d), "the result itself", d.value);
+  result.variable = d.quantity;
+  std::ranges::replace(*result.variable, '/', '_');
+  record.value("unit", "of the result; that of another one than a life is in its key", d.unit);
+  if (!d.of_set.empty()) record.value("of_set", "whose bearings live shortest", d.of_set);
+  record.table("inputs", "input", "derivatives by inputs, the largest elasticity first", d.inputs).variable =
+      "";
+  record.table("not_differentiable", "other_input", "inputs without a derivative", d.not_differentiable);
+  record.value("without_effect", "inputs that the result does not follow", d.without_effect);
+}
+
+std::string derivatives_csv(const Derivatives& d) {
+  const std::string unit = d.unit.empty() ? "" : "_" + d.unit;
+  std::string text = fmt::format(
+      "input,value,unit,standing,derivative{0}_per_unit,error{0}_per_unit,elasticity,step,change{0},remark\n",
+      unit);
+  for (const Derivative& one : d.inputs)
+    text += fmt::format("{},{:.12g},{},{},{:.12g},{:.3g},{},{},{:.12g},{}\n", one.path, one.value, one.unit,
+                        one.standing, one.derivative, one.error,
+                        one.elasticity ? fmt::format("{:.12g}", *one.elasticity) : "", one.step, one.change,
+                        side_text(one.side));
+  for (const NoDerivative& one : d.not_differentiable)
+    text += fmt::format("{},{},,,,,,,,{}\n", one.path, csv_field(one.given), csv_field(one.reason));
+  for (const std::string& path : d.without_effect) text += fmt::format("{},,,,0,,,,0,without effect\n", path);
+  return text;
 }
 
 }  // namespace orbearing::app

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "app/study/scalar_result.hpp"
+#include "mechanics/record.hpp"
 
 namespace orbearing::app {
 
@@ -77,5 +78,12 @@ struct DerivativeOptions {
 /// Of `result` at the case's operating point, where it is `here`, by two runs for each input.
 Derivatives derivatives(const ResolvedCase& resolved, const ScalarResult& result,
                         const ScalarResult::Value& here, const DerivativeOptions& options = {});
+
+void describe(described::Record& row, const Derivative& derivative);
+void describe(described::Record& row, const NoDerivative& none);
+void describe(described::Record& record, const Derivatives& derivatives);
+
+/// One row for each input that the run uses; those without a derivative with their reason.
+std::string derivatives_csv(const Derivatives& derivatives);
 
 }  // namespace orbearing::app

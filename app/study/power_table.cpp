@@ -1,18 +1,9 @@
 #include "app/study/power_table.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <nlohmann/json.hpp>
-
 #include "app/case/arrangement_case.hpp"
-#include "app/results/result_row.hpp"
-#include "app/units.hpp"
 #include "gearset/drivetrain/power_flow.hpp"
 
 namespace orbearing::app {
-
-namespace {}  // namespace
 
 PowerTable power_table(const ResolvedCase& resolved) {
   const gearset::Arrangement arrangement = arrangement_of(resolved);
@@ -36,36 +27,27 @@ PowerTable power_table(const ResolvedCase& resolved) {
   return table;
 }
 
-std::string power_text(const PowerTable& table) {
-  std::size_t widest = 6;
-  for (const PowerRow& row : table.rows) widest = std::max({widest, row.set.size(), row.shaft.size()});
-  std::string text =
-      fmt::format("{:{}}  {:<8} {:{}}  {:>12} {:>12} {:>12}  {}\n", "set", widest, "member", "shaft", widest,
-                  "speed [rpm]", "torque [N.m]", "power [kW]", "share of input");
-  for (const PowerRow& row : table.rows)
-    text +=
-        fmt::format("{:{}}  {:<8} {:{}}  {:>12.6g} {:>12.6g} {:>12.6g}  {:.4g}\n", row.set, widest,
-                    row.member, row.shaft, widest, kRpm * row.speed, row.torque, 1e-3 * row.power, row.share);
-  if (table.circulating.empty()) return text + "power does not circulate\n";
-  return text + fmt::format("power circulates: {} carry more than the input, up to {:.4g} times\n",
-                            fmt::join(table.circulating, ", "), table.largest_share);
+void describe(described::Record& row, const PowerRow& member) {
+  using namespace described;
+  row.value("set", "of gears", member.set);
+  row.value("member", "of the set", member.member);
+  row.value("shaft", "that carries it", member.shaft);
+  row.value("speed_rpm", dimension::angular_speed, "of the member", member.speed);
+  row.value("torque_N_m", dimension::torque, "from the shaft on the member", member.torque);
+  row.value("power_W", dimension::heat, "positive where it enters the set", member.power);
+  row.value("share", dimension::ratio, "of the input power", member.share);
 }
 
-nlohmann::ordered_json power_json(const PowerTable& table) {
-  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-  for (const PowerRow& row : table.rows)
-    rows.push_back({{"set", row.set},
-                    {"member", row.member},
-                    {"shaft", row.shaft},
-                    {"speed_rpm", in_table_unit(row.speed, kRpm)},
-                    {"torque_N_m", row.torque},
-                    {"power_W", row.power},
-                    {"share", row.share}});
-  return {{"power_flow", rows},
-          {"power_circulation",
-           {{"present", !table.circulating.empty()},
-            {"largest_share", table.largest_share},
-            {"members", table.circulating}}}};
+void describe(described::Record& record, const PowerTable& table) {
+  using namespace described;
+  record.table("power_flow", "member", "speeds, torques and power of all members", table.rows);
+  record.child("power_circulation", "members that carry more than the input", table,
+               [](Record& circulation, const PowerTable& of) {
+                 circulation.value("present", "whether power circulates", !of.circulating.empty());
+                 circulation.value("largest_share", dimension::ratio,
+                                   "of the input power, carried by one member", of.largest_share);
+                 circulation.value("members", "that carry more than the input", of.circulating);
+               });
 }
 
 }  // namespace orbearing::app

@@ -1,11 +1,11 @@
 // Speeds, torques and power of every member at a case's operating point, and whether power circulates.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
 #include "app/case/resolved_case.hpp"
+#include "mechanics/record.hpp"
 
 namespace orbearing::app {
 
@@ -30,10 +30,8 @@ struct PowerTable {
 /// For a sound case of the model planetary-drivetrain.
 PowerTable power_table(const ResolvedCase& resolved);
 
-std::string power_text(const PowerTable& table);
-
 /// `power_flow: [{set, member, shaft, speed_rpm, torque_N_m, power_W, share}]` and `power_circulation:
 /// {present, largest_share, members}`.
-nlohmann::ordered_json power_json(const PowerTable& table);
+void describe(described::Record& record, const PowerTable& table);
 
 }  // namespace orbearing::app

@@ -8,6 +8,10 @@
 #include "coupling/study/drivetrain.hpp"
 #include "coupling/study/one_way.hpp"
 
+namespace orbearing::described {
+class Record;
+}
+
 namespace orbearing::study {
 
 /// How the planet bearing is computed, from rung to rung of the ladder.
@@ -135,6 +139,16 @@ struct PointResult {
   std::vector<SetResult> sets;           // of several sets, all with bearings, in the order given
   std::string status = "ok";             // "ok" or why the point failed
 };
+
+/// Name of the array that holds the state in which the motion ended.
+inline constexpr const char* kFinalState = "final_state";
+
+/// What a row of a table shows: single numbers and the status. Of a point that failed nothing but input speed
+/// and status has a meaning.
+void describe_row(described::Record& record, const PointResult& point);
+/// That, and loads by place, bearings and planets one by one and the motion in time, which are for files.
+void describe(described::Record& record, const PointResult& point);
+void describe(described::Record& record, const SetResult& set);
 
 /// The life of one bearing that results go by, by the drivetrain's method [h]; not a number where the standards
 /// give none.

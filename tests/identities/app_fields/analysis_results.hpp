@@ -58,14 +58,9 @@ inline std::string spectrum_result(const ResolvedCase& in, study::Fidelity fidel
 /// One point of a run or sweep: all columns, the loads by place, the final state.
 inline std::string point_result(const ResolvedCase& in, study::Fidelity fidelity) {
   const study::PointResult point = study::evaluate(bearing_sets(in), fidelity);
-  std::vector<double> numbers;
-  for (const Column& column : leading_columns()) numbers.push_back(column.value(point));
-  for (const Column& column : trailing_columns()) numbers.push_back(column.value(point));
-  numbers.push_back(study::life_to_go_by(point));
-  for (const study::SetResult& set : point.sets)
-    for (const SetColumn& column : set_columns()) numbers.push_back(column.value(set));
-  std::string text =
-      digits(numbers) + digits(point.distribution.inner_load) + digits(point.distribution.outer_load);
+  std::string text = digits(result_row(point, {}, bearing_set_names(in)).values) +
+                     digits(std::vector<double>{study::life_to_go_by(point)}) +
+                     digits(point.distribution.inner_load) + digits(point.distribution.outer_load);
   if (point.dynamic) text += digits(point.dynamic->final_state);
   if (point.coupled) text += digits(point.coupled->bearing_life_hours);
   if (in.has(kSpectrumPath)) text += spectrum_result(in, fidelity);

@@ -134,11 +134,7 @@ study::PointResult point(const ResolvedCase& in) {
 }
 
 double number(const study::PointResult& result, const std::string& column) {
-  for (const std::vector<Column>* columns : {&leading_columns(), &trailing_columns()})
-    for (const Column& one : *columns)
-      if (one.name == column) return one.value(result);
-  ADD_FAILURE() << "no column " << column;
-  return 0.0;
+  return value_of(table_head({}), result_row(result, {}), column);
 }
 
 void expect_equal(double a, double b, const std::string& what, double within = 1e-9) {

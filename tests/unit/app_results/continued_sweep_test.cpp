@@ -9,7 +9,7 @@
 #include "app/results/continuation_paths.hpp"
 #include "app/results/interruption.hpp"
 #include "app/results/point_file.hpp"
-#include "app/results/series_content.hpp"
+#include "app/results/record_writers.hpp"
 #include "tests/unit/app_results/fake_sweep.hpp"
 
 namespace orbearing::app::continued_sweep_test {
@@ -169,9 +169,11 @@ TEST(PointFile, FinalStateNamesEachOfItsVariables) {
   for (const bearing::motion::StateLayout& layout :
        {bearing::motion::StateLayout{.rollers = 3}, bearing::motion::StateLayout{.rollers = 3, .waves = 5},
         bearing::motion::StateLayout{.rollers = 3, .tilting = true, .waves = 5, .caged = false}}) {
-    PointContent content;
-    add_final_state(Eigen::VectorXd::Zero(layout.size()), layout, content);
-    const std::string& names = content.arrays.at(0).meaning;
+    study::PointResult result;
+    result.dynamic =
+        study::DynamicRecord{.final_state = Eigen::VectorXd::Zero(layout.size()), .layout = layout};
+    Record record = record_of(result);
+    const std::string names = record.entry(study::kFinalState).meaning;
     EXPECT_EQ(std::count(names.begin(), names.end(), '['), layout.size());
     EXPECT_EQ(names.find("end_displacement") != std::string::npos, layout.tilting);
     EXPECT_EQ(names.find("rim_wave_3_sine") != std::string::npos, layout.waves > 0);

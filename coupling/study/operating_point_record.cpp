@@ -1,0 +1,430 @@
+// An operating point as it is described once: a row of a table, and arrays that are for files alone.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "bearing/life/basic_life.hpp"
+#include "coupling/study/operating_point.hpp"
+#include "mechanics/record.hpp"
+
+namespace orbearing::study {
+
+namespace {
+
+using bearing::rating::RatedHours;
+using described::kAbsent;
+using described::Record;
+namespace dimension = described::dimension;
+
+constexpr described::Dimension kMicroseconds{"time", "s", "us", "", 1e-6};
+
+struct Race {
+  std::string name;
+  const RaceResult* result;
+};
+
+template <class Result>
+std::array<Race, 2> races_of(const Result& result) {
+  return {{{"inner", &result.inner}, {"outer", &result.outer}}};
+}
+
+struct RatedLife {
+  const char* name;
+  const char* meaning;
+  double RatedHours::*hours;
+};
+constexpr std::array<RatedLife, 4> kRatedLives{
+    {{"L10h", "basic rating life of ISO 281", &RatedHours::basic},
+     {"L10rh", "basic reference rating life of ISO/TS 16281", &RatedHours::reference},
+     {"L10mh", "modified rating life of ISO 281: a_1 a_ISO L10h", &RatedHours::modified},
+     {"L10mrh", "modified reference rating life of ISO/TS 16281, a_ISO lamina by lamina",
+      &RatedHours::modified_reference}}};
+
+void describe_rated_hours(Record& record, const RatedHours& hours) {
+  for (const RatedLife& life : kRatedLives)
+    record.value(life.name, dimension::hours, life.meaning, hours.*life.hours);
+}
+
+void describe_loads_and_lives(Record& record, const PointResult& point) {
+  record.value("input_speed_rpm", dimension::angular_speed, "speed of the driving member", point.input_speed);
+  record.value("carrier_speed_rpm", dimension::angular_speed, "speed of the planet carrier",
+               point.carrier_speed);
+  record.value("planet_load_N", dimension::force,
+               "total load on the bore of one bearing, with cage and rollers", point.planet_load);
+  record.value("tangential_load_N", dimension::force, "load of both meshes in the direction of rotation",
+               point.tangential_load);
+  record.value("centrifugal_load_N", dimension::force, "outward inertial load of planet, cage and rollers",
+               point.centrifugal_load);
+  for (const auto& [race, of] : races_of(point)) {
+    record.value(race + "_load_max_N", dimension::force,
+                 "largest load of one roller on the " + race + " race", of->load_max);
+    record.value(race + "_load_rms_N", dimension::force,
+                 "root mean square over time of one roller's load, " + race + " race", of->load_rms);
+  }
+  for (const auto& [race, of] : races_of(point))
+    record.value(race + "_life_Mrev", dimension::revolutions, "fatigue life of the " + race + " race",
+                 of->life);
+  record.value("life_h", dimension::hours, "fatigue life of one bearing", point.life_hours);
+  record.value("system_life_h", dimension::hours, "fatigue life of all planet bearings of the set together",
+               point.system_life_hours);
+  record.value("cage_slip", dimension::ratio, "one less the cage's speed over its kinematic speed",
+               point.caged ? point.cage_slip : kAbsent);
+  for (const auto& [race, of] : races_of(point))
+    record.value("film_" + race + "_um", dimension::small_length, "least film on the " + race + " race",
+                 of->least_film);
+  record.value("status", "ok, or why the point failed", point.status);
+}
+
+double ovality(const std::vector<double>& race_form) {
+  if (race_form.empty()) return 0.0;
+  const auto [least, most] = std::ranges::minmax(race_form);
+  return most - least;
+}
+
+void describe_gears_and_fits(Record& record, const PointResult& point) {
+  record.value("radial_mesh_load_N", dimension::force, "outward load of both meshes", point.radial_mesh_load);
+  record.value("axial_mesh_force_N", dimension::force,
+               "axial force of the sun's helical teeth on one planet; that of the ring's is opposite",
+               point.axial_mesh_force);
+  record.value("overturning_moment_N_m", dimension::torque,
+               "moment of both axial forces on one planet about the tangential axis",
+               point.overturning_moment);
+  record.value("sun_thrust_N", dimension::force,
+               "axial force of all planets on the sun; that on the ring is opposite", point.sun_thrust);
+  record.value("contact_pressure_max_MPa", dimension::pressure,
+               "largest pressure of roller and race, after Hertz", point.contact_pressure);
+  record.value("operating_clearance_um", dimension::small_length,
+               "radial clearance of the running bearing, in diametral measure", point.radial_clearance);
+  record.value("rim_ovality_um", dimension::small_length,
+               "largest less least outward displacement of the outer race by bending of the planet's rim",
+               ovality(point.distribution.race_form));
+}
+
+// Of one bearing, by the standards.
+void describe_ratings(Record& record, const PointResult& point) {
+  const bearing::rating::RatingLives& lives = point.rating.lives;
+  record.value("life_Mrev", dimension::revolutions, "fatigue life of one bearing, in revolutions", point.life)
+      .variable = "life_revolutions";
+  describe_rated_hours(record, point.rating.hours);
+  for (const RatedLife& life : kRatedLives)
+    record.value(std::string("system_") + life.name, dimension::hours,
+                 std::string(life.name) + " of all planet bearings together",
+                 point.rating.system_hours.*life.hours);
+  const auto revolutions = [&](const char* name, const char* meaning, double value) {
+    record.value(name, dimension::revolutions, meaning, value);
+  };
+  revolutions("L10_Mrev", "basic rating life of ISO 281", lives.basic);
+  revolutions("L10r_Mrev", "basic reference rating life of ISO/TS 16281", lives.reference.bearing);
+  revolutions("L10m_Mrev", "modified rating life of ISO 281", lives.modified);
+  revolutions("L10mr_Mrev", "modified reference rating life of ISO/TS 16281",
+              lives.modified_reference.bearing);
+  revolutions("inner_L10m_Mrev", "modified reference rating life of ISO/TS 16281 of the inner race",
+              lives.modified_reference.inner);
+  revolutions("outer_L10m_Mrev", "modified reference rating life of ISO/TS 16281 of the outer race",
+              lives.modified_reference.outer);
+  record.value("C_N", dimension::force, "basic dynamic load rating", lives.dynamic_capacity);
+  record.value("C0_N", dimension::force, "basic static load rating", lives.static_capacity);
+  record.value("Cu_N", dimension::force, "fatigue load limit", lives.fatigue_load_limit);
+  record.value("P_N", dimension::force, "dynamic equivalent load of one bearing", lives.dynamic_load);
+  record.value("P0_N", dimension::force, "static equivalent load of the most loaded bearing",
+               lives.static_load);
+  record.value("C_over_P", dimension::ratio, "basic dynamic load rating over equivalent load",
+               lives.load_ratio());
+  record.value("S0", dimension::ratio, "basic static load rating over static equivalent load",
+               lives.static_safety());
+  record.value("kappa", dimension::ratio, "viscosity ratio of ISO 281",
+               lives.oil ? lives.oil->viscosity_ratio : kAbsent);
+  record.value("e_C", dimension::ratio, "contamination factor of ISO 281",
+               lives.oil ? lives.oil->contamination_factor : kAbsent);
+  record.value("a_ISO", dimension::ratio, "life modification factor of ISO 281, from C_u/P",
+               lives.life_modification);
+  record.value("a_ISO_r", dimension::ratio,
+               "L10mrh over L10rh at a reliability of 90 %: life modification factor lamina by lamina",
+               lives.reference_modification);
+  const double allowed = bearing::rating::static_pressure(bearing::rating::RollingElement::roller);
+  record.value("static_safety", dimension::ratio,
+               "S_0 of ISO 76: static capacity over load, by the largest pressure and 4000 MPa",
+               std::pow(allowed / point.contact_pressure, 2));
+}
+
+void describe_losses(Record& record, const PointResult& point) {
+  const bool moves = point.dynamic.has_value();
+  const bearing::motion::PowerLoss loss = moves ? point.dynamic->loss : bearing::motion::PowerLoss{};
+  const auto add = [&](const std::string& cause, const std::string& meaning, double value,
+                       bool there = true) {
+    record.value("power_loss" + cause + "_W", dimension::heat, "power lost " + meaning,
+                 moves && there ? value : kAbsent);
+  };
+  add("", "in all", loss.total());
+  add("_race_damping", "to damping of the race contacts", loss.race_damping);
+  add("_inner_traction", "to sliding on the inner race", loss.inner_traction);
+  add("_outer_traction", "to sliding on the outer race", loss.outer_traction);
+  add("_rolling", "to rolling resistance", loss.rolling);
+  add("_drag", "to the oil-air mixture", loss.drag);
+  add("_pockets", "in the cage pockets", loss.pockets, point.caged);
+  add("_guidance", "in the cage guidance", loss.guidance, point.caged);
+  add("_neighbours", "between rollers that touch one another, without a cage", loss.neighbours, !point.caged);
+  add("_support", "in the support of the pin", loss.support);
+}
+
+// Absent from the quasi-static model.
+void describe_motion(Record& record, const PointResult& point) {
+  const auto moving = [&](const auto& part) { return point.dynamic ? part(*point.dynamic) : kAbsent; };
+  record.value("roller_slip", dimension::ratio, "one less the mean roller spin over that at pure rolling",
+               moving([](const DynamicRecord& d) { return d.roller_slip; }));
+  record.value("orbit_slip", dimension::ratio,
+               "one less the mean orbital speed of the rollers over that at pure rolling, without a cage",
+               moving([](const DynamicRecord& d) { return d.orbit_slip.value_or(kAbsent); }));
+  record.value("friction_moment_N_m", dimension::torque, "friction moment of the bearing on the bore",
+               moving([](const DynamicRecord& d) { return d.friction_moment; }));
+  describe_losses(record, point);
+  record.value("steady", dimension::ratio, "1: the means stood still; 0: they drifted to the end",
+               moving([](const DynamicRecord& d) { return d.steady ? 1.0 : 0.0; }));
+}
+
+std::vector<PlanetResult>::const_iterator shortest_lived(const PointResult& point) {
+  return std::ranges::min_element(point.planets, {}, &PlanetResult::life_hours);
+}
+
+double shortest_life(const PointResult& point) {
+  if (point.coupled) return std::ranges::min(point.coupled->bearing_life_hours);
+  if (!point.seats.empty())
+    return std::ranges::min_element(point.seats, {}, &SeatResult::life_hours)->life_hours;
+  return point.planets.empty() ? kAbsent : shortest_lived(point)->life_hours;
+}
+
+template <class Items, class Value>
+double largest_of(const Items& items, const Value& value) {
+  double most = kAbsent;
+  for (const auto& item : items) most = std::fmax(most, value(item));
+  return most;
+}
+
+double largest_bearing_share(const std::vector<SeatResult>& seats) {
+  double sum = 0.0;
+  for (const SeatResult& seat : seats) sum += seat.load;
+  return largest_of(seats, [](const SeatResult& seat) { return seat.load; }) *
+         static_cast<double>(seats.size()) / sum;
+}
+
+// Where planets or their bearings are unlike.
+void describe_sharing(Record& record, const PointResult& point) {
+  record.value("shortest_life_h", dimension::hours,
+               "life of the bearing that lives shortest, where planets load unevenly, their tilt is computed "
+               "or bearings act back on the gears",
+               shortest_life(point));
+  record.value(
+      "shortest_life_planet", dimension::ratio,
+      "planet whose bearings live shortest, counted from 1, where life_h is that of unlike planets together",
+      point.planets.empty() ? kAbsent
+                            : static_cast<double>(shortest_lived(point) - point.planets.begin() + 1));
+  record.value("largest_load_share", dimension::ratio,
+               "mean tangential load of the planet that carries most, over the mean of all planets",
+               largest_of(point.planets, [](const PlanetResult& planet) { return planet.load_share; }));
+  record.value("largest_bearing_tilt_mrad", dimension::small_angle,
+               "largest tilt of a bore against its pin, where the tilt of planets is computed",
+               largest_of(point.seats, [](const SeatResult& seat) { return seat.tilt.norm(); }));
+  record.value("largest_bearing_share", dimension::ratio,
+               "load of the bearing of a planet that carries most, over the mean of its bearings, likewise",
+               largest_bearing_share(point.seats));
+  record.value("interface_energy_residual", dimension::ratio,
+               "energy that the exchange of gears and bearings made or lost, over that which passed",
+               point.coupled ? point.coupled->energy_residual : kAbsent);
+  record.value("interface_window_us", kMicroseconds, "mean time between two exchanges; 0: one system",
+               point.coupled ? point.coupled->window : kAbsent);
+}
+
+// force - stiffness x displacement - damping x velocity of a planet on all its bearings.
+void describe_law(Record& record, const gearset::dynamics::AffineBearing& law) {
+  const auto add = [&](const std::string& name, const char* unit, const described::Dimension& of,
+                       double value) {
+    record.value("one_way_" + name + unit, of, "fitted law of all bearings of a planet: one_way_" + name,
+                 value);
+  };
+  const std::array<std::string, 2> axes{"x", "y"};
+  const auto add_matrix = [&](const std::string& name, const char* unit, const described::Dimension& of,
+                              const Eigen::Matrix2d& matrix) {
+    for (int i = 0; i < 2; ++i)
+      for (int j = 0; j < 2; ++j)
+        add(name + "_" + axes[static_cast<std::size_t>(i)] + axes[static_cast<std::size_t>(j)], unit, of,
+            matrix(i, j));
+  };
+  add_matrix("stiffness", "_N_per_m", dimension::stiffness, law.stiffness);
+  add_matrix("damping", "_N_s_per_m", dimension::damping, law.damping);
+  add("force_x", "_N", dimension::force, law.force.x());
+  add("force_y", "_N", dimension::force, law.force.y());
+}
+
+// What stood for the bearings in gears that drive one of them.
+void describe_one_way(Record& record, const PointResult& point) {
+  OneWayRecord fit;
+  const bool there = point.dynamic && point.dynamic->one_way;
+  if (there) {
+    fit = *point.dynamic->one_way;
+  } else {
+    fit.fitted.bearing.stiffness.setConstant(kAbsent);
+    fit.fitted.bearing.damping.setConstant(kAbsent);
+    fit.fitted.bearing.force.setConstant(kAbsent);
+  }
+  const auto add = [&](const char* name, const char* meaning, double value) {
+    record.value(std::string("one_way_") + name, dimension::ratio, meaning, there ? value : kAbsent);
+  };
+  add("runs", "runs of gears and bearing until the law between them was found", fit.runs);
+  add("accepted",
+      "1: the last run agrees with the law that drove it, and the gears with its mean load; 0: not",
+      fit.accepted ? 1.0 : 0.0);
+  add("residual", "share of the bearing force at mesh harmonics that the law leaves", fit.fitted.residual);
+  add("stiffness_change", "change of the stiffness in the last run", fit.fitted.stiffness_change);
+  add("damping_change", "change of the damping in the last run", fit.fitted.damping_change);
+  add("load_difference",
+      "of the gears' mean force on the planet's bearings from the load under which the bearing ran",
+      fit.load_difference);
+  describe_law(record, fit.fitted.bearing);
+}
+
+void describe_distribution(Record& record, const LoadDistribution& loads) {
+  record.series("angle", {"angle", "rad", "rad", ""},
+                "place on the race, from the outward radial direction towards carrier rotation", {"place"},
+                loads.angle);
+  record.series("inner_load", dimension::force, "load of a roller on the inner race", {"place"},
+                loads.inner_load);
+  record.series("outer_load", dimension::force, "load of a roller on the outer race", {"place"},
+                loads.outer_load);
+  record.series("race_form", dimension::length,
+                "outward displacement of the outer race by bending of the planet's rim", {"place"},
+                loads.race_form);
+}
+
+void describe_direction(Record& record, const std::string& name, const described::Dimension& of,
+                        const std::string& meaning, const Eigen::Vector2d& vector) {
+  record.value(name + "_x", of, meaning + ", outward", vector.x());
+  record.value(name + "_y", of, meaning + ", in the sense of rotation", vector.y());
+}
+
+// Of a bearing cut into laminae, whose places are those of the distribution.
+void describe_laminae(Record& record, const LaminaRecord& laminae) {
+  using Table = Eigen::Map<const Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>;
+  const auto count = static_cast<Eigen::Index>(laminae.lamina_place.size());
+  const auto by_lamina = [&](const char* name, const char* meaning, const std::vector<double>& loads) {
+    record.series(name, dimension::force, meaning, {"place", "lamina"},
+                  Table(loads.data(), static_cast<Eigen::Index>(loads.size()) / count, count));
+  };
+  record.series("lamina_place", dimension::length, "middle of a lamina, from the middle of the roller",
+                {"lamina"}, laminae.lamina_place);
+  by_lamina("inner_lamina_load", "load of a lamina of a roller on the inner race", laminae.inner_load);
+  by_lamina("outer_lamina_load", "load of a lamina of a roller on the outer race", laminae.outer_load);
+  record.series("roller_tilt", dimension::angle, "tilt of a roller, outward at positive lamina places",
+                {"place"}, laminae.roller_tilt);
+  describe_direction(record, "bore_tilt", dimension::angle,
+                     "inclination of the bore's axis against the pin's", laminae.bore_tilt);
+  describe_direction(record, "bore_moment", dimension::torque,
+                     "moment of the rollers on the bore along its tilt", laminae.moment);
+}
+
+// The bearings of a planet whose tilt is computed.
+void describe(Record& row, const SeatResult& seat) {
+  row.value("place", dimension::length, "place along the axis, from the middle of the face", seat.place);
+  row.value("load", dimension::force, "load of the rollers on the bore", seat.load);
+  describe_direction(row, "tilt", dimension::angle, "tilt of the bore against the pin", seat.tilt);
+  row.value("life", dimension::hours, "fatigue life of one bearing", seat.life_hours);
+  describe_rated_hours(row, seat.rated_hours);
+}
+
+void describe(Record& row, const PlanetResult& planet) {
+  row.value("load_share", dimension::ratio,
+            "tangential load of a planet, mean over time, over the mean of all planets", planet.load_share);
+  row.value("bearing_load", dimension::force,
+            "load of the rollers on the bore of one bearing of a planet, mean over time", planet.load);
+  row.value("life", dimension::hours, "fatigue life of one bearing of a planet", planet.life_hours);
+  describe_rated_hours(row, planet.rated_hours);
+}
+
+// One orbit of the rollers.
+void describe_series(Record& record, const system::BearingSeries& series) {
+  if (series.time.size() == 0) return;
+  const auto along_time = [&](const char* name, const described::Dimension& of, const char* meaning,
+                              const Eigen::ArrayXd& values) {
+    record.series(name, of, meaning, {"time"}, values);
+  };
+  const auto of_rollers = [&](const char* name, const described::Dimension& of, const char* meaning,
+                              const Eigen::ArrayXXd& values) {
+    record.series(name, of, meaning, {"roller", "time"}, values);
+  };
+  along_time("time", dimension::time, "time since the start of the run", series.time);
+  of_rollers("roller_angle", dimension::angle, "place of each roller in the carrier frame", series.angle);
+  of_rollers("roller_inner_load", dimension::force, "load on the inner race", series.inner_load);
+  of_rollers("roller_outer_load", dimension::force, "load on the outer race", series.outer_load);
+  of_rollers("roller_inner_sliding", dimension::speed,
+             "surface speed of the inner race less that of the roller", series.inner_sliding);
+  of_rollers("roller_outer_sliding", dimension::speed,
+             "surface speed of the outer race less that of the roller", series.outer_sliding);
+  of_rollers("roller_inner_film", dimension::length, "least film on the inner race", series.inner_film);
+  of_rollers("roller_outer_film", dimension::length, "least film on the outer race", series.outer_film);
+  if (series.caged) {
+    of_rollers("roller_pocket_load", dimension::force,
+               "load on the cage bar, positive where the roller drives the cage", series.pocket_load);
+    record.series("cage_position", dimension::length, "cage centre, x outward and y in the sense of rotation",
+                  {"direction", "time"}, series.cage_position);
+    along_time("cage_angle", dimension::angle,
+               "rotation of the cage in the carrier frame, grows without bound", series.orbit_angle);
+    along_time("cage_speed", dimension::spin, "speed of the cage relative to the carrier",
+               series.orbit_speed);
+  } else {
+    of_rollers("roller_neighbour_load", dimension::force, "load on the roller ahead", series.neighbour_load);
+    along_time("orbit_speed", dimension::spin, "mean orbital speed of the rollers relative to the carrier",
+               series.orbit_speed);
+  }
+  of_rollers("roller_spin", dimension::spin, "spin relative to the carrier", series.spin);
+  along_time("power_loss_over_time", dimension::heat, "power lost in all", series.power_loss);
+}
+
+void describe_final_state(Record& record, const DynamicRecord& motion) {
+  if (motion.final_state.size() == 0) return;
+  std::string names;
+  for (const std::string& name : bearing::motion::variable_names(motion.layout))
+    names += (names.empty() ? "" : ", ") + name;
+  record.series(kFinalState, dimension::ratio,
+                "state at the end of the run, from which a neighbouring point may go on, in SI: " + names,
+                {"state"}, motion.final_state);
+}
+
+}  // namespace
+
+void describe_row(Record& record, const PointResult& point) {
+  describe_loads_and_lives(record, point);
+  describe_gears_and_fits(record, point);
+  describe_ratings(record, point);
+  describe_motion(record, point);
+  describe_sharing(record, point);
+  describe_one_way(record, point);
+}
+
+void describe(Record& record, const PointResult& point) {
+  describe_row(record, point);
+  describe_distribution(record, point.distribution);
+  if (point.laminae) describe_laminae(record, *point.laminae);
+  const auto table = [&](const char* along, const auto& items) {
+    record
+        .table(along, along, "of one planet", items,
+               [](Record& row, const auto& item) { describe(row, item); })
+        .in_files_alone = true;
+  };
+  table("bearing", point.seats);
+  table("planet", point.planets);
+  if (!point.dynamic) return;
+  describe_series(record, point.dynamic->series);
+  describe_final_state(record, *point.dynamic);
+}
+
+void describe(Record& record, const SetResult& set) {
+  record.value("carrier_speed_rpm", dimension::angular_speed, "speed of the planet carrier",
+               set.carrier_speed);
+  record.value("planet_load_N", dimension::force, "total load on the bore of one bearing", set.planet_load);
+  for (const auto& [race, of] : races_of(set))
+    record.value(race + "_load_max_N", dimension::force,
+                 "largest load of one roller on the " + race + " race", of->load_max);
+  record.value("life_h", dimension::hours, "fatigue life of one bearing", set.life_hours);
+  describe_rated_hours(record, set.rating.hours);
+}
+
+}  // namespace orbearing::study
