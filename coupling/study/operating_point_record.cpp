@@ -18,13 +18,13 @@ namespace dimension = described::dimension;
 
 constexpr described::Dimension kMicroseconds{"time", "s", "us", "", 1e-6};
 
-struct Race {
+struct NamedRace {
   std::string name;
   const RaceResult* result;
 };
 
 template <class Result>
-std::array<Race, 2> races_of(const Result& result) {
+std::array<NamedRace, 2> races_of(const Result& result) {
   return {{{"inner", &result.inner}, {"outer", &result.outer}}};
 }
 
