@@ -92,7 +92,7 @@ ResultRow defect_row(const TableHead& head, const DefectStudy& study) {
 }
 
 std::string defect_file(const ManifestHeader& header, const DefectStudy& study) {
-  return lone_result_file(header, defect_title, defect_content(study));
+  return lone_result_file(header, defect_title, content_of(record_of(study)));
 }
 
 int run_defect_case(const ResolvedCase& resolved, const Options& options) {
@@ -110,11 +110,8 @@ int run_defect_case(const ResolvedCase& resolved, const Options& options) {
                 : with_progress(options, "signal, in hundredths: ", 100, [&](const auto& progress) {
                     return defect_study(resolved, DefectRung::all, progress);
                   });
-    LoneResult result{.json = defect_json(study),
-                      .text = defect_text(study),
-                      .content = defect_content(study),
-                      .warnings = joined(unused, study.warnings),
-                      .row = row_of_load(study.vibration.largest_load, study.vibration.largest_load)};
+    LoneResult result = described_result(study, joined(unused, study.warnings));
+    result.row = row_of_load(study.vibration.largest_load, study.vibration.largest_load);
     if (!options.output.empty())
       result.files = {{"signal.csv", signal_csv(study)}, {"signal.wav", signal_wav(study)}};
     return result;
@@ -133,11 +130,9 @@ int run_planet_defect_case(const ResolvedCase& resolved, const Options& options)
     const PlanetDefectStudy study =
         with_progress(options, "signal, in hundredths: ", 100,
                       [&](const auto& progress) { return planet_defect_study(resolved, progress); });
-    return {.json = planet_defect_json(study),
-            .text = planet_defect_text(study),
-            .content = planet_defect_content(study),
-            .warnings = unused,
-            .row = row_of_load(study.vibration.largest_load, study.vibration.largest_load)};
+    LoneResult result = described_result(study, unused);
+    result.row = row_of_load(study.vibration.largest_load, study.vibration.largest_load);
+    return result;
   });
 }
 

@@ -1,35 +1,34 @@
-// The vibration of a bearing with scratches as JSON, as text, as content of files.
+// The vibration of a bearing with scratches as results, and its signal as files.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "app/results/point_content.hpp"
 #include "app/study/defect_study.hpp"
+#include "mechanics/record.hpp"
 
 namespace orbearing::app {
 
 double root_mean_square(const Eigen::ArrayXd& signal);  // about its mean
 
-/// Peaks as objects; in a run-up they stand at orders.
-nlohmann::ordered_json peaks_json(const std::vector<NamedPeak>& peaks, bool run_up);
+/// 0, `step` and so on.
+Eigen::ArrayXd evenly_spaced(Eigen::Index count, double step);
+
+/// Time of a signal of so many `samples`, `rate` [Hz] of them a second.
+void describe_time(described::Record& record, Eigen::Index samples, double rate);
+
+/// Peaks as rows; in a run-up they stand at orders.
+void describe_peaks(described::Record& record, const std::string& name, const std::string& along,
+                    const std::vector<NamedPeak>& peaks, bool run_up,
+                    const described::Dimension& amplitude);
 /// What every vibration tells first, with the acceleration that `view` shows.
-nlohmann::ordered_json vibration_json(double shaft_frequency, double cage_frequency,
-                                      const std::optional<double>& defect_frequency,
-                                      const InstrumentView& view, bool run_up);
-nlohmann::ordered_json band_json(const InstrumentView& view, bool run_up);
-std::string band_text(const InstrumentView& view);
-/// A table; places with `digits` behind the point.
-std::string peaks_text(const char* title, const std::vector<NamedPeak>& peaks, bool run_up, const char* unit,
-                       int digits);
+void describe_vibration(described::Record& record, double shaft_frequency, double cage_frequency,
+                        const std::optional<double>& defect_frequency, const InstrumentView& view,
+                        bool run_up);
+void describe_band(described::Record& record, const InstrumentView& view, bool run_up);
 
-nlohmann::ordered_json defect_json(const DefectStudy& study);
-std::string defect_text(const DefectStudy& study);
-
-/// The signal, the ring's place, one ball, spectra.
-PointContent defect_content(const DefectStudy& study);
+void describe(described::Record& record, const DefectStudy& study);
 
 /// Time and acceleration, as rows of text.
 std::string signal_csv(const DefectStudy& study);

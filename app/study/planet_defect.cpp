@@ -15,7 +15,6 @@
 #include "app/case/described_case.hpp"
 #include "app/case/resolved_case.hpp"
 #include "app/errors.hpp"
-#include "app/results/json_number.hpp"
 #include "app/study/defect_output.hpp"
 #include "app/study/defect_study.hpp"
 #include "app/study/planetary_case.hpp"
@@ -213,33 +212,6 @@ PlanetDefectStudy planet_defect_study(const ResolvedCase& in, const std::functio
   return study;
 }
 
-namespace {
-
-using Json = nlohmann::ordered_json;
-
-Json instrument_json(const InstrumentView& view, bool run_up, const char* unit) {
-  Json object{{"amplitude_unit", unit},
-              {"rms", root_mean_square(view.signal)},
-              {"max", (view.signal - view.signal.mean()).abs().maxCoeff()}};
-  object.update(band_json(view, run_up));
-  object["envelope_peaks"] = peaks_json(view.envelope_peaks, run_up);
-  object["spectrum_peaks"] = peaks_json(view.spectrum_peaks, run_up);
-  return object;
-}
-
-Json frequencies_json(const study::PlanetFrequencies& at) {
-  return {{"carrier_Hz", at.carrier},
-          {"planet_Hz", at.planet},
-          {"planet_pass_Hz", at.planets * at.carrier},
-          {"mesh_Hz", at.mesh},
-          {"cage_Hz", at.bearing.cage},
-          {"outer_pass_Hz", at.bearing.outer_pass},
-          {"inner_pass_Hz", at.bearing.inner_pass},
-          {"roller_pass_Hz", at.bearing.element_pass}};
-}
-
-}  // namespace
-
 double planet_defect_property(const PlanetDefectStudy& study, const std::string& quantity) {
   const std::string name = study.scratched.empty() ? "" : defect_name(study.scratched.front());
   if (quantity == "cage_Hz") return study.rolling.bearing.cage;
@@ -254,82 +226,99 @@ double planet_defect_property(const PlanetDefectStudy& study, const std::string&
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-nlohmann::ordered_json planet_defect_json(const PlanetDefectStudy& study) {
-  const auto& at = study.rolling;
-  Json object =
-      vibration_json(at.planet, at.bearing.cage, study.defect_frequency, study.carrier, study.run_up);
-  object.update(
-      {{"at_pure_rolling", frequencies_json(at)},
-       {"turned", frequencies_json(study.turned)},
-       {"cage_slip", 1.0 - study.turned.bearing.cage / study.turned.planet * at.planet / at.bearing.cage},
-       {"carrier_frame", instrument_json(study.carrier, study.run_up, "m/s2")},
-       {"housing", instrument_json(study.housing, study.run_up, "N")},
-       {"contact_load_max_N", study.vibration.largest_load}});
-  return object;
-}
+namespace {
 
-std::string planet_defect_text(const PlanetDefectStudy& study) {
-  const auto& at = study.rolling;
-  std::string text = fmt::format(
-      "carrier {:.5g} Hz, planet {:.5g} Hz and cage {:.5g} Hz relative to it, teeth {:.6g} Hz\n"
-      "rollers pass a place of the planet's bore at {:.6g} Hz, of the pin at {:.6g} Hz, races one of a "
-      "roller at "
-      "{:.6g} Hz\n",
-      at.carrier, at.planet, at.bearing.cage, at.mesh, at.bearing.outer_pass, at.bearing.inner_pass,
-      at.bearing.element_pass);
-  text += fmt::format(
-      "as turned: cage {:.6g} Hz; passes {:.6g} Hz (bore), {:.6g} Hz (pin); largest roller load {:.4g} N\n",
-      study.turned.bearing.cage, study.turned.bearing.outer_pass, study.turned.bearing.inner_pass,
-      study.vibration.largest_load);
-  const auto view = [&](const char* name, const InstrumentView& of, const char* unit) {
-    text += fmt::format("\n{}: {:.4g} {} rms; {}\n", name, root_mean_square(of.signal), unit, band_text(of));
-    text += peaks_text("envelope", of.envelope_peaks, study.run_up, unit, 4);
-    text += peaks_text("spectrum", of.spectrum_peaks, study.run_up, unit, 4);
+using described::Record;
+namespace dimension = described::dimension;
+
+void describe_frequencies(Record& record, const study::PlanetFrequencies& at) {
+  const auto add = [&](const char* name, const char* meaning, double frequency) {
+    record.value(name, dimension::cycles, meaning, frequency);
   };
-  view("in the carrier's frame", study.carrier, "m/s2");
-  view("on the housing", study.housing, "N");
-  return text;
+  add("carrier_Hz", "turns of the carrier", at.carrier);
+  add("planet_Hz", "turns of the planet relative to the carrier", at.planet);
+  add("planet_pass_Hz", "planets past a place of the ring", at.planets * at.carrier);
+  add("mesh_Hz", "teeth of both meshes", at.mesh);
+  add("cage_Hz", "turns of the cage relative to the carrier", at.bearing.cage);
+  add("outer_pass_Hz", "rollers over a place of the planet's bore", at.bearing.outer_pass);
+  add("inner_pass_Hz", "rollers over a place of the pin", at.bearing.inner_pass);
+  add("roller_pass_Hz", "a place of a roller over either race", at.bearing.element_pass);
 }
 
-PointContent planet_defect_content(const PlanetDefectStudy& study) {
+// What one instrument shows.
+struct Instrument {
+  const char* key;
+  const char* name;  // of its series
+  const char* meaning;
+  const InstrumentView& view;
+  const described::Dimension& of;
+  bool run_up;
+};
+
+void describe_instrument(Record& record, const Instrument& instrument) {
+  const auto& [key, name, meaning, view, of, run_up] = instrument;
+  record.value("amplitude_unit", "of the signal", of.customary);
+  record.value("rms", of, "root mean square about the mean", root_mean_square(view.signal));
+  record.value("max", of, "largest deviation from the mean",
+               (view.signal - view.signal.mean()).abs().maxCoeff());
+  describe_band(record, view, run_up);
+  describe_peaks(record, "envelope_peaks", name + std::string("_envelope_peak"), view.envelope_peaks, run_up,
+                 of);
+  describe_peaks(record, "spectrum_peaks", name + std::string("_spectrum_peak"), view.spectrum_peaks, run_up,
+                 of);
+}
+
+void describe_spectra(Record& record, const Instrument& instrument) {
+  const std::string of = instrument.name;
+  const auto add = [&](const std::string& lines, const std::string& name, const signals::Spectrum& spectrum,
+                       const char* meaning) {
+    record.series(name + "_place", instrument.run_up ? dimension::ratio : dimension::cycles,
+                  instrument.run_up ? "order of the carrier" : "frequency", {lines},
+                  evenly_spaced(spectrum.amplitude.size(), spectrum.resolution));
+    record.series(name, instrument.of, meaning, {lines}, spectrum.amplitude);
+  };
+  add(of + "_line", of + "_spectrum", instrument.view.spectrum, "amplitude, Hann window");
+  add(of + "_envelope_line", of + "_envelope_spectrum", instrument.view.envelope_spectrum,
+      "amplitude of the envelope, Hann window");
+}
+
+void describe_series(Record& record, const PlanetDefectStudy& study) {
   const study::PlanetVibration& motion = study.vibration;
-  const Eigen::Index count = motion.housing.size();
-  PointContent content;
-  content.add_dimension("time", count);
-  content.add_dimension("direction", 2);
-  const auto along_time = [&](const char* name, const char* units, const char* meaning,
-                              const Eigen::ArrayXd& of) { content.add(name, {"time"}, units, meaning, of); };
-  along_time("time", "s", "time since the signal began",
-             Eigen::ArrayXd::LinSpaced(count, 0.0, static_cast<double>(count - 1) / motion.rate));
-  content.add("acceleration", {"direction", "time"}, "m s-2",
-              "damaged planet relative to its pin, outward and in the sense of carrier rotation",
-              motion.acceleration);
-  along_time("loaded_acceleration", "m s-2", "the same along the middle of the load zone",
-             study.carrier.signal);
-  along_time("housing_force", "N", "meshes of the ring as an instrument on the housing feels them",
-             motion.housing);
-  along_time("carrier_angle", "rad", "turned by the carrier", motion.carrier_angle);
-  along_time("planet_angle", "rad", "turned by the damaged planet relative to the carrier",
-             motion.planet_angle);
-  content.add("sampling_rate", "s-1", "samples a second", motion.rate);
-  const char* units = study.run_up ? "1" : "s-1";
-  const auto spectra = [&](const std::string& of, const InstrumentView& view, const char* unit) {
-    const std::string lines = of + "_line", envelope_lines = of + "_envelope_line";
-    const auto add = [&](const std::string& dimension, const std::string& name,
-                         const signals::Spectrum& spectrum, const char* meaning) {
-      const Eigen::Index size = spectrum.amplitude.size();
-      content.add_dimension(dimension, size);
-      content.add(name + "_place", {dimension}, units, study.run_up ? "order of the carrier" : "frequency",
-                  Eigen::ArrayXd::LinSpaced(size, 0.0, spectrum.frequency(size - 1)).eval());
-      content.add(name, {dimension}, unit, meaning, spectrum.amplitude);
-    };
-    add(lines, of + "_spectrum", view.spectrum, "amplitude, Hann window");
-    add(envelope_lines, of + "_envelope_spectrum", view.envelope_spectrum,
-        "amplitude of the envelope, Hann window");
+  const auto along_time = [&](const char* name, const described::Dimension& of, const char* meaning,
+                              const Eigen::ArrayXd& values) {
+    record.series(name, of, meaning, {"time"}, values);
   };
-  spectra("carrier", study.carrier, "m s-2");
-  spectra("housing", study.housing, "N");
-  return content;
+  describe_time(record, motion.housing.size(), motion.rate);
+  record.series("acceleration", dimension::acceleration,
+                "damaged planet relative to its pin, outward and in the sense of carrier rotation",
+                {"direction", "time"}, motion.acceleration);
+  along_time("loaded_acceleration", dimension::acceleration, "the same along the middle of the load zone",
+             study.carrier.signal);
+  along_time("housing_force", dimension::force,
+             "meshes of the ring as an instrument on the housing feels them", motion.housing);
+  along_time("carrier_angle", dimension::angle, "turned by the carrier", motion.carrier_angle);
+  along_time("planet_angle", dimension::angle, "turned by the damaged planet relative to the carrier",
+             motion.planet_angle);
+}
+
+}  // namespace
+
+void describe(Record& record, const PlanetDefectStudy& study) {
+  const auto& at = study.rolling;
+  describe_vibration(record, at.planet, at.bearing.cage, study.defect_frequency, study.carrier, study.run_up);
+  record.child("at_pure_rolling", "frequencies", at, describe_frequencies);
+  record.child("turned", "frequencies, as cage and planet turned", study.turned, describe_frequencies);
+  record.value("cage_slip", dimension::ratio, "against pure rolling",
+               1.0 - study.turned.bearing.cage / study.turned.planet * at.planet / at.bearing.cage);
+  const Instrument instruments[] = {
+      {"carrier_frame", "carrier", "damaged planet in the carrier's frame", study.carrier,
+       dimension::acceleration, study.run_up},
+      {"housing", "housing", "an instrument on the housing", study.housing, dimension::force, study.run_up}};
+  for (const Instrument& one : instruments) record.child(one.key, one.meaning, one, describe_instrument);
+  record.value("contact_load_max_N", dimension::force, "largest load of a roller",
+               study.vibration.largest_load);
+  describe_series(record, study);
+  for (const Instrument& one : instruments) describe_spectra(record, one);
 }
 
 std::vector<Derived> planet_defect_quantities(const ResolvedCase& in) {

@@ -3,16 +3,15 @@
 #pragma once
 
 #include <functional>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/case/check_table.hpp"
 #include "app/case/resolved_case.hpp"
-#include "app/results/point_content.hpp"
 #include "app/study/defect_study.hpp"
 #include "coupling/study/planet_scratch.hpp"
+#include "mechanics/record.hpp"
 
 namespace orbearing::app {
 
@@ -44,9 +43,7 @@ std::vector<signals::ExpectedLine> planet_lines(const std::vector<bearing::defec
 /// any other, or for a peak that is not there.
 double planet_defect_property(const PlanetDefectStudy& study, const std::string& quantity);
 
-nlohmann::ordered_json planet_defect_json(const PlanetDefectStudy& study);
-std::string planet_defect_text(const PlanetDefectStudy& study);
-PointContent planet_defect_content(const PlanetDefectStudy& study);
+void describe(described::Record& record, const PlanetDefectStudy& study);
 
 /// What follows from the inputs, for `orbearing check`.
 std::vector<Derived> planet_defect_quantities(const ResolvedCase& resolved);

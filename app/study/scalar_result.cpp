@@ -84,10 +84,10 @@ Run run_of(const ResolvedCase& in, const std::string& fidelity) {
             described([](const ResolvedCase& c) { return film_study(c); })};
   if (is_defect(in))
     return {use::defect, scatter::in_motion,
-            [](const ResolvedCase& c) { return defect_json(defect_study(c)); }};
+            described([](const ResolvedCase& c) { return defect_study(c); })};
   if (is_planet_defect(in))
     return {use::planet_defect, scatter::in_motion,
-            [](const ResolvedCase& c) { return planet_defect_json(planet_defect_study(c)); }};
+            described([](const ResolvedCase& c) { return planet_defect_study(c); })};
   if (in.model() != planetary_drivetrain || !has_planet_bearing(in))
     return {use::gears, scatter::in_motion, gears_alone};
   return run_of_drivetrain(in, fidelity);

@@ -269,7 +269,7 @@ void describe_one_way(Record& record, const PointResult& point) {
   const auto add = [&](const char* name, const char* meaning, double value) {
     record.value(std::string("one_way_") + name, dimension::ratio, meaning, there ? value : kAbsent);
   };
-  add("runs", "runs of gears and bearing until the law between them was found", fit.runs);
+  add("runs", "runs of gears and bearing that the law between them took", fit.runs);
   add("accepted",
       "1: the last run agrees with the law that drove it, and the gears with its mean load; 0: not",
       fit.accepted ? 1.0 : 0.0);

@@ -140,7 +140,7 @@ inline std::string result_of(const ResolvedCase& in, use::Analysis analysis) {
     case use::monolithic:
       return point_result(in, study::Fidelity::monolithic);
     case use::planet_defect:
-      return planet_defect_json(planet_defect_study(in)).dump();
+      return record_text(planet_defect_study(in));
     case use::crown:
       return crown_result(in);
     case use::gears:
@@ -159,9 +159,9 @@ inline std::string result_of(const ResolvedCase& in, use::Analysis analysis) {
     case use::ball_run:
       return record_text(ball_study(in));
     case use::defect:
-      return defect_json(defect_study(in)).dump();
+      return record_text(defect_study(in));
     case use::moving_defect:
-      return defect_json(defect_study(in, DefectRung::all)).dump();
+      return record_text(defect_study(in, DefectRung::all));
     case use::duplex_modes: {
       std::string text = record_text(pair_point(in));
       for (const PairAtSpeed& at : pair_over_speed(in)) text += record_text(at);

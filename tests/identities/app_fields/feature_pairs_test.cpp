@@ -313,7 +313,7 @@ void check_sets(const Values& values) {
 std::string vibration(const Values& values) {
   const ResolvedCase in = resolved(values);
   require_used(in, use::planet_defect);
-  return planet_defect_json(planet_defect_study(in)).dump();
+  return json_of(record_of(planet_defect_study(in))).dump();
 }
 
 double level(const Values& values) {
