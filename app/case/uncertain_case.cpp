@@ -525,10 +525,6 @@ std::vector<std::vector<double>> all_correlations(const StatedCorrelations& stat
   return matrix;
 }
 
-nlohmann::json number_or_null(double value) {
-  return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json(nullptr);
-}
-
 }  // namespace
 
 bool can_be_uncertain(const Field& field) {
@@ -569,6 +565,7 @@ UncertainInputs uncertain_inputs(const ResolvedCase& resolved) {
   return found;
 }
 
+// What is not finite is written as null.
 nlohmann::json uncertain_json(const ResolvedCase& resolved) {
   const UncertainInputs found = uncertain_inputs(resolved);
   nlohmann::json inputs = nlohmann::json::array();
@@ -576,11 +573,11 @@ nlohmann::json uncertain_json(const ResolvedCase& resolved) {
     inputs.push_back({{"path", one.path},
                       {"distribution", one.distribution},
                       {"value", one.value},
-                      {"mean", number_or_null(one.mean)},
-                      {"standard_deviation", number_or_null(one.standard_deviation)},
-                      {"from", number_or_null(one.from)},
-                      {"peak", number_or_null(one.peak)},
-                      {"to", number_or_null(one.to)},
+                      {"mean", one.mean},
+                      {"standard_deviation", one.standard_deviation},
+                      {"from", one.from},
+                      {"peak", one.peak},
+                      {"to", one.to},
                       {"si_unit", one.si_unit},
                       {"unit", one.unit},
                       {"units_per_si", one.units_per_si},
