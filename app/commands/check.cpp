@@ -5,20 +5,15 @@
 
 #include "app/case/bought_case.hpp"
 #include "app/case/check_table.hpp"
-#include "app/case/defect_case.hpp"
 #include "app/case/uncertain_case.hpp"
 #include "app/case/unused_inputs.hpp"
 #include "app/commands/presentation.hpp"
 #include "app/results/record_writers.hpp"
-#include "app/study/defect_study.hpp"
-#include "app/study/duplex_study.hpp"
+#include "app/study/analysis.hpp"
 #include "app/study/gear_case.hpp"
 #include "app/study/mesh_study.hpp"
-#include "app/study/planet_defect.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/study/power_table.hpp"
-#include "app/study/static_ratings.hpp"
-#include "app/study/static_study.hpp"
 
 namespace orbearing::app {
 
@@ -35,17 +30,16 @@ Checked check(const ResolvedCase& resolved) {
     const MeshStudy meshes = mesh_study(resolved.without_sweep());
     return {pair_quantities(resolved, meshes), meshes.warnings};
   }
-  if (is_static_bearing(resolved)) return {static_quantities(resolved), {}, {}};
-  if (is_defect(resolved)) return {defect_quantities(resolved), {}, {}};
-  if (is_duplex(resolved)) return {duplex_quantities(resolved), {}, {}};
-  if (resolved.model() != planetary_drivetrain) return {};
+  const Analysis* analysis = analysis_of(resolved);
+  const std::vector<Derived> own =
+      analysis != nullptr && analysis->derived != nullptr ? analysis->derived(resolved) : std::vector<Derived>{};
+  if (resolved.model() != planetary_drivetrain) return {own, {}, {}};
   Checked checked{derived_quantities(resolved), gear_warnings(resolved), {}};
   if (resolved.shape().several || resolved.shape().teeth) checked.power = power_table(resolved);
   if (!resolved.shape().several)
     for (const Derived& row : gear_dynamics_quantities(resolved))
       if (!resolved.has(row.path)) checked.derived.push_back(row);
-  if (is_planet_defect(resolved))
-    for (const Derived& row : planet_defect_quantities(resolved)) checked.derived.push_back(row);
+  checked.derived.insert(checked.derived.end(), own.begin(), own.end());
   return checked;
 }
 

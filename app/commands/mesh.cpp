@@ -1,5 +1,5 @@
 #include "app/case/unused_inputs.hpp"
-#include "app/commands/lone_result.hpp"
+#include "app/commands/kept_result.hpp"
 #include "app/commands/presentation.hpp"
 #include "app/results/terminal_chart.hpp"
 #include "app/study/mesh_output.hpp"

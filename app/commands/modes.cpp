@@ -1,9 +1,10 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "app/case/units.hpp"
 #include "app/case/unused_inputs.hpp"
-#include "app/commands/lone_result.hpp"
-#include "app/commands/lone_runs.hpp"
+#include "app/commands/kept_result.hpp"
 #include "app/commands/presentation.hpp"
 #include "app/errors.hpp"
 #include "app/study/duplex_study.hpp"
@@ -42,6 +43,16 @@ gearset::dynamics::SetModel model_at(const ResolvedCase& resolved, const Options
   if (speed == 0.0 || resolved.model() != planetary_drivetrain || !resolved.shape().teeth)
     return gear_model_at(resolved, speed);
   return gear_model_of(with_speed(resolved, "input.speed", *options.speed));
+}
+
+int duplex_modes(const ResolvedCase& resolved, const Options& options) {
+  const std::vector<std::string> unused = require_used(resolved, use::duplex_modes);
+  const PairPoint point = pair_point(resolved);
+  const std::vector<PairAtSpeed> over_speed = pair_over_speed(resolved);
+  Record record = record_of(point);
+  if (!over_speed.empty()) record.table("over_speed", "speed", "the pair at operation.speeds", over_speed);
+  present_record(resolved, record, joined(unused, point.warnings), options);
+  return std::ranges::any_of(over_speed, [](const PairAtSpeed& one) { return !one.modes; }) ? 1 : 0;
 }
 
 }  // namespace

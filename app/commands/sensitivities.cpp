@@ -9,7 +9,7 @@
 
 #include "app/case/spectrum_case.hpp"
 #include "app/case/unused_inputs.hpp"
-#include "app/commands/lone_result.hpp"
+#include "app/commands/kept_result.hpp"
 #include "app/commands/presentation.hpp"
 #include "app/errors.hpp"
 #include "app/results/durable_file.hpp"
@@ -89,16 +89,16 @@ int sensitivities_command(const Options& options) {
   if (options.resume && options.output.empty())
     throw BadInput("--resume: found without --output; required: the folder to go on with");
   const ResolvedCase resolved = point_of(options);
-  const ScalarResult result = scalar_result(resolved, options.fidelity, options.result);
+  const ScalarResult result = scalar_result(resolved, options.fidelity_given ? options.fidelity : "", options.result);
   require_inputs(resolved, result, options);
   std::vector<std::string> warnings = require_used(resolved, result.analysis);
   for (std::string& text : spectrum_warnings(resolved, "sensitivities")) warnings.push_back(std::move(text));
   const ScalarResult::Value here = value_here(resolved, result);
   const std::string table = name_of_table(result, options);
-  const LoneAnalysis analysis{table.c_str(), "sensitivities of a result", "sensitivities.json"};
-  return run_alone(resolved, options, analysis, [&]() -> LoneResult {
+  const ResultNames names{table.c_str(), "sensitivities of a result", "sensitivities.json"};
+  return compute_and_keep(resolved, options, names, [&]() -> AnalysisResult {
     const Derivatives found = derivatives_of(resolved, result, here, options);
-    LoneResult described = described_result(found, warnings);
+    AnalysisResult described = described_result(found, warnings);
     described.files = {{"sensitivities.csv", derivatives_csv(found)}};
     return described;
   });

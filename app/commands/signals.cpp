@@ -7,7 +7,7 @@
 
 #include "app/case/resolved_writer.hpp"
 #include "app/case/unused_inputs.hpp"
-#include "app/commands/lone_runs.hpp"
+#include "app/commands/kept_result.hpp"
 #include "app/commands/presentation.hpp"
 #include "app/errors.hpp"
 #include "app/results/progress.hpp"
@@ -100,7 +100,9 @@ class SignalSet {
     write_aside_and_rename({{signal_file(folder_, number, ".csv"), signal_csv(study)},
                             {signal_file(folder_, number, ".wav"), signal_wav(study)},
                             {signal_file(folder_, number, ".json"), labels_[number].dump(2) + "\n"}});
-    folder_.keep({{number, defect_file(header_, study), defect_row(folder_.head(), study)}});
+    const AnalysisResult result = defect_result(study, false);
+    folder_.keep({{number, result_file(header_, analysis_of(resolved_)->title, result.content),
+                   row_of_values(folder_.head(), result.row)}});
   }
 
   const ResolvedCase& resolved_;
@@ -140,10 +142,7 @@ int signals_command(const Options& options) {
   if (!is_defect(resolved))
     throw BadInput(fmt::format("signals: found a case of the model {}; required: raceway-defect",
                                resolved.choice("model")));
-  const bool moving = options.fidelity == "dynamic";
-  require_rung(resolved, moving);
-  const use::Analysis analysis = moving ? use::moving_defect : use::defect;
-  std::vector<std::string> warnings = require_used(resolved, analysis);
+  std::vector<std::string> warnings = require_used(resolved, analysis_of(resolved, options.fidelity)->used);
   const std::vector<SignalAxis> axes = signal_axes(options.varied, resolved);
   std::vector<SignalVariant> variants = signal_variants(resolved, axes);
   const ManifestHeader header = manifest_header(resolved, grid_text(options, axes), variants.size());

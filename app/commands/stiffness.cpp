@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "app/case/unused_inputs.hpp"
-#include "app/commands/lone_result.hpp"
+#include "app/commands/kept_result.hpp"
 #include "app/commands/presentation.hpp"
 #include "app/errors.hpp"
 #include "app/study/stiffness_output.hpp"
@@ -18,8 +18,8 @@ int stiffness_command(const Options& options) {
   const std::vector<std::string> unused =
       require_used(resolved, planet ? use::planet_stiffness : use::stiffness, Axes::all);
   const StiffnessStudy study = stiffness_study(resolved);
-  return run_alone(resolved, options, {"stiffness", "stiffness"}, [&]() -> LoneResult {
-    LoneResult result = described_result(study, joined(unused, study.warnings));
+  return compute_and_keep(resolved, options, {"stiffness", "stiffness"}, [&]() -> AnalysisResult {
+    AnalysisResult result = described_result(study, joined(unused, study.warnings));
     result.files = {{"stiffness.csv", stiffness_csv(study)}};
     result.failed = std::any_of(study.points.begin(), study.points.end(),
                                 [](const StiffnessPoint& point) { return !point.stiffness; });

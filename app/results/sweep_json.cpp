@@ -20,8 +20,9 @@ Json column_units(const ManifestHeader& header) {
   for (const SweptAxis& axis : header.axes) units[axis.column] = axis.units;
   Record set;
   describe(set, study::SetResult{});
+  const Json units_of_set = units_of(set);  // outlives its items
   for (const std::string& name : header.sets)
-    for (const auto& [column, unit] : units_of(set).items()) units["sets." + name + "." + column] = unit;
+    for (const auto& [column, unit] : units_of_set.items()) units["sets." + name + "." + column] = unit;
   return units;
 }
 

@@ -9,19 +9,11 @@
 #include "app/case/defect_case.hpp"
 #include "app/case/unused_inputs.hpp"
 #include "app/errors.hpp"
-#include "app/results/record_writers.hpp"
 #include "app/results/result_row.hpp"
 #include "app/results/row_text.hpp"
 #include "app/study/ball_study.hpp"
 #include "app/study/computable.hpp"
-#include "app/study/defect_output.hpp"
-#include "app/study/defect_study.hpp"
-#include "app/study/duplex_study.hpp"
 #include "app/study/fidelity.hpp"
-#include "app/study/film_study.hpp"
-#include "app/study/gear_case.hpp"
-#include "app/study/gear_output.hpp"
-#include "app/study/planet_defect.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/study/rated_oil.hpp"
 #include "app/study/static_study.hpp"
@@ -40,14 +32,6 @@ struct Run {
   std::function<Json(const ResolvedCase&)> compute;
 };
 
-Json gears_alone(const ResolvedCase& in) {
-  const study::GearRunResult run = study::run_gears(moving_gears_of(in), gear_run_options(in));
-  if (!run.completed) throw ComputationFailed(run.message);
-  Record record;
-  describe_gear_run(record, run);
-  return json_of(record);
-}
-
 // The row of its one point.
 Json drivetrain_point(const ResolvedCase& in, study::Fidelity fidelity) {
   const std::vector<std::string> sets = bearing_set_names(in);
@@ -65,32 +49,13 @@ Run run_of_drivetrain(const ResolvedCase& in, const std::string& fidelity) {
           [level](const ResolvedCase& changed) { return drivetrain_point(changed, level); }};
 }
 
-// What `study` finds of a case, by the names that it describes.
-template <class Study>
-std::function<Json(const ResolvedCase&)> described(const Study& study) {
-  return [study](const ResolvedCase& changed) { return json_of(record_of(study(changed))); };
-}
-
 Run run_of(const ResolvedCase& in, const std::string& fidelity) {
-  if (is_static_bearing(in))
-    return {use::static_load, in.has("bearing.balls") ? scatter::of_balls : scatter::at_rest,
-            described(static_study)};
-  if (is_duplex(in)) return {use::duplex_run, scatter::of_balls, described(duplex_study)};
-  if (is_ball_run(in))
-    return {use::ball_run, scatter::in_motion,
-            described([](const ResolvedCase& c) { return ball_study(c); })};
-  if (is_spin_film(in))
-    return {use::spin_film, scatter::of_films,
-            described([](const ResolvedCase& c) { return film_study(c); })};
-  if (is_defect(in))
-    return {use::defect, scatter::in_motion,
-            described([](const ResolvedCase& c) { return defect_study(c); })};
-  if (is_planet_defect(in))
-    return {use::planet_defect, scatter::in_motion,
-            described([](const ResolvedCase& c) { return planet_defect_study(c); })};
-  if (in.model() != planetary_drivetrain || !has_planet_bearing(in))
-    return {use::gears, scatter::in_motion, gears_alone};
-  return run_of_drivetrain(in, fidelity);
+  const Analysis* analysis = analysis_of(in, fidelity);
+  if (analysis == nullptr && has_planet_bearing(in))
+    return run_of_drivetrain(in, fidelity.empty() ? "quasi-static" : fidelity);
+  const Analysis& row = analysis != nullptr ? *analysis : gears_alone();
+  return {row.used, row.scatter,
+          [compute = row.compute](const ResolvedCase& changed) { return compute(changed, {}).json; }};
 }
 
 [[noreturn]] void refuse_life(const ResolvedCase& in, const std::string& path, const std::string& found,

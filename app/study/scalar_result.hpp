@@ -4,17 +4,9 @@
 #include <functional>
 #include <string>
 
-#include "app/case/resolved_case.hpp"
+#include "app/study/analysis.hpp"
 
 namespace orbearing::app {
-
-/// Relative differences between runs whose inputs differ by round-off [-].
-namespace scatter {
-inline constexpr double at_rest = 1e-14;   // equilibria of rollers are found to 1e-15
-inline constexpr double of_balls = 1e-13;  // those of balls
-inline constexpr double of_films = 1e-8;   // of the Reynolds solver's iterations
-inline constexpr double in_motion = 3e-3;  // lives from another start (docs/sensitivities.md)
-}  // namespace scatter
 
 struct ScalarResult {
   struct Value {
@@ -33,8 +25,8 @@ struct ScalarResult {
 };
 
 /// The number at `key`, parts of a path joined by '/', of the run of the case at its operating point; without
-/// a key the life that results go by. Throws BadInput where the case has none.
-ScalarResult scalar_result(const ResolvedCase& resolved, const std::string& fidelity = "quasi-static",
+/// a key the life that results go by. `fidelity`: empty where the user named none. Throws BadInput where the case has none.
+ScalarResult scalar_result(const ResolvedCase& resolved, const std::string& fidelity = "",
                            const std::string& key = "");
 
 /// That of the case itself. Throws BadInput or ComputationFailed where its run gives none.

@@ -49,7 +49,7 @@ StiffnessPoint lone_point(const bearing::Bearing& bearing, const equilibrium::Ro
   return point;
 }
 
-StiffnessStudy lone_stiffness(const ResolvedCase& in) {
+StiffnessStudy single_stiffness(const ResolvedCase& in) {
   const bearing::Bearing bearing = bearing_of(in);
   equilibrium::RowMotion motion = row_motion_of(in);
   StiffnessStudy study{
@@ -139,7 +139,7 @@ StiffnessStudy planet_stiffness_of(const ResolvedCase& in) {
 StiffnessStudy stiffness_study(const ResolvedCase& in) {
   StiffnessStudy study;
   if (is_static_bearing(in)) {
-    study = lone_stiffness(in);
+    study = single_stiffness(in);
   } else if (in.model() == planetary_drivetrain && (in.shape().several || in.shape().bearing)) {
     study = planet_stiffness_of(in);
   } else {

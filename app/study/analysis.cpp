@@ -1,0 +1,257 @@
+#include "app/study/analysis.hpp"
+
+#include <algorithm>
+
+#include "app/case/defect_case.hpp"
+#include "app/errors.hpp"
+#include "app/study/ball_study.hpp"
+#include "app/study/defect_output.hpp"
+#include "app/study/duplex_study.hpp"
+#include "app/study/film_study.hpp"
+#include "app/study/gear_case.hpp"
+#include "app/study/gear_output.hpp"
+#include "app/study/planet_defect.hpp"
+#include "app/study/static_ratings.hpp"
+#include "app/study/static_study.hpp"
+#include "app/units.hpp"
+
+namespace orbearing::app {
+
+namespace {
+
+// "load_max_N" of "inner" may be the column inner_load_max_N.
+void add_to_row(const std::string& prefix, const nlohmann::ordered_json& object,
+                std::vector<std::pair<std::string, double>>& row) {
+  for (const auto& [name, value] : object.items()) {
+    if (value.is_number()) row.emplace_back(prefix + name, value.get<double>());
+    if (value.is_object()) add_to_row(prefix + name + "_", value, row);
+  }
+}
+
+template <Model model>
+bool is_model(const ResolvedCase& in) {
+  return in.model() == model;
+}
+
+// Columns are of lives: a vibration has none but the largest load.
+void put_load(double largest, AnalysisResult& result) {
+  result.row = {{"inner_load_max_N", largest}, {"outer_load_max_N", largest}};
+}
+
+// Lives first.
+template <class Study>
+AnalysisResult rated_result(const Study& study) {
+  AnalysisResult result = described_result(study, study.warnings);
+  result.text = lives_text(study.life_table()) + "\n" + result.text;
+  return result;
+}
+
+AnalysisResult bearing_at_rest(const ResolvedCase& in, const Wanted&) {
+  return rated_result(static_study(in));
+}
+
+AnalysisResult balls_in_time(const ResolvedCase& in, const Wanted& wanted) {
+  return rated_result(ball_study(in, wanted.progress));
+}
+
+AnalysisResult ring_on_massless_elements(const ResolvedCase& in, const Wanted& wanted) {
+  return defect_result(defect_study(in), wanted.files);
+}
+
+AnalysisResult scratched_balls_in_motion(const ResolvedCase& in, const Wanted& wanted) {
+  return defect_result(defect_study(in, DefectRung::all, wanted.progress), wanted.files);
+}
+
+AnalysisResult scratched_planet(const ResolvedCase& in, const Wanted& wanted) {
+  const PlanetDefectStudy study = planet_defect_study(in, wanted.progress);
+  AnalysisResult result = described_result(study, {});
+  put_load(study.vibration.largest_load, result);
+  return result;
+}
+
+AnalysisResult duplex_pair_at_rest(const ResolvedCase& in, const Wanted&) {
+  const DuplexStudy study = duplex_study(in);
+  AnalysisResult result = described_result(study, study.warnings);
+  result.failed = std::ranges::any_of(study.over_speed, [](const PairAtSpeed& point) { return !point.modes; });
+  return result;
+}
+
+AnalysisResult film_of_contact(const ResolvedCase& in, const Wanted&) {
+  const FilmStudy study = film_study(in);
+  AnalysisResult result = described_result(study, study.warnings);
+  result.failed = std::ranges::any_of(study.points, &FilmPoint::lost);
+  return result;
+}
+
+bool runs_gears_alone(const ResolvedCase& in) {
+  return in.model() == planetary_drivetrain && !in.shape().several && !in.shape().bearing;
+}
+
+AnalysisResult vibration_of_gears(const ResolvedCase& in, const Wanted&) {
+  const gearset::dynamics::SetModel model = moving_gears_of(in);
+  if (!in.shape().teeth)
+    throw BadInput(in.file() +
+                   ": gearset.teeth: missing; required: teeth, which give loads and mesh frequency; "
+                   "orbearing modes shows the natural frequencies of a set without");
+  const study::GearRunResult run = study::run_gears(model, gear_run_options(in));
+  if (!run.completed) throw ComputationFailed(in.text("name") + ": " + run.message);
+  Record record;
+  describe_gear_run(record, run);
+  AnalysisResult result = recorded_result(record, gear_dynamics_warnings(in));
+  if (!run.steady) result.warnings.push_back(run.message);
+  result.row = {{"input_speed_rpm", kRpm * in.quantity("input.speed")},
+                {"carrier_speed_rpm", kRpm * model.operation.speeds.carrier}};
+  if (!run.message.empty()) result.status = run.message;
+  return result;
+}
+
+constexpr const char* ring_required =
+    "none for the model raceway-defect, whose ring moves on balls without mass, or dynamic, for all of the bearing in "
+    "motion";
+constexpr const char* at_rest_required = "quasi-static for a single bearing under a static load";
+constexpr const char* defect_title = "vibration of a bearing with scratches";
+constexpr const char* signal_progress = "signal, in hundredths: ";
+constexpr std::size_t hundredths = 100;
+
+const std::vector<Analysis>& all_analyses() {
+  static const std::vector<Analysis> table{
+      {.used = use::static_load,
+       .is_of = is_model<roller_bearing>,
+       .fidelities = {"quasi-static"},
+       .required = at_rest_required,
+       .name = "static",
+       .title = "bearing under a static load",
+       .scatter = scatter::at_rest,
+       .compute = bearing_at_rest,
+       .derived = static_quantities},
+      {.used = use::static_load,
+       .is_of = is_model<ball_bearing>,
+       .fidelities = {"quasi-static"},
+       .required = at_rest_required,
+       .name = "static",
+       .title = "bearing under a static load",
+       .scatter = scatter::of_balls,
+       .compute = bearing_at_rest,
+       .derived = static_quantities},
+      {.used = use::ball_run,
+       .is_of = is_ball_run,
+       .fidelities = {"dynamic"},
+       .required = "dynamic for a ball bearing in time, or a case without the block simulation",
+       .name = "dynamic",
+       .title = "ball bearing in time",
+       .json_file = ball_file_name,
+       .doing = "time, in thousandths: ",
+       .parts = 1000,
+       .compute = balls_in_time},
+      {.used = use::defect,
+       .is_of = is_model<raceway_defect>,
+       .fidelities = {"quasi-static"},
+       .required = ring_required,
+       .name = "defect",
+       .title = defect_title,
+       .json_file = defect_file_name,
+       .compute = ring_on_massless_elements,
+       .derived = defect_quantities},
+      {.used = use::moving_defect,
+       .is_of = is_model<raceway_defect>,
+       .fidelities = {"dynamic"},
+       .required = ring_required,
+       .name = "defect, all in motion",
+       .title = defect_title,
+       .json_file = defect_file_name,
+       .doing = signal_progress,
+       .parts = hundredths,
+       .compute = scratched_balls_in_motion,
+       .derived = defect_quantities},
+      {.used = use::defect,
+       .is_of = is_model<roller_defect>,
+       .fidelities = {"quasi-static"},
+       .required = "none for a scratched bearing of rollers by itself, or a planetary drivetrain with a block 'defect', "
+                   "where all of its bearings move",
+       .name = "defect",
+       .title = defect_title,
+       .json_file = defect_file_name,
+       .compute = ring_on_massless_elements,
+       .derived = defect_quantities},
+      {.used = use::planet_defect,
+       .is_of = is_planet_defect,
+       .fidelities = {"monolithic"},
+       .required = "none, or monolithic, for a gear set with a scratched planet bearing, which is one system of gears "
+                   "and bearings",
+       .name = "scratched planet bearing",
+       .title = "vibration of a gear set with a scratched planet bearing",
+       .json_file = defect_file_name,
+       .doing = signal_progress,
+       .parts = hundredths,
+       .compute = scratched_planet,
+       .derived = planet_defect_quantities},
+      {.used = use::duplex_run,
+       .is_of = is_duplex,
+       .fidelities = {"quasi-static"},
+       .required = "none for the model duplex-pair, which is in balance",
+       .name = "duplex",
+       .title = "shaft on a duplex pair",
+       .json_file = "duplex.json",
+       .scatter = scatter::of_balls,
+       .compute = duplex_pair_at_rest,
+       .derived = duplex_quantities},
+      {.used = use::spin_film,
+       .is_of = is_spin_film,
+       .fidelities = {"quasi-static"},
+       .required = "none for the model spin-film, which is steady",
+       .name = "film",
+       .title = "film of a contact",
+       .scatter = scatter::of_films,
+       .compute = film_of_contact},
+      {.used = use::gears,
+       .is_of = runs_gears_alone,
+       .fidelities = {},
+       .required = "none for a gear set without a bearing, which runs alone",
+       .name = "gears",
+       .title = "vibration of the gear set",
+       .compute = vibration_of_gears}};
+  return table;
+}
+
+}  // namespace
+
+AnalysisResult recorded_result(const Record& record, std::vector<std::string> warnings) {
+  AnalysisResult result{.json = json_of(record),
+                        .text = text_of(record),
+                        .content = content_of(record),
+                        .warnings = std::move(warnings),
+                        .units = units_of(record)};
+  add_to_row("", result.json, result.row);
+  for (const described::Entry& entry : record.entries())
+    if (!entry.file.empty()) result.files.emplace_back(entry.file, csv_of(entry));
+  return result;
+}
+
+std::vector<std::string> joined(std::vector<std::string> first, const std::vector<std::string>& second) {
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
+}
+
+const Analysis* analysis_of(const ResolvedCase& resolved, const std::string& fidelity) {
+  const Analysis* first = nullptr;
+  for (const Analysis& one : all_analyses()) {
+    if (!one.is_of(resolved)) continue;
+    if (fidelity.empty() || std::ranges::find(one.fidelities, fidelity) != one.fidelities.end()) return &one;
+    if (first == nullptr) first = &one;
+  }
+  if (first == nullptr) return nullptr;
+  throw BadInput("--fidelity: found " + fidelity + "; required: " + first->required);
+}
+
+const Analysis& gears_alone() {
+  return all_analyses().back();
+}
+
+AnalysisResult defect_result(const DefectStudy& study, bool files) {
+  AnalysisResult result = described_result(study, study.warnings);
+  put_load(study.vibration.largest_load, result);
+  if (files) result.files = {{"signal.csv", signal_csv(study)}, {"signal.wav", signal_wav(study)}};
+  return result;
+}
+
+}  // namespace orbearing::app
