@@ -169,6 +169,7 @@ SweepOutcome write_merged(const std::vector<ShardResults>& shards, const fs::pat
 }  // namespace
 
 SweepOutcome merge_shards(const std::vector<fs::path>& folders, const fs::path& folder, bool grid_only) {
+  if (folders.empty()) throw BadInput("merge: found no folder; required: those of all shards");
   const std::vector<ShardResults> shards = read_shards(folders);
   check(shards);
   const std::vector<fs::path> missing = missing_folders(folder);

@@ -131,7 +131,8 @@ std::size_t width_of(const std::vector<std::string>& column) {
 std::vector<std::string> lines_of(const Texts& columns) {
   std::vector<std::string> lines(columns.front().size());
   for (const std::vector<std::string>& column : columns) {
-    const bool numbers = column.size() > 1 && column[1].find_first_of("0123456789") <= 1;
+    const auto known = std::find_if(column.begin() + 1, column.end(), [](const auto& cell) { return cell != "-"; });
+    const bool numbers = known != column.end() && known->find_first_of("0123456789") <= 1;
     for (std::size_t i = 0; i < lines.size(); ++i)
       lines[i] += numbers ? fmt::format("  {:>{}}", column[i], width_of(column))
                           : fmt::format("  {:<{}}", column[i], width_of(column));

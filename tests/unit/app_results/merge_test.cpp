@@ -7,6 +7,7 @@
 
 #include "app/errors.hpp"
 #include "app/results/sweep_run.hpp"
+#include "tests/messages.hpp"
 #include "tests/unit/app_results/fake_sweep.hpp"
 
 namespace orbearing::app::merge_test {
@@ -116,7 +117,7 @@ TEST(Merge, EveryFolderWithoutResultsIsNamed) {
   const std::string message = refusal({place / "x", place / "y"}, place / "merged");
   EXPECT_THAT(message, HasSubstr("/x: no manifest.jsonl was found"));
   EXPECT_THAT(message, HasSubstr("/y: no manifest.jsonl was found"));
-  EXPECT_NE(refusal({}, place / "merged"), "accepted");
+  EXPECT_REFUSED(BadInput, "merge.nothing", merge_shards({}, place / "merged"));
 }
 
 TEST(Merge, OutputThatHoldsResultsIsRefused) {

@@ -171,7 +171,7 @@ TEST(Sweep, JsonHasThePromisedKeysAndNullWhereNothingIsKnown) {
                  nlohmann::ordered_json::array({"a warning"}), {{"orbearing", "0.1.0"}});
   std::vector<std::string> keys;
   for (const auto& [key, value] : object.items()) keys.push_back(key);
-  EXPECT_EQ(keys, (std::vector<std::string>{"points", "peak", "assumptions", "warnings", "versions"}));
+  EXPECT_EQ(keys, (std::vector<std::string>{"points", "peak", "assumptions", "warnings", "versions", "units"}));
   EXPECT_EQ(object["points"].size(), 10U);
   EXPECT_TRUE(object["points"][fake_sweep::failing_point]["life_h"].is_null());
   EXPECT_TRUE(object["points"][0]["film_inner_um"].is_null());
