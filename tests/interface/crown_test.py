@@ -268,7 +268,7 @@ class Folders(unittest.TestCase):
         except ImportError:
             self.skipTest("xarray is missing")
         with xarray.open_dataset(self.out / "points" / "00000.nc") as data:
-            self.assertEqual(dict(data.sizes), {"profile": 1, "drop": 2, "tilt": 2})
+            self.assertEqual({name: data.sizes[name] for name in ("profile", "drop", "tilt")}, {"profile": 1, "drop": 2, "tilt": 2})
             self.assertEqual(data["life"].attrs["units"], "h")
             life = next(p["life_h"] for p in json.loads(self.first.stdout)["points"] if p["drop_um"] == 4 and p["tilt_mrad"] == 1)
             self.assertEqual(float(data["life"][0, 1, 1]), life)
@@ -305,7 +305,7 @@ class Terminal(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             few = ("--drops", "4 um", "--starts", "1")
             shown = call("crown", REDUCER, "-o", pathlib.Path(folder) / "a", *few)
-            for text in ("drop [um]", "straight", "ISO/TS 16281", "optimum"):
+            for text in ("recommended.drop_um", "straight", "ISO/TS 16281", "optimum.life_h"):
                 self.assertIn(text, shown.stdout)
             self.assertEqual(call("crown", REDUCER, "-o", pathlib.Path(folder) / "b", "--quiet", *few).stdout, "")
 
