@@ -54,7 +54,7 @@ class Mesh(unittest.TestCase):
     def test_text(self):
         result = run("mesh", PAIR)
         self.assertEqual(result.returncode, 0)
-        self.assertIn("1.7898", result.stdout)
+        self.assertIn("1.78978", result.stdout)
         self.assertEqual(run("mesh", PAIR, "--quiet").stdout, "")
 
     def test_pair_is_not_run(self):
