@@ -134,11 +134,11 @@ class Picture(str):
 
 def to_svg(figure: Figure, slug: str, description: str) -> Picture:
     """The figure as an inline SVG element: no outside names, no date, identifiers unique by `slug`."""
-    FigureCanvasSVG(figure)
     target = io.StringIO()
     with warnings.catch_warnings():
         warnings.filterwarnings("ignore", message="Glyph .* missing")
-        figure.savefig(target, format="svg", metadata={"Date": None, "Creator": None})
+        # Not by savefig, which draws all of it once more beforehand.
+        FigureCanvasSVG(figure).print_svg(target, metadata={"Date": None, "Creator": None})
     picture = Picture(_inline(target.getvalue(), slug, description))
     picture.name, picture.panels = slug, panels_of(figure)
     return picture
