@@ -15,6 +15,7 @@
 #include "coupling/cosim/planetary_coupling.hpp"
 #include "coupling/study/driven_setups.hpp"
 #include "tests/coupled_reducer.hpp"
+#include "tests/full.hpp"
 #include "tests/many_scratches.hpp"
 
 namespace orbearing::app::app_planet_scratch_test {
@@ -104,6 +105,7 @@ TEST(PlanetScratch, ScratchOfThePinOutsideTheLoadZoneGivesNothing) {
 }
 
 TEST(PlanetScratch, RollerIsCarriedThroughTheLoadZoneByTheCage) {
+  if (!test::is_full()) GTEST_SKIP() << "a long signal of its own: tools/test --full";
   const PlanetDefectStudy& study = study_of({"defect.race=roller", "defect.element=4"});
   const auto& at = study.turned;
   const Spectrum& lines = study.carrier.envelope_spectrum;
@@ -114,6 +116,7 @@ TEST(PlanetScratch, RollerIsCarriedThroughTheLoadZoneByTheCage) {
 }
 
 TEST(PlanetScratch, SeveralAtOnceShowAllTheirLines) {
+  if (!test::is_full()) GTEST_SKIP() << "a long signal of its own: tools/test --full";
   // Six revolutions: beside the pin's scratch, which rings through the spectrum, the bore's stands out by 3.0
   // to 5.1 in six starts, by 1.8 to 3.3 in half the turns.
   const PlanetDefectStudy& study = study_of({"defect.race=inner", "defect.also=outer"});
@@ -147,6 +150,7 @@ TEST(PlanetScratch, EqualPlanetsCancelMeshLinesOnTheHousingAsOnPaper) {
 
 // A measured table in place of a form; and a run-up whose lines are orders of the carrier.
 TEST(PlanetScratch, RunUpShowsOrdersOfTheCarrier) {
+  if (!test::is_full()) GTEST_SKIP() << "a long signal of its own: tools/test --full";
   const PlanetDefectStudy& study =
       study_of({"defect.race=inner", "defect.form=profile", "defect.profile=[0, 0.2, 1, 1, 0.4, 0]",
                 "signal.run_up_from=0.5"});

@@ -12,7 +12,7 @@ import subprocess
 import tempfile
 import unittest
 
-from virtual_environment import interpreter_with
+from virtual_environment import interpreter_with, left_to_full
 
 CASE = pathlib.Path(os.environ["ORBEARING_SOURCE_DIR"], "cases", "reducer_150kW", "case.yaml")
 PACKAGES = ("ecospy==0.7.2", "fmpy==0.3.32")
@@ -133,5 +133,6 @@ class Master(unittest.TestCase):
 
 
 if __name__ == "__main__":
+    left_to_full("a second tool of others; fmu_fmpy.py tries the same FMUs in FMPy")
     PYTHON = interpreter_with(*PACKAGES)
     unittest.main()

@@ -82,6 +82,7 @@ class InNumpy(unittest.TestCase):
         self.assertLess(errors[0], 0.01 * QUIET)
 
 
+@unittest.skipIf(program.LEFT_TO_FULL, "installs FMPy and Exudyn: tools/test --full, or by hand")
 class BesideOthers(unittest.TestCase):
     def test_its_fmu_goes_the_same_way(self):
         apart, way = in_environment(BESIDE_ITS_FMU, "fmpy==0.3.32", "xarray", "matplotlib")

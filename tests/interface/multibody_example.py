@@ -13,7 +13,7 @@ import subprocess
 import tempfile
 import unittest
 
-from virtual_environment import environment, interpreter_with
+from virtual_environment import environment, interpreter_with, left_to_full
 
 SOURCE = pathlib.Path(os.environ["ORBEARING_SOURCE_DIR"])
 CASE = SOURCE / "cases" / "reducer_150kW" / "case.yaml"
@@ -153,5 +153,6 @@ class InExudyn(unittest.TestCase):
 
 
 if __name__ == "__main__":
+    left_to_full("installs Exudyn, and the advice of a page is about steps of many sizes")
     PYTHON = interpreter_with(*FMPY)
     unittest.main()

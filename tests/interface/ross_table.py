@@ -8,11 +8,10 @@ import json
 import os
 import pathlib
 import subprocess
-import sys
 import tempfile
 import unittest
 
-from virtual_environment import build_folder, interpreter_with
+from virtual_environment import build_folder, interpreter_with, left_to_full
 
 CASE = pathlib.Path(os.environ["ORBEARING_SOURCE_DIR"]) / "cases" / "spin_bearing_7210" / "case.yaml"
 PACKAGES = ("ross-rotordynamics==2.3.0", "plotly<6")
@@ -90,8 +89,6 @@ class Ross(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    if os.environ.get("ORBEARING_FULL") == "no":
-        print("skipped: installs ROSS with 1.4 GB of packages; tools/test --full runs it, or by hand")
-        sys.exit(77)
+    left_to_full("installs ROSS with 1.4 GB of packages")
     INTERPRETER = interpreter_with(*PACKAGES)
     unittest.main()

@@ -111,6 +111,7 @@ class OnWorkers(unittest.TestCase):
         print(f"{killer.killed} workers killed, SEED={SEED}; first result after {first[0]:.1f} s, all after {first[-1]:.1f} s, {self.seconds:.1f} s by threads",
               file=sys.stderr)
 
+    @unittest.skipIf(program.LEFT_TO_FULL, "two more clusters: tools/test --full, or by hand")
     def test_no_stack_is_sampled_while_the_core_computes(self):
         portion = Portion(None, (), None)
         for kind in ({"n_workers": 1, "threads_per_worker": 2}, {"n_workers": 2, "threads_per_worker": 1, "processes": False}):
@@ -119,6 +120,7 @@ class OnWorkers(unittest.TestCase):
                 self.assertEqual(client.gather([client.submit(compute_portion, Sampled(), portion, pure=False) for _ in range(4)]), [False] * 4)
                 self.assertEqual(set(client.run(profilers).values()), {True}, "it goes on after the last portion")
 
+    @unittest.skipIf(program.LEFT_TO_FULL, "a third cluster; workers are killed every day: tools/test --full, or by hand")
     def test_scheduler_killed(self):
         log = open(self.place / "scheduler.log", "w")
         self.addCleanup(log.close)

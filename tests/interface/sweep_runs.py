@@ -9,7 +9,7 @@ from pathlib import Path
 ROOT = Path(os.environ.get("ORBEARING_SOURCE_DIR", Path(__file__).resolve().parents[2]))
 PROGRAM = os.environ.get("ORBEARING", str(ROOT / "build" / "release" / "bin" / "orbearing"))
 CASE = ROOT / "cases" / "reducer_150kW" / "case.yaml"
-STEP = os.environ.get("FINE_STEP", "25 rpm")  # tools/test --full: 2 rpm
+STEP = os.environ.get("FINE_STEP", "50 rpm")  # tools/test --full: 2 rpm
 FINE = f"sweep.input.speed={{from: 1000 rpm, to: 12000 rpm, step: {STEP}}}"
 COARSE = "sweep.input.speed={from: 1000 rpm, to: 12000 rpm, step: 500 rpm}"
 # Issue 44, item 15: a parent that ignores SIGINT, as nohup does, would pass that on to every program that is started here.

@@ -8,6 +8,8 @@ import shutil
 import subprocess
 import sys
 
+import program
+
 SKIPPED = 77
 SECONDS = 600  # for the packages to come
 
@@ -15,6 +17,12 @@ SECONDS = 600  # for the packages to come
 def skip(reason):
     print(f"skipped: {reason}")
     sys.exit(SKIPPED)
+
+
+def left_to_full(reason):
+    """Ends the test as skipped where tools/test runs those of every change; by hand and with --full it is run."""
+    if program.LEFT_TO_FULL:
+        skip(f"{reason}; tools/test --full runs it, or by hand")
 
 
 def build_folder():

@@ -6,12 +6,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <iostream>
 #include <set>
 
 #include "app/case/unused_inputs.hpp"
 #include "app/errors.hpp"
+#include "tests/full.hpp"
 #include "tests/identities/app_fields/analysis_results.hpp"
 #include "tests/identities/app_fields/field_bases.hpp"
 
@@ -19,6 +19,7 @@ namespace orbearing::app::every_field_test {
 namespace {
 
 using namespace fields_test;
+using test::is_full;
 using testing::HasSubstr;
 
 struct Subject {
@@ -134,21 +135,36 @@ class EveryField : public testing::TestWithParam<Subject> {
   std::map<std::vector<std::string>, std::string> results_;
 };
 
-// Rungs in motion know nearly the same fields and take up to a quarter of a second for each: every day each
-// field in one rung, in the slowest a sixth of them; all in each with ORBEARING_FULL=yes. What moves as by
-// monolithic shares that part: of a scratched planet bearing a sixth beside all that is its own, of displaced
-// pins the fields of the gears.
+// What moves, crowns a second time or tilts a planet of several sets takes up to a quarter of a second for
+// each field: of these a part every day, each rung another one, so that half of what moves is asked of one;
+// all in each with ORBEARING_FULL=yes.
 bool is_left_to_full_tests(const Field& field, const Subject& subject) {
-  const char* full = std::getenv("ORBEARING_FULL");
-  if (full != nullptr && std::string(full) == "yes") return false;
+  if (is_full()) return false;
   const use::Analysis analysis = subject.analysis;
-  const bool shared = analysis == use::planet_defect && (field.use.by & use::monolithic) != 0;
-  if ((analysis & use::in_time) == 0 && !shared) return false;
-  const auto part = static_cast<std::size_t>(find_field(field.path) - all_fields().data()) % 6;
-  if (shared) return part != 3;
-  if (analysis == use::co_simulated) return part != 1 && part != 2;
-  if (analysis != use::monolithic) return part != 0;
-  return part < 3 || (subject.base->name == "displaced_pins" && !field.path.starts_with("gearset."));
+  const auto place = static_cast<std::size_t>(find_field(field.path) - all_fields().data());
+  const auto unless = [&](std::size_t part, std::size_t parts) { return place % parts != part; };
+  switch (analysis) {
+    case use::dynamic:
+      return unless(0, 12);
+    case use::dynamic_of_sets:
+      return unless(0, 6);
+    case use::co_simulated:
+      return unless(1, 6);
+    case use::monolithic:
+      if (subject.base->name == "displaced_pins") return !field.path.starts_with("gearset.") || unless(5, 6);
+      return unless(2, 6);
+    case use::planet_defect:  // what moves as by monolithic shares that part
+      return (field.use.by & use::monolithic) != 0 && unless(3, 6);
+    case use::ball_run:
+      return unless(4, 6);
+    case use::moving_defect:  // balls roll as in a ball's run, and scratches are felt as without mass
+      return (field.use.by & (use::ball_run | use::defect)) != 0 && unless(1, 6);
+    case use::crown:
+    case use::planet_stiffness:
+      return subject.base->name == "multi_stage" && unless(5, 6);
+    default:
+      return false;
+  }
 }
 
 struct Count {
