@@ -15,6 +15,8 @@ namespace {
 using described::Numbers;
 
 constexpr std::size_t kNumbersInLine = 12;
+constexpr std::size_t kMatrix = 8;       // rows and columns at most, that stand in lines of their own
+constexpr std::size_t kAlignedText = 24;  // letters at most of a text that others are aligned with
 
 /// A name and what stands for its value: numbers of an array with labels have a name each.
 struct Cell {
@@ -52,6 +54,12 @@ std::string list_text(const described::Entry& entry, const Numbers& numbers) {
   return fmt::format("{} values, {:.6g} to {:.6g}", numbers.values.size(), *least, *most);
 }
 
+// More numbers than a line holds.
+bool is_matrix(const Numbers& numbers) {
+  return numbers.shape.size() == 2 && numbers.values.size() > kNumbersInLine &&
+         std::ranges::max(numbers.shape) <= kMatrix;
+}
+
 void add_numbers(const described::Entry& entry, const Numbers& numbers, const std::string& name,
                  std::vector<Cell>& cells) {
   const bool labelled = numbers.shape.size() == 1 && !numbers.along[0].labels.empty();
@@ -74,7 +82,8 @@ void add_cells(const Record& record, const std::string& prefix, std::vector<Cell
   for (const described::Entry& entry : record.entries()) {
     if (entry.in_files_alone || entry.detail) continue;
     const std::string name = prefix + entry.name;
-    if (const auto* numbers = std::get_if<Numbers>(&entry.content)) add_numbers(entry, *numbers, name, cells);
+    if (const auto* numbers = std::get_if<Numbers>(&entry.content); numbers != nullptr && !is_matrix(*numbers))
+      add_numbers(entry, *numbers, name, cells);
     if (const auto* child = std::get_if<described::Child>(&entry.content))
       add_cells(child->one.front(), name + ".", cells);
     const auto add = [&](std::string text) {
@@ -140,6 +149,12 @@ std::vector<std::string> lines_of(const Texts& columns) {
   return lines;
 }
 
+std::string lines_text(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+  return text;
+}
+
 // A table of many values and few rows has a line for each value.
 std::string table_text(const std::string& title, const described::Table& table) {
   constexpr std::size_t widest = 160;
@@ -152,22 +167,49 @@ std::string table_text(const std::string& title, const described::Table& table) 
   std::vector<std::string> lines = lines_of(columns);
   if (lines.front().size() > widest && grid.rows.size() < grid.names.size())
     lines = lines_of(transposed(columns));
-  std::string text = "\n" + title + "\n";
-  for (const std::string& line : lines) text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
-  return text;
+  return "\n" + title + "\n" + lines_text(lines);
 }
 
 std::string title_of(const std::string& name, const described::Entry& entry) {
   return entry.meaning.empty() ? name : name + ": " + entry.meaning;
 }
 
+std::string matrix_text(const described::Entry& entry, const Numbers& numbers) {
+  const auto label = [&](std::size_t dimension, std::size_t i) {
+    const std::vector<std::string>& labels = numbers.along[dimension].labels;
+    return labels.empty() ? std::to_string(i + 1) : labels[i];
+  };
+  Texts columns(1 + numbers.shape[1]);
+  columns[0].emplace_back();
+  for (std::size_t row = 0; row < numbers.shape[0]; ++row) columns[0].push_back(label(0, row));
+  for (std::size_t column = 0; column < numbers.shape[1]; ++column) {
+    columns[1 + column].push_back(label(1, column));
+    for (std::size_t row = 0; row < numbers.shape[0]; ++row)
+      columns[1 + column].push_back(shown({.number = in_customary_unit(
+                                               entry.dimension, numbers.values[row * numbers.shape[1] + column])}));
+  }
+  return lines_text(lines_of(columns));
+}
+
+// Of all rows, named by their place in the table.
+std::string matrices_text(const std::string& name, const described::Table& table) {
+  std::string text;
+  for (std::size_t row = 0; row < table.rows.size(); ++row)
+    for (const described::Entry& entry : table.rows[row].entries())
+      if (const auto* numbers = std::get_if<Numbers>(&entry.content); numbers != nullptr && is_matrix(*numbers))
+        text += fmt::format("\n{}.{}.{}\n", name, row + 1, title_of(entry.name, entry)) + matrix_text(entry, *numbers);
+  return text;
+}
+
 std::string tables_text(const Record& record, const std::string& prefix) {
   std::string text;
   for (const described::Entry& entry : record.entries()) {
     if (entry.in_files_alone || entry.detail) continue;
+    if (const auto* numbers = std::get_if<Numbers>(&entry.content); numbers != nullptr && is_matrix(*numbers))
+      text += "\n" + title_of(prefix + entry.name, entry) + "\n" + matrix_text(entry, *numbers);
     if (const auto* table = std::get_if<described::Table>(&entry.content);
         table != nullptr && !table->rows.empty())
-      text += table_text(title_of(prefix + entry.name, entry), *table);
+      text += table_text(title_of(prefix + entry.name, entry), *table) + matrices_text(prefix + entry.name, *table);
     if (const auto* child = std::get_if<described::Child>(&entry.content))
       text += tables_text(child->one.front(), prefix + entry.name + ".");
   }
@@ -234,14 +276,15 @@ std::string text_of(const Record& record) {
   std::size_t names = 0, values = 0, units = 0;
   for (const Cell& cell : cells) {
     names = std::max(names, cell.name.size());
-    values = std::max(values, shown(cell).size());
+    if (const std::size_t size = shown(cell).size(); cell.number || size <= kAlignedText)
+      values = std::max(values, size);
     units = std::max(units, cell.unit.size());
   }
-  std::string text;
+  std::vector<std::string> lines;
   for (const Cell& cell : cells)
-    text += fmt::format("{:<{}}  {:>{}} {:<{}}  {}\n", cell.name, names, shown(cell), values, cell.unit,
-                        units, cell.meaning);
-  return text + tables_text(record, "");
+    lines.push_back(fmt::format("{:<{}}  {:>{}} {:<{}}  {}", cell.name, names, shown(cell), values, cell.unit,
+                                units, cell.meaning));
+  return lines_text(lines) + tables_text(record, "");
 }
 
 std::string csv_of(const described::Entry& table) {

@@ -86,7 +86,7 @@ class Modes(unittest.TestCase):
                 self.assertIn("required: ", result.stderr)
 
     def test_text_and_quiet(self):
-        self.assertIn("1475.7  rotational", run("modes", LUMPED).stdout)
+        self.assertIn("1475.75  rotational", run("modes", LUMPED).stdout)
         self.assertEqual(run("modes", LUMPED, "--quiet").stdout, "")
 
 
