@@ -14,6 +14,10 @@ namespace orbearing::study::crowning {
 
 namespace {
 
+Crown missed(const Crown& crown, const Member& member) {
+  return {std::max(crown.drop + member.offset, 0.0), crown.share};
+}
+
 constexpr double kStepEnd = 1e-8;      // relative, of the variables
 constexpr double kConstraint = 1e-10;  // of ln L
 constexpr int kMostEvaluations = 300;
@@ -33,15 +37,14 @@ struct Search {
   Crown crown(const double* x) const {
     return {x[0] * options.greatest_drop, with_share() ? x[1] : usual_share(family)};
   }
-  CrownLife of_member(const Crown& crown, const Member& member) const {
-    return crown_life(problem, family, missed(crown, member), lean_by(problem, member.tilt));
+  CrownLife of_member(const Crown& crown, const Member& member, bool with_slopes) const {
+    const Crown made = missed(crown, member);
+    const Lean lean = lean_by(problem, member.tilt);
+    if (with_slopes) return crown_life(problem, family, made, lean);
+    return {.log_hours = std::log(life_hours(problem, profile_of(family, made), lean))};
   }
-  double log_life(const Crown& crown, const Member& member) const {
-    return std::log(
-        life_hours(problem, profile_of(family, missed(crown, member)), lean_by(problem, member.tilt)));
-  }
-  static Crown missed(const Crown& crown, const Member& member) {
-    return {std::max(crown.drop + member.offset, 0.0), crown.share};
+  double worst_log_life(const Crown& crown) const {
+    return std::log(worst_life_hours(problem, family, crown, members));
   }
 };
 
@@ -58,7 +61,7 @@ void shortfalls(unsigned count, double* result, unsigned n, const double* x, dou
   Search& search = *static_cast<Search*>(data);
   ++search.evaluations;
   for (unsigned m = 0; m < count; ++m) {
-    const CrownLife life = search.of_member(search.crown(x), search.members[m]);
+    const CrownLife life = search.of_member(search.crown(x), search.members[m], gradient != nullptr);
     result[m] = x[n - 1] - life.log_hours;
     if (!gradient) continue;
     double* row = gradient + std::size_t{m} * n;
@@ -66,12 +69,6 @@ void shortfalls(unsigned count, double* result, unsigned n, const double* x, dou
     if (n == 3) row[1] = -life.by_share;
     row[n - 1] = 1.0;
   }
-}
-
-double worst_log_life(const Search& search, const Crown& crown) {
-  double worst = std::numeric_limits<double>::infinity();
-  for (const Member& member : search.members) worst = std::min(worst, search.log_life(crown, member));
-  return worst;
 }
 
 std::pair<std::vector<double>, std::vector<double>> bounds_of(const Search& search) {
@@ -123,12 +120,12 @@ SearchEnd search_from(const Crown& start, Search search) {
   SearchEnd end{.start = start};
   std::vector<double> x{start.drop / search.options.greatest_drop};
   if (search.with_share()) x.push_back(start.share);
-  double reached = worst_log_life(search, start);
+  double reached = search.worst_log_life(start);
   x.push_back(reached);
   for (int run = 0; run < kMostRuns; ++run) {
     const std::vector<double> before = x;
     end.converged = improve(search, x);
-    x.back() = worst_log_life(search, search.crown(x.data()));
+    x.back() = search.worst_log_life(search.crown(x.data()));
     const double gained = x.back() - reached;
     if (gained < 0.0) x = before;
     reached = x.back();
@@ -143,10 +140,10 @@ SearchEnd search_from(const Crown& start, Search search) {
 double log_life_alone(unsigned, const double* x, double*, void* data) {
   Search& search = *static_cast<Search*>(data);
   ++search.evaluations;
-  return search.log_life(search.crown(x), search.members.front());
+  return search.worst_log_life(search.crown(x));
 }
 
-// Without derivatives, of one member: they would be those of a planet whose bearings share its load and tilt.
+// Of one member, without derivatives: balances of a planet that finds its tilt start anew each time.
 SearchEnd search_freely(const Crown& start, Search search) {
   constexpr double first_step = 0.05, relative_end = 1e-6;
   SearchEnd end{.start = start};
@@ -202,10 +199,9 @@ std::vector<Member> members_of(const std::vector<double>& tilts, const Tolerance
 double worst_life_hours(const CrownProblem& problem, const ProfileFamily& family, const Crown& crown,
                         const std::vector<Member>& members) {
   double worst = std::numeric_limits<double>::infinity();
-  for (const Member& member : members) {
-    const Crown missed{std::max(crown.drop + member.offset, 0.0), crown.share};
-    worst = std::min(worst, life_hours(problem, profile_of(family, missed), lean_by(problem, member.tilt)));
-  }
+  for (const Member& member : members)
+    worst = std::min(
+        worst, life_hours(problem, profile_of(family, missed(crown, member)), lean_by(problem, member.tilt)));
   return worst;
 }
 

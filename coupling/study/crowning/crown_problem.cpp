@@ -5,7 +5,6 @@
 #include <limits>
 #include <stdexcept>
 
-#include "bearing/equilibrium/drop_gradient.hpp"
 #include "bearing/life/basic_life.hpp"
 #include "bearing/life/rating_lives.hpp"
 
@@ -32,39 +31,26 @@ void require_whole(const std::vector<SpectrumPoint>& spectrum) {
                                 "; 1 is required");
 }
 
-QuasiStaticResult balanced(const LaminaBearing& bearing, const CrownProblem& problem, const Lean& lean,
-                           std::size_t duty) {
-  QuasiStaticResult loads =
-      bearing::quasi_static_bearing(bearing, tilted(problem.duties[duty], lean), problem.options);
-  if (!loads.report.converged) throw std::runtime_error(loads.report.message);
+// Each search starts where `near`, the loads of nearly the same profile, has found its balance.
+QuasiStaticResult balanced_near(const QuasiStaticResult& near, const LaminaBearing& bearing,
+                                const bearing::OperatingPoint& point,
+                                const bearing::QuasiStaticOptions& options) {
+  QuasiStaticResult loads = empty_result(bearing, point, options);
+  for (std::size_t i = 0; i < near.states.size(); ++i) {
+    const auto position = static_cast<Eigen::Index>(i);
+    put_position(bearing, quasi_static_state(bearing, point, options, loads.angle[position], &near.states[i]),
+                 position, options.cage_positions, loads);
+  }
   return loads;
 }
 
-// Of one duty.
-CrownLife duty_life(const CrownProblem& problem, const LaminaBearing& bearing,
-                    const std::vector<DropSlope>& slopes, const Lean& lean, std::size_t duty) {
-  const QuasiStaticResult loads = balanced(bearing, problem, lean, duty);
-  const bearing::life::LogLife life =
-      log_life(problem.ratings[duty], loads.inner_lamina_load, loads.outer_lamina_load);
-  const bearing::laminae::DropGradient by_drops =
-      bearing::laminae::drop_gradient(bearing, tilted(problem.duties[duty], lean), problem.options, loads,
-                                      life.by_inner_load, life.by_outer_load);
-  CrownLife result{.log_hours = std::log(duty_hours(problem, {.bearings = {loads}}, duty))};
-  for (std::size_t k = 0; k < slopes.size(); ++k) {
-    const auto lamina = static_cast<Eigen::Index>(k);
-    const double by_lamina_drop = by_drops.inner[lamina] + by_drops.outer[lamina];
-    result.by_drop += by_lamina_drop * slopes[k].by_drop;
-    result.by_share += by_lamina_drop * slopes[k].by_share;
-  }
-  return result;
-}
-
-std::vector<DropSlope> lamina_slopes(const LaminaBearing& bearing, const ProfileFamily& family,
-                                     const Crown& crown) {
-  std::vector<DropSlope> slopes;
-  for (const double place : bearing.contact(bearing::Race::inner).places())
-    slopes.push_back(drop_slope(family, crown, place * bearing.half_length()));
-  return slopes;
+QuasiStaticResult balanced(const LaminaBearing& bearing, const CrownProblem& problem, const Lean& lean,
+                           std::size_t duty, const DutyLoads* near) {
+  const bearing::OperatingPoint point = tilted(problem.duties[duty], lean);
+  QuasiStaticResult loads = near ? balanced_near(near->bearings.front(), bearing, point, problem.options)
+                                 : bearing::quasi_static_bearing(bearing, point, problem.options);
+  if (!loads.report.converged) throw std::runtime_error(loads.report.message);
+  return loads;
 }
 
 }  // namespace
@@ -169,9 +155,10 @@ bearing::OperatingPoint tilted(const Duty& duty, const Lean& lean) {
   return point;
 }
 
-DutyLoads loads_at(const CrownProblem& problem, const Profile& profile, const Lean& lean, std::size_t duty) {
+DutyLoads loads_at(const CrownProblem& problem, const Profile& profile, const Lean& lean, std::size_t duty,
+                   const DutyLoads* near) {
   if (problem.seat) return planet_loads(problem, profile, lean, duty);
-  DutyLoads loads{.bearings = {balanced(lamina_bearing(problem, profile, duty), problem, lean, duty)}};
+  DutyLoads loads{.bearings = {balanced(lamina_bearing(problem, profile, duty), problem, lean, duty, near)}};
   loads.tilt = tilted(problem.duties[duty], lean).bore_tilt.norm();
   return loads;
 }
@@ -232,24 +219,32 @@ bearing::rating::RatedHours life_of_duties(const CrownProblem& problem,
   return all;
 }
 
-// L = 1/sum(s_i/L_i): d ln L = sum of the duties' d ln L_i, weighted by the part of life each uses up.
+// Central differences, whose searches start where those of the crown itself ended.
 CrownLife crown_life(const CrownProblem& problem, const ProfileFamily& family, const Crown& crown,
                      const Lean& lean) {
-  if (problem.seat)
-    throw std::invalid_argument(
-        "derivatives of a life by its crown: found a computed tilt; required: a stated one");
-  const Profile profile = profile_of(family, crown);
-  const std::vector<DropSlope> slopes = lamina_slopes(lamina_bearing(problem, profile, 0), family, crown);
-  CrownLife sum;
-  double used = 0.0;
-  for (std::size_t duty = 0; duty < problem.duties.size(); ++duty) {
-    const CrownLife one = duty_life(problem, lamina_bearing(problem, profile, duty), slopes, lean, duty);
-    const double part = problem.duties[duty].share * std::exp(-one.log_hours);
-    used += part;
-    sum.by_drop += part * one.by_drop;
-    sum.by_share += part * one.by_share;
-  }
-  return {-std::log(used), sum.by_drop / used, sum.by_share / used};
+  constexpr double drop_step = 1e-11;  // [m]
+  constexpr double share_step = 1e-6;  // [-]
+  std::vector<DutyLoads> here(problem.duties.size());
+  const auto log_hours = [&](const Crown& at, bool beside) {
+    const Profile profile = profile_of(family, at);
+    Eigen::ArrayXd hours(static_cast<Eigen::Index>(here.size()));
+    for (std::size_t duty = 0; duty < here.size(); ++duty) {
+      DutyLoads loads = loads_at(problem, profile, lean, duty, beside ? &here[duty] : nullptr);
+      hours[static_cast<Eigen::Index>(duty)] = duty_hours(problem, loads, duty);
+      if (!beside) here[duty] = std::move(loads);
+    }
+    return std::log(life_of_duties(problem, hours));
+  };
+  const double now = log_hours(crown, false);
+  const auto slope = [&](double drop, double share) {
+    const Crown less{std::max(crown.drop - drop, 0.0), crown.share - share};
+    const Crown more{crown.drop + drop, crown.share + share};
+    return (log_hours(more, true) - log_hours(less, true)) /
+           (more.drop - less.drop + more.share - less.share);
+  };
+  return {.log_hours = now,
+          .by_drop = slope(drop_step, 0.0),
+          .by_share = has_share(family) ? slope(0.0, share_step) : 0.0};
 }
 
 }  // namespace orbearing::study::crowning

@@ -74,9 +74,10 @@ struct DutyLoads {
 /// Loads that do the mean damage of `loads` (bearings)(laminae, places): (mean of q^4)^(1/4).
 Eigen::ArrayXXd mean_by_damage(const std::vector<Eigen::ArrayXXd>& loads);
 
-/// Under `profile`. Throws std::runtime_error where they do not balance.
+/// Under `profile`. Where the tilt is stated, searches start from `near`, if given: the loads of a profile
+/// that is nearly the same. Throws std::runtime_error where they do not balance.
 DutyLoads loads_at(const CrownProblem& problem, const bearing::profile::Profile& profile, const Lean& lean,
-                   std::size_t duty);
+                   std::size_t duty, const DutyLoads* near = nullptr);
 
 /// The bearing with `profile` on its rollers and the clearance of a duty, and the point of one with the tilt.
 bearing::laminae::LaminaBearing lamina_bearing(const CrownProblem& problem,
@@ -107,8 +108,7 @@ struct CrownLife {
   double by_share = 0.0;  // [-]
 };
 
-/// The same life with its derivatives, by the adjoint of the equilibrium. Of stated tilts only: throws
-/// std::invalid_argument elsewhere.
+/// The same life with its derivatives by differences.
 CrownLife crown_life(const CrownProblem& problem, const ProfileFamily& family, const Crown& crown,
                      const Lean& lean);
 

@@ -46,15 +46,6 @@ inline constexpr double kGreatestShare = 0.95;
 /// The profile with this crown.
 bearing::profile::Profile profile_of(const ProfileFamily& family, const Crown& crown);
 
-/// How the drop at a place follows the crown.
-struct DropSlope {
-  double by_drop = 0.0;   // [-]
-  double by_share = 0.0;  // [m]
-};
-
-/// At `x` [m] from the middle.
-DropSlope drop_slope(const ProfileFamily& family, const Crown& crown, double x);
-
 /// Drop [m] at profile::kDropPlace of the reference profile of [ISO16281] on rollers of `bearing`.
 double reference_drop(const bearing::Bearing& bearing);
 
