@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, Iterator, Mapping, Optional, Protocol
 
 import numpy as np
 
-from orbearing.units import units_of
+from orbearing.units import unit_in
 
 if TYPE_CHECKING:
     import xarray
@@ -119,12 +119,12 @@ class Result(Mapping):
             if isinstance(value, bool) or isinstance(value, str) or value is None:
                 continue
             if isinstance(value, (int, float)):
-                variables[key] = ((), value, {"units": units_of(key)})
+                variables[key] = ((), value, {"units": self._unit(key)})
             elif isinstance(value, tuple) and value and all(isinstance(one, (int, float)) for one in value):
-                variables[key] = ((key.split("_")[0],), number_array(value), {"units": units_of(key)})
+                variables[key] = ((key.split("_")[0],), number_array(value), {"units": self._unit(key)})
             elif isinstance(value, tuple) and value and all(isinstance(one, Mapping) for one in value) and key not in _REMARKS:
                 # Names of several tables may be the same: those of the first are kept as they are.
-                for name, column in _table(value, key).items():
+                for name, column in _table(value, key, self._units()).items():
                     variables[name if name not in variables else f"{column[0][0]}_{name}"] = column
         return xarray.Dataset(variables, attrs=self._attributes())
 
@@ -177,6 +177,12 @@ class Result(Mapping):
         return _html_table(["", ""], [[key, _shown(value)] for key, value in single.items()], f"{self._command} of {self._case.name}",
                            self.warnings)
 
+    def _units(self) -> Mapping[str, Any]:
+        return self._data.get("units", {})
+
+    def _unit(self, name: str) -> str:
+        return unit_in(self._units(), name)
+
     def _attributes(self) -> dict:
         from orbearing import _core
 
@@ -188,7 +194,7 @@ class Result(Mapping):
 _REMARKS = ("assumptions", "inputs", "derived")
 
 
-def _table(rows, key: str) -> dict:
+def _table(rows, key: str, units) -> dict:
     """Columns of records of numbers and texts, along a dimension called as the list, in the singular."""
     dimension = {"meshes": "mesh", "envelope_peaks": "envelope_peak"}.get(key, key[:-1] if key.endswith("s") else key)
     columns: dict = {}
@@ -197,7 +203,7 @@ def _table(rows, key: str) -> dict:
         values = [row.get(name) for row in rows]
         shown = name if name not in ("case",) else f"{dimension}_{name}"
         if all(value is None or isinstance(value, (int, float)) for value in values):
-            columns[shown] = ((dimension,), number_array(values), {"units": units_of(name)})
+            columns[shown] = ((dimension,), number_array(values), {"units": unit_in(units, name)})
         elif all(value is None or isinstance(value, str) for value in values):
             columns[shown] = ((dimension,), np.array([value or "" for value in values], dtype=object))
     return columns
@@ -259,7 +265,7 @@ class SweepResult(Result):
                                                 if isinstance(value, (int, float))}}
         names = [name for name in self.columns if name != "refined"]
         chosen = np.arange(len(self["points"])) if points else np.flatnonzero(~self.refined)
-        flat = xarray.Dataset({name: (("point",), self.column(name)[chosen], {"units": units_of(name)} if name != "status" else {})
+        flat = xarray.Dataset({name: (("point",), self.column(name)[chosen], {"units": self._unit(name)} if name != "status" else {})
                                for name in names if self.column(name).dtype == float or name == "status"}, attrs=attributes)
         if points:
             return flat.assign(refined=(("point",), self.refined)).set_coords("input_speed_rpm")
@@ -368,7 +374,7 @@ class MeshResult(Result):
         meshes = self["meshes"]
         fraction = number_array([point[0] for point in meshes[0]["curve"]])
         curves = np.array([[point[1] for point in mesh["curve"]] for mesh in meshes], dtype=float)
-        variables = _table(meshes, "meshes")
+        variables = _table(meshes, "meshes", self._units())
         variables["stiffness_N_per_m"] = (("mesh", "fraction"), curves, {"units": "N m-1", "long_name": "mesh stiffness"})
         names = variables.pop("name")[1]
         return xarray.Dataset(variables, attrs=self._attributes(), coords={
@@ -435,7 +441,7 @@ class StiffnessResult(Result):
         matrices = np.array([[[np.nan if value is None else value for value in row] for row in point["stiffness"]]
                              if point["stiffness"] is not None else np.full((5, 5), np.nan) for point in points], dtype=float)
         freedoms = ["x", "y", "z", "tilt_x", "tilt_y"]
-        loads = {f"load_{key}": (("point",), number_array([point["load"].get(key) for point in points]), {"units": units_of(key)})
+        loads = {f"load_{key}": (("point",), number_array([point["load"].get(key) for point in points]), {"units": self._unit(key)})
                  for key in points[0].get("load", {})}
         speed = number_array([point.get("speed_rpm") for point in points])
         return xarray.Dataset({"stiffness": (("point", "force", "displacement"), matrices), "speed_rpm": (("point",), speed, {"units": "rpm"}),
@@ -478,7 +484,7 @@ class SensitivityResult(Result):
         """derivative, its error and elasticity (input), with the value, unit and meaning of each; what has no derivative is left out."""
         import xarray
 
-        columns = _table(self["inputs"], "inputs")
+        columns = _table(self["inputs"], "inputs", self._units())
         paths = columns.pop("path")[1]
         return xarray.Dataset(columns, coords={"input": paths}, attrs=self._attributes())
 

@@ -1,8 +1,9 @@
-"""Units of results by the ends of their names."""
+"""Units of results: as they state them, else by the ends of their names."""
 
 from __future__ import annotations
 
 import re
+from typing import Any, Mapping
 
 # Ends of names -> units as udunits and pint read them; the longest end counts.
 _UNITS = {
@@ -25,3 +26,24 @@ def units_of(name: str) -> str:
         return "h"
     fitting = [end for end in _UNITS if name.endswith(end) and not _NO_UNIT.search(name)]
     return _UNITS[max(fitting, key=len)] if fitting else PLAIN
+
+
+_NAMES = {"Mrev": "megarevolution", "deg": "degree"}
+
+
+def as_udunits(unit: str) -> str:
+    """A unit of the program's JSON as udunits and pint read it: "N.m/rad" is "N m rad-1"."""
+    if "^" in unit:  # broken powers, which udunits does not know
+        return unit
+    above, _, below = unit.partition("/")
+    words = [_NAMES.get(word, word) for word in above.split(".")]
+    for word in filter(None, below.strip("()").split(".")):
+        powers = re.fullmatch(r"(\D+)(\d?)", word)
+        words.append(f"{powers[1]}-{powers[2] or 1}" if powers else word)
+    return " ".join(words)
+
+
+def unit_in(units: Mapping[str, Any], name: str) -> str:
+    """The unit that a result states of a name among its `units`, else that of the name's end."""
+    stated = units.get(name)
+    return as_udunits(stated) if isinstance(stated, str) else units_of(name)

@@ -5,8 +5,10 @@ Two ways: a table by hand of what the commands print, and every key that the pro
 Needs the source folder in ORBEARING_SOURCE_DIR. Exit code 77 (skipped) where numpy is missing.
 """
 
+import json
 import os
 import re
+import subprocess
 import sys
 import unittest
 from pathlib import Path
@@ -21,7 +23,7 @@ sys.dont_write_bytecode = True
 ROOT = Path(os.environ.get("ORBEARING_SOURCE_DIR", Path(__file__).resolve().parents[2])).resolve()
 sys.path.insert(0, str(ROOT / "python"))
 
-from orbearing.units import units_of  # noqa: E402
+from orbearing.units import as_udunits, unit_in, units_of  # noqa: E402
 
 BY_HAND = {
     # sweep, run
@@ -85,6 +87,23 @@ class Units(unittest.TestCase):
         wanted = {key: by_grammar(key) for key in sorted(keys - NOT_UNITS) if by_grammar(key) != "1"}
         self.assertGreater(len(wanted), 150)
         self.assertEqual({key: units_of(key) for key in wanted}, wanted)
+
+    def test_of_results_are_those_that_they_state(self):
+        """What a result states stands before the end of a name, and agrees with it where the end is a unit."""
+        program = os.environ.get("ORBEARING")
+        if not program:
+            self.skipTest("ORBEARING is not set")
+        for command, case in (("run", "harris_209"), ("mesh", "mesh_62_62"), ("modes", "lin_parker_1999"), ("run", "duplex_7020")):
+            done = subprocess.run([program, command, ROOT / "cases" / case / "case.yaml", "--json"], capture_output=True, text=True, check=True, timeout=300)
+            units = json.loads(done.stdout)["units"]
+            self.assertGreater(len(units), 2)
+            for name, unit in units.items():
+                self.assertEqual(unit_in(units, name), as_udunits(unit))
+                self.assertIn(units_of(name.split("/")[-1]), (as_udunits(unit), "1"), f"{case}: {name}")
+
+    def test_as_udunits_writes_them(self):
+        stated = {"N.m/rad": "N m rad-1", "m/s2": "m s-2", "N/(mm.um)": "N mm-1 um-1", "Mrev": "megarevolution", "deg": "degree", "1": "1", "mm-1": "mm-1"}
+        self.assertEqual({unit: as_udunits(unit) for unit in stated}, stated)
 
 
 if __name__ == "__main__":
