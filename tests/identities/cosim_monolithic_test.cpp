@@ -57,6 +57,21 @@ TEST(Monolithic, TakesLongStepsWithOil) {
   EXPECT_GT(kSeconds / steps, longest_step(model.bearing));
 }
 
+// A ring as light as this swings so fast on its rollers that its time bounds the steps, and no error does.
+TEST(Monolithic, NoStepWithOilIsLongerThanTheRingAllows) {
+  constexpr double kSeconds = 0.1e-3;
+  CoupledSetup setup = test::oiled_reducer();
+  setup.bearing.dynamics.bore_mass *= 1e-4;
+  const CoupledModel model = coupled_model(setup);
+  const bearing::motion::BearingModel& one = model.bearing_of(0);
+  const double longest =
+      fourth_order_steps(bearing::vectorised::VectorBearing(one), allowed_errors(one, 1e-10)).longest;
+  Monolithic system(setup);
+  system.initialize(0.0);
+  system.advance({0.0, kSeconds});
+  EXPECT_GE(static_cast<double>(system.report().steps), kSeconds / longest);
+}
+
 // Steps that pass the times asked for, and states between them, against windows that end there.
 TEST(Monolithic, FollowedIsAsInWindows) {
   CoupledSetup setup = test::coupled_reducer();

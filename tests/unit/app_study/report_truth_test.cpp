@@ -3,17 +3,21 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "app/case/case_file.hpp"
+#include "app/case/set_case.hpp"
 #include "app/errors.hpp"
 #include "app/study/fidelity.hpp"
+#include "app/study/gear_report.hpp"
 #include "app/study/missing_points.hpp"
 #include "app/study/published_comparison.hpp"
 #include "app/study/resonance.hpp"
 #include "app/study/sweep_study.hpp"
 #include "app/units.hpp"
+#include "gearset/working_geometry.hpp"
 #include "tests/messages.hpp"
 
 namespace orbearing::app::report_truth_test {
@@ -43,6 +47,49 @@ TEST(Resonance, MeetsItsModeAtItsOwnSpeed) {
     EXPECT_LT(nearest, solved) << resonance.mode << " at " << resonance.speed * kRpm << " rpm";
     EXPECT_NEAR(resonance.harmonic * there.mesh_frequency / resonance.frequency, 1.0, solved);
   }
+}
+
+ResolvedCase gears() {
+  return parse_case(R"(name: gears alone
+source: none
+model: planetary-drivetrain
+input: {power: 150 kW, speed: 18000 rpm}
+gearset:
+  planets: 3
+  teeth: {sun: 36, planet: 22, ring: 81}
+  profile_shift: {sun: 0.2, ring: 0.3}
+  module: 3 mm
+  face_width: 28 mm
+  dynamics: {observed_periods: 2, settling_periods: 100}
+)",
+                    "gears.yaml");
+}
+
+constexpr double kAtTheRoot = 1e-4;  // [deg]  where the flank runs round, of the last digit of a radius
+
+// Half the tooth's angle at each radius of its flank, whichever way the flank was made.
+template <class Tooth>
+void expect_flank_of(const Tooth& tooth, const nlohmann::ordered_json& gear) {
+  ASSERT_EQ(gear["radius_mm"].size(), gear["half_angle_deg"].size());
+  ASSERT_GT(gear["radius_mm"].size(), 10U);
+  for (std::size_t i = 0; i < gear["radius_mm"].size(); ++i) {
+    const double inside =
+        std::clamp(1e-3 * gear["radius_mm"][i].get<double>(), std::min(tooth.root_radius, tooth.tip_radius),
+                   std::max(tooth.root_radius, tooth.tip_radius));
+    EXPECT_NEAR(gear["half_angle_deg"][i].get<double>(), kDegree * half_thickness_angle(tooth, inside),
+                kAtTheRoot)
+        << gear["name"] << " at " << gear["radius_mm"][i] << " mm";
+  }
+}
+
+TEST(GearReport, FlanksAreThoseOfTheTeeth) {
+  const ResolvedCase in = gears();
+  const gearset::WorkingGeometry geometry = gearset::working_geometry(set_of(in));
+  const nlohmann::ordered_json pairs = gear_report(in, {18000.0})["tooth_pairs"];
+  expect_flank_of(geometry.sun, pairs[0]["gears"][0]);
+  expect_flank_of(geometry.planet, pairs[0]["gears"][1]);
+  expect_flank_of(geometry.planet, pairs[1]["gears"][0]);
+  expect_flank_of(geometry.ring, pairs[1]["gears"][1]);
 }
 
 /// Issue 52, item 1: what differs from the published case is named, as it is written; points that are
