@@ -174,17 +174,17 @@ std::vector<std::string> methods_of_life() {
 }
 
 void add_life(std::vector<Field>& fields) {
-  fields.push_back({.path = "life.method",
-                    .kind = Kind::choice,
-                    .meaning =
-                        "life that peaks, crowns, spectra and sensitivities go by: life_h of Lundberg and "
-                        "Palmgren; iso-281: L10mh where the oil is stated, else L10h; iso-16281: L10mrh "
-                        "where the oil is stated, else L10rh",
-                    .use = by_lives_of_planets(),
-                    .models = planetary_drivetrain,
-                    .choices = methods_of_life(),
-                    .default_text = "lundberg-palmgren",
-                    .default_reason = "what published cases use"});
+  fields.push_back(
+      {.path = "life.method",
+       .kind = Kind::choice,
+       .meaning = "life that peaks, spectra and sensitivities go by: life_h of Lundberg and Palmgren; "
+                  "iso-281: L10mh where the oil is stated, else L10h; iso-16281: L10mrh where the oil is "
+                  "stated, else L10rh. crown goes by L10rh where it is iso-16281, else by life_h",
+       .use = by_lives_of_planets().felt_too(use::crown, where("life.method", {"iso-16281"})),
+       .models = planetary_drivetrain,
+       .choices = methods_of_life(),
+       .default_text = "lundberg-palmgren",
+       .default_reason = "what published cases use"});
   Field reliability = life_number("life.reliability", "share of bearings that reach the life",
                                   {.least = 0.0, .most = 1.0, .least_allowed = false, .most_allowed = false});
   // a_1 is in L10m and L10mr, which need an oil; a bearing at rest under a load shows it by itself.

@@ -148,8 +148,8 @@ void add_crown_aims(CLI::App& command, CrownOptions& crown) {
   command
       .add_option(
           "--life", crown.life,
-          "lundberg-palmgren (default; straight and untilted it is the life of a sweep) or iso16281 (with "
-          "its stress riser at the ends)")
+          "lundberg-palmgren (straight and untilted it is the life of a sweep) or iso16281 (with its stress "
+          "riser at the ends); default: by life.method of the case")
       ->check(CLI::IsMember({"lundberg-palmgren", "iso16281"}));
   command.add_option("--of", crown.of_set, "of several sets, the one whose planet bearing is studied")
       ->type_name("SET");

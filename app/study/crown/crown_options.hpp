@@ -19,8 +19,8 @@ struct CrownOptions {
   std::string tolerance;       // --tolerance       plus and minus about the drop
   std::string tilt_tolerance;  // --tilt-tolerance  plus and minus about each tilt
   std::string distribution;    // --distribution    of misses within the tolerances
-  std::string life = "lundberg-palmgren";
-  std::string of_set;     // --of: which of several sets
+  std::string life;            // --life            by life.method
+  std::string of_set;          // --of: which of several sets
   bool spectrum = false;  // all swept speeds
   int starts = 10;
 };

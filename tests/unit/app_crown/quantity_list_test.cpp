@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/case/case_file.hpp"
 #include "app/study/crown/crown_options.hpp"
 
 namespace orbearing::app::quantity_list_test {
@@ -55,7 +56,25 @@ TEST(CrownOptions, GoThroughJsonUnchanged) {
                              .spectrum = true,
                              .starts = 3};
   EXPECT_EQ(options_json(options_from(options_json(options))), options_json(options));
-  EXPECT_EQ(options_text({}), "crown --life lundberg-palmgren --starts 10");
+  EXPECT_EQ(options_text({}), "crown --starts 10");
+}
+
+// Issue 44, Build 1: crowns go by life.method where no option says otherwise. C and P are alike for all
+// crowns.
+TEST(CrownOptions, LifeIsThatOfTheCase) {
+  using study::crowning::LifeMeasure;
+  const auto measure = [](const std::string& method, const std::string& option) {
+    CrownOptions options;
+    options.life = option;
+    const std::vector<std::string> settings{"life.method=" + method};
+    return crown_request(read_case(ORBEARING_SOURCE_DIR "/cases/reducer_150kW/case.yaml", settings), options)
+        .measure;
+  };
+  EXPECT_EQ(measure("lundberg-palmgren", ""), LifeMeasure::lundberg_palmgren);
+  EXPECT_EQ(measure("iso-16281", ""), LifeMeasure::iso16281);
+  EXPECT_EQ(measure("iso-281", ""), LifeMeasure::lundberg_palmgren);
+  EXPECT_EQ(measure("iso-16281", "lundberg-palmgren"), LifeMeasure::lundberg_palmgren);
+  EXPECT_EQ(measure("lundberg-palmgren", "iso16281"), LifeMeasure::iso16281);
 }
 
 }  // namespace
