@@ -361,6 +361,8 @@ Use with_other_ways(const Use& use, std::string_view path) {
   if (path == "traction.sliding_scale") return with_other_frictions(use);
   if (path == "traction.limiting_friction")
     return use.felt_too(use::balls_in_motion, where("traction.law", {"ree-eyring"}));
+  // Masses of rings warm up; that of the ring at rest counts for nothing besides.
+  if (path == "bearing.outside_diameter") return use.felt_too(use::ball_run, where("heat.enabled", {"true"}));
   if (path == "contact.roughness")
     return use.felt_too(use::quasi_static | use::in_time, where("life.viscosity_ratio_by", {"film"}));
   if (path == "bearing.fit.expansion")

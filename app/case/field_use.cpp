@@ -22,9 +22,14 @@ Use with_planet_defect(const Use& use, std::string_view path) {
   }
   for (unsigned* standing : standings)
     if ((*standing & use::monolithic) != 0) *standing |= use::planet_defect;
-  if (path == "contact.roughness") return more;  // beside a film its other way is to a life
+  const auto is_to_a_life = [](const Condition& condition) {
+    return std::any_of(condition.paths.begin(), condition.paths.end(),
+                       [](const std::string& other) { return other.starts_with("life."); });
+  };
   for (Way& way : more.ways)
-    if ((way.by & use::monolithic) != 0) way.by |= use::planet_defect;
+    if ((way.by & use::monolithic) != 0 &&
+        std::none_of(way.conditions.begin(), way.conditions.end(), is_to_a_life))
+      way.by |= use::planet_defect;
   return more;
 }
 

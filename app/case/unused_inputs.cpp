@@ -63,12 +63,20 @@ bool is_of_other_models(const ResolvedCase& in, const Condition& condition) {
                       [&](const std::string& path) { return (find_field(path)->models & in.model()) != 0; });
 }
 
+// Conditions of the row are those of its ways too.
+bool is_of_row(const Input& input, const Condition& condition) {
+  const std::vector<Condition>& row = input.field->use.conditions;
+  return std::any_of(row.begin(), row.end(), [&](const Condition& one) {
+    return one.paths == condition.paths && one.values == condition.values;
+  });
+}
+
 bool holds(const ResolvedCase& in, const Input& input, const Condition& condition) {
   if (condition.holds != nullptr) return condition.holds(in, set_of(input.path));
   if (is_of_other_models(in, condition)) return true;
   const auto one = [&](const std::string& path) {
     const std::string other = beside(input.path, path);
-    return condition.absent ? in.has(other) && in.origin(other) != "default" : counts(in, other, condition.values);
+    return condition.absent ? is_stated(in, other) : counts(in, other, condition.values);
   };
   return std::any_of(condition.paths.begin(), condition.paths.end(), one) != condition.absent;
 }
@@ -89,6 +97,7 @@ bool counts_itself(const ResolvedCase& in, const Input& input) {
 // Beside a value that counts itself.
 bool holds_beside(const ResolvedCase& in, const Input& input, const Condition& condition) {
   if (condition.absent || condition.holds != nullptr) return holds(in, input, condition);
+  if (is_of_other_models(in, condition) && is_of_row(input, condition)) return true;
   return std::any_of(condition.paths.begin(), condition.paths.end(), [&](const std::string& path) {
     const std::string other = beside(input.path, path);
     if (!counts(in, other, condition.values)) return false;
@@ -158,34 +167,52 @@ bool is_felt_through_another(const ResolvedCase& in, const Input& input, use::An
   });
 }
 
+// Of the values of a condition those that the field may have.
+std::vector<std::string> values_for(const Field& field, const Condition& condition) {
+  std::vector<std::string> values = condition.values;
+  if (field.kind == Kind::flag)
+    std::erase_if(values, [](const std::string& value) { return value != "true" && value != "false"; });
+  if (field.kind == Kind::choice)
+    std::erase_if(values, [&](const std::string& value) {
+      return std::find(field.choices.begin(), field.choices.end(), value) == field.choices.end();
+    });
+  return values;
+}
+
 std::string condition_text(const ResolvedCase& in, const Input& input, const Condition& condition) {
   if (condition.holds != nullptr) return condition.text;
   std::vector<std::string> paths;
   for (const std::string& path : condition.paths)
     if ((find_field(path)->models & in.model()) != 0) paths.push_back(beside(input.path, path));
-  const std::string either = fmt::format("{}", fmt::join(paths, " or "));
-  if (condition.absent) return fmt::format("where {} is not given", either);
-  if (condition.values.empty()) return fmt::format("beside {}", either);
-  const std::string now = in.has(paths.front()) ? in.given(paths.front()) : "not given";
-  return fmt::format("where {} is {}, and here it is {}", either, fmt::join(condition.values, " or "), now);
+  if (condition.absent) return fmt::format("where {} is not given", fmt::join(paths, " or "));
+  if (condition.values.empty()) return fmt::format("beside {}", fmt::join(paths, " or "));
+  std::vector<std::string> required;
+  for (const std::string& path : paths)
+    required.push_back(fmt::format("{} is {}, and here it is {}", path,
+                                   fmt::join(values_for(*find_field(path), condition), " or "),
+                                   in.has(path) ? in.given(path) : "not given"));
+  return fmt::format("where {}", fmt::join(required, ", or where "));
 }
 
-// What keeps a value from having an effect, and what else would give it one, by ways that this kind of case has.
+// What keeps a value from having an effect, and what else would give it one, by ways that this kind of case
+// has; none where nothing would.
 std::string idle_text(const ResolvedCase& in, const Input& input, unsigned analyses) {
-  std::vector<std::string> texts{condition_text(in, input, *first_unmet(in, input))};
+  std::vector<std::string> texts;
+  if (const Condition* unmet = first_unmet(in, input)) texts.push_back(condition_text(in, input, *unmet));
   for (const Way& way : input.field->use.ways) {
     const bool known = std::none_of(way.conditions.begin(), way.conditions.end(), [&](const Condition& one) {
-      return one.holds == nullptr && is_of_other_models(in, one);
+      return one.holds == nullptr && is_of_other_models(in, one) && !is_of_row(input, one);
     });
     if ((way.by & analyses) == 0 || !known) continue;
     std::vector<std::string> unmet;
     for (const Condition& condition : way.conditions)
       if (!holds_beside(in, input, condition)) unmet.push_back(condition_text(in, input, condition));
+    if (unmet.empty()) continue;  // something else stands against it
     const std::string text = fmt::format("{}", fmt::join(unmet, " and "));
-    const bool same = std::find(unmet.begin(), unmet.end(), texts.front()) != unmet.end();
+    const bool same = !texts.empty() && std::find(unmet.begin(), unmet.end(), texts.front()) != unmet.end();
     if (!same && std::find(texts.begin(), texts.end(), text) == texts.end()) texts.push_back(text);
   }
-  return fmt::format("it counts only {}", fmt::join(texts, ", or "));
+  return texts.empty() ? "" : fmt::format("it counts only {}", fmt::join(texts, ", or "));
 }
 
 // A set without a bearing passes on torque and speed: the other sets feel the ratios of its teeth alone.
@@ -195,12 +222,19 @@ bool is_behind_ratios(const ResolvedCase& in, const Input& input) {
   return !input.field->path.starts_with("gearset.teeth.");
 }
 
+unsigned all_analyses_of(const ResolvedCase& in) {
+  unsigned all = 0;
+  for (const use::Analysis analysis : analyses_of(in)) all |= analysis;
+  return all;
+}
+
 std::string users_text(const ResolvedCase& in, const Input& input) {
   std::vector<std::string> names;
   for (const use::Analysis analysis : analyses_of(in))
     if (is_used(in, input, analysis)) names.push_back(analysis_name(analysis));
   if (!names.empty()) return fmt::format("used by {}", fmt::join(names, ", "));
-  return first_unmet(in, input) != nullptr ? idle_text(in, input, ~0u) : "nothing in a case of this kind uses it";
+  const std::string idle = idle_text(in, input, all_analyses_of(in));
+  return idle.empty() ? "nothing in a case of this kind uses it" : idle;
 }
 
 std::string warning_of(const ResolvedCase& in, const Input& input, use::Analysis analysis,

@@ -52,10 +52,6 @@ bool has_unlike_roller_ends(const ResolvedCase& in) {
          !are_mirrored(in.list("bearing.profile.drops"), 1.0);
 }
 
-bool is_stated(const ResolvedCase& in, std::string_view path) {
-  return in.has(path) && in.origin(path) != "default";
-}
-
 std::string in_set(std::string_view set, const char* path) {
   return std::string(set) + path;
 }
@@ -75,6 +71,10 @@ bool turns(const ResolvedCase& in) {
 }
 
 }  // namespace
+
+bool is_stated(const ResolvedCase& in, std::string_view path) {
+  return in.has(path) && in.origin(path) != "default";
+}
 
 bool planets_tilt(const ResolvedCase& in, std::string_view) {
   return is_nonzero(in, "gearset.helix_angle") || is_chosen(in, "support.pin_ends", "one") ||

@@ -7,6 +7,9 @@
 
 namespace orbearing::app {
 
+/// Whether the case has a value at `path` that is no default.
+bool is_stated(const ResolvedCase& in, std::string_view path);
+
 /// Whether a planet whose tilt is computed has one: something makes its two ends unlike.
 bool planets_tilt(const ResolvedCase& in, std::string_view set);
 /// Whether bearings whose tilt is computed have one: beside each other they tilt with the bent pin.

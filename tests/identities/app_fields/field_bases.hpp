@@ -118,7 +118,7 @@ bearing:
     guide_land_diameter: 38.88 mm
     largest_eccentricity: 0.2
 operation: {shaft_speed: 6000 rpm}
-simulation: {duration: 0.02 s, samples: 50, length_error: 2e-6 mm}
+simulation: {duration: 0.02 s, samples: 50, length_error: 2e-6 mm, settling_band: 0.2}
 )";
 
 // A bearing with a scratched race: one text for both rungs, but for the signal.
@@ -391,7 +391,7 @@ inline const std::map<std::string, Change>& stated_changes() {
       {"bearing.profile.x", {"[-3 mm, 0 mm, 3 mm]", table}},
       {"bearing.profile.drops", {"[6 um, 0 um, 6 um]", table}},
       {"bearing.roller_diameter_deviation", {"[1 um]"}},
-      {"contact.roughness", {"0.3 um", {"contact.lubrication=mixed"}}},
+      {"contact.roughness", {"1 um", {"contact.lubrication=mixed"}}},
       {"contact.boundary_friction", {"0.13", {"contact.lubrication=mixed"}}},
       {"film.approach", {"as-printed", {"film.enabled=true"}}},
       {"film.enabled", {"true", turning_balls}},
@@ -435,7 +435,7 @@ inline const std::map<std::string, Change>& stated_changes() {
       {"bearing.dynamic_capacity", {"12345 N"}},
       {"bearing.static_capacity", {"23456 N", film}},
       {"bearing.fatigue_load_limit", {"1234 N", film}},
-      {"life.method", {"iso-281"}},
+      {"life.method", {"iso-16281"}},
       {"life.contamination_factor", {"0.5", film}},
       {"life.viscosity_ratio", {"2.1", film}},
       {"life.cleanliness", {"low", clean}},
