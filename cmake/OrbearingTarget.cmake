@@ -27,11 +27,11 @@ function(orbearing_compile_options target)
     $<$<BOOL:${ORBEARING_WARNINGS_AS_ERRORS}>:-Werror>)
 endfunction()
 
-# orbearing_unity_build(<target>): compiles its sources together, in batches, since most of the time of a source goes
+# orbearing_unity_build(<target> [<times>]): compiles its sources together, in batches, since most of the time of a source goes
 # into headers that its neighbours include as well. A folder is cut only where it is larger than a batch, so that a
 # new file seldom moves those of other folders. CMake leaves out sources that have options of their own; what else
-# shall stay alone has SKIP_UNITY_BUILD_INCLUSION. TWICE: batches of twice the size, where headers cost more than what
-# is optimised.
+# shall stay alone has SKIP_UNITY_BUILD_INCLUSION. A number: batches so many times as large, where headers and what is
+# made of them cost more than what is optimised.
 function(orbearing_unity_build target)
   if(NOT ORBEARING_UNITY_BUILD)
     return()
@@ -48,8 +48,8 @@ function(orbearing_unity_build target)
   endforeach()
   list(REMOVE_DUPLICATES folders)
   set(most ${ORBEARING_UNITY_FILES})
-  if("${ARGV1}" STREQUAL "TWICE")
-    math(EXPR most "2 * ${most}")
+  if(ARGC GREATER 1)
+    math(EXPR most "${ARGV1} * ${most}")
   endif()
   set(batch 1)
   set(filled 0)
