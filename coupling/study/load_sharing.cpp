@@ -311,47 +311,7 @@ OnSprings balanced(const SetModel& model, double stiffness, PlanetSupport& suppo
   throw std::runtime_error(text.str());
 }
 
-}  // namespace
-
-bearing::OperatingPoint point_under(const PlanetaryDrivetrain& drivetrain, const BearingDuty& even,
-                                    const Vector2d& force) {
-  bearing::OperatingPoint point = even.point;
-  point.bore_load = -force / drivetrain.bearings_per_planet;
-  point.bore_tilt = bore_tilt(drivetrain.misalignment, point.bore_load);
-  return point;
-}
-
-PlanetBalance planet_balance(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry) {
-  const BearingDuty even = bearing_duty(drivetrain, geometry);
-  require_gears(drivetrain);
-  const double stiffness = planet_bearing_stiffness(drivetrain, geometry);
-  const SetModel set = on_springs(drivetrain, stiffness);
-  PlanetSupport support(drivetrain, even);
-  OnSprings found = balanced(set, stiffness, support);
-  return {shares_at(set, found.now.state, even), std::move(found.now.forces), std::move(found.offset),
-          stiffness, support.pitches()};
-}
-
-PlanetBalance balance_on_springs(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
-                                 const Eigen::Matrix2Xd& offset, double stiffness) {
-  require_gears(drivetrain);
-  const SetModel set = on_springs(drivetrain, stiffness);
-  StaticSet resting(set);
-  AtRest now = at_rest(resting, offset);
-  std::vector<double> shares = shares_at(set, now.state, bearing_duty(drivetrain, geometry));
-  return {
-      .shares = std::move(shares), .forces = std::move(now.forces), .offset = offset, .stiffness = stiffness};
-}
-
-std::vector<BearingDuty> planet_duties(const PlanetaryDrivetrain& drivetrain,
-                                       const DrivetrainGeometry& geometry) {
-  if (!drivetrain.uneven_planets) return {bearing_duty(drivetrain, geometry)};
-  const PlanetBalance balance = planet_balance(drivetrain, geometry);
-  std::vector<BearingDuty> duties = duties_with_shares(drivetrain, geometry, balance.shares);
-  for (std::size_t i = 0; i < balance.pitches.size(); ++i) duties[i].near = balance.pitches[i];
-  return duties;
-}
-
+// Of one bearing of each planet that carries such a share of the mean load.
 std::vector<BearingDuty> duties_with_shares(const PlanetaryDrivetrain& drivetrain,
                                             const DrivetrainGeometry& geometry,
                                             const std::vector<double>& shares) {
@@ -373,6 +333,36 @@ std::vector<BearingDuty> duties_with_shares(const PlanetaryDrivetrain& drivetrai
     duty.point.outer_race = outer_race(drivetrain, geometry, duty.gears);
     duties.push_back(duty);
   }
+  return duties;
+}
+
+}  // namespace
+
+bearing::OperatingPoint point_under(const PlanetaryDrivetrain& drivetrain, const BearingDuty& even,
+                                    const Vector2d& force) {
+  bearing::OperatingPoint point = even.point;
+  point.bore_load = -force / drivetrain.bearings_per_planet;
+  point.bore_tilt = bore_tilt(drivetrain.misalignment, point.bore_load);
+  return point;
+}
+
+PlanetBalance planet_balance(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry) {
+  const BearingDuty even = bearing_duty(drivetrain, geometry);
+  require_gears(drivetrain);
+  const double stiffness = planet_bearing_stiffness(drivetrain, geometry);
+  const SetModel set = on_springs(drivetrain, stiffness);
+  PlanetSupport support(drivetrain, even);
+  OnSprings found = balanced(set, stiffness, support);
+  return {shares_at(set, found.now.state, even), std::move(found.now.forces), std::move(found.offset),
+          stiffness, support.pitches()};
+}
+
+std::vector<BearingDuty> planet_duties(const PlanetaryDrivetrain& drivetrain,
+                                       const DrivetrainGeometry& geometry) {
+  if (!drivetrain.uneven_planets) return {bearing_duty(drivetrain, geometry)};
+  const PlanetBalance balance = planet_balance(drivetrain, geometry);
+  std::vector<BearingDuty> duties = duties_with_shares(drivetrain, geometry, balance.shares);
+  for (std::size_t i = 0; i < balance.pitches.size(); ++i) duties[i].near = balance.pitches[i];
   return duties;
 }
 

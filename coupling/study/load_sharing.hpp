@@ -27,20 +27,10 @@ struct PlanetBalance {
 /// gears that can move
 PlanetBalance planet_balance(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry);
 
-/// Forces and shares of a set on given springs with given offsets: an explicit map, whatever its bearings
-/// say.
-PlanetBalance balance_on_springs(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
-                                 const Eigen::Matrix2Xd& offset, double stiffness);
-
 /// What the search takes of the bearings of one planet that exert `force` [N] on it: their operating point,
 /// and by how much they and the pin's support displace the planet are functions of it.
 bearing::OperatingPoint point_under(const PlanetaryDrivetrain& drivetrain, const BearingDuty& even,
                                     const Eigen::Vector2d& force);
-
-/// Duty of one bearing of each planet that carries such a share of the mean load.
-std::vector<BearingDuty> duties_with_shares(const PlanetaryDrivetrain& drivetrain,
-                                            const DrivetrainGeometry& geometry,
-                                            const std::vector<double>& shares);
 
 /// Duty of one bearing of each planet; a single one where all planets carry alike.
 std::vector<BearingDuty> planet_duties(const PlanetaryDrivetrain& drivetrain,
