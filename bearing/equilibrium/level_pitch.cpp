@@ -27,6 +27,15 @@ bool are_same(const std::vector<double>& a, const std::vector<double>& b) {
                     [same = same_drop(a)](double x, double y) { return std::abs(x - y) <= same; });
 }
 
+void make_room(int positions, int rollers, PitchResults& results) {
+  results.states.clear();
+  results.displacement.resize(2, positions);
+  results.inner_load.resize(positions, rollers);
+  results.outer_load.resize(positions, rollers);
+  results.stiffness.resize(static_cast<std::size_t>(positions));
+  results.reports.assign(static_cast<std::size_t>(positions), {});
+}
+
 LevelEngine* make_engine([[maybe_unused]] mechanics::InstructionSet set, const LevelConstants& constants) {
 #if defined(__x86_64__) && !defined(_WIN32)
   if (set == mechanics::InstructionSet::avx512) return avx512_level_engine(constants);
@@ -148,14 +157,10 @@ void LevelPitch::solve(const OperatingPoint& point, PitchResults& results, const
                        double* lamina_loads) {
   require_finite(point);
   const int positions = options_.cage_positions, rollers = bearing_.rollers().count;
+  make_room(positions, rollers, results);
   results.load = point.bore_load;
   results.rollers.resize(
       static_cast<std::size_t>(2 * rollers * ((positions + kBlock - 1) / kBlock) * kBlock));
-  results.displacement.resize(2, positions);
-  results.inner_load.resize(positions, rollers);
-  results.outer_load.resize(positions, rollers);
-  results.stiffness.resize(static_cast<std::size_t>(positions));
-  results.reports.assign(static_cast<std::size_t>(positions), {});
   const double step = two_pi / (positions * rollers);
   output_.lamina_loads = lamina_loads;
   for (int first = 0; first < positions; first += kBlock) {
@@ -208,6 +213,41 @@ std::optional<QuasiStaticResult> LevelPitch::under(const laminae::LaminaBearing&
   }
   if (!result.report.converged) return std::nullopt;
   return result;
+}
+
+// One by one each search starts where `near` stood at that cage angle, displaced along its tangent by what
+// the load has changed; else from the cage angle before.
+void PitchSearch::solve(const OperatingPoint& point, PitchResults& results, const PitchResults* near) {
+  if (level_ && LevelPitch::holds(point)) {
+    level_->solve(point, results, near && !near->rollers.empty() ? near : nullptr);
+    if (std::all_of(results.reports.begin(), results.reports.end(),
+                    [](const SolverReport& report) { return report.converged; }))
+      return;
+  }
+  const int positions = options_.cage_positions, rollers = bearing_.bearing().rollers().count;
+  make_room(positions, rollers, results);
+  results.load = point.bore_load;
+  results.rollers.clear();
+  for (int position = 0; position < positions; ++position) {
+    const auto i = static_cast<std::size_t>(position);
+    QuasiStaticState start;
+    if (near && !near->states.empty()) {
+      start = near->states[i];
+      start.displacement +=
+          mechanics::lengths_under<2>(Eigen::Vector2d(point.bore_load - near->load), start.stiffness);
+    } else if (position > 0) {
+      start = results.states.back();
+    }
+    const double first = options_.first_roller + position * two_pi / (positions * rollers);
+    QuasiStaticState state =
+        quasi_static_state(bearing_, point, options_, first, start.angle.size() > 0 ? &start : nullptr);
+    results.displacement.col(position) = state.displacement;
+    results.stiffness[i] = state.stiffness;
+    results.inner_load.row(position) = state.inner_load.transpose();
+    results.outer_load.row(position) = state.outer_load.transpose();
+    results.reports[i] = state.report;
+    results.states.push_back(std::move(state));
+  }
 }
 
 }  // namespace orbearing::bearing::vectorised

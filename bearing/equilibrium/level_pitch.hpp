@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "bearing/equilibrium/lamina_bearing.hpp"
-#include "bearing/equilibrium/quasi_static.hpp"
 #include "bearing/equilibrium/level_engine.hpp"
+#include "bearing/equilibrium/quasi_static.hpp"
 #include "mechanics/packs/instruction_set.hpp"
 
 namespace orbearing::bearing::vectorised {
@@ -21,7 +21,8 @@ struct PitchResults {
   Eigen::Array2Xd displacement;            // [m]    (x and y, positions)  outer ring relative to inner ring
   std::vector<Eigen::Matrix2d> stiffness;  // [N/m]  (positions)
   Eigen::ArrayXXd inner_load, outer_load;  // [N]    (positions, rollers)
-  std::vector<double> rollers;             // of LevelOutput, block by block
+  std::vector<double> rollers;             // of LevelOutput, block by block; empty: not by LevelPitch
+  std::vector<QuasiStaticState> states;    // (positions)  where searched one by one, else empty
   std::vector<SolverReport> reports;       // (positions)
 };
 
@@ -74,6 +75,24 @@ class LevelPitch {
   LevelInput input_{};
   LevelOutput output_{};
   std::unique_ptr<LevelEngine> engine_;
+};
+
+/// Equilibria over a pitch whatever the rollers do: by LevelPitch where it holds, else cage angle by cage
+/// angle.
+class PitchSearch {
+ public:
+  PitchSearch(const Bearing& bearing, const QuasiStaticOptions& options)
+      : bearing_(bearing, mechanics::InstructionSet::baseline),
+        options_(options),
+        level_(LevelPitch::of(bearing, options)) {}
+
+  /// As LevelPitch::solve(); other results than `near`.
+  void solve(const OperatingPoint& point, PitchResults& results, const PitchResults* near = nullptr);
+
+ private:
+  laminae::LaminaBearing bearing_;
+  QuasiStaticOptions options_;
+  std::optional<LevelPitch> level_;
 };
 
 }  // namespace orbearing::bearing::vectorised

@@ -6,13 +6,13 @@
 #include <stdexcept>
 
 #include "bearing/equilibrium/level_pitch.hpp"
-#include "bearing/equilibrium/race_equilibrium.hpp"
 #include "mechanics/plane.hpp"
 
 namespace orbearing::study {
 
 namespace {
 
+using bearing::vectorised::PitchResults;
 using boost::math::double_constants::two_pi;
 using Eigen::Matrix2d;
 using Eigen::Vector2d;
@@ -25,20 +25,13 @@ struct RollerTangent {
       Matrix2d::Zero();  // [m s/N]  displacement that damping holds back for a rate of load
 };
 
-// The balance at one cage angle.
-struct AtCageAngle {
-  Vector2d displacement;                  // [m]
-  Matrix2d stiffness;                     // [N/m]
-  Eigen::ArrayXd inner_load, outer_load;  // [N]  (rollers)
-};
-
 // Damping of both contacts of each roller as its series of springs passes it on [N s/m].
-Matrix2d roller_damping(const bearing::RollerContacts& contacts, const AtCageAngle& balance,
-                        double first_roller, double damping) {
+Matrix2d roller_damping(const bearing::RollerContacts& contacts, const PitchResults& pitch,
+                        Eigen::Index position, double first_roller, double damping) {
   Matrix2d sum = Matrix2d::Zero();
-  const Eigen::Index rollers = balance.inner_load.size();
+  const Eigen::Index rollers = pitch.inner_load.cols();
   for (Eigen::Index j = 0; j < rollers; ++j) {
-    const double inner = balance.inner_load[j], outer = balance.outer_load[j];
+    const double inner = pitch.inner_load(position, j), outer = pitch.outer_load(position, j);
     if (!(inner > 0.0 && outer > 0.0)) continue;
     const double a = contacts.inner.compliance(inner), b = contacts.outer.compliance(outer);
     const Vector2d outward =
@@ -48,33 +41,7 @@ Matrix2d roller_damping(const bearing::RollerContacts& contacts, const AtCageAng
   return sum;
 }
 
-AtCageAngle at_cage_angle(const bearing::RaceEquilibrium& problem) {
-  const bearing::QuasiStaticState balance = bearing::solve(problem);
-  if (!balance.report.converged) throw std::runtime_error(balance.report.message);
-  return {balance.displacement, balance.stiffness, balance.inner_load, balance.outer_load};
-}
-
-// Whole contacts, as the bearing in motion has them without laminae.
-std::vector<AtCageAngle> over_a_pitch(const bearing::Bearing& whole, const bearing::BearingGeometry& geometry,
-                                      const bearing::OperatingPoint& point,
-                                      const bearing::QuasiStaticOptions& options) {
-  using bearing::vectorised::LevelPitch;
-  std::vector<AtCageAngle> all;
-  if (std::optional<LevelPitch> level; LevelPitch::holds(point) && (level = LevelPitch::of(whole, options))) {
-    bearing::vectorised::PitchResults pitch;
-    level->solve(point, pitch);
-    for (std::size_t i = 0; i < pitch.reports.size() && pitch.reports[i].converged; ++i) {
-      const auto row = static_cast<Eigen::Index>(i);
-      all.push_back({pitch.displacement.col(row), pitch.stiffness[i], pitch.inner_load.row(row),
-                     pitch.outer_load.row(row)});
-    }
-  }
-  const double step = two_pi / (whole.rollers().count * options.cage_positions);
-  for (int i = static_cast<int>(all.size()); i < options.cage_positions; ++i)
-    all.push_back(at_cage_angle(bearing::quasi_static_problem(whole, geometry, point, options, i * step)));
-  return all;
-}
-
+// Of whole contacts, as the bearing in motion has them without laminae.
 RollerTangent roller_tangent(const PlanetaryDrivetrain& drivetrain, const bearing::BearingGeometry& geometry,
                              bearing::OperatingPoint point) {
   point.bore_tilt.setZero();  // which whole contacts do not feel
@@ -88,15 +55,18 @@ RollerTangent roller_tangent(const PlanetaryDrivetrain& drivetrain, const bearin
       whole, geometry, point.inner_speed, point.outer_speed, filmed ? options.film : std::nullopt);
   const double share = 1.0 / options.cage_positions;
   const double step = share * two_pi / whole.rollers().count;
+  PitchResults pitch;
+  bearing::vectorised::PitchSearch(whole, options).solve(point, pitch);
   RollerTangent mean;
-  double first_roller = 0.0;
-  for (const AtCageAngle& balance : over_a_pitch(whole, geometry, point, options)) {
-    const Matrix2d compliance = balance.stiffness.inverse();
-    const Matrix2d damping = roller_damping(contacts, balance, first_roller, damped ? race.damping : 0.0);
-    mean.displacement += share * balance.displacement;
+  for (std::size_t i = 0; i < pitch.reports.size(); ++i) {
+    if (!pitch.reports[i].converged) throw std::runtime_error(pitch.reports[i].message);
+    const auto position = static_cast<Eigen::Index>(i);
+    const Matrix2d compliance = pitch.stiffness[i].inverse();
+    const Matrix2d damping =
+        roller_damping(contacts, pitch, position, static_cast<double>(i) * step, damped ? race.damping : 0.0);
+    mean.displacement += share * pitch.displacement.col(position).matrix();
     mean.compliance += share * compliance;
     mean.retardation += share * compliance * damping * compliance;
-    first_roller += step;
   }
   return mean;
 }

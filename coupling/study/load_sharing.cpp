@@ -3,15 +3,12 @@
 #include <Eigen/LU>
 #include <Eigen/QR>
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
 
-#include "bearing/equilibrium/lamina_bearing.hpp"
-#include "bearing/equilibrium/quasi_static.hpp"
 #include "bearing/equilibrium/level_pitch.hpp"
 #include "coupling/study/bearing_tangent.hpp"
 #include "gearset/dynamics/bearing_force.hpp"
@@ -22,9 +19,7 @@ namespace orbearing::study {
 
 namespace {
 
-using bearing::vectorised::LevelPitch;
 using bearing::vectorised::PitchResults;
-using boost::math::double_constants::two_pi;
 using Eigen::Matrix2d;
 using Eigen::Matrix2Xd;
 using Eigen::MatrixXd;
@@ -51,91 +46,40 @@ class PlanetSupport {
  public:
   PlanetSupport(const PlanetaryDrivetrain& drivetrain, const BearingDuty& duty)
       : drivetrain_(drivetrain),
-        bearing_(of_like_rollers(drivetrain.bearing), mechanics::InstructionSet::baseline),
         duty_(duty),
-        options_(quasi_static_options(drivetrain)),
-        pitches_(static_cast<std::size_t>(drivetrain.set.planets)),
-        settled_(pitches_.size()) {
-    if (LevelPitch::holds(duty.point)) level_ = LevelPitch::of(bearing_.bearing(), options_);
-  }
+        search_(of_like_rollers(drivetrain.bearing), quasi_static_options(drivetrain)),
+        pitches_(static_cast<std::size_t>(drivetrain.set.planets)) {}
 
+  /// Each search starts from where this planet last settled, else from the first one that did.
   Give give(std::size_t planet, const Vector2d& force) {
     const bearing::OperatingPoint point = point_under(drivetrain_, duty_, force);
-    if (level_ && LevelPitch::holds(point))
-      if (const std::optional<Give> give = give_of_level_rollers(planet, point)) return *give;
-    return mean_over_angles(point, settled_[planet]);
+    const PitchResults& near = pitches_[planet].reports.empty() ? pitches_.front() : pitches_[planet];
+    search_.solve(point, found_, near.reports.empty() ? nullptr : &near);
+    const double support = drivetrain_.dynamics.support.stiffness;
+    const auto positions = static_cast<double>(found_.reports.size());
+    Matrix2d compliance = Matrix2d::Zero();
+    for (std::size_t i = 0; i < found_.reports.size(); ++i) {
+      if (!found_.reports[i].converged)
+        throw std::runtime_error("load sharing: " + found_.reports[i].message);
+      compliance += compliance_of(found_.stiffness[i]) / positions;
+    }
+    const Vector2d displacement = found_.displacement.rowwise().mean().matrix();
+    std::swap(pitches_[planet], found_);
+    return {point.bore_load / support + displacement,
+            (Matrix2d::Identity() / support + compliance) / drivetrain_.bearings_per_planet};
   }
 
   /// Where the bearing of each planet last settled; none where cage angles were searched one by one.
   std::vector<std::shared_ptr<const PitchResults>> pitches() {
     std::vector<std::shared_ptr<const PitchResults>> all;
     for (PitchResults& one : pitches_) {
-      if (one.reports.empty()) return {};
+      if (one.rollers.empty()) return {};
       all.push_back(std::make_shared<const PitchResults>(std::move(one)));
     }
     return all;
   }
 
  private:
-  // Of all cage angles at once; none where one of them does not converge.
-  std::optional<Give> give_of_level_rollers(std::size_t planet, const bearing::OperatingPoint& point) {
-    const PitchResults& near = pitches_[planet].reports.empty() ? pitches_.front() : pitches_[planet];
-    level_->solve(point, found_, near.reports.empty() ? nullptr : &near);
-    const auto positions = static_cast<double>(found_.reports.size());
-    Give mean = give_of_support(point);
-    Matrix2d compliance = Matrix2d::Zero();
-    for (std::size_t i = 0; i < found_.reports.size(); ++i) {
-      if (!found_.reports[i].converged) return std::nullopt;
-      compliance += compliance_of(found_.stiffness[i]) / positions;
-    }
-    mean.displacement += found_.displacement.rowwise().mean().matrix();
-    mean.compliance = (mean.compliance + compliance) / drivetrain_.bearings_per_planet;
-    std::swap(pitches_[planet], found_);
-    return mean;
-  }
-
-  Give give_of_support(const bearing::OperatingPoint& point) const {
-    const double stiffness = drivetrain_.dynamics.support.stiffness;
-    return {point.bore_load / stiffness, Matrix2d::Identity() / stiffness};
-  }
-
-  // The balances of one planet at all cage angles, and the load of one bearing [N] under which they settled.
-  struct Settled {
-    std::vector<bearing::QuasiStaticState> states;
-    Vector2d load = Vector2d::Zero();
-  };
-
-  // Each search starts where the bearing last settled at that cage angle, displaced along its tangent by
-  // what the load has changed; else from the first planet that settled, or from the cage angle before.
-  Give mean_over_angles(const bearing::OperatingPoint& point, Settled& own) const {
-    const int positions = options_.cage_positions;
-    const double step = two_pi / (positions * bearing_.bearing().rollers().count);
-    if (own.states.empty()) own = settled_.front();
-    const bool known = !own.states.empty();
-    Give mean = give_of_support(point);
-    for (int i = 0; i < positions; ++i) {
-      bearing::QuasiStaticState* near = nullptr;
-      if (known) {
-        near = &own.states[static_cast<std::size_t>(i)];
-        near->displacement += mechanics::lengths_under<2>(point.bore_load - own.load, near->stiffness);
-      } else if (!own.states.empty()) {
-        near = &own.states.back();
-      }
-      bearing::QuasiStaticState state =
-          quasi_static_state(bearing_, point, options_, options_.first_roller + i * step, near);
-      if (!state.report.converged) throw std::runtime_error("load sharing: " + state.report.message);
-      mean.displacement += state.displacement / positions;
-      mean.compliance += compliance_of(state.stiffness) / positions;
-      if (known)
-        *near = std::move(state);
-      else
-        own.states.push_back(std::move(state));
-    }
-    own.load = point.bore_load;
-    mean.compliance /= drivetrain_.bearings_per_planet;
-    return mean;
-  }
-
   static Matrix2d compliance_of(const Matrix2d& stiffness) {
     Matrix2d compliance;
     for (int i = 0; i < 2; ++i)
@@ -144,13 +88,10 @@ class PlanetSupport {
   }
 
   const PlanetaryDrivetrain& drivetrain_;
-  bearing::laminae::LaminaBearing bearing_;
   BearingDuty duty_;
-  bearing::QuasiStaticOptions options_;
-  std::optional<LevelPitch> level_;    // where rollers stay level: all cage angles at once
+  bearing::vectorised::PitchSearch search_;
   std::vector<PitchResults> pitches_;  // (planets)  where they last settled
   PitchResults found_;
-  std::vector<Settled> settled_;  // (planets)
 };
 
 // Fixed point of a map by what its last steps say of its slope: Anderson's mixing of type II.
@@ -198,8 +139,8 @@ void require_gears(const PlanetaryDrivetrain& drivetrain) {
         "planets that load unevenly: found gears that cannot move; required: one set with teeth");
 }
 
-// The torques of the three members balance: springs against their rotation carry nothing, and are left out, so
-// that not even the last digit depends on them.
+// The torques of the three members balance: springs against their rotation carry nothing, and are left out,
+// so that not even the last digit depends on them.
 void hold_against_rotation(gearset::dynamics::SetParameters& set, gearset::Member fixed) {
   const auto hold = [&](gearset::dynamics::Support& support, gearset::Member member) {
     support.torsional_stiffness = 0.0;
