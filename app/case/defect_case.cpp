@@ -134,10 +134,10 @@ study::Sampling sampling_of(const ResolvedCase& in) {
   return from_case<study::Sampling>(in);
 }
 
-std::optional<signals::Band> stated_band_of(const ResolvedCase& in) {
+std::optional<diagnosis::Band> stated_band_of(const ResolvedCase& in) {
   if (!in.has("signal.band")) return std::nullopt;
   const std::vector<double> band = in.list("signal.band");
-  return signals::Band{band.at(0), band.at(1)};
+  return diagnosis::Band{band.at(0), band.at(1)};
 }
 
 void check_defect(const ResolvedCase& in, std::vector<Mistake>& mistakes) {

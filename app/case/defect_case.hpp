@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/case/resolved_case.hpp"
-#include "app/signals/spectrum.hpp"
+#include "coupling/diagnosis/spectrum.hpp"
 #include "coupling/study/scratch_run.hpp"
 
 namespace orbearing::app {
@@ -27,7 +27,7 @@ double scratched_length_error_of(const ResolvedCase& resolved);
 study::Sampling sampling_of(const ResolvedCase& resolved);
 
 /// The band of the envelope that the case gives; none: the one of largest spectral kurtosis.
-std::optional<signals::Band> stated_band_of(const ResolvedCase& resolved);
+std::optional<diagnosis::Band> stated_band_of(const ResolvedCase& resolved);
 
 /// Adds what is wrong to `mistakes`; nothing for cases of other models.
 void check_defect(const ResolvedCase& resolved, std::vector<Mistake>& mistakes);

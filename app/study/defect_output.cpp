@@ -82,7 +82,7 @@ void describe_series(Record& record, const DefectStudy& study) {
   along_time("ball_load", dimension::force, "load of the first ball with damping", vibration.ball_load);
   along_time("envelope", dimension::acceleration, "of the acceleration along the load in the band",
              study.view.envelope);
-  const signals::Spectrum& spectrum = study.view.spectrum;
+  const diagnosis::Spectrum& spectrum = study.view.spectrum;
   const Eigen::Index lines = spectrum.amplitude.size();
   record.series(study.run_up ? "order" : "frequency", study.run_up ? dimension::ratio : dimension::cycles,
                 "lines of both spectra", {"line"}, evenly_spaced(lines, spectrum.resolution));
@@ -114,9 +114,10 @@ void describe_time(Record& record, Eigen::Index samples, double rate) {
 }
 
 void describe_peaks(Record& record, const std::string& name, const std::string& along,
-                    const std::vector<NamedPeak>& peaks, bool run_up, const described::Dimension& amplitude) {
+                    const std::vector<diagnosis::NamedPeak>& peaks, bool run_up,
+                    const described::Dimension& amplitude) {
   record.table(name, along, "lines of the spectrum, the largest first", peaks,
-               [&](Record& row, const NamedPeak& peak) {
+               [&](Record& row, const diagnosis::NamedPeak& peak) {
                  if (run_up)
                    row.value("order", dimension::ratio, "turns", peak.frequency);
                  else
@@ -129,8 +130,8 @@ void describe_peaks(Record& record, const std::string& name, const std::string& 
 namespace {
 
 void describe_lines(Record& record, const std::string& what, const std::string& orders,
-                    const std::string& along, const std::vector<NamedPeak>& peaks, bool run_up) {
-  describe_peaks(record, what, along, run_up ? std::vector<NamedPeak>{} : peaks, false,
+                    const std::string& along, const std::vector<diagnosis::NamedPeak>& peaks, bool run_up) {
+  describe_peaks(record, what, along, run_up ? std::vector<diagnosis::NamedPeak>{} : peaks, false,
                  dimension::acceleration);
   if (run_up)
     describe_peaks(record, orders, along, peaks, true, dimension::acceleration);
@@ -141,7 +142,7 @@ void describe_lines(Record& record, const std::string& what, const std::string& 
 }  // namespace
 
 void describe_vibration(Record& record, double shaft_frequency, double cage_frequency,
-                        const std::optional<double>& defect_frequency, const InstrumentView& view,
+                        const std::optional<double>& defect_frequency, const diagnosis::InstrumentView& view,
                         bool run_up) {
   record.value("shaft_Hz", dimension::cycles, "of the shaft", shaft_frequency).variable = "shaft_frequency";
   record.value("cage_Hz", dimension::cycles, "of the cage", cage_frequency).variable = "cage_frequency";
@@ -151,7 +152,7 @@ void describe_vibration(Record& record, double shaft_frequency, double cage_freq
   record.value("amplitude_unit", "of the peaks", "m/s2");
 }
 
-void describe_band(Record& record, const InstrumentView& view, bool run_up) {
+void describe_band(Record& record, const diagnosis::InstrumentView& view, bool run_up) {
   const auto& band = view.band.band;
   record.array("band_Hz", dimension::cycles, "of the envelope", {"end"}, std::array{band.low, band.high});
   record.series("band_low", dimension::cycles, "lower end of the band of the envelope", {}, band.low);

@@ -20,13 +20,13 @@ void describe_time(described::Record& record, Eigen::Index samples, double rate)
 
 /// Peaks as rows; in a run-up they stand at orders.
 void describe_peaks(described::Record& record, const std::string& name, const std::string& along,
-                    const std::vector<NamedPeak>& peaks, bool run_up,
+                    const std::vector<diagnosis::NamedPeak>& peaks, bool run_up,
                     const described::Dimension& amplitude);
 /// What every vibration tells first, with the acceleration that `view` shows.
 void describe_vibration(described::Record& record, double shaft_frequency, double cage_frequency,
-                        const std::optional<double>& defect_frequency, const InstrumentView& view,
+                        const std::optional<double>& defect_frequency, const diagnosis::InstrumentView& view,
                         bool run_up);
-void describe_band(described::Record& record, const InstrumentView& view, bool run_up);
+void describe_band(described::Record& record, const diagnosis::InstrumentView& view, bool run_up);
 
 void describe(described::Record& record, const DefectStudy& study);
 

@@ -144,7 +144,8 @@ std::vector<double> with_speeds_between(const std::vector<double>& speeds) {
 
 // One speed of the report.
 struct SpeedPoint {
-  ModesAtSpeed modes;
+  double rpm = 0.0;  // [rpm]
+  diagnosis::ModesAtSpeed modes;
   std::string status = "ok";
   study::GearRunResult run;
 };
@@ -153,8 +154,9 @@ SpeedPoint computed_point(const ResolvedCase& resolved, double rpm, long series_
   const SetModel model = gear_model_of(resolved.with({input_speed(rpm)}));
   study::GearRunOptions options = gear_run_options(resolved);
   options.series_periods = std::min(series_periods, options.observed_periods);
-  SpeedPoint point{.modes = {rpm, model.operation.mesh_frequency,
-                             named_frequencies(modes_at_speed(model), model.parameters.planets)}};
+  SpeedPoint point{.rpm = rpm,
+                   .modes = {rpm * kRadiansPerSecond, model.operation.mesh_frequency,
+                             diagnosis::named_frequencies(modes_at_speed(model), model.parameters.planets)}};
   point.run = run_gears(model, options);
   if (!point.run.message.empty()) point.status = point.run.message;
   return point;
@@ -165,7 +167,7 @@ std::vector<SpeedPoint> computed_points(const ResolvedCase& resolved, const std:
   std::vector<std::size_t> indices(rpm.size());
   for (std::size_t i = 0; i < rpm.size(); ++i) {
     indices[i] = i;
-    points[i].modes.rpm = rpm[i];
+    points[i].rpm = rpm[i];
   }
   study::compute_points(
       indices, 0,
@@ -184,8 +186,8 @@ std::vector<SpeedPoint> computed_points(const ResolvedCase& resolved, const std:
 Json runs_json(const std::vector<SpeedPoint>& points, const std::vector<double>& swept) {
   Json list = Json::array();
   for (const SpeedPoint& point : points) {
-    Json row{{"speed_rpm", point.modes.rpm},
-             {"swept", std::find(swept.begin(), swept.end(), point.modes.rpm) != swept.end()},
+    Json row{{"speed_rpm", point.rpm},
+             {"swept", std::find(swept.begin(), swept.end(), point.rpm) != swept.end()},
              {"status", point.status}};
     if (point.run.completed) {
       Record record;
@@ -207,9 +209,9 @@ Json campbell(const std::vector<SpeedPoint>& points) {
   Json result{{"speed_rpm", Json::array()}, {"mesh_frequency_Hz", Json::array()}};
   std::map<std::pair<ModeKind, int>, Json> lines;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    result["speed_rpm"].push_back(points[i].modes.rpm);
+    result["speed_rpm"].push_back(points[i].rpm);
     result["mesh_frequency_Hz"].push_back(points[i].modes.mesh_frequency);
-    for (const NamedFrequency& mode : points[i].modes.modes) {
+    for (const diagnosis::NamedFrequency& mode : points[i].modes.modes) {
       Json& line = lines[{mode.kind, mode.rank}];
       if (line.is_null()) line = {{"name", mode.name}, {"frequency_Hz", Json(points.size(), nullptr)}};
       line["frequency_Hz"][i] = mode.frequency;
@@ -222,14 +224,14 @@ Json campbell(const std::vector<SpeedPoint>& points) {
 
 Json meetings_json(const ResolvedCase& resolved, const std::vector<SpeedPoint>& points,
                    const gearset::PlanetarySet& set) {
-  std::vector<ModesAtSpeed> modes;
+  std::vector<diagnosis::ModesAtSpeed> modes;
   for (const SpeedPoint& point : points) modes.push_back(point.modes);
   Json list = Json::array();
-  const ModesAt modes_at = [&](double rpm) { return modes_at_rpm(resolved, rpm); };
-  for (const Meeting& meeting : meetings(modes, set, modes_at))
+  const auto modes_at = [&](double speed) { return modes_at_rpm(resolved, speed * kRpm); };
+  for (const diagnosis::Meeting& meeting : diagnosis::meetings(modes, set, modes_at))
     list.push_back({{"order", meeting.order},
                     {"mode", meeting.mode.name},
-                    {"speed_rpm", meeting.rpm},
+                    {"speed_rpm", meeting.speed * kRpm},
                     {"frequency_Hz", meeting.mode.frequency},
                     {"excited", meeting.excited}});
   return list;
@@ -251,7 +253,7 @@ Json mode_shapes(const SetModel& model) {
   const std::vector<Mode> modes = modes_at_rest(model);
   for (const Mode& mode : modes) {
     if (mode.frequency <= kStill * modes.back().frequency) continue;
-    const std::string name = mode_name(mode.kind, rank[mode.kind], planets);
+    const std::string name = diagnosis::mode_name(mode.kind, rank[mode.kind], planets);
     rank[mode.kind] += mode.multiplicity;
     if (drawn[mode.kind]++ >= kShapesOfKind) continue;
     shapes.push_back({{"name", name},

@@ -1,14 +1,8 @@
 #include "app/study/planet_defect.hpp"
 
-#include <fmt/format.h>
-
 #include <Eigen/Core>
-#include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
-#include <complex>
 #include <limits>
-#include <unsupported/Eigen/FFT>
 #include <vector>
 
 #include "app/case/defect_case.hpp"
@@ -26,7 +20,6 @@ namespace {
 
 using bearing::defect::Scratch;
 using bearing::defect::Scratched;
-using boost::math::double_constants::two_pi;
 
 // Unit vector (outward, in the sense of carrier rotation) from the pin's axis to the middle of the load zone:
 // the rollers that carry the planet stand there.
@@ -61,131 +54,16 @@ std::vector<system::ScratchedPlanet> scratched_planets_of(const ResolvedCase& in
   return {planet};
 }
 
-study::PlanetFrequencies as_turned(const study::PlanetFrequencies& rolling, const study::PlanetVibration& out,
-                                   int rollers) {
-  study::PlanetFrequencies turned = rolling;
-  const double count = rollers, cage = std::abs(out.cage_speed) / two_pi;
-  turned.bearing.cage = cage;
-  turned.bearing.outer_pass = count * std::abs(out.planet_speed - out.cage_speed) / two_pi;
-  turned.bearing.inner_pass = count * cage;
-  turned.bearing.element_pass = 2.0 * std::abs(out.roller_speed - out.cage_speed) / two_pi;
-  return turned;
-}
-
-// A run-up passes all speeds at the same ratios: those of the mean.
-study::PlanetFrequencies at_share(const study::PlanetFrequencies& full, double share) {
-  study::PlanetFrequencies now = full;
-  for (double* one : {&now.carrier, &now.planet, &now.mesh}) *one *= share;
-  now.bearing = slower(full.bearing, share);
-  return now;
-}
-
-// `signal` without its lines at `frequencies` [Hz] and the ones beside each. A signal of whole periods of all
-// of them loses these alone.
-Eigen::ArrayXd without_lines(const Eigen::ArrayXd& signal, double rate,
-                             const std::vector<double>& frequencies) {
-  Eigen::FFT<double> fft;
-  std::vector<double> samples(signal.begin(), signal.end());
-  std::vector<std::complex<double>> bins;
-  fft.fwd(bins, samples);
-  const auto size = static_cast<long>(bins.size());
-  const double resolution = rate / static_cast<double>(size);
-  for (const double frequency : frequencies) {
-    const long line = std::lround(frequency / resolution);
-    for (long k = line - 1; k <= line + 1; ++k)
-      if (k > 0 && k < size)
-        bins[static_cast<std::size_t>(k)] = bins[static_cast<std::size_t>(size - k)] = 0.0;
-  }
-  fft.inv(samples, bins);
-  return Eigen::Map<const Eigen::ArrayXd>(samples.data(), signal.size());
-}
-
-// The signal lasts whole turns of the carrier, in each of which whole teeth pass.
-Eigen::ArrayXd without_teeth(const Eigen::ArrayXd& signal, const PlanetDefectStudy& study, bool housing) {
-  std::vector<double> lines;
-  const study::PlanetFrequencies& at = study.rolling;
-  for (int k = 1; k * at.mesh < 0.5 * study.vibration.rate + at.mesh; ++k) {
-    lines.push_back(k * at.mesh);
-    if (housing) lines.insert(lines.end(), {k * at.mesh - at.carrier, k * at.mesh + at.carrier});
-  }
-  return without_lines(signal, study.vibration.rate, lines);
-}
-
-InstrumentView planet_view(const ResolvedCase& in, const PlanetDefectStudy& study,
-                           const Eigen::ArrayXd& signal, bool housing) {
-  constexpr double passes_shown = 4.0, narrowest = 2.0;  // bands hold a line and its neighbours
-  const study::PlanetVibration& motion = study.vibration;
-  const auto& at = study.turned.bearing;
-  const double pass = std::max({at.outer_pass, at.inner_pass, at.element_pass}), mesh = study.turned.mesh;
-  InstrumentView view =
-      view_of(in, signal, study.run_up ? signal : without_teeth(signal, study, housing), motion.rate,
-              narrowest * pass, study.run_up ? &motion.carrier_angle : nullptr);
-  const double unit = study.run_up ? study.turned.carrier : 1.0;  // [Hz]
-  const auto peaks = [&](const signals::Spectrum& spectrum, double highest) {
-    return named_peaks(spectrum, {.highest = highest / unit, .least_share = 0.02, .most = 32},
-                       planet_lines(study.scratched, study.turned, housing, highest, unit), 0.75);
-  };
-  const double high = std::min(0.4 * motion.rate, 3.0 * mesh);
-  view.spectrum_peaks = peaks(view.spectrum, high);
-  view.envelope_peaks = peaks(view.envelope_spectrum, std::min(high, passes_shown * pass));
-  return view;
+diagnosis::InstrumentView planet_view(const ResolvedCase& in, const PlanetDefectStudy& study,
+                                      const Eigen::ArrayXd& signal, bool on_housing) {
+  return diagnosis::planet_view(signal,
+                                {.rate = study.vibration.rate,
+                                 .band = stated_band_of(in),
+                                 .angle = study.run_up ? &study.vibration.carrier_angle : nullptr},
+                                on_housing, study.scratched, study.rolling, study.turned);
 }
 
 }  // namespace
-
-std::vector<signals::ExpectedLine> planet_lines(const std::vector<Scratched>& scratched,
-                                                const study::PlanetFrequencies& at, bool on_housing,
-                                                double highest, double unit) {
-  constexpr int bands = 3, common = 1, rare = 2;
-  std::vector<signals::ExpectedLine> lines;
-  const auto add = [&](double frequency, const std::string& name, double spacing, const char* of, int order) {
-    const int harmonics = static_cast<int>(std::ceil(highest / frequency)) + 1;
-    signals::add_lines(frequency / unit, name, harmonics, spacing / unit, of, spacing > 0.0 ? bands : 0,
-                       order, lines);
-  };
-  for (const Scratched one : scratched) {
-    const std::optional<double> pass = defect_frequency(one, at.bearing);
-    if (!pass) continue;
-    // The planet carries its race's scratch into the load zone and out again, the cage a roller; the pin
-    // stands.
-    if (one == Scratched::outer) add(*pass, defect_name(one), at.planet, "planet", 0);
-    if (one == Scratched::inner) add(*pass, defect_name(one), 0.0, "", 0);
-    if (of_element(one)) {
-      add(*pass, defect_name(one), at.bearing.cage, "cage", 0);
-      add(0.5 * *pass, "roller spin", at.bearing.cage, "cage", rare);
-    }
-  }
-  // Teeth shake the bearing as rollers strike: sums and differences with their lines.
-  constexpr int simple = 6;
-  const std::vector<signals::ExpectedLine> struck = lines;
-  const int meshes = static_cast<int>(std::min(2.0, highest / at.mesh + 1.0));
-  for (const signals::ExpectedLine& line : struck)
-    for (int k = 1; k <= meshes && line.order <= simple; ++k) {
-      const std::string teeth = k == 1 ? "mesh" : fmt::format("{} x mesh", k);
-      const double mesh = k * at.mesh / unit;
-      lines.push_back(
-          {std::abs(mesh - line.frequency), fmt::format("{} - {}", teeth, line.name), line.order + 2 * k});
-      lines.push_back({mesh + line.frequency, fmt::format("{} + {}", teeth, line.name), line.order + 2 * k});
-    }
-  add(at.mesh, "mesh", at.planet, "planet", common);
-  add(at.planet, "planet", 0.0, "", common);
-  add(at.bearing.cage, "cage", 0.0, "", rare);
-  add(at.bearing.inner_pass, "rollers past the pin", 0.0, "", rare);
-  // With enough of them any line would have a name.
-  constexpr int farthest = 12;
-  std::erase_if(lines, [](const signals::ExpectedLine& line) { return line.order > farthest; });
-  if (!on_housing) return lines;
-  // The path from the planet to the instrument turns by once a turn of the carrier.
-  std::vector<signals::ExpectedLine> seen = lines;
-  for (const signals::ExpectedLine& line : lines)
-    for (const int band : {-1, 1})
-      seen.push_back({line.frequency + band * at.carrier / unit,
-                      fmt::format("{} {} carrier", line.name, band > 0 ? '+' : '-'), line.order + 1});
-  const auto turns = static_cast<int>(std::min(40.0, highest / at.carrier));
-  for (int k = 1; k <= turns; ++k)
-    seen.push_back({k * at.carrier / unit, k == 1 ? "carrier" : fmt::format("{} x carrier", k), 3 + k});
-  return seen;
-}
 
 PlanetDefectStudy planet_defect_study(const ResolvedCase& in, const std::function<void(double)>& progress) {
   require_wide_scratch(in);
@@ -197,13 +75,12 @@ PlanetDefectStudy planet_defect_study(const ResolvedCase& in, const std::functio
   for (const system::ScratchedPlanet& planet : scratched)
     for (const bearing::defect::Scratch& one : planet.scratches) study.scratched.push_back(one.race);
   if (!study.scratched.empty())
-    study.defect_frequency = defect_frequency(study.scratched.front(), study.rolling.bearing);
+    study.defect_frequency = diagnosis::defect_frequency(study.scratched.front(), study.rolling.bearing);
   study.vibration = study::sample_vibration(drivetrain, scratched, sampling, progress);
   const study::PlanetVibration& motion = study.vibration;
   if (!motion.report.completed) throw ComputationFailed(in.text("name") + ": " + motion.report.message);
-  const double share = std::abs(motion.planet_speed) / (two_pi * study.rolling.planet);
-  study.turned = as_turned(study.run_up ? at_share(study.rolling, share) : study.rolling, motion,
-                           drivetrain.bearing.rollers().count);
+  study.turned =
+      diagnosis::as_turned(study.rolling, motion, drivetrain.bearing.rollers().count, study.run_up);
   const Eigen::Vector2d loaded = load_zone_of(in);  // the way in which the load zone lies
   study.carrier = planet_view(
       in, study,
@@ -213,9 +90,9 @@ PlanetDefectStudy planet_defect_study(const ResolvedCase& in, const std::functio
 }
 
 double planet_defect_property(const PlanetDefectStudy& study, const std::string& quantity) {
-  const std::string name = study.scratched.empty() ? "" : defect_name(study.scratched.front());
+  const std::string name = study.scratched.empty() ? "" : diagnosis::defect_name(study.scratched.front());
   if (quantity == "cage_Hz") return study.rolling.bearing.cage;
-  const std::vector<NamedPeak>&carrier = study.carrier.envelope_peaks,
+  const std::vector<diagnosis::NamedPeak>&carrier = study.carrier.envelope_peaks,
         &housing = study.housing.envelope_peaks;
   if (quantity == "defect_peak_Hz") return peak_frequency(carrier, name);
   if (quantity == "planet_band_Hz")
@@ -250,7 +127,7 @@ struct Instrument {
   const char* key;
   const char* name;  // of its series
   const char* meaning;
-  const InstrumentView& view;
+  const diagnosis::InstrumentView& view;
   const described::Dimension& of;
   bool run_up;
 };
@@ -270,7 +147,7 @@ void describe_instrument(Record& record, const Instrument& instrument) {
 
 void describe_spectra(Record& record, const Instrument& instrument) {
   const std::string of = instrument.name;
-  const auto add = [&](const std::string& lines, const std::string& name, const signals::Spectrum& spectrum,
+  const auto add = [&](const std::string& lines, const std::string& name, const diagnosis::Spectrum& spectrum,
                        const char* meaning) {
     record.series(name + "_place", instrument.run_up ? dimension::ratio : dimension::cycles,
                   instrument.run_up ? "order of the carrier" : "frequency", {lines},

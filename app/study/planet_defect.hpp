@@ -24,19 +24,13 @@ struct PlanetDefectStudy {
   study::PlanetVibration vibration;
   /// Envelopes are those of the signal less the lines of the teeth, but in a run-up, whose orders are the
   /// carrier's.
-  InstrumentView carrier;  // damaged planet along the middle of its load zone, relative to its pin [m/s^2]
-  InstrumentView housing;  // ring gear's force on the housing as an instrument feels it [N]
+  diagnosis::InstrumentView carrier;  // damaged planet along the middle of its load zone, relative to its pin [m/s^2]
+  diagnosis::InstrumentView housing;  // ring gear's force on the housing as an instrument feels it [N]
 };
 
 /// `progress` gets the share done, if any. Throws ComputationFailed where the motion cannot be followed.
 PlanetDefectStudy planet_defect_study(const ResolvedCase& resolved,
                                       const std::function<void(double)>& progress = {});
-
-/// The lines that may stand in the spectra of one instrument; `unit` 1 for hertz, or the carrier's turns a
-/// second for its orders.
-std::vector<signals::ExpectedLine> planet_lines(const std::vector<bearing::defect::Scratched>& scratched,
-                                                const study::PlanetFrequencies& at, bool on_housing,
-                                                double highest, double unit = 1.0);
 
 /// A number by its name in the validation table: "cage_Hz", "defect_peak_Hz" and "planet_band_Hz" of the
 /// envelope in the carrier's frame, "carrier_band_Hz" of that on the housing, "mesh_on_housing_Hz"; NaN for

@@ -1,155 +1,19 @@
 #include "app/study/resonance.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
-#include <cstdint>
-#include <map>
-#include <numeric>
-#include <stdexcept>
 
 #include "app/study/gear_case.hpp"
 #include "app/study/gear_output.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/units.hpp"
-#include "gearset/dynamics/mode_kind.hpp"
-#include "gearset/planet_angles.hpp"
 
 namespace orbearing::app {
 
-namespace {
-
-using gearset::dynamics::Mode;
-using gearset::dynamics::ModeKind;
-
-constexpr int kMetHarmonics = 4;     // with four planets each kind of mode has a harmonic among these
-constexpr double kStillMode = 1e-3;  // of the largest frequency: a mode below is a free rotation
-constexpr double kNear = 1.5;        // a resonance at a speed further off by this factor is not near
-// Ratio of neighbouring speeds at which modes are computed: natural frequencies change little with speed, and
-// smoothly. The speeds are powers of it [rpm], the same in every sweep, so that a point has one resonance.
-constexpr double kSpeedRatio = 1.2;
-
-// Modes of one kind at one frequency of the set at rest. At speed a group of several splits.
-int group_size(ModeKind kind, int planets) {
-  if (kind == ModeKind::rotational) return 1;
-  return kind == ModeKind::translational ? 2 : std::max(1, planets - 3);
-}
-
-const char* letter_of_kind(ModeKind kind) {
-  if (kind == ModeKind::rotational) return "R";
-  return kind == ModeKind::translational ? "T" : "P";
-}
-
-const NamedFrequency* same_mode(const NamedFrequency& mode, const ModesAtSpeed& point) {
-  const auto found = std::find_if(point.modes.begin(), point.modes.end(), [&](const NamedFrequency& other) {
-    return other.kind == mode.kind && other.rank == mode.rank;
-  });
-  return found == point.modes.end() ? nullptr : &*found;
-}
-
-std::vector<ModesAtSpeed> modes_between(const ResolvedCase& resolved, double lowest_rpm, double highest_rpm) {
-  std::vector<ModesAtSpeed> points;
-  const double first = std::floor(std::log(lowest_rpm / kNear) / std::log(kSpeedRatio));
-  const double last = std::ceil(std::log(highest_rpm * kNear) / std::log(kSpeedRatio));
-  for (double power = first; power <= last; power += 1.0) try {
-      points.push_back(modes_at_rpm(resolved, std::pow(kSpeedRatio, power)));
-    } catch (const std::runtime_error&) {
-      continue;  // no balance of the bearing there; its point of the sweep, if there is one, says so
-    }
-  return points;
-}
-
-Resonance resonance_of(const Meeting& meeting) {
-  return {.kind = kind_name(meeting.mode.kind),
-          .mode = meeting.mode.name,
-          .frequency = meeting.mode.frequency,
-          .harmonic = meeting.order,
-          .speed = meeting.rpm * kRadiansPerSecond};
-}
-
-}  // namespace
-
-std::string mode_name(ModeKind kind, int rank, int planets) {
-  return fmt::format("{}{}", letter_of_kind(kind), rank / group_size(kind, planets) + 1);
-}
-
-std::vector<NamedFrequency> named_frequencies(const std::vector<Mode>& modes, int planets) {
-  std::vector<NamedFrequency> list;
-  std::map<ModeKind, int> rank;
-  for (const Mode& mode : modes) {
-    if (mode.frequency <= kStillMode * modes.back().frequency) continue;
-    for (int i = 0; i < mode.multiplicity; ++i) {
-      const int place = rank[mode.kind]++;
-      list.push_back({mode_name(mode.kind, place, planets), mode.kind, place, mode.frequency});
-    }
-  }
-  return list;
-}
-
-ModesAtSpeed modes_at_rpm(const ResolvedCase& resolved, double rpm) {
-  const gearset::dynamics::SetModel model =
-      gear_model_of(resolved.with({input_speed(rpm)}));
-  return {rpm, model.operation.mesh_frequency,
-          named_frequencies(modes_at_speed(model), model.parameters.planets)};
-}
-
-namespace {
-
-/// A harmonic of the mesh frequency and a mode that lies above it at one speed and below at a higher one.
-struct Crossing {
-  int order = 0;
-  NamedFrequency mode;  // at the lower speed
-  double lower = 0.0, upper = 0.0;              // [rpm]
-  double above_lower = 0.0, above_upper = 0.0;  // [Hz]  harmonic less mode
-};
-
-// By a root of the difference, in modes at the speed itself: those of neighbours would miss by up to a part in 500.
-std::optional<Meeting> meeting_at(const Crossing& crossing, const ModesAt& modes_at) try {
-  constexpr double same_speed = 1e-10;  // relative
-  constexpr std::uintmax_t most = 60;
-  const auto difference = [&](double rpm) {
-    const ModesAtSpeed found = modes_at(rpm);
-    const NamedFrequency* mode = same_mode(crossing.mode, found);
-    if (!mode) throw std::runtime_error(crossing.mode.name);
-    return crossing.order * found.mesh_frequency - mode->frequency;
-  };
-  const auto near = [&](double one, double other) { return std::abs(other - one) <= same_speed * other; };
-  std::uintmax_t tries = most;
-  const auto [low, high] = boost::math::tools::toms748_solve(
-      difference, crossing.lower, crossing.upper, crossing.above_lower, crossing.above_upper, near, tries);
-  Meeting meeting{crossing.order, crossing.mode, std::midpoint(low, high)};
-  const ModesAtSpeed there = modes_at(meeting.rpm);
-  const NamedFrequency* mode = same_mode(crossing.mode, there);
-  if (!mode) return std::nullopt;
-  meeting.mode.frequency = mode->frequency;
-  return meeting;
-} catch (const std::runtime_error&) {
-  return std::nullopt;  // no balance of the bearing there
-}
-
-}  // namespace
-
-std::vector<Meeting> meetings(const std::vector<ModesAtSpeed>& points, const gearset::PlanetarySet& set,
-                              const ModesAt& modes_at) {
-  std::vector<Meeting> list;
-  const std::vector<double> places = angles_of_planets(set);
-  for (int order = 1; order <= kMetHarmonics; ++order)
-    for (std::size_t i = 0; i + 1 < points.size(); ++i)
-      for (const NamedFrequency& mode : points[i].modes) {
-        const NamedFrequency* next = same_mode(mode, points[i + 1]);
-        if (!next) continue;
-        const double before = order * points[i].mesh_frequency - mode.frequency;
-        const double after = order * points[i + 1].mesh_frequency - next->frequency;
-        if (before > 0.0 || after <= 0.0) continue;
-        std::optional<Meeting> meeting =
-            meeting_at({order, mode, points[i].rpm, points[i + 1].rpm, before, after}, modes_at);
-        if (!meeting) continue;
-        meeting->excited = excites(places, order * set.sun_teeth, mode.kind);
-        list.push_back(std::move(*meeting));
-      }
-  return list;
+diagnosis::ModesAtSpeed modes_at_rpm(const ResolvedCase& resolved, double rpm) {
+  const gearset::dynamics::SetModel model = gear_model_of(resolved.with({input_speed(rpm)}));
+  return {rpm * kRadiansPerSecond, model.operation.mesh_frequency,
+          diagnosis::named_frequencies(modes_at_speed(model), model.parameters.planets)};
 }
 
 bool has_resonances(const ResolvedCase& resolved) {
@@ -160,12 +24,15 @@ bool has_resonances(const ResolvedCase& resolved) {
 
 std::vector<Resonance> resonances(const ResolvedCase& resolved, double lowest_rpm, double highest_rpm) {
   const gearset::PlanetarySet set = drivetrain_of(resolved).set;
+  const auto modes_at = [&](double speed) { return modes_at_rpm(resolved, speed * kRpm); };
   std::vector<Resonance> list;
-  const ModesAt modes_at = [&](double rpm) { return modes_at_rpm(resolved, rpm); };
-  for (const Meeting& meeting : meetings(modes_between(resolved, lowest_rpm, highest_rpm), set, modes_at))
-    if (meeting.excited) list.push_back(resonance_of(meeting));
-  std::sort(list.begin(), list.end(),
-            [](const Resonance& one, const Resonance& other) { return one.speed < other.speed; });
+  for (const diagnosis::Meeting& meeting :
+       diagnosis::resonances(lowest_rpm * kRadiansPerSecond, highest_rpm * kRadiansPerSecond, set, modes_at))
+    list.push_back({.kind = kind_name(meeting.mode.kind),
+                    .mode = meeting.mode.name,
+                    .frequency = meeting.mode.frequency,
+                    .harmonic = meeting.order,
+                    .speed = meeting.speed});
   return list;
 }
 
@@ -174,8 +41,7 @@ std::optional<Resonance> nearest(const std::vector<Resonance>& resonances, doubl
                                       [&](const Resonance& one, const Resonance& other) {
                                         return std::abs(one.speed - speed) < std::abs(other.speed - speed);
                                       });
-  if (found == resonances.end() || found->speed > kNear * speed || kNear * found->speed < speed)
-    return std::nullopt;
+  if (found == resonances.end() || !diagnosis::is_near(found->speed, speed)) return std::nullopt;
   return *found;
 }
 

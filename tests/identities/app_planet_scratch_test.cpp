@@ -21,7 +21,7 @@
 namespace orbearing::app::app_planet_scratch_test {
 namespace {
 
-using signals::Spectrum;
+using diagnosis::Spectrum;
 
 // Each takes seconds: what several tests look at is computed once. A scratch of the pin stands in the load
 // and is clear in a short signal; what comes by now and then needs a longer one.

@@ -25,14 +25,14 @@ DefectStudy study_in_motion(const std::string& race) {
                       DefectRung::all);
 }
 
-const NamedPeak* peak(const std::vector<NamedPeak>& peaks, const std::string& is) {
+const diagnosis::NamedPeak* peak(const std::vector<diagnosis::NamedPeak>& peaks, const std::string& is) {
   const auto found =
-      std::find_if(peaks.begin(), peaks.end(), [&](const NamedPeak& one) { return one.is == is; });
+      std::find_if(peaks.begin(), peaks.end(), [&](const diagnosis::NamedPeak& one) { return one.is == is; });
   return found == peaks.end() ? nullptr : &*found;
 }
 
 void expect_peak(const DefectStudy& study, const std::string& is, double frequency) {
-  const NamedPeak* found = peak(study.view.envelope_peaks, is);
+  const diagnosis::NamedPeak* found = peak(study.view.envelope_peaks, is);
   ASSERT_NE(found, nullptr) << is;
   EXPECT_NEAR(found->frequency, frequency, kHalfPercent * frequency) << is;
 }
@@ -43,7 +43,7 @@ TEST(ScratchVibration, OuterRace) {
   expect_peak(study, "outer race defect", 76.3);
   expect_peak(study, "2 x outer race defect", 2.0 * 76.3);
   EXPECT_EQ(study.view.envelope_peaks.front().is, "outer race defect");
-  for (const NamedPeak& one : study.view.envelope_peaks)
+  for (const diagnosis::NamedPeak& one : study.view.envelope_peaks)
     EXPECT_NE(one.is.find("outer race defect"), std::string::npos) << one.frequency << " " << one.is;
 }
 
@@ -60,7 +60,7 @@ TEST(ScratchVibration, InnerRace) {
 // Issue 14, Build 9: a run-up, whose lines are smeared over frequency, has them at orders of the shaft.
 TEST(ScratchVibration, RunUpsHaveTheirLinesOverOrders) {
   const auto order = [](const DefectStudy& study, const std::string& is, double expected) {
-    const NamedPeak* found = peak(study.view.envelope_peaks, is);
+    const diagnosis::NamedPeak* found = peak(study.view.envelope_peaks, is);
     ASSERT_NE(found, nullptr) << is;
     EXPECT_NEAR(found->frequency, expected, kHalfPercent * expected) << is;
   };
@@ -79,8 +79,8 @@ TEST(ScratchVibration, RunUpsHaveTheirLinesOverOrders) {
   // Squares of the speed grow with the angle; two revolutions of 18 are left out.
   EXPECT_NEAR(inner.turned.shaft, 0.5 * (std::sqrt(0.25 + 0.75 * 2.0 / 18.0) + 1.0) * 25.0, 0.1);
   // Over frequency the same signal has no such line: the largest stays below half of that over orders.
-  const signals::Spectrum smeared =
-      signals::spectrum_of(outer.view.envelope, outer.vibration.rate, signals::Window::hann);
+  const diagnosis::Spectrum smeared =
+      diagnosis::spectrum_of(outer.view.envelope, outer.vibration.rate, diagnosis::Window::hann);
   const auto from = static_cast<Eigen::Index>(30.0 / smeared.resolution);
   const auto to = static_cast<Eigen::Index>(90.0 / smeared.resolution);
   EXPECT_LT(smeared.amplitude.segment(from, to - from).maxCoeff(),
@@ -97,7 +97,7 @@ TEST(ScratchedRollers, LinesOnPaperAreThoseOfTheRun) {
   };
   const DefectStudy outer = of("outer");
   expect_peak(outer, "outer race defect", 148.08);
-  for (const NamedPeak& one : outer.view.envelope_peaks)
+  for (const diagnosis::NamedPeak& one : outer.view.envelope_peaks)
     EXPECT_NE(one.is.find("outer race defect"), std::string::npos) << one.frequency << " " << one.is;
   const DefectStudy inner = of("inner");
   expect_peak(inner, "inner race defect", 201.92);
@@ -109,7 +109,7 @@ TEST(ScratchedRollers, LinesOnPaperAreThoseOfTheRun) {
   EXPECT_TRUE(peak(roller.view.envelope_peaks, "roller defect - cage") != nullptr ||
               peak(roller.view.envelope_peaks, "roller defect + cage") != nullptr);
   const DefectStudy sound = of("none");
-  for (const NamedPeak& one : sound.view.spectrum_peaks)
+  for (const diagnosis::NamedPeak& one : sound.view.spectrum_peaks)
     EXPECT_NE(one.is.find("roller passage"), std::string::npos) << one.frequency << " " << one.is;
 }
 
@@ -145,9 +145,9 @@ TEST(ScratchVibration, InnerRaceWithAllInMotion) {
 // alike.
 TEST(ScratchVibration, WithoutAScratchOnlyTheBallsPass) {
   const DefectStudy study = study_of({"defect.race=none"});
-  for (const std::vector<NamedPeak>& peaks : {study.view.envelope_peaks, study.view.spectrum_peaks}) {
+  for (const std::vector<diagnosis::NamedPeak>& peaks : {study.view.envelope_peaks, study.view.spectrum_peaks}) {
     ASSERT_FALSE(peaks.empty());
-    for (const NamedPeak& one : peaks)
+    for (const diagnosis::NamedPeak& one : peaks)
       EXPECT_NE(one.is.find("ball passage"), std::string::npos) << one.frequency << " " << one.is;
   }
   const double largest = study.vibration.acceleration.row(0).abs().maxCoeff();

@@ -38,9 +38,9 @@ TEST(Resonance, MeetsItsModeAtItsOwnSpeed) {
   const std::vector<Resonance> found = resonances(resolved, 4000.0, 9000.0);
   ASSERT_FALSE(found.empty());
   for (const Resonance& resonance : found) {
-    const ModesAtSpeed there = modes_at_rpm(resolved, resonance.speed * kRpm);
+    const diagnosis::ModesAtSpeed there = modes_at_rpm(resolved, resonance.speed * kRpm);
     double nearest = 1e9;
-    for (const NamedFrequency& mode : there.modes)
+    for (const diagnosis::NamedFrequency& mode : there.modes)
       if (mode.name == resonance.mode)
         nearest = std::min(nearest, std::abs(mode.frequency - resonance.frequency) / resonance.frequency);
     constexpr double solved = 1e-8;  // of the search, and of the balance behind the stiffness

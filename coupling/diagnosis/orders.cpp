@@ -1,4 +1,4 @@
-#include "app/signals/orders.hpp"
+#include "coupling/diagnosis/orders.hpp"
 
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
@@ -8,7 +8,7 @@
 
 #include "mechanics/easy_length.hpp"
 
-namespace orbearing::app::signals {
+namespace orbearing::diagnosis {
 
 namespace {
 
@@ -77,4 +77,4 @@ Spectrum order_spectrum(const AngleSignal& signal, Window window) {
   return spectrum_of(signal.value, signal.per_revolution, window);
 }
 
-}  // namespace orbearing::app::signals
+}  // namespace orbearing::diagnosis

@@ -1,16 +1,16 @@
 // Issue 14, Build 9: order tracking. Lines planted over orders are found, levels by Parseval; over frequency they
 // are smeared.
-#include "app/signals/orders.hpp"
+#include "coupling/diagnosis/orders.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <stdexcept>
 
-#include "app/signals/peaks.hpp"
+#include "coupling/diagnosis/peaks.hpp"
 #include "tests/messages.hpp"
 
-namespace orbearing::app::signals::orders_test {
+namespace orbearing::diagnosis::orders_test {
 namespace {
 
 constexpr double kTwoPi = 6.283185307179586;
@@ -88,4 +88,4 @@ TEST(OrderTracking, RefusesAShaftThatStands) {
 }
 
 }  // namespace
-}  // namespace orbearing::app::signals::orders_test
+}  // namespace orbearing::diagnosis::orders_test

@@ -1,4 +1,4 @@
-#include "app/signals/spectrum.hpp"
+#include "coupling/diagnosis/spectrum.hpp"
 
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
@@ -9,7 +9,7 @@
 
 #include "mechanics/easy_length.hpp"
 
-namespace orbearing::app::signals {
+namespace orbearing::diagnosis {
 
 namespace {
 
@@ -126,4 +126,21 @@ KurtosisOfBand most_impulsive_band(const Eigen::ArrayXd& signal, double rate, do
   return best;
 }
 
-}  // namespace orbearing::app::signals
+Eigen::ArrayXd without_lines(const Eigen::ArrayXd& signal, double rate,
+                             const std::vector<double>& frequencies) {
+  Bins bins = transform(signal);
+  const auto size = static_cast<long>(bins.size());
+  const double resolution = rate / static_cast<double>(size);
+  for (const double frequency : frequencies) {
+    const long line = std::lround(frequency / resolution);
+    for (long k = line - 1; k <= line + 1; ++k)
+      if (k > 0 && k < size)
+        bins[static_cast<std::size_t>(k)] = bins[static_cast<std::size_t>(size - k)] = 0.0;
+  }
+  Eigen::FFT<double> fft;
+  std::vector<double> samples;
+  fft.inv(samples, bins);
+  return Eigen::Map<const Eigen::ArrayXd>(samples.data(), signal.size());
+}
+
+}  // namespace orbearing::diagnosis

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "app/signals/spectrum.hpp"
+#include "coupling/diagnosis/spectrum.hpp"
 
-namespace orbearing::app::signals {
+namespace orbearing::diagnosis {
 
 struct Peak {
   double frequency = 0.0;  // [Hz]  between the lines of the spectrum, by the shape of the Hann window
@@ -31,6 +31,9 @@ struct ExpectedLine {
   int order = 1;
 };
 
+/// "name", "2 x name".
+std::string harmonic_name(int harmonic, const std::string& name);
+
 /// Adds harmonics 1 to `harmonics` of `frequency`, each with side bands up to `bands` times `spacing` to both
 /// sides: "name", "2 x name - spacing name". Their order grows from `order` on.
 void add_lines(double frequency, const std::string& name, int harmonics, double spacing,
@@ -39,4 +42,4 @@ void add_lines(double frequency, const std::string& name, int harmonics, double 
 /// The name of the simplest expected line within `tolerance` [Hz]; "unknown" where none is.
 std::string name_of(double frequency, const std::vector<ExpectedLine>& lines, double tolerance);
 
-}  // namespace orbearing::app::signals
+}  // namespace orbearing::diagnosis

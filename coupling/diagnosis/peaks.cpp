@@ -1,6 +1,4 @@
-#include "app/signals/peaks.hpp"
-
-#include <fmt/format.h>
+#include "coupling/diagnosis/peaks.hpp"
 
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
@@ -8,7 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 
-namespace orbearing::app::signals {
+namespace orbearing::diagnosis {
 
 namespace {
 
@@ -32,11 +30,11 @@ Peak refined(const Spectrum& spectrum, Eigen::Index line) {
           here * (1.0 - beside * beside) / boost::math::sinc_pi(turned)};
 }
 
-std::string harmonic_name(int harmonic, const std::string& name) {
-  return harmonic == 1 ? name : fmt::format("{} x {}", harmonic, name);
-}
-
 }  // namespace
+
+std::string harmonic_name(int harmonic, const std::string& name) {
+  return harmonic == 1 ? name : std::to_string(harmonic) + " x " + name;
+}
 
 std::vector<Peak> peaks_of(const Spectrum& spectrum, const PeakSearch& search) {
   const auto last = std::min(static_cast<Eigen::Index>(search.highest / spectrum.resolution),
@@ -61,8 +59,7 @@ void add_lines(double frequency, const std::string& name, int harmonics, double 
     for (int band = -bands; band <= bands; ++band) {
       ExpectedLine line{harmonic * frequency + band * spacing, harmonic_name(harmonic, name),
                         order + harmonic + std::abs(band)};
-      if (band != 0)
-        line.name += fmt::format(" {} {}", band > 0 ? '+' : '-', harmonic_name(std::abs(band), spacing_name));
+      if (band != 0) line.name += (band > 0 ? " + " : " - ") + harmonic_name(std::abs(band), spacing_name);
       if (line.frequency > 0.0) lines.push_back(std::move(line));
     }
 }
@@ -75,4 +72,4 @@ std::string name_of(double frequency, const std::vector<ExpectedLine>& lines, do
   return best != nullptr ? best->name : "unknown";
 }
 
-}  // namespace orbearing::app::signals
+}  // namespace orbearing::diagnosis

@@ -1,13 +1,13 @@
-#include "app/signals/spectrum.hpp"
+#include "coupling/diagnosis/spectrum.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "app/signals/peaks.hpp"
+#include "coupling/diagnosis/peaks.hpp"
 
-namespace orbearing::app::signals::spectrum_test {
+namespace orbearing::diagnosis::spectrum_test {
 namespace {
 
 constexpr double kPi = 3.14159265358979324;
@@ -122,4 +122,4 @@ TEST(Peaks, HaveTheSimplestName) {
 }
 
 }  // namespace
-}  // namespace orbearing::app::signals::spectrum_test
+}  // namespace orbearing::diagnosis::spectrum_test

@@ -4,9 +4,9 @@
 
 #include <Eigen/Core>
 
-#include "app/signals/spectrum.hpp"
+#include "coupling/diagnosis/spectrum.hpp"
 
-namespace orbearing::app::signals {
+namespace orbearing::diagnosis {
 
 /// A signal at even angles.
 struct AngleSignal {
@@ -23,4 +23,4 @@ AngleSignal resampled(const Eigen::ArrayXd& signal, const Eigen::ArrayXd& angle)
 /// Lines over orders: revolutions of the shaft take the place of seconds, orders that of hertz.
 Spectrum order_spectrum(const AngleSignal& signal, Window window);
 
-}  // namespace orbearing::app::signals
+}  // namespace orbearing::diagnosis

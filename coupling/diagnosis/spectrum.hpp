@@ -4,8 +4,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
-namespace orbearing::app::signals {
+namespace orbearing::diagnosis {
 
 /// Amplitudes of the lines k resolution, k = 0, 1, ...: a sine of amplitude a on a line shows as a.
 struct Spectrum {
@@ -46,4 +47,9 @@ double kurtosis_of(const Eigen::ArrayXd& signal, double rate, const Band& band);
 /// hundredth of the power.
 KurtosisOfBand most_impulsive_band(const Eigen::ArrayXd& signal, double rate, double least_width);
 
-}  // namespace orbearing::app::signals
+/// `signal` without its lines at `frequencies` [Hz] and the ones beside each. A signal of whole periods of
+/// all of them loses these alone.
+Eigen::ArrayXd without_lines(const Eigen::ArrayXd& signal, double rate,
+                             const std::vector<double>& frequencies);
+
+}  // namespace orbearing::diagnosis

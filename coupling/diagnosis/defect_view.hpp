@@ -1,0 +1,74 @@
+// A bearing with scratches: which lines they give, what these are called (docs/defects), and what one
+// instrument shows of it.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bearing/defect/frequencies.hpp"
+#include "bearing/defect/scratch.hpp"
+#include "coupling/diagnosis/spectrum.hpp"
+#include "coupling/study/planet_scratch.hpp"
+
+namespace orbearing::diagnosis {
+
+/// What lines of a scratch are called; without one, those of the balls that pass the load zone.
+std::string defect_name(bearing::defect::Scratched scratched);
+/// How often a scratch is met [Hz]; none without one.
+std::optional<double> defect_frequency(bearing::defect::Scratched scratched,
+                                       const bearing::defect::PassingFrequencies& passing);
+
+/// At a speed lower by `share`.
+bearing::defect::PassingFrequencies slower(const bearing::defect::PassingFrequencies& full, double share);
+/// Elements pass where the cage takes them, whatever its slip; `cage_speed` [rad/s].
+bearing::defect::PassingFrequencies as_turned(const bearing::defect::PassingFrequencies& rolling,
+                                              int elements, double cage_speed);
+/// The same of a planet's bearing; in a run-up, which passes all speeds at the same ratios, at the mean
+/// speed.
+study::PlanetFrequencies as_turned(const study::PlanetFrequencies& rolling,
+                                   const study::PlanetVibration& motion, int rollers, bool run_up);
+
+/// A peak of a spectrum and what it is: "inner race defect - shaft".
+struct NamedPeak {
+  double frequency = 0.0;  // [Hz], of a run-up the order [-]
+  double amplitude = 0.0;  // of the signal's unit
+  std::string is;
+};
+
+/// In a run-up the lines of both spectra are orders of a shaft.
+struct InstrumentView {
+  Eigen::ArrayXd signal;    // [m/s^2] or [N]
+  KurtosisOfBand band;      // [Hz]  of the envelope
+  Eigen::ArrayXd envelope;  // [unit of the signal]  in the band
+  Spectrum spectrum;
+  Spectrum envelope_spectrum;
+  std::vector<NamedPeak> spectrum_peaks;  // largest first, as the next ones
+  std::vector<NamedPeak> envelope_peaks;
+};
+
+/// How a signal is read.
+struct Reading {
+  double rate = 0.0;                      // [Hz]
+  std::optional<Band> band;               // of the envelope; none: the most impulsive one
+  const Eigen::ArrayXd* angle = nullptr;  // [rad]  of a run-up: spectra are over the turns of that shaft
+};
+
+/// Of the outer ring's acceleration; peaks up to beyond the vibration of `natural_frequency` [Hz] that a
+/// scratch strikes. `turned`: frequencies of the motion.
+InstrumentView bearing_view(const Eigen::ArrayXd& signal, const Reading& reading, double natural_frequency,
+                            bearing::defect::Scratched scratched, bool rollers,
+                            const bearing::defect::PassingFrequencies& rolling,
+                            const bearing::defect::PassingFrequencies& turned);
+
+/// Of a gear set with a scratched planet bearing, on the housing or in the carrier's frame. The envelope is
+/// that of the signal less the lines of the teeth, but in a run-up, whose orders are the carrier's.
+InstrumentView planet_view(const Eigen::ArrayXd& signal, const Reading& reading, bool on_housing,
+                           const std::vector<bearing::defect::Scratched>& scratched,
+                           const study::PlanetFrequencies& rolling, const study::PlanetFrequencies& turned);
+
+/// NaN where none of them is that.
+double peak_frequency(const std::vector<NamedPeak>& peaks, const std::string& is);
+
+}  // namespace orbearing::diagnosis
