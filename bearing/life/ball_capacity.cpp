@@ -5,13 +5,15 @@
 #include <cmath>
 
 #include "bearing/contact/point_contact.hpp"
-#include "bearing/life/basic_life.hpp"
+#include "bearing/life/lundberg_palmgren.hpp"
 #include "bearing/units.hpp"
 
 namespace orbearing::bearing::rating {
 
 namespace {
 
+constexpr double kWeakerRace = life::point_contacts.damage_exponent();
+constexpr double kBothRaces = 1.0 / kWeakerRace;
 constexpr double kTableInner = 0.52;  // [-]  osculations up to which the table of [ISO281] holds
 constexpr double kTableOuter = 0.53;  // [-]
 
@@ -76,7 +78,7 @@ double gamma(const BallSet& set) {
 double ball_capacity_factor(double gamma, double inner_osculation, double outer_osculation,
                             double reduction_factor) {
   const double ratio = 1.04 * race_ratio(gamma, inner_osculation, outer_osculation);
-  const double races = std::pow(1.0 + std::pow(ratio, 10.0 / 3.0), -0.3);
+  const double races = std::pow(1.0 + std::pow(ratio, kWeakerRace), -kBothRaces);
   const double groove = std::pow(2.0 * inner_osculation / (2.0 * inner_osculation - 1.0), 0.41);
   const double curvature = std::pow(gamma, 0.3) * std::pow(1.0 - gamma, 1.39) / std::cbrt(1.0 + gamma);
   return 0.41 * 98.0665 * reduction_factor * races * groove * curvature;
@@ -107,9 +109,9 @@ double static_capacity(const BallSet& set) {
 ContactCapacities contact_capacities(const BallSet& set, double dynamic_capacity) {
   const double share = dynamic_capacity / (set.balls * std::cos(set.contact_angle) * std::pow(set.rows, 0.7));
   const double ratio =
-      std::pow(1.044 * race_ratio(gamma(set), set.inner_osculation, set.outer_osculation), 10.0 / 3.0);
-  return {.inner = share / 0.407 * std::pow(1.0 + ratio, 0.3),
-          .outer = share / 0.389 * std::pow(1.0 + 1.0 / ratio, 0.3)};
+      std::pow(1.044 * race_ratio(gamma(set), set.inner_osculation, set.outer_osculation), kWeakerRace);
+  return {.inner = share / 0.407 * std::pow(1.0 + ratio, kBothRaces),
+          .outer = share / 0.389 * std::pow(1.0 + 1.0 / ratio, kBothRaces)};
 }
 
 double deep_groove_equivalent_load(const BallSet& set, double radial, double axial) {

@@ -3,14 +3,11 @@
 #include <cmath>
 
 #include "bearing/geometry.hpp"
-#include "bearing/life/basic_life.hpp"
-#include "bearing/units.hpp"
+#include "bearing/life/lundberg_palmgren.hpp"
 
 namespace orbearing::bearing::rating {
 
 namespace {
-
-constexpr double kSlope = weibull_slope(RollingElement::ball);
 
 // Revolutions of the bearing that one of its contacts leaves a ball. `side`: -1 inner, +1 outer race.
 double life_by(double capacity, double load, double gamma, double balls, double pitch_over_ball, double side) {
@@ -18,8 +15,8 @@ double life_by(double capacity, double load, double gamma, double balls, double 
   const double passed = 0.5 * balls * (1.0 - side * gamma);         // of a point of the race in a revolution
   const double turned = 0.5 * (1.0 - gamma * gamma) / gamma;        // of the ball in it
   const double longer = pitch_over_ball * (1.0 + side * gamma);     // track of the race over that of the ball
-  return kMillionRevolutions * std::pow(capacity / load, life_exponent(RollingElement::ball)) * passed / turned *
-         std::pow(longer, 1.0 / kSlope);
+  return kMillionRevolutions * std::pow(capacity / load, life::point_contacts.load_exponent) * passed /
+         turned * std::pow(longer, 1.0 / life::point_contacts.weibull_slope);
 }
 
 }  // namespace
@@ -30,14 +27,11 @@ double life_of_balls(const Bearing& bearing, const ContactCapacities& capacities
   const double count = balls.count;
   const double inner = life_by(capacities.inner, loads.inner, gamma, count, ratio, -1.0);
   const double outer = life_by(capacities.outer, loads.outer, gamma, count, ratio, 1.0);
-  return life_of_both(inner, outer) * std::pow(count, -1.0 / kSlope);
+  return life_of_both(inner, outer) * std::pow(count, -1.0 / life::point_contacts.weibull_slope);
 }
 
 double life_of_both(double races, double balls) {
-  if (!std::isfinite(races)) return balls;
-  if (!std::isfinite(balls)) return races;
-  // By their ratio, so that no power over- or underflows.
-  return races * std::pow(1.0 + std::pow(races / balls, kSlope), -1.0 / kSlope);
+  return system_life(Eigen::Array2d(races, balls), life::point_contacts.weibull_slope);
 }
 
 }  // namespace orbearing::bearing::rating

@@ -4,9 +4,14 @@
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 
+#include "bearing/life/lundberg_palmgren.hpp"
+
 namespace orbearing::bearing::motion {
 
 using boost::math::double_constants::two_pi;
+
+static_assert(static_cast<double>(DamagePower::of_points) == life::point_contacts.load_exponent &&
+              static_cast<double>(DamagePower::of_lines) == life::line_contacts.load_exponent);
 
 namespace {
 
@@ -130,8 +135,6 @@ life::LaminaMeans means_of(const RaceMotions& motions, const RaceDamageView& inn
 
 BearingLife life_under(const Bearing& bearing, double reduction_factor, const RaceDamageView& inner,
                        const RaceDamageView& outer, const life::LaminaMeans* means) {
-  if (inner.laminae.rows() == 0)
-    return lundberg_palmgren_life(bearing, reduction_factor, inner.whole.pow(0.25), outer.whole.pow(0.25));
   return life::life_of_means(
       life::lamina_rating(bearing, life::LifeMeasure::lundberg_palmgren, reduction_factor),
       means ? *means : means_of(bearing.motions, inner, outer));

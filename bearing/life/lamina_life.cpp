@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
-#include "bearing/life/basic_life.hpp"
+#include "bearing/life/lundberg_palmgren.hpp"
 
 namespace orbearing::bearing::life {
 
@@ -12,8 +11,8 @@ namespace {
 
 using Loads = LaminaLoads;
 
-constexpr double kWeibullSlope = rating::weibull_slope(rating::RollingElement::roller);
-constexpr double kMillionRevolutions = 1e6;
+static_assert(line_contacts.load_exponent == 4.0 && line_contacts.damage_exponent() == 4.5,
+              "means of a race that turns are of squares of squares, of one that stands times a root");
 
 rating::ContactCapacities capacities_of(const Bearing& bearing, LifeMeasure measure,
                                         double reduction_factor) {
@@ -30,7 +29,8 @@ Eigen::ArrayXd riser_of(int laminae, LifeMeasure measure) {
 }
 
 Eigen::ArrayXd weights(const Eigen::ArrayXd& riser, double capacity) {
-  return (riser / rating::lamina_capacity(capacity, static_cast<int>(riser.size()))).pow(4.5);
+  return (riser / rating::lamina_capacity(capacity, static_cast<int>(riser.size())))
+      .pow(line_contacts.damage_exponent());
 }
 
 // Mean over the places of the load's power: (2) without its root.
@@ -67,19 +67,12 @@ Eigen::ArrayXd mean_of_fourth_powers(const Eigen::Ref<const Eigen::ArrayXXd>& po
 }
 
 Eigen::ArrayXd by_lamina(const Eigen::ArrayXd& weight, const Eigen::ArrayXd& mean, RaceMotion motion) {
-  if (motion == RaceMotion::turning) return weight * mean.pow(4.5 / 4.0);
+  if (mean.size() != weight.size()) {  // one mean for all
+    const double share = std::pow(static_cast<double>(weight.size()), -line_contacts.mean_exponent(motion));
+    return by_lamina(weight, Eigen::ArrayXd::Constant(weight.size(), share * mean[0]), motion);
+  }
+  if (motion == RaceMotion::turning) return weight * mean.pow(line_contacts.weibull_slope);
   return weight * mean;
-}
-
-double damage(const Eigen::ArrayXd& weight, const Eigen::ArrayXd& mean, RaceMotion motion) {
-  return by_lamina(weight, mean, motion).sum();
-}
-
-BearingLife lives(const LaminaRating& rating, const Eigen::ArrayXd& inner_mean,
-                  const Eigen::ArrayXd& outer_mean) {
-  const double inner = damage(rating.inner_weight, inner_mean, rating.motions.inner);
-  const double outer = damage(rating.outer_weight, outer_mean, rating.motions.outer);
-  return {life_of_damage(inner), life_of_damage(outer), life_of_damage(inner + outer)};
 }
 
 // d(damage)/d(load), by the chain damage - mean - load.
@@ -87,8 +80,12 @@ Eigen::ArrayXXd damage_slope(const Eigen::ArrayXd& weight, const Loads& loads, c
                              RaceMotion motion) {
   const double places = static_cast<double>(loads.cols());
   if (motion == RaceMotion::standing)
-    return (loads.square() * loads * loads.sqrt()).colwise() * (weight * 4.5 / places);
-  const Eigen::ArrayXd factor = (mean > 0.0).select(weight * 4.5 / places * mean.pow(0.125), 0.0);
+    return (loads.square() * loads * loads.sqrt()).colwise() *
+           (weight * line_contacts.damage_exponent() / places);
+  const Eigen::ArrayXd factor = (mean > 0.0)
+                                    .select(weight * line_contacts.damage_exponent() / places *
+                                                mean.pow(line_contacts.weibull_slope - 1.0),
+                                            0.0);
   return (loads.square() * loads).colwise() * factor;
 }
 
@@ -96,11 +93,6 @@ Eigen::ArrayXXd damage_slope(const Eigen::ArrayXd& weight, const Loads& loads, c
 
 std::string name_of(LifeMeasure measure) {
   return measure == LifeMeasure::iso16281 ? "iso16281" : "lundberg-palmgren";
-}
-
-double life_of_damage(double damage) {
-  return damage > 0.0 ? kMillionRevolutions * std::pow(damage, -1.0 / kWeibullSlope)
-                      : std::numeric_limits<double>::infinity();
 }
 
 LaminaRating lamina_rating(const rating::ContactCapacities& capacities, int laminae,
@@ -132,7 +124,8 @@ LaminaMeans means_of_loads(const RaceMotions& motions, const Loads& inner, const
 }
 
 BearingLife life_of_means(const LaminaRating& rating, const LaminaMeans& means) {
-  return lives(rating, means.inner, means.outer);
+  const rating::ByLamina damage = lamina_damage(rating, means);
+  return line_contacts.lives(damage.inner.sum(), damage.outer.sum());
 }
 
 rating::ByLamina lamina_damage(const LaminaRating& rating, const LaminaMeans& means) {
@@ -141,14 +134,13 @@ rating::ByLamina lamina_damage(const LaminaRating& rating, const LaminaMeans& me
 }
 
 LogLife log_life(const LaminaRating& rating, const Loads& inner, const Loads& outer) {
-  const Eigen::ArrayXd inner_mean = mean_power(inner, rating.motions.inner);
-  const Eigen::ArrayXd outer_mean = mean_power(outer, rating.motions.outer);
-  const double all = damage(rating.inner_weight, inner_mean, rating.motions.inner) +
-                     damage(rating.outer_weight, outer_mean, rating.motions.outer);
-  const double by_damage = all > 0.0 ? -1.0 / (kWeibullSlope * all) : 0.0;
-  return {std::log(life_of_damage(all)),
-          by_damage * damage_slope(rating.inner_weight, inner, inner_mean, rating.motions.inner),
-          by_damage * damage_slope(rating.outer_weight, outer, outer_mean, rating.motions.outer)};
+  const LaminaMeans means = means_of_loads(rating.motions, inner, outer);
+  const rating::ByLamina damage = lamina_damage(rating, means);
+  const double all = damage.inner.sum() + damage.outer.sum();
+  const double by_damage = all > 0.0 ? -1.0 / (line_contacts.weibull_slope * all) : 0.0;
+  return {std::log(line_contacts.life(all)),
+          by_damage * damage_slope(rating.inner_weight, inner, means.inner, rating.motions.inner),
+          by_damage * damage_slope(rating.outer_weight, outer, means.outer, rating.motions.outer)};
 }
 
 }  // namespace orbearing::bearing::life

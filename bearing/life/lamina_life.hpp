@@ -62,11 +62,8 @@ LaminaMeans means_of_loads(const RaceMotions& motions, const LaminaLoads& inner,
 /// Life [rev] under them; infinite at no load.
 BearingLife life_of_means(const LaminaRating& rating, const LaminaMeans& means);
 
-/// Terms of the sum in (1) [-].
+/// Terms of the sum in (1) [-]. Of one mean for many laminae each has its even share.
 rating::ByLamina lamina_damage(const LaminaRating& rating, const LaminaMeans& means);
-
-/// Life [rev] of damages that add up to `damage` [-]; infinite without.
-double life_of_damage(double damage);
 
 /// ln of the bearing's life with its derivatives by the loads [1/N] (laminae, places).
 struct LogLife {

@@ -3,14 +3,7 @@
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 
-#include "bearing/life/basic_life.hpp"
-#include "bearing/units.hpp"
-
 namespace orbearing::bearing {
-
-namespace {
-constexpr double kWeibullSlope = rating::weibull_slope(rating::RollingElement::roller);
-}  // namespace
 
 double contact_capacity(const Bearing& bearing, Race race, double reduction_factor) {
   const CylindricalRollers& rollers = bearing.rollers();
@@ -23,36 +16,12 @@ double contact_capacity(const Bearing& bearing, Race race, double reduction_fact
          std::pow(rollers.count, -0.25);
 }
 
-double equivalent_load(const Eigen::Ref<const Eigen::ArrayXd>& loads, RaceMotion motion) {
-  const double exponent = motion == RaceMotion::turning ? 4.0 : 4.5;
-  const double largest = loads.size() > 0 ? loads.maxCoeff() : 0.0;
-  if (largest <= 0.0) return 0.0;
-  return largest * std::pow((loads / largest).pow(exponent).mean(), 1.0 / exponent);
-}
-
-double race_life(double capacity, double equivalent_load) {
-  if (equivalent_load <= 0.0) return kInfinity;
-  return kMillionRevolutions * std::pow(capacity / equivalent_load, 4.0);
-}
-
 double combined_life(double inner, double outer) {
-  return std::pow(std::pow(inner, -kWeibullSlope) + std::pow(outer, -kWeibullSlope), -1.0 / kWeibullSlope);
+  return rating::system_life(Eigen::Array2d(inner, outer), life::line_contacts.weibull_slope);
 }
 
 double system_life(double one_bearing, int n) {
-  return one_bearing * std::pow(n, -1.0 / kWeibullSlope);
-}
-
-BearingLife lundberg_palmgren_life(const Bearing& bearing, double reduction_factor,
-                                   const Eigen::Ref<const Eigen::ArrayXd>& inner_loads,
-                                   const Eigen::Ref<const Eigen::ArrayXd>& outer_loads) {
-  const auto life_of = [&](Race race, const Eigen::Ref<const Eigen::ArrayXd>& loads) {
-    return race_life(contact_capacity(bearing, race, reduction_factor),
-                     equivalent_load(loads, bearing.motion(race)));
-  };
-  const double inner = life_of(Race::inner, inner_loads);
-  const double outer = life_of(Race::outer, outer_loads);
-  return {inner, outer, combined_life(inner, outer)};
+  return one_bearing * std::pow(n, -1.0 / life::line_contacts.weibull_slope);
 }
 
 double hours(double revolutions, double speed) {

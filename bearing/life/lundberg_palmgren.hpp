@@ -1,9 +1,19 @@
-// Fatigue life of line contacts by Lundberg and Palmgren, Eqs. (35)-(41) of [Gai2025].
+// Fatigue of rolling contacts by Lundberg and Palmgren, stated once for points and lines
+// [LundbergPalmgren1947] [LundbergPalmgren1952]; capacities and lives of line contacts, Eqs. (35)-(41) of
+// [Gai2025].
+//
+//   (1)  Q_e = power mean of the loads over the places of a race, exponent p where the race turns relative to
+//        the load, p e where it stands
+//   (2)  D = (Q_e/Q_c)^(p e);  damages of laminae, races and bearings add up
+//   (3)  L = D^(-1/e) million revolutions
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 
+#include "bearing/life/basic_life.hpp"
 #include "bearing/parameters.hpp"
+#include "bearing/units.hpp"
 
 namespace orbearing::bearing {
 
@@ -14,29 +24,52 @@ struct BearingLife {
   double bearing = 0.0;  // [rev]
 };
 
+namespace life {
+
+struct FatigueLaw {
+  double load_exponent;  // [-]  p
+  double weibull_slope;  // [-]  e
+
+  constexpr double damage_exponent() const { return load_exponent * weibull_slope; }
+  constexpr double mean_exponent(RaceMotion motion) const {
+    return motion == RaceMotion::turning ? load_exponent : damage_exponent();
+  }
+
+  /// (1) [N]. `loads` [N] are taken at places evenly spaced on the race, unloaded ones included.
+  double equivalent_load(const Eigen::Ref<const Eigen::ArrayXd>& loads, RaceMotion motion) const {
+    const double largest = loads.size() > 0 ? loads.maxCoeff() : 0.0;
+    if (largest <= 0.0) return 0.0;
+    // By the largest load, so that no power over- or underflows.
+    const double exponent = mean_exponent(motion);
+    return largest * std::pow((loads / largest).max(0.0).pow(exponent).mean(), 1.0 / exponent);
+  }
+  /// (2) [-]
+  double damage(double equivalent_load, double capacity) const {
+    return std::pow(equivalent_load / capacity, damage_exponent());
+  }
+  /// (3) [rev]; infinite without damage.
+  double life(double damage) const {
+    return damage > 0.0 ? kMillionRevolutions * std::pow(damage, -1.0 / weibull_slope) : kInfinity;
+  }
+  BearingLife lives(double inner_damage, double outer_damage) const {
+    return {life(inner_damage), life(outer_damage), life(inner_damage + outer_damage)};
+  }
+};
+
+inline constexpr FatigueLaw point_contacts{3.0, rating::weibull_slope(rating::RollingElement::ball)};
+inline constexpr FatigueLaw line_contacts{4.0, rating::weibull_slope(rating::RollingElement::roller)};
+
+}  // namespace life
+
 /// Basic dynamic capacity of one roller-race contact [N], Eq. (36) of [Gai2025]. `reduction_factor` is the
 /// product lambda nu of ISO/TR 1281-1 (0.83 for cylindrical rollers) [-].
 double contact_capacity(const Bearing& bearing, Race race, double reduction_factor);
-
-/// Equivalent roller load [N] of a race: fourth-power mean where it turns relative to the load, power 4.5
-/// where it stands, Eqs. (37) and (39) of [Gai2025]. `loads` [N] are taken at places evenly spaced on the
-/// race, unloaded ones included.
-double equivalent_load(const Eigen::Ref<const Eigen::ArrayXd>& loads, RaceMotion motion);
-
-/// Life of one race [rev], Eqs. (38) and (40) of [Gai2025] with the capacity in the numerator; infinite at no
-/// load.
-double race_life(double capacity, double equivalent_load);
 
 /// Life of the bearing [rev] from its races, Eq. (41) of [Gai2025] with the minus signs it lost in print.
 double combined_life(double inner, double outer);
 
 /// Life of `n` equal bearings, of which none may fail: Weibull's product law with slope 9/8. Any unit.
 double system_life(double one_bearing, int n);
-
-/// Both races and the bearing, for roller loads [N] at places evenly spaced on each race.
-BearingLife lundberg_palmgren_life(const Bearing& bearing, double reduction_factor,
-                                   const Eigen::Ref<const Eigen::ArrayXd>& inner_loads,
-                                   const Eigen::Ref<const Eigen::ArrayXd>& outer_loads);
 
 /// Hours from revolutions and the speed of the turning race relative to the load [rad/s]; infinite at rest.
 double hours(double revolutions, double speed);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "bearing/life/basic_life.hpp"
+#include "bearing/life/lundberg_palmgren.hpp"
 #include "bearing/life/reference_life.hpp"
 #include "bearing/life/roller_capacity.hpp"
 #include "bearing/units.hpp"
@@ -12,29 +13,7 @@ namespace orbearing::bearing::rating {
 
 namespace {
 
-constexpr double kRollerLifeSlope = weibull_slope(RollingElement::roller);
-constexpr double kLaminaPower = 4.5;
-
-// Rotating: of a mean of fourth powers. Stationary: the mean is of powers 4.5 already.
-double power_of_lamina(double mean, RaceMotion motion) {
-  return motion == RaceMotion::turning ? std::pow(mean, kLaminaPower / 4.0) : mean;
-}
-
-// (q/q_c)^(9/2) with the stress riser. One mean for many laminae: each carries its even share.
-Eigen::ArrayXd lamina_damages(const Eigen::ArrayXd& weight, const Eigen::ArrayXd& mean, RaceMotion motion) {
-  if (mean.size() != 1 || weight.size() == 1) {
-    Eigen::ArrayXd damage = weight;
-    for (Eigen::Index k = 0; k < damage.size(); ++k) damage[k] *= power_of_lamina(mean[k], motion);
-    return damage;
-  }
-  const double even = std::pow(static_cast<double>(weight.size()), -kLaminaPower);
-  return weight * (even * power_of_lamina(mean[0], motion));
-}
-
-BearingLife lives_of_damages(double inner_damage, double outer_damage) {
-  return {life::life_of_damage(inner_damage), life::life_of_damage(outer_damage),
-          life::life_of_damage(inner_damage + outer_damage)};
-}
+constexpr double kDamageExponent = life::line_contacts.damage_exponent();
 
 BearingLife scaled_lives(double factor, const BearingLife& life) {
   return {factor * life.inner, factor * life.outer, factor * life.bearing};
@@ -47,15 +26,15 @@ class LaminaLoad {
     const double inner = lamina_capacity(rating.ratings.contacts.inner, static_cast<int>(laminae));
     const double ratio = kOuter * rating.ratings.contacts.inner / rating.ratings.contacts.outer;
     scale_ = 0.323 * rating.elements * static_cast<double>(laminae) * std::cos(rating.contact_angle) * inner *
-             std::pow(1.0 + std::pow(ratio, kLaminaPower), -1.0 / kLaminaPower);
+             std::pow(1.0 + std::pow(ratio, kDamageExponent), -1.0 / kDamageExponent);
   }
   double operator()(double inner_damage, double outer_damage) const {
-    return scale_ * std::pow(inner_damage + outer_ * outer_damage, 1.0 / kLaminaPower);
+    return scale_ * std::pow(inner_damage + outer_ * outer_damage, 1.0 / kDamageExponent);
   }
 
  private:
   static constexpr double kOuter = 1.038;
-  double outer_ = std::pow(kOuter, kLaminaPower);
+  double outer_ = std::pow(kOuter, kDamageExponent);
   double scale_ = 0.0;  // [N]
 };
 
@@ -104,25 +83,24 @@ BearingRating bearing_rating(const Bearing& bearing, const StatedRatings& stated
 RatingLives rating_lives(const BearingRating& rating, const RatingCondition& condition,
                          const life::LaminaMeans& means) {
   RatingLives lives = lives_by_load(rating, condition);
-  const Eigen::ArrayXd inner = lamina_damages(rating.laminae.inner_weight, means.inner, rating.motions.inner);
-  const Eigen::ArrayXd outer = lamina_damages(rating.laminae.outer_weight, means.outer, rating.motions.outer);
-  lives.reference = lives_of_damages(inner.sum(), outer.sum());
+  const auto [inner, outer] = life::lamina_damage(rating.laminae, means);
+  lives.reference = life::line_contacts.lives(inner.sum(), outer.sum());
   if (!is_modified(condition.oil)) return lives;
   const LaminaLoad load(rating, inner.size());
   double modified_inner = 0.0, modified_outer = 0.0;
   for (Eigen::Index k = 0; k < inner.size(); ++k) {
     if (inner[k] + outer[k] == 0.0) continue;
-    const double factor =
-        std::pow(modification(rating, *condition.oil, load(inner[k], outer[k])), -kRollerLifeSlope);
+    const double factor = std::pow(modification(rating, *condition.oil, load(inner[k], outer[k])),
+                                   -life::line_contacts.weibull_slope);
     modified_inner += inner[k] * factor;
     modified_outer += outer[k] * factor;
   }
   lives.modified_reference =
-      scaled_lives(condition.reliability_factor, lives_of_damages(modified_inner, modified_outer));
+      scaled_lives(condition.reliability_factor, life::line_contacts.lives(modified_inner, modified_outer));
   const double plain = inner.sum() + outer.sum();
-  lives.reference_modification =
-      plain > 0.0 ? std::pow((modified_inner + modified_outer) / plain, -1.0 / kRollerLifeSlope)
-                  : modification(rating, *condition.oil, 0.0);
+  lives.reference_modification = plain > 0.0 ? std::pow((modified_inner + modified_outer) / plain,
+                                                        -1.0 / life::line_contacts.weibull_slope)
+                                             : modification(rating, *condition.oil, 0.0);
   return lives;
 }
 

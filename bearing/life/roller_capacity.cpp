@@ -2,14 +2,15 @@
 
 #include <cmath>
 
+#include "bearing/life/lundberg_palmgren.hpp"
 #include "bearing/units.hpp"
 
 namespace orbearing::bearing::rating {
 
 namespace {
 
-constexpr double kWeakerRace = 9.0 / 2.0;
-constexpr double kBothRaces = 2.0 / 9.0;
+constexpr double kWeakerRace = life::line_contacts.damage_exponent();
+constexpr double kBothRaces = 1.0 / kWeakerRace;
 
 // Curvatures of the inner race over those of the outer one, as far as fatigue feels them.
 double race_ratio(double gamma) {

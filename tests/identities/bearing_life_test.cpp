@@ -9,6 +9,7 @@
 #include "bearing/equilibrium/quasi_static.hpp"
 #include "bearing/life/lundberg_palmgren.hpp"
 #include "tests/unit/bearing/example_bearings.hpp"
+#include "tests/whole_contact_life.hpp"
 
 namespace orbearing::bearing::bearing_life_test {
 namespace {
@@ -21,7 +22,7 @@ double life_hours(const Bearing& bearing, const OperatingPoint& point,
                   const QuasiStaticOptions& options = {}) {
   const QuasiStaticResult result = quasi_static_bearing(bearing, point, options);
   EXPECT_TRUE(result.report.converged) << result.report.message;
-  const BearingLife life = lundberg_palmgren_life(bearing, kLambda, result.inner_load, result.outer_load);
+  const BearingLife life = whole_contact_life(bearing, kLambda, result.inner_load, result.outer_load);
   return hours(life.bearing, point.outer_speed);
 }
 
@@ -50,7 +51,8 @@ TEST(Life, DoesNotDependOnTheOrderOfTheRollers) {
   const Eigen::ArrayXd loads = Eigen::ArrayXd::LinSpaced(15, 0.0, 800.0);
   const Eigen::ArrayXd reversed = loads.reverse();
   for (const RaceMotion motion : {RaceMotion::turning, RaceMotion::standing}) {
-    EXPECT_NEAR(equivalent_load(loads, motion), equivalent_load(reversed, motion), 800.0 * 1e-14);
+    EXPECT_NEAR(life::line_contacts.equivalent_load(loads, motion),
+                life::line_contacts.equivalent_load(reversed, motion), 800.0 * 1e-14);
   }
 }
 
@@ -104,8 +106,8 @@ TEST(ConstantPower, LeastLoadLiesAtTheClosedForm) {
     const double both = 1064.0 * 1064.0 + radial * radial;
     const double cube = (radial + std::sqrt(radial * radial + 8.0 * both)) / (4.0 * 657.0);
     const double least = place_of_least([&](double n) {
-      return equivalent_load(quasi_static_bearing(massless(), loads.at(n), {}).outer_load,
-                             RaceMotion::turning);
+      return life::line_contacts.equivalent_load(quasi_static_bearing(massless(), loads.at(n), {}).outer_load,
+                                                 RaceMotion::turning);
     });
     EXPECT_NEAR(least / std::cbrt(cube), 1.0, kPeak) << "radial mesh force " << radial << " N";
   }

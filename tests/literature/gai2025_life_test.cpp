@@ -12,6 +12,7 @@
 #include "bearing/equilibrium/quasi_static.hpp"
 #include "bearing/life/lundberg_palmgren.hpp"
 #include "tests/unit/bearing/example_bearings.hpp"
+#include "tests/whole_contact_life.hpp"
 
 namespace orbearing::bearing::gai2025_life_test {
 namespace {
@@ -49,7 +50,7 @@ SpeedPoint speed_point(double sun_speed_rpm) {
   const OperatingPoint point = planet_bearing_at(example_bearings::rpm(sun_speed_rpm));
   const QuasiStaticResult result = quasi_static_bearing(bearing, point, {});
   EXPECT_TRUE(result.report.converged) << result.report.message;
-  const BearingLife life = lundberg_palmgren_life(bearing, 0.83, result.inner_load, result.outer_load);
+  const BearingLife life = whole_contact_life(bearing, 0.83, result.inner_load, result.outer_load);
   return {hours(life.bearing, point.outer_speed), result.outer_load.maxCoeff()};
 }
 

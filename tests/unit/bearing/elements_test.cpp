@@ -39,13 +39,12 @@ std::string refusal_of(const std::function<void()>& call) {
 
 TEST(Elements, BallsAreRefusedWhereRollersAreRequired) {
   const Bearing balls = of_balls();
-  const Eigen::ArrayXd loads = Eigen::ArrayXd::Ones(7);
   const OperatingPoint point = example_bearings::static_load(100.0);
   for (const std::function<void()>& call : std::vector<std::function<void()>>{
            [&] { quasi_static_bearing(balls, point, {}); }, [&] { laminae::LaminaBearing cut(balls); },
            [&] { vectorised::LevelPitch::of(balls, {}); }, [&] { motion::bearing_model(balls, point, {}); },
            [&] { equilibrium::RollerRow row(balls); }, [&] { rating::roller_set(balls); },
-           [&] { lundberg_palmgren_life(balls, 0.83, loads, loads); }})
+           [&] { contact_capacity(balls, Race::inner, 0.83); }})
     EXPECT_EQ(refusal_of(call),
               "rolling elements of the bearing: found balls; required: cylindrical rollers");
 }

@@ -10,6 +10,7 @@
 
 #include "bearing/life/capacities.hpp"
 #include "tests/unit/motion/reducer_bearing.hpp"
+#include "tests/whole_contact_life.hpp"
 
 namespace orbearing::bearing::motion::damage_test {
 namespace {
@@ -98,7 +99,7 @@ TEST(Damage, CountsForTwoSumsAsForEach) {
 TEST(Damage, OfPureRollingIsThatOfTheLoadsByPlace) {
   const Bearing bearing = test::reducer_bearing();
   const DamageSums sums = damage_at([](double) { return rolling_speed(); });
-  const BearingLife expected = lundberg_palmgren_life(bearing, kLambda, loads(), loads());
+  const BearingLife expected = whole_contact_life(bearing, kLambda, loads(), loads());
   const BearingLife life = sums.life(bearing, kLambda);
   EXPECT_NEAR(life.inner, expected.inner, kRoundOff * expected.inner);
   EXPECT_NEAR(life.outer, expected.outer, kRoundOff * expected.outer);
@@ -111,7 +112,7 @@ TEST(Damage, OfPureRollingIsThatOfTheLoadsByPlace) {
 TEST(Damage, GoesWithTheSpeedOfTheCage) {
   const Bearing bearing = test::reducer_bearing();
   const DamageSums sums = damage_at([](double) { return 1.01 * rolling_speed(); });
-  const BearingLife rolling = lundberg_palmgren_life(bearing, kLambda, loads(), loads());
+  const BearingLife rolling = whole_contact_life(bearing, kLambda, loads(), loads());
   const BearingLife life = sums.life(bearing, kLambda);
   EXPECT_NEAR(life.inner, rolling.inner / 1.01, kRoundOff * rolling.inner);
   const double passed = (kBoreSpeed - 1.01 * rolling_speed()) / (kBoreSpeed - rolling_speed());

@@ -7,6 +7,7 @@
 
 #include "bearing/life/capacities.hpp"
 #include "tests/unit/bearing/example_bearings.hpp"
+#include "tests/whole_contact_life.hpp"
 
 namespace orbearing::bearing::lundberg_palmgren_test {
 namespace {
@@ -23,6 +24,10 @@ Bearing simple_bearing() {
   bearing.rollers().length = 1e-3;
   bearing.pitch_diameter = 10e-3;
   return bearing;
+}
+
+double race_life(double capacity, double equivalent_load) {
+  return life::line_contacts.life(life::line_contacts.damage(equivalent_load, capacity));
 }
 
 TEST(ContactCapacity, ByHand) {
@@ -50,22 +55,25 @@ TEST(ContactCapacity, GrowsWithSizeLengthAndFewerRollers) {
 TEST(EquivalentLoad, FourthPowerTurningAndPowerFourAndAHalfStanding) {
   Eigen::ArrayXd loads = Eigen::ArrayXd::Zero(16);
   loads[3] = 100.0;
-  EXPECT_NEAR(equivalent_load(loads, RaceMotion::turning), 50.0, 50.0 * kRoundOff);
+  EXPECT_NEAR(life::line_contacts.equivalent_load(loads, RaceMotion::turning), 50.0, 50.0 * kRoundOff);
   const double standing = 100.0 * std::pow(16.0, -1.0 / 4.5);
-  EXPECT_NEAR(equivalent_load(loads, RaceMotion::standing), standing, standing * kRoundOff);
+  EXPECT_NEAR(life::line_contacts.equivalent_load(loads, RaceMotion::standing), standing,
+              standing * kRoundOff);
 }
 
 TEST(EquivalentLoad, OfEqualLoadsIsTheLoadAndOfNoneIsZero) {
   for (const RaceMotion motion : {RaceMotion::turning, RaceMotion::standing}) {
-    EXPECT_NEAR(equivalent_load(Eigen::ArrayXd::Constant(7, 80.0), motion), 80.0, 80.0 * kRoundOff);
-    EXPECT_EQ(equivalent_load(Eigen::ArrayXd::Zero(7), motion), 0.0);
-    EXPECT_EQ(equivalent_load(Eigen::ArrayXd(), motion), 0.0);
+    EXPECT_NEAR(life::line_contacts.equivalent_load(Eigen::ArrayXd::Constant(7, 80.0), motion), 80.0,
+                80.0 * kRoundOff);
+    EXPECT_EQ(life::line_contacts.equivalent_load(Eigen::ArrayXd::Zero(7), motion), 0.0);
+    EXPECT_EQ(life::line_contacts.equivalent_load(Eigen::ArrayXd(), motion), 0.0);
   }
 }
 
 TEST(EquivalentLoad, NeitherOverflowsNorUnderflows) {
   for (const double scale : {1e-100, 1e100}) {
-    const double equivalent = equivalent_load(Eigen::ArrayXd::Constant(3, scale), RaceMotion::standing);
+    const double equivalent =
+        life::line_contacts.equivalent_load(Eigen::ArrayXd::Constant(3, scale), RaceMotion::standing);
     EXPECT_NEAR(equivalent / scale, 1.0, kRoundOff);
   }
 }
@@ -74,6 +82,17 @@ TEST(RaceLife, IsAMillionRevolutionsAtTheCapacity) {
   EXPECT_NEAR(race_life(500.0, 500.0), 1e6, 1e6 * kRoundOff);
   EXPECT_NEAR(race_life(500.0, 250.0), 16e6, 16e6 * kRoundOff);
   EXPECT_EQ(race_life(500.0, 0.0), std::numeric_limits<double>::infinity());
+}
+
+// Issue 45, Build 8: the exponents are those of Lundberg and Palmgren, 3 and 10/3 of points, 4 and 9/2 of
+// lines.
+TEST(FatigueLaw, HasTheExponentsOfPointsAndLines) {
+  EXPECT_EQ(life::point_contacts.mean_exponent(RaceMotion::turning), 3.0);
+  EXPECT_DOUBLE_EQ(life::point_contacts.mean_exponent(RaceMotion::standing), 10.0 / 3.0);
+  EXPECT_EQ(life::line_contacts.mean_exponent(RaceMotion::turning), 4.0);
+  EXPECT_EQ(life::line_contacts.mean_exponent(RaceMotion::standing), 4.5);
+  const double life = life::point_contacts.life(life::point_contacts.damage(250.0, 500.0));
+  EXPECT_NEAR(life, 8e6, 8e6 * kRoundOff);
 }
 
 TEST(CombinedLife, OfEqualRacesAndOfOneUnloadedRace) {
@@ -92,14 +111,15 @@ TEST(BearingLife, TakesEachRacesOwnLoadsCapacityAndMotion) {
   const Bearing bearing = simple_bearing();
   const Eigen::ArrayXd inner = Eigen::ArrayXd::LinSpaced(16, 0.0, 30.0);
   const Eigen::ArrayXd outer = Eigen::ArrayXd::LinSpaced(16, 5.0, 35.0);
-  const BearingLife life = lundberg_palmgren_life(bearing, kLambda, inner, outer);
+  const BearingLife life = whole_contact_life(bearing, kLambda, inner, outer);
   const double inner_life = race_life(contact_capacity(bearing, Race::inner, kLambda),
-                                      equivalent_load(inner, RaceMotion::standing));
-  const double outer_life =
-      race_life(contact_capacity(bearing, Race::outer, kLambda), equivalent_load(outer, RaceMotion::turning));
-  EXPECT_EQ(life.inner, inner_life);
-  EXPECT_EQ(life.outer, outer_life);
-  EXPECT_EQ(life.bearing, combined_life(inner_life, outer_life));
+                                      life::line_contacts.equivalent_load(inner, RaceMotion::standing));
+  const double outer_life = race_life(contact_capacity(bearing, Race::outer, kLambda),
+                                      life::line_contacts.equivalent_load(outer, RaceMotion::turning));
+  EXPECT_NEAR(life.inner, inner_life, inner_life * kRoundOff);
+  EXPECT_NEAR(life.outer, outer_life, outer_life * kRoundOff);
+  const double both = combined_life(inner_life, outer_life);
+  EXPECT_NEAR(life.bearing, both, both * kRoundOff);
 }
 
 // A load that stands on a housing while the shaft turns: the exponents of both means change places, 4 and
@@ -109,14 +129,14 @@ TEST(BearingLife, SwapsNothingButTheExponentsWhereTheOtherRaceTurns) {
   bearing.motions = rating::turning(Race::inner);
   const Eigen::ArrayXd inner = Eigen::ArrayXd::LinSpaced(16, 0.0, 30.0);
   const Eigen::ArrayXd outer = Eigen::ArrayXd::LinSpaced(16, 5.0, 35.0);
-  const BearingLife life = lundberg_palmgren_life(bearing, kLambda, inner, outer);
+  const BearingLife life = whole_contact_life(bearing, kLambda, inner, outer);
   const double inner_mean = std::pow(inner.pow(4.0).mean(), 1.0 / 4.0);
   const double outer_mean = std::pow(outer.pow(4.5).mean(), 1.0 / 4.5);
   const double inner_life = 1e6 * std::pow(contact_capacity(bearing, Race::inner, kLambda) / inner_mean, 4.0);
   const double outer_life = 1e6 * std::pow(contact_capacity(bearing, Race::outer, kLambda) / outer_mean, 4.0);
   EXPECT_NEAR(life.inner, inner_life, inner_life * kRoundOff);
   EXPECT_NEAR(life.outer, outer_life, outer_life * kRoundOff);
-  EXPECT_NE(life.bearing, lundberg_palmgren_life(simple_bearing(), kLambda, inner, outer).bearing);
+  EXPECT_NE(life.bearing, whole_contact_life(simple_bearing(), kLambda, inner, outer).bearing);
 }
 
 TEST(Hours, OfAMillionRevolutionsAtAThousandPerMinute) {
