@@ -81,28 +81,24 @@ LaminaForce LaminaContact::evaluate(double approach, double end_displacement) co
 }
 
 void LaminaContact::put_loads(double approach, double end_displacement, double* load) const {
-  std::array<double, kMostPadded> padded_load, root;
+  std::array<double, kMostPadded> padded_load;
   if (approach + std::abs(end_displacement) <= least_drop_) {
     std::fill_n(load, laminae_, 0.0);
     return;
   }
-  kernel_->loads(place_.data(), drop_.data(), padded_, approach, end_displacement, padded_load.data(),
-                 root.data());
+  kernel_->loads(place_.data(), drop_.data(), padded_, approach, end_displacement, padded_load.data());
   for (int k = 0; k < laminae_; ++k) load[k] = scale_ * padded_load[static_cast<std::size_t>(k)];
 }
 
-LaminaLoads LaminaContact::loads(double approach, double end_displacement) const {
-  LaminaLoads result{Eigen::ArrayXd(padded_), Eigen::ArrayXd(padded_)};
-  kernel_->loads(place_.data(), drop_.data(), padded_, approach, end_displacement, result.load.data(),
-                 result.stiffness.data());
-  result.load = (scale_ * result.load.head(laminae_)).eval();
-  result.stiffness = (LaminaLaw::exponent * scale_ * result.stiffness.head(laminae_)).eval();
-  return result;
+Eigen::ArrayXd LaminaContact::loads(double approach, double end_displacement) const {
+  Eigen::ArrayXd load(laminae_);
+  put_loads(approach, end_displacement, load.data());
+  return load;
 }
 
 double LaminaContact::energy(double approach, double end_displacement) const {
   const Eigen::Map<const Eigen::ArrayXd> drop(drop_.data(), laminae_);
-  return (loads(approach, end_displacement).load * (approach + end_displacement * places() - drop)).sum() /
+  return (loads(approach, end_displacement) * (approach + end_displacement * places() - drop)).sum() /
          (LaminaLaw::exponent + 1.0);
 }
 

@@ -47,12 +47,6 @@ struct LaminaForce {
   double by_end_displacement = 0.0;  // [N/m]  d(end load)/d(end displacement)
 };
 
-/// Loads of single laminae and their stiffness, arrays over laminae.
-struct LaminaLoads {
-  Eigen::ArrayXd load;       // [N]
-  Eigen::ArrayXd stiffness;  // [N/m]  d(load)/d(approach of this lamina)
-};
-
 class LaminaContact {
  public:
   /// `drops` [m], one for each lamina, are those of both bodies. Throws std::invalid_argument where there are
@@ -64,9 +58,9 @@ class LaminaContact {
   LaminaForce evaluate(double approach, double end_displacement) const;
   /// Elastic energy [J]; its slopes by approach and end displacement are load and end load.
   double energy(double approach, double end_displacement) const;
-  /// Of each lamina.
-  LaminaLoads loads(double approach, double end_displacement) const;
-  /// Loads [N] of the laminae into an array of that many.
+  /// Loads [N] of the laminae.
+  Eigen::ArrayXd loads(double approach, double end_displacement) const;
+  /// The same into an array of that many.
   void put_loads(double approach, double end_displacement, double* load) const;
 
   int laminae() const { return laminae_; }

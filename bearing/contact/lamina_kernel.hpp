@@ -21,9 +21,9 @@ struct LaminaSums {
 struct LaminaKernel {
   LaminaSums (*sums)(const double* place, const double* drop, int count, double approach,
                      double end_displacement);
-  /// Of each lamina: `load` d^(10/9) [m^(10/9)] and `root` d^(1/9) [m^(1/9)].
+  /// Of each lamina: d^(10/9) [m^(10/9)].
   void (*loads)(const double* place, const double* drop, int count, double approach, double end_displacement,
-                double* load, double* root);
+                double* load);
 };
 
 /// One for each instruction set. They stand in files of their own, so that the engines keep their bits.

@@ -39,12 +39,9 @@ inline LaminaSums lamina_sums(const double* place, const double* drop, int count
 }
 
 inline void lamina_loads(const double* place, const double* drop, int count, double approach,
-                         double end_displacement, double* load, double* root) {
-  for (int k = 0; k < count; k += kLanes) {
-    const LaminaPack pack = lamina_pack(place + k, drop + k, approach, end_displacement);
-    store(pack.load, load + k);
-    store(pack.root, root + k);
-  }
+                         double end_displacement, double* load) {
+  for (int k = 0; k < count; k += kLanes)
+    store(lamina_pack(place + k, drop + k, approach, end_displacement).load, load + k);
 }
 
 inline constexpr LaminaKernel kLaminaKernel{lamina_sums, lamina_loads};

@@ -86,7 +86,7 @@ void RollerRow::put_loads(const RingPlace& place, RingState& state) const {
   state.lamina_load.resize(contact_.laminae(), cosine_.size());
   for (Eigen::Index j = 0; j < cosine_.size(); ++j) {
     const Eigen::Vector2d at = coordinates(j, place);
-    state.lamina_load.col(j) = contact_.loads(at[0], at[1]).load;
+    state.lamina_load.col(j) = contact_.loads(at[0], at[1]);
   }
   state.contact_load = state.lamina_load.colwise().sum().transpose();
   const double lamina = 2.0 * contact_.half_length() / static_cast<double>(contact_.laminae());

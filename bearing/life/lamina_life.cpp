@@ -75,20 +75,6 @@ Eigen::ArrayXd by_lamina(const Eigen::ArrayXd& weight, const Eigen::ArrayXd& mea
   return weight * mean;
 }
 
-// d(damage)/d(load), by the chain damage - mean - load.
-Eigen::ArrayXXd damage_slope(const Eigen::ArrayXd& weight, const Loads& loads, const Eigen::ArrayXd& mean,
-                             RaceMotion motion) {
-  const double places = static_cast<double>(loads.cols());
-  if (motion == RaceMotion::standing)
-    return (loads.square() * loads * loads.sqrt()).colwise() *
-           (weight * line_contacts.damage_exponent() / places);
-  const Eigen::ArrayXd factor = (mean > 0.0)
-                                    .select(weight * line_contacts.damage_exponent() / places *
-                                                mean.pow(line_contacts.weibull_slope - 1.0),
-                                            0.0);
-  return (loads.square() * loads).colwise() * factor;
-}
-
 }  // namespace
 
 std::string name_of(LifeMeasure measure) {
@@ -131,16 +117,6 @@ BearingLife life_of_means(const LaminaRating& rating, const LaminaMeans& means) 
 rating::ByLamina lamina_damage(const LaminaRating& rating, const LaminaMeans& means) {
   return {by_lamina(rating.inner_weight, means.inner, rating.motions.inner),
           by_lamina(rating.outer_weight, means.outer, rating.motions.outer)};
-}
-
-LogLife log_life(const LaminaRating& rating, const Loads& inner, const Loads& outer) {
-  const LaminaMeans means = means_of_loads(rating.motions, inner, outer);
-  const rating::ByLamina damage = lamina_damage(rating, means);
-  const double all = damage.inner.sum() + damage.outer.sum();
-  const double by_damage = all > 0.0 ? -1.0 / (line_contacts.weibull_slope * all) : 0.0;
-  return {std::log(line_contacts.life(all)),
-          by_damage * damage_slope(rating.inner_weight, inner, means.inner, rating.motions.inner),
-          by_damage * damage_slope(rating.outer_weight, outer, means.outer, rating.motions.outer)};
 }
 
 }  // namespace orbearing::bearing::life

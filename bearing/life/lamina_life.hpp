@@ -1,5 +1,5 @@
-// Life of a roller bearing from the loads of its laminae, and how it follows them: the one life of sweeps,
-// runs, crowns and motions. A contact that is not cut is one lamina.
+// Life of a roller bearing from the loads of its laminae: the one life of sweeps, runs, crowns and motions. A
+// contact that is not cut is one lamina.
 //
 // Every lamina is a piece of a race that fails by itself [ISO16281]; with loads even along the roller the
 // lives of Lundberg and Palmgren come out, whatever the number of laminae:
@@ -64,14 +64,5 @@ BearingLife life_of_means(const LaminaRating& rating, const LaminaMeans& means);
 
 /// Terms of the sum in (1) [-]. Of one mean for many laminae each has its even share.
 rating::ByLamina lamina_damage(const LaminaRating& rating, const LaminaMeans& means);
-
-/// ln of the bearing's life with its derivatives by the loads [1/N] (laminae, places).
-struct LogLife {
-  double value = 0.0;  // of revolutions
-  Eigen::ArrayXXd by_inner_load;
-  Eigen::ArrayXXd by_outer_load;
-};
-
-LogLife log_life(const LaminaRating& rating, const LaminaLoads& inner, const LaminaLoads& outer);
 
 }  // namespace orbearing::bearing::life

@@ -51,14 +51,6 @@ double drop(const Profile& profile, double x) {
   return relief(profile, x).drop;
 }
 
-double drop_slope(const Profile& profile, double x) {
-  return relief(profile, x).slope;
-}
-
-double drop_per_parameter(const Profile& profile, double x) {
-  return relief(profile, x).per_parameter;
-}
-
 double leading_parameter(const Profile& profile) {
   Profile copy = profile;
   const double* parameter = std::visit([](auto& shape) { return parameter_of(shape); }, copy);
@@ -83,12 +75,6 @@ Profile with_drop(const Profile& profile, double station, double depth) {
     deeper = with_parameter(deeper, leading_parameter(deeper) + (depth - now.drop) / now.per_parameter);
   }
   return deeper;
-}
-
-double drop_per_drop(const Profile& profile, double x, double station) {
-  const double reference = drop_per_parameter(profile, station);
-  if (reference <= 0.0) throw_no_relief(profile);
-  return drop_per_parameter(profile, x) / reference;
 }
 
 std::string kind(const Profile& profile) {

@@ -13,12 +13,6 @@ Relief relief(const Profile& profile, double x);
 /// Drop [m] of one body's surface at `x` [m] from the middle, >= 0.
 double drop(const Profile& profile, double x);
 
-/// d(drop)/dx [-].
-double drop_slope(const Profile& profile, double x);
-
-/// d(drop)/d(leading parameter): in [m] per unit of that parameter, as named at each kind; zero if straight.
-double drop_per_parameter(const Profile& profile, double x);
-
 /// The leading parameter, in its own unit; zero if straight.
 double leading_parameter(const Profile& profile);
 
@@ -28,9 +22,6 @@ Profile with_parameter(Profile profile, double value);
 /// The same kind of profile, deep enough to have `depth` [m] at `station` [m]. Throws std::invalid_argument
 /// where that place has no relief at any depth.
 Profile with_drop(const Profile& profile, double station, double depth);
-
-/// d(drop at x)/d(drop at station) [-] while the leading parameter changes.
-double drop_per_drop(const Profile& profile, double x, double station);
 
 /// Name as in case files: straight, chamfer, circular, straight-circular, lundberg, johns-gohar, iso16281,
 /// fujiwara-kawase, table.

@@ -5,7 +5,7 @@
 //           |      ''--..___________..--''           drop >= 0, radial, of one body
 //           +------------------|-----------------> x
 //
-// Beyond +-l/2 every kind keeps its value at the end, with slope zero.
+// Beyond +-l/2 every kind keeps its value at the end.
 #pragma once
 
 #include <variant>
@@ -82,10 +82,9 @@ struct Table {
 using Profile = std::variant<Straight, Chamfer, CircularCrown, StraightCircular, Lundberg, JohnsGohar,
                              Iso16281, FujiwaraKawase, Table>;
 
-/// Relief at one place, with its slopes.
+/// Relief at one place.
 struct Relief {
   double drop = 0.0;           // [m]
-  double slope = 0.0;          // [-]    d(drop)/dx
   double per_parameter = 0.0;  // [m/unit of the leading parameter]  d(drop)/d(leading parameter)
 };
 

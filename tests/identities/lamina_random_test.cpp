@@ -35,9 +35,9 @@ void expect_balance(const Draw& draw, const LaminaBearing& bearing, const QuasiS
     const RollerState& roller = state.rollers[static_cast<std::size_t>(j)];
     const Eigen::Vector2d outward(std::cos(state.angle[j]), std::sin(state.angle[j]));
     const Eigen::ArrayXd inner =
-        bearing.contact(Race::inner).loads(roller.inner_approach(), roller.inner_end_displacement).load;
+        bearing.contact(Race::inner).loads(roller.inner_approach(), roller.inner_end_displacement);
     const Eigen::ArrayXd outer =
-        bearing.contact(Race::outer).loads(roller.outer_approach, roller.outer_end_displacement).load;
+        bearing.contact(Race::outer).loads(roller.outer_approach, roller.outer_end_displacement);
     ASSERT_TRUE(inner.allFinite() && outer.allFinite()) << draw;
     EXPECT_GE(std::min(inner.minCoeff(), outer.minCoeff()), 0.0);
     const Eigen::ArrayXd places = bearing.contact(Race::outer).places();

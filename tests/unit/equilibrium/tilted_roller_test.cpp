@@ -54,7 +54,7 @@ TEST(TiltedRoller, WithoutInertiaItsLaminaeCarryWhatTheStandardSays) {
   const LaminaContact contact(lamina_law(one), kLength, drops);
   const Film dry;
   const RollerState state = settled({contact, contact, dry, dry}, {approach, 0.0, end_displacement, 0.0});
-  const Eigen::ArrayXd load = contact.loads(state.outer_approach, state.outer_end_displacement).load;
+  const Eigen::ArrayXd load = contact.loads(state.outer_approach, state.outer_end_displacement);
   const double series = 35948.0 * std::pow(5.7, 8.0 / 9.0) / 30.0;  // N, mm
   for (int k = 0; k < 30; ++k) {
     const double place = 2.0 * ((k + 0.5) / 30.0 - 0.5);

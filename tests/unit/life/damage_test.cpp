@@ -203,9 +203,9 @@ TEST(LaminaDamage, OfCrownedTiltedRollersIsTheSumOverLaminae) {
     const double outer_end_displacement =
         0.5 * 5.7e-3 * (tilt.x() * std::cos(angle) + tilt.y() * std::sin(angle));
     const double approach = 1e-9 * load_at(bin);
-    const Eigen::ArrayXd on_inner = 2.0 * races.inner().loads(approach, -kEndDisplacement).load;
+    const Eigen::ArrayXd on_inner = 2.0 * races.inner().loads(approach, -kEndDisplacement);
     const Eigen::ArrayXd on_outer =
-        2.0 * races.outer().loads(0.9 * approach, kEndDisplacement - outer_end_displacement).load;
+        2.0 * races.outer().loads(0.9 * approach, kEndDisplacement - outer_end_displacement);
     inner += on_inner.pow(4.5) / kBins;
     outer += on_outer.pow(4.0) / kBins;
     pin += on_inner.pow(4.0) / kBins;
