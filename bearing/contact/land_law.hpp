@@ -16,7 +16,17 @@ struct LandMotion {
   T cage_speed;              // [rad/s]
 };
 
-/// What film and touch-down do.
+/// What film and touch-down do to cage and land.
+template <class T>
+struct LandForce {
+  T x{}, y{};        // [N]    on the cage, opposite on the land
+  T on_cage{};       // [N m]  about its axis
+  T on_land{};       // [N m]
+  T power{};         // [W]    dissipated
+  T eccentricity{};  // [-]    of the clearance
+};
+
+/// The same by film and touch-down.
 template <class T>
 struct LandForces {
   T eccentricity;          // [-]    of the clearance
@@ -83,7 +93,31 @@ struct LandLaw {
 
   /// Film and touch-down between the cage and a land that turns at `land_speed` [rad/s]. The film feels the
   /// velocity of the cage less what half the sum of both rotations gives it, so that the force does not
-  /// depend on the frame.
+  /// depend on the frame. The couple of the film's two forces, which act through both centres, is shared
+  /// evenly by both surfaces.
+  template <class T>
+  LandForce<T> force(const LandMotion<T>& motion, double land_speed) const {
+    const LandForces<T> now = forces(motion, land_speed);
+    const double arm = side * cage_radius;
+    const T couple = 0.5 * (motion.offset_x * now.film_y - motion.offset_y * now.film_x);
+    const T touch_couple = motion.offset_x * now.touch_y - motion.offset_y * now.touch_x;
+    return {now.film_x + now.touch_x,
+            now.film_y + now.touch_y,
+            now.shear - couple + arm * now.touch_friction,
+            -now.shear - couple - arm * now.touch_friction - touch_couple,
+            now.touch_damping_power + now.touch_friction * now.touch_sliding -
+                (now.film_x * now.squeeze_x + now.film_y * now.squeeze_y) +
+                now.shear * (land_speed - motion.cage_speed),
+            now.eccentricity};
+  }
+
+  /// [J]  stored by touch-down where the cage stands `offset` [m] off the land's centre.
+  double energy(double offset) const {
+    const double depth = offset - largest_eccentricity * clearance;
+    return depth > 0.0 ? 0.5 * stiffness * depth * depth : 0.0;
+  }
+
+ private:
   template <class T>
   LandForces<T> forces(const LandMotion<T>& motion, double land_speed) const {
     using mechanics::inverse_root, mechanics::value_of;
@@ -108,7 +142,6 @@ struct LandLaw {
     return result;
   }
 
- private:
   template <class T>
   void add_film(const LandMotion<T>& motion, double land_speed, const T& held, const T& e_x, const T& e_y,
                 LandForces<T>& result) const {

@@ -84,7 +84,7 @@ void place_bodies(const BearingModel& model, const bearing::RollerContacts& cont
   state.pin_position = start.pin;
   state.bore_position = start.bore;
   if (model.layout.caged) {
-    state.cage_position = model.guiding_race == Race::outer ? start.bore : start.pin;
+    state.cage_position = model.land.on_bore ? start.bore : start.pin;
     state.cage_angle = first_roller;
     state.cage_speed = start.cage_speed;
   }

@@ -115,31 +115,14 @@ vectorised::NeighbourConstants neighbours(const Bearing& bearing, const Dynamics
           .friction = {parameters.neighbours.friction, race.sliding_scale}};
 }
 
-GuidanceModel guidance_model(const Bearing& bearing, const DynamicsParameters& parameters) {
-  const CageParameters& given = parameters.cage;
-  GuidanceModel model;
-  model.present = bearing.has_cage() && given.guide_diameter > 0.0;
-  if (!model.present) return model;
-  const bool outside = bearing.cage.guidance == Race::outer;
-  const double cage_diameter = outside ? bearing.cage.outer_diameter : bearing.cage.inner_diameter;
-  const double side_width = 0.5 * (bearing.cage.width - bearing.rollers().length);
-  model.side = outside ? 1.0 : -1.0;
-  model.clearance = 0.5 * model.side * (given.guide_diameter - cage_diameter);
-  model.cage_radius = 0.5 * cage_diameter;
-  model.land_width = given.land_width > 0.0 ? given.land_width : side_width;
-  model.lands = given.lands;
-  model.viscosity = parameters.lubricant.viscosity;
-  model.film = given.guidance_film;
-  model.largest_eccentricity = given.largest_eccentricity;
-  model.stiffness = given.touch_down_stiffness;
-  model.damping = given.touch_down_damping;
-  model.friction = given.touch_down_friction;
-  model.sliding_scale = parameters.race.sliding_scale;
-  require(model.clearance > 0.0, "radial clearance of cage and land [m]", model.clearance,
-          "more than 0; the guide diameter lies outside an outer-guided cage and inside an inner-guided one");
-  require(model.land_width > 0.0, "width of the cage's land [m]", model.land_width,
-          "more than 0; give it, or a cage wider than the rollers");
-  return model;
+vectorised::LandConstants land_of(const Bearing& bearing, const DynamicsParameters& parameters) {
+  if (!bearing.has_cage()) return {};
+  const std::optional<GuidingLands> lands =
+      guiding_lands(bearing, parameters.cage, parameters.cage.lands, parameters.lubricant.viscosity,
+                    parameters.race.sliding_scale);
+  return {.present = lands.has_value(),
+          .on_bore = bearing.cage.guidance == Race::outer,
+          .law = lands ? lands->law : LandLaw{}};
 }
 
 std::vector<Vector2> pocket_directions(int rollers) {
@@ -273,8 +256,7 @@ BearingModel bearing_model(const Bearing& bearing, const OperatingPoint& point,
       .neighbours = neighbours(bearing, parameters),
       .radius_deviation = larger_rollers(bearing),
       .pocket_direction = pocket_directions(rollers.count),
-      .guidance = guidance_model(bearing, parameters),
-      .guiding_race = bearing.cage.guidance,
+      .land = land_of(bearing, parameters),
       .support = pin_support(parameters.support, bore_mass + geometry.inner_ring_mass),
       .orbit_drag = {},
       .spin_drag = {},

@@ -60,8 +60,7 @@ struct BearingModel {
   std::vector<RollerScratch> roller_scratches = {};
   std::vector<double> radius_deviation;   // [m]  (rollers)  radius of each roller less the stated one
   std::vector<Vector2> pocket_direction;  // [-]  of each pocket at cage angle zero
-  GuidanceModel guidance;
-  Race guiding_race = Race::outer;
+  vectorised::LandConstants land;
   PinSupport support;
   QuadraticDrag orbit_drag;  // of a roller's orbital motion
   QuadraticDrag spin_drag;   // churning by a roller

@@ -20,12 +20,6 @@ RaceConstants race_constants(const motion::RaceModel& race) {
   return c;
 }
 
-LandConstants land_constants(const motion::BearingModel& model) {
-  if (!model.guidance.present) return {};
-  return {
-      .present = true, .on_bore = model.guiding_race == Race::outer, .law = motion::land_law(model.guidance)};
-}
-
 LaminaConstants lamina_constants(const motion::LaminaRaces& races) {
   return {.count = races.inner().laminae(),
           .place = races.inner().places().data(),
@@ -61,7 +55,7 @@ Constants constants_of(const motion::BearingModel& model) {
   c.pin_mass = model.pin_mass;
   c.support_stiffness = model.support.stiffness;
   c.support_damping = model.support.damping;
-  c.land = land_constants(model);
+  c.land = model.land;
   put_surroundings(surroundings_at(model, 0.0), c);
   return c;
 }

@@ -59,6 +59,10 @@ class Instant {
     if (!model.layout.caged) return;
     cage = {state.cage_position, state.cage_velocity, state.cage_speed};
     cage_direction_ = direction(state.cage_angle);
+    if (!model.land.present) return;
+    const Vector2 offset = cage.position - land().position, velocity = cage.velocity - land().velocity;
+    guidance = model.land.law.force(
+        LandMotion<double>{offset.x(), offset.y(), velocity.x(), velocity.y(), cage.speed}, land().speed);
   }
 
   Vector2 outward(Eigen::Index j) const { return direction(state.angle[j]); }
@@ -81,8 +85,7 @@ class Instant {
     return {seen_at(j).inner.elastic_approach, seen_at(j).outer.elastic_approach,
             model_.layout.tilting ? state.end_displacement[j] : 0.0};
   }
-  const BodyMotion& land() const { return model_.guiding_race == Race::outer ? bore : pin; }
-  GuidanceForces guidance() const { return guidance_forces(model_.guidance, cage, land()); }
+  const BodyMotion& land() const { return model_.land.on_bore ? bore : pin; }
 
   // Of rollers and land on a ring, about its centre.
   Wrench on_ring(Race race) const {
@@ -94,7 +97,7 @@ class Instant {
       const Vector2 arm = state.radius[j] * out - (inner ? pin : bore).position;
       sum += {-force, -contact.moment - cross(arm, force)};
     }
-    if (race == model_.guiding_race) sum += guidance().on_land;
+    if (inner != model_.land.on_bore) sum += {{-guidance.x, -guidance.y}, guidance.on_land};
     return sum;
   }
 
@@ -107,6 +110,7 @@ class Instant {
   CarrierFrame frame;
   BodyMotion bore, pin;
   BodyMotion cage{Vector2::Zero(), Vector2::Zero()};  // at rest where there is none
+  LandForce<double> guidance{};
   std::vector<SeenRoller> seen;
 };
 
@@ -293,7 +297,8 @@ StoredEnergy energy_of(const BearingModel& model, const Instant& now, double mes
   energy.centrifugal += centrifugal(frame, model.cage.mass, frame.orbit_radius, now.cage.position) +
                         centrifugal(frame, model.pin_mass, frame.orbit_radius, now.pin.position) +
                         centrifugal(frame, model.bore_mass, 0.0, now.bore.position);
-  energy.guidance = guidance_energy(model.guidance, now.cage.position, now.land().position);
+  if (model.land.present)
+    energy.guidance = model.land.law.energy((now.cage.position - now.land().position).norm());
   energy.support = model.support.energy(now.pin.position);
   add_rim_energy(model, now.state, meshes, energy);
   return energy;
@@ -335,8 +340,7 @@ void take(const BearingModel& model, const Surroundings& surroundings,
   }
   into.orbital_speed = now.state.orbital_speed;
   into.spin = now.state.spin;
-  const GuidanceForces guidance = now.guidance();
-  into.loss.guidance = guidance.film_power + guidance.touch_down_power;
+  into.loss.guidance = now.guidance.power;
   into.loss.drag += model.cage_drag.power(now.cage.speed);
   into.loss.support = model.support.power(now.pin.velocity);
   into.loss.race_damping += rim_damping(model, now.state);
@@ -345,7 +349,7 @@ void take(const BearingModel& model, const Surroundings& surroundings,
   into.orbit_angle = caged ? now.state.cage_angle : now.state.angle.mean();
   into.orbit_speed = caged ? now.cage.speed : now.state.orbital_speed.mean();
   into.cage_position = now.cage.position;
-  into.cage_eccentricity = guidance.eccentricity;
+  into.cage_eccentricity = now.guidance.eccentricity;
   into.on_bore = now.on_ring(Race::outer);
 }
 

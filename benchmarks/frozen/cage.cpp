@@ -69,18 +69,13 @@ void add_film(const Guidance& model, const BodyMotion& cage, const BodyMotion& l
   const Vector2 squeeze =
       cage.velocity - land.velocity - 0.5 * (cage.speed + land.speed) * across(offset.vector);
   const Vector2 local(squeeze.dot(offset.direction), squeeze.dot(across(offset.direction)));
-  const double width = model.land_width;
-  const double scale = model.lands * model.viscosity * width * width * width * model.cage_radius /
-                       (model.clearance * model.clearance * model.clearance);
   const FilmResistance film = half_film_resistance(held, local);
   const Vector2 resisted(film.along * local.x() + film.mixed * local.y(),
                          film.mixed * local.x() + film.across * local.y());
-  const Vector2 local_force = -scale * resisted;
+  const Vector2 local_force = -model.film_scale * resisted;
   const Vector2 force = local_force.x() * offset.direction + local_force.y() * across(offset.direction);
 
-  const double radius = model.cage_radius;
-  const double shear = two_pi * model.viscosity * radius * radius * radius * model.lands * width *
-                       (land.speed - cage.speed) / (model.clearance * std::sqrt(1.0 - held * held));
+  const double shear = model.shear_scale * (land.speed - cage.speed) / std::sqrt(1.0 - held * held);
   const double couple = 0.5 * cross(offset.vector, force);
   forces.on_cage += {force, shear - couple};
   forces.on_land += {-force, -shear - couple};

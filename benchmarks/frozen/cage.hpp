@@ -51,9 +51,8 @@ struct Guidance {
   double side = 1.0;                  // [-]      +1: the land is outside the cage, -1: inside
   double clearance = 0.0;             // [m]      radial
   double cage_radius = 0.0;           // [m]
-  double land_width = 0.0;            // [m]
-  int lands = 2;                      // [-]
-  double viscosity = 0.0;             // [Pa s]
+  double film_scale = 0.0;            // [N s/m]  LandLaw's, as the next one
+  double shear_scale = 0.0;           // [N m s]
   double largest_eccentricity = 0.0;  // [-]
   double stiffness = 0.0;             // [N/m]
   double damping = 0.0;               // [s/m]

@@ -32,8 +32,7 @@ void check(const bearing::motion::BearingModel& model) {
   const auto& friction = model.inner.friction;
   require_within(!friction.limiting_shear && friction.rolling_resistance && !friction.computed_rolling,
                  "limiting shear, and not rolling resistance off or computed");
-  require_within(model.guidance.present && model.guiding_race == bearing::Race::outer &&
-                     model.guidance.film == motion::GuidanceFilm::short_bearing,
+  require_within(model.land.present && model.land.on_bore && !model.land.law.literature_variant,
                  "other guidance than a short film on the outer ring");
   require_within(model.excitation.harmonics.empty() && model.driving.ramp == 0.0,
                  "loads that change in time");
@@ -63,7 +62,7 @@ Model constants_of(const bearing::motion::BearingModel& model) {
   check(model);
   const auto& frame = model.frame;
   const auto& pocket = model.pocket;
-  const auto& land = model.guidance;
+  const auto& land = model.land.law;
   return {
       .rollers = model.layout.rollers,
       .frame = {frame.coriolis_speed, frame.centrifugal, frame.euler, frame.own_orbit, frame.orbit_radius},
@@ -81,9 +80,9 @@ Model constants_of(const bearing::motion::BearingModel& model) {
       .pocket = {pocket.half_clearance, pocket.stiffness, pocket.damping, pocket.friction.friction,
                  pocket.friction.sliding_scale, model.geometry.element_radius},
       .pocket_direction = model.pocket_direction,
-      .guidance = {land.side, land.clearance, land.cage_radius, land.land_width, land.lands, land.viscosity,
-                   land.largest_eccentricity, land.stiffness, land.damping, land.friction,
-                   land.sliding_scale},
+      .guidance = {land.side, land.clearance, land.cage_radius, land.film_scale, land.shear_scale,
+                   land.largest_eccentricity, land.stiffness, land.damping, land.friction.friction,
+                   land.friction.sliding_scale},
       .support_stiffness = model.support.stiffness,
       .support_damping = model.support.damping,
       .orbit_drag = {model.orbit_drag.coefficient},

@@ -121,8 +121,8 @@ void visit_lands(const BallNumbers& c, const Bodies& bodies, const Visit& visit)
   const Body& ring = c.land.on_outer ? bodies.outer : bodies.inner;
   for (const double place : {-c.land.offset, c.land.offset}) {
     const LandOffset at = land_offset(bodies.cage, ring, place);
-    visit(at, land_force(c.land, LandMotion<double>{at.by[0], at.by[1], at.by[2], at.by[3], at.by[4]},
-                         ring.spin));
+    visit(at,
+          c.land.law.force(LandMotion<double>{at.by[0], at.by[1], at.by[2], at.by[3], at.by[4]}, ring.spin));
   }
 }
 
@@ -203,7 +203,7 @@ BallSnapshot BallBearing::snapshot(double time, const double* x) const {
   s.loss.churning += walls.inner * now.inner_spin + walls.outer * now.outer_spin;
   visit_lands(numbers_, bodies, [&](const LandOffset&, const LandForce<double>& land) {
     s.loss.cage += land.power;
-    (numbers_.land.on_outer ? s.outer_torque : s.inner_torque) -= land.on_ring;
+    (numbers_.land.on_outer ? s.outer_torque : s.inner_torque) -= land.on_land;
   });
   return s;
 }
@@ -228,8 +228,7 @@ BallEnergy BallBearing::energy(const double* x, double time) const {
   add(c.cage, bodies.cage);
   energy.kinetic += 0.5 * c.cage.polar * bodies.cage.spin * bodies.cage.spin;
   visit_lands(c, bodies, [&](const LandOffset& at, const LandForce<double>&) {
-    const double depth = std::hypot(at.by[0], at.by[1]) - c.land.law.largest_eccentricity * c.land.law.clearance;
-    if (depth > 0.0) energy.lands += 0.5 * c.land.law.stiffness * depth * depth;
+    energy.lands += c.land.law.energy(std::hypot(at.by[0], at.by[1]));
   });
   return energy;
 }

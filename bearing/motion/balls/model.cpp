@@ -141,35 +141,16 @@ PocketNumbers pocket(const Bearing& bearing, const MotionParameters& given) {
           .film = pocket_oil(bearing, given, play)};
 }
 
+// One land at each end of the cage.
 LandNumbers lands(const Bearing& bearing, const MotionParameters& given) {
-  const motion::CageParameters& cage = given.cage;
-  LandNumbers land;
-  land.present = cage.guide_diameter > 0.0;
-  if (!land.present) return land;
-  land.on_outer = bearing.cage.guidance == Race::outer;
-  const double side = land.on_outer ? 1.0 : -1.0;
-  const double diameter = land.on_outer ? bearing.cage.outer_diameter : bearing.cage.inner_diameter;
-  const double clearance = 0.5 * side * (cage.guide_diameter - diameter), radius = 0.5 * diameter;
-  const double width =
-      cage.land_width > 0.0 ? cage.land_width : 0.5 * (bearing.cage.width - bearing.balls().diameter);
-  require(clearance > 0.0, "radial clearance of cage and land [m]", clearance,
-          "more than 0; the guide diameter lies outside an outer-guided cage and inside an inner-guided one");
-  require(width > 0.0, "width of the cage's land [m]", width,
-          "more than 0; give it, or a cage wider than the balls");
-  land.offset = 0.5 * (bearing.cage.width - width);
-  land.law = motion::land_law({.present = true,
-                               .side = side,
-                               .clearance = clearance,
-                               .cage_radius = radius,
-                               .land_width = width,
-                               .lands = 1,
-                               .viscosity = given.lubricant.viscosity,
-                               .largest_eccentricity = cage.largest_eccentricity,
-                               .stiffness = 0.5 * cage.touch_down_stiffness,
-                               .damping = cage.touch_down_damping,
-                               .friction = cage.touch_down_friction,
-                               .sliding_scale = given.race.sliding_scale});
-  return land;
+  std::optional<motion::GuidingLands> one =
+      motion::guiding_lands(bearing, given.cage, 1, given.lubricant.viscosity, given.race.sliding_scale);
+  if (!one) return {};
+  one->law.stiffness *= 0.5;
+  return {.present = true,
+          .on_outer = bearing.cage.guidance == Race::outer,
+          .offset = 0.5 * (bearing.cage.width - one->width),
+          .law = one->law};
 }
 
 // [-]  of a sphere in a stream of Reynolds numbers from 1e3 to 1e5 [Schlichting2000].

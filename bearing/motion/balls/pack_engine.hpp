@@ -253,9 +253,8 @@ void PackEngine::evaluate_lands(const Body& cage, const Body& ring, BodyLoad& on
     double x = 0.0, y = 0.0, moment = 0.0;
     if constexpr (kSlopes) {
       const auto variable = [&](int i) { return LandDual::variable(at.by[i], i); };
-      const LandForce<LandDual> force = land_force(
-          c_.land, LandMotion<LandDual>{variable(0), variable(1), variable(2), variable(3), variable(4)},
-          ring.spin);
+      const LandForce<LandDual> force = c_.land.law.force(
+          LandMotion<LandDual>{variable(0), variable(1), variable(2), variable(3), variable(4)}, ring.spin);
       land_[side][0] = force.x;
       land_[side][1] = force.y;
       land_[side][2] = force.on_cage;
@@ -263,8 +262,8 @@ void PackEngine::evaluate_lands(const Body& cage, const Body& ring, BodyLoad& on
       y = force.y.value;
       moment = force.on_cage.value;
     } else {
-      const LandForce<double> force = land_force(
-          c_.land, LandMotion<double>{at.by[0], at.by[1], at.by[2], at.by[3], at.by[4]}, ring.spin);
+      const LandForce<double> force =
+          c_.land.law.force(LandMotion<double>{at.by[0], at.by[1], at.by[2], at.by[3], at.by[4]}, ring.spin);
       x = force.x;
       y = force.y;
       moment = force.on_cage;

@@ -90,10 +90,10 @@ struct RimWave {
   double at_rest = 0.0;    // [m]    without rollers, under the mean forces of the teeth
 };
 
-/// The land that guides the cage.
+/// The lands that guide the cage.
 struct LandConstants {
   bool present = false;
-  bool on_bore = true;  // the bore carries the land, else the pin
+  bool on_bore = true;  // the bore carries them, else the pin
   LandLaw law;
 };
 

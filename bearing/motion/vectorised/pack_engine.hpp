@@ -59,22 +59,6 @@ struct RingLoads {
   Pack bore_moment{};  // about the origin
 };
 
-/// Of the land on the cage; the land feels the opposite force.
-template <class T>
-struct LandForce {
-  T x, y;    // [N]
-  T moment;  // [N m]
-};
-
-template <class T>
-LandForce<T> land_force(const LandConstants& land, double land_speed, const LandMotion<T>& motion) {
-  if (!land.present) return {};
-  const LandForces<T> now = land.law.forces(motion, land_speed);
-  const T couple = 0.5 * (motion.offset_x * now.film_y - motion.offset_y * now.film_x);
-  return {now.film_x + now.touch_x, now.film_y + now.touch_y,
-          now.shear - couple + (land.law.side * land.law.cage_radius) * now.touch_friction};
-}
-
 class PackEngine final : public Engine {
  public:
   PackEngine(const Constants& constants, const RollerConstants& rollers)

@@ -13,23 +13,24 @@ using namespace mechanics::ORBEARING_PACKS;
 template <bool WithSlopes>
 LandForce<double> PackEngine::evaluate_land(const double* x) {
   const double* cage = x + layout_.cage();
+  if constexpr (WithSlopes) cage_speed_ = cage[5];
+  if (!c_.land.present) return {};
   const double* land = x + (c_.land.on_bore ? layout_.bore() : layout_.pin());
   const double land_speed = c_.land.on_bore ? c_.outer.speed : c_.inner.speed;
   const double offset[5] = {cage[0] - land[0], cage[1] - land[1], cage[3] - land[2], cage[4] - land[3],
                             cage[5]};
   if constexpr (WithSlopes) {
     const auto variable = [&](int index) { return GuidanceDual::variable(offset[index], index); };
-    const LandForce<GuidanceDual> force =
-        land_force(c_.land, land_speed,
-                   LandMotion<GuidanceDual>{variable(0), variable(1), variable(2), variable(3), variable(4)});
+    const LandForce<GuidanceDual> force = c_.land.law.force(
+        LandMotion<GuidanceDual>{variable(0), variable(1), variable(2), variable(3), variable(4)},
+        land_speed);
     land_x_ = force.x;
     land_y_ = force.y;
-    land_moment_ = force.moment;
-    cage_speed_ = cage[5];
-    return {force.x.value, force.y.value, force.moment.value};
+    land_moment_ = force.on_cage;
+    return {.x = force.x.value, .y = force.y.value, .on_cage = force.on_cage.value};
   } else {
-    return land_force(c_.land, land_speed,
-                      LandMotion<double>{offset[0], offset[1], offset[2], offset[3], offset[4]});
+    return c_.land.law.force(LandMotion<double>{offset[0], offset[1], offset[2], offset[3], offset[4]},
+                             land_speed);
   }
 }
 
@@ -59,13 +60,13 @@ void PackEngine::evaluate_rings(const double* x, double load_x, double load_y, c
     cage_rate[3] = (cage_x + land_x) / c_.cage_mass + added.x;
     cage_rate[4] = (cage_y + land_y) / c_.cage_mass + added.y;
     cage_rate[5] =
-        (cage_moment + guided.moment - c_.cage_drag * cage[5] * __builtin_fabs(cage[5])) / c_.cage_inertia -
+        (cage_moment + guided.on_cage - c_.cage_drag * cage[5] * __builtin_fabs(cage[5])) / c_.cage_inertia -
         frame.euler;
   }
   // The load on the bore holds the planet's inertial load at the origin: here only what displacement adds.
   on_bore_ = {bore_x - on_bore * land_x, bore_y - on_bore * land_y,
               bore_moment - (bore[0] * bore_y - bore[1] * bore_x) -
-                  on_bore * (guided.moment + (cage[0] - land[0]) * land_y - (cage[1] - land[1]) * land_x)};
+                  on_bore * (guided.on_cage + (cage[0] - land[0]) * land_y - (cage[1] - land[1]) * land_x)};
   bore_rate[0] = bore[2];
   bore_rate[1] = bore[3];
   CarrierFrame centred = frame;
