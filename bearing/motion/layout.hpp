@@ -1,8 +1,8 @@
-// Where each variable of the state stands in the flat vector, and what it is called. No other file knows.
+// Where each variable of the state stands in the flat vector, and what it is called.
 //
 //   [ r (Z) | theta (Z) | r' (Z) | theta' (Z) | spin (Z) | end displacement (Z), where rollers tilt
-//     | cage x y psi x' y' psi', where there is one | bore x y x' y' | pin x y x' y' | waves | rates of the waves
-//     | turned (followed) ]
+//     | cage x y psi x' y' psi', where there is one | bore x y x' y' | pin x y x' y' | waves | rates of the
+//     waves | turned (followed) ]
 //
 #pragma once
 
@@ -11,29 +11,14 @@
 #include <type_traits>
 #include <vector>
 
+#include "bearing/motion/vectorised/engine.hpp"
+
 namespace orbearing::bearing::motion {
 
 /// What a variable of the state is; integrators weigh errors by kind.
 enum class VariableKind { length, angle, velocity, angular_speed };
 
-/// Order of the state of a bearing with `rollers` rollers.
-struct StateLayout {
-  Eigen::Index rollers = 0;
-  Eigen::Index followed = 0;  // rollers whose turning is followed, since it carries scratches round
-  bool tilting = false;       // rollers tilt: contacts cut into laminae that are not level
-  Eigen::Index waves = 0;     // of an elastic outer race, in the order of equilibrium/elastic_waves.hpp
-  bool caged = true;          // else a full complement: rollers touch one another
-
-  /// Variables of each roller.
-  Eigen::Index groups() const { return tilting ? 6 : 5; }
-  Eigen::Index size() const { return turned() + followed; }
-  Eigen::Index cage() const { return groups() * rollers; }
-  Eigen::Index bore() const { return cage() + (caged ? 6 : 0); }
-  Eigen::Index pin() const { return bore() + 4; }
-  Eigen::Index wave() const { return pin() + 4; }
-  Eigen::Index wave_speed() const { return wave() + waves; }
-  Eigen::Index turned() const { return wave_speed() + waves; }
-};
+using StateLayout = vectorised::Layout<Eigen::Index, 1>;
 
 /// Named views on a flat state, or on its derivative: the views then hold the rate of what they are named
 /// for. Those of the cage must not be used without one.

@@ -6,32 +6,33 @@
 
 namespace orbearing::bearing::vectorised {
 
-/// Order of the padded state: [ r | theta | r' | theta' | spin | end displacement, where rollers tilt ] of
-/// lanes() entries each, then cage x y psi x' y' psi' where there is one, bore x y x' y', pin x y x' y',
-/// waves of an elastic rim, their rates and what the followed rollers have turned as in motion/layout.hpp.
-/// Entries beyond the rollers are at rest.
-struct PaddedLayout {
+/// Order of the state of a bearing: as in motion/layout.hpp, groups of entries of the rollers first. Each group
+/// and the whole are as long as a multiple of kMultiple; entries beyond the rollers are at rest.
+template <class Int, int kMultiple>
+struct Layout {
   /// So many fit in without more entries.
   static constexpr int kMostFollowed = 2;
 
-  int rollers = 0;
-  int followed = 0;
-  bool tilting = false;
-  int waves = 0;
-  bool caged = true;
+  Int rollers = 0;
+  Int followed = 0;      // rollers whose turning is followed, since it carries scratches round
+  bool tilting = false;  // rollers tilt: contacts cut into laminae that are not level
+  Int waves = 0;         // of an elastic outer race, in the order of equilibrium/elastic_waves.hpp
+  bool caged = true;     // else a full complement: rollers touch one another
 
-  int groups() const { return tilting ? 6 : 5; }
-  int lanes() const { return (rollers + kPadding - 1) / kPadding * kPadding; }
-  int cage() const { return groups() * lanes(); }
-  int bore() const { return cage() + (caged ? 6 : 0); }
-  int pin() const { return bore() + 4; }
-  int wave() const { return pin() + 4; }
-  int wave_speed() const { return wave() + waves; }
-  int turned() const { return wave_speed() + waves; }
-  int end() const { return turned() + followed; }
-  /// Length of the arrays: a multiple of kPadding.
-  int size() const { return (end() + kPadding - 1) / kPadding * kPadding; }
+  /// Variables of each roller.
+  Int groups() const { return tilting ? 6 : 5; }
+  Int lanes() const { return (rollers + kMultiple - 1) / kMultiple * kMultiple; }
+  Int cage() const { return groups() * lanes(); }
+  Int bore() const { return cage() + (caged ? 6 : 0); }
+  Int pin() const { return bore() + 4; }
+  Int wave() const { return pin() + 4; }
+  Int wave_speed() const { return wave() + waves; }
+  Int turned() const { return wave_speed() + waves; }
+  Int end() const { return turned() + followed; }
+  Int size() const { return (end() + kMultiple - 1) / kMultiple * kMultiple; }
 };
+
+using PaddedLayout = Layout<int, kPadding>;
 
 [[gnu::always_inline]] inline PaddedLayout layout_of(const Constants& constants) {
   const LaminaConstants& laminae = constants.laminae;
