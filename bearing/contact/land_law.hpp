@@ -117,7 +117,7 @@ struct LandLaw {
     return depth > 0.0 ? 0.5 * stiffness * depth * depth : 0.0;
   }
 
- private:
+  /// Those of force(), by film and touch-down.
   template <class T>
   LandForces<T> forces(const LandMotion<T>& motion, double land_speed) const {
     using mechanics::inverse_root, mechanics::value_of;
@@ -142,6 +142,7 @@ struct LandLaw {
     return result;
   }
 
+ private:
   template <class T>
   void add_film(const LandMotion<T>& motion, double land_speed, const T& held, const T& e_x, const T& e_y,
                 LandForces<T>& result) const {
