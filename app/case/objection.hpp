@@ -14,7 +14,7 @@ inline Place place_for(const ResolvedCase& in, const std::string& path) {
   if (in.has(path)) return in.place(path);
   const std::string block = path.substr(0, path.rfind('.') + 1);
   for (const Input& input : in.inputs())
-    if (!block.empty() && input.path.starts_with(block) && in.has(input.path) && in.origin(input.path) != "default")
+    if (!block.empty() && input.path.starts_with(block) && is_stated(in, input.path))
       return in.place(input.path);
   return in.has("model") ? in.place("model") : Place{};
 }

@@ -93,6 +93,10 @@ bool ResolvedCase::operator==(const ResolvedCase& other) const {
          axes() == other.axes() && uncertain() == other.uncertain();
 }
 
+bool is_stated(const ResolvedCase& resolved, std::string_view path) {
+  return resolved.has(path) && resolved.origin(path) != "default";
+}
+
 std::vector<double> swept_speeds(const ResolvedCase& resolved) {
   for (const SweepAxis& axis : resolved.axes())
     if (axis.path == kSpeedPath) return axis.numbers;

@@ -161,6 +161,9 @@ class ResolvedCase {
   std::shared_ptr<const CaseData> data_;  // copies share it: a case does not change
 };
 
+/// Whether the case has a value at `path` that is no default.
+bool is_stated(const ResolvedCase& resolved, std::string_view path);
+
 /// Speeds of the input [rad/s] in the order of their axis; the case's own where none are swept.
 std::vector<double> swept_speeds(const ResolvedCase& resolved);
 

@@ -222,10 +222,26 @@ bool is_behind_ratios(const ResolvedCase& in, const Input& input) {
   return !input.field->path.starts_with("gearset.teeth.");
 }
 
-unsigned all_analyses_of(const ResolvedCase& in) {
-  unsigned all = 0;
-  for (const use::Analysis analysis : analyses_of(in)) all |= analysis;
-  return all;
+// Those that a case of this kind may have, as bits.
+unsigned analyses_that_fit(const ResolvedCase& resolved) {
+  unsigned allowed = use::lone_balance;
+  const CaseShape& shape = resolved.shape();
+  if (resolved.model() == ball_motion) allowed = use::ball_run;
+  if (resolved.model() == gear_pair) allowed = use::mesh;
+  if (resolved.model() == raceway_defect) allowed = use::defect | use::moving_defect;
+  if (resolved.model() == roller_defect) allowed = use::defect;
+  if (resolved.model() == duplex_pair) allowed = use::duplex;
+  if (resolved.model() == spin_film) allowed = use::spin_film;
+  if (resolved.model() == planetary_drivetrain) {
+    if (shape.several)
+      allowed = use::quasi_static | use::dynamic_of_sets | use::crown | use::planet_stiffness;
+    else if (shape.bearing)
+      allowed = use::of_a_drivetrain &
+                ~unsigned{use::dynamic_of_sets | (shape.defect ? 0u : unsigned{use::planet_defect})};
+    else
+      allowed = shape.teeth ? use::bearings_as_springs | use::mesh : use::natural;
+  }
+  return allowed;
 }
 
 std::string users_text(const ResolvedCase& in, const Input& input) {
@@ -233,7 +249,7 @@ std::string users_text(const ResolvedCase& in, const Input& input) {
   for (const use::Analysis analysis : analyses_of(in))
     if (is_used(in, input, analysis)) names.push_back(analysis_name(analysis));
   if (!names.empty()) return fmt::format("used by {}", fmt::join(names, ", "));
-  const std::string idle = idle_text(in, input, all_analyses_of(in));
+  const std::string idle = idle_text(in, input, analyses_that_fit(in));
   return idle.empty() ? "nothing in a case of this kind uses it" : idle;
 }
 
@@ -307,7 +323,8 @@ Standing standing_in_row(const ResolvedCase& resolved, const Input& input, use::
 bool is_used(const ResolvedCase& resolved, const Input& input, use::Analysis analysis) {
   if (is_behind_ratios(resolved, input)) return false;
   if (way_that_holds(resolved, input, analysis) != nullptr) return true;
-  return standing_in_row(resolved, input, analysis) == Standing::used && first_unmet(resolved, input) == nullptr;
+  return standing_in_row(resolved, input, analysis) == Standing::used &&
+         first_unmet(resolved, input) == nullptr;
 }
 
 Standing standing_of(const ResolvedCase& resolved, const Input& input, use::Analysis analysis) {
@@ -351,15 +368,15 @@ std::vector<std::string> require_used(const ResolvedCase& resolved, use::Analysi
   for (const SweepAxis& axis : resolved.axes()) {
     const bool goes_through = sweeps == Axes::all || (sweeps == Axes::speed && axis.path == kSpeedPath);
     if (goes_through && resolved.has(axis.path) && resolved.place(axis.path).option)
-      warnings.push_back(fmt::format("{}: {} has no effect beside sweep.{}, which sets it at each point", axis.path,
-                                     resolved.written(axis.path), axis.path));
+      warnings.push_back(fmt::format("{}: {} has no effect beside sweep.{}, which sets it at each point",
+                                     axis.path, resolved.written(axis.path), axis.path));
   }
   const AxisCheck axes(resolved, analysis, sweeps);
   for (const SweepAxis& axis : resolved.axes()) axes.add(axis, mistakes, warnings);
   for (const StatedUncertain& one : resolved.uncertain().inputs)
     if (one.place.option)
-      warnings.push_back(fmt::format("uncertain.{}: has no effect on {}; used by uncertainty and validate", one.path,
-                                     analysis_name(analysis)));
+      warnings.push_back(fmt::format("uncertain.{}: has no effect on {}; used by uncertainty and validate",
+                                     one.path, analysis_name(analysis)));
   if (!mistakes.empty()) throw_mistakes(resolved.file(), std::move(mistakes));
   return warnings;
 }
@@ -380,23 +397,7 @@ std::vector<std::string> idle_inputs(const ResolvedCase& resolved) {
 }
 
 std::vector<use::Analysis> analyses_of(const ResolvedCase& resolved) {
-  unsigned allowed = use::lone_balance;
-  const CaseShape& shape = resolved.shape();
-  if (resolved.model() == ball_motion) allowed = use::ball_run;
-  if (resolved.model() == gear_pair) allowed = use::mesh;
-  if (resolved.model() == raceway_defect) allowed = use::defect | use::moving_defect;
-  if (resolved.model() == roller_defect) allowed = use::defect;
-  if (resolved.model() == duplex_pair) allowed = use::duplex;
-  if (resolved.model() == spin_film) allowed = use::spin_film;
-  if (resolved.model() == planetary_drivetrain) {
-    if (shape.several)
-      allowed = use::quasi_static | use::dynamic_of_sets | use::crown | use::planet_stiffness;
-    else if (shape.bearing)
-      allowed = use::of_a_drivetrain &
-                ~unsigned{use::dynamic_of_sets | (shape.defect ? 0u : unsigned{use::planet_defect})};
-    else
-      allowed = shape.teeth ? use::bearings_as_springs | use::mesh : use::natural;
-  }
+  const unsigned allowed = analyses_that_fit(resolved);
   std::vector<use::Analysis> found;
   for (const use::Analysis analysis : analyses())
     if ((allowed & analysis) != 0) found.push_back(analysis);

@@ -22,76 +22,54 @@ namespace orbearing::app {
 
 namespace {
 
-// Case, model, what was found, then assumptions, warnings and versions.
-nlohmann::ordered_json whole_json(const ResolvedCase& resolved, const AnalysisResult& result) {
+struct Shown {
+  nlohmann::ordered_json json;  // of the analysis itself
+  std::string text;
+};
+
+// With rare and impossible values in what was found, and in what speeds and loads say themselves.
+Shown shown_of(const ResolvedCase& resolved, AnalysisResult& result) {
+  Shown shown{json_of(result.record), result.heading + text_of(result.record)};
+  std::vector<Observation> observed = observations(resolved);
+  for (Observation& one : observations(shown.json)) observed.push_back(std::move(one));
+  const Judgement judgement = judge(observed);
+  result.warnings = joined(result.warnings, judgement.warnings);
+  if (judgement.status == "ok") return shown;
+  if (result.status == "ok") result.status = judgement.status;
+  shown.json["status"] = judgement.status;
+  shown.text = judgement.status + "\n\n" + shown.text;
+  return shown;
+}
+
+// Case, model, what was found, then assumptions, warnings, versions and units.
+nlohmann::ordered_json whole_json(const ResolvedCase& resolved, const AnalysisResult& result,
+                                  const nlohmann::ordered_json& found) {
   nlohmann::ordered_json object{{"case", resolved.text("name")}, {"model", resolved.choice("model")}};
-  object.update(result.json);
+  object.update(found);
   object["assumptions"] = assumptions_json(resolved);
   object["warnings"] = result.warnings;
   object["versions"] = versions_json();
-  if (!result.units.is_null())
-    object["units"].update(result.units);  // stiffness has such an object of its own
+  object["units"].update(units_of(result.record));  // stiffness has such an object of its own
   return object;
 }
 
-// Rare and impossible values in what was found, and in what speeds and loads say themselves.
-void judge_plausibility(const ResolvedCase& resolved, AnalysisResult& result) {
-  std::vector<Observation> observed = observations(resolved);
-  for (Observation& one : observations(result.json)) observed.push_back(std::move(one));
-  const Judgement judgement = judge(observed);
-  result.warnings = joined(result.warnings, judgement.warnings);
-  if (judgement.status == "ok") return;
-  if (result.status == "ok") result.status = judgement.status;
-  result.json["status"] = judgement.status;
-  result.text = judgement.status + "\n\n" + result.text;
-}
-
 /// Returns their check sums by name.
-std::map<std::string, std::string> write_files(const std::filesystem::path& folder,
-                                               const ResultNames& names, const AnalysisResult& result,
+std::map<std::string, std::string> write_files(const std::filesystem::path& folder, const ResultNames& names,
+                                               const AnalysisResult& result,
                                                const nlohmann::ordered_json& object) {
+  std::vector<std::pair<std::string, std::string>> named = result.files;
+  if (names.json_file != nullptr) named.emplace_back(names.json_file, object.dump(2) + "\n");
+  for (const described::Entry& entry : result.record.entries())
+    if (!entry.file.empty()) named.emplace_back(entry.file, csv_of(entry));
   std::vector<FileContent> files;
-  const std::string printed = object.dump(2) + "\n";
-  if (names.json_file != nullptr) files.push_back({folder / names.json_file, printed});
-  for (const auto& [name, content] : result.files) files.push_back({folder / name, content});
+  for (const auto& [name, content] : named) files.push_back({folder / name, content});
   write_aside_and_rename(files);
   std::map<std::string, std::string> sums;
   for (const FileContent& file : files) sums[file.file.filename().string()] = checksum(file.content);
   return sums;
 }
 
-}  // namespace
-
-int compute_and_keep(const ResolvedCase& resolved, const Options& options, const ResultNames& names,
-              const std::function<AnalysisResult()>& compute) {
-  const ManifestHeader header = manifest_header(resolved, names.name);
-  ResultFolder folder =
-      open_results(options.output, header, write_resolved(resolved), options.resume, options.quiet);
-  AnalysisResult result = compute();
-  judge_plausibility(resolved, result);
-  const nlohmann::ordered_json object = whole_json(resolved, result);
-  if (!folder.finished().contains(0)) {
-    std::map<std::string, std::string> others;
-    if (!folder.path().empty()) others = write_files(folder.path(), names, result, object);
-    folder.keep({{0, result_file(header, names.title, result.content, result.status),
-                  row_of_values(folder.head(), result.row), std::move(others)}});
-  }
-  present_result(object, result.text, options);
-  return result.failed ? 1 : 0;
-}
-
-std::string result_file(const ManifestHeader& header, const char* what, PointContent content,
-                             const std::string& status) {
-  std::vector<std::pair<std::string, std::string>> attributes = result_attributes(header, what, status);
-  for (auto& own : content.attributes)
-    if (std::ranges::none_of(attributes, [&](const auto& one) { return one.first == own.first; }))
-      attributes.push_back(std::move(own));
-  content.attributes = std::move(attributes);
-  return netcdf_bytes(content);
-}
-
-void present_result(const nlohmann::ordered_json& object, const std::string& text,
-                         const Options& options) {
+void present_result(const nlohmann::ordered_json& object, const std::string& text, const Options& options) {
   if (options.json) {
     print_object(object, options);
   } else if (!options.quiet) {
@@ -99,6 +77,47 @@ void present_result(const nlohmann::ordered_json& object, const std::string& tex
     for (const nlohmann::ordered_json& warning : object.at("warnings"))
       fmt::print("warning: {}\n", printable(warning.get<std::string>()));
   }
+}
+
+// "load_max_N" of "inner" may be the column inner_load_max_N.
+void add_numbers(const std::string& prefix, const nlohmann::ordered_json& object,
+                 std::vector<std::pair<std::string, double>>& numbers) {
+  for (const auto& [name, value] : object.items()) {
+    if (value.is_number()) numbers.emplace_back(prefix + name, value.get<double>());
+    if (value.is_object()) add_numbers(prefix + name + "_", value, numbers);
+  }
+}
+
+}  // namespace
+
+int compute_and_keep(const ResolvedCase& resolved, const Options& options, const ResultNames& names,
+                     const std::function<AnalysisResult()>& compute) {
+  const ManifestHeader header = manifest_header(resolved, names.name);
+  ResultFolder folder =
+      open_results(options.output, header, write_resolved(resolved), options.resume, options.quiet);
+  AnalysisResult result = compute();
+  const Shown shown = shown_of(resolved, result);
+  const nlohmann::ordered_json object = whole_json(resolved, result, shown.json);
+  if (!folder.finished().contains(0)) {
+    std::map<std::string, std::string> others;
+    if (!folder.path().empty()) others = write_files(folder.path(), names, result, object);
+    if (result.row.empty()) add_numbers("", shown.json, result.row);
+    folder.keep({{0, result_file(header, names.title, result.record, result.status),
+                  row_of_values(folder.head(), result.row), std::move(others)}});
+  }
+  present_result(object, shown.text, options);
+  return result.failed ? 1 : 0;
+}
+
+std::string result_file(const ManifestHeader& header, const char* what, const Record& record,
+                        const std::string& status) {
+  PointContent content = content_of(record);
+  std::vector<std::pair<std::string, std::string>> attributes = result_attributes(header, what, status);
+  for (auto& own : content.attributes)
+    if (std::ranges::none_of(attributes, [&](const auto& one) { return one.first == own.first; }))
+      attributes.push_back(std::move(own));
+  content.attributes = std::move(attributes);
+  return netcdf_bytes(content);
 }
 
 void present_record(const ResolvedCase& resolved, const Record& record,

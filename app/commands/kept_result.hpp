@@ -25,23 +25,22 @@ struct ResultNames {
 int compute_and_keep(const ResolvedCase& resolved, const Options& options, const ResultNames& names,
                      const std::function<AnalysisResult()>& compute);
 
-/// The same of a row of the table of analyses, with its progress; refuses and warns of inputs that it does not use.
+/// The same of a row of the table of analyses, with its progress; refuses and warns of inputs that it does
+/// not use.
 int run_analysis(const ResolvedCase& resolved, const Options& options, const Analysis& analysis);
 
 /// Bytes of the netCDF file of a result called `what`.
-std::string result_file(const ManifestHeader& header, const char* what, PointContent content,
-                             const std::string& status = "ok");
+std::string result_file(const ManifestHeader& header, const char* what, const Record& record,
+                        const std::string& status = "ok");
 
-/// Prints `object`, or `text` with the object's warnings, as the options ask.
-void present_result(const nlohmann::ordered_json& object, const std::string& text,
-                         const Options& options);
-
-/// The same of a record by itself, with the case's name and the units; `more` follows its text.
+/// Prints a record as JSON with the case's name, warnings and units, or as text with `more` behind it, as the
+/// options ask.
 void present_record(const ResolvedCase& resolved, const Record& record,
                     const std::vector<std::string>& warnings, const Options& options,
                     const std::string& more = "");
 
 /// A row of the table of a sweep that has these values [in the columns' units]; all else stays empty.
-ResultRow row_of_values(const TableHead& head, const std::vector<std::pair<std::string, double>>& values = {});
+ResultRow row_of_values(const TableHead& head,
+                        const std::vector<std::pair<std::string, double>>& values = {});
 
 }  // namespace orbearing::app

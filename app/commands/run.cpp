@@ -11,7 +11,8 @@ int run_command(const Options& options) {
   const ResolvedCase resolved = point_of(options);
   const std::string fidelity = options.fidelity_given ? options.fidelity : "";
   if (options.gears && !fidelity.empty())
-    throw BadInput("--fidelity: found " + fidelity + "; required: none beside --gears, which runs the gears alone");
+    throw BadInput("--fidelity: found " + fidelity +
+                   "; required: none beside --gears, which runs the gears alone");
   const Analysis* analysis = options.gears ? &gears_alone() : analysis_of(resolved, fidelity);
   if (analysis != nullptr) return run_analysis(resolved, options, *analysis);
   require_computable(resolved, options.fidelity, false);

@@ -98,7 +98,7 @@ int sensitivities_command(const Options& options) {
   const ResultNames names{table.c_str(), "sensitivities of a result", "sensitivities.json"};
   return compute_and_keep(resolved, options, names, [&]() -> AnalysisResult {
     const Derivatives found = derivatives_of(resolved, result, here, options);
-    AnalysisResult described = described_result(found, warnings);
+    AnalysisResult described{.record = record_of(found), .warnings = warnings};
     described.files = {{"sensitivities.csv", derivatives_csv(found)}};
     return described;
   });

@@ -101,7 +101,7 @@ class SignalSet {
                             {signal_file(folder_, number, ".wav"), signal_wav(study)},
                             {signal_file(folder_, number, ".json"), labels_[number].dump(2) + "\n"}});
     const AnalysisResult result = defect_result(study, false);
-    folder_.keep({{number, result_file(header_, analysis_of(resolved_)->title, result.content),
+    folder_.keep({{number, result_file(header_, analysis_of(resolved_)->title, result.record),
                    row_of_values(folder_.head(), result.row)}});
   }
 

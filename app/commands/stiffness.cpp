@@ -19,7 +19,7 @@ int stiffness_command(const Options& options) {
       require_used(resolved, planet ? use::planet_stiffness : use::stiffness, Axes::all);
   const StiffnessStudy study = stiffness_study(resolved);
   return compute_and_keep(resolved, options, {"stiffness", "stiffness"}, [&]() -> AnalysisResult {
-    AnalysisResult result = described_result(study, joined(unused, study.warnings));
+    AnalysisResult result{.record = record_of(study), .warnings = joined(unused, study.warnings)};
     result.files = {{"stiffness.csv", stiffness_csv(study)}};
     result.failed = std::any_of(study.points.begin(), study.points.end(),
                                 [](const StiffnessPoint& point) { return !point.stiffness; });

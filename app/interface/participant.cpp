@@ -141,8 +141,8 @@ std::vector<double> Participant::values() {
 double Participant::slope(const std::string& output, const std::string& input) {
   Content& c = *content_;
   c.require_begun();
-  return c.participant->slopes(c.inputs, index_of(c.facts.inputs, input, "input"))[index_of(
-      c.facts.outputs, output, "output")];
+  return c.participant->slopes(
+      c.inputs, index_of(c.facts.inputs, input, "input"))[index_of(c.facts.outputs, output, "output")];
 }
 
 std::vector<double> Participant::save() {

@@ -43,7 +43,8 @@ std::vector<std::string> words_of(const Request& request) {
   for (const std::string& setting : request.settings) words.push_back("--set=" + setting);
   const Json options = Json::parse(request.options, nullptr, false);
   if (!options.is_object())
-    throw BadInput("options: found " + request.options + "; required: a JSON object of options by their names");
+    throw BadInput("options: found " + request.options +
+                   "; required: a JSON object of options by their names");
   for (const auto& [name, value] : options.items()) add_option(name, value, words);
   return words;
 }

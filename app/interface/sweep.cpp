@@ -19,18 +19,21 @@ namespace orbearing {
 namespace {
 
 // What is wrong with all points is said once, and not in each row.
-void require_varied(const app::ResolvedCase& point, const std::vector<std::string>& paths, std::size_t numbers) {
+void require_varied(const app::ResolvedCase& point, const std::vector<std::string>& paths,
+                    std::size_t numbers) {
   if (paths.empty() || numbers % paths.size() != 0)
-    throw BadInput(fmt::format("values: found {} numbers for {} paths; required: at least one path, and a number for "
-                               "each of them in each row",
-                               numbers, paths.size()));
+    throw BadInput(
+        fmt::format("values: found {} numbers for {} paths; required: at least one path, and a number for "
+                    "each of them in each row",
+                    numbers, paths.size()));
   std::vector<std::string> mistakes;
   const std::vector<app::Input> inputs = point.inputs();
   for (const std::string& path : paths) {
     if (std::count(paths.begin(), paths.end(), path) > 1)
       mistakes.push_back(path + ": found twice among the varied inputs; required: once");
     const std::string field = path.substr(0, path.find('['));
-    if (std::none_of(inputs.begin(), inputs.end(), [&](const app::Input& input) { return input.path == field; }))
+    if (std::none_of(inputs.begin(), inputs.end(),
+                     [&](const app::Input& input) { return input.path == field; }))
       mistakes.push_back(
           fmt::format("{}: {}: found a path that this case does not know; required: the path of a "
                       "number of the case",

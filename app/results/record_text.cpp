@@ -15,7 +15,7 @@ namespace {
 using described::Numbers;
 
 constexpr std::size_t kNumbersInLine = 12;
-constexpr std::size_t kMatrix = 8;       // rows and columns at most, that stand in lines of their own
+constexpr std::size_t kMatrix = 8;        // rows and columns at most, that stand in lines of their own
 constexpr std::size_t kAlignedText = 24;  // letters at most of a text that others are aligned with
 
 /// A name and what stands for its value: numbers of an array with labels have a name each.
@@ -82,7 +82,8 @@ void add_cells(const Record& record, const std::string& prefix, std::vector<Cell
   for (const described::Entry& entry : record.entries()) {
     if (entry.in_files_alone || entry.detail) continue;
     const std::string name = prefix + entry.name;
-    if (const auto* numbers = std::get_if<Numbers>(&entry.content); numbers != nullptr && !is_matrix(*numbers))
+    if (const auto* numbers = std::get_if<Numbers>(&entry.content);
+        numbers != nullptr && !is_matrix(*numbers))
       add_numbers(entry, *numbers, name, cells);
     if (const auto* child = std::get_if<described::Child>(&entry.content))
       add_cells(child->one.front(), name + ".", cells);
@@ -140,7 +141,8 @@ std::size_t width_of(const std::vector<std::string>& column) {
 std::vector<std::string> lines_of(const Texts& columns) {
   std::vector<std::string> lines(columns.front().size());
   for (const std::vector<std::string>& column : columns) {
-    const auto known = std::find_if(column.begin() + 1, column.end(), [](const auto& cell) { return cell != "-"; });
+    const auto known =
+        std::find_if(column.begin() + 1, column.end(), [](const auto& cell) { return cell != "-"; });
     const bool numbers = known != column.end() && known->find_first_of("0123456789") <= 1;
     for (std::size_t i = 0; i < lines.size(); ++i)
       lines[i] += numbers ? fmt::format("  {:>{}}", column[i], width_of(column))
@@ -174,21 +176,26 @@ std::string title_of(const std::string& name, const described::Entry& entry) {
   return entry.meaning.empty() ? name : name + ": " + entry.meaning;
 }
 
-std::string matrix_text(const described::Entry& entry, const Numbers& numbers) {
+// Of an entry that is a matrix, named after `prefix`; of any other one, nothing.
+std::string matrix_text(const std::string& prefix, const described::Entry& entry) {
+  const auto* numbers = std::get_if<Numbers>(&entry.content);
+  if (numbers == nullptr || !is_matrix(*numbers)) return "";
   const auto label = [&](std::size_t dimension, std::size_t i) {
-    const std::vector<std::string>& labels = numbers.along[dimension].labels;
+    const std::vector<std::string>& labels = numbers->along[dimension].labels;
     return labels.empty() ? std::to_string(i + 1) : labels[i];
   };
-  Texts columns(1 + numbers.shape[1]);
+  const std::size_t width = numbers->shape[1];
+  Texts columns(1 + width);
   columns[0].emplace_back();
-  for (std::size_t row = 0; row < numbers.shape[0]; ++row) columns[0].push_back(label(0, row));
-  for (std::size_t column = 0; column < numbers.shape[1]; ++column) {
-    columns[1 + column].push_back(label(1, column));
-    for (std::size_t row = 0; row < numbers.shape[0]; ++row)
-      columns[1 + column].push_back(shown({.number = in_customary_unit(
-                                               entry.dimension, numbers.values[row * numbers.shape[1] + column])}));
+  for (std::size_t row = 0; row < numbers->shape[0]; ++row) columns[0].push_back(label(0, row));
+  for (std::size_t column = 0; column < width; ++column) {
+    std::vector<std::string>& cells = columns[1 + column];
+    cells.push_back(label(1, column));
+    for (std::size_t row = 0; row < numbers->shape[0]; ++row)
+      cells.push_back(
+          shown({.number = in_customary_unit(entry.dimension, numbers->values[row * width + column])}));
   }
-  return lines_text(lines_of(columns));
+  return "\n" + title_of(prefix + entry.name, entry) + "\n" + lines_text(lines_of(columns));
 }
 
 // Of all rows, named by their place in the table.
@@ -196,8 +203,7 @@ std::string matrices_text(const std::string& name, const described::Table& table
   std::string text;
   for (std::size_t row = 0; row < table.rows.size(); ++row)
     for (const described::Entry& entry : table.rows[row].entries())
-      if (const auto* numbers = std::get_if<Numbers>(&entry.content); numbers != nullptr && is_matrix(*numbers))
-        text += fmt::format("\n{}.{}.{}\n", name, row + 1, title_of(entry.name, entry)) + matrix_text(entry, *numbers);
+      text += matrix_text(fmt::format("{}.{}.", name, row + 1), entry);
   return text;
 }
 
@@ -205,11 +211,11 @@ std::string tables_text(const Record& record, const std::string& prefix) {
   std::string text;
   for (const described::Entry& entry : record.entries()) {
     if (entry.in_files_alone || entry.detail) continue;
-    if (const auto* numbers = std::get_if<Numbers>(&entry.content); numbers != nullptr && is_matrix(*numbers))
-      text += "\n" + title_of(prefix + entry.name, entry) + "\n" + matrix_text(entry, *numbers);
+    text += matrix_text(prefix, entry);
     if (const auto* table = std::get_if<described::Table>(&entry.content);
         table != nullptr && !table->rows.empty())
-      text += table_text(title_of(prefix + entry.name, entry), *table) + matrices_text(prefix + entry.name, *table);
+      text += table_text(title_of(prefix + entry.name, entry), *table) +
+              matrices_text(prefix + entry.name, *table);
     if (const auto* child = std::get_if<described::Child>(&entry.content))
       text += tables_text(child->one.front(), prefix + entry.name + ".");
   }

@@ -19,15 +19,6 @@ namespace orbearing::app {
 
 namespace {
 
-// "load_max_N" of "inner" may be the column inner_load_max_N.
-void add_to_row(const std::string& prefix, const nlohmann::ordered_json& object,
-                std::vector<std::pair<std::string, double>>& row) {
-  for (const auto& [name, value] : object.items()) {
-    if (value.is_number()) row.emplace_back(prefix + name, value.get<double>());
-    if (value.is_object()) add_to_row(prefix + name + "_", value, row);
-  }
-}
-
 template <Model model>
 bool is_model(const ResolvedCase& in) {
   return in.model() == model;
@@ -38,11 +29,16 @@ void put_load(double largest, AnalysisResult& result) {
   result.row = {{"inner_load_max_N", largest}, {"outer_load_max_N", largest}};
 }
 
+template <class Study>
+AnalysisResult described_result(const Study& study) {
+  return {.record = record_of(study), .warnings = study.warnings};
+}
+
 // Lives first.
 template <class Study>
 AnalysisResult rated_result(const Study& study) {
-  AnalysisResult result = described_result(study, study.warnings);
-  result.text = lives_text(study.life_table()) + "\n" + result.text;
+  AnalysisResult result = described_result(study);
+  result.heading = lives_text(study.life_table()) + "\n";
   return result;
 }
 
@@ -64,21 +60,22 @@ AnalysisResult scratched_balls_in_motion(const ResolvedCase& in, const Wanted& w
 
 AnalysisResult scratched_planet(const ResolvedCase& in, const Wanted& wanted) {
   const PlanetDefectStudy study = planet_defect_study(in, wanted.progress);
-  AnalysisResult result = described_result(study, {});
+  AnalysisResult result{.record = record_of(study)};
   put_load(study.vibration.largest_load, result);
   return result;
 }
 
 AnalysisResult duplex_pair_at_rest(const ResolvedCase& in, const Wanted&) {
   const DuplexStudy study = duplex_study(in);
-  AnalysisResult result = described_result(study, study.warnings);
-  result.failed = std::ranges::any_of(study.over_speed, [](const PairAtSpeed& point) { return !point.modes; });
+  AnalysisResult result = described_result(study);
+  result.failed =
+      std::ranges::any_of(study.over_speed, [](const PairAtSpeed& point) { return !point.modes; });
   return result;
 }
 
 AnalysisResult film_of_contact(const ResolvedCase& in, const Wanted&) {
   const FilmStudy study = film_study(in);
-  AnalysisResult result = described_result(study, study.warnings);
+  AnalysisResult result = described_result(study);
   result.failed = std::ranges::any_of(study.points, &FilmPoint::lost);
   return result;
 }
@@ -95,9 +92,8 @@ AnalysisResult vibration_of_gears(const ResolvedCase& in, const Wanted&) {
                    "orbearing modes shows the natural frequencies of a set without");
   const study::GearRunResult run = study::run_gears(model, gear_run_options(in));
   if (!run.completed) throw ComputationFailed(in.text("name") + ": " + run.message);
-  Record record;
-  describe_gear_run(record, run);
-  AnalysisResult result = recorded_result(record, gear_dynamics_warnings(in));
+  AnalysisResult result{.warnings = gear_dynamics_warnings(in)};
+  describe_gear_run(result.record, run);
   if (!run.steady) result.warnings.push_back(run.message);
   result.row = {{"input_speed_rpm", kRpm * in.quantity("input.speed")},
                 {"carrier_speed_rpm", kRpm * model.operation.speeds.carrier}};
@@ -106,7 +102,8 @@ AnalysisResult vibration_of_gears(const ResolvedCase& in, const Wanted&) {
 }
 
 constexpr const char* ring_required =
-    "none for the model raceway-defect, whose ring moves on balls without mass, or dynamic, for all of the bearing in "
+    "none for the model raceway-defect, whose ring moves on balls without mass, or dynamic, for all of the "
+    "bearing in "
     "motion";
 constexpr const char* at_rest_required = "quasi-static for a single bearing under a static load";
 constexpr const char* defect_title = "vibration of a bearing with scratches";
@@ -166,7 +163,8 @@ const std::vector<Analysis>& all_analyses() {
       {.used = use::defect,
        .is_of = is_model<roller_defect>,
        .fidelities = {"quasi-static"},
-       .required = "none for a scratched bearing of rollers by itself, or a planetary drivetrain with a block 'defect', "
+       .required = "none for a scratched bearing of rollers by itself, or a planetary drivetrain with a "
+                   "block 'defect', "
                    "where all of its bearings move",
        .name = "defect",
        .title = defect_title,
@@ -176,7 +174,8 @@ const std::vector<Analysis>& all_analyses() {
       {.used = use::planet_defect,
        .is_of = is_planet_defect,
        .fidelities = {"monolithic"},
-       .required = "none, or monolithic, for a gear set with a scratched planet bearing, which is one system of gears "
+       .required = "none, or monolithic, for a gear set with a scratched planet bearing, which is one system "
+                   "of gears "
                    "and bearings",
        .name = "scratched planet bearing",
        .title = "vibration of a gear set with a scratched planet bearing",
@@ -215,18 +214,6 @@ const std::vector<Analysis>& all_analyses() {
 
 }  // namespace
 
-AnalysisResult recorded_result(const Record& record, std::vector<std::string> warnings) {
-  AnalysisResult result{.json = json_of(record),
-                        .text = text_of(record),
-                        .content = content_of(record),
-                        .warnings = std::move(warnings),
-                        .units = units_of(record)};
-  add_to_row("", result.json, result.row);
-  for (const described::Entry& entry : record.entries())
-    if (!entry.file.empty()) result.files.emplace_back(entry.file, csv_of(entry));
-  return result;
-}
-
 std::vector<std::string> joined(std::vector<std::string> first, const std::vector<std::string>& second) {
   first.insert(first.end(), second.begin(), second.end());
   return first;
@@ -248,7 +235,7 @@ const Analysis& gears_alone() {
 }
 
 AnalysisResult defect_result(const DefectStudy& study, bool files) {
-  AnalysisResult result = described_result(study, study.warnings);
+  AnalysisResult result = described_result(study);
   put_load(study.vibration.largest_load, result);
   if (files) result.files = {{"signal.csv", signal_csv(study)}, {"signal.wav", signal_wav(study)}};
   return result;

@@ -1,9 +1,8 @@
-// The table of analyses that give one result of a case: `run` carries them out, `check`, derivatives and signals read
-// their rows. A drivetrain with planet bearings has none: its run is a sweep of one point.
+// The table of analyses that give one result of a case: `run` carries them out, `check`, derivatives and
+// signals read their rows. A drivetrain with planet bearings has none: its run is a sweep of one point.
 #pragma once
 
 #include <functional>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,31 +10,21 @@
 #include "app/case/check_table.hpp"
 #include "app/case/field_use.hpp"
 #include "app/case/resolved_case.hpp"
-#include "app/results/point_content.hpp"
 #include "app/results/record_writers.hpp"
 #include "app/study/defect_study.hpp"
 
 namespace orbearing::app {
 
-/// What an analysis found, in each form that leaves the program.
+/// What an analysis found. A record, from which whoever shows or keeps it makes what he needs.
 struct AnalysisResult {
-  nlohmann::ordered_json json;  // of the analysis itself
-  std::string text;             // the same for terminals
-  PointContent content;         // the same as arrays
-  std::vector<std::string> warnings;
-  std::vector<std::pair<std::string, double>> row{};         // what the table of a sweep has columns for
+  Record record;
+  std::vector<std::string> warnings{};
+  std::string heading{};                              // of its text
+  std::vector<std::pair<std::string, double>> row{};  // of the table of a sweep; none: the record's numbers
   std::vector<std::pair<std::string, std::string>> files{};  // of the folder besides: name, content
   std::string status = "ok";                                 // that the netCDF file gives
   bool failed = false;                                       // in parts
-  nlohmann::ordered_json units{};                            // by key
 };
-
-/// The forms of a record: what the table of a sweep has columns for, and tables with files of their own.
-AnalysisResult recorded_result(const Record& record, std::vector<std::string> warnings);
-template <class Result>
-AnalysisResult described_result(const Result& result, std::vector<std::string> warnings) {
-  return recorded_result(record_of(result), std::move(warnings));
-}
 
 /// The warnings of one and then of the other.
 std::vector<std::string> joined(std::vector<std::string> first, const std::vector<std::string>& second);
@@ -56,22 +45,22 @@ struct Wanted {
 
 /// One row of the table.
 struct Analysis {
-  use::Analysis used;                          // its name for users, and which inputs it uses
-  bool (*is_of)(const ResolvedCase&);          // whether it is what `run` does with the case
-  std::vector<std::string> fidelities;         // that --fidelity may name; the first is what it does without
-  std::string required;                        // in place of another one
-  const char* name;                            // in the manifest
-  const char* title;                           // of the netCDF file
-  const char* json_file = nullptr;             // of the folder, which holds what --json prints; null: none
-  double scatter = scatter::in_motion;         // of its results
-  const char* doing = nullptr;                 // begins the line of its progress; null: it is done at once
-  std::size_t parts = 0;                       // of that line
-  AnalysisResult (*compute)(const ResolvedCase&, const Wanted&);  // throws BadInput, ComputationFailed
+  use::Analysis used;                   // its name for users, and which inputs it uses
+  bool (*is_of)(const ResolvedCase&);   // whether it is what `run` does with the case
+  std::vector<std::string> fidelities;  // that --fidelity may name; the first is what it does without
+  std::string required;                 // in place of another one
+  const char* name;                     // in the manifest
+  const char* title;                    // of the netCDF file
+  const char* json_file = nullptr;      // of the folder, which holds what --json prints; null: none
+  double scatter = scatter::in_motion;  // of its results
+  const char* doing = nullptr;          // begins the line of its progress; null: it is done at once
+  std::size_t parts = 0;                // of that line
+  AnalysisResult (*compute)(const ResolvedCase&, const Wanted&);   // throws BadInput, ComputationFailed
   std::vector<Derived> (*derived)(const ResolvedCase&) = nullptr;  // what `check` says follows from the case
 };
 
-/// The case's row for a fidelity that the user named (empty: none); null where its run is a sweep. Throws BadInput
-/// where it knows no such fidelity.
+/// The case's row for a fidelity that the user named (empty: none); null where its run is a sweep. Throws
+/// BadInput where it knows no such fidelity.
 const Analysis* analysis_of(const ResolvedCase& resolved, const std::string& fidelity = "");
 
 /// The gears of a drivetrain without the dynamics of its bearings, whatever its row.
@@ -80,7 +69,8 @@ const Analysis& gears_alone();
 /// The signal of a scratched bearing in every form.
 AnalysisResult defect_result(const DefectStudy& study, bool files);
 
-/// Files of a result folder that hold what `run --json` prints: of a ball bearing in time, of a bearing with scratches.
+/// Files of a result folder that hold what `run --json` prints: of a ball bearing in time, of a bearing with
+/// scratches.
 inline constexpr const char* ball_file_name = "ball.json";
 inline constexpr const char* defect_file_name = "defect.json";
 

@@ -55,7 +55,7 @@ Run run_of(const ResolvedCase& in, const std::string& fidelity) {
     return run_of_drivetrain(in, fidelity.empty() ? "quasi-static" : fidelity);
   const Analysis& row = analysis != nullptr ? *analysis : gears_alone();
   return {row.used, row.scatter,
-          [compute = row.compute](const ResolvedCase& changed) { return compute(changed, {}).json; }};
+          [compute = row.compute](const ResolvedCase& changed) { return json_of(compute(changed, {}).record); }};
 }
 
 [[noreturn]] void refuse_life(const ResolvedCase& in, const std::string& path, const std::string& found,

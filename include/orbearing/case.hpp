@@ -13,9 +13,9 @@ namespace app {
 class ResolvedCase;
 }
 
-/// It does not change: with() makes a changed copy, in which what follows from an input is derived anew. Threads may
-/// share it. Whatever is wrong throws BadInput with a line for each mistake: its place, what was found, what is
-/// required.
+/// It does not change: with() makes a changed copy, in which what follows from an input is derived anew.
+/// Threads may share it. Whatever is wrong throws BadInput with a line for each mistake: its place, what was
+/// found, what is required.
 class Case {
  public:
   /// From a file; `settings` are texts like "input.power=75 kW" in place of what stands there.

@@ -17,8 +17,8 @@ struct Port {
   std::string meaning;
 };
 
-/// Moved by its caller, who sets inputs, advances it and reads outputs. Axes x (outward) and y (in the sense of carrier
-/// rotation) turn with the carrier; SI throughout. An unknown name throws BadInput.
+/// Moved by its caller, who sets inputs, advances it and reads outputs. Axes x (outward) and y (in the sense
+/// of carrier rotation) turn with the carrier; SI throughout. An unknown name throws BadInput.
 class Participant {
  public:
   /// One bearing of one planet; BadInput for a case that has none, or of several sets.
@@ -34,12 +34,12 @@ class Participant {
   void set_input(const std::string& name, double value, std::optional<double> slope = std::nullopt);
   double input(const std::string& name) const;
 
-  /// Takes the inputs as they are; what nobody set fits the rest: the displacement is that under the start load. The
-  /// first advance() does it where it was not asked for.
-  void initialize(double time);    // [s]
-  void advance(double length);     // [s]
+  /// Takes the inputs as they are; what nobody set fits the rest: the displacement is that under the start
+  /// load. The first advance() does it where it was not asked for.
+  void initialize(double time);  // [s]
+  void advance(double length);   // [s]
   double output(const std::string& name);
-  std::vector<double> values();    // of all outputs
+  std::vector<double> values();  // of all outputs
   /// [unit of output / unit of input], the inner state held.
   double slope(const std::string& output, const std::string& input);
 

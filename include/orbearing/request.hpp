@@ -1,5 +1,6 @@
-// The one door to what the program computes: a request in, the result as --json prints it out. By the names of the
-// commands: run, sweep, crown, modes, mesh, stiffness, signals, sensitivities, fmu, check, validate and more.
+// The one door to what the program computes: a request in, the result as --json prints it out. By the names
+// of the commands: run, sweep, crown, modes, mesh, stiffness, signals, sensitivities, fmu, check, validate
+// and more.
 #pragma once
 
 #include <cstddef>
@@ -20,8 +21,8 @@ struct Request {
   std::optional<Case> given{};          // one that is read already, which takes no settings
   std::vector<std::string> settings{};  // "path=value"
   /// A JSON object of the options of the command line by their names, with _ for -:
-  /// {"fidelity": "dynamic", "jobs": 2}. Switches are true or false; what may be repeated is a list; "folders" are
-  /// those that report and merge take.
+  /// {"fidelity": "dynamic", "jobs": 2}. Switches are true or false; what may be repeated is a list;
+  /// "folders" are those that report and merge take.
   std::string options = "{}";
   /// Called from any thread, one call at a time, with how far the computation is; false asks it to stop.
   std::function<bool(std::size_t done, std::size_t all, const std::string& doing)> progress{};
@@ -33,8 +34,8 @@ struct Answer {
   int code = 0;                       // 0 done, 1 failed at some points
 };
 
-/// Throws BadInput for what cannot be asked, ComputationFailed, and Interrupted or Cancelled where it was asked to
-/// stop.
+/// Throws BadInput for what cannot be asked, ComputationFailed, and Interrupted or Cancelled where it was
+/// asked to stop.
 Answer answer(const Request& request);
 
 }  // namespace orbearing

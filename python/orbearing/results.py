@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from orbearing import _core
     from orbearing.blocks import FigureBlock
 
+
 def number_array(values) -> np.ndarray:
     """Numbers with NaN in place of None, not to be written to."""
     array = np.array([np.nan if value is None else value for value in values], dtype=float)

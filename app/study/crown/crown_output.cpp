@@ -15,12 +15,22 @@ using namespace study::crowning;
 using described::Record;
 namespace dimension = described::dimension;
 
+// Of one bearing, by the standards.
+struct RatedLife {
+  const char* name;
+  const char* meaning;
+  double bearing::rating::RatedHours::*hours;
+};
+constexpr std::array<RatedLife, 4> rated_lives{
+    {{"L10h", "life of one bearing by ISO 281", &bearing::rating::RatedHours::basic},
+     {"L10rh", "life of one bearing by ISO/TS 16281", &bearing::rating::RatedHours::reference},
+     {"L10mh", "life of one bearing by ISO 281, with a_ISO", &bearing::rating::RatedHours::modified},
+     {"L10mrh", "life of one bearing by ISO/TS 16281, with a_ISO of each lamina",
+      &bearing::rating::RatedHours::modified_reference}}};
+
 void describe_hours(Record& record, const bearing::rating::RatedHours& hours) {
-  record.value("L10h", dimension::hours, "life of one bearing by ISO 281", hours.basic);
-  record.value("L10rh", dimension::hours, "life of one bearing by ISO/TS 16281", hours.reference);
-  record.value("L10mh", dimension::hours, "life of one bearing by ISO 281, with a_ISO", hours.modified);
-  record.value("L10mrh", dimension::hours, "life of one bearing by ISO/TS 16281, with a_ISO of each lamina",
-               hours.modified_reference);
+  for (const RatedLife& life : rated_lives)
+    record.value(life.name, dimension::hours, life.meaning, hours.*life.hours);
 }
 
 void describe_pressure(Record& record, double peak, double edge_ratio) {
@@ -193,7 +203,7 @@ void describe_grid(Record& record, const CrownStudy& study) {
                                         : "tilt of the planet's bore on its pin in the plane of the load",
                 {"tilt"}, request.tilts);
   const auto add = [&](const char* name, const described::Dimension& of, const char* meaning,
-                       double (*value)(const CrownPoint&)) {
+                       const auto& value) {
     std::vector<std::vector<std::vector<double>>> values;
     for (const auto& points : study.points) {
       values.emplace_back();
@@ -207,14 +217,9 @@ void describe_grid(Record& record, const CrownStudy& study) {
   add("largest_tilt", dimension::angle, "largest tilt of a bore on its pin, computed or stated",
       [](const CrownPoint& p) { return p.largest_tilt; });
   add("life", dimension::hours, "life of one bearing", [](const CrownPoint& p) { return p.life_hours; });
-  add("L10h", dimension::hours, "life of one bearing by ISO 281",
-      [](const CrownPoint& p) { return p.rated_hours.basic; });
-  add("L10rh", dimension::hours, "life of one bearing by ISO/TS 16281",
-      [](const CrownPoint& p) { return p.rated_hours.reference; });
-  add("L10mh", dimension::hours, "life of one bearing by ISO 281, with a_ISO",
-      [](const CrownPoint& p) { return p.rated_hours.modified; });
-  add("L10mrh", dimension::hours, "life of one bearing by ISO/TS 16281, with a_ISO of each lamina",
-      [](const CrownPoint& p) { return p.rated_hours.modified_reference; });
+  for (const RatedLife& life : rated_lives)
+    add(life.name, dimension::hours, life.meaning,
+        [&](const CrownPoint& p) { return p.rated_hours.*life.hours; });
   add("peak_pressure", dimension::stress,
       "greatest pressure of the most loaded roller, mean over a hundredth of its length",
       [](const CrownPoint& p) { return p.pressure.peak; });
