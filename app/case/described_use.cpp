@@ -247,6 +247,7 @@ Use with_oil(const Use& use, std::string_view path) {
 Use with_other_frictions(const Use& use) {
   constexpr unsigned moving = use::rollers_in_motion | use::balls_in_motion | use::planet_defect;
   return use.felt_too(moving, where_given({"bearing.cage.pocket_friction"}))
+      .felt_too(moving, where_given({"bearing.cage.guide_land_diameter"}))
       .felt_too(moving, where("contact.lubrication", {"mixed"}))
       .felt_too(moving, {where("bearing.complement", {"full"}), where_given({"bearing.neighbour_friction"})});
 }
@@ -370,6 +371,10 @@ Use with_other_ways(const Use& use, std::string_view path) {
   if (path == "defect.profile") return use.when(where("defect.race", {"outer", "inner", "ball", "roller"}));
   if (path == "bearing.width") return with_ring_width(use);
   if (path == "inertia.euler") return with_rotating_carrier(with_run_up(use));
+  // A run-up is observed from its begin to its end.
+  if (path == "simulation.observed_revolutions")
+    return use.limited(use::dynamic | use::dynamic_of_sets,
+                       {where_true(speed_is_steady, "where input.acceleration is 0")});
   if (path == "bearing.bore") return with_pins(use);
   // Of a driven sun or ring the power makes the force of the teeth, whichever member is held.
   if (path == "gearset.fixed") return use.felt_only(use::mesh, {where("input.member", {"carrier"})});

@@ -67,6 +67,12 @@ void check_tooth_contact(const ResolvedCase& resolved, std::vector<Mistake>& mis
              "no stated mesh stiffness is required, which follows from the teeth", mistakes);
 }
 
+bool is_anywhere_nonzero(const ResolvedCase& resolved, const char* list) {
+  if (!resolved.has(list)) return false;
+  const std::vector<double> values = resolved.list(list);
+  return std::any_of(values.begin(), values.end(), [](double value) { return value != 0.0; });
+}
+
 // A planet that finds its tilt: laminae feel it, one rigid rim and planets that carry alike are what it is
 // computed for.
 void check_tilt(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
@@ -82,6 +88,10 @@ void check_tilt(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
        "beside gearset.planet_rim: elastic", "a rigid rim is required");
   const std::string uneven = uneven_planets_by(resolved);
   need(uneven.empty(), "beside " + uneven, "planets that carry alike are required");
+  for (const char* list : {"bearing.roller_diameter_deviation", "bearing.inner_race.waviness.amplitude",
+                           "bearing.outer_race.waviness.amplitude"})
+    need(!is_anywhere_nonzero(resolved, list), std::string("beside ") + list,
+         "equal rollers and races without waviness are required, since the tilt is that of bearings at rest");
   const auto bearings = static_cast<std::size_t>(resolved.integer("bearing.per_planet"));
   for (const char* list : {"bearing.axial_places", "bearing.clearance_differences"})
     if (resolved.has(list) && resolved.list(list).size() != bearings)

@@ -72,10 +72,6 @@ bool turns(const ResolvedCase& in) {
 
 }  // namespace
 
-bool is_stated(const ResolvedCase& in, std::string_view path) {
-  return in.has(path) && in.origin(path) != "default";
-}
-
 bool planets_tilt(const ResolvedCase& in, std::string_view) {
   return is_nonzero(in, "gearset.helix_angle") || is_chosen(in, "support.pin_ends", "one") ||
          is_nonzero(in, "support.pin_inclination.radial") ||
@@ -141,6 +137,10 @@ bool fits_are_warm(const ResolvedCase& in, std::string_view set) {
     const std::string path = in_set(set, "bearing.temperature.") + part;
     return in.has(path) && in.quantity(path) != bearing::kSizesTemperature;
   });
+}
+
+bool speed_is_steady(const ResolvedCase& in, std::string_view) {
+  return !is_nonzero(in, "input.acceleration");
 }
 
 bool gears_run_up(const ResolvedCase& in, std::string_view) {

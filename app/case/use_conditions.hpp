@@ -7,9 +7,6 @@
 
 namespace orbearing::app {
 
-/// Whether the case has a value at `path` that is no default.
-bool is_stated(const ResolvedCase& in, std::string_view path);
-
 /// Whether a planet whose tilt is computed has one: something makes its two ends unlike.
 bool planets_tilt(const ResolvedCase& in, std::string_view set);
 /// Whether bearings whose tilt is computed have one: beside each other they tilt with the bent pin.
@@ -36,6 +33,8 @@ bool teeth_make_meshes(const ResolvedCase& in, std::string_view set);
 bool material_makes_springs(const ResolvedCase& in, std::string_view set);
 /// Whether a part of a fit has another temperature than that of the sizes.
 bool fits_are_warm(const ResolvedCase& in, std::string_view set);
+/// Whether the input speed does not grow.
+bool speed_is_steady(const ResolvedCase& in, std::string_view set);
 /// Whether gears start at another speed than they run at.
 bool gears_run_up(const ResolvedCase& in, std::string_view set);
 

@@ -1,17 +1,17 @@
 #include "bearing/motion/model.hpp"
 
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 #include "bearing/contact/race_form.hpp"
 #include "bearing/equilibrium/elastic_waves.hpp"
 #include "mechanics/checks.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::bearing::motion {
 
 namespace {
 
-using boost::math::double_constants::two_pi;
+using constants::two_pi;
 using mechanics::require;
 
 void check_oil(const DynamicsParameters& parameters) {
@@ -264,7 +264,8 @@ BearingModel bearing_model(const Bearing& bearing, const OperatingPoint& point,
       .excitation = parameters.excitation,
       .driving = parameters.driving,
       .bore_loads = {},
-      .kinematic_cage_speed = reference_cage_speed(geometry, point, parameters.cage.reference_speed)};
+      .kinematic_cage_speed = reference_cage_speed(
+          geometry, point, bearing.has_cage() ? parameters.cage.reference_speed : ReferenceSpeed::rolling)};
   set_drag(bearing, parameters.drag, model);
   model.laminae = lamina_races(bearing, model);
   model.layout.tilting = model.laminae && !model.laminae->upright();
