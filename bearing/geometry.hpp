@@ -17,8 +17,8 @@ struct BearingGeometry {
   double element_inertia = 0.0;  // [kg m^2]  about its own axis
   double cage_mass = 0.0;        // [kg]      ring less pockets
   double cage_inertia = 0.0;     // [kg m^2]  about its axis
-  double outer_ring_mass = 0.0;  // [kg]      between outer race and outside diameter; no grooves taken off
-  double inner_ring_mass = 0.0;  // [kg]      between bore and inner race
+  double outer_ring_mass = 0.0;  // [kg]      between race and outside diameter; none without a ring
+  double inner_ring_mass = 0.0;  // [kg]      between bore and race; without a ring, of the pin
 };
 
 /// Geometry of `bearing`. The clearance is shared evenly: races of diameter d_m -+ (D + G/2).

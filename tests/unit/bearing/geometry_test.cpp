@@ -2,12 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include "mechanics/constants.hpp"
 #include "tests/unit/bearing/example_bearings.hpp"
 
 namespace orbearing::bearing::geometry_test {
 namespace {
 
-using boost::math::double_constants::pi;
+using constants::pi;
 
 constexpr double kRoundOff = 1e-14;      // products and sums in double precision, relative
 constexpr double kHundredthGram = 1e-5;  // [kg] the hand values below are given to this
@@ -54,6 +55,31 @@ TEST(Geometry, RingMassesByHand) {
   EXPECT_NEAR(geometry.outer_ring_mass, 7850.0 * 0.25 * pi * (2209.0 - 1671.1744) * 1e-6 * 11.9e-3,
               kRoundOff);
   EXPECT_NEAR(geometry.inner_ring_mass, 7850.0 * 0.25 * pi * (924.16 - 625.0) * 1e-6 * 11.9e-3, kRoundOff);
+}
+
+// Rollers on the pin itself: what is left between bore and race is round-off, and would be a body without mass.
+TEST(Geometry, WithoutAnInnerRingThePinBeneathTheRaceMoves) {
+  Bearing bearing = example_bearings::planet_bearing();
+  const double race = 2.0 * geometry_of(bearing).inner_radius;
+  const double pin = bearing.material.density * 0.25 * pi * race * race * bearing.width;
+  for (const double round_off : {-1e-9, 0.0, 1e-9}) {
+    bearing.inner.seat_diameter = race * (1.0 + round_off);
+    EXPECT_NEAR(geometry_of(bearing).inner_ring_mass, pin, 1e-12 * pin);
+  }
+  bearing.inner.seat_diameter = 1.01 * race;
+  EXPECT_LT(geometry_of(bearing).inner_ring_mass, 0.0);  // refused
+}
+
+// Its mass is the planet's; as a body of round-off it was accelerated without bound.
+TEST(Geometry, WithoutAnOuterRingNothingIsLeftOfIt) {
+  Bearing bearing = example_bearings::planet_bearing();
+  const double race = 2.0 * geometry_of(bearing).outer_radius;
+  for (const double round_off : {-1e-9, 0.0, 1e-9}) {
+    bearing.outer.seat_diameter = race * (1.0 + round_off);
+    EXPECT_EQ(geometry_of(bearing).outer_ring_mass, 0.0);
+  }
+  bearing.outer.seat_diameter = 1.01 * race;
+  EXPECT_GT(geometry_of(bearing).outer_ring_mass, 0.0);
 }
 
 TEST(Geometry, EquivalentRadiusIsConvexInsideAndConcaveOutside) {
