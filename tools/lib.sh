@@ -87,8 +87,11 @@ drop_foreign_build() {
   [ "$home" = "$root" ] || rm -rf "${root:?}/build/$1"
 }
 
-# Options given to every configuration, beside those of the preset.
+# Options given to every configuration, beside those of the preset. What this machine cannot run is not built for it.
 configure_options=()
+if [ -r /proc/cpuinfo ] && ! grep -qw avx512vl /proc/cpuinfo; then
+  configure_options+=(-DORBEARING_AVX512=OFF)
+fi
 
 # build <preset> [targets...]
 build() {

@@ -18,8 +18,10 @@ constexpr std::size_t kMostPadded = 1008;
 static_assert(kMostPadded % vectorised::kLaminaPadding == 0);
 
 const vectorised::LaminaKernel& kernel_of([[maybe_unused]] mechanics::InstructionSet set) {
-#if defined(__x86_64__) && !defined(_WIN32)
+#ifdef ORBEARING_HAS_AVX512
   if (set == mechanics::InstructionSet::avx512) return vectorised::avx512_laminae();
+#endif
+#ifdef ORBEARING_HAS_AVX2
   if (set == mechanics::InstructionSet::avx2) return vectorised::avx2_laminae();
 #endif
   return vectorised::baseline_laminae();

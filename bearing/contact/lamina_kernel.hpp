@@ -28,9 +28,7 @@ struct LaminaKernel {
 
 /// One for each instruction set. They stand in files of their own, so that the engines keep their bits.
 const LaminaKernel& baseline_laminae();
-#if defined(__x86_64__) && !defined(_WIN32)
 const LaminaKernel& avx2_laminae();
 const LaminaKernel& avx512_laminae();
-#endif
 
 }  // namespace orbearing::bearing::vectorised

@@ -1,6 +1,8 @@
 // The solver of level rollers on laminae for one instruction set, without fused operations: the same bits as
 // the others.
-#if defined(__x86_64__) && !defined(_WIN32)
+#include "mechanics/packs/instruction_set.hpp"
+
+#ifdef ORBEARING_HAS_AVX2
 #define ORBEARING_PACKS packs_avx2_level
 #include "bearing/equilibrium/level_packs.hpp"
 

@@ -64,9 +64,7 @@ class LevelEngine {
 
 /// One for each instruction set, each in its own file with its own compiler options: the same bits in all.
 LevelEngine* baseline_level_engine(const LevelConstants& constants);
-#if defined(__x86_64__) && !defined(_WIN32)
 LevelEngine* avx2_level_engine(const LevelConstants& constants);
 LevelEngine* avx512_level_engine(const LevelConstants& constants);
-#endif
 
 }  // namespace orbearing::bearing::vectorised

@@ -10,9 +10,11 @@ namespace {
 
 std::unique_ptr<Engine> make_engine([[maybe_unused]] mechanics::InstructionSet set,
                                     const Constants& constants, const RollerConstants& rollers) {
-#if defined(__x86_64__) && !defined(_WIN32)
+#ifdef ORBEARING_HAS_AVX512
   if (set == mechanics::InstructionSet::avx512)
     return std::unique_ptr<Engine>(avx512_engine(constants, rollers));
+#endif
+#ifdef ORBEARING_HAS_AVX2
   if (set == mechanics::InstructionSet::avx2) return std::unique_ptr<Engine>(avx2_engine(constants, rollers));
 #endif
   return std::unique_ptr<Engine>(baseline_engine(constants, rollers));

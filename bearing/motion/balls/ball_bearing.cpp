@@ -1,7 +1,6 @@
 #include "bearing/motion/balls/ball_bearing.hpp"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 #include "bearing/equilibrium/static_bearing.hpp"
@@ -10,20 +9,23 @@
 #include "bearing/motion/balls/mixture.hpp"
 #include "bearing/motion/balls/pocket_contact.hpp"
 #include "bearing/motion/balls/race_contact.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::bearing::balls {
 
 namespace {
 
-using boost::math::double_constants::two_pi;
+using constants::two_pi;
 
 std::unique_ptr<Engine> make_engine([[maybe_unused]] mechanics::InstructionSet set,
                                     const BallNumbers& numbers) {
-#if defined(__x86_64__) && !defined(_WIN32)
+#ifdef ORBEARING_HAS_AVX512
   if (set == mechanics::InstructionSet::avx512) {
     const bool half_empty = (numbers.balls + 7) / 8 % 2 == 1;
     return std::unique_ptr<Engine>(half_empty ? short_avx512_engine(numbers) : avx512_engine(numbers));
   }
+#endif
+#ifdef ORBEARING_HAS_AVX2
   if (set == mechanics::InstructionSet::avx2) return std::unique_ptr<Engine>(avx2_engine(numbers));
 #endif
   return std::unique_ptr<Engine>(baseline_engine(numbers));

@@ -69,11 +69,9 @@ class Engine {
 };
 
 Engine* baseline_engine(const BallNumbers& numbers);
-#if defined(__x86_64__) && !defined(_WIN32)
 Engine* avx2_engine(const BallNumbers& numbers);
 Engine* avx512_engine(const BallNumbers& numbers);
 /// The same in packs of eight, for balls whom packs of sixteen would leave more lanes empty.
 Engine* short_avx512_engine(const BallNumbers& numbers);
-#endif
 
 }  // namespace orbearing::bearing::balls

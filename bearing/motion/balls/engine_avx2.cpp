@@ -1,5 +1,7 @@
 // The engine for one instruction set: the same source as the others, compiled with their own options.
-#if defined(__x86_64__) && !defined(_WIN32)
+#include "mechanics/packs/instruction_set.hpp"
+
+#ifdef ORBEARING_HAS_AVX2
 #define ORBEARING_PACKS packs_avx2
 #include "bearing/motion/balls/pack_stage.hpp"
 

@@ -1,5 +1,7 @@
 // The engine of engine_avx512.cpp in packs of half the length, for as few balls as one of them holds.
-#if defined(__x86_64__) && !defined(_WIN32)
+#include "mechanics/packs/instruction_set.hpp"
+
+#ifdef ORBEARING_HAS_AVX512
 #define ORBEARING_PACKS packs_short_avx512
 #define ORBEARING_REGISTER_LANES 4
 #include "bearing/motion/balls/pack_stage.hpp"
