@@ -1,13 +1,14 @@
 // Units in which numbers leave the program, besides those of the case table.
 #pragma once
 
-#include <boost/math/constants/constants.hpp>
+#include "mechanics/constants.hpp"
+
 
 namespace orbearing::app {
 
-inline constexpr double kRpm = 30.0 / boost::math::double_constants::pi;               // per rad/s
-inline constexpr double kRadiansPerSecond = boost::math::double_constants::pi / 30.0;  // of 1 rpm
-inline constexpr double kDegree = 180.0 / boost::math::double_constants::pi;           // per rad
+inline constexpr double kRpm = 30.0 / constants::pi;               // per rad/s
+inline constexpr double kRadiansPerSecond = constants::pi / 30.0;  // of 1 rpm
+inline constexpr double kDegree = 180.0 / constants::pi;           // per rad
 inline constexpr double kKilo = 1e-3;                                                  // per unit
 inline constexpr double kMilli = 1e3;                                                  // per unit
 inline constexpr double kMicro = 1e6;                                                  // per unit

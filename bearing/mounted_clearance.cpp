@@ -1,16 +1,16 @@
 #include "bearing/mounted_clearance.hpp"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 
 #include "bearing/geometry.hpp"
 #include "mechanics/checks.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::bearing {
 
 namespace {
 
-using boost::math::double_constants::two_pi;
+using constants::two_pi;
 
 /// Which steps of the chain act.
 struct Acting {

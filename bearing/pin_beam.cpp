@@ -1,10 +1,10 @@
 #include "bearing/pin_beam.hpp"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 #include "mechanics/checks.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::bearing {
 
@@ -40,7 +40,7 @@ struct PinSection {
 };
 
 PinSection pin_section_of(const PinBeam& pin) {
-  using boost::math::double_constants::pi;
+  using constants::pi;
   const double nu = pin.material.poisson_ratio, m = pin.bore / pin.diameter;
   const double area = 0.25 * pi * (pin.diameter * pin.diameter - pin.bore * pin.bore);
   const double second = pi / 64.0 * (std::pow(pin.diameter, 4) - std::pow(pin.bore, 4));

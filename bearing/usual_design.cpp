@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 #include "mechanics/checks.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::bearing {
 
@@ -21,7 +21,7 @@ constexpr std::array<CageMaterial, 4> usual_materials{{
 constexpr double cage_poisson_ratio = 0.35;  // [-]  between polymers and metals; felt by the shear alone
 
 double gap_between_rollers(double roller_diameter, double pitch_diameter, int rollers) {
-  return pitch_diameter * std::sin(boost::math::double_constants::pi / rollers) - roller_diameter;
+  return pitch_diameter * std::sin(constants::pi / rollers) - roller_diameter;
 }
 
 double shear_modulus(double youngs_modulus, double poisson_ratio) {
@@ -73,7 +73,7 @@ double usual_touch_down_stiffness(double youngs_modulus, double width) {
 
 double pin_stiffness(const PlanetPin& pin) {
   const double b = pin.loaded_length, a = 0.5 * (pin.span - b), c = 0.125 * (2.0 * pin.span - b);
-  const double area = 0.25 * boost::math::double_constants::pi * pin.diameter * pin.diameter;
+  const double area = 0.25 * constants::pi * pin.diameter * pin.diameter;
   const double second_moment = area * pin.diameter * pin.diameter / 16.0;
   const double nu = pin.poisson_ratio;
   const double warping = (7.0 + 6.0 * nu) / (6.0 * (1.0 + nu));  // kappa of a circle

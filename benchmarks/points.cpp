@@ -2,20 +2,20 @@
 
 #include <fmt/core.h>
 
-#include <boost/math/constants/constants.hpp>
 #include <string>
 #include <vector>
 
 #include "benchmarks/clocks.hpp"
 #include "benchmarks/speed.hpp"
 #include "coupling/study/operating_point.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::bench {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-using boost::math::double_constants::two_pi;
+using constants::two_pi;
 
 constexpr double kMiddle = 6000.0;  // [1/min]
 constexpr int kNeighbours = 9;

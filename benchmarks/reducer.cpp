@@ -1,15 +1,15 @@
 #include "benchmarks/reducer.hpp"
 
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 #include "app/case/case_file.hpp"
 #include "app/study/planetary_case.hpp"
 #include "coupling/study/operating_point.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::bench {
 
-using boost::math::double_constants::two_pi;
+using constants::two_pi;
 
 double Duty::cage_revolution() const {
   const double speed =

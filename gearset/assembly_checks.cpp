@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -7,6 +6,7 @@
 #include "gearset/checks.hpp"
 #include "gearset/message.hpp"
 #include "gearset/planet_angles.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::gearset {
 
@@ -14,7 +14,7 @@ namespace {
 
 // Beyond these a shift is a slip of the pen: the rack would cut no usable tooth.
 constexpr double largest_shift = 2.0;                                                        // [module]
-constexpr double largest_pressure_angle = 45.0 * boost::math::double_constants::pi / 180.0;  // [rad]
+constexpr double largest_pressure_angle = 45.0 * constants::pi / 180.0;  // [rad]
 
 std::string found(double value, const std::string& required) {
   return "found " + decimal(value, 4) + "; " + required;
@@ -39,7 +39,7 @@ void check_shift(double shift, const std::string& place, Warnings& problems) {
 void check_fillet(const BasicRack& rack, const std::string& block, Warnings& problems) {
   const double tangent = std::tan(rack.pressure_angle);
   const double half_tip =
-      boost::math::double_constants::pi / 4.0 - (rack.addendum + rack.clearance) * tangent;  // [module]
+      constants::pi / 4.0 - (rack.addendum + rack.clearance) * tangent;  // [module]
   const double largest = half_tip / (1.0 / std::cos(rack.pressure_angle) - tangent);
   if (largest <= 0.0) {
     problems.push_back({block + ".addendum", found(rack.addendum,
@@ -54,7 +54,7 @@ void check_fillet(const BasicRack& rack, const std::string& block, Warnings& pro
 
 void check_rack(const BasicRack& rack, const std::string& block, Warnings& problems) {
   if (!(rack.pressure_angle > 0.0 && rack.pressure_angle < largest_pressure_angle)) {
-    constexpr double per_degree = 180.0 / boost::math::double_constants::pi;
+    constexpr double per_degree = 180.0 / constants::pi;
     problems.push_back({block + ".pressure_angle", found(per_degree * rack.pressure_angle,
                                                          "an angle between 0 and 45 deg is required")});
     return;
@@ -104,7 +104,7 @@ void check_spacing(const PlanetarySet& set, Warnings& problems) {
 // Eq. (24).
 void check_neighbours(const PlanetarySet& set, const WorkingGeometry& geometry, Warnings& problems) {
   if (set.planets < 2) return;
-  const double step = std::min(least_step(angles_of_planets(set)), boost::math::double_constants::pi);
+  const double step = std::min(least_step(angles_of_planets(set)), constants::pi);
   const double pitch = 2.0 * geometry.centre_distance * std::sin(0.5 * step);
   const double tip_diameter = 2.0 * geometry.planet.tip_radius;
   if (tip_diameter < pitch) return;

@@ -1,10 +1,10 @@
 #include "gearset/contact_path.hpp"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 #include "gearset/involute.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::gearset {
 
@@ -40,7 +40,7 @@ ContactPath internal_contact_path(const RingTooth& ring, const ExternalTooth& pl
 }
 
 double contact_ratio(const ContactPath& path, const ExternalTooth& tooth) {
-  return path.length() / (2.0 * boost::math::double_constants::pi * tooth.base_radius / tooth.teeth);
+  return path.length() / (2.0 * constants::pi * tooth.base_radius / tooth.teeth);
 }
 
 }  // namespace orbearing::gearset

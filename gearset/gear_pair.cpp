@@ -1,6 +1,5 @@
 #include "gearset/gear_pair.hpp"
 
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <stdexcept>
 
@@ -8,12 +7,13 @@
 #include "gearset/involute.hpp"
 #include "gearset/message.hpp"
 #include "gearset/tooth_warnings.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::gearset {
 
 namespace {
 
-using boost::math::double_constants::degree;
+using constants::degree;
 
 constexpr const char* kPairShift = "pair.profile_shift";
 constexpr double largest_pair_angle = 45.0;  // [deg]  beyond it no involute pair of practice works

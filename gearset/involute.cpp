@@ -1,6 +1,6 @@
 #include "gearset/involute.hpp"
+#include "mechanics/constants.hpp"
 
-#include <boost/math/constants/constants.hpp>
 #include <boost/math/tools/roots.hpp>
 #include <cassert>
 #include <cmath>
@@ -26,13 +26,13 @@ double involute_series(double angle) {
 // inv(a).
 double initial_guess(double value) {
   return value < 1.0 ? std::cbrt(3.0 * value) / (1.0 + 0.4 * std::cbrt(value * value))
-                     : std::atan(value + boost::math::double_constants::pi / 2.0 - 1.0 / (value + 1.0));
+                     : std::atan(value + constants::pi / 2.0 - 1.0 / (value + 1.0));
 }
 
 }  // namespace
 
 double involute(double pressure_angle) {
-  assert(pressure_angle >= 0.0 && pressure_angle < boost::math::double_constants::pi / 2.0);
+  assert(pressure_angle >= 0.0 && pressure_angle < constants::pi / 2.0);
   return pressure_angle < series_limit ? involute_series(pressure_angle)
                                        : std::tan(pressure_angle) - pressure_angle;
 }
@@ -47,7 +47,7 @@ double inverse_involute(double value) {
     return std::make_pair(involute(angle) - value, slope * slope);
   };
   constexpr double upper =
-      boost::math::double_constants::pi / 2.0 * (1.0 - std::numeric_limits<double>::epsilon());
+      constants::pi / 2.0 * (1.0 - std::numeric_limits<double>::epsilon());
   std::uintmax_t iterations = 100;
   return boost::math::tools::newton_raphson_iterate(residual_and_slope, initial_guess(value), 0.0, upper,
                                                     std::numeric_limits<double>::digits - 2, iterations);

@@ -1,18 +1,18 @@
 #include "gearset/planet_angles.hpp"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <string>
 
 #include "gearset/message.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::gearset {
 
 namespace {
 
-using boost::math::double_constants::degree;
-using boost::math::double_constants::two_pi;
+using constants::degree;
+using constants::two_pi;
 
 constexpr double kWritten = 0.005 * degree;  // [rad]  by which a stated angle may be rounded
 const std::string kPlaces = "gearset.planet_angles";

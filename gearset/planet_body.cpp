@@ -1,12 +1,12 @@
 #include "gearset/planet_body.hpp"
 
-#include <boost/math/constants/constants.hpp>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
 #include <complex>
 #include <stdexcept>
 
 #include "gearset/involute.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::gearset {
 
@@ -55,8 +55,8 @@ SectionMoments involute_part(const ExternalTooth& tooth) {
 }
 
 SectionMoments annulus(double inner_radius, double outer_radius) {
-  return {boost::math::double_constants::pi * (std::pow(outer_radius, 2) - std::pow(inner_radius, 2)),
-          boost::math::double_constants::pi / 2.0 * (std::pow(outer_radius, 4) - std::pow(inner_radius, 4))};
+  return {constants::pi * (std::pow(outer_radius, 2) - std::pow(inner_radius, 2)),
+          constants::pi / 2.0 * (std::pow(outer_radius, 4) - std::pow(inner_radius, 4))};
 }
 
 }  // namespace

@@ -1,19 +1,19 @@
 #include "gearset/tooth_form.hpp"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cassert>
 #include <cmath>
 #include <stdexcept>
 
 #include "gearset/involute.hpp"
 #include "gearset/root.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::gearset {
 
 namespace {
 
-using boost::math::double_constants::pi;
+using constants::pi;
 
 RackFillet rack_fillet(double shift, double module, const BasicRack& rack, double cos_helix) {
   const double centre_below_datum = rack.addendum + rack.clearance - rack.root_fillet_radius;

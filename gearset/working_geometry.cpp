@@ -1,12 +1,12 @@
 #include "gearset/working_geometry.hpp"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <stdexcept>
 
 #include "gearset/involute.hpp"
 #include "gearset/root.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::gearset {
 
@@ -14,7 +14,7 @@ namespace {
 
 // No involute mesh of practice works above this angle; beyond it a centre distance is a root of the equations
 // only.
-constexpr double largest_working_angle = 45.0 * boost::math::double_constants::pi / 180.0;  // [rad]
+constexpr double largest_working_angle = 45.0 * constants::pi / 180.0;  // [rad]
 
 struct BaseRadii {
   double sum;         // [m] sun and planet

@@ -1,11 +1,11 @@
 // A roller on its inner race for the tests of the half-space contact: the reducer's, 5.24 x 5.7 mm.
 #pragma once
 
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 #include "bearing/pressure/of_bearing.hpp"
 #include "bearing/pressure/strip_contact.hpp"
+#include "mechanics/constants.hpp"
 #include "tests/reference/surface_contact.hpp"
 
 namespace orbearing::bearing::half_space {
@@ -24,7 +24,7 @@ inline HalfSpaceContact reducer_roller(EndSurface roller_ends = EndSurface::corr
 /// where pressure stays finite. (A true quarter space on a half-space of the same material: 0.226,
 /// [DundursLee1972].)
 inline double corner_exponent(double mirror_factor) {
-  return mirror_factor < 1.0 ? std::acos(mirror_factor) / boost::math::double_constants::pi : 0.0;
+  return mirror_factor < 1.0 ? std::acos(mirror_factor) / constants::pi : 0.0;
 }
 
 inline Relief straight() {

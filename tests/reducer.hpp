@@ -1,13 +1,13 @@
 // The reducer of [Gai2025] as parameters, for tests that need a whole drivetrain without a case file.
 #pragma once
 
-#include <boost/math/constants/constants.hpp>
 
 #include "coupling/study/drivetrain.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::example {
 
-inline constexpr double rpm = boost::math::double_constants::pi / 30.0;  // [rad/s]
+inline constexpr double rpm = constants::pi / 30.0;  // [rad/s]
 
 inline study::PlanetaryDrivetrain reducer() {
   study::PlanetaryDrivetrain drivetrain;

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <map>
 #include <mutex>
@@ -19,13 +18,14 @@
 #include "bearing/catalogue/inference.hpp"
 #include "bearing/catalogue/seat_class.hpp"
 #include "bearing/usual_design.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::app {
 
 namespace {
 
 namespace catalogue = bearing::catalogue;
-using boost::math::double_constants::pi;
+using constants::pi;
 
 // Fullest rings of rollers keep this much of their diameter between neighbours, so that the last one goes in.
 constexpr double kLeastGap = 1e-3;  // [-]

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <algorithm>
 
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <optional>
 
@@ -21,6 +20,7 @@
 #include "app/case/uneven_planets.hpp"
 #include "gearset/checks.hpp"
 #include "gearset/planet_angles.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::app {
 
@@ -165,7 +165,7 @@ void check_roller_circle(Checker& check, const ResolvedCase& resolved) {
   if (!check.has({"bearing.rollers", "bearing.roller_diameter", "bearing.pitch_diameter"})) return;
   const int rollers = check.count("bearing.rollers");
   const double spacing =
-      check.length("bearing.pitch_diameter") * std::sin(boost::math::double_constants::pi / rollers);  // [m]
+      check.length("bearing.pitch_diameter") * std::sin(constants::pi / rollers);  // [m]
   const double diameter = check.length("bearing.roller_diameter");                                     // [m]
   if (diameter >= spacing) {
     check.object(

@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 #include "app/case/described_case.hpp"
 #include "app/case/objection.hpp"
 #include "app/errors.hpp"
 #include "bearing/geometry.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::app {
 
@@ -55,7 +55,7 @@ void check_signal(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   if (in.has("load.radial") && !(in.quantity("load.radial") > 0.0))
     object_to(in, "load.radial", "no load", "a radial load greater than 0 N is required", mistakes);
   if (!has_all(in, {"signal.sampling_rate", "signal.revolutions", "operation.shaft_speed"})) return;
-  const double turns = std::abs(in.quantity("operation.shaft_speed")) / boost::math::double_constants::two_pi;
+  const double turns = std::abs(in.quantity("operation.shaft_speed")) / constants::two_pi;
   const double rate = in.quantity("signal.sampling_rate");
   if (turns == 0.0) return;
   const double samples =

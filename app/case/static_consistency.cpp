@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 #include "app/case/objection.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::app {
 
@@ -45,7 +45,7 @@ void check_balls(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
     return;
   const double diameter = in.quantity("bearing.ball_diameter");
   const double spacing = in.quantity("bearing.pitch_diameter") *
-                         std::sin(boost::math::double_constants::pi / in.integer("bearing.balls"));
+                         std::sin(constants::pi / in.integer("bearing.balls"));
   if (diameter >= spacing)
     object_to(
         in, "bearing.balls",

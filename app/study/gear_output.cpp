@@ -1,8 +1,8 @@
 #include "app/study/gear_output.hpp"
+#include "mechanics/constants.hpp"
 
 #include <algorithm>
 #include <array>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <numeric>
 
@@ -129,7 +129,7 @@ void describe(Record& record, const ModeStudy& study) {
 ModeStudy mode_study(const gearset::dynamics::SetModel& model, bool at_speed) {
   const auto& planet = model.parameters.planet;
   return {at_speed ? modes_at_speed(model) : modes_at_rest(model),
-          std::sqrt(planet.bearing_stiffness / planet.mass) / boost::math::double_constants::two_pi};
+          std::sqrt(planet.bearing_stiffness / planet.mass) / constants::two_pi};
 }
 
 void describe_campbell(Record& record, const gearset::dynamics::SetModel& model, double nominal_speed) {

@@ -5,7 +5,6 @@
 
 #include <Eigen/Core>
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <map>
 #include <nlohmann/json_fwd.hpp>
@@ -21,6 +20,7 @@
 #include "coupling/study/parallel.hpp"
 #include "gearset/mesh/planetary_meshes.hpp"
 #include "gearset/working_geometry.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::app {
 
@@ -120,7 +120,7 @@ Json tooth_pairs_json(const gearset::WorkingGeometry& geometry, const gearset::P
 }
 
 using Json = nlohmann::ordered_json;
-using boost::math::double_constants::two_pi;
+using constants::two_pi;
 using gearset::dynamics::Mode;
 using gearset::dynamics::ModeKind;
 using gearset::dynamics::SetModel;

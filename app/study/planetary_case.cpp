@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <memory>
 #include <mutex>
@@ -15,6 +14,7 @@
 #include "coupling/study/tilting_planet.hpp"
 #include "gearset/drivetrain/power_flow.hpp"
 #include "gearset/planet_angles.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::app {
 
@@ -23,7 +23,7 @@ namespace {
 // Those at which teeth fit, on which stated ones are rounded.
 void add_planet_angles(const gearset::PlanetarySet& set, std::vector<Derived>& rows) {
   std::vector<double> angles = gearset::angles_of_planets(set);
-  angles.push_back(angles.front() + 2.0 * boost::math::double_constants::pi);
+  angles.push_back(angles.front() + 2.0 * constants::pi);
   double least = angles.back(), most = 0.0;
   for (std::size_t n = 0; n + 1 < angles.size(); ++n) {
     least = std::min(least, angles[n + 1] - angles[n]);

@@ -14,6 +14,7 @@
 #include "app/units.hpp"
 #include "bearing/life/basic_life.hpp"
 #include "bearing/life/life_modification.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::app {
 
@@ -23,7 +24,7 @@ namespace rating = bearing::rating;
 
 constexpr double kNone = std::numeric_limits<double>::infinity();
 constexpr double kStaticPressureMPa = kMega * rating::static_pressure(rating::RollingElement::roller);
-constexpr double kMillimetresPerMinute = 1e3 * 30.0 / boost::math::double_constants::pi;  // mm rpm per m rad/s
+constexpr double kMillimetresPerMinute = 1e3 * 30.0 / constants::pi;  // mm rpm per m rad/s
 
 const std::string kSkidding = "less than a hundredth of C, below which rolling elements skid";
 

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <optional>
 
@@ -13,6 +12,7 @@
 #include "bearing/equilibrium/balls.hpp"
 #include "bearing/life/lamina_life.hpp"
 #include "bearing/life/rating_lives.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::app {
 
@@ -59,7 +59,7 @@ bearing::BearingLife lundberg_palmgren(const bearing::Bearing& bearing, const St
 // Shoulders are not stated; one at 70 degrees is a third of a ball's diameter high.
 void warn_of_steep_contacts(StaticStudy& study) {
   if (study.contact_angle.size() == 0) return;
-  constexpr double degree = boost::math::double_constants::degree, usual_end = 70.0 * degree;
+  constexpr double degree = constants::degree, usual_end = 70.0 * degree;
   const Eigen::ArrayXd loaded_angle = (study.contact_load > 0.0).select(study.contact_angle.abs(), 0.0);
   const auto beyond = (loaded_angle > usual_end).count();
   if (beyond == 0) return;

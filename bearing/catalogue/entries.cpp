@@ -1,8 +1,8 @@
 #include "bearing/catalogue/entries.hpp"
+#include "mechanics/constants.hpp"
 
 #include <algorithm>
 #include <array>
-#include <boost/math/constants/constants.hpp>
 
 namespace orbearing::bearing::catalogue {
 
@@ -44,7 +44,7 @@ constexpr Entry angular(std::string_view number, double degrees, double bore, do
           .width = mm * width,
           .dynamic_rating = dynamic_rating,
           .static_rating = static_rating,
-          .contact_angle = degrees * boost::math::double_constants::degree};
+          .contact_angle = degrees * constants::degree};
 }
 
 // [NSKE1102]: pages B84 to B87 (suffixes ET, EW), B8 to B13, B50 to B53.

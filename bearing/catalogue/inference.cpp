@@ -1,6 +1,5 @@
 #include "bearing/catalogue/inference.hpp"
 
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <functional>
 #include <optional>
@@ -8,12 +7,13 @@
 #include "bearing/life/ball_capacity.hpp"
 #include "bearing/life/roller_capacity.hpp"
 #include "mechanics/checks.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::bearing::catalogue {
 
 namespace {
 
-using boost::math::double_constants::pi;
+using constants::pi;
 
 constexpr double kOuterWall = 0.87;         // [-]  of the inner ring's
 constexpr double kPitchOfRollers = 1.25;    // [-]  of their diameter

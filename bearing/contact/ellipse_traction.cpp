@@ -1,17 +1,17 @@
 #include "bearing/contact/ellipse_traction.hpp"
 
-#include <boost/math/constants/constants.hpp>
 #include <boost/math/special_functions/legendre.hpp>
 #include <cmath>
 
 #include "mechanics/checks.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::bearing {
 
 // Load density over the unit disc: 3/(2 pi) sqrt(1 - x^2 - y^2). Along a slice it is (1 - x^2) times the
 // weight of Chebyshev's polynomials of the second kind.
 EllipsePoints ellipse_points(int slices, int rows) {
-  using boost::math::double_constants::pi;
+  using constants::pi;
   mechanics::require(slices >= 1, "slices of an ellipse of contact [-]", slices, "at least 1");
   mechanics::require(rows >= 1, "points of a slice of an ellipse of contact [-]", rows, "at least 1");
   mechanics::require(slices * rows <= EllipsePoints::kMost, "points of an ellipse of contact [-]", slices * rows,

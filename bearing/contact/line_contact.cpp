@@ -1,10 +1,10 @@
 #include "bearing/contact/line_contact.hpp"
 
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 #include "bearing/contact/line_law.hpp"
 #include "bearing/units.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::bearing {
 
@@ -38,7 +38,7 @@ double LineContact::energy(double approach) const {
 double hertz_pressure(double load, double equivalent_radius, double length, const Material& material) {
   const double reduced_modulus = material.plane_strain_modulus();
   return std::sqrt(load * reduced_modulus /
-                   (boost::math::double_constants::two_pi * equivalent_radius * length));
+                   (constants::two_pi * equivalent_radius * length));
 }
 
 LineContact roller_race_contact(ContactLaw law, double length) {

@@ -1,6 +1,6 @@
 #include "bearing/contact/point_contact.hpp"
 
-#include <boost/math/constants/constants.hpp>
+#include <numbers>
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <boost/math/special_functions/ellint_2.hpp>
 #include <boost/math/tools/roots.hpp>
@@ -10,12 +10,13 @@
 #include <stdexcept>
 
 #include "mechanics/checks.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::bearing {
 
 namespace {
 
-constexpr double kPi = boost::math::double_constants::pi;
+constexpr double kPi = constants::pi;
 
 ContactEllipse ellipse_of(double axis_ratio) {
   const double modulus = std::sqrt(1.0 - 1.0 / (axis_ratio * axis_ratio));
@@ -53,7 +54,7 @@ PointContact point_contact(const PointCurvature& curvature, const Material& mate
   PointContact contact{.curvature = curvature, .ellipse = contact_ellipse(curvature.difference)};
   const ContactEllipse& ellipse = contact.ellipse;
   contact.modulus = material.plane_strain_modulus();
-  contact.constant = boost::math::double_constants::root_two * kPi / 3.0 * contact.modulus *
+  contact.constant = std::numbers::sqrt2 * kPi / 3.0 * contact.modulus *
                      std::sqrt(ellipse.axis_ratio * ellipse.axis_ratio * ellipse.second / curvature.sum) *
                      std::pow(ellipse.first, -1.5);
   return contact;

@@ -1,9 +1,9 @@
 #include "bearing/defect/frequencies.hpp"
 
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 #include "bearing/geometry.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::bearing::defect {
 
@@ -20,7 +20,7 @@ PassingFrequencies passing_frequencies(const Bearing& bearing, double shaft_spee
 }
 
 PassingFrequencies passing_frequencies(const Bearing& bearing, double inner_speed, double outer_speed) {
-  const double hertz = 1.0 / boost::math::double_constants::two_pi;  // [Hz per rad/s]
+  const double hertz = 1.0 / constants::two_pi;  // [Hz per rad/s]
   const BearingGeometry geometry = geometry_of(bearing);
   const double cage = kinematic_cage_speed(geometry, inner_speed, outer_speed);
   const double count = bearing.element_count();

@@ -1,6 +1,5 @@
 #include "bearing/defect/scratched_bearing.hpp"
 
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -12,12 +11,13 @@
 #include "bearing/equilibrium/balls.hpp"
 #include "bearing/equilibrium/ring_balance.hpp"
 #include "mechanics/checks.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::bearing::defect {
 
 namespace {
 
-constexpr double kHalfTurn = boost::math::double_constants::pi;
+constexpr double kHalfTurn = constants::pi;
 
 // Q = constant approach^exponent of an element between both races.
 struct PowerLaw {

@@ -2,17 +2,17 @@
 
 #include <Eigen/LU>
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 #include "mechanics/checks.hpp"
+#include "mechanics/constants.hpp"
 #include "mechanics/linear_algebra.hpp"
 
 namespace orbearing::bearing::duplex {
 
 namespace {
 
-constexpr double kPi = boost::math::double_constants::pi;
+constexpr double kPi = constants::pi;
 constexpr Eigen::Index kFreedoms = 5;
 using Freedoms = Eigen::Vector<double, kFreedoms>;
 

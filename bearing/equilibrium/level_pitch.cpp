@@ -1,19 +1,19 @@
 #include "bearing/equilibrium/level_pitch.hpp"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <numeric>
 
 #include "bearing/carrier_frame.hpp"
 #include "bearing/contact/line_contact.hpp"
 #include "bearing/contact/race_form.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::bearing::vectorised {
 
 namespace {
 
-using boost::math::double_constants::two_pi;
+using constants::two_pi;
 
 // Of the same lamina at the other end: profiles are computed from both sides.
 constexpr double kSameDrop = 1e-12;
@@ -37,8 +37,10 @@ void make_room(int positions, int rollers, PitchResults& results) {
 }
 
 LevelEngine* make_engine([[maybe_unused]] mechanics::InstructionSet set, const LevelConstants& constants) {
-#if defined(__x86_64__) && !defined(_WIN32)
+#ifdef ORBEARING_HAS_AVX512
   if (set == mechanics::InstructionSet::avx512) return avx512_level_engine(constants);
+#endif
+#ifdef ORBEARING_HAS_AVX2
   if (set == mechanics::InstructionSet::avx2) return avx2_level_engine(constants);
 #endif
   return baseline_level_engine(constants);

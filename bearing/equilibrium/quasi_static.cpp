@@ -1,7 +1,6 @@
 #include "bearing/equilibrium/quasi_static.hpp"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
@@ -11,12 +10,13 @@
 #include "bearing/contact/race_form.hpp"
 #include "bearing/equilibrium/elastic_waves.hpp"
 #include "bearing/equilibrium/lamina_bearing.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::bearing {
 
 namespace {
 
-using boost::math::double_constants::two_pi;
+using constants::two_pi;
 
 // Rigid rollers at pure rolling on circles of the pitch radius: what the quasi-static model takes from
 // kinematics.

@@ -11,13 +11,13 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <boost/math/constants/constants.hpp>
 #include <optional>
 #include <string>
 #include <type_traits>
 #include <vector>
 
 #include "bearing/parameters.hpp"
+#include "mechanics/constants.hpp"
 #include "mechanics/convex_search.hpp"
 #include "mechanics/described.hpp"
 #include "mechanics/root_search.hpp"
@@ -112,7 +112,7 @@ inline RingPlace place_of(const RingState& state, double lever) {
 /// Angles of the elements from the radial load [rad].
 inline Eigen::ArrayXd element_angles(const Bearing& bearing) {
   const int count = bearing.element_count();
-  const double pitch = boost::math::double_constants::two_pi / count;
+  const double pitch = constants::two_pi / count;
   return bearing.first_element + pitch * Eigen::ArrayXd::LinSpaced(count, 0.0, count - 1.0);
 }
 

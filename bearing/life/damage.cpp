@@ -1,14 +1,14 @@
 #include "bearing/life/damage.hpp"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 #include "bearing/life/lundberg_palmgren.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::bearing::motion {
 
-using boost::math::double_constants::two_pi;
+using constants::two_pi;
 
 static_assert(static_cast<double>(DamagePower::of_points) == life::point_contacts.load_exponent &&
               static_cast<double>(DamagePower::of_lines) == life::line_contacts.load_exponent);

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <stdexcept>
 
 #include "bearing/units.hpp"
 #include "mechanics/checks.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::bearing::rating {
 
@@ -55,7 +55,7 @@ CleanlinessTerm grease_term(Cleanliness cleanliness, double pitch_mm) {
 }  // namespace
 
 double required_viscosity(double speed, double pitch_diameter) {
-  const double rpm = std::abs(speed) * 30.0 / boost::math::double_constants::pi;
+  const double rpm = std::abs(speed) * 30.0 / constants::pi;
   if (!(rpm > 0.0)) mechanics::refuse("viscosity ratio", rpm, "a speed above 0 rpm");
   const double size = 1.0 / std::sqrt(kMillimetres * pitch_diameter);
   const double mm2_per_s =

@@ -1,6 +1,6 @@
 #include "bearing/life/lundberg_palmgren.hpp"
+#include "mechanics/constants.hpp"
 
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 namespace orbearing::bearing {
@@ -25,7 +25,7 @@ double system_life(double one_bearing, int n) {
 }
 
 double hours(double revolutions, double speed) {
-  const double revolutions_per_hour = std::abs(speed) * 3600.0 / boost::math::double_constants::two_pi;
+  const double revolutions_per_hour = std::abs(speed) * 3600.0 / constants::two_pi;
   return revolutions_per_hour > 0.0 ? revolutions / revolutions_per_hour : kInfinity;
 }
 

@@ -1,9 +1,9 @@
 #include "bearing/life/reference_life.hpp"
 
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 #include "bearing/life/lundberg_palmgren.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::bearing::rating {
 
@@ -27,7 +27,7 @@ Eigen::ArrayXXd loads_of_pressures(const Eigen::Ref<const Eigen::ArrayXXd>& pres
   const double side = race == Race::inner ? -gamma(set) : gamma(set);
   const double modulus = material.plane_strain_modulus();
   const double lamina = set.length / static_cast<double>(pressure.rows());  // [m]
-  return pressure.square() * boost::math::double_constants::pi * set.diameter * (1.0 + side) * lamina /
+  return pressure.square() * constants::pi * set.diameter * (1.0 + side) * lamina /
          modulus;
 }
 

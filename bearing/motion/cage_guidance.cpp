@@ -1,16 +1,16 @@
 #include "bearing/motion/cage_guidance.hpp"
 
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <string>
 
 #include "mechanics/checks.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::bearing::motion {
 
 std::optional<GuidingLands> guiding_lands(const Bearing& bearing, const CageParameters& given, int lands,
                                           double viscosity, double sliding_scale) {
-  using boost::math::double_constants::two_pi;
+  using constants::two_pi;
   using mechanics::require;
   if (given.guide_diameter <= 0.0) return std::nullopt;
   const Cage& cage = bearing.cage;

@@ -1,16 +1,16 @@
 #include "bearing/motion/snapshot.hpp"
 
 #include <array>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 #include "bearing/motion/model_constants.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::bearing::motion {
 
 namespace {
 
-using boost::math::double_constants::two_pi;
+using constants::two_pi;
 
 using vectorised::SeenRoller;
 using vectorised::Surroundings;

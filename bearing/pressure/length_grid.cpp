@@ -1,6 +1,6 @@
 #include "bearing/pressure/length_grid.hpp"
+#include "mechanics/constants.hpp"
 
-#include <boost/math/constants/constants.hpp>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <sstream>
@@ -20,7 +20,7 @@ LengthGrid graded_grid(double length, int elements, double grading) {
   // Each half from its own end, so that the grid is symmetric to the last bit.
   for (int k = 0; 2 * k <= elements; ++k) {
     const double s = 1.0 - 2.0 * k / elements;
-    const double place = (1.0 - grading) * s + grading * std::sin(boost::math::double_constants::half_pi * s);
+    const double place = (1.0 - grading) * s + grading * std::sin(constants::half_pi * s);
     grid.edge(elements - k) = 0.5 * length * place;
     grid.edge(k) = -grid.edge(elements - k);
   }

@@ -1,6 +1,6 @@
 #include "bearing/pressure/strip_contact.hpp"
 
-#include <boost/math/constants/constants.hpp>
+#include <numbers>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
@@ -42,7 +42,7 @@ struct StripContact::Iteration {
 
 StripContact::StripContact(const HalfSpaceContact& contact, const StripSettings& settings)
     : radius_(sound(contact).equivalent_radius),
-      compliance_(boost::math::double_constants::one_div_pi / contact_modulus(contact)),
+      compliance_(std::numbers::inv_pi / contact_modulus(contact)),
       settings_(settings),
       grid_(graded_grid(contact.length, settings.elements, settings.grading)),
       influence_(grid_, mirror_factor(contact)) {}
@@ -166,7 +166,7 @@ RollerContactPressure StripContact::result(const Iteration& iteration, double ti
   const auto loaded = solution.line_load > 0.0;
   solution.half_width = loaded.select(iteration.square.sqrt(), 0.0);
   solution.pressure = loaded.select(
-      boost::math::double_constants::two_div_pi * solution.line_load / iteration.square.max(1e-300).sqrt(),
+      2.0 * std::numbers::inv_pi * solution.line_load / iteration.square.max(1e-300).sqrt(),
       0.0);
   solution.approach = iteration.approach;
   solution.tilt = tilt;

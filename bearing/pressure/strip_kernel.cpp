@@ -1,7 +1,8 @@
 #include "bearing/pressure/strip_kernel.hpp"
+#include "mechanics/constants.hpp"
 
 #include <array>
-#include <boost/math/constants/constants.hpp>
+#include <numbers>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <utility>
@@ -11,8 +12,8 @@ namespace orbearing::bearing::half_space {
 
 namespace {
 
-using boost::math::double_constants::half_pi;
-using boost::math::double_constants::ln_two;
+using constants::half_pi;
+using std::numbers::ln2;
 
 /// Density of s = |t - t'| on [0, 2] for two semi-ellipses on [-1, 1]: with t + t' = 2 c sin(phi), c = 1 -
 /// s/2.
@@ -52,7 +53,7 @@ struct Mean {
 StripKernel expansion(double xi) {
   using Far = StripFarField;
   const double e = 1.0 / (xi * xi);
-  const double logarithm = xi * (std::log(xi) + 2.0 * ln_two - 0.75);
+  const double logarithm = xi * (std::log(xi) + 2.0 * ln2 - 0.75);
   const double near = (Far::second + e * (Far::fourth + e * (Far::sixth + e * Far::eighth))) / xi;
   const double spread = (0.25 + e * (-5.0 / 64.0 + e * (35.0 / 512.0 - e * 735.0 / 8192.0))) / xi;
   return {logarithm + near, xi + spread};

@@ -1,11 +1,11 @@
 #include "bearing/profile/design.hpp"
+#include "mechanics/constants.hpp"
 
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 namespace orbearing::bearing::profile {
 
-using boost::math::double_constants::pi;
+using constants::pi;
 
 double amplitude(const DesignLoad& design) {
   return 2.0 * design.load / (pi * design.material.plane_strain_modulus() * design.length);

@@ -1,7 +1,7 @@
 #include "bearing/profile/shapes.hpp"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
+#include <numbers>
 #include <cmath>
 
 namespace orbearing::bearing::profile {
@@ -31,7 +31,7 @@ Relief logarithm(double amplitude, double factor, double u) {
 }  // namespace
 
 double end_drop_factor(double width_ratio) {
-  return 0.5 + boost::math::double_constants::ln_two - std::log(width_ratio);
+  return 0.5 + std::numbers::ln2 - std::log(width_ratio);
 }
 
 Relief relief_of(const Straight&, double) {

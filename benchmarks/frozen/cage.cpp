@@ -1,14 +1,14 @@
 #include "benchmarks/frozen/cage.hpp"
+#include "mechanics/constants.hpp"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 namespace orbearing::bench::frozen {
 
 namespace {
 
-using boost::math::double_constants::two_pi;
+using constants::two_pi;
 
 constexpr double kNoDirection = 1e-12;  // [-]  of the clearance
 

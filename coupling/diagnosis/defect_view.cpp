@@ -1,12 +1,12 @@
 #include "coupling/diagnosis/defect_view.hpp"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <limits>
 
 #include "coupling/diagnosis/orders.hpp"
 #include "coupling/diagnosis/peaks.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::diagnosis {
 
@@ -14,7 +14,7 @@ namespace {
 
 using bearing::defect::PassingFrequencies;
 using bearing::defect::Scratched;
-using boost::math::double_constants::two_pi;
+using constants::two_pi;
 
 // Harmonics of `frequency` up to `highest` [Hz], each with `bands` side bands where there is a spacing.
 struct LineAdder {

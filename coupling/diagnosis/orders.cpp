@@ -1,19 +1,19 @@
 #include "coupling/diagnosis/orders.hpp"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <boost/math/special_functions/sinc.hpp>
 #include <cmath>
 #include <stdexcept>
 
+#include "mechanics/constants.hpp"
 #include "mechanics/easy_length.hpp"
 
 namespace orbearing::diagnosis {
 
 namespace {
 
-using boost::math::double_constants::pi;
-using boost::math::double_constants::two_pi;
+using constants::pi;
+using constants::two_pi;
 
 constexpr Eigen::Index kReach = 32;  // samples to each side
 

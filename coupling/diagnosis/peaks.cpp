@@ -1,7 +1,7 @@
 #include "coupling/diagnosis/peaks.hpp"
+#include "mechanics/constants.hpp"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <boost/math/special_functions/sinc.hpp>
 #include <cmath>
 #include <cstdlib>
@@ -25,7 +25,7 @@ Peak refined(const Spectrum& spectrum, Eigen::Index line) {
   const double low = spectrum.amplitude[line - 1], high = spectrum.amplitude[line + 1];
   const double ratio = std::max(low, high) / here;
   const double beside = std::copysign((2.0 * ratio - 1.0) / (ratio + 1.0), high - low);  // [lines]
-  const double turned = boost::math::double_constants::pi * beside;
+  const double turned = constants::pi * beside;
   return {(static_cast<double>(line) + beside) * spectrum.resolution,
           here * (1.0 - beside * beside) / boost::math::sinc_pi(turned)};
 }

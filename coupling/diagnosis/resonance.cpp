@@ -1,7 +1,6 @@
 #include "coupling/diagnosis/resonance.hpp"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
@@ -12,6 +11,7 @@
 
 #include "gearset/dynamics/mode_kind.hpp"
 #include "gearset/planet_angles.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::diagnosis {
 
@@ -26,7 +26,7 @@ constexpr double kNear = 1.5;        // a resonance at a speed further off by th
 // Ratio of neighbouring speeds at which modes are computed: natural frequencies change little with speed, and
 // smoothly. The speeds are powers of it [rpm], the same in every sweep, so that a point has one resonance.
 constexpr double kSpeedRatio = 1.2;
-constexpr double kRadiansPerSecond = boost::math::double_constants::pi / 30.0;  // of 1 rpm
+constexpr double kRadiansPerSecond = constants::pi / 30.0;  // of 1 rpm
 
 // Modes of one kind at one frequency of the set at rest. At speed a group of several splits.
 int group_size(ModeKind kind, int planets) {

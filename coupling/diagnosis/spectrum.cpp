@@ -1,12 +1,12 @@
 #include "coupling/diagnosis/spectrum.hpp"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <complex>
 #include <unsupported/Eigen/FFT>
 #include <vector>
 
+#include "mechanics/constants.hpp"
 #include "mechanics/easy_length.hpp"
 
 namespace orbearing::diagnosis {
@@ -74,7 +74,7 @@ Spectrum spectrum_of(const Eigen::ArrayXd& signal, double rate, Window window) {
   Eigen::ArrayXd weighted = signal - signal.mean();
   double gain = static_cast<double>(samples);  // of a constant
   if (window == Window::hann) {
-    const double step = boost::math::double_constants::two_pi / static_cast<double>(samples);
+    const double step = constants::two_pi / static_cast<double>(samples);
     const Eigen::ArrayXd hann =
         0.5 - 0.5 * (step * Eigen::ArrayXd::LinSpaced(samples, 0.0, static_cast<double>(samples - 1))).cos();
     weighted *= hann;

@@ -1,11 +1,11 @@
 #include "coupling/study/bearing_tangent.hpp"
 
 #include <Eigen/LU>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <stdexcept>
 
 #include "bearing/equilibrium/level_pitch.hpp"
+#include "mechanics/constants.hpp"
 #include "mechanics/plane.hpp"
 
 namespace orbearing::study {
@@ -13,7 +13,7 @@ namespace orbearing::study {
 namespace {
 
 using bearing::vectorised::PitchResults;
-using boost::math::double_constants::two_pi;
+using constants::two_pi;
 using Eigen::Matrix2d;
 using Eigen::Vector2d;
 

@@ -1,9 +1,9 @@
 #include "coupling/study/drivetrain.hpp"
 
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 #include "bearing/carrier_frame.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::study {
 
@@ -37,7 +37,7 @@ DrivetrainGeometry derive(const PlanetaryDrivetrain& drivetrain) {
 }
 
 bearing::ClearanceChain clearance_chain(const PlanetaryDrivetrain& drivetrain) {
-  using boost::math::double_constants::pi;
+  using constants::pi;
   const DrivetrainGeometry geometry = derive_rigid(drivetrain);
   const gearset::MeanLoads gears = bearing_duty(drivetrain, geometry).gears;
   const double root = geometry.gears.planet.root_radius, bore = 0.5 * drivetrain.bearing.outer.seat_diameter;

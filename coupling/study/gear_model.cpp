@@ -1,6 +1,5 @@
 #include "coupling/study/gear_model.hpp"
 
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <complex>
 #include <stdexcept>
@@ -8,12 +7,13 @@
 #include "gearset/dynamics/bodies.hpp"
 #include "gearset/mesh/loaded/set_teeth.hpp"
 #include "gearset/planet_angles.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::study {
 
 namespace {
 
-using boost::math::double_constants::two_pi;
+using constants::two_pi;
 using gearset::Member;
 using gearset::PeriodicCurve;
 using gearset::dynamics::Body;

@@ -1,14 +1,14 @@
 #include "coupling/study/gear_signals.hpp"
+#include "mechanics/constants.hpp"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <complex>
 #include <limits>
 
 namespace orbearing::study {
 
-using boost::math::double_constants::two_pi;
+using constants::two_pi;
 
 SignalSums::SignalSums(int harmonics)
     : least_(std::numeric_limits<double>::infinity()),

@@ -2,9 +2,10 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <boost/math/constants/constants.hpp>
 #include <boost/math/special_functions/sinc.hpp>
 #include <cmath>
+
+#include "mechanics/constants.hpp"
 
 namespace orbearing::study {
 
@@ -21,9 +22,9 @@ class InstrumentLowPass {
         0.42;  // of the fall from 1 to 0, over the sampling rate: between a third and a half
     const auto reach = static_cast<double>(kReach * kOversampling);
     for (Eigen::Index k = 0; k < weight_.size(); ++k) {
-      const double at = static_cast<double>(k) - reach, turn = boost::math::double_constants::pi * at / reach;
+      const double at = static_cast<double>(k) - reach, turn = constants::pi * at / reach;
       const double blackman = 0.42 + 0.5 * std::cos(turn) + 0.08 * std::cos(2.0 * turn);
-      weight_[k] = blackman * boost::math::sinc_pi(2.0 * boost::math::double_constants::pi * middle * at /
+      weight_[k] = blackman * boost::math::sinc_pi(2.0 * constants::pi * middle * at /
                                                    kOversampling);
     }
     weight_ /= weight_.sum();

@@ -2,7 +2,6 @@
 
 #include <Eigen/LU>
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <complex>
 #include <stdexcept>
@@ -10,12 +9,13 @@
 #include "bearing/carrier_frame.hpp"
 #include "coupling/study/bearing_tangent.hpp"
 #include "gearset/dynamics/static_state.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::study {
 
 namespace {
 
-using boost::math::double_constants::two_pi;
+using constants::two_pi;
 using Complex = std::complex<double>;
 using Eigen::Matrix2cd;
 using Eigen::Vector2cd;

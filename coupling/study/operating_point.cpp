@@ -1,7 +1,6 @@
 #include "coupling/study/operating_point.hpp"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -22,6 +21,7 @@
 #include "coupling/study/mesh_excitation.hpp"
 #include "coupling/study/tilting_planet.hpp"
 #include "coupling/system/monolithic.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::study {
 
@@ -384,7 +384,7 @@ DynamicRecord record_of(const system::SteadyStateResult& run) {
 }
 
 Eigen::ArrayXd place_angles(Eigen::Index places) {
-  const double step = boost::math::double_constants::two_pi / static_cast<double>(places);
+  const double step = constants::two_pi / static_cast<double>(places);
   return Eigen::ArrayXd::LinSpaced(places, 0.0, step * static_cast<double>(places - 1));
 }
 

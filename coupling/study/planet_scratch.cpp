@@ -1,7 +1,6 @@
 #include "coupling/study/planet_scratch.hpp"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <stdexcept>
 #include <vector>
@@ -11,12 +10,13 @@
 #include "coupling/system/monolithic.hpp"
 #include "gearset/mean_loads.hpp"
 #include "gearset/planet_angles.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::study {
 
 namespace {
 
-using boost::math::double_constants::two_pi;
+using constants::two_pi;
 
 // Outward, along, housing.
 using PlanetLowPass = InstrumentLowPass<3>;

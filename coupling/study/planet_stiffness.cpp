@@ -1,13 +1,13 @@
 #include "coupling/study/planet_stiffness.hpp"
 
 #include <Eigen/LU>
-#include <boost/math/constants/constants.hpp>
 #include <stdexcept>
 #include <vector>
 
 #include "bearing/equilibrium/elastic_waves.hpp"
 #include "bearing/equilibrium/race_equilibrium.hpp"
 #include "coupling/study/bearing_tangent.hpp"
+#include "mechanics/constants.hpp"
 #include "mechanics/linear_algebra.hpp"
 #include "mechanics/plane.hpp"
 
@@ -104,7 +104,7 @@ Eigen::Matrix4d planet_stiffness(const PlanetaryDrivetrain& drivetrain, const Dr
   const bearing::QuasiStaticOptions options = quasi_static_options(drivetrain);
   const RimCompliance rim = rim_compliance(*geometry.rim, duty.gears, sun_mesh, ring_mesh);
   const double support = drivetrain.bearings_per_planet * drivetrain.dynamics.support.stiffness;
-  const double pitch = boost::math::double_constants::two_pi / like.rollers().count;
+  const double pitch = constants::two_pi / like.rollers().count;
   Eigen::Matrix4d compliance = Eigen::Matrix4d::Zero();
   for (int i = 0; i < options.cage_positions; ++i) {
     const LoadedRollers rollers = loaded_rollers(bearing::quasi_static_problem(

@@ -1,7 +1,6 @@
 #include "coupling/study/scratch_run.hpp"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -14,6 +13,7 @@
 #include "coupling/integration/run.hpp"
 #include "coupling/study/low_pass.hpp"
 #include "coupling/system/balls_in_time.hpp"
+#include "mechanics/constants.hpp"
 #include "mechanics/easy_length.hpp"
 
 namespace orbearing::study {
@@ -24,7 +24,7 @@ using bearing::balls::BallBearing;
 using bearing::defect::ScratchedMotion;
 using ConstState = Eigen::Ref<const Eigen::VectorXd>;
 
-constexpr double kHalfTurn = boost::math::double_constants::pi;
+constexpr double kHalfTurn = constants::pi;
 
 integration::IntegrationOptions options_for(const ScratchedMotion& motion, const Sampling& sampling) {
   const double angular = 2.0 * kHalfTurn * motion.static_place().natural_frequency;

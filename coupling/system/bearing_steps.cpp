@@ -1,7 +1,7 @@
 #include "coupling/system/bearing_steps.hpp"
+#include "mechanics/constants.hpp"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <sstream>
 #include <utility>
@@ -10,7 +10,7 @@ namespace orbearing::system {
 
 namespace {
 
-using boost::math::double_constants::pi;
+using constants::pi;
 
 // Of a roller between its races [rad/s].
 double roller_frequency(const bearing::motion::BearingModel& model) {

@@ -1,7 +1,6 @@
 #include "coupling/system/coupled_model.hpp"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
@@ -10,13 +9,14 @@
 #include "bearing/defect/scratched_rollers.hpp"
 #include "coupling/system/driven_bearing.hpp"
 #include "mechanics/checks.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::system {
 
 namespace {
 
 using bearing::motion::BoreMotion;
-using boost::math::double_constants::two_pi;
+using constants::two_pi;
 using gearset::dynamics::PlanetBearing;
 
 PlanetPort port_of(const PlanetBearing& bearing) {

@@ -1,7 +1,6 @@
 #include "coupling/system/driven_bearing.hpp"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
@@ -14,6 +13,7 @@
 #include "coupling/system/bearing_steps.hpp"
 #include "coupling/system/driven_system.hpp"
 #include "mechanics/checks.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::system {
 
@@ -204,7 +204,7 @@ DrivenBearingOutput driven_output(const bearing::BearingGeometry& geometry, doub
   output.reaction = reaction;
   output.cage_speed = now.orbit_speed;
   output.cage_slip = std::abs(kinematic) > kLeastSpeed ? 1.0 - now.orbit_speed / kinematic : 0.0;
-  output.revolutions = turned / boost::math::double_constants::two_pi;
+  output.revolutions = turned / constants::two_pi;
   output.life_used = output.revolutions / life;
   output.friction_loss = now.loss.total();
   output.inner_load.assign(now.inner.load.begin(), now.inner.load.end());

@@ -1,7 +1,6 @@
 #include "coupling/system/steady_state.hpp"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <numeric>
 #include <sstream>
@@ -11,6 +10,7 @@
 #include "bearing/motion/initial_state.hpp"
 #include "coupling/system/free_bearing.hpp"
 #include "coupling/system/motion_progress.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::system {
 
@@ -21,7 +21,7 @@ using bearing::motion::RaceStatistics;
 using bearing::motion::Snapshot;
 using bearing::motion::StatisticsCollector;
 using bearing::motion::WindowStatistics;
-using boost::math::double_constants::two_pi;
+using constants::two_pi;
 using integration::OutputTimes;
 
 constexpr double kLongestWindow =

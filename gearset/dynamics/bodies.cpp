@@ -1,6 +1,5 @@
 #include "gearset/dynamics/bodies.hpp"
 
-#include <boost/math/constants/constants.hpp>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
 #include <stdexcept>
@@ -8,12 +7,13 @@
 
 #include "gearset/message.hpp"
 #include "gearset/planet_body.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::gearset::dynamics {
 
 namespace {
 
-using boost::math::double_constants::pi;
+using constants::pi;
 
 [[noreturn]] void refuse(const std::string& outline, double found, const std::string& required) {
   throw std::domain_error(outline + ": found " + millimetres(found) + "; required: " + required);

@@ -1,7 +1,6 @@
 #include "gearset/dynamics/model.hpp"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
@@ -9,12 +8,13 @@
 #include "gearset/mesh/loaded/transmission_error.hpp"
 #include "gearset/planet_angles.hpp"
 #include "mechanics/checks.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::gearset::dynamics {
 
 namespace {
 
-using boost::math::double_constants::two_pi;
+using constants::two_pi;
 using mechanics::require;
 using mechanics::require_not_negative;
 using mechanics::require_positive;

@@ -2,19 +2,19 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <numeric>
 
 #include "gearset/dynamics/matrices.hpp"
 #include "gearset/dynamics/mode_kind.hpp"
+#include "mechanics/constants.hpp"
 #include "mechanics/linear_algebra.hpp"
 
 namespace orbearing::gearset::dynamics {
 
 namespace {
 
-using boost::math::double_constants::two_pi;
+using constants::two_pi;
 using Eigen::Index;
 using Eigen::MatrixXcd;
 using Eigen::MatrixXd;

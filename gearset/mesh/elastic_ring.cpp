@@ -1,9 +1,9 @@
 #include "gearset/mesh/elastic_ring.hpp"
+#include "mechanics/constants.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <stdexcept>
 
@@ -11,7 +11,7 @@ namespace orbearing::gearset {
 
 namespace {
 
-using boost::math::double_constants::pi;
+using constants::pi;
 
 // Harmonics per radian of the tooth's root; with the smoothing below the error of the series is then below
 // a thousandth of each coefficient.

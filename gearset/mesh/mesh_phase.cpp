@@ -1,13 +1,13 @@
 #include "gearset/mesh/mesh_phase.hpp"
+#include "mechanics/constants.hpp"
 
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 namespace orbearing::gearset {
 
 namespace {
 
-using boost::math::double_constants::pi;
+using constants::pi;
 
 }  // namespace
 

@@ -1,17 +1,17 @@
 #include "gearset/mesh/mesh_stiffness.hpp"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <stdexcept>
 
 #include "gearset/involute.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::gearset {
 
 namespace {
 
-using boost::math::double_constants::pi;
+using constants::pi;
 
 bool internal(const MeshingGears& gears) {
   return std::holds_alternative<RingTooth>(gears.first.tooth);

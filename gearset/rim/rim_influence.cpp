@@ -2,19 +2,19 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <complex>
 #include <vector>
 
 #include "gearset/rim/sector_body.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::gearset::rim {
 
 namespace {
 
-using boost::math::double_constants::pi;
-using boost::math::double_constants::two_pi;
+using constants::pi;
+using constants::two_pi;
 using Complex = std::complex<double>;
 constexpr Complex kI(0.0, 1.0);
 

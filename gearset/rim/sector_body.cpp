@@ -3,18 +3,18 @@
 #include <Eigen/LU>
 #include <Eigen/SparseCholesky>
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
 
 #include "mechanics/checks.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::gearset::rim {
 
 namespace {
 
-using boost::math::double_constants::two_pi;
+using constants::two_pi;
 using Wave = std::complex<double>;
 using ElementMatrix = Eigen::Matrix<double, 16, 16>;
 constexpr Wave kTurn(0.0, 1.0);

@@ -1,18 +1,18 @@
 #include "gearset/rim/sector_mesh.hpp"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <map>
 #include <utility>
 
 #include "mechanics/checks.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::gearset::rim {
 
 namespace {
 
-using boost::math::double_constants::pi;
+using constants::pi;
 
 // A point of the outline above the rim, by its angle from the middle of the tooth.
 struct OutlinePoint {

@@ -3,7 +3,6 @@
 // the gears nothing else changes with time. docs/periodic_motion.md holds the figures.
 #include <gtest/gtest.h>
 
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <functional>
 #include <ostream>
@@ -17,11 +16,12 @@
 #include "coupling/integration/rosenbrock2.hpp"
 #include "coupling/study/operating_point.hpp"
 #include "coupling/system/bearing_steps.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::system {
 namespace {
 
-using boost::math::double_constants::two_pi;
+using constants::two_pi;
 using Eigen::Index;
 using Eigen::VectorXd;
 using StepLengths = std::vector<double>;  // [s]

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <cstdlib>
 #include <ostream>
@@ -13,11 +12,12 @@
 #include <vector>
 
 #include "bearing/equilibrium/quasi_static.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::bearing::bearing_any_load_test {
 namespace {
 
-using boost::math::double_constants::pi;
+using constants::pi;
 
 constexpr unsigned kSeed = 16281;
 constexpr int kDrawsEach = 40;     // for each unit of RANDOM_BEARINGS

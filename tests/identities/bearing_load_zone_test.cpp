@@ -2,18 +2,18 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <string>
 #include <vector>
 
 #include "bearing/equilibrium/quasi_static.hpp"
+#include "mechanics/constants.hpp"
 #include "tests/unit/bearing/example_bearings.hpp"
 
 namespace orbearing::bearing::bearing_load_zone_test {
 namespace {
 
-using boost::math::double_constants::two_pi;
+using constants::two_pi;
 
 // Of the largest load: the solver stops at 1e-9 of the force scale, and a single roller may see a few times
 // that.

@@ -6,16 +6,16 @@
 //
 #include <gtest/gtest.h>
 
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 #include "bearing/equilibrium/quasi_static.hpp"
+#include "mechanics/constants.hpp"
 #include "tests/unit/bearing/example_bearings.hpp"
 
 namespace orbearing::bearing::bearing_standing_carrier_test {
 namespace {
 
-using boost::math::double_constants::pi;
+using constants::pi;
 
 constexpr double kSolved =
     1e-8;  // of the largest load or approach; the solver stops at 1e-9 of the force scale

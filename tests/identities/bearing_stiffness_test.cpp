@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -14,11 +13,12 @@
 #include "bearing/equilibrium/ring_axes.hpp"
 #include "bearing/equilibrium/static_bearing.hpp"
 #include "bearing/profile/design.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::bearing::equilibrium::bearing_stiffness_test {
 namespace {
 
-using boost::math::double_constants::degree;
+using constants::degree;
 using Vector5 = Eigen::Vector<double, 5>;
 using Matrix5 = Eigen::Matrix<double, 5, 5>;
 

@@ -3,7 +3,6 @@
 // file for one line about each.
 #include <gtest/gtest.h>
 
-#include <boost/math/constants/constants.hpp>
 #include <cstdlib>
 #include <fstream>
 #include <map>
@@ -11,6 +10,7 @@
 
 #include "coupling/system/bearing_steps.hpp"
 #include "coupling/system/steady_state.hpp"
+#include "mechanics/constants.hpp"
 #include "tests/random_motions.hpp"
 
 namespace orbearing::bearing::dynamics_random_test {
@@ -55,7 +55,7 @@ std::string reason(const system::SteadyStateResult& run) {
 // Steps of the longest length allowed over the cage revolutions of the run.
 double steps_of_longest_length(const MotionDraw& draw, const system::SteadyStateResult& run) {
   const auto model = motion::bearing_model(draw.bearing, draw.point, draw.parameters);
-  return kRevolutions * boost::math::double_constants::two_pi / std::abs(run.rolling.cage) /
+  return kRevolutions * constants::two_pi / std::abs(run.rolling.cage) /
          system::longest_step(model);
 }
 

@@ -1,12 +1,13 @@
 // What must hold for every contact of half-spaces: load, moment, energy, symmetry, likeness.
 #include <gtest/gtest.h>
 
-#include <boost/math/constants/constants.hpp>
+#include <numbers>
 #include <cmath>
 #include <cstdlib>
 #include <random>
 
 #include "bearing/pressure/elasticity.hpp"
+#include "mechanics/constants.hpp"
 #include "tests/half_space_contacts.hpp"
 
 namespace orbearing::bearing::half_space::half_space_balance_test {
@@ -34,7 +35,7 @@ TEST(HalfSpaceBalance, PressuresAddUpToTheLoad) {
   const RollerContactPressure strips =
       contact_pressure(reducer_roller(), reference_profile(), kRollerLoad, 1e-3);
   const double ellipses =
-      (boost::math::double_constants::half_pi * strips.pressure * strips.half_width * strips.element).sum();
+      (constants::half_pi * strips.pressure * strips.half_width * strips.element).sum();
   EXPECT_NEAR(ellipses, kRollerLoad, 1e-6 * kRollerLoad);  // widths to the default tolerance
   EXPECT_NEAR(strips.load, kRollerLoad, kRoundOff * kRollerLoad);
 }
@@ -126,7 +127,7 @@ double misfit(const HalfSpaceContact& contact, const Relief& relief, const Rolle
   const ArrayXd b = (solution.line_load > 0.0).select(solution.half_width, width);
   StripMatrices strips;
   StripInfluence(grid, mirror_factor(contact)).evaluate(b, strips);
-  const double compliance = boost::math::double_constants::one_div_pi / contact_modulus(contact);
+  const double compliance = std::numbers::inv_pi / contact_modulus(contact);
   const ArrayXd displacement =
       compliance * (strips.influence * solution.line_load.matrix()).array() / grid.size;
   const ArrayXd gap = displacement + b.square() / (8.0 * contact.equivalent_radius) +

@@ -1,17 +1,17 @@
 // The ends of a roller: what converges there and what grows, what a profile does, where laminae hold.
 #include <gtest/gtest.h>
 
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 #include "bearing/pressure/elasticity.hpp"
 #include "bearing/pressure/pressure_measures.hpp"
+#include "mechanics/constants.hpp"
 #include "tests/half_space_contacts.hpp"
 
 namespace orbearing::bearing::half_space::half_space_edge_test {
 namespace {
 
-using boost::math::double_constants::pi;
+using constants::pi;
 using Eigen::ArrayXd;
 using Eigen::Index;
 

@@ -3,7 +3,6 @@
 // finds its balance, or the reason why there is none.
 #include <gtest/gtest.h>
 
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
@@ -12,11 +11,12 @@
 #include "bearing/equilibrium/row_group.hpp"
 #include "bearing/equilibrium/static_bearing.hpp"
 #include "bearing/geometry.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::bearing::equilibrium::moving_balls_random_test {
 namespace {
 
-constexpr double kPi = boost::math::double_constants::pi;
+constexpr double kPi = constants::pi;
 
 struct Drawn {
   Bearing bearing;

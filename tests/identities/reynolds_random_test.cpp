@@ -2,13 +2,13 @@
 // is solved, and its oil kept, or reported as not solved after at most 60 cycles on the finest grid.
 #include <gtest/gtest.h>
 
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
 #include <random>
 
 #include "bearing/film/reynolds/point.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::bearing::film::reynolds_random_test {
 namespace {
@@ -33,7 +33,7 @@ TEST(RandomFilms, AreSolvedOrReportedWithinTheirCycles) {
     const double load = decades(1e-7, 3e-6), speed = decades(1e-12, 5e-11);  // W and U of the formulas
     contact.load = load * kModulus * kRadius * kRadius;
     contact.rolling = speed * kModulus * kRadius / contact.oil.viscosity;
-    contact.angle = between(0.0, 0.5 * boost::math::double_constants::pi);
+    contact.angle = between(0.0, 0.5 * constants::pi);
     contact.spin = between(0.0, 0.3) * contact.rolling / 1e-3;
     const PointFilm film = solve_point_film(contact);
     EXPECT_LE(film.cycles, 60) << i;

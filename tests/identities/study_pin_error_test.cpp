@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
-#include <boost/math/constants/constants.hpp>
 #include <numeric>
 
 #include "bearing/equilibrium/lamina_bearing.hpp"
@@ -10,6 +9,7 @@
 #include "bearing/equilibrium/race_equilibrium.hpp"
 #include "coupling/study/load_sharing.hpp"
 #include "coupling/study/operating_point.hpp"
+#include "mechanics/constants.hpp"
 #include "tests/coupled_reducer.hpp"
 #include "tests/messages.hpp"
 
@@ -76,7 +76,7 @@ TEST(LoadSharing, EndsWhereBearingsBalancedFromNothingStand) {
       const bearing::OperatingPoint point = point_under(drivetrain, even, force);
       Eigen::Vector2d moved = point.bore_load / drivetrain.dynamics.support.stiffness;
       for (int k = 0; k < options.cage_positions; ++k) {
-        const double first = k * boost::math::double_constants::two_pi /
+        const double first = k * constants::two_pi /
                              (options.cage_positions * drivetrain.bearing.rollers().count);
         moved +=
             quasi_static_state(bearing::laminae::LaminaBearing(drivetrain.bearing), point, options, first)

@@ -2,7 +2,6 @@
 // them. Issue 16, Build 3: planets at unequal angles.
 #include <gtest/gtest.h>
 
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <numeric>
 
@@ -13,14 +12,15 @@
 #include "gearset/dynamics/modes.hpp"
 #include "gearset/mesh/mesh_phase.hpp"
 #include "gearset/planet_angles.hpp"
+#include "mechanics/constants.hpp"
 #include "tests/coupled_reducer.hpp"
 #include "tests/gear_sets.hpp"
 
 namespace orbearing::study::unequal_planets_test {
 namespace {
 
-using boost::math::double_constants::degree;
-using boost::math::double_constants::two_pi;
+using constants::degree;
+using constants::two_pi;
 using gearset::dynamics::ModeKind;
 using gearset::dynamics::SetModel;
 

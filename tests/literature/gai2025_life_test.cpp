@@ -4,13 +4,13 @@
 // hand from the gear data.
 #include <gtest/gtest.h>
 
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <string>
 #include <vector>
 
 #include "bearing/equilibrium/quasi_static.hpp"
 #include "bearing/life/lundberg_palmgren.hpp"
+#include "mechanics/constants.hpp"
 #include "tests/unit/bearing/example_bearings.hpp"
 #include "tests/whole_contact_life.hpp"
 
@@ -25,7 +25,7 @@ constexpr double kPlanets = 4.0;
 constexpr double kBearingsPerPlanet = 2.0;
 constexpr double kPlanetMass = 0.372;  // [kg]
 
-using boost::math::double_constants::degree;  // [rad]
+using constants::degree;  // [rad]
 
 // Half of the planet's mesh forces and of its own centrifugal load.
 OperatingPoint planet_bearing_at(double sun_speed) {

@@ -2,20 +2,20 @@
 // of a quarter space [DundursLee1972].
 #include <gtest/gtest.h>
 
-#include <boost/math/constants/constants.hpp>
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <boost/math/special_functions/ellint_2.hpp>
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
 
 #include "bearing/pressure/elasticity.hpp"
+#include "mechanics/constants.hpp"
 #include "tests/half_space_contacts.hpp"
 
 namespace orbearing::bearing::half_space::hertz_half_space_test {
 namespace {
 
-using boost::math::double_constants::pi;
-using boost::math::double_constants::two_pi;
+using constants::pi;
+using constants::two_pi;
 using Eigen::Index;
 
 constexpr double kLine = 0.005;    // what is asked of the middle of a long roller

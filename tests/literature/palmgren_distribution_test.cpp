@@ -2,10 +2,10 @@
 // chapter on load distribution of [Harris2006].
 #include <gtest/gtest.h>
 
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 #include "bearing/equilibrium/quasi_static.hpp"
+#include "mechanics/constants.hpp"
 #include "tests/unit/bearing/example_bearings.hpp"
 
 namespace orbearing::bearing::palmgren_distribution_test {
@@ -17,7 +17,7 @@ constexpr double kPrinted = 0.005;  // half a unit of the last digit of 4.08
 // 1/2)), p = (10/9 + 2) / 2.
 double integral_of_many_rollers() {
   const double p = 0.5 * (10.0 / 9.0 + 2.0);
-  return 2.0 * std::sqrt(boost::math::double_constants::pi) * std::tgamma(p + 0.5) / std::tgamma(p);
+  return 2.0 * std::sqrt(constants::pi) * std::tgamma(p + 0.5) / std::tgamma(p);
 }
 
 double largest_share(int rollers) {
@@ -37,7 +37,7 @@ TEST(PalmgrenDistribution, ManyRollersShareAsPublished) {
 // edge of the load zone, so that the error falls with at least the pitch squared.
 TEST(PalmgrenDistribution, ConvergesToTheIntegral) {
   for (const int rollers : {20, 40, 80, 160, 1000}) {
-    const double pitch = 2.0 * boost::math::double_constants::pi / rollers;
+    const double pitch = 2.0 * constants::pi / rollers;
     EXPECT_NEAR(largest_share(rollers) / integral_of_many_rollers(), 1.0, pitch * pitch)
         << rollers << " rollers";
   }

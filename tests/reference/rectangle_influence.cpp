@@ -1,6 +1,6 @@
 #include "tests/reference/rectangle_influence.hpp"
 
-#include <boost/math/constants/constants.hpp>
+#include <numbers>
 #include <cmath>
 
 #include "tests/reference/rectangle_kernel.hpp"
@@ -38,7 +38,7 @@ Eigen::MatrixXd cosines(Index rows, Index waves, Index period) {
   for (Index row = 0; row < rows; ++row) {
     for (Index wave = 0; wave < waves; ++wave) {
       const auto turn = static_cast<double>(row * wave % period) / static_cast<double>(period);
-      cosine(row, wave) = std::cos(boost::math::double_constants::two_pi * turn);
+      cosine(row, wave) = std::cos(2.0 * std::numbers::pi * turn);
     }
   }
   return cosine;

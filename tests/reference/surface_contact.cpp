@@ -1,6 +1,6 @@
 #include "tests/reference/surface_contact.hpp"
 
-#include <boost/math/constants/constants.hpp>
+#include <numbers>
 #include <cmath>
 #include <stdexcept>
 
@@ -43,7 +43,7 @@ ConjugateGradients problem_on(const Plane& plane, const RowGrid& rows, const Arr
   const LengthGrid& grid = plane.strips.grid();
   ConjugateGradients problem{
       .influence = RectangleInfluence(grid, rows, mirror_factor(plane.contact)),
-      .compliance = boost::math::double_constants::one_div_pi / contact_modulus(plane.contact),
+      .compliance = std::numbers::inv_pi / contact_modulus(plane.contact),
       .area = ArrayXXd(grid.size.size(), y.size()),
       .count = ArrayXd(y.size()),
       .gap = ArrayXXd(grid.size.size(), y.size()),

@@ -1,18 +1,18 @@
 #include "bearing/motion/balls/mixture.hpp"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
 
 #include "bearing/geometry.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::bearing::balls {
 
 namespace {
 
-using boost::math::double_constants::two_pi;
+using constants::two_pi;
 
 double squared(double speed) {
   return speed * std::abs(speed);

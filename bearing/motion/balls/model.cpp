@@ -1,7 +1,6 @@
 #include "bearing/motion/balls/ball_bearing.hpp"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 #include "bearing/contact/point_contact.hpp"
@@ -10,13 +9,14 @@
 #include "bearing/motion/oil_drag.hpp"
 #include "bearing/usual_design.hpp"
 #include "mechanics/checks.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::bearing::balls {
 
 namespace {
 
-using boost::math::double_constants::pi;
-using boost::math::double_constants::two_pi;
+using constants::pi;
+using constants::two_pi;
 using mechanics::require;
 
 ShearLaw shear_law(motion::TractionLaw law) {

@@ -1,7 +1,7 @@
 #include "coupling/study/crowning/drop_curve.hpp"
+#include "mechanics/constants.hpp"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 namespace orbearing::study::crowning {
@@ -9,7 +9,7 @@ namespace orbearing::study::crowning {
 Eigen::ArrayXd curve_nodes(double greatest, int intervals) {
   Eigen::ArrayXd nodes(intervals + 1);
   for (int k = 0; k <= intervals; ++k) {
-    const double sine = std::sin(0.5 * boost::math::double_constants::pi * k / intervals);
+    const double sine = std::sin(0.5 * constants::pi * k / intervals);
     nodes[k] = greatest * sine * sine;
   }
   return nodes;

@@ -1,18 +1,18 @@
 #include "gearset/mesh/loaded/tooth_pairs.hpp"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <limits>
 
 #include "gearset/involute.hpp"
 #include "gearset/root.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::gearset {
 
 namespace {
 
-using boost::math::double_constants::pi;
+using constants::pi;
 
 constexpr double kReach = 0.1;          // [module]  gap up to which a pair is looked at: tenfold usual loads
 constexpr int kSamplesPerPeriod = 128;  // error of the tables below 1e-6 of their values

@@ -1,7 +1,7 @@
 #include "gearset/mesh/loaded/transmission_error.hpp"
+#include "mechanics/constants.hpp"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <complex>
 #include <numeric>
@@ -22,7 +22,7 @@ TransmissionError error_of(const std::function<double(double)>& approach, double
     std::complex<double> sum = 0.0;
     for (int i = 0; i < transmission_samples; ++i)
       sum += out.curve[static_cast<std::size_t>(i)] *
-             std::polar(1.0, -boost::math::double_constants::two_pi * order * i / transmission_samples);
+             std::polar(1.0, -constants::two_pi * order * i / transmission_samples);
     out.harmonics.push_back(2.0 * std::abs(sum) / transmission_samples);
   }
   return out;

@@ -1,14 +1,14 @@
 #include "bearing/carrier_frame.hpp"
+#include "mechanics/constants.hpp"
 
 #include <gtest/gtest.h>
 
-#include <boost/math/constants/constants.hpp>
 
 namespace orbearing::bearing::carrier_frame_test {
 namespace {
 
-using boost::math::double_constants::half_pi;
-using boost::math::double_constants::pi;
+using constants::half_pi;
+using constants::pi;
 
 constexpr double kRoundOff = 1e-13;  // sines and cosines of quarter turns, times values of order 10
 constexpr InertiaSwitches kNone{

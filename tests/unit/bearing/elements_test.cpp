@@ -1,7 +1,6 @@
 // Balls where rollers are required, and rollers where balls are, are refused with what was found.
 #include <gtest/gtest.h>
 
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -16,6 +15,7 @@
 #include "bearing/life/lundberg_palmgren.hpp"
 #include "bearing/life/roller_capacity.hpp"
 #include "bearing/motion/model.hpp"
+#include "mechanics/constants.hpp"
 #include "tests/unit/bearing/example_bearings.hpp"
 
 namespace orbearing::bearing::elements_test {
@@ -60,7 +60,7 @@ TEST(Elements, RollersAreRefusedWhereBallsAreRequired) {
 // A sphere, a ring with round pockets, and grooves: the deepest point of a groove lies on the ball's diameter
 // where the contact angle is zero, else its centre follows from ball and angle.
 TEST(Elements, GeometryOfBalls) {
-  using boost::math::double_constants::pi;
+  using constants::pi;
   const Bearing deep = of_balls();
   const BearingGeometry geometry = geometry_of(deep);
   const double ball = 7850.0 * pi / 6.0 * std::pow(11.5e-3, 3.0);

@@ -1,10 +1,10 @@
 // Bearings and motions that several tests share.
 #pragma once
 
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 #include "bearing/equilibrium/quasi_static.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::bearing::example_bearings {
 
@@ -49,7 +49,7 @@ inline OperatingPoint planet_motion(double sun_speed) {
 
 /// [rad/s] from revolutions per minute.
 inline double rpm(double revolutions_per_minute) {
-  return revolutions_per_minute * boost::math::double_constants::two_pi / 60.0;
+  return revolutions_per_minute * constants::two_pi / 60.0;
 }
 
 }  // namespace orbearing::bearing::example_bearings

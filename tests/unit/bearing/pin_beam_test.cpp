@@ -3,15 +3,15 @@
 
 #include <gtest/gtest.h>
 
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
+#include "mechanics/constants.hpp"
 #include "tests/messages.hpp"
 
 namespace orbearing::bearing::pin_beam_test {
 namespace {
 
-using boost::math::double_constants::pi;
+using constants::pi;
 
 const PinBeam kPinInWalls{.diameter = 0.025, .span = 0.035};
 

@@ -1,15 +1,15 @@
 #include "bearing/contact/point_contact.hpp"
+#include "mechanics/constants.hpp"
 
 #include <gtest/gtest.h>
 
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <stdexcept>
 
 namespace orbearing::bearing::point_contact_test {
 namespace {
 
-constexpr double kPi = boost::math::double_constants::pi;
+constexpr double kPi = constants::pi;
 constexpr double kRoundOff = 1e-12;  // a few powers in double precision, relative
 
 Material steel() {

@@ -1,9 +1,9 @@
 // A small ball bearing, for the tests of scratches.
 #pragma once
 
-#include <boost/math/constants/constants.hpp>
 
 #include "bearing/defect/scratched_bearing.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::bearing::defect {
 
@@ -15,7 +15,7 @@ inline ScratchedBearing nine_balls() {
   in.bearing.radial_clearance = 4e-6;
   in.ring.mass = 0.2;
   in.load = 800.0;
-  in.shaft_speed = 30.0 * boost::math::double_constants::two_pi;
+  in.shaft_speed = 30.0 * constants::two_pi;
   return in;
 }
 

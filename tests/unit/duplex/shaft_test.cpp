@@ -1,15 +1,15 @@
 // Issue 15, Build 2: modes and frequency response of a shaft against closed forms.
 #include "bearing/duplex/shaft.hpp"
+#include "mechanics/constants.hpp"
 
 #include <gtest/gtest.h>
 
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 namespace orbearing::bearing::duplex::shaft_test {
 namespace {
 
-constexpr double kPi = boost::math::double_constants::pi;
+constexpr double kPi = constants::pi;
 constexpr double kRoundOff = 1e-12;
 
 Stiffness uncoupled() {

@@ -3,15 +3,15 @@
 // size are assumed.
 #include <gtest/gtest.h>
 
-#include <boost/math/constants/constants.hpp>
 
 #include "bearing/equilibrium/static_bearing.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::bearing::equilibrium::ball_film_test {
 namespace {
 
-constexpr double kDegree = boost::math::double_constants::degree;
-constexpr double kRpm = boost::math::double_constants::pi / 30.0;
+constexpr double kDegree = constants::degree;
+constexpr double kRpm = constants::pi / 30.0;
 
 Bearing bearing_7210() {
   return {.inner = {.osculation = 0.52},

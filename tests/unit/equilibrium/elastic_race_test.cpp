@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 #include "bearing/equilibrium/elastic_waves.hpp"

@@ -6,9 +6,9 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/math/constants/constants.hpp>
 #include <string>
 
+#include "mechanics/constants.hpp"
 #include "tests/random_bearings.hpp"
 
 namespace orbearing::bearing::vectorised::level_pitch_test {
@@ -97,7 +97,7 @@ TEST(LevelPitch, StiffnessIsTheSlopeOfTheForces) {
     for (std::size_t p = 0; p < pitch.reports.size(); ++p) {
       if (!pitch.reports[p].converged) continue;
       const double angle = draw.options.first_roller +
-                           boost::math::double_constants::two_pi * static_cast<double>(p) /
+                           constants::two_pi * static_cast<double>(p) /
                                static_cast<double>(pitch.reports.size()) / draw.bearing.rollers().count;
       const Eigen::Matrix2d expected =
           quasi_static_state(LaminaBearing(draw.bearing), draw.point, draw.options, angle).stiffness;

@@ -3,18 +3,18 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 #include "bearing/equilibrium/static_bearing.hpp"
 #include "bearing/geometry.hpp"
+#include "mechanics/constants.hpp"
 #include "tests/messages.hpp"
 
 namespace orbearing::bearing::equilibrium::moving_balls_test {
 namespace {
 
-constexpr double kDegree = boost::math::double_constants::degree;
-constexpr double kRpm = boost::math::double_constants::pi / 30.0;
+constexpr double kDegree = constants::degree;
+constexpr double kRpm = constants::pi / 30.0;
 
 Bearing bearing_218() {
   return {.inner = {.osculation = 0.5232},
@@ -209,7 +209,7 @@ TEST(MovingBalls, OnePitchFurtherNothingChanges) {
   Bearing bearing = bearing_218();
   const RingLoad load{.radial = 5000.0, .axial = 12000.0, .moment = 20.0};
   const RingState one = balance_bearing(bearing, turning(8000.0), load);
-  bearing.first_element = 2.0 * boost::math::double_constants::pi / 16.0;
+  bearing.first_element = 2.0 * constants::pi / 16.0;
   const RingState other = balance_bearing(bearing, turning(8000.0), load);
   EXPECT_NEAR(one.radial / other.radial, 1.0, 1e-9);
   EXPECT_NEAR((one.stiffness - other.stiffness).norm() / one.stiffness.norm(), 0.0, 1e-7);

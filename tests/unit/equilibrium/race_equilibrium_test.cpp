@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <optional>
 
+#include "mechanics/constants.hpp"
 #include "tests/unit/bearing/example_bearings.hpp"
 
 namespace orbearing::bearing::race_equilibrium_test {
@@ -14,7 +14,7 @@ namespace {
 constexpr double kRoundOff = 1e-12;        // relative
 constexpr double kDifferenceError = 1e-6;  // central difference with a step of 1e-4 of the approach, relative
 
-constexpr double kPitch = boost::math::double_constants::two_pi / 15.0;  // [rad]
+constexpr double kPitch = constants::two_pi / 15.0;  // [rad]
 
 RaceEquilibrium planet_equilibrium(const std::optional<Lubricant>& lubricant) {
   const Bearing bearing = example_bearings::planet_bearing();

@@ -1,13 +1,13 @@
 // Forces of static bearings are slopes of their energy; balances hold for any load.
 #include <gtest/gtest.h>
 
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <random>
 
 #include "bearing/equilibrium/balls.hpp"
 #include "bearing/equilibrium/quasi_static.hpp"
 #include "bearing/equilibrium/rollers.hpp"
+#include "mechanics/constants.hpp"
 #include "tests/messages.hpp"
 #include "tests/unit/bearing/example_bearings.hpp"
 
@@ -82,7 +82,7 @@ TEST(StaticBalls, MomentIsTheSlopeOfTheEnergyByTheTiltAtTheGrooveCircle) {
       EXPECT_TRUE(state.report.converged);
       double energy = -load.radial * state.radial - load.axial * state.axial;
       for (Eigen::Index j = 0; j < state.contact_load.size(); ++j) {
-        const double angle = boost::math::double_constants::two_pi * static_cast<double>(j) / 8.0;
+        const double angle = constants::two_pi * static_cast<double>(j) / 8.0;
         const double radial = distance * cosine - 0.5 * bearing.radial_clearance +
                               state.radial * std::cos(angle) + state.lateral * std::sin(angle);
         const double axial = distance * std::sin(nominal) + state.axial + arm * tilt * std::cos(angle) +
@@ -231,7 +231,7 @@ TEST(StaticRollers, MomentOnASingleLaminaFindsNoBalanceAndSaysSo) {
 TEST(StaticBalls, AFullPitchOfTheFirstElementChangesNothing) {
   const RingLoad load{.radial = 2000.0, .axial = 700.0, .moment = 3.0, .moment_across = -5.0};
   Bearing turned = balls(0.26, 0.0);
-  turned.first_element = 2.0 * boost::math::double_constants::two_pi / turned.balls().count;
+  turned.first_element = 2.0 * constants::two_pi / turned.balls().count;
   const RingState one = balance_ring(BallRow(balls(0.26, 0.0)), load);
   const RingState other = balance_ring(BallRow(turned), load);
   ASSERT_TRUE(one.report.converged && other.report.converged);

@@ -3,18 +3,18 @@
 
 #include <gtest/gtest.h>
 
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <string>
 
 #include "bearing/duplex/shaft.hpp"
 #include "bearing/equilibrium/static_bearing.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::bearing::equilibrium::row_group_test {
 namespace {
 
-constexpr double kDegree = boost::math::double_constants::degree;
-constexpr double kRpm = boost::math::double_constants::pi / 30.0;
+constexpr double kDegree = constants::degree;
+constexpr double kRpm = constants::pi / 30.0;
 
 Bearing angular_balls() {
   return {.inner = {.osculation = 0.5232},

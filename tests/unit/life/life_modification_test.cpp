@@ -2,18 +2,18 @@
 
 #include <gtest/gtest.h>
 
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 
+#include "mechanics/constants.hpp"
 #include "tests/messages.hpp"
 
 namespace orbearing::bearing::rating::life_modification_test {
 namespace {
 
 constexpr double kRoundOff = 1e-12;
-constexpr double kRpm = boost::math::double_constants::pi / 30.0;  // [rad/s]
+constexpr double kRpm = constants::pi / 30.0;  // [rad/s]
 constexpr RollingElement kBoth[] = {RollingElement::ball, RollingElement::roller};
 
 // 4500/sqrt(2500 * 81) = 10 mm^2/s;  45000 * 100^-0.83/sqrt(100) = 98.4...

@@ -1,14 +1,14 @@
+#include "mechanics/constants.hpp"
 #include "mechanics/plane.hpp"
 
 #include <gtest/gtest.h>
 
-#include <boost/math/constants/constants.hpp>
 
 namespace orbearing::mechanics::plane_test {
 namespace {
 
 constexpr double kRoundOff = 1e-15;
-constexpr double kQuarter = boost::math::double_constants::half_pi;
+constexpr double kQuarter = constants::half_pi;
 
 TEST(Plane, DirectionsTurnFromXTowardsY) {
   EXPECT_NEAR((direction(0.0) - Vector2(1.0, 0.0)).norm(), 0.0, kRoundOff);

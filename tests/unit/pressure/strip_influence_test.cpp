@@ -2,16 +2,16 @@
 
 #include <gtest/gtest.h>
 
-#include <boost/math/constants/constants.hpp>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 
+#include "mechanics/constants.hpp"
 #include "mechanics/linear_algebra.hpp"
 
 namespace orbearing::bearing::half_space::strip_influence_test {
 namespace {
 
-using boost::math::double_constants::half_pi;
+using constants::half_pi;
 using Eigen::ArrayXd;
 using Eigen::Index;
 using Eigen::MatrixXd;

@@ -1,14 +1,14 @@
 #include "bearing/pressure/strip_kernel.hpp"
+#include "mechanics/constants.hpp"
 
 #include <gtest/gtest.h>
 
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 namespace orbearing::bearing::half_space::strip_kernel_test {
 namespace {
 
-using boost::math::double_constants::pi;
+using constants::pi;
 
 constexpr double kTable = 1e-9;       // as promised
 constexpr double kQuadrature = 1e-5;  // mean over 400 x 400 places of two semi-ellipses, as 1/N^2

@@ -3,16 +3,16 @@
 
 #include <gtest/gtest.h>
 
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 #include "gearset/planet_body.hpp"
+#include "mechanics/constants.hpp"
 #include "tests/messages.hpp"
 
 namespace orbearing::gearset::rim::rim_influence_test {
 namespace {
 
-using boost::math::double_constants::pi;
+using constants::pi;
 
 PlanetarySet reducer() {
   PlanetarySet set;

@@ -3,17 +3,17 @@
 
 #include <gtest/gtest.h>
 
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <map>
 
+#include "mechanics/constants.hpp"
 #include "tests/messages.hpp"
 
 namespace orbearing::gearset::rim::sector_body_test {
 namespace {
 
-using boost::math::double_constants::pi;
-using boost::math::double_constants::two_pi;
+using constants::pi;
+using constants::two_pi;
 
 const mechanics::Material kSteel;
 constexpr double kWidth = 0.02;  // [m]
