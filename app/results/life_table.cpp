@@ -161,13 +161,13 @@ void describe(Record& record, const LifeTable& table) {
   using namespace described;
   constexpr Dimension million_revolutions{"revolutions", "Mrev", "Mrev", ""};
   const auto& [value, words] = table;
-  record.table("lives", "life", "of one bearing", life_lines(words), [&](Record& row, const LifeLine& line) {
+  record.table("lives", "rated_life", "of one bearing", life_lines(words), [&](Record& row, const LifeLine& line) {
     row.value("key", "name among the results", line.hours);
     row.value("hours", dimension::hours, "at the speed of the analysis", value(line.hours));
     row.value("Mrev", million_revolutions, "the same in revolutions", value(line.revolutions));
     row.value("by", "standard or method", line.by);
   });
-  record.table("loads", "load", "ratings, loads and factors", load_entries(),
+  record.table("loads", "rating_value", "ratings, loads and factors", load_entries(),
                [&](Record& row, const described::Entry& entry) {
                  row.value("key", "name among the results", entry.name);
                  row.value("symbol", "of the standard", entry.symbol);

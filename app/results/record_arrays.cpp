@@ -186,11 +186,24 @@ class Arrays {
   PointContent& content_;
 };
 
+// A variable of a dimension's name holds the coordinates along it, by convention: readers refuse others.
+bool holds_coordinates(const NamedArray& array) {
+  return array.dimensions == std::vector<std::string>{array.name};
+}
+
+void rename_dimension(const std::string& from, const std::string& to, PointContent& content) {
+  for (NamedDimension& dimension : content.dimensions)
+    if (dimension.name == from) dimension.name = to;
+  for (NamedArray& array : content.arrays) std::ranges::replace(array.dimensions, from, to);
+}
+
 }  // namespace
 
 PointContent content_of(const Record& record) {
   PointContent content;
   Arrays(content).add({{&record}, {}, ""});
+  for (const NamedArray& array : content.arrays)
+    if (!holds_coordinates(array)) rename_dimension(array.name, array.name + "_index", content);
   return content;
 }
 

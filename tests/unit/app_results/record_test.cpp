@@ -110,6 +110,19 @@ TEST(Record, RefusesTwoSizesOfOneDimension) {
   EXPECT_THROW(content_of(record), std::logic_error);
 }
 
+// Readers of netCDF take a variable of a dimension's name for the coordinates along it.
+TEST(Record, DimensionsHaveNoNameOfAVariableButThatOfCoordinates) {
+  Record record;
+  record.value("life_h", described::dimension::hours, "of one bearing", 3600.0);
+  record.table("lives", "life", "rated", std::vector{3600.0, 7200.0},
+               [](Record& row, double life) { row.value("h", described::dimension::hours, "", life); });
+  record.series("x_mm", described::dimension::length, "", {"x"}, std::array{0.0, 1e-3});
+  const PointContent content = content_of(record);
+  EXPECT_EQ(array_called(content, "life").dimensions, std::vector<std::string>{});
+  EXPECT_EQ(array_called(content, "lives_h").dimensions, std::vector<std::string>{"life_index"});
+  EXPECT_EQ(array_called(content, "x").dimensions, std::vector<std::string>{"x"});
+}
+
 TEST(Record, FillsUpRowsOfUnlikeLists) {
   Record record;
   record.table("meshes", "mesh", "", std::vector{1, 2}, [](Record& row, int count) {
