@@ -27,14 +27,14 @@ struct LoadSpectrum {
   std::size_t lines = 0;      // as often it is computed: once for each combination of the other swept values
 
   /// Numbers of the bins that turn, in order.
-  std::vector<std::size_t> turning() const {
+  std::vector<std::size_t> rotating() const {
     std::vector<std::size_t> numbers;
     for (std::size_t i = 0; i < bins.size(); ++i)
       if (bins[i].turns()) numbers.push_back(i);
     return numbers;
   }
   /// Operating points that it adds to a sweep.
-  std::size_t points() const { return lines == 0 ? 0 : lines * turning().size(); }
+  std::size_t points() const { return lines == 0 ? 0 : lines * rotating().size(); }
 };
 
 }  // namespace orbearing::app

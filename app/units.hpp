@@ -9,9 +9,9 @@ namespace orbearing::app {
 inline constexpr double kRpm = 30.0 / constants::pi;               // per rad/s
 inline constexpr double kRadiansPerSecond = constants::pi / 30.0;  // of 1 rpm
 inline constexpr double kDegree = 180.0 / constants::pi;           // per rad
-inline constexpr double kKilo = 1e-3;                                                  // per unit
-inline constexpr double kMilli = 1e3;                                                  // per unit
-inline constexpr double kMicro = 1e6;                                                  // per unit
-inline constexpr double kMega = 1e-6;                                                  // per unit
+inline constexpr double per_kilo = 1e-3;                           // per unit
+inline constexpr double per_milli = 1e3;                           // per unit
+inline constexpr double per_micro = 1e6;                           // per unit
+inline constexpr double per_mega = 1e-6;                           // per unit
 
 }  // namespace orbearing::app

@@ -13,21 +13,12 @@ double ring_volume(double inner_diameter, double outer_diameter, double width) {
   return 0.25 * pi * (outer_diameter * outer_diameter - inner_diameter * inner_diameter) * width;
 }
 
-// Rollers run on the pin or in the planet itself: between race and seat is no ring, and round-off would be one.
-bool is_without_ring(double race_diameter, double seat_diameter) {
-  constexpr double round_off = 1e-6;
-  return std::abs(seat_diameter - race_diameter) < round_off * race_diameter;
-}
-
-// Of the inner ring; where there is none, of the pin beneath the race, for that is what moves there.
+// Of the inner ring; where rollers run on the pin itself, of the pin beneath the race, for that is what moves there.
 double pin_volume(const Bearing& bearing, double race_diameter) {
+  constexpr double round_off = 1e-6;
   const double bore = bearing.inner.seat_diameter;
-  return ring_volume(is_without_ring(race_diameter, bore) ? 0.0 : bore, race_diameter, bearing.width);
-}
-
-double outer_ring_volume(const Bearing& bearing, double race_diameter) {
-  const double outside = bearing.outer.seat_diameter;
-  return is_without_ring(race_diameter, outside) ? 0.0 : ring_volume(race_diameter, outside, bearing.width);
+  const bool is_pin = std::abs(bore - race_diameter) < round_off * race_diameter;
+  return ring_volume(is_pin ? 0.0 : bore, race_diameter, bearing.width);
 }
 
 // Each pocket is cut through the whole height of the cage, over a roller's length and diameter or a ball's
@@ -86,7 +77,8 @@ BearingGeometry geometry_of(const Bearing& bearing) {
         add_cage(cage, pockets_volume(elements, 0.5 * (cage.outer_diameter - cage.inner_diameter)), geometry);
       },
       bearing.elements);
-  geometry.outer_ring_mass = density * outer_ring_volume(bearing, 2.0 * geometry.outer_radius);
+  geometry.outer_ring_mass =
+      density * ring_volume(2.0 * geometry.outer_radius, bearing.outer.seat_diameter, bearing.width);
   geometry.inner_ring_mass = density * pin_volume(bearing, 2.0 * geometry.inner_radius);
   return geometry;
 }

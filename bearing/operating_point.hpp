@@ -22,8 +22,8 @@ struct OperatingPoint {
 
 /// Speed [rad/s] of the race that turns relative to the load, in whose revolutions lives count: of the inner
 /// one where both do.
-inline double turning_speed(const Bearing& bearing, const OperatingPoint& point) {
-  return bearing.motions.inner == RaceMotion::turning ? point.inner_speed : point.outer_speed;
+inline double rotating_speed(const Bearing& bearing, const OperatingPoint& point) {
+  return bearing.motions.inner == RaceMotion::rotating ? point.inner_speed : point.outer_speed;
 }
 
 }  // namespace orbearing::bearing

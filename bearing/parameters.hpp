@@ -101,7 +101,7 @@ constexpr described::Names<ContactLaw, 2> names_of(ContactLaw) {
 enum class FilmApproach {
   added,               // elastic approach = geometric approach + film
   literature_variant,  // film subtracted, Eqs. (4) and (19) of [Gai2025]: see
-                       // bearing/contact/printed_film.hpp
+                       // bearing/contact/published_film.hpp
 };
 
 constexpr described::Names<FilmApproach, 2> names_of(FilmApproach) {
@@ -109,11 +109,11 @@ constexpr described::Names<FilmApproach, 2> names_of(FilmApproach) {
 }
 
 /// How a race moves relative to the load: every point of a turning one passes the loaded zone.
-enum class RaceMotion { turning, standing };
+enum class RaceMotion { rotating, stationary };
 
 struct RaceMotions {
-  RaceMotion inner = RaceMotion::turning;
-  RaceMotion outer = RaceMotion::standing;
+  RaceMotion inner = RaceMotion::rotating;
+  RaceMotion outer = RaceMotion::stationary;
 };
 
 /// One ring with its race.
@@ -170,8 +170,8 @@ struct Bearing {
   double width = 0.0;  // [m]    of the rings
   Material material;
   ContactLaw contact_law = ContactLaw::palmgren;  // of rollers
-  RaceMotions motions{RaceMotion::standing,
-                      RaceMotion::turning};  // of a planet, whose load stands on its pin
+  RaceMotions motions{RaceMotion::stationary,
+                      RaceMotion::rotating};  // of a planet, whose load stands on its pin
   double first_element =
       0.0;  // [rad]  place of the first element from the radial load, under a static load; a
             //        motion and a quasi-static pitch state where they begin
@@ -236,14 +236,14 @@ template <class Visitor>
 void describe(Visitor& visit, Balls& m) {
   using namespace described;
   members(visit, m,
-          field(m.count, "bearing.balls", Felt::lone, "number of balls",
+          field(m.count, "bearing.balls", Felt::single_bearing, "number of balls",
                 {.models = with_balls, .required_by = with_balls, .range = {3, 500}}),
-          field(m.diameter, "bearing.ball_diameter", Felt::lone, "diameter of a ball",
+          field(m.diameter, "bearing.ball_diameter", Felt::single_bearing, "diameter of a ball",
                 {.models = with_balls,
                  .required_by = with_balls,
                  .dimension = dimension::length,
                  .range = positive(1e4)}),
-          field(m.contact_angle, "bearing.contact_angle", Felt::lone, "nominal contact angle",
+          field(m.contact_angle, "bearing.contact_angle", Felt::single_bearing, "nominal contact angle",
                 {.models = with_balls,
                  .dimension = dimension::angle,
                  .range = {0.0, 85.0},
@@ -255,7 +255,7 @@ void describe(Visitor& visit, Balls& m) {
 template <class Visitor, class Seat>
 void describe(Visitor& visit, Ring& m, const std::string& name, const Seat& seat, bool grooved) {
   using namespace described;
-  const auto groove = field(m.osculation, "bearing." + name + "_osculation", Felt::lone,
+  const auto groove = field(m.osculation, "bearing." + name + "_osculation", Felt::single_bearing,
                             "radius of the " + name + " groove over ball diameter",
                             {.models = with_balls,
                              .range = {.least = 0.5, .most = 1.0, .least_allowed = false},
@@ -309,8 +309,8 @@ void describe(Visitor& visit, Bearing& m) {
             "stiffness of roller and race: Palmgren's for each contact, or ISO/TS 16281's for both",
             {.models = with_rollers | roller_defect,
              .reason = "each contact on its own, as the film needs it"}),
-      apart(m.motions),  // of a single bearing a case states operation.turning_race
-      field(m.first_element, "bearing.first_element_angle", Felt::lone,
+      apart(m.motions),  // of a single bearing a case states operation.rotating_race
+      field(m.first_element, "bearing.first_element_angle", Felt::single_bearing,
             "angle of the first rolling element from the radial load",
             {.models = roller_bearing | with_balls | roller_defect,
              .dimension = dimension::angle,

@@ -16,19 +16,19 @@ namespace {
 //   (2)  1/kappa = 6 (1 + nu) (1 + r^2)^2/((7 + 6 nu) (1 + r^2)^2 + (20 + 12 nu) r^2),  r: bore over diameter
 //   [Cowper1966]
 struct UnitLoad {
-  double place = 0.0;  // [m]  from the left support
+  double position = 0.0;  // [m]  from the left support
   bool moment = false;
 };
 
 double pin_moment(const PinBeam& pin, const UnitLoad& load, double z) {
-  const double a = load.place, span = pin.span;
+  const double a = load.position, span = pin.span;
   if (pin.ends == PinEnds::one) return z >= a ? 0.0 : load.moment ? 1.0 : a - z;
   if (load.moment) return z < a ? -z / span : 1.0 - z / span;
   return z < a ? (1.0 - a / span) * z : a * (1.0 - z / span);
 }
 
 double pin_shear(const PinBeam& pin, const UnitLoad& load, double z) {
-  const double a = load.place, span = pin.span;
+  const double a = load.position, span = pin.span;
   if (pin.ends == PinEnds::one) return z >= a || load.moment ? 0.0 : 1.0;
   if (load.moment) return -1.0 / span;
   return z < a ? 1.0 - a / span : -a / span;
@@ -63,16 +63,16 @@ double piecewise_integral(const std::vector<double>& breaks, Integrand&& of) {
 
 }  // namespace
 
-Eigen::MatrixXd pin_compliance(const PinBeam& pin, const std::vector<double>& places) {
+Eigen::MatrixXd pin_compliance(const PinBeam& pin, const std::vector<double>& positions) {
   mechanics::require_positive(pin.span, "span of the pin [m]");
   std::vector<UnitLoad> loads;
   std::vector<double> breaks{0.0, pin.span};
   for (const bool moment : {false, true})
-    for (const double place : places) {
-      mechanics::require(std::abs(place) < 0.5 * pin.span, "place of a bearing on its pin [m]", place,
+    for (const double position : positions) {
+      mechanics::require(std::abs(position) < 0.5 * pin.span, "place of a bearing on its pin [m]", position,
                          "between the supports of the pin");
-      loads.push_back({place + 0.5 * pin.span, moment});
-      breaks.push_back(loads.back().place);
+      loads.push_back({position + 0.5 * pin.span, moment});
+      breaks.push_back(loads.back().position);
     }
   std::sort(breaks.begin(), breaks.end());
   const PinSection section = pin_section_of(pin);

@@ -34,6 +34,6 @@ struct PinBeam {
 /// slope (moment) at all. By the energy of bending and shear; symmetric. Eqs. (1) and (2) of
 /// bearing/pin_beam.cpp.
 /// @throws std::invalid_argument where a place lies beyond the supports
-Eigen::MatrixXd pin_compliance(const PinBeam& pin, const std::vector<double>& places);
+Eigen::MatrixXd pin_compliance(const PinBeam& pin, const std::vector<double>& positions);
 
 }  // namespace orbearing::bearing

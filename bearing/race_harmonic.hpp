@@ -9,7 +9,7 @@ struct RaceHarmonic {
   int order = 2;           // [-]    waves around the race: 2 for an oval
   double amplitude = 0.0;  // [m]
   double phase = 0.0;      // [rad]
-  bool turning = false;    // true: angle from a mark on the race (waviness made into it); false: from the
+  bool rotating = false;   // true: angle from a mark on the race (waviness made into it); false: from the
                            // outward direction (a shape that loads hold while the race turns through it)
 };
 

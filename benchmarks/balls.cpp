@@ -9,7 +9,7 @@
 #include "app/case/ball_case.hpp"
 #include "app/case/case_file.hpp"
 #include "app/case/static_case.hpp"
-#include "bearing/motion/balls/printed_form.hpp"
+#include "bearing/motion/balls/published_form.hpp"
 #include "benchmarks/clocks.hpp"
 #include "benchmarks/speed.hpp"
 #include "coupling/integration/integrate.hpp"
@@ -26,11 +26,11 @@ constexpr double kSettling = 0.1;               // [s]
 constexpr double kDuration = 0.09;              // [s]  two revolutions of the cage
 constexpr long kSamples = 450;                  // steps between them are as long as without them
 constexpr double kBallReferenceStep = 1e-7;     // [s]
-constexpr double kPrintedReferenceStep = 5e-7;  // [s]
+constexpr double kPublishedReferenceStep = 5e-7;  // [s]
 constexpr double kOtherStep = 0.75e-7;          // [s]  another path: what chance does
 constexpr int kPairs = 5;
 
-enum class BallMethod { ours, dopri5, rk4, printed };
+enum class BallMethod { ours, dopri5, rk4, published };
 
 struct BallFigures {
   double rms = 0.0;         // [N]  of one ball on the inner race
@@ -121,9 +121,9 @@ class BallContest {
   template <class Look>
   void by_odeint(BallMethod method, double tolerance, double duration, long samples, std::vector<double>& x,
                  const Look& look) {
-    std::optional<bearing::balls::PrintedForm> form;
+    std::optional<bearing::balls::PublishedForm> form;
     Eigen::VectorXd state = Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size()));
-    if (method == BallMethod::printed) {
+    if (method == BallMethod::published) {
       form.emplace(model_);
       const std::vector<double> y = form->reduced(x);
       state = Eigen::Map<const Eigen::VectorXd>(y.data(), static_cast<Eigen::Index>(y.size()));
@@ -214,9 +214,9 @@ void put_balls(double roller_real_time, int rollers, Json& out) {
   };
   ratio("dopri5", BallMethod::dopri5, reference, {1e-6, 3e-7, 1e-7, 3e-8, 1e-8, 3e-9, 1e-9, 3e-10, 1e-10});
   // The printed form is another model: its steps are judged by finer ones of its own.
-  const BallFigures printed = contest.run(BallMethod::printed, kPrintedReferenceStep, true);
-  out["ball_printed_form_differs"] = to_json(errors(printed, reference));
-  ratio("rk4", BallMethod::printed, printed,
+  const BallFigures published = contest.run(BallMethod::published, kPublishedReferenceStep, true);
+  out["ball_printed_form_differs"] = to_json(errors(published, reference));
+  ratio("rk4", BallMethod::published, published,
         {1e-4, 6e-5, 4e-5, 3e-5, 2e-5, 1.4e-5, 1e-5, 7e-6, 5e-6, 3.5e-6, 2.5e-6, 1.7e-6, 1.2e-6, 8e-7});
   std::vector<double> seconds;
   for (int i = 0; i < kPairs; ++i)

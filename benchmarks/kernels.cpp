@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "bearing/equilibrium/aligned_pitch.hpp"
 #include "bearing/equilibrium/lamina_bearing.hpp"
 #include "bearing/equilibrium/quasi_static.hpp"
-#include "bearing/equilibrium/level_pitch.hpp"
 #include "benchmarks/frozen/constants.hpp"
 #include "benchmarks/runs.hpp"
 #include "coupling/integration/rosenbrock2.hpp"
@@ -128,8 +128,8 @@ void add_static(const study::PlanetaryDrivetrain& drivetrain) {
       benchmark::DoNotOptimize(
           bearing::quasi_static_state(bearing, points[static_cast<std::size_t>(i)], {}, 0.37 * i));
   });
-  const auto level = std::make_shared<bearing::vectorised::LevelPitch>(
-      *bearing::vectorised::LevelPitch::of(bearing, {.cage_positions = kCagePositions}));
+  const auto level = std::make_shared<bearing::vectorised::AlignedPitch>(
+      *bearing::vectorised::AlignedPitch::of(bearing, {.cage_positions = kCagePositions}));
   const auto results = std::make_shared<bearing::vectorised::PitchResults>();
   add("fast_static", [points, level, results] {
     for (const bearing::OperatingPoint& point : points) level->solve(point, *results);

@@ -27,7 +27,7 @@ using namespace orbearing::bench;
 constexpr int kSettling = 3;         // [-]  cage revolutions
 constexpr int kWatched = 2;          // [-]
 constexpr double kShortest = 20e-3;  // [s]  of each
-constexpr double kMicro = 1e-6;
+constexpr double per_micro = 1e-6;
 
 // A settled bearing at the standard settings of its version.
 class Paced {

@@ -20,20 +20,20 @@ std::string found(double value, const std::string& required) {
   return "found " + decimal(value, 4) + "; " + required;
 }
 
-void check_count(int value, const std::string& place, Warnings& problems) {
+void check_count(int value, const std::string& position, Warnings& problems) {
   if (value > 0) return;
   problems.push_back(
-      {place, "found " + std::to_string(value) + "; a whole number of at least 1 is required"});
+      {position, "found " + std::to_string(value) + "; a whole number of at least 1 is required"});
 }
 
-void check_positive(double value, const std::string& place, Warnings& problems) {
+void check_positive(double value, const std::string& position, Warnings& problems) {
   if (value > 0.0 && std::isfinite(value)) return;
-  problems.push_back({place, found(value, "a positive, finite value is required")});
+  problems.push_back({position, found(value, "a positive, finite value is required")});
 }
 
-void check_shift(double shift, const std::string& place, Warnings& problems) {
+void check_shift(double shift, const std::string& position, Warnings& problems) {
   if (std::abs(shift) <= largest_shift) return;
-  problems.push_back({place, found(shift, "a profile shift between -2 and 2 modules is required")});
+  problems.push_back({position, found(shift, "a profile shift between -2 and 2 modules is required")});
 }
 
 void check_fillet(const BasicRack& rack, const std::string& block, Warnings& problems) {
@@ -87,7 +87,7 @@ Warnings single_value_problems(const PlanetarySet& set) {
 // Planets find their tooth spaces only if the step from one to the next moves whole teeth. Eq. (23).
 void check_spacing(const PlanetarySet& set, Warnings& problems) {
   if (!set.planet_angles.empty()) {
-    for (const Warning& problem : place_problems(set)) problems.push_back(problem);
+    for (const Warning& problem : position_problems(set)) problems.push_back(problem);
     return;
   }
   const int sum = set.sun_teeth + set.ring_teeth;
@@ -153,7 +153,7 @@ void check_tooth_sum(const PlanetarySet& set, Warnings& problems) {
 
 void check_geometry(const PlanetarySet& set, Warnings& problems) {
   const WorkingGeometry geometry = working_geometry(set);
-  if (place_problems(set).empty()) check_neighbours(set, geometry, problems);
+  if (position_problems(set).empty()) check_neighbours(set, geometry, problems);
   check_rim(set, geometry, problems);
   check_pointed(half_thickness_angle(geometry.sun, geometry.sun.tip_radius), "sun", problems);
   check_pointed(half_thickness_angle(geometry.planet, geometry.planet.tip_radius), "planet", problems);

@@ -155,7 +155,7 @@ void describe(Visitor& visit, PlanetarySet& m) {
       field(m.fixed_member, "gearset.fixed", Felt::planet, "member held by the housing",
             {.models = set, .reason = "the usual reduction gear"}),
       count(m.planets, "gearset.planets", "number of planets", {1, 24}),
-      field(m.planet_angles, "gearset.planet_angles", Felt::places,
+      field(m.planet_angles, "gearset.planet_angles", Felt::positions,
             "places of the planets on the carrier, anticlockwise from the first, which stands at 0 deg: "
             "whole steps "
             "of 360 deg/(sun + ring teeth), rounded by at most 0.005 deg; equal steps all round if absent",

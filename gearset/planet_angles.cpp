@@ -15,7 +15,7 @@ using constants::degree;
 using constants::two_pi;
 
 constexpr double kWritten = 0.005 * degree;  // [rad]  by which a stated angle may be rounded
-const std::string kPlaces = "gearset.planet_angles";
+const std::string kPositions = "gearset.planet_angles";
 
 // From one angle at which teeth fit to the next, Eq. (23).
 double fitting_step(const PlanetarySet& set) {
@@ -66,11 +66,11 @@ bool stands_unevenly(const PlanetarySet& set) {
                      [](double a, double b) { return std::abs(a - b) < kWritten; });
 }
 
-Warnings place_problems(const PlanetarySet& set) {
+Warnings position_problems(const PlanetarySet& set) {
   const std::vector<double>& angles = set.planet_angles;
   if (angles.empty()) return {};
   const auto problem = [](const std::string& found, const std::string& required) -> Warnings {
-    return {{kPlaces, "found " + found + "; " + required}};
+    return {{kPositions, "found " + found + "; " + required}};
   };
   if (angles.size() != static_cast<std::size_t>(set.planets))
     return problem(std::to_string(angles.size()) + " angles",
@@ -88,10 +88,10 @@ Warnings place_problems(const PlanetarySet& set) {
     if (std::abs(angle - fitting) <= kWritten) continue;
     const double other = fitting + std::copysign(fitting_step(set), angle - fitting);
     problems.push_back(
-        {kPlaces, "found " + degrees(angle) +
-                      ", where teeth do not fit; whole steps of 360 deg/(sun + ring teeth) are "
-                      "required: " +
-                      degrees(std::min(fitting, other)) + " or " + degrees(std::max(fitting, other))});
+        {kPositions, "found " + degrees(angle) +
+                         ", where teeth do not fit; whole steps of 360 deg/(sun + ring teeth) are "
+                         "required: " +
+                         degrees(std::min(fitting, other)) + " or " + degrees(std::max(fitting, other))});
   }
   return problems;
 }

@@ -25,7 +25,7 @@ bool stands_unevenly(const PlanetarySet& set);
 
 /// Reasons why planets cannot stand where they are stated to: their number, their order, teeth that do not
 /// fit there. Empty if they can.
-Warnings place_problems(const PlanetarySet& set);
+Warnings position_problems(const PlanetarySet& set);
 
 /// The least angle between neighbours [rad]; a whole turn of a planet alone.
 double least_step(const std::vector<double>& angles);

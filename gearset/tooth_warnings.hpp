@@ -10,7 +10,7 @@ namespace orbearing::gearset {
 
 /// Where warnings go, and the key of the case that they concern.
 struct ToothWarnings {
-  std::string place;
+  std::string position;
   Warnings list;
 
   void undercut(const ExternalTooth& tooth, const std::string& gear);

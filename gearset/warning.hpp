@@ -1,4 +1,4 @@
-// A warning about the gear set, tied to the place in the case file that it concerns.
+// A warning about the gear set, tied to the input that it concerns.
 #pragma once
 
 #include <string>
@@ -6,9 +6,9 @@
 
 namespace orbearing::gearset {
 
-/// What was found and what it means or asks for; `place` is a key of the case file, such as "gearset.teeth".
+/// What was found and what it means or asks for; `key` is that of the case file, such as "gearset.teeth".
 struct Warning {
-  std::string place;
+  std::string key;
   std::string text;
 };
 

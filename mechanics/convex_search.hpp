@@ -87,8 +87,9 @@ Eigen::Vector<double, N> within(double reach, const Eigen::Vector<double, N>& st
 
 /// Whether what remains of the force at `place` is as little as it need be, or as lengths can resolve.
 template <int N>
-bool is_balanced(const Imbalance<N>& now, const Eigen::Vector<double, N>& place, const SearchLimits& limits) {
-  const double round_off = limits.resolution * (place.norm() + limits.size);
+bool is_balanced(const Imbalance<N>& now, const Eigen::Vector<double, N>& position,
+                 const SearchLimits& limits) {
+  const double round_off = limits.resolution * (position.norm() + limits.size);
   return now.force.norm() <= limits.acceptable * now.scale + now.stiffness.trace() * round_off;
 }
 
@@ -97,29 +98,29 @@ namespace detail {
 // The search of all balances. `lengths(force, stiffness)` are those that the force causes.
 template <int N, class Function, class Lengths>
 SearchReport damped_search(Function&& imbalance_at, const Lengths& lengths, const SearchLimits& limits,
-                           Eigen::Vector<double, N>& place, Imbalance<N>& now) {
+                           Eigen::Vector<double, N>& position, Imbalance<N>& now) {
   constexpr int kMostShortenings = 60;
   constexpr double kOvershoot = 0.5;  // of the driving force, that may point back after a step
   SearchReport report;
-  now = imbalance_at(place);
+  now = imbalance_at(position);
   for (; report.iterations < limits.most_iterations; ++report.iterations) {
     throw_if_stopped();
     if (!(now.force.norm() > limits.tolerance * now.scale)) break;
     const Eigen::Vector<double, N> step = within<N>(limits.reach, lengths(now.force, now.stiffness));
-    if (step.norm() <= limits.resolution * (place.norm() + limits.size)) break;
-    const Eigen::Vector<double, N> from = place;
+    if (step.norm() <= limits.resolution * (position.norm() + limits.size)) break;
+    const Eigen::Vector<double, N> from = position;
     const double drive = now.force.dot(step);
     double fraction = 1.0;
     for (int i = 0; i < kMostShortenings; ++i) {
-      place = from + fraction * step;
-      now = imbalance_at(place);
+      position = from + fraction * step;
+      now = imbalance_at(position);
       const double left = now.force.dot(step);
       if (left >= -kOvershoot * drive) break;
       fraction *= std::max(0.1, drive / (drive - left));  // where the secant puts its zero
     }
   }
   report.residual = now.force.norm();
-  report.converged = is_balanced<N>(now, place, limits);
+  report.converged = is_balanced<N>(now, position, limits);
   return report;
 }
 
@@ -129,8 +130,9 @@ SearchReport damped_search(Function&& imbalance_at, const Lengths& lengths, cons
 /// then the balance, `now` the imbalance there. Throws Cancelled.
 template <int N, class Function>
 SearchReport find_balance(Function&& imbalance_at, const SearchLimits& limits,
-                          Eigen::Vector<double, N>& place, Imbalance<N>& now) {
-  return detail::damped_search<N>(std::forward<Function>(imbalance_at), lengths_under<N>, limits, place, now);
+                          Eigen::Vector<double, N>& position, Imbalance<N>& now) {
+  return detail::damped_search<N>(std::forward<Function>(imbalance_at), lengths_under<N>, limits, position,
+                                  now);
 }
 
 /// Takes the freedoms out of a search whose coordinates are given: they bear any force.

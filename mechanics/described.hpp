@@ -45,8 +45,8 @@ inline constexpr Dimension kinematic_viscosity{"kinematic viscosity", "m2/s", "m
 inline constexpr Dimension pressure_viscosity{"pressure-viscosity coefficient", "Pa-1", "GPa-1", "15 GPa-1",
                                               1e-9};
 inline constexpr Dimension stiffness{"stiffness", "N/m", "N/m", "1e8 N/m"};
-inline constexpr Dimension turning_stiffness{"stiffness against rotation", "N.m/rad", "N.m/rad",
-                                             "1e6 N.m/rad"};
+inline constexpr Dimension rotating_stiffness{"stiffness against rotation", "N.m/rad", "N.m/rad",
+                                              "1e6 N.m/rad"};
 inline constexpr Dimension speed{"speed", "m/s", "m/s", "0.1 m/s"};
 inline constexpr Dimension inverse_speed{"inverse speed", "s/m", "s/m", "0.1 s/m"};
 inline constexpr Dimension damping{"damping", "N.s/m", "N.s/m", "200 N.s/m"};
@@ -86,16 +86,16 @@ enum Model : unsigned {
 };
 inline constexpr unsigned with_rollers = planetary_drivetrain | roller_bearing;
 /// A ball bearing under a load of its own, at rest or in time.
-inline constexpr unsigned lone_balls = ball_bearing | ball_motion;
-inline constexpr unsigned with_balls = lone_balls | raceway_defect | duplex_pair;
+inline constexpr unsigned single_ball_bearing = ball_bearing | ball_motion;
+inline constexpr unsigned with_balls = single_ball_bearing | raceway_defect | duplex_pair;
 /// Bearings in motion over time.
 inline constexpr unsigned in_motion = planetary_drivetrain | ball_motion;
 /// Those and what can be followed so, if asked for: all bodies of a bearing with scratches.
 inline constexpr unsigned balls_in_time = ball_motion | raceway_defect;
 inline constexpr unsigned in_time = in_motion | raceway_defect;
 /// Bearings that may have scratches: by themselves, or in a planet.
-inline constexpr unsigned lone_scratched = raceway_defect | roller_defect;
-inline constexpr unsigned scratched_bearings = lone_scratched | planetary_drivetrain;
+inline constexpr unsigned single_scratched = raceway_defect | roller_defect;
+inline constexpr unsigned scratched_bearings = single_scratched | planetary_drivetrain;
 inline constexpr unsigned every_model = with_rollers | gear_pair | with_balls | roller_defect | spin_film;
 /// Those whose results the material decides: rollers on a ring that vibrates have contact laws of steel.
 inline constexpr unsigned of_material = every_model & ~unsigned{roller_defect};
@@ -119,19 +119,19 @@ enum class Felt {
   walls,          // the carrier's, which hold the pins: gears and rollers in motion
   pin,            // what holds the bearing: its springs, and rollers in motion
   load_sharing,   // unlike loads of the planets
-  places,   // of the planets on the carrier, by which their loads differ and their meshes follow another
-  at_rest,  // bearings at rest, and those in motion that start from them
-  motion,   // rollers and cage in motion
-  euler,    // the carrier's speed that changes
-  life,     // what loads of the rollers are worth in life
-  run,      // means over time
-  run_up,   // speeds that grow
-  lone,     // a single bearing under a load of its own
-  turning_balls,  // balls of such a bearing or of a pair whose rings turn, in balance
-  lone_run,       // a ball bearing by itself in time
-  defect,         // a bearing with scratches in motion
-  one_contact,    // the film of a contact by itself
-  exchange        // windows of a co-simulation
+  positions,  // of the planets on the carrier, by which their loads differ and their meshes follow another
+  at_rest,    // bearings at rest, and those in motion that start from them
+  motion,     // rollers and cage in motion
+  euler,      // the carrier's speed that changes
+  life,       // what loads of the rollers are worth in life
+  run,        // means over time
+  run_up,     // speeds that grow
+  single_bearing,      // a single bearing under a load of its own
+  rotating_balls,      // balls of such a bearing or of a pair whose rings turn, in balance
+  single_bearing_run,  // a ball bearing by itself in time
+  defect,              // a bearing with scratches in motion
+  one_contact,         // the film of a contact by itself
+  exchange             // windows of a co-simulation
 };
 
 /// What an FMU shows of a member.

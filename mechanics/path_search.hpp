@@ -87,15 +87,15 @@ class Path {
 /// Follows the balance of `forces_at(place, share)`, PathForces, from `place` at share 0 to share 1; `place`
 /// [m] then is there, or where the path was lost. `length` [m] is that on which forces change.
 template <class Function>
-PathReport follow_path(Function&& forces_at, double length, Eigen::VectorXd& place) {
+PathReport follow_path(Function&& forces_at, double length, Eigen::VectorXd& position) {
   constexpr int kMostSteps = 600, kMostCorrections = 10;
   constexpr double kFirst = 0.05, kShortest = 1e-7, kLongest = 0.5;
   constexpr double kLeastTurn = 0.8;              // cosine between steps
   constexpr double kNear = 1e-7, kAtEnd = 1e-11;  // of the forces that balance
-  const Eigen::Index n = place.size();
+  const Eigen::Index n = position.size();
   detail::Path path(forces_at, length);
   Eigen::VectorXd point(n + 1), across = Eigen::VectorXd::Unit(n + 1, n);
-  point << place / length, 0.0;
+  point << position / length, 0.0;
   PathReport report;
   if (!path.correct(across, point, kNear, 40)) return report;
   Eigen::VectorXd along = path.tangent(point, across);
@@ -110,7 +110,7 @@ PathReport follow_path(Function&& forces_at, double length, Eigen::VectorXd& pla
     if (arrived && last && (next - point).norm() < 2.0 * step) {
       report.converged = true;
       report.share = 1.0;
-      place = length * next.head(n);
+      position = length * next.head(n);
       return report;
     }
     if (last) arrived = false;
@@ -124,7 +124,7 @@ PathReport follow_path(Function&& forces_at, double length, Eigen::VectorXd& pla
     step = std::min(1.5 * step, kLongest);
   }
   report.share = point[n];
-  place = length * point.head(n);
+  position = length * point.head(n);
   return report;
 }
 

@@ -35,10 +35,10 @@ Eigen::Vector<double, N> lengths_under_any(const Eigen::Vector<double, N>& force
 /// Follows `imbalance_at(place)`, an Imbalance<N>, to where the force vanishes; `place` and `now` as for
 /// find_balance.
 template <int N, class Function>
-SearchReport find_root(Function&& imbalance_at, const SearchLimits& limits, Eigen::Vector<double, N>& place,
-                       Imbalance<N>& now) {
-  return detail::damped_search<N>(std::forward<Function>(imbalance_at), lengths_under_any<N>, limits, place,
-                                  now);
+SearchReport find_root(Function&& imbalance_at, const SearchLimits& limits,
+                       Eigen::Vector<double, N>& position, Imbalance<N>& now) {
+  return detail::damped_search<N>(std::forward<Function>(imbalance_at), lengths_under_any<N>, limits,
+                                  position, now);
 }
 
 }  // namespace orbearing::mechanics

@@ -11,14 +11,14 @@
 namespace {
 
 std::string tests_in(const std::string& folder_or_file) {
-  const std::string place = "/tests/" + folder_or_file;
+  const std::string position = "/tests/" + folder_or_file;
   const testing::UnitTest& all = *testing::UnitTest::GetInstance();
   std::string names;
   for (int i = 0; i < all.total_test_suite_count(); ++i) {
     const testing::TestSuite& suite = *all.GetTestSuite(i);
     for (int j = 0; j < suite.total_test_count(); ++j) {
       const testing::TestInfo& test = *suite.GetTestInfo(j);
-      if (std::string(test.file()).find(place) == std::string::npos) continue;
+      if (std::string(test.file()).find(position) == std::string::npos) continue;
       if (!names.empty()) names += ':';
       names.append(suite.name()).append(".").append(test.name());
     }

@@ -37,7 +37,9 @@ class RandomBalls {
   void disturb(const BallNumbers& c, double size, std::vector<double>& x) {
     const StateLayout layout{c.balls};
     const int lanes = layout.lanes();
-    const auto shift = [&](int place, double by) { x[static_cast<std::size_t>(place)] += by * between(-size, size); };
+    const auto shift = [&](int position, double by) {
+      x[static_cast<std::size_t>(position)] += by * between(-size, size);
+    };
     for (int j = 0; j < c.balls; ++j) {
       shift(j, 2e-6);
       shift(lanes + j, 0.6 * c.pocket.play / c.pitch_radius);
@@ -47,9 +49,9 @@ class RandomBalls {
       shift(5 * lanes + j, 0.02);
       for (int group = 6; group < 9; ++group) shift(group * lanes + j, 50.0);
     }
-    const auto body = [&](int first, int unknowns, double place) {
+    const auto body = [&](int first, int unknowns, double position) {
       for (int i = 0; i < kRingUnknowns; ++i) {
-        shift(first + i, i < 3 ? place : place / c.pitch_radius);
+        shift(first + i, i < 3 ? position : position / c.pitch_radius);
         shift(first + unknowns + i, i < 3 ? 0.02 : 0.02 / c.pitch_radius);
       }
     };
@@ -77,7 +79,7 @@ class RandomBalls {
     b.cage = {b.pitch_diameter - 0.3 * balls.diameter, b.pitch_diameter + 0.3 * balls.diameter,
               1.5 * balls.diameter, whole(0, 1) == 0 ? 1310.0 : 7850.0,
               whole(0, 1) == 0 ? Race::outer : Race::inner};
-    b.motions = {RaceMotion::turning, RaceMotion::standing};
+    b.motions = {RaceMotion::rotating, RaceMotion::stationary};
     b.elements = balls;
     return b;
   }

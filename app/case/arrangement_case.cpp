@@ -101,7 +101,7 @@ bool check_words(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
     for (std::size_t i = 0; i < resolved.texts(path).size(); ++i) {
       const std::string& text = resolved.texts(path)[i];
       if (!put(resolved.shape(), text, shaft))
-        mistakes.push_back({resolved.item_place(path, i),
+        mistakes.push_back({resolved.item_location(path, i),
                             path,
                             {quote(text) + " is nothing to join", joint_hint(resolved.shape(), text)}});
     }
@@ -114,16 +114,16 @@ Mistake mistake_of(const ResolvedCase& resolved, const Arrangement& arrangement,
                    const gearset::ArrangementProblem& problem) {
   if (!problem.shafts.empty()) {
     const std::string path = shaft_path(arrangement.shafts[problem.shafts.front()].name);
-    return {resolved.place(path), path, {problem.found, problem.required}};
+    return {resolved.location(path), path, {problem.found, problem.required}};
   }
   std::string path = "shafts";
-  Place place = resolved.place(shaft_path(resolved.shape().shafts.front()));
+  Location location = resolved.location(shaft_path(resolved.shape().shafts.front()));
   if (!problem.members.empty()) {
     const std::string prefix = set_prefix(arrangement.sets[problem.members.front().set].name);
     path = prefix.substr(0, prefix.size() - 1);
-    place = resolved.place(prefix + "gearset.teeth.sun");
+    location = resolved.location(prefix + "gearset.teeth.sun");
   }
-  return {place, path, {problem.found, problem.required}};
+  return {location, path, {problem.found, problem.required}};
 }
 
 }  // namespace

@@ -1,14 +1,14 @@
 // Fields of the bearing beyond those of its members: profile, misalignment, races that are not round.
+#include "app/case/default_drivetrain.hpp"
 #include "app/case/described_fields.hpp"
 #include "app/case/field_table.hpp"
-#include "app/case/usual_drivetrain.hpp"
 
 namespace orbearing::app::table {
 
 namespace {
 
 Use of_profile(const char* kind) {
-  return Use(use::lives | use::fmu_bearing | use::lone_balance | use::planet_stiffness,
+  return Use(use::lives | use::fmu_bearing | use::single_bearing_equilibrium | use::planet_stiffness,
              use::bearings_as_springs | use::mesh)
       .when(where("bearing.profile.kind", {kind}));
 }
@@ -41,12 +41,13 @@ void add_profile_shape(std::vector<Field>& fields) {
        .kind = Kind::quantity,
        .meaning = "load of one roller for which lundberg, johns-gohar and fujiwara-kawase are laid "
                   "out; left out: the load that goes with the drop",
-       .use = Use(use::lives | use::fmu_bearing | use::lone_balance | use::planet_stiffness,
+       .use = Use(use::lives | use::fmu_bearing | use::single_bearing_equilibrium | use::planet_stiffness,
                   use::bearings_as_springs | use::mesh)
                   .when(where("bearing.profile.kind", {"lundberg", "johns-gohar", "fujiwara-kawase"}))
                   .when(where_absent("bearing.profile.drop"))
-                  .felt_too(use::lives | use::fmu_bearing | use::lone_balance | use::planet_stiffness,
-                            shape_beside_end_drop()),
+                  .felt_too(
+                      use::lives | use::fmu_bearing | use::single_bearing_equilibrium | use::planet_stiffness,
+                      shape_beside_end_drop()),
        .dimension = dimension::force,
        .range = {.least = 0.0, .most = 1e8, .least_allowed = false}});
   fields.push_back(profile_length("bearing.profile.chamfer_length",
@@ -59,13 +60,13 @@ void add_profile_shape(std::vector<Field>& fields) {
   fields.push_back({.path = "bearing.profile.k1",
                     .kind = Kind::number,
                     .meaning = "fujiwara-kawase: K1, factor of the design load; left out: 1",
-                    .use = Use((use::lives & ~unsigned{use::crown}) | use::fmu_bearing | use::lone_balance |
-                                   use::planet_stiffness,
+                    .use = Use((use::lives & ~unsigned{use::crown}) | use::fmu_bearing |
+                                   use::single_bearing_equilibrium | use::planet_stiffness,
                                use::crown | use::bearings_as_springs | use::mesh)  // crown varies the depth
                                .when(where("bearing.profile.kind", {"fujiwara-kawase"}))
                                .when(where_given({"bearing.profile.design_load"}))
                                .when(where_absent("bearing.profile.drop"))
-                               .felt_too(use::lives | use::fmu_bearing | use::lone_balance |
+                               .felt_too(use::lives | use::fmu_bearing | use::single_bearing_equilibrium |
                                              use::planet_stiffness,
                                          shape_beside_end_drop()),
                     .range = {.least = 0.0, .most = 1000.0, .least_allowed = false}});
@@ -80,8 +81,8 @@ void add_profile_shape(std::vector<Field>& fields) {
   fields.push_back({.path = "bearing.profile.x",
                     .kind = Kind::list,
                     .meaning = "table: places from the middle of the roller, rising",
-                    .use = Use((use::lives & ~unsigned{use::crown}) | use::fmu_bearing | use::lone_balance |
-                                   use::planet_stiffness,
+                    .use = Use((use::lives & ~unsigned{use::crown}) | use::fmu_bearing |
+                                   use::single_bearing_equilibrium | use::planet_stiffness,
                                use::bearings_as_springs | use::mesh)
                                .when(where("bearing.profile.kind", {"table"})),
                     .dimension = dimension::length,
@@ -90,8 +91,8 @@ void add_profile_shape(std::vector<Field>& fields) {
   fields.push_back({.path = "bearing.profile.drops",
                     .kind = Kind::list,
                     .meaning = "table: relief at those places",
-                    .use = Use((use::lives & ~unsigned{use::crown}) | use::fmu_bearing | use::lone_balance |
-                                   use::planet_stiffness,
+                    .use = Use((use::lives & ~unsigned{use::crown}) | use::fmu_bearing |
+                                   use::single_bearing_equilibrium | use::planet_stiffness,
                                use::bearings_as_springs | use::mesh)
                                .when(where("bearing.profile.kind", {"table"})),
                     .dimension = dimension::small_length,
@@ -101,22 +102,23 @@ void add_profile_shape(std::vector<Field>& fields) {
 
 // None has a default: a case without them is computed with whole contacts, as before there were laminae.
 void add_profile(std::vector<Field>& fields) {
-  fields.push_back({.path = "bearing.profile.kind",
-                    .kind = Kind::choice,
-                    .meaning = "profile of the rollers along their length; left out: straight",
-                    .use = Use(use::lives | use::fmu_bearing | use::lone_balance | use::planet_stiffness,
-                               use::bearings_as_springs | use::mesh),
-                    .choices = {"straight", "chamfer", "circular", "straight-circular", "lundberg",
-                                "johns-gohar", "iso16281", "fujiwara-kawase", "table"}});
-  fields.push_back(profile_length(
-      "bearing.profile.drop",
-      "relief of one roller at the outermost of 40 laminae; left out: what the "
-      "other entries of the profile give, else the relief of the profile of "
-      "ISO/TS 16281 there",
-      Use((use::lives & ~unsigned{use::crown}) | use::fmu_bearing | use::lone_balance | use::planet_stiffness,
-          use::crown | use::bearings_as_springs | use::mesh)  // crown varies it
-          .felt_too(use::crown, drop_beside_end_drop()),
-      dimension::small_length, 1000.0));
+  fields.push_back(
+      {.path = "bearing.profile.kind",
+       .kind = Kind::choice,
+       .meaning = "profile of the rollers along their length; left out: straight",
+       .use = Use(use::lives | use::fmu_bearing | use::single_bearing_equilibrium | use::planet_stiffness,
+                  use::bearings_as_springs | use::mesh),
+       .choices = {"straight", "chamfer", "circular", "straight-circular", "lundberg", "johns-gohar",
+                   "iso16281", "fujiwara-kawase", "table"}});
+  fields.push_back(profile_length("bearing.profile.drop",
+                                  "relief of one roller at the outermost of 40 laminae; left out: what the "
+                                  "other entries of the profile give, else the relief of the profile of "
+                                  "ISO/TS 16281 there",
+                                  Use((use::lives & ~unsigned{use::crown}) | use::fmu_bearing |
+                                          use::single_bearing_equilibrium | use::planet_stiffness,
+                                      use::crown | use::bearings_as_springs | use::mesh)  // crown varies it
+                                      .felt_too(use::crown, drop_beside_end_drop()),
+                                  dimension::small_length, 1000.0));
   add_profile_shape(fields);
 }
 
@@ -171,12 +173,12 @@ void add_bearing_fields(std::vector<Field>& fields) {
   fields.push_back({.path = "bearing.type",
                     .kind = Kind::choice,
                     .meaning = "kind of bearing",
-                    .use = Use(use::lives | use::bearings_as_springs | use::fmu_bearing | use::lone_balance |
-                                   use::planet_stiffness,
+                    .use = Use(use::lives | use::bearings_as_springs | use::fmu_bearing |
+                                   use::single_bearing_equilibrium | use::planet_stiffness,
                                use::mesh),
                     .required_by = with_rollers,
                     .choices = {"cylindrical-roller"}});
-  add_described(fields, usual_drivetrain());
+  add_described(fields, default_drivetrain());
   add_profile(fields);
   add_forms(fields);
 }

@@ -23,7 +23,7 @@ constexpr std::size_t largest_file =
 constexpr const char* file_path = "(file)";
 
 [[noreturn]] void refuse_file(const std::string& file, std::string found) {
-  throw_mistakes(file, {{Place{}, file_path, {std::move(found), "a readable case file is required"}}});
+  throw_mistakes(file, {{Location{}, file_path, {std::move(found), "a readable case file is required"}}});
 }
 
 std::string read_file(const std::string& file) {
@@ -49,12 +49,12 @@ std::optional<Entry> read_root(std::string_view text, std::vector<Mistake>& mist
     Entry root = read_yaml(text);
     if (root.shape == Entry::Shape::block) return root;
     const bool nothing = root.shape == Entry::Shape::nothing;
-    mistakes.push_back({root.place,
+    mistakes.push_back({root.location,
                         file_path,
                         {nothing ? "an empty file" : describe(root) + " found",
                          "keys and values, beginning with 'name: ...', are required"}});
   } catch (const YamlFault& fault) {
-    mistakes.push_back({fault.place, file_path, fault.complaint});
+    mistakes.push_back({fault.location, file_path, fault.message});
   }
   return std::nullopt;
 }
@@ -87,12 +87,12 @@ void blame_settings(std::vector<Mistake>& mistakes, const std::vector<Mistake>& 
                     std::size_t settings) {
   const auto is_of_file = [&](const Mistake& mistake) {
     return std::any_of(of_file_alone.begin(), of_file_alone.end(), [&](const Mistake& other) {
-      return other.path == mistake.path && other.complaint.found == mistake.complaint.found;
+      return other.path == mistake.path && other.message.found == mistake.message.found;
     });
   };
   for (Mistake& mistake : mistakes)
-    if (!mistake.place.option && mistake.place.file.empty() && !is_of_file(mistake))
-      mistake.place = {true, static_cast<int>(settings), 1};
+    if (!mistake.location.option && mistake.location.file.empty() && !is_of_file(mistake))
+      mistake.location = {true, static_cast<int>(settings), 1};
 }
 
 }  // namespace
@@ -105,8 +105,8 @@ ResolvedCase read_point(const std::string& file, const std::vector<std::string>&
   const ResolvedCase resolved = read_case(file, settings);
   std::vector<Mistake> mistakes;
   for (const SweepAxis& axis : resolved.axes())
-    if (axis.place.option)
-      mistakes.push_back({axis.place,
+    if (axis.location.option)
+      mistakes.push_back({axis.location,
                           "sweep." + axis.path,
                           {"a sweep for a command that computes one operating point",
                            "one value, as in --set " + axis.path +

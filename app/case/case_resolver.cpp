@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <set>
 
-#include "app/case/bought_case.hpp"
+#include "app/case/catalogue_case.hpp"
 #include "app/case/derived_defaults.hpp"
 #include "app/case/field_table.hpp"
 #include "app/case/given_by.hpp"
@@ -67,7 +67,7 @@ class Resolver {
     find_model();
     find_shape();
     read_block(root_, "");
-    if (model_ != no_model) fill_as_bought(data_, model_);
+    if (model_ != no_model) fill_from_catalogue(data_, model_);
     report_missing();
     fill_defaults();
     fill_derived_defaults(data_);
@@ -78,8 +78,8 @@ class Resolver {
   }
 
  private:
-  void object(Place place, const std::string& path, std::string found, std::string required) {
-    mistakes_.push_back({place, path, {std::move(found), std::move(required)}});
+  void add_error(Location location, const std::string& path, std::string found, std::string required) {
+    mistakes_.push_back({location, path, {std::move(found), std::move(required)}});
     faulty_.insert(path);
   }
 
@@ -108,21 +108,21 @@ class Resolver {
     }
     for (const char* key : {"gearset", "bearing"})
       if (const Member* own = find_member(root_, key); own != nullptr)
-        object(own->place.option ? own->place : (sets != nullptr ? sets : shafts)->place, key,
-               "the fields of one set beside 'sets' and 'shafts'",
-               "either gearset and bearing, or sets and shafts, are required");
+        add_error(own->location.option ? own->location : (sets != nullptr ? sets : shafts)->location, key,
+                  "the fields of one set beside 'sets' and 'shafts'",
+                  "either gearset and bearing, or sets and shafts, are required");
   }
 
   void read_block(const Entry& block, const std::string& prefix) {
     std::map<std::string, int> first_line;
     for (const Member& member : block.members) {
       const std::string path = prefix + member.key;
-      const auto [first, fresh] = first_line.emplace(member.key, member.place.line);
+      const auto [first, fresh] = first_line.emplace(member.key, member.location.line);
       if (!fresh)
-        object(member.place, path,
-               member.place.option ? "duplicate key"
-                                   : fmt::format("duplicate key, first on line {}", first->second),
-               "each key once is required");
+        add_error(member.location, path,
+                  member.location.option ? "duplicate key"
+                                         : fmt::format("duplicate key, first on line {}", first->second),
+                  "each key once is required");
       else if (prefix.empty() &&
                (member.key == "sweep" || member.key == "uncertain" || member.key == "assumed"))
         require_block(member, path, "field paths");
@@ -136,23 +136,23 @@ class Resolver {
   // The blocks `sets` and `shafts`, whose keys are names of the user's.
   void read_named(const Member& block) {
     const bool sets = block.key == "sets";
-    block_places_[block.key] = block.place;
+    block_locations_[block.key] = block.location;
     if (!require_block(block, block.key, sets ? "names of sets" : "names of shafts")) return;
     std::vector<std::string>& names = sets ? data_.shape.sets : data_.shape.shafts;
     for (const Member& member : block.value.members) {
       const std::string path = block.key + "." + member.key;
       if (!is_name(member.key)) {
-        object(member.place, path, "the name " + quote(member.key), name_rule);
+        add_error(member.location, path, "the name " + quote(member.key), name_rule);
       } else if (std::find(names.begin(), names.end(), member.key) != names.end()) {
-        object(member.place, path, "duplicate key", "each key once is required");
+        add_error(member.location, path, "duplicate key", "each key once is required");
       } else {
         names.push_back(member.key);
         read_member(member, path, block.key + ".");
       }
     }
     if (names.size() > (sets ? most_sets : 3 * most_sets))
-      object(block.place, block.key, fmt::format("{} {}", names.size(), block.key),
-             fmt::format("at most {} are required", sets ? most_sets : 3 * most_sets));
+      add_error(block.location, block.key, fmt::format("{} {}", names.size(), block.key),
+                fmt::format("at most {} are required", sets ? most_sets : 3 * most_sets));
   }
 
   void read_member(const Member& member, const std::string& path, const std::string& prefix) {
@@ -163,14 +163,14 @@ class Resolver {
     if (field != nullptr && !dotted) {
       read_value(member, path, *field);
     } else if (!dotted && !keys.empty()) {
-      block_places_[path] = member.place;
+      block_locations_[path] = member.location;
       if (require_block(member, path, fmt::format("{}", fmt::join(keys, ", "))))
         read_block(member.value, path + ".");
     } else if (!dotted && of_block != nullptr && !is_faulty(path)) {
       const auto [found, required] = unused_field(data_.shape, of_block->path);
-      object(member.place, path, "the block " + quote(member.key) + ", " + found, required);
+      add_error(member.location, path, "the block " + quote(member.key) + ", " + found, required);
     } else if (!is_faulty(path)) {
-      object(member.place, path, "unknown key", key_hint(member.key, prefix, data_.shape));
+      add_error(member.location, path, "unknown key", key_hint(member.key, prefix, data_.shape));
     }
   }
 
@@ -185,21 +185,21 @@ class Resolver {
 
   bool require_block(const Member& member, const std::string& path, const std::string& keys) {
     if (member.value.shape == Entry::Shape::block) return true;
-    object(member.value.place, path, describe(member.value) + " found",
-           "a block with keys (" + keys + ") is required");
+    add_error(member.value.location, path, describe(member.value) + " found",
+              "a block with keys (" + keys + ") is required");
     return false;
   }
 
   void read_value(const Member& member, const std::string& path, const Field& field) {
     if ((field.models & allowed_) == 0) {
-      object(member.place, path, fmt::format("a field that {} does not use", model_name(model_)),
-             "a case without it is required");
+      add_error(member.location, path, fmt::format("a field that {} does not use", model_name(model_)),
+                "a case without it is required");
       return;
     }
     if (!belongs(data_.shape, path)) {
       if (is_faulty(path)) return;
       const auto [found, required] = unused_field(data_.shape, path);
-      object(member.place, path, found, required);
+      add_error(member.location, path, found, required);
       return;
     }
     const std::size_t before = mistakes_.size();
@@ -212,13 +212,13 @@ class Resolver {
     }
     FieldReading reading = read_field(field, value);
     if (!reading.good) {
-      object(reading.place.value_or(member.value.place), path, reading.complaint.found,
-             reading.complaint.required);
+      add_error(reading.location.value_or(member.value.location), path, reading.message.found,
+                reading.message.required);
       return;
     }
     StoredValue& stored = data_.values[path];
-    stored = {std::move(reading.value), member.value.place, false};
-    for (const Entry& item : member.value.items) stored.item_places.push_back(item.place);
+    stored = {std::move(reading.value), member.value.location, false};
+    for (const Entry& item : member.value.items) stored.item_locations.push_back(item.location);
   }
 
   bool is_faulty(std::string path) const {
@@ -230,10 +230,11 @@ class Resolver {
     return true;
   }
 
-  Place nearest_block(std::string path) const {
+  Location nearest_block(std::string path) const {
     for (auto dot = path.rfind('.'); dot != std::string::npos; dot = path.rfind('.')) {
       path.resize(dot);
-      if (const auto found = block_places_.find(path); found != block_places_.end()) return found->second;
+      if (const auto found = block_locations_.find(path); found != block_locations_.end())
+        return found->second;
     }
     return {};
   }
@@ -281,21 +282,21 @@ class Resolver {
   bool is_of_missing_bearing(const Input& input) const {
     const std::size_t prefix = set_prefix_length(input.path);
     return prefix > 0 && input.field->path.starts_with("bearing.") &&
-           !block_places_.contains(input.path.substr(0, prefix) + "bearing");
+           !block_locations_.contains(input.path.substr(0, prefix) + "bearing");
   }
 
   void report_missing() {
     for (const Input& input : inputs_of(every_model, data_.shape))
       if (is_needed(input) && !data_.values.contains(input.path) && !is_faulty(input.path) &&
           !is_of_faulty_giver(input))
-        object(nearest_block(input.path), input.path, "missing",
-               requirement(*input.field) + " is required" + in_its_place(input));
+        add_error(nearest_block(input.path), input.path, "missing",
+                  requirement(*input.field) + " is required" + in_its_place(input));
     if (!data_.shape.several) return;
     for (const char* key : {"sets", "shafts"})
       if (is_nothing(key) && !is_faulty(key))
-        object(nearest_block(std::string(key) + "."), key, "missing",
-               "sets: {NAME: {gearset: ..., bearing: ...}} and shafts: {NAME: [motor, SET.sun], ...} are "
-               "required");
+        add_error(nearest_block(std::string(key) + "."), key, "missing",
+                  "sets: {NAME: {gearset: ..., bearing: ...}} and shafts: {NAME: [motor, SET.sun], ...} are "
+                  "required");
   }
 
   bool is_nothing(const std::string& key) const {
@@ -304,7 +305,7 @@ class Resolver {
 
   bool has_bearing(const std::string& path) const {
     const std::size_t prefix = set_prefix_length(path);
-    return prefix == 0 ? data_.shape.bearing : block_places_.contains(path.substr(0, prefix) + "bearing");
+    return prefix == 0 ? data_.shape.bearing : block_locations_.contains(path.substr(0, prefix) + "bearing");
   }
 
   void fill_defaults() {
@@ -325,7 +326,7 @@ class Resolver {
       if (seen.insert(member.key).second)
         read_reason(member);
       else
-        object(member.place, "assumed." + member.key, "duplicate key", "each key once is required");
+        add_error(member.location, "assumed." + member.key, "duplicate key", "each key once is required");
     }
   }
 
@@ -335,17 +336,17 @@ class Resolver {
     const auto value = data_.values.find(member.key);
     if (value == data_.values.end()) {
       if (!is_faulty(member.key))
-        object(member.place, path, unknown_assumption(member.key), assumption_hint(member.key));
+        add_error(member.location, path, unknown_assumption(member.key), assumption_hint(member.key));
       return;
     }
     if (reason.shape != Entry::Shape::scalar ||
         reason.text.find_first_not_of(" \t\r\n") == std::string::npos) {
-      object(reason.place, path, describe(reason) + " found",
-             "the reason for the value, as a text, is required");
+      add_error(reason.location, path, describe(reason) + " found",
+                "the reason for the value, as a text, is required");
       return;
     }
     // A value put in its place by an option is no longer the one that the file gives reasons for.
-    if (value->second.place.option && !reason.place.option) return;
+    if (value->second.location.option && !reason.location.option) return;
     if (!value->second.replaced.empty()) return;  // nor is one that another input replaced
     data_.assumed[member.key] = reason.text;
   }
@@ -366,8 +367,8 @@ class Resolver {
   void read_sweep() {
     const Member* sweep = find_member(root_, "sweep");
     if (sweep != nullptr && model_ != no_model && model_ != planetary_drivetrain) {
-      object(sweep->place, "sweep", fmt::format("a sweep of a {}", model_name(model_)),
-             "a case without it is required; planetary-drivetrain is the model that is swept");
+      add_error(sweep->location, "sweep", fmt::format("a sweep of a {}", model_name(model_)),
+                "a case without it is required; planetary-drivetrain is the model that is swept");
       return;
     }
     if (sweep != nullptr && sweep->value.shape == Entry::Shape::block)
@@ -389,7 +390,7 @@ class Resolver {
   Model model_ = no_model;
   unsigned allowed_ = every_model;
   std::set<std::string> faulty_;
-  std::map<std::string, Place> block_places_;
+  std::map<std::string, Location> block_locations_;
 };
 
 }  // namespace

@@ -43,7 +43,7 @@ void find_parts(const Entry& root, CaseShape& shape) {
   shape.teeth = shape.bearing || !states("dynamics") || states("teeth");
 }
 
-Complaint unused_field(const CaseShape& shape, std::string_view path) {
+ConsistencyMessage unused_field(const CaseShape& shape, std::string_view path) {
   const Field* field = find_field(path);
   if (field != nullptr && is_of_defect(*field) && (shape.several || shape.bearing))
     return {"a field that a drivetrain uses where one of its bearings is scratched",

@@ -41,7 +41,7 @@ inline constexpr std::size_t most_sets = 16;
 void find_parts(const Entry& root, CaseShape& shape);
 
 /// What is said of a field for which a case of that shape has no place: what was found, what is required.
-Complaint unused_field(const CaseShape& shape, std::string_view path);
+ConsistencyMessage unused_field(const CaseShape& shape, std::string_view path);
 
 /// "sets.NAME." and "shafts.NAME".
 std::string set_prefix(std::string_view set);

@@ -16,23 +16,23 @@ namespace orbearing::app {
 namespace {
 
 // The field at a path that may be set; else null, and why.
-const Field* settable_field(const CaseData& data, unsigned model, const std::string& path, Place place,
+const Field* settable_field(const CaseData& data, unsigned model, const std::string& path, Location location,
                             std::vector<Mistake>& mistakes) {
   const Field* field = find_field(path);
   if (field != nullptr && (field->models & model) != 0 && path != "model" && belongs(data.shape, path))
     return field;
   mistakes.push_back(
-      {place, path, {"a path that cannot be set here", "the path of a value of this case is required"}});
+      {location, path, {"a path that cannot be set here", "the path of a value of this case is required"}});
   return nullptr;
 }
 
-void put(CaseData& data, const std::string& path, FieldReading reading, Place place,
+void put(CaseData& data, const std::string& path, FieldReading reading, Location location,
          std::vector<Mistake>& mistakes) {
   if (!reading.good) {
-    mistakes.push_back({place, path, reading.complaint});
+    mistakes.push_back({location, path, reading.message});
     return;
   }
-  data.values[path] = {std::move(reading.value), place, false};
+  data.values[path] = {std::move(reading.value), location, false};
   data.assumed.erase(path);
 }
 
@@ -49,12 +49,12 @@ std::optional<std::pair<std::string, std::size_t>> element_of(const std::string&
 
 // One number of a list, which is checked anew as a whole.
 void replace_element(CaseData& data, const Field& field, const std::string& path, std::size_t element,
-                     double value, Place place, std::vector<Mistake>& mistakes) {
+                     double value, Location location, std::vector<Mistake>& mistakes) {
   const auto stored = data.values.find(path);
   const std::size_t count = stored == data.values.end() ? 0 : stored->second.value.list.size();
   if (field.kind != Kind::list || !field.columns.empty() || element >= count) {
     mistakes.push_back(
-        {place,
+        {location,
          path,
          {fmt::format("element {} of {}", element, count),
           "an element of a list of numbers that the case states, counted from 0, is required"}});
@@ -62,26 +62,26 @@ void replace_element(CaseData& data, const Field& field, const std::string& path
   }
   std::vector<double> list = stored->second.value.list;
   list[element] = value;
-  Entry entry = make_entry(Entry::Shape::list, place);
+  Entry entry = make_entry(Entry::Shape::list, location);
   for (const double one : list)
     entry.items.push_back(make_scalar(fmt::format("{} {}", one, field.dimension.si)));
-  put(data, path, read_field(field, entry), place, mistakes);
+  put(data, path, read_field(field, entry), location, mistakes);
 }
 
-void replace(CaseData& data, unsigned model, const Setting& setting, Place place,
+void replace(CaseData& data, unsigned model, const Setting& setting, Location location,
              std::vector<Mistake>& mistakes) {
   const auto element = setting.number ? element_of(setting.path) : std::nullopt;
   const std::string& path = element ? element->first : setting.path;
-  const Field* field = settable_field(data, model, path, place, mistakes);
+  const Field* field = settable_field(data, model, path, location, mistakes);
   if (field == nullptr) return;
   if (element)
-    replace_element(data, *field, path, element->second, *setting.number, place, mistakes);
+    replace_element(data, *field, path, element->second, *setting.number, location, mistakes);
   else if (!setting.number)
-    put(data, path, read_field_text(*field, setting.text), place, mistakes);
+    put(data, path, read_field_text(*field, setting.text), location, mistakes);
   else if (is_numeric(*field))
-    put(data, path, read_field_number(*field, *setting.number, setting.text), place, mistakes);
+    put(data, path, read_field_number(*field, *setting.number, setting.text), location, mistakes);
   else
-    mistakes.push_back({place, path, {"a number", requirement(*field) + " is required"}});
+    mistakes.push_back({location, path, {"a number", requirement(*field) + " is required"}});
 }
 
 }  // namespace

@@ -17,11 +17,11 @@ struct Row {
   std::string path;
   std::string value;
   std::string unit;
-  std::string standing;  // given, assumed or derived
+  std::string status;    // given, assumed or derived
   std::string remark;    // reason or meaning
 };
 
-std::string standing(const ResolvedCase& resolved, const std::string& path) {
+std::string status(const ResolvedCase& resolved, const std::string& path) {
   return resolved.assumed().contains(path) ? "assumed" : "given";
 }
 
@@ -33,7 +33,7 @@ std::string reason(const ResolvedCase& resolved, const std::string& path) {
 
 Row input_row(const ResolvedCase& resolved, const Input& input) {
   const auto& [path, field] = input;
-  Row row{path, resolved.given(path), "", standing(resolved, path), reason(resolved, path)};
+  Row row{path, resolved.given(path), "", status(resolved, path), reason(resolved, path)};
   if (field->kind == Kind::quantity) {
     row.unit = split_quantity(row.value).value->unit;
     row.value.resize(row.value.rfind(row.unit));
@@ -63,7 +63,7 @@ std::vector<Row> all_rows(const ResolvedCase& resolved, const std::vector<Derive
 std::string line(const Row& row, const std::array<std::size_t, 4>& widths) {
   std::string text =
       fmt::format("{:{}}  {:{}}  {:{}}  {:{}}  {}", printable(row.path), widths[0], printable(row.value),
-                  widths[1], printable(row.unit), widths[2], row.standing, widths[3], printable(row.remark));
+                  widths[1], printable(row.unit), widths[2], row.status, widths[3], printable(row.remark));
   text.erase(text.find_last_not_of(' ') + 1);
   return text + "\n";
 }
@@ -110,9 +110,9 @@ nlohmann::json input_json(const ResolvedCase& resolved, const Input& input) {
   const auto& [path, field] = input;
   nlohmann::json used_by = nlohmann::json::array(), not_felt_by = nlohmann::json::array();
   for (const use::Analysis analysis : analyses_of(resolved)) {
-    const Standing standing = standing_in_row(resolved, input, analysis);
-    if (standing == Standing::used) used_by.push_back(analysis_name(analysis));
-    if (standing == Standing::unfelt) not_felt_by.push_back(analysis_name(analysis));
+    const UseStatus status = use_status_in_row(resolved, input, analysis);
+    if (status == UseStatus::used) used_by.push_back(analysis_name(analysis));
+    if (status == UseStatus::unfelt) not_felt_by.push_back(analysis_name(analysis));
   }
   return {{"path", path},
           {"used_by", used_by},
@@ -120,7 +120,7 @@ nlohmann::json input_json(const ResolvedCase& resolved, const Input& input) {
           {"value", value_json(resolved, input)},
           {"unit", field->dimension.si.empty() ? "1" : std::string(field->dimension.si)},
           {"given", resolved.given(path)},
-          {"standing", standing(resolved, path)},
+          {"standing", status(resolved, path)},
           {"reason", reason(resolved, path)},
           {"origin", resolved.origin(path)}};
 }
@@ -131,7 +131,7 @@ std::string unfelt_text(const ResolvedCase& resolved) {
   for (const use::Analysis analysis : analyses_of(resolved)) {
     std::string line;
     for (const Input& input : resolved.inputs())
-      if (resolved.has(input.path) && standing_of(resolved, input, analysis) == Standing::unfelt)
+      if (resolved.has(input.path) && use_status_of(resolved, input, analysis) == UseStatus::unfelt)
         line += (line.empty() ? "" : ", ") + input.path;
     if (!line.empty()) text += fmt::format("not felt, by nature, by {}: {}\n", analysis_name(analysis), line);
   }
@@ -148,7 +148,7 @@ std::string check_table(const ResolvedCase& resolved, const std::vector<Derived>
   std::array<std::size_t, 4> widths{};
   for (const Row& row : rows) {
     const std::array<std::size_t, 4> lengths{row.path.size(), row.value.size(), row.unit.size(),
-                                             row.standing.size()};
+                                             row.status.size()};
     for (std::size_t i = 0; i < widths.size(); ++i)
       widths[i] = std::max(widths[i], std::min(lengths[i], widest[i]));
   }

@@ -7,11 +7,11 @@
 #include <optional>
 
 #include "app/case/arrangement_case.hpp"
-#include "app/case/bought_case.hpp"
+#include "app/case/case_errors.hpp"
+#include "app/case/catalogue_case.hpp"
 #include "app/case/defect_case.hpp"
 #include "app/case/duplex_case.hpp"
 #include "app/case/field_table.hpp"
-#include "app/case/objection.hpp"
 #include "app/case/oil_case.hpp"
 #include "app/case/pair_case.hpp"
 #include "app/case/profile_case.hpp"
@@ -41,8 +41,8 @@ class Checker {
   int count(const char* path) const { return resolved_.integer(path); }
   const std::string& choice(const char* path) const { return resolved_.choice(path); }
 
-  void object(const std::string& path, std::string found, std::string required) {
-    mistakes_.push_back({place_of(path), path, {std::move(found), std::move(required)}});
+  void add_error(const std::string& path, std::string found, std::string required) {
+    mistakes_.push_back({location_of(path), path, {std::move(found), std::move(required)}});
   }
 
   /// `low` must be less than `high`, or may equal it; the objection goes to `path`.
@@ -50,17 +50,18 @@ class Checker {
     // Sums of lengths that fill a space exactly may miss it by rounding.
     constexpr double rounding = 1e-12;  // [m]
     if (may_equal ? low <= high + rounding : low < high) return;
-    object(path, quote(resolved_.given(path)) + " does not fit",
-           fmt::format("{} ({:.4g} mm) {} {:.4g} mm is required", requirement, 1e3 * low,
-                       may_equal ? "of at most" : "less than", 1e3 * high));
+    add_error(path, quote(resolved_.given(path)) + " does not fit",
+              fmt::format("{} ({:.4g} mm) {} {:.4g} mm is required", requirement, 1e3 * low,
+                          may_equal ? "of at most" : "less than", 1e3 * high));
   }
 
  private:
   // Of a value, or of the first value in a block.
-  Place place_of(const std::string& path) const {
-    if (resolved_.has(path)) return resolved_.place(path);
+  Location location_of(const std::string& path) const {
+    if (resolved_.has(path)) return resolved_.location(path);
     for (const Field& field : all_fields())
-      if (field.path.starts_with(path + ".") && resolved_.has(field.path)) return resolved_.place(field.path);
+      if (field.path.starts_with(path + ".") && resolved_.has(field.path))
+        return resolved_.location(field.path);
     return {};
   }
 
@@ -70,24 +71,24 @@ class Checker {
 
 void check_traction(Checker& check) {
   if (!check.has({"bearing.rollers", "traction.law"}) || check.choice("traction.law") != "ree-eyring") return;
-  check.object("traction.law", "'ree-eyring', a law of balls",
-               "regularised-coulomb or limiting-shear is required for rollers");
+  check.add_error("traction.law", "'ree-eyring', a law of balls",
+                  "regularised-coulomb or limiting-shear is required for rollers");
 }
 
 void check_members(Checker& check) {
   if (!check.has({"input.member", "gearset.fixed"})) return;
   if (check.choice("input.member") != check.choice("gearset.fixed")) return;
-  check.object("input.member",
-               fmt::format("'{}' is the fixed member (gearset.fixed)", check.choice("input.member")),
-               "a member that turns is required");
+  check.add_error("input.member",
+                  fmt::format("'{}' is the fixed member (gearset.fixed)", check.choice("input.member")),
+                  "a member that turns is required");
 }
 
 // The checks of the gears give "what was found; what is required" and a key.
-void object_all(Checker& check, const ResolvedCase& resolved, const gearset::Warnings& problems) {
+void add_errors(Checker& check, const ResolvedCase& resolved, const gearset::Warnings& problems) {
   for (const gearset::Warning& problem : problems) {
     const auto split = problem.text.find("; ");  // found; required
-    check.object(place_in_case(resolved, problem.place), problem.text.substr(0, split),
-                 problem.text.substr(split + 2));
+    check.add_error(location_in_case(resolved, problem.key), problem.text.substr(0, split),
+                    problem.text.substr(split + 2));
   }
 }
 
@@ -106,15 +107,15 @@ void check_gears(Checker& check, const ResolvedCase& resolved, std::vector<Mista
       (has_bearing(resolved) && !check.has({"bearing.outside_diameter"})))
     return;
   const gearset::Warnings problems = gearset::assembly_problems(set_of(resolved));
-  object_all(check, resolved, problems);
+  add_errors(check, resolved, problems);
   if (problems.empty()) check_stated_geometry(resolved, mistakes);
 }
 
 bool two_values(Checker& check, const ResolvedCase& resolved, const char* path) {
   const std::size_t count = resolved.list(path).size();
   if (count == 2) return true;
-  check.object(path, fmt::format("a list of {}", count),
-               "two values, of the driving and the driven gear, are required");
+  check.add_error(path, fmt::format("a list of {}", count),
+                  "two values, of the driving and the driven gear, are required");
   return false;
 }
 
@@ -125,8 +126,8 @@ void check_parallel_stages(Checker& check, const ResolvedCase& resolved) {
       const std::vector<double>& teeth = resolved.list(path);
       const bool none = teeth[0] == 1.0 && teeth[1] == 1.0;
       if (!none && (teeth[0] < least || teeth[1] < least))
-        check.object(path, fmt::format("{:g} and {:g} teeth", teeth[0], teeth[1]),
-                     "at least 5 of each gear, or [1, 1] for no stage, are required");
+        check.add_error(path, fmt::format("{:g} and {:g} teeth", teeth[0], teeth[1]),
+                        "at least 5 of each gear, or [1, 1] for no stage, are required");
     }
 }
 
@@ -137,7 +138,7 @@ void check_pair(Checker& check, const ResolvedCase& resolved) {
     return;
   const bool teeth = two_values(check, resolved, "pair.teeth");
   const bool shifts = two_values(check, resolved, "pair.profile_shift");
-  if (teeth && shifts) object_all(check, resolved, gearset::pair_problems(pair_of(resolved)));
+  if (teeth && shifts) add_errors(check, resolved, gearset::pair_problems(pair_of(resolved)));
 }
 
 // Errors are listed pin by pin, and over a mesh period at more than one place.
@@ -147,18 +148,18 @@ void check_error_lists(Checker& check, const ResolvedCase& resolved) {
     const std::size_t count = resolved.list(path).size();
     const auto planets = static_cast<std::size_t>(check.count("gearset.planets"));
     if (count != planets)
-      check.object(path, fmt::format("a list of {}", count),
-                   fmt::format("one value for each of the {} planets is required", planets));
+      check.add_error(path, fmt::format("a list of {}", count),
+                      fmt::format("one value for each of the {} planets is required", planets));
   }
   if (check.has({"gearset.planet_angles", "gearset.planets"}) && !resolved.shape().teeth)
-    object_all(check, resolved,
-               gearset::place_problems({.planets = check.count("gearset.planets"),
-                                        .planet_angles = resolved.list("gearset.planet_angles")}));
+    add_errors(check, resolved,
+               gearset::position_problems({.planets = check.count("gearset.planets"),
+                                           .planet_angles = resolved.list("gearset.planet_angles")}));
   for (const char* path :
        {"gearset.dynamics.transmission_error.sun", "gearset.dynamics.transmission_error.ring"})
     if (check.has({path}) && resolved.list(path).size() < 3)
-      check.object(path, fmt::format("a list of {}", resolved.list(path).size()),
-                   "at least three values, at equal steps of a mesh period, are required");
+      check.add_error(path, fmt::format("a list of {}", resolved.list(path).size()),
+                      "at least three values, at equal steps of a mesh period, are required");
 }
 
 void check_roller_circle(Checker& check, const ResolvedCase& resolved) {
@@ -168,7 +169,7 @@ void check_roller_circle(Checker& check, const ResolvedCase& resolved) {
       check.length("bearing.pitch_diameter") * std::sin(constants::pi / rollers);  // [m]
   const double diameter = check.length("bearing.roller_diameter");                                     // [m]
   if (diameter >= spacing) {
-    check.object(
+    check.add_error(
         "bearing.rollers", fmt::format("{} rollers do not fit around the pitch circle", rollers),
         fmt::format("a roller diameter ({:.4g} mm) less than the distance of their centres, {:.4g} mm, is "
                     "required; take fewer or thinner rollers",
@@ -258,8 +259,8 @@ void check_whole_cage(Checker& check, const ResolvedCase& resolved) {
     if (!resolved.has(part) && missing.empty()) missing = part;
   }
   if (any && !missing.empty())
-    check.object("bearing.cage", fmt::format("a cage without '{}'", missing),
-                 "diameters, width and density, or no cage, are required");
+    check.add_error("bearing.cage", fmt::format("a cage without '{}'", missing),
+                    "diameters, width and density, or no cage, are required");
 }
 
 // A contact is an ellipse or a line; a line is solved and does not spin.
@@ -270,21 +271,21 @@ void check_contact(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
       return mistake.path == "contact.ellipticity";
     });
     if (!in.has("contact.ellipticity") && !reported)
-      mistakes.push_back({in.place("model"),
+      mistakes.push_back({in.location("model"),
                           "contact.ellipticity",
                           {"neither an ellipse nor a line",
                            "contact.ellipticity, or contact.length of a line contact, is required"}});
     return;
   }
   if (in.choice("film.solver") != "reynolds")
-    object_to(in, "contact.length", "a line contact beside film.solver: " + in.choice("film.solver"),
-              "film.solver: reynolds is required: the regressions know ellipses alone", mistakes);
+    add_error_at(in, "contact.length", "a line contact beside film.solver: " + in.choice("film.solver"),
+                 "film.solver: reynolds is required: the regressions know ellipses alone", mistakes);
   if (!in.has("points")) return;
   const std::vector<double>& rows = in.list("points");
   for (std::size_t i = 2; i < rows.size(); i += 3)
     if (rows[i] != 0.0) {
-      object_to(in, "points", "a line contact that spins", "no spin is required beside contact.length",
-                mistakes);
+      add_error_at(in, "points", "a line contact that spins", "no spin is required beside contact.length",
+                   mistakes);
       return;
     }
 }
@@ -304,7 +305,7 @@ void check_one_set(const ResolvedCase& resolved, std::vector<Mistake>& mistakes)
     check_guide_land(check);
   }
   check_widths(check);
-  check_as_bought(resolved, mistakes);
+  check_catalogue_bearing(resolved, mistakes);
   check_refinements(resolved, mistakes);
   check_profile(resolved, mistakes);
   check_static_bearing(resolved, mistakes);
@@ -323,7 +324,7 @@ void check_multi_stage(const ResolvedCase& resolved, std::vector<Mistake>& mista
     // Both follow from gears that can move: those of one set.
     const auto needs_one_set = [&](const std::string& path, const std::string& found,
                                    const std::string& required) {
-      of_set.push_back({one.place(path),
+      of_set.push_back({one.location(path),
                         path,
                         {found + " in one of several sets",
                          required + ", or one set, as gearset at the top of a case, are required"}});

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
+#include "app/case/case_errors.hpp"
 #include "app/case/described_case.hpp"
-#include "app/case/objection.hpp"
 #include "app/errors.hpp"
 #include "bearing/geometry.hpp"
 #include "mechanics/constants.hpp"
@@ -18,8 +18,8 @@ namespace {
 void check_scratch_profile(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   if (in.choice("defect.form") != "profile" || (in.has("defect.profile") && in.list("defect.profile").size() >= 3))
     return;
-  object_to(in, "defect.form", "'profile' without three depths in defect.profile",
-            "at least three, at even places from edge to edge, are required", mistakes);
+  add_error_at(in, "defect.form", "'profile' without three depths in defect.profile",
+               "at least three, at even places from edge to edge, are required", mistakes);
 }
 
 // What is stated of the scratch itself; `element` is a ball or a roller.
@@ -28,16 +28,17 @@ void check_scratch(const ResolvedCase& in, const char* element, std::vector<Mist
   check_scratch_profile(in, mistakes);
   for (const char* path : {"defect.width", "defect.depth"})
     if (!in.has(path))
-      object_to(in, "defect.race", fmt::format("'{}' without {}", in.choice("defect.race"), path),
-                "width and depth of the scratch, or none, are required", mistakes);
+      add_error_at(in, "defect.race", fmt::format("'{}' without {}", in.choice("defect.race"), path),
+                   "width and depth of the scratch, or none, are required", mistakes);
   const std::string diameter = fmt::format("bearing.{}_diameter", element);
   if (!in.has("defect.width") || !in.has(diameter)) return;
   // An element on a wider one would fall to where it touches nothing that eq. 4 knows; two share none.
   const double widest = 0.5 * in.quantity(diameter);
   if (in.quantity("defect.width") > widest)
-    object_to(in, "defect.width",
-              fmt::format("{} for {}s that sink between its edges", in.given("defect.width"), element),
-              fmt::format("at most half a {} diameter, {:.4g} mm, is required", element, 1e3 * widest), mistakes);
+    add_error_at(in, "defect.width",
+                 fmt::format("{} for {}s that sink between its edges", in.given("defect.width"), element),
+                 fmt::format("at most half a {} diameter, {:.4g} mm, is required", element, 1e3 * widest),
+                 mistakes);
 }
 
 void check_band(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
@@ -45,15 +46,15 @@ void check_band(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   const std::vector<double> band = in.list("signal.band");
   const double highest = 0.5 * in.quantity("signal.sampling_rate");
   if (band.size() != 2 || !(band[0] < band[1]) || band[1] > highest)
-    object_to(in, "signal.band", in.given("signal.band"),
-              fmt::format("its lower and upper end, at most {:.4g} Hz, are required", highest), mistakes);
+    add_error_at(in, "signal.band", in.given("signal.band"),
+                 fmt::format("its lower and upper end, at most {:.4g} Hz, are required", highest), mistakes);
 }
 
 void check_signal(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   if (in.has("operation.shaft_speed") && in.quantity("operation.shaft_speed") == 0.0)
-    object_to(in, "operation.shaft_speed", "a shaft that stands", "a speed is required", mistakes);
+    add_error_at(in, "operation.shaft_speed", "a shaft that stands", "a speed is required", mistakes);
   if (in.has("load.radial") && !(in.quantity("load.radial") > 0.0))
-    object_to(in, "load.radial", "no load", "a radial load greater than 0 N is required", mistakes);
+    add_error_at(in, "load.radial", "no load", "a radial load greater than 0 N is required", mistakes);
   if (!has_all(in, {"signal.sampling_rate", "signal.revolutions", "operation.shaft_speed"})) return;
   const double turns = std::abs(in.quantity("operation.shaft_speed")) / constants::two_pi;
   const double rate = in.quantity("signal.sampling_rate");
@@ -62,35 +63,37 @@ void check_signal(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
       rate / turns * (in.number("signal.revolutions") + in.number("signal.settling_revolutions"));
   constexpr double most = 1e7;
   if (samples > most)
-    object_to(in, "signal.sampling_rate", fmt::format("{:.3g} samples in all", samples),
-              fmt::format("at most {:.0g}, by a lower rate or fewer revolutions, are required", most),
-              mistakes);
+    add_error_at(in, "signal.sampling_rate", fmt::format("{:.3g} samples in all", samples),
+                 fmt::format("at most {:.0g}, by a lower rate or fewer revolutions, are required", most),
+                 mistakes);
   if (rate < 100.0 * turns)
-    object_to(in, "signal.sampling_rate",
-              fmt::format("{} at {:.4g} revolutions a second", in.given("signal.sampling_rate"), turns),
-              fmt::format("at least 100 samples a revolution, {:.4g} Hz, are required", 100.0 * turns),
-              mistakes);
+    add_error_at(in, "signal.sampling_rate",
+                 fmt::format("{} at {:.4g} revolutions a second", in.given("signal.sampling_rate"), turns),
+                 fmt::format("at least 100 samples a revolution, {:.4g} Hz, are required", 100.0 * turns),
+                 mistakes);
   check_band(in, mistakes);
 }
 
 void check_planet_surface(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   if (!in.has("defect.race")) return;
   if (in.choice("defect.race") == "ball")
-    object_to(in, "defect.race", "'ball' in a bearing of rollers", "outer, inner, roller or none is required", mistakes);
+    add_error_at(in, "defect.race", "'ball' in a bearing of rollers",
+                 "outer, inner, roller or none is required", mistakes);
   if (in.choice("defect.race") == "none") return;
   check_scratch(in, "roller", mistakes);
   if (in.choice("defect.form") == "as-printed")
-    object_to(in, "defect.form", "'as-printed', which jumps at both edges",
-              "a continuous form is required where all of the bearing moves", mistakes);
+    add_error_at(in, "defect.form", "'as-printed', which jumps at both edges",
+                 "a continuous form is required where all of the bearing moves", mistakes);
   if (in.has("defect.also") && in.choice("defect.also") == "ball")
-    object_to(in, "defect.also", "'ball' in a bearing of rollers", "outer, inner, roller or none is required", mistakes);
+    add_error_at(in, "defect.also", "'ball' in a bearing of rollers",
+                 "outer, inner, roller or none is required", mistakes);
 }
 
-void check_place(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
+void check_location(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   const auto at_most = [&](const char* path, const char* count) {
     if (has_all(in, {path, count}) && in.integer(path) > in.integer(count))
-      object_to(in, path, in.given(path), fmt::format("at most {} ({}) is required", in.integer(count), count),
-                mistakes);
+      add_error_at(in, path, in.given(path),
+                   fmt::format("at most {} ({}) is required", in.integer(count), count), mistakes);
   };
   at_most("defect.planet", "gearset.planets");
   at_most("defect.bearing", "bearing.per_planet");
@@ -145,16 +148,16 @@ void check_defect(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
     if (!in.has("defect.race"))
       mistakes.push_back({{}, "defect.race", {"a block defect without it", "outer, inner, roller or none is required"}});
     check_planet_surface(in, mistakes);
-    check_place(in, mistakes);
+    check_location(in, mistakes);
     return;
   }
-  if ((in.model() & described::lone_scratched) == 0) return;
+  if ((in.model() & described::single_scratched) == 0) return;
   const bool rollers = in.model() == roller_defect;
   const char* const own = rollers ? "roller" : "ball";
   const char* const other = rollers ? "ball" : "roller";
   if (in.has("defect.race") && in.choice("defect.race") == other)
-    object_to(in, "defect.race", fmt::format("'{}' in a bearing of {}s", other, own),
-              fmt::format("outer, inner, {} or none is required", own), mistakes);
+    add_error_at(in, "defect.race", fmt::format("'{}' in a bearing of {}s", other, own),
+                 fmt::format("outer, inner, {} or none is required", own), mistakes);
   check_scratch(in, own, mistakes);
   check_signal(in, mistakes);
 }

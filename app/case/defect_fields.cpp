@@ -11,7 +11,7 @@ void add_defect_fields(std::vector<Field>& fields) {
   add_described(fields, bearing::defect::VibratingRing{});
   add_described(fields, bearing::defect::Scratch{});
   add_described(fields, study::Sampling{});
-  add_described(fields, study::ScratchedPlace{});
+  add_described(fields, study::ScratchedPosition{});
   add_described(fields, study::PlanetSampling{});
   fields.push_back({.path = "signal.band",
                     .kind = Kind::list,

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <optional>
 
-#include "app/case/bought_case.hpp"
+#include "app/case/catalogue_case.hpp"
 #include "app/case/field_table.hpp"
 #include "app/case/oil_case.hpp"
 #include "app/case/settings.hpp"
-#include "bearing/usual_design.hpp"
+#include "bearing/default_design.hpp"
 
 namespace orbearing::app {
 
@@ -53,8 +53,8 @@ std::optional<DerivedDefault> pocket_clearance(const ValuesOfSet& value) {
   const std::string_view diameter = balls ? "bearing.ball_diameter" : "bearing.roller_diameter";
   const std::string_view count = balls ? "bearing.balls" : "bearing.rollers";
   if (!value.has({diameter, "bearing.pitch_diameter", count})) return std::nullopt;
-  const double clearance = bearing::usual_pocket_clearance(value(diameter), value("bearing.pitch_diameter"),
-                                                           static_cast<int>(value(count)));
+  const double clearance = bearing::default_pocket_clearance(value(diameter), value("bearing.pitch_diameter"),
+                                                             static_cast<int>(value(count)));
   if (!(clearance > 0.0)) return std::nullopt;
   return DerivedDefault{fmt::format("{:.6g} mm", 1e3 * clearance),
                         fmt::format("a fiftieth of the {0}'s diameter, at most half of the gap between {0}s",
@@ -66,7 +66,7 @@ std::optional<DerivedDefault> pocket_stiffness(const ValuesOfSet& value) {
                   "bearing.rollers", "bearing.cage.inner_diameter", "bearing.cage.outer_diameter",
                   "bearing.cage.pocket_clearance", "bearing.cage.density"}))
     return std::nullopt;
-  const bearing::CageMaterial& material = bearing::usual_cage_material(value("bearing.cage.density"));
+  const bearing::CageMaterial& material = bearing::default_cage_material(value("bearing.cage.density"));
   const bearing::CageBar bar{
       .length = value("bearing.roller_length"),
       .height = 0.5 * (value("bearing.cage.outer_diameter") - value("bearing.cage.inner_diameter")),
@@ -85,10 +85,10 @@ std::optional<DerivedDefault> pocket_stiffness(const ValuesOfSet& value) {
 
 std::optional<DerivedDefault> touch_down_stiffness(const ValuesOfSet& value) {
   if (!value.has({"bearing.cage.width", "bearing.cage.density"})) return std::nullopt;
-  const bearing::CageMaterial& material = bearing::usual_cage_material(value("bearing.cage.density"));
+  const bearing::CageMaterial& material = bearing::default_cage_material(value("bearing.cage.density"));
   return DerivedDefault{
       stiffness_text(
-          bearing::usual_touch_down_stiffness(material.youngs_modulus, value("bearing.cage.width"))),
+          bearing::default_touch_down_stiffness(material.youngs_modulus, value("bearing.cage.width"))),
       fmt::format("a line contact of the cage's width, a fifth of the modulus of {} times the width",
                   material.name)};
 }
@@ -99,10 +99,10 @@ std::optional<DerivedDefault> pin_stiffness_of_bearing(const ValuesOfSet& value)
                   "material.poisson_ratio"}))
     return std::nullopt;
   const double face = value("gearset.face_width");
-  constexpr double usual_plate_ratio = 0.5;  // of sets among several, which state no carrier
+  constexpr double default_plate_ratio = 0.5;  // of sets among several, which state no carrier
   const double plates = value.has({"gearset.dynamics.carrier.plate_ratio"})
                             ? value("gearset.dynamics.carrier.plate_ratio")
-                            : usual_plate_ratio;
+                            : default_plate_ratio;
   const bearing::PlanetPin pin{.diameter = value("bearing.bore"),
                                .loaded_length = face,
                                .span = face * (1.0 + 0.5 * plates),
@@ -169,7 +169,7 @@ void fill_derived_defaults(CaseData& data) {
   const Model model =
       specific_model(model_of(found->second.value.given), data.values.contains("simulation.duration"),
                      data.values.contains("bearing.rollers"));
-  fill_as_bought(data, model);
+  fill_from_catalogue(data, model);
   fill_from_grade(data, model);
   if ((model & described::in_time) == 0) return;
   std::vector<std::string> prefixes{""};

@@ -11,7 +11,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "app/case/bought_case.hpp"
+#include "app/case/catalogue_case.hpp"
 #include "app/case/derived_defaults.hpp"
 #include "app/case/resolved_case.hpp"
 

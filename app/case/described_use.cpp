@@ -32,7 +32,7 @@ unsigned holding(described::Felt felt) {
     case gear_motion:
       return use::gears_in_motion;
     case balance:
-      return use::lives | use::bearings_as_springs | use::fmu_bearing | use::lone_balance |
+      return use::lives | use::bearings_as_springs | use::fmu_bearing | use::single_bearing_equilibrium |
              use::balls_in_motion | use::defect | use::duplex | use::planet_stiffness;
     case carrier:
       return use::lives | use::bearings_as_springs | use::fmu_bearing | use::balls_in_motion |
@@ -43,7 +43,7 @@ unsigned holding(described::Felt felt) {
       return use::rollers_in_motion | use::bearings_as_springs | use::balls_in_motion;
     case load_sharing:
       return use::gears_in_motion | use::quasi_static;
-    case places:
+    case positions:
       return use::gears_in_motion | use::quasi_static | use::natural | use::mesh;
     case at_rest:
       return use::rollers_at_rest | use::one_set_in_time | use::bearings_as_springs;
@@ -57,11 +57,11 @@ unsigned holding(described::Felt felt) {
       return use::in_time;
     case run_up:
       return use::dynamic | use::dynamic_of_sets;
-    case lone:
-      return use::lone_balance | use::balls_in_motion | use::defect | use::duplex;
-    case turning_balls:
-      return use::lone_balance | use::duplex;
-    case lone_run:
+    case single_bearing:
+      return use::single_bearing_equilibrium | use::balls_in_motion | use::defect | use::duplex;
+    case rotating_balls:
+      return use::single_bearing_equilibrium | use::duplex;
+    case single_bearing_run:
       return use::ball_run;
     case defect:
       return use::defect | use::moving_defect | use::planet_defect;
@@ -81,8 +81,8 @@ unsigned leaving_out(described::Felt felt) {
   // All that moves bearings knows none with scratches but what is run for them.
   if (felt == described::Felt::defect)
     return use::lives | use::gears | use::fmu_bearing | use::fmu_gearset | use::planet_stiffness;
-  return felt == load_sharing || felt == places ? use::dynamic_of_sets | use::crown | use::planet_stiffness
-                                                : 0u;
+  return felt == load_sharing || felt == positions ? use::dynamic_of_sets | use::crown | use::planet_stiffness
+                                                   : 0u;
 }
 
 // How single parameters differ from what their physics says.
@@ -193,15 +193,16 @@ Use with_stiffness(Use use, std::string_view path) {
 }
 
 // Balls feel their mass, and the film under them, where a ring turns.
-Use with_turning_rings(const Use& use, const described::Facts& facts) {
-  Condition turning = where_given({"operation.shaft_speed", "operation.outer_speed", "operation.speeds"});
-  if (facts.felt == described::Felt::turning_balls) return use.when(turning);
+Use with_rotating_rings(const Use& use, const described::Facts& facts) {
+  Condition rotating = where_given({"operation.shaft_speed", "operation.outer_speed", "operation.speeds"});
+  if (facts.felt == described::Felt::rotating_balls) return use.when(rotating);
   if (facts.path == "material.density")
-    return use.felt_too(use::lone_balance | use::duplex,
-                        {turning, where_given({"bearing.balls"}), where("equilibrium.ball_inertia", {"true"})});
+    return use.felt_too(
+        use::single_bearing_equilibrium | use::duplex,
+        {rotating, where_given({"bearing.balls"}), where("equilibrium.ball_inertia", {"true"})});
   if (facts.path == "film.enabled") {
-    turning.paths.emplace_back("input.speed");  // planets turn always
-    return also_used(use, use::lone_balance).when(turning);
+    rotating.paths.emplace_back("input.speed");  // planets turn always
+    return also_used(use, use::single_bearing_equilibrium).when(rotating);
   }
   return use;
 }
@@ -238,7 +239,7 @@ Use with_oil(const Use& use, std::string_view path) {
   constexpr unsigned with_film_alone = use::bearings_as_springs | use::planet_stiffness | use::crown;
   Use oil = also_used(use, use::spin_film)
                 .felt_only(with_film_alone, {where_filmed()})
-                .felt_too(use::lone_balance, where_filmed());
+                .felt_too(use::single_bearing_equilibrium, where_filmed());
   if (path == "lubricant.viscosity") oil = oil.felt_too(use::crown, where_viscosity_makes_kappa());
   return oil.when(where_absent("lubricant.grade"));
 }
@@ -391,7 +392,7 @@ Use use_of(const described::Facts& facts) {
   const Use at_rest =
       with_mesh_loads(with_load_sharing(Use(by, unfelt, but.refused_by), facts.path), facts.path);
   const Use with_films = with_oil(
-      with_relief(with_turning_rings(with_stiffness(at_rest, facts.path), facts), facts.path), facts.path);
+      with_relief(with_rotating_rings(with_stiffness(at_rest, facts.path), facts), facts.path), facts.path);
   const Use use = with_carrier(
       with_springs(with_held_members(with_rim(with_films, facts.path), facts.path), facts), facts.path);
   const described::Where& only = facts.details.where;

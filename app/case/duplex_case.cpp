@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "app/case/case_errors.hpp"
 #include "app/case/described_case.hpp"
-#include "app/case/objection.hpp"
 
 namespace orbearing::app {
 
@@ -19,49 +19,49 @@ constexpr std::array<const char*, 5> kMeasured{"measured.tilt_x", "measured.tilt
 // Two values that mean something together alone.
 void check_both(const ResolvedCase& in, const char* one, const char* other, std::vector<Mistake>& mistakes) {
   if (in.has(one) != in.has(other))
-    object_to(in, in.has(one) ? one : other, fmt::format("no {} beside it", in.has(one) ? other : one),
-              "both or none are required", mistakes);
+    add_error_at(in, in.has(one) ? one : other, fmt::format("no {} beside it", in.has(one) ? other : one),
+                 "both or none are required", mistakes);
 }
 
 void check_shaft(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   check_both(in, "spindle.inertia_x", "spindle.inertia_y", mistakes);
   check_both(in, "housing.mass", "housing.inertia", mistakes);
   if (!in.has("spindle.diameter") && !in.has("spindle.inertia_x") && in.has("spindle.mass"))
-    object_to(
+    add_error_at(
         in, "spindle.mass", "a shaft without inertia",
         "spindle.inertia_x and spindle.inertia_y, or spindle.diameter of a solid cylinder, are required",
         mistakes);
   if (in.has("spindle.diameter") && in.has("spindle.inertia_x") && !in.has("measured.preload"))
-    object_to(in, "spindle.diameter", "a cylinder beside the inertias of the shaft",
-              "one of the two is required where nothing is identified", mistakes);
+    add_error_at(in, "spindle.diameter", "a cylinder beside the inertias of the shaft",
+                 "one of the two is required where nothing is identified", mistakes);
 }
 
 void check_measured(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   if (!in.has("measured.preload")) {
     for (const char* path : kMeasured)
       if (in.has(path))
-        object_to(in, path, "frequencies without measured.preload", "both are required", mistakes);
+        add_error_at(in, path, "frequencies without measured.preload", "both are required", mistakes);
     if (in.has("measured.contact_angle"))
-      object_to(in, "measured.contact_angle", "angles without measured.preload", "both are required",
-                mistakes);
+      add_error_at(in, "measured.contact_angle", "angles without measured.preload", "both are required",
+                   mistakes);
     return;
   }
   const std::size_t pairs = in.list("measured.preload").size();
   const auto check_length = [&](const char* path) {
     if (!in.has(path))
-      object_to(in, "measured.preload", fmt::format("preloads without {}", path), "all are required",
-                mistakes);
+      add_error_at(in, "measured.preload", fmt::format("preloads without {}", path), "all are required",
+                   mistakes);
     else if (in.list(path).size() != pairs)
-      object_to(in, path, fmt::format("{} values for {} preloads", in.list(path).size(), pairs),
-                "one for each preload is required", mistakes);
+      add_error_at(in, path, fmt::format("{} values for {} preloads", in.list(path).size(), pairs),
+                   "one for each preload is required", mistakes);
   };
   check_length("measured.contact_angle");
   for (const char* path : kMeasured) check_length(path);
   for (const char* path :
        {"identification.contact_angle", "identification.least_distance", "spindle.diameter"})
     if (!in.has(path))
-      object_to(in, "measured.preload", fmt::format("measured frequencies without {}", path),
-                "it is required to identify the shaft", mistakes);
+      add_error_at(in, "measured.preload", fmt::format("measured frequencies without {}", path),
+                   "it is required to identify the shaft", mistakes);
 }
 
 bool is_identified_from(const ResolvedCase& in, double contact_angle) {
@@ -73,7 +73,7 @@ void check_identification(const ResolvedCase& in, std::vector<Mistake>& mistakes
   if (!has_all(in, {"measured.preload", "measured.contact_angle", "identification.contact_angle"})) return;
   for (const double angle : in.list("measured.contact_angle"))
     if (is_identified_from(in, angle)) return;
-  object_to(
+  add_error_at(
       in, "identification.contact_angle",
       fmt::format("{}, which measured.contact_angle does not hold", in.given("identification.contact_angle")),
       "one of those measured is required", mistakes);
@@ -158,15 +158,15 @@ void check_duplex(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   if (in.model() != duplex_pair) return;
   if (has_all(in, {"stiffness", "operation.shaft_speed"}) && is_linear_pair(in) &&
       (in.quantity("operation.shaft_speed") != 0.0 || in.has("operation.speeds")))
-    object_to(in, in.has("operation.speeds") ? "operation.speeds" : "operation.shaft_speed",
-              "a shaft that turns, beside stiffness: linear",
-              "nonlinear is required: the linear formulas know no speed", mistakes);
+    add_error_at(in, in.has("operation.speeds") ? "operation.speeds" : "operation.shaft_speed",
+                 "a shaft that turns, beside stiffness: linear",
+                 "nonlinear is required: the linear formulas know no speed", mistakes);
   check_shaft(in, mistakes);
   check_measured(in, mistakes);
   check_identification(in, mistakes);
   if (has_all(in, {"stiffness", "arrangement"}) && is_linear_pair(in) &&
       arrangement_of_pair(in) == duplex::Arrangement::back_to_back)
-    object_to(
+    add_error_at(
         in, "stiffness", "'linear' for a pair back to back",
         "nonlinear is required: the linear formulas are printed for face-to-face, and are those of a tandem",
         mistakes);

@@ -145,8 +145,9 @@ FieldReading read_choice(const Field& field, const Entry& entry) {
                                    (likely.empty() ? "" : fmt::format(" (did you mean '{}'?)", likely)),
                                field);
     if (field.path == "bearing.designation")
-      reading.complaint.required +=
-          "; of a bearing that is not among them, state number, diameter and pitch diameter of its rolling elements in "
+      reading.message.required +=
+          "; of a bearing that is not among them, state number, diameter and pitch diameter of its rolling "
+          "elements in "
           "place of the designation";
     return reading;
   }
@@ -188,7 +189,7 @@ Field field_of_column(const Field& field, const ListColumn& column) {
 }
 
 FieldReading at(const Entry& entry, FieldReading reading) {
-  if (!reading.good && !reading.place) reading.place = entry.place;
+  if (!reading.good && !reading.location) reading.location = entry.location;
   return reading;
 }
 
@@ -198,7 +199,7 @@ FieldReading read_cell(const Field& field, const ListColumn& column, const Entry
   const bool plain = entry.shape == Entry::Shape::scalar && !entry.quoted && read_number(entry.text).value;
   if (plain && !column.unit_of_number.empty()) cell.text += " " + std::string(column.unit_of_number);
   FieldReading reading = at(entry, read_field(one, cell));
-  if (!reading.good) reading.complaint.found = column_key(column) + ": " + reading.complaint.found;
+  if (!reading.good) reading.message.found = column_key(column) + ": " + reading.message.found;
   return reading;
 }
 
@@ -233,7 +234,7 @@ std::string keys_of_group(const Field& field, int group) {
 std::optional<FieldReading> wrong_key(const Field& field, const Entry& row) {
   for (std::size_t i = 0; i < row.members.size(); ++i) {
     const std::string& key = row.members[i].key;
-    const Entry at_key = make_entry(Entry::Shape::nothing, row.members[i].place);
+    const Entry at_key = make_entry(Entry::Shape::nothing, row.members[i].location);
     if (std::none_of(field.columns.begin(), field.columns.end(),
                      [&](const ListColumn& column) { return column_key(column) == key; }))
       return bad_row(at_key, "the unknown key '" + key + "'", field);

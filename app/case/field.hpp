@@ -18,10 +18,10 @@ enum class Kind { quantity, integer, number, flag, choice, text, list };
 using described::Model;
 using enum described::Model;
 using described::every_model;
-using described::lone_balls;
 using described::positive;
 using described::Range;
 using described::scratched_bearings;
+using described::single_ball_bearing;
 using described::toothless_set;
 using described::with_balls;
 using described::with_rollers;
@@ -72,8 +72,8 @@ inline bool is_numeric(const Field& field) {
 struct FieldReading {
   bool good = false;
   FieldValue value;
-  Complaint complaint;
-  std::optional<Place> place{};  // of a part of the entry that is to blame
+  ConsistencyMessage message;
+  std::optional<Location> location{};  // of a part of the entry that is to blame
 };
 
 /// Checks one entry of the case against its field: kind, unit, finiteness, range.

@@ -121,7 +121,7 @@ std::vector<Field> build_table() {
   table::add_oil_fields(fields);
   for (Field& field : fields)
     if ((field.models & planetary_drivetrain) != 0) field.use = with_planet_defect(field.use, field.path);
-  table::add_bought_fields(fields);
+  table::add_catalogue_fields(fields);
   return grouped(std::move(fields));
 }
 

@@ -57,7 +57,7 @@ void add_defect_fields(std::vector<Field>& fields);
 void add_duplex_fields(std::vector<Field>& fields);
 void add_film_fields(std::vector<Field>& fields);
 void add_oil_fields(std::vector<Field>& fields);
-void add_bought_fields(std::vector<Field>& fields);  // after those that they put conditions on
+void add_catalogue_fields(std::vector<Field>& fields);  // after those that they put conditions on
 }  // namespace table
 
 }  // namespace orbearing::app

@@ -12,16 +12,16 @@ Use with_planet_defect(const Use& use, std::string_view path) {
                        [&](std::string_view part) { return path.starts_with(part); });
   };
   if (is_one_of({"defect.", "signal."})) return more;
-  unsigned* const standings[] = {&more.by, &more.unfelt_by, &more.refused_by};
-  for (unsigned* standing : standings) *standing &= ~unsigned{use::planet_defect};
+  unsigned* const statuses[] = {&more.by, &more.unfelt_by, &more.refused_by};
+  for (unsigned* status : statuses) *status &= ~unsigned{use::planet_defect};
   if (is_one_of({"life.", "spectrum", "lubricant.kinematic", "simulation.observed", "simulation.most_rev",
                  "simulation.load_drift", "simulation.cage_drift", "bearing.fatigue_load_limit",
                  "bearing.neighbour_friction"})) {  // of bearings without a cage, which is refused
     more.unfelt_by |= use::planet_defect;
     return more;
   }
-  for (unsigned* standing : standings)
-    if ((*standing & use::monolithic) != 0) *standing |= use::planet_defect;
+  for (unsigned* status : statuses)
+    if ((*status & use::monolithic) != 0) *status |= use::planet_defect;
   const auto is_to_a_life = [](const Condition& condition) {
     return std::any_of(condition.paths.begin(), condition.paths.end(),
                        [](const std::string& other) { return other.starts_with("life."); });

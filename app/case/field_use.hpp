@@ -52,10 +52,10 @@ inline constexpr unsigned rollers_at_rest = quasi_static | crown | planet_stiffn
 inline constexpr unsigned gears_in_motion = one_set_in_time | gears | fmu_gearset;
 inline constexpr unsigned of_a_drivetrain =
     lives | gears | natural | mesh | fmu_bearing | fmu_gearset | planet_stiffness | planet_defect;
-inline constexpr unsigned lone_balance = static_load | stiffness;  // of a single bearing
+inline constexpr unsigned single_bearing_equilibrium = static_load | stiffness;  // of a single bearing
 inline constexpr unsigned duplex = duplex_modes | duplex_run;
 inline constexpr unsigned all =
-    of_a_drivetrain | lone_balance | ball_run | defect | moving_defect | duplex | spin_film;
+    of_a_drivetrain | single_bearing_equilibrium | ball_run | defect | moving_defect | duplex | spin_film;
 /// Balls that roll and slip by themselves.
 inline constexpr unsigned balls_in_motion = ball_run | moving_defect;
 }  // namespace use

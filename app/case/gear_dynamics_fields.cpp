@@ -1,8 +1,8 @@
 // Fields of the dynamics of a planetary set: bodies, supports, damping, errors, and the run in time.
+#include "app/case/default_drivetrain.hpp"
 #include "app/case/described_fields.hpp"
 #include "app/case/field_table.hpp"
 #include "app/case/use_conditions.hpp"
-#include "app/case/usual_drivetrain.hpp"
 
 namespace orbearing::app::table {
 
@@ -73,7 +73,7 @@ void add_run(std::vector<Field>& fields) {
 }  // namespace
 
 void add_gear_dynamics_fields(std::vector<Field>& fields) {
-  add_described(fields, usual_gears());
+  add_described(fields, default_gears());
   add_run(fields);
 }
 

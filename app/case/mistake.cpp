@@ -11,13 +11,13 @@ namespace orbearing::app {
 
 namespace {
 
-auto order(const Place& place) {
-  return std::tuple(place.option, place.file, place.line, place.column);
+auto order(const Location& location) {
+  return std::tuple(location.option, location.file, location.line, location.column);
 }
 
 std::vector<std::string> sorted_lines(const std::string& file, std::vector<Mistake> mistakes) {
   std::stable_sort(mistakes.begin(), mistakes.end(),
-                   [](const Mistake& a, const Mistake& b) { return order(a.place) < order(b.place); });
+                   [](const Mistake& a, const Mistake& b) { return order(a.location) < order(b.location); });
   std::vector<std::string> lines;
   for (const Mistake& mistake : mistakes) {
     std::string line = describe(mistake, file);
@@ -30,13 +30,13 @@ std::vector<std::string> sorted_lines(const std::string& file, std::vector<Mista
 }  // namespace
 
 std::string describe(const Mistake& mistake, const std::string& file) {
-  const Place& place = mistake.place;
-  const bool option = place.option && place.file.empty();
-  const std::string_view of = place.file.empty() ? std::string_view(file) : place.file;
+  const Location& location = mistake.location;
+  const bool option = location.option && location.file.empty();
+  const std::string_view of = location.file.empty() ? std::string_view(file) : location.file;
   const std::string where =
-      option ? "--set" : fmt::format("{}:{}:{}", printable(of), place.line, place.column);
-  return fmt::format("{}: {}: {}; {}", where, shortened(mistake.path), printable(mistake.complaint.found),
-                     printable(mistake.complaint.required));
+      option ? "--set" : fmt::format("{}:{}:{}", printable(of), location.line, location.column);
+  return fmt::format("{}: {}: {}; {}", where, shortened(mistake.path), printable(mistake.message.found),
+                     printable(mistake.message.required));
 }
 
 void throw_mistakes(const std::string& file, std::vector<Mistake> mistakes) {

@@ -10,22 +10,22 @@
 namespace orbearing::app {
 
 /// Where something was written: in the file, or as the n-th --set option.
-struct Place {
+struct Location {
   bool option = false;
   int line = 1;             // counted from 1; for an option, its number
   int column = 1;           // counted from 1, in characters
   std::string_view file{};  // where it is not the case's: one that the case names, whose name lasts
 };
 
-struct Complaint {
+struct ConsistencyMessage {
   std::string found;
   std::string required;
 };
 
 struct Mistake {
-  Place place;
+  Location location;
   std::string path;  // "input.power"; "(file)" where no key is to blame
-  Complaint complaint;
+  ConsistencyMessage message;
 };
 
 /// One line: `FILE:LINE:COLUMN: key.path: found; required`, or `--set: key.path: found; required`. Whatever

@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "app/case/case_errors.hpp"
 #include "app/case/field_table.hpp"
-#include "app/case/objection.hpp"
 #include "app/case/substitute.hpp"
 #include "bearing/film/oil_grade.hpp"
 
@@ -84,7 +84,7 @@ void check_grade(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   try {
     (void)bearing::viscosity_at_100(viscosity_40_of(in.choice(kGrade)), in.number(kIndex));
   } catch (const std::invalid_argument& error) {
-    object_to(in, kGrade, in.choice(kGrade), error.what(), mistakes);
+    add_error_at(in, kGrade, in.choice(kGrade), error.what(), mistakes);
   }
 }
 

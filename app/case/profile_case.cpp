@@ -36,7 +36,7 @@ struct Roller {
 Roller roller_of(const ResolvedCase& in) {
   Roller out{.length = in.quantity("bearing.roller_length"),
              .diameter = in.quantity("bearing.roller_diameter")};
-  const double station = kDropPlace * 0.5 * out.length;
+  const double station = kDropPosition * 0.5 * out.length;
   const double standard = drop(Iso16281{out.length, out.diameter, 1.0}, station);
   out.drop = length_or(in, "drop", standard);
   out.design = bearing::design_under(from_case<bearing::Bearing>(in), 0.0);
@@ -98,7 +98,7 @@ Profile roller_profile_of(const ResolvedCase& in) {
   const Profile own = own_profile(in, roller);
   require_sound(own);
   if (!in.has(kBlock + "drop") && has_own_depth(in)) return own;
-  const Profile deep = with_drop(own, kDropPlace * 0.5 * roller.length, roller.drop);
+  const Profile deep = with_drop(own, kDropPosition * 0.5 * roller.length, roller.drop);
   require_sound(deep);
   return deep;
 }
@@ -107,14 +107,14 @@ void check_profile(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   for (const std::string block : {"bearing.profile.", "bearing.misalignment."}) {
     const std::string present = first_of(in, block);
     if (present.empty() || in.has("bearing.laminae")) continue;
-    mistakes.push_back({in.place(present),
+    mistakes.push_back({in.location(present),
                         present,
                         {"an entry without bearing.laminae",
                          "laminae, which feel it, are required: for instance bearing.laminae: 40"}});
   }
   const std::string profile = first_of(in, kBlock);
   if (!profile.empty() && !in.has(kKind))
-    mistakes.push_back({in.place(profile),
+    mistakes.push_back({in.location(profile),
                         profile,
                         {"a profile without bearing.profile.kind", "a kind of profile is required"}});
   for (const char* needed : {"bearing.profile.kind", "bearing.roller_length", "bearing.roller_diameter",
@@ -125,7 +125,7 @@ void check_profile(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   } catch (const std::invalid_argument& error) {
     const std::string text = error.what();
     const auto split = text.find("; ");  // found; required
-    mistakes.push_back({in.place(kKind), kKind, {text.substr(0, split), text.substr(split + 2)}});
+    mistakes.push_back({in.location(kKind), kKind, {text.substr(0, split), text.substr(split + 2)}});
   }
 }
 

@@ -11,9 +11,9 @@ namespace orbearing::app {
 
 namespace {
 
-void object(const ResolvedCase& resolved, const std::string& path, std::string found, std::string required,
-            std::vector<Mistake>& mistakes) {
-  mistakes.push_back({resolved.place(path), path, {std::move(found), std::move(required)}});
+void add_error(const ResolvedCase& resolved, const std::string& path, std::string found, std::string required,
+               std::vector<Mistake>& mistakes) {
+  mistakes.push_back({resolved.location(path), path, {std::move(found), std::move(required)}});
 }
 
 // A wave needs its order and its amplitude; phases may be left out altogether.
@@ -23,15 +23,15 @@ void check_form(const ResolvedCase& resolved, const std::string& block, std::vec
   if (!has_order && !has_amplitude && !resolved.has(phase)) return;
   if (!has_order || !has_amplitude) {
     const std::string present = has_order ? order : has_amplitude ? amplitude : phase;
-    object(resolved, present, "waves without " + std::string(has_order ? "amplitude" : "order"),
-           "orders and amplitudes in lists of equal length are required", mistakes);
+    add_error(resolved, present, "waves without " + std::string(has_order ? "amplitude" : "order"),
+              "orders and amplitudes in lists of equal length are required", mistakes);
     return;
   }
   const std::size_t waves = resolved.list(order).size();
   for (const std::string& other : {amplitude, phase})
     if (resolved.has(other) && resolved.list(other).size() != waves)
-      object(resolved, other, fmt::format("{} values for {} waves", resolved.list(other).size(), waves),
-             "as many values as orders are required", mistakes);
+      add_error(resolved, other, fmt::format("{} values for {} waves", resolved.list(other).size(), waves),
+                "as many values as orders are required", mistakes);
 }
 
 // How planets share a load follows from springs of the gears that know no rim; a rim rests on rollers that
@@ -40,18 +40,18 @@ void check_rim(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
   const std::string rim = "gearset.planet_rim";
   if (!resolved.has(rim) || resolved.choice(rim) != "elastic") return;
   if (!resolved.has("bearing.rollers"))
-    object(resolved, rim, "elastic without a bearing", "rollers on which the rim rests are required",
-           mistakes);
+    add_error(resolved, rim, "elastic without a bearing", "rollers on which the rim rests are required",
+              mistakes);
   if (const char* spring = "gearset.dynamics.planet.bearing_stiffness"; resolved.has(spring))
-    object(resolved, rim, fmt::format("elastic beside {}", spring),
-           "no stiffness of the bearings is required, which follows from their rollers", mistakes);
+    add_error(resolved, rim, fmt::format("elastic beside {}", spring),
+              "no stiffness of the bearings is required, which follows from their rollers", mistakes);
   if (const char* helix = "gearset.helix_angle"; resolved.has(helix) && resolved.quantity(helix) != 0.0)
-    object(resolved, rim, fmt::format("elastic beside {}", helix),
-           "rigid is required beside helical teeth: an elastic rim is computed in the plane of spur gears",
-           mistakes);
+    add_error(resolved, rim, fmt::format("elastic beside {}", helix),
+              "rigid is required beside helical teeth: an elastic rim is computed in the plane of spur gears",
+              mistakes);
   if (const std::string uneven = uneven_planets_by(resolved); !uneven.empty())
-    object(resolved, rim, fmt::format("elastic beside {}", uneven),
-           "rigid is required where planets carry unlike loads", mistakes);
+    add_error(resolved, rim, fmt::format("elastic beside {}", uneven),
+              "rigid is required where planets carry unlike loads", mistakes);
 }
 
 // Teeth under load push only, and follow from their form.
@@ -59,12 +59,12 @@ void check_tooth_contact(const ResolvedCase& resolved, std::vector<Mistake>& mis
   const std::string contact = "gearset.tooth_contact", separation = "gearset.dynamics.separation";
   if (!resolved.has(contact) || resolved.choice(contact) != "loaded") return;
   if (resolved.has(separation) && !resolved.flag(separation))
-    object(resolved, contact, fmt::format("loaded beside {}: false", separation),
-           "teeth that push only are required", mistakes);
+    add_error(resolved, contact, fmt::format("loaded beside {}: false", separation),
+              "teeth that push only are required", mistakes);
   for (const char* stated : {"gearset.dynamics.mesh_stiffness.sun", "gearset.dynamics.mesh_stiffness.ring"})
     if (resolved.has(stated))
-      object(resolved, contact, fmt::format("loaded beside {}", stated),
-             "no stated mesh stiffness is required, which follows from the teeth", mistakes);
+      add_error(resolved, contact, fmt::format("loaded beside {}", stated),
+                "no stated mesh stiffness is required, which follows from the teeth", mistakes);
 }
 
 bool is_anywhere_nonzero(const ResolvedCase& resolved, const char* list) {
@@ -80,7 +80,7 @@ void check_tilt(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
   if (!resolved.has(state) || resolved.choice(state) != "computed" || !resolved.has("bearing.per_planet"))
     return;
   const auto need = [&](bool holds, const std::string& found, const std::string& required) {
-    if (!holds) object(resolved, state, "computed " + found, required, mistakes);
+    if (!holds) add_error(resolved, state, "computed " + found, required, mistakes);
   };
   need(resolved.has("bearing.laminae"), "without bearing.laminae",
        "a number of laminae, which feel the tilt, is required");
@@ -95,38 +95,41 @@ void check_tilt(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
   const auto bearings = static_cast<std::size_t>(resolved.integer("bearing.per_planet"));
   for (const char* list : {"bearing.axial_places", "bearing.clearance_differences"})
     if (resolved.has(list) && resolved.list(list).size() != bearings)
-      object(resolved, list, fmt::format("{} values", resolved.list(list).size()),
-             fmt::format("one for each of the {} bearings of a planet is required", bearings), mistakes);
+      add_error(resolved, list, fmt::format("{} values", resolved.list(list).size()),
+                fmt::format("one for each of the {} bearings of a planet is required", bearings), mistakes);
 }
 
 // Bearings lie side by side within the face, which lies within the supports of the pin.
-void check_places(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
-  const std::string state = "bearing.tilt_state", places = "bearing.axial_places", span = "support.pin_span";
+void check_positions(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
+  const std::string state = "bearing.tilt_state", positions = "bearing.axial_places",
+                    span = "support.pin_span";
   if (!resolved.has(state) || resolved.choice(state) != "computed" || !resolved.has("gearset.face_width"))
     return;
   const double face = resolved.quantity("gearset.face_width");
   const std::string twist = "support.carrier_twist_stiffness", ends = "support.pin_ends";
   if (resolved.has(twist) && resolved.choice(ends) == "one")
-    object(resolved, twist, resolved.given(twist) + " beside support.pin_ends: one",
-           "pins between two walls are required, of which one twists against the other", mistakes);
+    add_error(resolved, twist, resolved.given(twist) + " beside support.pin_ends: one",
+              "pins between two walls are required, of which one twists against the other", mistakes);
   if (resolved.has(span) && resolved.quantity(span) < face)
-    object(resolved, span, resolved.given(span) + " beside a face of " + resolved.given("gearset.face_width"),
-           "at least the face, beyond which its supports lie, is required", mistakes);
-  if (!resolved.has(places) || !resolved.has("bearing.width")) return;
+    add_error(resolved, span,
+              resolved.given(span) + " beside a face of " + resolved.given("gearset.face_width"),
+              "at least the face, beyond which its supports lie, is required", mistakes);
+  if (!resolved.has(positions) || !resolved.has("bearing.width")) return;
   const double width = resolved.quantity("bearing.width");
-  std::vector<double> sorted = resolved.list(places);
+  std::vector<double> sorted = resolved.list(positions);
   std::sort(sorted.begin(), sorted.end());
   constexpr double round_off = 1e-9;  // [m]
   for (std::size_t k = 0; k < sorted.size(); ++k) {
     const bool within = std::abs(sorted[k]) + 0.5 * width <= 0.5 * face + round_off;
     const bool apart = k == 0 || sorted[k] - sorted[k - 1] >= width - round_off;
     if (within && apart) continue;
-    object(resolved, places,
-           within ? "bearings that reach into each other" : "a bearing that reaches beyond the face",
-           fmt::format(
-               "places at least their width of {:.4g} mm apart and within the face of {:.4g} mm are required",
-               1e3 * width, 1e3 * face),
-           mistakes);
+    add_error(
+        resolved, positions,
+        within ? "bearings that reach into each other" : "a bearing that reaches beyond the face",
+        fmt::format(
+            "places at least their width of {:.4g} mm apart and within the face of {:.4g} mm are required",
+            1e3 * width, 1e3 * face),
+        mistakes);
     return;
   }
 }
@@ -140,15 +143,15 @@ void check_refinements(const ResolvedCase& resolved, std::vector<Mistake>& mista
   check_rim(resolved, mistakes);
   check_tooth_contact(resolved, mistakes);
   check_tilt(resolved, mistakes);
-  check_places(resolved, mistakes);
+  check_positions(resolved, mistakes);
   const std::string deviations = "bearing.roller_diameter_deviation";
   if (!resolved.has(deviations) || !resolved.has("bearing.rollers")) return;
   const std::size_t given = resolved.list(deviations).size();
   if (given > static_cast<std::size_t>(resolved.integer("bearing.rollers")))
-    object(resolved, deviations, fmt::format("{} values", given),
-           fmt::format("at most one for each of the {} rollers is required",
-                       resolved.integer("bearing.rollers")),
-           mistakes);
+    add_error(resolved, deviations, fmt::format("{} values", given),
+              fmt::format("at most one for each of the {} rollers is required",
+                          resolved.integer("bearing.rollers")),
+              mistakes);
 }
 
 }  // namespace orbearing::app

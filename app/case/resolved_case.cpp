@@ -53,13 +53,13 @@ bool ResolvedCase::has(std::string_view path) const {
 const std::string& ResolvedCase::given(std::string_view path) const {
   return stored(path).value.given;
 }
-Place ResolvedCase::place(std::string_view path) const {
-  return stored(path).place;
+Location ResolvedCase::location(std::string_view path) const {
+  return stored(path).location;
 }
 
-Place ResolvedCase::item_place(std::string_view path, std::size_t item) const {
+Location ResolvedCase::item_location(std::string_view path, std::size_t item) const {
   const StoredValue& value = stored(path);
-  return item < value.item_places.size() ? value.item_places[item] : value.place;
+  return item < value.item_locations.size() ? value.item_locations[item] : value.location;
 }
 
 const std::string& ResolvedCase::written(std::string_view path) const {
@@ -70,8 +70,8 @@ const std::string& ResolvedCase::written(std::string_view path) const {
 std::string ResolvedCase::origin(std::string_view path) const {
   const StoredValue& value = stored(path);
   if (value.from_default) return "default";
-  if (value.place.option) return "--set";
-  return fmt::format("{}:{}:{}", data_->file, value.place.line, value.place.column);
+  if (value.location.option) return "--set";
+  return fmt::format("{}:{}:{}", data_->file, value.location.line, value.location.column);
 }
 
 Model ResolvedCase::model() const {

@@ -28,8 +28,8 @@ struct SweepAxis {
   std::vector<std::string> values;  // as they would be written in a case: "1000 rpm"
   std::vector<double> numbers;      // [SI] the same, or plain
   std::string written;              // the axis as the resolved case repeats it (YAML flow style)
-  Place place;
-  std::vector<Place> places{};  // of each value
+  Location location;
+  std::vector<Location> locations{};  // of each value
 
   Setting setting(std::size_t value) const { return {path, values[value], numbers[value]}; }
 
@@ -47,7 +47,7 @@ struct StatedUncertain {
   std::string clearance_class;
   std::string written;  // as the resolved case repeats it (YAML flow style)
   std::string reason;
-  Place place;
+  Location location;
 
   bool operator==(const StatedUncertain& other) const {
     return path == other.path && written == other.written;
@@ -58,7 +58,7 @@ struct StatedCorrelations {
   std::vector<std::string> of;
   std::vector<std::vector<double>> matrix;  // [-]
   std::string written;                      // empty: none
-  Place place;
+  Location location;
 
   bool operator==(const StatedCorrelations& other) const { return written == other.written; }
 };
@@ -73,9 +73,9 @@ struct StatedUncertainty {
 /// A checked value with its place; the table's default where `from_default`.
 struct StoredValue {
   FieldValue value;
-  Place place;
+  Location location;
   bool from_default = false;
-  std::vector<Place> item_places{};  // list: of its elements, where they stand apart
+  std::vector<Location> item_locations{};  // list: of its elements, where they stand apart
   std::string replaced{};            // as written, where another input stands in its place
 };
 
@@ -122,9 +122,9 @@ class ResolvedCase {
   const std::string& written(std::string_view path) const;
   /// "FILE:LINE:COLUMN", "--set" or "default".
   std::string origin(std::string_view path) const;
-  Place place(std::string_view path) const;
+  Location location(std::string_view path) const;
   /// Of an element of a list.
-  Place item_place(std::string_view path, std::size_t item) const;
+  Location item_location(std::string_view path, std::size_t item) const;
 
   Model model() const;
   const CaseShape& shape() const { return data_->shape; }

@@ -52,11 +52,11 @@ class RowsReader {
       : field_(field), path_(std::move(path)), file_(lasting(file)), mistakes_(mistakes) {}
 
   Entry read(std::istream& stream) {
-    Entry list = make_entry(Entry::Shape::list, place(1, 1));
+    Entry list = make_entry(Entry::Shape::list, location(1, 1));
     std::string line;
     while (next_csv_line(stream, line, line_)) {
       if (const auto fault = text_fault(line)) {
-        object(fault->column, fault->complaint.found, fault->complaint.required + " is required");
+        add_error(fault->column, fault->message.found, fault->message.required + " is required");
         return {};
       }
       if (header_.empty()) {
@@ -64,17 +64,17 @@ class RowsReader {
         continue;
       }
       if (list.items.size() == most_file_rows) {
-        object(1, fmt::format("more than {} rows", most_file_rows), "a shorter list is required");
+        add_error(1, fmt::format("more than {} rows", most_file_rows), "a shorter list is required");
         return {};
       }
       if (!read_line(line, list)) return {};
     }
-    if (list.items.empty()) object(1, "no rows", required());
+    if (list.items.empty()) add_error(1, "no rows", required());
     return list;
   }
 
  private:
-  Place place(int line, int column) const { return {false, line, column, file_}; }
+  Location location(int line, int column) const { return {false, line, column, file_}; }
 
   std::string required() const {
     return fmt::format(
@@ -83,8 +83,8 @@ class RowsReader {
         field_.columns.front().dimension.customary);
   }
 
-  void object(int column, std::string found, std::string required) {
-    mistakes_.push_back({place(line_, column), path_, {std::move(found), std::move(required)}});
+  void add_error(int column, std::string found, std::string required) {
+    mistakes_.push_back({location(line_, column), path_, {std::move(found), std::move(required)}});
   }
 
   bool read_header(const std::string& line) {
@@ -94,12 +94,12 @@ class RowsReader {
     const bool none =
         std::all_of(header_.begin(), header_.end(), [](const HeaderCell& cell) { return cell.name.empty(); });
     if (none || is_of_semicolons(cells)) {
-      object(1, unknown_head(line), required());
+      add_error(1, unknown_head(line), required());
       return false;
     }
     for (std::size_t i = 0; i < cells.size(); ++i) {
       if (header_[i].name.empty() || (!header_[i].unit.empty() && !takes_unit(header_[i]))) {
-        object(columns[i], fmt::format("the column {}", quote(cells[i])), required());
+        add_error(columns[i], fmt::format("the column {}", quote(cells[i])), required());
         return false;
       }
     }
@@ -113,13 +113,13 @@ class RowsReader {
     std::vector<int> columns;
     const std::vector<std::string> cells = csv_cells(line, columns);
     if (auto fault = row_fault(cells, columns, header_.size())) {
-      object(fault->column, fault->complaint.found, fault->complaint.required + ", are required");
+      add_error(fault->column, fault->message.found, fault->message.required + ", are required");
       return false;
     }
-    Entry row = make_entry(Entry::Shape::block, place(line_, 1));
+    Entry row = make_entry(Entry::Shape::block, location(line_, 1));
     for (std::size_t i = 0; i < cells.size(); ++i) {
       const std::string text = header_[i].unit.empty() ? cells[i] : cells[i] + " " + header_[i].unit;
-      const Place here = place(line_, columns[i]);
+      const Location here = location(line_, columns[i]);
       row.members.push_back({header_[i].name, here, make_scalar(text, false, here)});
     }
     list.items.push_back(std::move(row));
@@ -205,14 +205,14 @@ bool are_halves(std::string_view whole, std::string_view decimals) {
 
 }  // namespace
 
-std::optional<RowFault> row_fault(const std::vector<std::string>& cells, const std::vector<int>& places,
+std::optional<RowFault> row_fault(const std::vector<std::string>& cells, const std::vector<int>& locations,
                                   std::size_t columns) {
   if (cells.size() == columns) return std::nullopt;
   RowFault fault{1,
                  {fmt::format("{} values", cells.size()),
                   fmt::format("{}, one for each column of the first line", columns)}};
   if (cells.size() < columns) return fault;
-  fault.column = places[columns];
+  fault.column = locations[columns];
   std::size_t halves = 0;
   for (std::size_t i = 0; i + 1 < cells.size(); ++i)
     if (are_halves(cells[i], cells[i + 1])) {
@@ -223,7 +223,7 @@ std::optional<RowFault> row_fault(const std::vector<std::string>& cells, const s
   const bool points = std::any_of(cells.begin(), cells.end(),
                                   [](const std::string& cell) { return cell.find('.') != std::string::npos; });
   if (!points && halves >= cells.size() - columns)
-    fault.complaint.found +=
+    fault.message.found +=
         " (a decimal comma splits a number in two: commas separate values here, decimals follow a point)";
   return fault;
 }
@@ -249,23 +249,23 @@ std::string unknown_head(const std::string& line) {
 
 Entry rows_of_file(const Field& field, const Entry& block, const std::string& path,
                    const std::string& case_file, std::vector<Mistake>& mistakes) {
-  const auto object = [&](std::string found, std::string required) {
-    mistakes.push_back({block.place, path, {std::move(found), std::move(required)}});
+  const auto add_error = [&](std::string found, std::string required) {
+    mistakes.push_back({block.location, path, {std::move(found), std::move(required)}});
     return Entry{};
   };
   const Member* named = find_member(block, "file");
   if (named == nullptr || block.members.size() != 1 || named->value.shape != Entry::Shape::scalar ||
       trimmed(named->value.text).empty())
-    return object("a block", requirement(field) + " is required");
-  const fs::path file = found_file(named->value.text, case_file, block.place.option);
+    return add_error("a block", requirement(field) + " is required");
+  const fs::path file = found_file(named->value.text, case_file, block.location.option);
   const std::string shown = quote(file.string());
   std::error_code error;
   if (!fs::is_regular_file(file, error))
-    return object("the file " + shown + ", which is not there or no file", "a CSV file is required");
+    return add_error("the file " + shown + ", which is not there or no file", "a CSV file is required");
   if (fs::file_size(file, error) > largest_rows_file)
-    return object("the file " + shown + " of more than 4 MiB", "a shorter one is required");
+    return add_error("the file " + shown + " of more than 4 MiB", "a shorter one is required");
   std::ifstream stream(file, std::ios::binary);
-  if (!stream) return object("the file " + shown + ", which cannot be opened", "a CSV file is required");
+  if (!stream) return add_error("the file " + shown + ", which cannot be opened", "a CSV file is required");
   return RowsReader(field, path, file.string(), mistakes).read(stream);
 }
 

@@ -37,12 +37,12 @@ bool next_csv_line(std::istream& stream, std::string& line, int& number);
 /// What is wrong with the number of values of a line, and the place of the first that is to blame.
 struct RowFault {
   int column = 1;
-  Complaint complaint;
+  ConsistencyMessage message;
 };
 
 /// Nothing where a line has a value for each of the `columns` of the head. A decimal comma splits a number in
 /// two: where the surplus can be such halves, the complaint says so.
-std::optional<RowFault> row_fault(const std::vector<std::string>& cells, const std::vector<int>& places,
+std::optional<RowFault> row_fault(const std::vector<std::string>& cells, const std::vector<int>& locations,
                                   std::size_t columns);
 
 /// What is wrong with the characters of a line: bytes that are not UTF-8, a file in UTF-16.

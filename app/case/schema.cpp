@@ -129,8 +129,8 @@ Json& block_of(Json& root, std::string_view path, bool required) {
 // A ball bearing is one model to a schema, with or without a block `simulation`; so is a scratched bearing of
 // balls or rollers.
 unsigned kinds_of(Model model) {
-  if (model == raceway_defect) return described::lone_scratched;
-  return model == ball_bearing ? lone_balls : unsigned{model};
+  if (model == raceway_defect) return described::single_scratched;
+  return model == ball_bearing ? single_ball_bearing : unsigned{model};
 }
 
 // That a block has a value at `path` within it, one of `values` if there are any.

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "app/case/case_errors.hpp"
 #include "app/case/described_case.hpp"
-#include "app/case/objection.hpp"
 #include "app/units.hpp"
 #include "gearset/checks.hpp"
 
@@ -30,9 +30,9 @@ gearset::PlanetarySet set_of(const ResolvedCase& resolved) {
   return set;
 }
 
-std::string place_in_case(const ResolvedCase& resolved, const std::string& place) {
-  const bool of_bore = place == "bearing.outside_diameter" && !resolved.has(place);
-  return of_bore ? "gearset.planet_bore_ratio" : place;
+std::string location_in_case(const ResolvedCase& resolved, const std::string& location) {
+  const bool of_bore = location == "bearing.outside_diameter" && !resolved.has(location);
+  return of_bore ? "gearset.planet_bore_ratio" : location;
 }
 
 namespace {
@@ -61,8 +61,8 @@ std::optional<gearset::WorkingGeometry> with_opposite_sign(gearset::PlanetarySet
 }
 
 std::string geometry_text(const gearset::WorkingGeometry& geometry) {
-  return fmt::format("centre distance {:.4f} mm and planet shift {:.4f}", kMilli * geometry.centre_distance,
-                     geometry.planet_shift);
+  return fmt::format("centre distance {:.4f} mm and planet shift {:.4f}",
+                     per_milli * geometry.centre_distance, geometry.planet_shift);
 }
 
 }  // namespace
@@ -78,11 +78,12 @@ void check_stated_geometry(const ResolvedCase& in, std::vector<Mistake>& mistake
                           "shift with that sign",
                           kRingShift, -set.ring_shift, geometry_text(*other));
   if (in.has(kDistance) && !agrees(in.quantity(kDistance), geometry.centre_distance, kDistanceRounding))
-    object_to(in, kDistance, quote(in.given(kDistance)),
-              fmt::format("{:.4f} mm within 0.01 mm, {}", kMilli * geometry.centre_distance, remedy), mistakes);
+    add_error_at(in, kDistance, quote(in.given(kDistance)),
+                 fmt::format("{:.4f} mm within 0.01 mm, {}", per_milli * geometry.centre_distance, remedy),
+                 mistakes);
   if (in.has(kPlanetShift) && !agrees(in.number(kPlanetShift), geometry.planet_shift, kShiftRounding))
-    object_to(in, kPlanetShift, quote(in.given(kPlanetShift)),
-              fmt::format("{:.4f} within 0.005, {}", geometry.planet_shift, remedy), mistakes);
+    add_error_at(in, kPlanetShift, quote(in.given(kPlanetShift)),
+                 fmt::format("{:.4f} within 0.005, {}", geometry.planet_shift, remedy), mistakes);
 }
 
 std::vector<std::string> ring_sign_warnings(const ResolvedCase& in) {

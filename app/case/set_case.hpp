@@ -14,7 +14,7 @@ namespace orbearing::app {
 gearset::PlanetarySet set_of(const ResolvedCase& resolved);
 
 /// The input that a warning of the gears is about: without a bearing a planet's bore is that of another input.
-std::string place_in_case(const ResolvedCase& resolved, const std::string& place);
+std::string location_in_case(const ResolvedCase& resolved, const std::string& location);
 
 /// Refuses a stated centre distance or planet shift that does not follow from teeth, module and shifts. Both are
 /// checks alone: results follow from the independent values.

@@ -54,12 +54,12 @@ bool takes_any_text(const std::string& path) {
   return path.starts_with("assumed.") || (field != nullptr && field->kind == Kind::text);
 }
 
-void move_to(Entry& entry, Place place) {
-  entry.place = place;
-  for (Entry& item : entry.items) move_to(item, place);
+void move_to(Entry& entry, Location location) {
+  entry.location = location;
+  for (Entry& item : entry.items) move_to(item, location);
   for (Member& member : entry.members) {
-    member.place = place;
-    move_to(member.value, place);
+    member.location = location;
+    move_to(member.value, location);
   }
 }
 
@@ -80,21 +80,21 @@ Entry read_value(const std::string& path, const std::string& text) {
 void put(Entry& root, const std::vector<std::string>& keys, Entry value) {
   Entry* block = &root;
   for (const std::string& key : keys) {
-    if (block->shape != Entry::Shape::block) *block = make_entry(Entry::Shape::block, value.place);
+    if (block->shape != Entry::Shape::block) *block = make_entry(Entry::Shape::block, value.location);
     Member* member = find_member(*block, key);
-    if (member == nullptr) member = &block->members.emplace_back(Member{key, value.place, {}});
+    if (member == nullptr) member = &block->members.emplace_back(Member{key, value.location, {}});
     block = &member->value;
   }
   *block = std::move(value);
 }
 
-void apply(Entry& root, const std::string& setting, Place place, std::vector<Mistake>& mistakes) {
+void apply(Entry& root, const std::string& setting, Location location, std::vector<Mistake>& mistakes) {
   const auto sign = setting.find('=');
   const std::string path = present_path(trim(setting.substr(0, sign)));
   const std::vector<std::string> keys = keys_of(path);
   const bool gap = std::find(keys.begin(), keys.end(), "") != keys.end();
   if (sign == std::string::npos || gap) {
-    mistakes.push_back({place,
+    mistakes.push_back({location,
                         path.empty() ? "(option)" : path,
                         {quote(setting) + (gap ? " has no complete path" : " has no '='"),
                          "path=value, as in 'input.power=150 kW', is required"}});
@@ -102,10 +102,10 @@ void apply(Entry& root, const std::string& setting, Place place, std::vector<Mis
   }
   try {
     Entry value = read_value(path, setting.substr(sign + 1));
-    move_to(value, place);
+    move_to(value, location);
     put(root, keys, std::move(value));
   } catch (const YamlFault& fault) {
-    mistakes.push_back({place, path, fault.complaint});
+    mistakes.push_back({location, path, fault.message});
   }
 }
 
@@ -121,7 +121,7 @@ FieldReading read_field_text(const Field& field, const std::string& text) {
   try {
     return read_field(field, read_yaml(text));
   } catch (const YamlFault& fault) {
-    return {false, {}, fault.complaint};
+    return {false, {}, fault.message};
   }
 }
 

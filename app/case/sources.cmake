@@ -2,8 +2,8 @@
 set(ORBEARING_CASE_SOURCES
   case/arrangement_case.cpp
   case/bearing_fields.cpp
-  case/bought_case.cpp
-  case/bought_fields.cpp
+  case/catalogue_case.cpp
+  case/catalogue_fields.cpp
   case/case_file.cpp
   case/case_resolver.cpp
   case/case_shape.cpp

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/case/objection.hpp"
+#include "app/case/case_errors.hpp"
 
 namespace orbearing::app {
 
@@ -82,32 +82,32 @@ std::optional<LoadSpectrum> load_spectrum(const ResolvedCase& resolved) {
 
 void check_spectrum(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
   if (!resolved.has(kSpectrumPath)) return;
-  const auto object = [&](std::string found, std::string required) {
-    object_to(resolved, kSpectrumPath, std::move(found), std::move(required), mistakes);
+  const auto add_error = [&](std::string found, std::string required) {
+    add_error_at(resolved, kSpectrumPath, std::move(found), std::move(required), mistakes);
   };
   const std::vector<StatedBin> bins = stated_bins(resolved);
   const double time = sum_of(bins, &StatedBin::time);
   const double shares = sum_of(bins, &StatedBin::share);
   if (time > 0.0 && shares > 0.0)
-    object("rows with a share beside rows with hours", "one of both, the same for all rows, is required");
+    add_error("rows with a share beside rows with hours", "one of both, the same for all rows, is required");
   else if (time <= 0.0 && std::abs(shares - 1.0) > kShareRoundOff)
-    object(
+    add_error(
         fmt::format("shares that add up to {:.8g}", shares),
         "a sum of 1 is required; time at rest is a row of speed 0, and hours in place of share need no sum");
   if (std::none_of(bins.begin(), bins.end(), [](const StatedBin& bin) {
         return LoadBin{.speed = bin.speed}.turns() && bin.share + bin.time > 0.0;
       }))
-    object("a spectrum at rest", "a row with a speed and a share above 0 is required");
+    add_error("a spectrum at rest", "a row with a speed and a share above 0 is required");
   for (std::size_t i = 0; i < bins.size(); ++i)
     if (bins[i].power > 0.0 && !LoadBin{.speed = bins[i].speed}.turns())
-      mistakes.push_back({resolved.item_place(kSpectrumPath, i),
+      mistakes.push_back({resolved.item_location(kSpectrumPath, i),
                           kSpectrumPath,
                           {fmt::format("row {} with {:.4g} kW at speed 0", i + 1, 1e-3 * bins[i].power),
                            "power 0, or torque in place of power, is required at rest"}});
   for (std::size_t i = 0; i < bins.size(); ++i)
     if (bins[i].own_power() > kMostPower)
-      object(fmt::format("row {} with {:.4g} kW", i + 1, 1e-3 * bins[i].own_power()),
-             "at most 1e7 kW is required");
+      add_error(fmt::format("row {} with {:.4g} kW", i + 1, 1e-3 * bins[i].own_power()),
+                "at most 1e7 kW is required");
 }
 
 }  // namespace orbearing::app

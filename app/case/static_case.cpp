@@ -1,6 +1,6 @@
 #include "app/case/static_case.hpp"
 
-#include "app/case/bought_case.hpp"
+#include "app/case/catalogue_case.hpp"
 #include "app/case/described_case.hpp"
 #include "app/case/profile_case.hpp"
 
@@ -27,7 +27,7 @@ bearing::Bearing bearing_of(const ResolvedCase& in) {
   bearing = from_case(in, bearing);
   if (is_full_complement(in)) bearing.cage = {};
   std::visit([&](auto& elements) { complete(in, elements); }, bearing.elements);
-  bearing.motions = bearing::rating::turning(
+  bearing.motions = bearing::rating::rotating(
       in.choice("operation.turning_race") == "outer" ? bearing::Race::outer : bearing::Race::inner);
   return bearing;
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/case/resolved_case.hpp"
-#include "bearing/equilibrium/moving_balls.hpp"
+#include "bearing/equilibrium/jones_balls.hpp"
 #include "bearing/life/standard_life.hpp"
 
 namespace orbearing::app {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "app/case/objection.hpp"
+#include "app/case/case_errors.hpp"
 #include "mechanics/constants.hpp"
 
 namespace orbearing::app {
@@ -15,27 +15,27 @@ namespace {
 void check_either(const ResolvedCase& in, const char* one, const char* other,
                   std::vector<Mistake>& mistakes) {
   if (in.has(one) && in.has(other))
-    object_to(in, other, fmt::format("a value beside {}", one), "one of the two is required", mistakes);
+    add_error_at(in, other, fmt::format("a value beside {}", one), "one of the two is required", mistakes);
 }
 
 void check_load(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   const auto has_moment = [&](const char* path) { return in.has(path) && in.quantity(path) != 0.0; };
   for (const char* moment : {"load.moment", "load.moment_across"}) {
     if (in.has("load.tilt") && has_moment(moment))
-      object_to(in, "load.tilt", fmt::format("a tilt beside {}", moment),
-                "either the moment, with the tilt that follows, or the tilt is required", mistakes);
+      add_error_at(in, "load.tilt", fmt::format("a tilt beside {}", moment),
+                   "either the moment, with the tilt that follows, or the tilt is required", mistakes);
     if (in.model() == roller_bearing && has_moment(moment) && in.has("bearing.laminae") &&
         in.integer("bearing.laminae") < 2)
-      object_to(in, "bearing.laminae", "a single lamina, which holds no moment",
-                fmt::format("at least 2 laminae are required with {}", moment), mistakes);
+      add_error_at(in, "bearing.laminae", "a single lamina, which holds no moment",
+                   fmt::format("at least 2 laminae are required with {}", moment), mistakes);
   }
   if (in.model() == roller_bearing && has_moment("load.tilt") && in.has("bearing.laminae") &&
       in.integer("bearing.laminae") < 2)
-    object_to(in, "bearing.laminae", "a single lamina, which is not affected by a tilt",
-              "at least 2 laminae are required with load.tilt", mistakes);
+    add_error_at(in, "bearing.laminae", "a single lamina, which is not affected by a tilt",
+                 "at least 2 laminae are required with load.tilt", mistakes);
   if (in.model() != roller_bearing || !in.has("load.radial")) return;
   if (in.quantity("load.radial") <= 0.0)
-    object_to(in, "load.radial", "no load", "a radial load greater than 0 N is required", mistakes);
+    add_error_at(in, "load.radial", "no load", "a radial load greater than 0 N is required", mistakes);
 }
 
 void check_balls(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
@@ -47,7 +47,7 @@ void check_balls(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   const double spacing = in.quantity("bearing.pitch_diameter") *
                          std::sin(constants::pi / in.integer("bearing.balls"));
   if (diameter >= spacing)
-    object_to(
+    add_error_at(
         in, "bearing.balls",
         fmt::format("{} balls do not fit around the pitch circle", in.integer("bearing.balls")),
         fmt::format("a ball diameter ({:.4g} mm) less than the distance of their centres, {:.4g} mm, is "
@@ -57,8 +57,8 @@ void check_balls(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   const double openness = in.number("bearing.inner_osculation") + in.number("bearing.outer_osculation") - 1.0;
   const double most = 2.0 * openness * diameter * std::cos(in.quantity("bearing.contact_angle"));
   if (in.quantity("bearing.radial_clearance") >= most)
-    object_to(in, "bearing.radial_clearance", "a clearance in which the balls touch at no contact angle",
-              fmt::format("less than {:.4g} um is required by the grooves", 1e6 * most), mistakes);
+    add_error_at(in, "bearing.radial_clearance", "a clearance in which the balls touch at no contact angle",
+                 fmt::format("less than {:.4g} um is required by the grooves", 1e6 * most), mistakes);
 }
 
 // What a motion needs beyond a balance.
@@ -67,10 +67,10 @@ void check_motion(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   const auto positive = [&](const char* path) { return in.has(path) && in.quantity(path) > 0.0; };
   if (!(positive("rotor.mass") && positive("rotor.inertia")) &&
       !has_all(in, {"bearing.bore", "bearing.width"}))
-    object_to(in, "simulation.duration", "an inner ring in motion whose mass is not known",
-              "bearing.bore and bearing.width are required, or rotor.mass and rotor.inertia", mistakes);
+    add_error_at(in, "simulation.duration", "an inner ring in motion whose mass is not known",
+                 "bearing.bore and bearing.width are required, or rotor.mass and rotor.inertia", mistakes);
   if (!in.has("load.radial") || positive("load.axial") || positive("load.radial")) return;
-  object_to(in, "load.radial", "no load", "a radial or axial load greater than 0 N is required", mistakes);
+  add_error_at(in, "load.radial", "no load", "a radial or axial load greater than 0 N is required", mistakes);
 }
 
 void check_life(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
@@ -79,17 +79,17 @@ void check_life(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   const bool film = in.has("life.viscosity_ratio") || in.has("lubricant.kinematic_viscosity");
   for (const char* path : {"life.contamination_factor", "life.cleanliness"})
     if (in.has(path) && !film)
-      object_to(in, path, "cleanliness without a viscosity",
-                "life.viscosity_ratio or lubricant.kinematic_viscosity is required with it", mistakes);
+      add_error_at(in, path, "cleanliness without a viscosity",
+                   "life.viscosity_ratio or lubricant.kinematic_viscosity is required with it", mistakes);
   for (const char* path : {"life.viscosity_ratio", "lubricant.kinematic_viscosity"})
     if (in.has(path) && !in.has("life.contamination_factor") && !in.has("life.cleanliness"))
-      object_to(in, path, "a viscosity without cleanliness",
-                "life.contamination_factor or life.cleanliness is required with it", mistakes);
+      add_error_at(in, path, "a viscosity without cleanliness",
+                   "life.contamination_factor or life.cleanliness is required with it", mistakes);
   if (in.has("lubricant.kinematic_viscosity") && in.has("operation.shaft_speed") &&
       in.has("operation.outer_speed") &&
       in.quantity("operation.shaft_speed") == in.quantity("operation.outer_speed"))
-    object_to(in, "lubricant.kinematic_viscosity", "a viscosity for rings that do not turn",
-              "operation.shaft_speed is required, from which the viscosity ratio follows", mistakes);
+    add_error_at(in, "lubricant.kinematic_viscosity", "a viscosity for rings that do not turn",
+                 "operation.shaft_speed is required, from which the viscosity ratio follows", mistakes);
 }
 
 }  // namespace
@@ -99,12 +99,12 @@ void check_cleanliness(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   if (!has_all(in, {"life.cleanliness", "life.lubrication"})) return;
   const std::string &level = in.choice("life.cleanliness"), &how = in.choice("life.lubrication");
   if ((level == "lowest" || level == "-/21/18") && how == "circulating-oil")
-    object_to(in, "life.cleanliness", fmt::format("'{}' for circulating oil", level),
-              "one of highest, high, medium, low is required with a filter", mistakes);
+    add_error_at(in, "life.cleanliness", fmt::format("'{}' for circulating oil", level),
+                 "one of highest, high, medium, low is required with a filter", mistakes);
   if (level.front() == '-' && how == "grease")
-    object_to(in, "life.cleanliness", fmt::format("'{}' for grease", level),
-              "one of highest, high, medium, low, lowest is required: codes of ISO 4406 are those of oil",
-              mistakes);
+    add_error_at(in, "life.cleanliness", fmt::format("'{}' for grease", level),
+                 "one of highest, high, medium, low, lowest is required: codes of ISO 4406 are those of oil",
+                 mistakes);
 }
 
 void check_static_bearing(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {

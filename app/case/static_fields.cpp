@@ -3,7 +3,7 @@
 #include "app/case/described_fields.hpp"
 #include "app/case/field_table.hpp"
 #include "app/case/resolved_case.hpp"
-#include "bearing/equilibrium/moving_balls.hpp"
+#include "bearing/equilibrium/jones_balls.hpp"
 #include "bearing/equilibrium/ring_balance.hpp"
 #include "bearing/life/rating_lives.hpp"
 #include "bearing/motion/balls/parameters.hpp"
@@ -15,7 +15,7 @@ namespace orbearing::app::table {
 namespace {
 
 constexpr unsigned static_bearing = roller_bearing | ball_bearing;
-constexpr unsigned single_bearing = roller_bearing | lone_balls;
+constexpr unsigned single_bearing = roller_bearing | single_ball_bearing;
 
 const Use& by_static_load() {
   static const Use use(use::static_load, use::stiffness);
@@ -99,7 +99,7 @@ void add_operation(std::vector<Field>& fields) {
   shaft.use =
       shaft.use.felt_too(use::duplex, where_balls_turn_with_effect())
           .felt_too(use::stiffness, {where_given({"bearing.balls"}), where_absent("operation.speeds")});
-  shaft.models |= described::lone_scratched | duplex_pair;
+  shaft.models |= described::single_scratched | duplex_pair;
   fields.push_back(std::move(shaft));
   Field outer = speed_of_ring("operation.outer_speed", "speed of the outer ring");
   outer.use =
@@ -110,7 +110,7 @@ void add_operation(std::vector<Field>& fields) {
                     .meaning = "speeds of the inner ring over which run and stiffness tabulate the balance, "
                                "and modes and run of a "
                                "duplex pair its natural frequencies",
-                    .use = Use(use::lone_balance | use::duplex, 0),
+                    .use = Use(use::single_bearing_equilibrium | use::duplex, 0),
                     .models = ball_bearing | duplex_pair,
                     .dimension = dimension::angular_speed,
                     .range = {-1e6, 1e6},

@@ -43,13 +43,13 @@ class AxisReader {
         mistakes_(mistakes) {}
 
   SweepAxis read() {
-    SweepAxis axis{key_, {}, {}, {}, entry_.place};
+    SweepAxis axis{key_, {}, {}, {}, entry_.location};
     if (entry_.shape == Entry::Shape::list) {
       read_values(axis);
     } else if (entry_.shape == Entry::Shape::block) {
       read_range(axis);
     } else {
-      object(entry_.place, path_, describe(entry_) + " found", required_shape);
+      add_error(entry_.location, path_, describe(entry_) + " found", required_shape);
     }
     return axis;
   }
@@ -58,24 +58,24 @@ class AxisReader {
   static constexpr const char* required_shape =
       "a list of values or {from: ..., to: ..., step: ...} is required";
 
-  void object(Place place, const std::string& path, std::string found, std::string required) {
-    mistakes_.push_back({place, path, {std::move(found), std::move(required)}});
+  void add_error(Location location, const std::string& path, std::string found, std::string required) {
+    mistakes_.push_back({location, path, {std::move(found), std::move(required)}});
   }
 
   void read_values(SweepAxis& axis) {
     std::set<double> seen;
     std::vector<std::string> written;
-    if (entry_.items.empty()) object(entry_.place, path_, "an empty list", required_shape);
+    if (entry_.items.empty()) add_error(entry_.location, path_, "an empty list", required_shape);
     for (const Entry& item : entry_.items) {
       const FieldReading reading = read_field(field_, item);
       if (!reading.good) {
-        mistakes_.push_back({item.place, path_, reading.complaint});
+        mistakes_.push_back({item.location, path_, reading.message});
       } else if (!seen.insert(reading.value.number).second) {
-        object(item.place, path_, describe(item) + " stands twice", "each value once is required");
+        add_error(item.location, path_, describe(item) + " stands twice", "each value once is required");
       } else {
         axis.values.push_back(reading.value.given);
         axis.numbers.push_back(reading.value.number);
-        axis.places.push_back(item.place);
+        axis.locations.push_back(item.location);
         written.push_back(write_scalar(reading.value.given));
       }
     }
@@ -93,7 +93,7 @@ class AxisReader {
       axis.numbers.push_back(steps->unit.empty() ? value
                                                  : *convert(value, steps->unit, field_.dimension.si).value);
     }
-    axis.places.assign(axis.values.size(), entry_.place);
+    axis.locations.assign(axis.values.size(), entry_.location);
     axis.written = fmt::format("{{from: {}, to: {}, step: {}}}", write_scalar(part("from").text),
                                write_scalar(part("to").text), write_scalar(part("step").text));
   }
@@ -105,13 +105,14 @@ class AxisReader {
     std::set<std::string> seen;
     for (const Member& member : entry_.members) {
       if (!seen.insert(member.key).second)
-        object(member.place, path_ + "." + member.key, "duplicate key", "each key once is required");
+        add_error(member.location, path_ + "." + member.key, "duplicate key", "each key once is required");
       else if (std::find(range_keys.begin(), range_keys.end(), member.key) == range_keys.end())
-        object(member.place, path_ + "." + member.key, "unknown key", "only from, to and step are required");
+        add_error(member.location, path_ + "." + member.key, "unknown key",
+                  "only from, to and step are required");
     }
     for (const std::string_view key : range_keys)
       if (!seen.contains(std::string(key)))
-        object(entry_.place, fmt::format("{}.{}", path_, key), "missing", required_shape);
+        add_error(entry_.location, fmt::format("{}.{}", path_, key), "missing", required_shape);
     return mistakes_.size() == before;
   }
 
@@ -128,7 +129,7 @@ class AxisReader {
 
   bool check_part(const char* key, const Field& field) {
     const FieldReading reading = read_field(field, part(key));
-    if (!reading.good) mistakes_.push_back({part(key).place, path_ + "." + key, reading.complaint});
+    if (!reading.good) mistakes_.push_back({part(key).location, path_ + "." + key, reading.message});
     return reading.good;
   }
 
@@ -143,14 +144,14 @@ class AxisReader {
   bool check_steps(const Steps& steps) {
     const std::size_t before = mistakes_.size();
     if (steps.to < steps.from)
-      object(part("to").place, path_ + ".to", describe(part("to")) + " is less than 'from'",
-             "a value of at least " + quote(part("from").text) + " is required");
+      add_error(part("to").location, path_ + ".to", describe(part("to")) + " is less than 'from'",
+                "a value of at least " + quote(part("from").text) + " is required");
     else if (!(steps.count() < most_points))
-      object(part("step").place, path_ + ".step", describe(part("step")) + " makes too many points",
-             fmt::format("at most {} points are required", most_points));
+      add_error(part("step").location, path_ + ".step", describe(part("step")) + " makes too many points",
+                fmt::format("at most {} points are required", most_points));
     else if (std::abs(steps.count() - std::round(steps.count())) > end_tolerance)
-      object(part("step").place, path_ + ".step",
-             describe(part("step")) + " leads past 'to', " + quote(part("to").text), required_step(steps));
+      add_error(part("step").location, path_ + ".step",
+                describe(part("step")) + " leads past 'to', " + quote(part("to").text), required_step(steps));
     return mistakes_.size() == before;
   }
 
@@ -187,12 +188,12 @@ const Field* swept_field(const Member& member, unsigned model, const CaseShape& 
   const Field* field = find_field(member.key);
   const std::string path = "sweep." + member.key;
   if (field == nullptr || (field->models & model) == 0 || !belongs(shape, member.key)) {
-    mistakes.push_back({member.place, path, {"unknown path", path_hint(member.key, model, shape)}});
+    mistakes.push_back({member.location, path, {"unknown path", path_hint(member.key, model, shape)}});
     return nullptr;
   }
   if (is_numeric(*field)) return field;
   mistakes.push_back(
-      {member.place, path, {"a field that is no number", path_hint(member.key, model, shape)}});
+      {member.location, path, {"a field that is no number", path_hint(member.key, model, shape)}});
   return nullptr;
 }
 
@@ -206,7 +207,7 @@ std::vector<SweepAxis> read_axes(const Entry& sweep, unsigned model, const CaseS
   for (const Member& member : sweep.members) {
     if (!seen.insert(member.key).second) {
       mistakes.push_back(
-          {member.place, "sweep." + member.key, {"duplicate key", "each key once is required"}});
+          {member.location, "sweep." + member.key, {"duplicate key", "each key once is required"}});
       continue;
     }
     const Field* field = swept_field(member, model, shape, mistakes);
@@ -215,7 +216,7 @@ std::vector<SweepAxis> read_axes(const Entry& sweep, unsigned model, const CaseS
     points *= static_cast<double>(axes.back().values.size());
   }
   if (points > most_points)
-    mistakes.push_back({sweep.place,
+    mistakes.push_back({sweep.location,
                         "sweep",
                         {fmt::format("{} operating points", points),
                          fmt::format("at most {} points are required", most_points)}});

@@ -15,19 +15,19 @@ namespace {
 
 constexpr std::size_t most_told = 20;  // mistakes of one axis
 
-struct Objection {
+struct ValidationError {
   std::size_t value = 0;  // of the axis
   Mistake mistake;        // as of the value set alone, with the path that does not fit
 };
 
 /// Objections to the values of one axis.
-struct AxisObjections {
+struct AxisErrors {
   const SweepAxis* axis = nullptr;
-  std::vector<Objection> objections;
+  std::vector<ValidationError> validation_errors;
 };
 
 std::string mistake_text(const Mistake& mistake) {
-  return mistake.path + ": " + mistake.complaint.found + "; " + mistake.complaint.required;
+  return mistake.path + ": " + mistake.message.found + "; " + mistake.message.required;
 }
 
 /// The case's own value where the axis holds it, else the axis' first.
@@ -45,36 +45,36 @@ ResolvedCase at_reference(const ResolvedCase& resolved, const std::vector<const 
   return resolved.without_sweep().with(settings, ignored);
 }
 
-AxisObjections objections_to(const SweepAxis& axis, const ResolvedCase& reference) {
-  AxisObjections found{&axis, {}};
+AxisErrors errors_of(const SweepAxis& axis, const ResolvedCase& reference) {
+  AxisErrors found{&axis, {}};
   for (std::size_t i = 0; i < axis.values.size(); ++i) {
     std::vector<Mistake> mistakes;
     reference.with({axis.setting(i)}, mistakes);
-    for (Mistake& mistake : mistakes) found.objections.push_back({i, std::move(mistake)});
+    for (Mistake& mistake : mistakes) found.validation_errors.push_back({i, std::move(mistake)});
   }
   return found;
 }
 
-Mistake at_axis(const SweepAxis& axis, const Objection& objection) {
-  const std::string& path = objection.mistake.path;
-  const Complaint& complaint = objection.mistake.complaint;
+Mistake at_axis(const SweepAxis& axis, const ValidationError& validation_error) {
+  const std::string& path = validation_error.mistake.path;
+  const ConsistencyMessage& message = validation_error.mistake.message;
   const std::string found =
-      path == axis.path
-          ? complaint.found
-          : fmt::format("{} contradicts {}: {}", quote(axis.values[objection.value]), path, complaint.found);
-  return {axis.places[objection.value], "sweep." + axis.path, {found, complaint.required}};
+      path == axis.path ? message.found
+                        : fmt::format("{} contradicts {}: {}", quote(axis.values[validation_error.value]),
+                                      path, message.found);
+  return {axis.locations[validation_error.value], "sweep." + axis.path, {found, message.required}};
 }
 
 /// An axis is to blame for what is said of its own path; of the rest, for what nobody was blamed for before.
-void tell(const AxisObjections& found, std::set<std::string>& known, std::vector<Mistake>& mistakes) {
+void tell(const AxisErrors& found, std::set<std::string>& known, std::vector<Mistake>& mistakes) {
   std::size_t count = 0;
-  for (const Objection& objection : found.objections) {
-    const bool fresh = known.insert(mistake_text(objection.mistake)).second;
-    if (!fresh && objection.mistake.path != found.axis->path) continue;
-    if (++count <= most_told) mistakes.push_back(at_axis(*found.axis, objection));
+  for (const ValidationError& validation_error : found.validation_errors) {
+    const bool fresh = known.insert(mistake_text(validation_error.mistake)).second;
+    if (!fresh && validation_error.mistake.path != found.axis->path) continue;
+    if (++count <= most_told) mistakes.push_back(at_axis(*found.axis, validation_error));
   }
   if (count > most_told)
-    mistakes.push_back({found.axis->places.back(),
+    mistakes.push_back({found.axis->locations.back(),
                         "sweep." + found.axis->path,
                         {fmt::format("{} more contradictions", count - most_told),
                          "values that fit the rest of the case are required"}});
@@ -89,15 +89,15 @@ void check_sweep_consistency(const ResolvedCase& resolved, std::vector<Mistake>&
     if (takes_part_in_consistency(axis.path) && !axis.values.empty()) axes.push_back(&axis);
   if (axes.empty()) return;
   const ResolvedCase reference = at_reference(resolved, axes);
-  std::vector<AxisObjections> all;
+  std::vector<AxisErrors> all;
   std::set<std::string> known;
   for (const Mistake& mistake : mistakes) known.insert(mistake_text(mistake));
   for (const SweepAxis* axis : axes) {
-    all.push_back(objections_to(*axis, reference));
-    for (const Objection& objection : all.back().objections)
-      if (objection.mistake.path == axis->path) known.insert(mistake_text(objection.mistake));
+    all.push_back(errors_of(*axis, reference));
+    for (const ValidationError& validation_error : all.back().validation_errors)
+      if (validation_error.mistake.path == axis->path) known.insert(mistake_text(validation_error.mistake));
   }
-  for (const AxisObjections& found : all) tell(found, known, mistakes);
+  for (const AxisErrors& found : all) tell(found, known, mistakes);
 }
 
 }  // namespace orbearing::app

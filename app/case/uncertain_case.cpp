@@ -14,8 +14,8 @@
 #include <span>
 #include <stdexcept>
 
-#include "app/case/bought_case.hpp"
-#include "app/case/bought_fields.hpp"
+#include "app/case/catalogue_case.hpp"
+#include "app/case/catalogue_fields.hpp"
 #include "app/case/field_table.hpp"
 #include "app/case/resolved_writer.hpp"
 #include "app/case/settings.hpp"
@@ -28,7 +28,7 @@ namespace {
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 // A normal distribution may not leave the range of its field this far from its mean: it does so once in 10^9.
 constexpr double kSurelyWithin = 6.0;  // [standard deviations]
-constexpr double kUsuallyWithin = 3.0;
+constexpr double kNormallyWithin = 3.0;
 
 // Words of a distribution, and which numbers it takes.
 struct DistributionWords {
@@ -70,12 +70,12 @@ class UncertainReader {
         entry_(member.value),
         mistakes_(mistakes) {
     stated_.path = member.key;
-    stated_.place = member.place;
+    stated_.location = member.location;
   }
 
   StatedUncertain read() {
     if (entry_.shape != Entry::Shape::block)
-      object(entry_.place, path_, describe(entry_) + " found", required_distribution);
+      add_error(entry_.location, path_, describe(entry_) + " found", required_distribution);
     else
       read_members();
     if (!parts_.empty()) stated_.written = fmt::format("{{{}}}", fmt::join(parts_, ", "));
@@ -83,8 +83,8 @@ class UncertainReader {
   }
 
  private:
-  void object(Place place, const std::string& path, std::string found, std::string required) {
-    mistakes_.push_back({place, path, {std::move(found), std::move(required)}});
+  void add_error(Location location, const std::string& path, std::string found, std::string required) {
+    mistakes_.push_back({location, path, {std::move(found), std::move(required)}});
   }
 
   void read_members() {
@@ -92,22 +92,22 @@ class UncertainReader {
     for (const Member& member : entry_.members) {
       const std::string path = path_ + "." + member.key;
       if (!seen.insert(member.key).second)
-        object(member.place, path, "duplicate key", "each key once is required");
+        add_error(member.location, path, "duplicate key", "each key once is required");
       else if (member.key == "reason")
         read_reason(member, path);
       else
         read_distribution(member, path);
     }
     if (kinds_ != 1)
-      object(entry_.place, path_, fmt::format("{} distributions", kinds_ == 0 ? "no" : "several"),
-             required_distribution);
+      add_error(entry_.location, path_, fmt::format("{} distributions", kinds_ == 0 ? "no" : "several"),
+                required_distribution);
   }
 
   void read_reason(const Member& member, const std::string& path) {
     const bool text = member.value.shape == Entry::Shape::scalar &&
                       member.value.text.find_first_not_of(" \t\r\n") != std::string::npos;
     if (!text) {
-      object(member.value.place, path, describe(member.value) + " found", "a text is required");
+      add_error(member.value.location, path, describe(member.value) + " found", "a text is required");
       return;
     }
     stated_.reason = member.value.text;
@@ -118,7 +118,7 @@ class UncertainReader {
     const auto words = std::find_if(kDistributions.begin(), kDistributions.end(),
                                     [&](const DistributionWords& one) { return one.kind == member.key; });
     if (words == kDistributions.end() && member.key != "class") {
-      object(member.place, path, "unknown key", required_distribution);
+      add_error(member.location, path, "unknown key", required_distribution);
       return;
     }
     ++kinds_;
@@ -126,20 +126,20 @@ class UncertainReader {
     if (member.key == "class")
       read_class(member, path);
     else if (member.value.shape != Entry::Shape::block)
-      object(member.value.place, path, describe(member.value) + " found", required_distribution);
+      add_error(member.value.location, path, describe(member.value) + " found", required_distribution);
     else
       read_numbers(*words, member.value, path);
   }
 
   void read_class(const Member& member, const std::string& path) {
-    if (field_.path != bought::kClearance) {
-      object(member.place, path, "a clearance class of what is no clearance",
-             "one of normal, uniform, triangular is required");
+    if (field_.path != catalogue_keys::kClearance) {
+      add_error(member.location, path, "a clearance class of what is no clearance",
+                "one of normal, uniform, triangular is required");
       return;
     }
-    const FieldReading reading = read_field(*find_field(bought::kClass), member.value);
+    const FieldReading reading = read_field(*find_field(catalogue_keys::kClass), member.value);
     if (!reading.good) {
-      mistakes_.push_back({member.value.place, path, reading.complaint});
+      mistakes_.push_back({member.value.location, path, reading.message});
       return;
     }
     stated_.clearance_class = reading.value.given;
@@ -155,20 +155,21 @@ class UncertainReader {
       const bool known = !member.key.empty() && std::find(words.numbers.begin(), words.numbers.end(),
                                                           member.key) != words.numbers.end();
       if (!seen.insert(member.key).second)
-        object(member.place, at, "duplicate key", "each key once is required");
+        add_error(member.location, at, "duplicate key", "each key once is required");
       else if (!known)
-        object(member.place, at, "unknown key", required_distribution);
+        add_error(member.location, at, "unknown key", required_distribution);
       else if (const auto number = read_one(member, at))
         written.push_back(fmt::format("{}: {}", member.key, *number));
     }
     for (std::size_t i = 0; i < words.required_first; ++i)
       if (!seen.contains(std::string(words.numbers[i])))
-        object(block.place, fmt::format("{}.{}", path, words.numbers[i]), "missing", required_distribution);
+        add_error(block.location, fmt::format("{}.{}", path, words.numbers[i]), "missing",
+                  required_distribution);
     if (words.kind == "normal" && seen.contains(kDeviation) == seen.contains(kRelativeDeviation))
-      object(block.place, fmt::format("{}.{}", path, kDeviation),
-             seen.contains(kDeviation) ? fmt::format("found beside {}", kRelativeDeviation) : "missing",
-             required_distribution);
-    if (mistakes_.size() == before) check_order(words, block.place, path);
+      add_error(block.location, fmt::format("{}.{}", path, kDeviation),
+                seen.contains(kDeviation) ? fmt::format("found beside {}", kRelativeDeviation) : "missing",
+                required_distribution);
+    if (mistakes_.size() == before) check_order(words, block.location, path);
     parts_.push_back(fmt::format("{}: {{{}}}", words.kind, fmt::join(written, ", ")));
   }
 
@@ -183,23 +184,23 @@ class UncertainReader {
     }
     FieldReading reading = read_field(field, member.value);
     if (!reading.good) {
-      mistakes_.push_back({member.value.place, path, reading.complaint});
+      mistakes_.push_back({member.value.location, path, reading.message});
       return std::nullopt;
     }
     stated_.numbers[member.key] = reading.value.number;
     return write_scalar(reading.value.given);
   }
 
-  void check_order(const DistributionWords& words, Place place, const std::string& path) {
+  void check_order(const DistributionWords& words, Location location, const std::string& path) {
     const auto of = [&](const char* key) {
       const auto found = stated_.numbers.find(key);
       return found == stated_.numbers.end() ? std::optional<double>() : found->second;
     };
     const std::optional<double> from = of("from"), to = of("to"), peak = of("peak");
     if (from && to && !(*from < *to))
-      object(place, path, "'from' is not less than 'to'", "a range is required");
+      add_error(location, path, "'from' is not less than 'to'", "a range is required");
     else if (words.kind == "triangular" && !(*from <= *peak && *peak <= *to))
-      object(place, path, "a peak outside 'from' and 'to'", "one between them is required");
+      add_error(location, path, "a peak outside 'from' and 'to'", "one between them is required");
   }
 
   Field field_;
@@ -228,7 +229,7 @@ const Field* uncertain_field(const Member& member, unsigned model, const CaseSha
   const Field* field = find_field(member.key);
   const bool known = field != nullptr && (field->models & model) != 0 && belongs(shape, member.key);
   if (known && can_be_uncertain(*field)) return field;
-  mistakes.push_back({member.place,
+  mistakes.push_back({member.location,
                       "uncertain." + member.key,
                       {known ? "a field that is no real number" : "unknown path",
                        uncertain_path_hint(member.key, model, shape)}});
@@ -241,19 +242,19 @@ constexpr const char* required_correlations =
 // Numbers of one row; empty where something is wrong.
 std::vector<double> read_matrix_row(const Entry& row, std::size_t size, std::vector<Mistake>& mistakes) {
   std::vector<double> numbers;
-  const auto object = [&](const Entry& entry, std::string required) {
+  const auto add_error = [&](const Entry& entry, std::string required) {
     mistakes.push_back(
-        {entry.place, "uncertain.correlations.matrix", {describe(entry) + " found", std::move(required)}});
+        {entry.location, "uncertain.correlations.matrix", {describe(entry) + " found", std::move(required)}});
     numbers.clear();
   };
   if (row.shape != Entry::Shape::list || row.items.size() != size) {
-    object(row, fmt::format("a row of {} numbers is required", size));
+    add_error(row, fmt::format("a row of {} numbers is required", size));
     return numbers;
   }
   for (const Entry& item : row.items) {
     const Reading<double> number = read_number(item.text);
     if (item.shape != Entry::Shape::scalar || item.quoted || !number.value || std::abs(*number.value) > 1.0) {
-      object(item, "a number from -1 to 1 is required");
+      add_error(item, "a number from -1 to 1 is required");
       return numbers;
     }
     numbers.push_back(*number.value);
@@ -272,7 +273,7 @@ std::string written_correlations(const StatedCorrelations& stated) {
 
 StatedCorrelations read_correlations(const Member& member, std::vector<Mistake>& mistakes) {
   StatedCorrelations stated;
-  stated.place = member.place;
+  stated.location = member.location;
   const std::size_t before = mistakes.size();
   const Member* of = find_member(member.value, "of");
   const Member* matrix = find_member(member.value, "matrix");
@@ -280,7 +281,7 @@ StatedCorrelations read_correlations(const Member& member, std::vector<Mistake>&
                      of->value.shape == Entry::Shape::list && matrix->value.shape == Entry::Shape::list &&
                      of->value.items.size() == matrix->value.items.size() && !of->value.items.empty();
   if (!lists) {
-    mistakes.push_back({member.value.place,
+    mistakes.push_back({member.value.location,
                         "uncertain.correlations",
                         {describe(member.value) + " found", required_correlations}});
     return stated;
@@ -360,20 +361,21 @@ class UncertainCheck {
   }
 
  private:
-  void object(const StatedUncertain& stated, std::string found, std::string required) {
-    mistakes_.push_back({stated.place, "uncertain." + stated.path, {std::move(found), std::move(required)}});
+  void add_error(const StatedUncertain& stated, std::string found, std::string required) {
+    mistakes_.push_back(
+        {stated.location, "uncertain." + stated.path, {std::move(found), std::move(required)}});
   }
 
   // Whether there is a value whose place a sample can take.
   bool stands(const StatedUncertain& stated) {
     if (!in_.has(stated.path)) {
-      object(stated, "a number that the case does not have",
-             stated.path + ", the value that is expected, is required beside");
+      add_error(stated, "a number that the case does not have",
+                stated.path + ", the value that is expected, is required beside");
       return false;
     }
     if (in_.is_replaced(stated.path)) {
-      object(stated, "a number in whose place another input stands",
-             "the input that gives it is what can be uncertain; a case without it is required");
+      add_error(stated, "a number in whose place another input stands",
+                "the input that gives it is what can be uncertain; a case without it is required");
       return false;
     }
     return stated.kind != "class" || stands_as_class(stated);
@@ -381,31 +383,31 @@ class UncertainCheck {
 
   bool stands_as_class(const StatedUncertain& stated) {
     const ResolvedCase set = set_of_path(in_, stated.path);
-    if (!set.has(bought::kState) || set.choice(bought::kState) != "unmounted") {
-      object(stated, "a clearance class of a clearance that is not that on the shelf",
-             "bearing.clearance_state: unmounted, with its fits, is required");
+    if (!set.has(catalogue_keys::kState) || set.choice(catalogue_keys::kState) != "unmounted") {
+      add_error(stated, "a clearance class of a clearance that is not that on the shelf",
+                "bearing.clearance_state: unmounted, with its fits, is required");
       return false;
     }
     try {
       (void)clearance_range_of(set, stated.clearance_class);
       return true;
     } catch (const std::invalid_argument& error) {
-      object(stated, "class " + stated.clearance_class, error.what());
+      add_error(stated, "class " + stated.clearance_class, error.what());
       return false;
     }
   }
 
   // A share of a mean of 0 is no deviation. Where a setting made the mean 0, what asks for samples says so.
   bool check_deviations(const StatedUncertain& stated, const std::vector<UncertainInput>& inputs) {
-    if (in_.place(stated.path).option && !stated.place.option) return true;
+    if (in_.location(stated.path).option && !stated.location.option) return true;
     const bool sound = stated.kind != "normal" || std::all_of(inputs.begin(), inputs.end(), [](const auto& one) {
                          return one.standard_deviation > 0.0;
                        });
     if (!sound)
-      object(stated,
-             stated.numbers.contains(kRelativeDeviation) ? "a relative_standard_deviation of a mean of 0"
-                                                         : "a standard deviation of 0",
-             "a standard_deviation above 0, with its unit, is required");
+      add_error(stated,
+                stated.numbers.contains(kRelativeDeviation) ? "a relative_standard_deviation of a mean of 0"
+                                                            : "a standard deviation of 0",
+                "a standard_deviation above 0, with its unit, is required");
     return sound;
   }
 
@@ -415,13 +417,13 @@ class UncertainCheck {
     const double high = std::isnan(one.to) ? one.mean + kSurelyWithin * one.standard_deviation : one.to;
     if (in_range(stated, low) && in_range(stated, high)) {
       if (one.mean >= low && one.mean <= high) return true;
-      object(stated, "a mean outside 'from' and 'to'", "one between them is required");
+      add_error(stated, "a mean outside 'from' and 'to'", "one between them is required");
       return false;
     }
-    object(stated, "a normal distribution that leaves the range of its number",
-           requirement(*find_field(stated.path)) +
-               " is required of all within six standard deviations of the mean; cut "
-               "it off by from or to beside the standard deviation");
+    add_error(stated, "a normal distribution that leaves the range of its number",
+              requirement(*find_field(stated.path)) +
+                  " is required of all within six standard deviations of the mean; cut "
+                  "it off by from or to beside the standard deviation");
     return false;
   }
 
@@ -445,7 +447,7 @@ class UncertainCheck {
 
   // What a value near either end contradicts.
   void check_ends(const StatedUncertain& stated, const UncertainInput& one) {
-    const double reach = kUsuallyWithin * one.standard_deviation;
+    const double reach = kNormallyWithin * one.standard_deviation;
     const bool normal = stated.kind == "normal";
     const double low = std::isnan(one.from) ? one.mean - reach
                        : normal             ? std::max(one.from, one.mean - reach)
@@ -458,10 +460,10 @@ class UncertainCheck {
       (void)in_.without_sweep().with({{stated.path, with_element(stated, end)}}, found);
       if (found.empty()) continue;
       const Field field = field_of_number(*find_field(stated.path));
-      object(stated,
-             fmt::format("'{}' contradicts {}: {}", customary_text(end, field), found.front().path,
-                         found.front().complaint.found),
-             found.front().complaint.required);
+      add_error(stated,
+                fmt::format("'{}' contradicts {}: {}", customary_text(end, field), found.front().path,
+                            found.front().message.found),
+                found.front().message.required);
       return;
     }
   }
@@ -484,18 +486,18 @@ class UncertainCheck {
 void check_correlations(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   const StatedCorrelations& stated = in.uncertain().correlations;
   if (stated.written.empty()) return;
-  const auto object = [&](std::string found, std::string required) {
-    mistakes.push_back({stated.place, "uncertain.correlations", {std::move(found), std::move(required)}});
+  const auto add_error = [&](std::string found, std::string required) {
+    mistakes.push_back({stated.location, "uncertain.correlations", {std::move(found), std::move(required)}});
   };
   std::set<std::string> known, seen;
   for (const UncertainInput& one : uncertain_inputs(in).inputs) known.insert(one.path);
   for (const std::string& path : stated.of) {
     if (!known.contains(path))
-      object(
+      add_error(
           quote(path) + " as a path",
           fmt::format("paths of uncertain numbers, elements of lists by their index from 0, are required: {}",
                       fmt::join(known, ", ")));
-    if (!seen.insert(path).second) object(quote(path) + " stands twice", "each path once is required");
+    if (!seen.insert(path).second) add_error(quote(path) + " stands twice", "each path once is required");
   }
   const auto size = static_cast<Eigen::Index>(stated.of.size());
   Eigen::MatrixXd matrix(size, size);
@@ -503,11 +505,11 @@ void check_correlations(const ResolvedCase& in, std::vector<Mistake>& mistakes) 
     for (Eigen::Index j = 0; j < size; ++j)
       matrix(i, j) = stated.matrix[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
   if (matrix != matrix.transpose() || !(matrix.diagonal().array() == 1.0).all())
-    object("a matrix that is not symmetric with ones on its diagonal",
-           "a matrix of correlations is required");
+    add_error("a matrix that is not symmetric with ones on its diagonal",
+              "a matrix of correlations is required");
   else if (matrix.llt().info() != Eigen::Success)
-    object("a matrix that is not positive definite",
-           "correlations that all can hold at once, none of them 1 or -1, are required");
+    add_error("a matrix that is not positive definite",
+              "correlations that all can hold at once, none of them 1 or -1, are required");
 }
 
 std::vector<std::vector<double>> all_correlations(const StatedCorrelations& stated,
@@ -540,7 +542,7 @@ StatedUncertainty read_uncertain(const Entry& block, unsigned model, const CaseS
   for (const Member& member : block.members) {
     if (!seen.insert(member.key).second) {
       mistakes.push_back(
-          {member.place, "uncertain." + member.key, {"duplicate key", "each key once is required"}});
+          {member.location, "uncertain." + member.key, {"duplicate key", "each key once is required"}});
     } else if (member.key == kCorrelations) {
       stated.correlations = read_correlations(member, mistakes);
     } else if (const Field* field = uncertain_field(member, model, shape, mistakes)) {
@@ -591,7 +593,7 @@ std::vector<std::string> uncertain_warnings(const ResolvedCase& resolved) {
   if (resolved.model() != planetary_drivetrain) return warnings;
   for (const StatedUncertain& stated : resolved.uncertain().inputs) {
     const Input input{stated.path, find_field(stated.path)};
-    if (standing_in_row(resolved, input, use::quasi_static) != Standing::used)
+    if (use_status_in_row(resolved, input, use::quasi_static) != UseStatus::used)
       warnings.push_back("uncertain." + stated.path + ": not felt by " + analysis_name(use::quasi_static) +
                          ", on which lives are sampled");
   }

@@ -8,8 +8,8 @@ namespace orbearing::app {
 
 namespace {
 
-bool is_uneven(const ResolvedCase& in, const std::string& places) {
-  gearset::PlanetarySet set{.planets = in.integer("gearset.planets"), .planet_angles = in.list(places)};
+bool is_uneven(const ResolvedCase& in, const std::string& positions) {
+  gearset::PlanetarySet set{.planets = in.integer("gearset.planets"), .planet_angles = in.list(positions)};
   if (in.has("gearset.teeth.sun") && in.has("gearset.teeth.ring")) {
     set.sun_teeth = in.integer("gearset.teeth.sun");
     set.ring_teeth = in.integer("gearset.teeth.ring");
@@ -25,10 +25,10 @@ std::string uneven_planets_by(const ResolvedCase& resolved) {
     const std::vector<double>& errors = resolved.list(pins);
     if (std::any_of(errors.begin(), errors.end(), [](double error) { return error != 0.0; })) return pins;
   }
-  const char* places = "gearset.planet_angles";
-  for (const char* needed : {places, "gearset.planets"})
+  const char* positions = "gearset.planet_angles";
+  for (const char* needed : {positions, "gearset.planets"})
     if (!resolved.has(needed)) return "";
-  return is_uneven(resolved, places) ? places : "";
+  return is_uneven(resolved, positions) ? positions : "";
 }
 
 }  // namespace orbearing::app

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "app/case/bought_case.hpp"
-#include "app/case/bought_fields.hpp"
+#include "app/case/catalogue_case.hpp"
+#include "app/case/catalogue_fields.hpp"
 #include "app/case/field_table.hpp"
 #include "app/case/mesh_fields.hpp"
 #include "app/case/settings.hpp"
@@ -32,9 +32,10 @@ bool is_neutral(const ResolvedCase& in, const Input& input) {
   if (in.origin(input.path) == "default") return true;
   const FieldValue& value = in.value(input.path);
   if (!field.default_text.empty() && !field.default_without_bearing) {
-    const FieldValue usual = read_field_text(field, field.default_text).value;
-    return field.kind == Kind::choice ? value.given == usual.given
-                                      : value.number == usual.number && value.list == usual.list;
+    const FieldValue default_value = read_field_text(field, field.default_text).value;
+    return field.kind == Kind::choice
+               ? value.given == default_value.given
+               : value.number == default_value.number && value.list == default_value.list;
   }
   return has_magnitude(field) && all_zero(value);
 }
@@ -224,7 +225,7 @@ bool is_behind_ratios(const ResolvedCase& in, const Input& input) {
 
 // Those that a case of this kind may have, as bits.
 unsigned analyses_that_fit(const ResolvedCase& resolved) {
-  unsigned allowed = use::lone_balance;
+  unsigned allowed = use::single_bearing_equilibrium;
   const CaseShape& shape = resolved.shape();
   if (resolved.model() == ball_motion) allowed = use::ball_run;
   if (resolved.model() == gear_pair) allowed = use::mesh;
@@ -253,10 +254,9 @@ std::string users_text(const ResolvedCase& in, const Input& input) {
   return idle.empty() ? "nothing in a case of this kind uses it" : idle;
 }
 
-std::string warning_of(const ResolvedCase& in, const Input& input, use::Analysis analysis,
-                       Standing standing) {
+std::string warning_of(const ResolvedCase& in, const Input& input, use::Analysis analysis, UseStatus status) {
   const std::string found = fmt::format("{}: {}", input.path, in.written(input.path));
-  if (standing == Standing::idle)
+  if (status == UseStatus::idle)
     return fmt::format("{} has no effect: {}", found, idle_text(in, input, analysis));
   return fmt::format("{} has no effect on {}; {}", found, analysis_name(analysis), users_text(in, input));
 }
@@ -271,10 +271,10 @@ class AxisCheck {
     const std::string path = "sweep." + axis.path;
     const bool goes_through = sweeps_ == Axes::all || (sweeps_ == Axes::speed && axis.path == "input.speed");
     const Input input{axis.path, find_field(axis.path)};
-    if (goes_through && standing_in_row(in_, input, analysis_) == Standing::used) {
+    if (goes_through && use_status_in_row(in_, input, analysis_) == UseStatus::used) {
       const Condition* unmet = is_used(in_, input, analysis_) ? nullptr : first_unmet(in_, input);
       if (unmet != nullptr && !is_swept(*unmet, axis.path))
-        mistakes.push_back({axis.place,
+        mistakes.push_back({axis.location,
                             path,
                             {"a sweep of what has no effect: " + idle_text(in_, input, analysis_),
                              "a case without this axis is required"}});
@@ -282,10 +282,10 @@ class AxisCheck {
     }
     if (sweeps_ != Axes::none)
       mistakes.push_back(
-          {axis.place,
+          {axis.location,
            path,
            {"a sweep of what " + analysis_name(analysis_) + " does not vary", required(axis)}});
-    else if (axis.place.option)
+    else if (axis.location.option)
       warnings.push_back(path + ": has no effect on " + analysis_name(analysis_) + "; used by sweep");
   }
 
@@ -310,36 +310,36 @@ class AxisCheck {
 
 }  // namespace
 
-Standing standing_in_row(const ResolvedCase& resolved, const Input& input, use::Analysis analysis) {
+UseStatus use_status_in_row(const ResolvedCase& resolved, const Input& input, use::Analysis analysis) {
   const Use& use = input.field->use;
-  if (is_behind_ratios(resolved, input)) return Standing::unfelt;
-  if ((use.by & analysis) != 0) return Standing::used;
-  if (way_that_holds(resolved, input, analysis) != nullptr) return Standing::used;
-  if (is_felt_through_another(resolved, input, analysis)) return Standing::used;
-  if ((use.unfelt_by & analysis) != 0) return Standing::unfelt;
-  return (use.refused_by & analysis) != 0 ? Standing::refused : Standing::unused;
+  if (is_behind_ratios(resolved, input)) return UseStatus::unfelt;
+  if ((use.by & analysis) != 0) return UseStatus::used;
+  if (way_that_holds(resolved, input, analysis) != nullptr) return UseStatus::used;
+  if (is_felt_through_another(resolved, input, analysis)) return UseStatus::used;
+  if ((use.unfelt_by & analysis) != 0) return UseStatus::unfelt;
+  return (use.refused_by & analysis) != 0 ? UseStatus::refused : UseStatus::unused;
 }
 
 bool is_used(const ResolvedCase& resolved, const Input& input, use::Analysis analysis) {
   if (is_behind_ratios(resolved, input)) return false;
   if (way_that_holds(resolved, input, analysis) != nullptr) return true;
-  return standing_in_row(resolved, input, analysis) == Standing::used &&
+  return use_status_in_row(resolved, input, analysis) == UseStatus::used &&
          first_unmet(resolved, input) == nullptr;
 }
 
-Standing standing_of(const ResolvedCase& resolved, const Input& input, use::Analysis analysis) {
+UseStatus use_status_of(const ResolvedCase& resolved, const Input& input, use::Analysis analysis) {
   const bool idle = first_unmet(resolved, input) != nullptr;
   if (is_neutral(resolved, input)) {
     // What an option of this very command gives is said to have no effect, whatever its value.
-    const bool said = idle && resolved.place(input.path).option && !is_used(resolved, input, analysis) &&
-                      standing_in_row(resolved, input, analysis) == Standing::used;
-    return said ? Standing::idle : Standing::neutral;
+    const bool said = idle && resolved.location(input.path).option && !is_used(resolved, input, analysis) &&
+                      use_status_in_row(resolved, input, analysis) == UseStatus::used;
+    return said ? UseStatus::idle : UseStatus::neutral;
   }
-  if (is_used(resolved, input, analysis)) return Standing::used;
-  const Standing standing = standing_in_row(resolved, input, analysis);
+  if (is_used(resolved, input, analysis)) return UseStatus::used;
+  const UseStatus status = use_status_in_row(resolved, input, analysis);
   // What counts for nothing anyway need not be refused.
-  if (standing == Standing::unfelt) return standing;
-  return idle ? Standing::idle : standing;
+  if (status == UseStatus::unfelt) return status;
+  return idle ? UseStatus::idle : status;
 }
 
 std::vector<std::string> require_used(const ResolvedCase& resolved, use::Analysis analysis, Axes sweeps) {
@@ -347,34 +347,34 @@ std::vector<std::string> require_used(const ResolvedCase& resolved, use::Analysi
   std::vector<std::string> warnings;
   for (const Input& input : resolved.inputs()) {
     if (!resolved.has(input.path)) continue;
-    const Standing standing = standing_of(resolved, input, analysis);
-    const Place place = resolved.place(input.path);
-    if (standing == Standing::refused)
-      mistakes.push_back({place,
+    const UseStatus status = use_status_of(resolved, input, analysis);
+    const Location location = resolved.location(input.path);
+    if (status == UseStatus::refused)
+      mistakes.push_back({location,
                           input.path,
                           {fmt::format("{}, which {} cannot take into account",
                                        quote(resolved.given(input.path)), analysis_name(analysis)),
                            "none is required, or what would use it: " + users_text(resolved, input)}});
-    else if (standing == Standing::idle || standing == Standing::unused ||
-             (standing == Standing::unfelt && place.option))
-      warnings.push_back(warning_of(resolved, input, analysis, standing));
+    else if (status == UseStatus::idle || status == UseStatus::unused ||
+             (status == UseStatus::unfelt && location.option))
+      warnings.push_back(warning_of(resolved, input, analysis, status));
   }
   const std::vector<Input> inputs = resolved.inputs();
   if (std::any_of(inputs.begin(), inputs.end(), [&](const Input& input) {
-        return input.field->path == bought::kDesignation && resolved.has(input.path) &&
-               standing_in_row(resolved, input, analysis) == Standing::used;
+        return input.field->path == catalogue_keys::kDesignation && resolved.has(input.path) &&
+               use_status_in_row(resolved, input, analysis) == UseStatus::used;
       }))
     for (std::string& warning : inferred_warnings(resolved)) warnings.push_back(std::move(warning));
   for (const SweepAxis& axis : resolved.axes()) {
     const bool goes_through = sweeps == Axes::all || (sweeps == Axes::speed && axis.path == kSpeedPath);
-    if (goes_through && resolved.has(axis.path) && resolved.place(axis.path).option)
+    if (goes_through && resolved.has(axis.path) && resolved.location(axis.path).option)
       warnings.push_back(fmt::format("{}: {} has no effect beside sweep.{}, which sets it at each point",
                                      axis.path, resolved.written(axis.path), axis.path));
   }
   const AxisCheck axes(resolved, analysis, sweeps);
   for (const SweepAxis& axis : resolved.axes()) axes.add(axis, mistakes, warnings);
   for (const StatedUncertain& one : resolved.uncertain().inputs)
-    if (one.place.option)
+    if (one.location.option)
       warnings.push_back(fmt::format("uncertain.{}: has no effect on {}; used by uncertainty and validate",
                                      one.path, analysis_name(analysis)));
   if (!mistakes.empty()) throw_mistakes(resolved.file(), std::move(mistakes));

@@ -9,7 +9,7 @@
 namespace orbearing::app {
 
 /// How a value that a case gives stands towards an analysis.
-enum class Standing {
+enum class UseStatus {
   used,
   neutral,  // the default, or zero where there is none: nothing is lost
   unfelt,   // by nature: see Use
@@ -19,13 +19,13 @@ enum class Standing {
 };
 
 /// As the row of the field says, whatever its value: used, unfelt, refused or unused.
-Standing standing_in_row(const ResolvedCase& resolved, const Input& input, use::Analysis analysis);
+UseStatus use_status_in_row(const ResolvedCase& resolved, const Input& input, use::Analysis analysis);
 
 /// Whether the analysis uses the value as the case stands: what its row says, and all that it hangs on holds.
 bool is_used(const ResolvedCase& resolved, const Input& input, use::Analysis analysis);
 
 /// Of the value at `path`, which the case has.
-Standing standing_of(const ResolvedCase& resolved, const Input& input, use::Analysis analysis);
+UseStatus use_status_of(const ResolvedCase& resolved, const Input& input, use::Analysis analysis);
 
 /// Throws BadInput with all that `analysis` ought to use and cannot; else warnings of all that it does not
 /// use: values without effect, and what it cannot feel by nature where an option of this very command gives

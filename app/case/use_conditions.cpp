@@ -29,21 +29,22 @@ bool are_mirrored(const std::vector<double>& values, double sign) {
 
 // Clearances of bearings in the order of their places.
 bool has_unlike_ends(const ResolvedCase& in) {
-  const std::string places = "bearing.axial_places", differences = "bearing.clearance_differences";
+  const std::string positions = "bearing.axial_places", differences = "bearing.clearance_differences";
   std::vector<std::size_t> order;
-  std::vector<double> place, clearance;
-  if (in.has(places)) place = in.list(places);
+  std::vector<double> position, clearance;
+  if (in.has(positions)) position = in.list(positions);
   if (in.has(differences)) clearance = in.list(differences);
-  for (std::size_t i = 0; i < std::max(place.size(), clearance.size()); ++i) order.push_back(i);
-  if (!place.empty() && (clearance.empty() || clearance.size() == place.size()))
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return place[a] < place[b]; });
+  for (std::size_t i = 0; i < std::max(position.size(), clearance.size()); ++i) order.push_back(i);
+  if (!position.empty() && (clearance.empty() || clearance.size() == position.size()))
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t a, std::size_t b) { return position[a] < position[b]; });
   const auto sorted = [&](const std::vector<double>& values) {
     std::vector<double> out;
     for (const std::size_t i : order)
       if (i < values.size()) out.push_back(values[i]);
     return out;
   };
-  return !are_mirrored(sorted(place), -1.0) || !are_mirrored(sorted(clearance), 1.0);
+  return !are_mirrored(sorted(position), -1.0) || !are_mirrored(sorted(clearance), 1.0);
 }
 
 bool has_unlike_roller_ends(const ResolvedCase& in) {

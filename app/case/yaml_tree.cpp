@@ -16,37 +16,37 @@ constexpr std::size_t deepest = 16;  // levels; the fields need four
 
 // Places of bytes, with columns in characters (yaml-cpp counts bytes). Asked for in rising order it reads the
 // text once.
-class PlaceFinder {
+class LocationFinder {
  public:
-  explicit PlaceFinder(std::string_view text) : text_(text) {}
+  explicit LocationFinder(std::string_view text) : text_(text) {}
 
-  Place operator()(std::size_t position) {
-    if (position < reached_) *this = PlaceFinder(text_);
+  Location operator()(std::size_t position) {
+    if (position < reached_) *this = LocationFinder(text_);
     for (; reached_ < std::min(position, text_.size()); ++reached_) pass(text_[reached_]);
-    return place_;
+    return location_;
   }
 
  private:
   void pass(char c) {
     if (c == '\n') {
-      ++place_.line;
-      place_.column = 1;
+      ++location_.line;
+      location_.column = 1;
     } else if ((static_cast<unsigned char>(c) & 0xC0) != 0x80) {
-      ++place_.column;
+      ++location_.column;
     }
   }
 
   std::string_view text_;
   std::size_t reached_ = 0;
-  Place place_;
+  Location location_;
 };
 
-Place place_at(std::string_view text, std::size_t position) {
-  return PlaceFinder(text)(position);
+Location location_at(std::string_view text, std::size_t position) {
+  return LocationFinder(text)(position);
 }
 
-[[noreturn]] void refuse(Place place, std::string found, std::string required) {
-  throw YamlFault{place, {std::move(found), std::move(required)}};
+[[noreturn]] void refuse(Location location, std::string found, std::string required) {
+  throw YamlFault{location, {std::move(found), std::move(required)}};
 }
 
 // yaml-cpp stops in silence at some control characters and repairs broken UTF-8: both would lose input.
@@ -54,9 +54,9 @@ void check_characters(std::string_view text) {
   if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
     refuse({}, "a file in UTF-16", "a text file in UTF-8 is required: save it as UTF-8");
   if (const std::size_t byte = first_byte_not_utf8(text); byte < text.size())
-    refuse(place_at(text, byte), "a byte that is not UTF-8", "a text file in UTF-8 is required");
+    refuse(location_at(text, byte), "a byte that is not UTF-8", "a text file in UTF-8 is required");
   if (const std::size_t control = first_control_character(text); control < text.size())
-    refuse(place_at(text, control), "a control character", "a text file in UTF-8 is required");
+    refuse(location_at(text, control), "a control character", "a text file in UTF-8 is required");
 }
 
 // The first tab in the indentation of a line: YAML allows none, and its parser does not say so.
@@ -89,7 +89,7 @@ bool is_closed(std::string_view text, std::size_t start) {
 
 class TreeBuilder : public YAML::EventHandler {
  public:
-  explicit TreeBuilder(std::string_view text) : text_(text), place_of_(text) {}
+  explicit TreeBuilder(std::string_view text) : text_(text), location_of_(text) {}
 
   Entry take_root() { return std::move(root_); }
 
@@ -98,7 +98,7 @@ class TreeBuilder : public YAML::EventHandler {
   void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     refuse_anchor(mark, anchor);
     // The mark of a missing value lies on what comes next.
-    add(make_entry(Entry::Shape::nothing, expects_value() ? open_.back().key_place : place(mark)));
+    add(make_entry(Entry::Shape::nothing, expects_value() ? open_.back().key_location : location(mark)));
   }
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override { refuse_anchor(mark, 1); }
   void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
@@ -108,17 +108,17 @@ class TreeBuilder : public YAML::EventHandler {
     const bool quoted = tag == "!";
     // Escapes in double quotes ("\e[31m") make characters that the file itself does not hold.
     if (first_byte_not_utf8(value) < value.size() || first_control_character(value) < value.size())
-      refuse(place(mark), "an escape that makes a control character", "a text without it is required");
+      refuse(location(mark), "an escape that makes a control character", "a text without it is required");
     const char opening = at(mark) < text_.size() ? text_[at(mark)] : ' ';
     if (quoted && (opening == '"' || opening == '\'') && !is_closed(text_, at(mark)))
-      refuse(place(mark), "a quotation that does not end",
+      refuse(location(mark), "a quotation that does not end",
              "a closing " + std::string(1, opening) + " is required");
     if (expects_key()) {
       open_.back().key = value;
-      open_.back().key_place = place(mark);
+      open_.back().key_location = location(mark);
       open_.back().has_key = true;
     } else {
-      add(make_scalar(value, quoted, place(mark)));
+      add(make_scalar(value, quoted, location(mark)));
     }
   }
   void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
@@ -136,33 +136,34 @@ class TreeBuilder : public YAML::EventHandler {
   struct Open {
     Entry entry;
     std::string key{};
-    Place key_place{};
+    Location key_location{};
     bool has_key = false;
   };
 
   std::size_t at(const YAML::Mark& mark) const { return static_cast<std::size_t>(std::max(mark.pos, 0)); }
-  Place place(const YAML::Mark& mark) { return place_of_(at(mark)); }
+  Location location(const YAML::Mark& mark) { return location_of_(at(mark)); }
   bool in_block() const { return !open_.empty() && open_.back().entry.shape == Entry::Shape::block; }
   bool expects_key() const { return in_block() && !open_.back().has_key; }
   bool expects_value() const { return in_block() && open_.back().has_key; }
 
   void refuse_anchor(const YAML::Mark& mark, YAML::anchor_t anchor) {
-    if (anchor != 0) refuse(place(mark), "an anchor or alias (& or *)", "the value written out is required");
+    if (anchor != 0)
+      refuse(location(mark), "an anchor or alias (& or *)", "the value written out is required");
   }
   void refuse_tag(const YAML::Mark& mark, const std::string& tag) {
     if (!tag.empty() && tag != "?" && tag != "!")
-      refuse(place(mark), "the YAML tag " + quote(tag), "a value without a tag is required");
+      refuse(location(mark), "the YAML tag " + quote(tag), "a value without a tag is required");
   }
 
   void open(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, Entry::Shape shape) {
     refuse_anchor(mark, anchor);
     refuse_tag(mark, tag);
     if (expects_key())
-      refuse(place(mark), "an open bracket or a key that is no plain text",
+      refuse(location(mark), "an open bracket or a key that is no plain text",
              "closed brackets and plain keys are required");
     if (open_.size() >= deepest)
-      refuse(place(mark), "nesting of more than 16 levels", "the blocks of a case are required");
-    open_.push_back({.entry = make_entry(shape, place(mark))});
+      refuse(location(mark), "nesting of more than 16 levels", "the blocks of a case are required");
+    open_.push_back({.entry = make_entry(shape, location(mark))});
   }
 
   void close() {
@@ -180,15 +181,15 @@ class TreeBuilder : public YAML::EventHandler {
     if (parent.entry.shape == Entry::Shape::list) {
       parent.entry.items.push_back(std::move(entry));
     } else if (parent.has_key) {
-      parent.entry.members.push_back({std::move(parent.key), parent.key_place, std::move(entry)});
+      parent.entry.members.push_back({std::move(parent.key), parent.key_location, std::move(entry)});
       parent.has_key = false;
     } else {
-      refuse(entry.place, "an empty key", "a plain key is required");
+      refuse(entry.location, "an empty key", "a plain key is required");
     }
   }
 
   std::string_view text_;
-  PlaceFinder place_of_;
+  LocationFinder location_of_;
   std::vector<Open> open_;
   Entry root_;
 };
@@ -201,7 +202,7 @@ Entry parse(std::string_view text) {
   Entry root = builder.take_root();
   TreeBuilder rest(text);
   if (parser.HandleNextDocument(rest))
-    refuse(rest.take_root().place, "a second YAML document", "one document is required");
+    refuse(rest.take_root().location, "a second YAML document", "one document is required");
   return root;
 }
 
@@ -218,22 +219,23 @@ Entry read_yaml(std::string_view text) {
     return parse(text);
   } catch (const YAML::Exception& error) {
     if (const std::optional<std::size_t> tab = tab_of_indentation(text))
-      refuse(place_at(text, *tab), "a tab in the indentation of a line", "blanks in place of tabs are required");
+      refuse(location_at(text, *tab), "a tab in the indentation of a line",
+             "blanks in place of tabs are required");
     const auto position = static_cast<std::size_t>(std::max(error.mark.pos, 0));
-    refuse(place_at(text, std::min(position, text.size())), "wrong YAML (" + error.msg + ")",
+    refuse(location_at(text, std::min(position, text.size())), "wrong YAML (" + error.msg + ")",
            "keys and values as 'key: value', indented by blanks, are required");
   }
 }
 
-Entry make_entry(Entry::Shape shape, Place place) {
+Entry make_entry(Entry::Shape shape, Location location) {
   Entry entry;
   entry.shape = shape;
-  entry.place = place;
+  entry.location = location;
   return entry;
 }
 
-Entry make_scalar(std::string text, bool quoted, Place place) {
-  Entry entry = make_entry(Entry::Shape::scalar, place);
+Entry make_scalar(std::string text, bool quoted, Location location) {
+  Entry entry = make_entry(Entry::Shape::scalar, location);
   entry.text = std::move(text);
   entry.quoted = quoted;
   return entry;

@@ -19,14 +19,14 @@ struct Entry {
   Shape shape = Shape::nothing;
   std::string text;     // scalar
   bool quoted = false;  // scalar: written in quotes, hence a text
-  Place place;
+  Location location;
   std::vector<Entry> items;     // list
   std::vector<Member> members;  // block, in the order written, duplicates included
 };
 
 struct Member {
   std::string key;
-  Place place;  // of the key
+  Location location;  // of the key
   Entry value;
 };
 
@@ -39,13 +39,13 @@ void check_text(std::string_view text);
 
 /// Wrong syntax, at a place.
 struct YamlFault {
-  Place place;
-  Complaint complaint;
+  Location location;
+  ConsistencyMessage message;
 };
 
 /// An entry without content yet, and one that holds a text.
-Entry make_entry(Entry::Shape shape, Place place);
-Entry make_scalar(std::string text, bool quoted = false, Place place = {});
+Entry make_entry(Entry::Shape shape, Location location);
+Entry make_scalar(std::string text, bool quoted = false, Location location = {});
 
 /// First member of that key, or null.
 const Member* find_member(const Entry& block, std::string_view key);

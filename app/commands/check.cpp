@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "app/case/bought_case.hpp"
+#include "app/case/catalogue_case.hpp"
 #include "app/case/check_table.hpp"
 #include "app/case/uncertain_case.hpp"
 #include "app/case/unused_inputs.hpp"
@@ -54,7 +54,7 @@ int check_command(const Options& options) {
     for (std::string& warning : cage_warnings(resolved)) checked.warnings.push_back(std::move(warning));
     for (std::string& warning : clearance_warnings(resolved)) checked.warnings.push_back(std::move(warning));
   }
-  for (const Derived& row : bought_quantities(resolved)) checked.derived.push_back(row);
+  for (const Derived& row : catalogue_quantities(resolved)) checked.derived.push_back(row);
   for (std::string& warning : inferred_warnings(resolved)) checked.warnings.push_back(std::move(warning));
   for (std::string& warning : uncertain_warnings(resolved)) checked.warnings.push_back(std::move(warning));
   // What the case states as a check stands among its inputs.

@@ -425,7 +425,7 @@ void require_printed() {
 
 }  // namespace
 
-void require_place_of_results(const Options& options) {
+void require_output(const Options& options) {
   if (!options.output.empty()) return;
   if (!options.json)
     throw BadInput("--output: missing; required: a folder for the results, or --json to print them alone");

@@ -73,7 +73,7 @@ int spectrum_command(const Options& options);
 
 /// Throws BadInput where the result would go nowhere: neither --output nor --json; where there is nothing to
 /// resume.
-void require_place_of_results(const Options& options);
+void require_output(const Options& options);
 
 /// What words behind the program's name ask for.
 struct Asked {

@@ -85,7 +85,7 @@ ResultRow done_row(const TableHead& head) {
 }  // namespace
 
 int crown_command(const Options& options) {
-  require_place_of_results(options);
+  require_output(options);
   const auto [resolved, noted] = crown_case(case_of(options), options.crown);
   const CrownRequest request = crown_request(resolved, options.crown);
   require_crown_uses(resolved, options.crown);

@@ -79,7 +79,7 @@ void present(const ResolvedCase& resolved, const Options& options, const Outcome
 namespace {
 
 // Makes the folder of `file` where it is missing; nothing is computed for a file that cannot be written.
-void require_place_of(const fs::path& file) {
+void require_folder_of(const fs::path& file) {
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   std::error_code error;
   fs::create_directories(folder, error);
@@ -107,7 +107,7 @@ int fmu_command(const Options& options) {
       require_used(resolved, options.model == "gearset" ? use::fmu_gearset : use::fmu_bearing);
   const fmu::NumberTable numbers =
       options.model == "gearset" ? gear_numbers(resolved) : bearing_numbers(resolved);
-  require_place_of(file);
+  require_folder_of(file);
   const fmu::DescriptionOptions description = description_options(resolved, options);
   const FmuLibraries libraries = fmu_libraries(numbers, description.interface, options.quiet);
   const std::string content = fmu_content(numbers, description, libraries.found);

@@ -68,7 +68,7 @@ int modes_command(const Options& options) {
   const std::vector<std::string> unused =
       require_used(resolved, speed > 0.0 ? use::modes_at_speed : use::modes);
   warnings.insert(warnings.end(), unused.begin(), unused.end());
-  if (speed > 0.0 && resolved.has(kSpeedPath) && resolved.place(kSpeedPath).option)
+  if (speed > 0.0 && resolved.has(kSpeedPath) && resolved.location(kSpeedPath).option)
     warnings.push_back(fmt::format("{}: {} has no effect beside --speed, which stands in its place",
                                    kSpeedPath, resolved.given(kSpeedPath)));
   Record record;

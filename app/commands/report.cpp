@@ -62,7 +62,7 @@ nlohmann::ordered_json crown_data(const ResolvedCase& resolved, const fs::path& 
 
 // Of a single bearing in motion: what its run printed, as `name`; what is drawn over time stands in its file
 // of results.
-nlohmann::ordered_json printed_data(const fs::path& file, const char* name) {
+nlohmann::ordered_json published_data(const fs::path& file, const char* name) {
   return {{name, nlohmann::ordered_json::parse(read_file(file))}};  // its checksum holds
 }
 
@@ -129,10 +129,11 @@ int report_of(const Options& options) {
         "lists the set");
   require_results(folder, resolved, manifest);
   const fs::path page = folder / page_name;
-  const nlohmann::ordered_json data = is_defect(resolved) ? printed_data(folder / defect_file_name, "defect")
-                                      : is_ball_run(resolved) ? printed_data(folder / ball_file_name, "balls")
-                                      : holds_crown(folder)   ? crown_data(resolved, folder)
-                                                              : sweep_data(resolved, manifest, options);
+  const nlohmann::ordered_json data =
+      is_defect(resolved)     ? published_data(folder / defect_file_name, "defect")
+      : is_ball_run(resolved) ? published_data(folder / ball_file_name, "balls")
+      : holds_crown(folder)   ? crown_data(resolved, folder)
+                              : sweep_data(resolved, manifest, options);
   if (options.data_only) {
     print_object(data, options);
     return 0;

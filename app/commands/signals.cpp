@@ -61,8 +61,8 @@ class SignalSet {
     Progress progress(variants_.size() - missing.size(), variants_.size(), !options_.quiet, "signals: ");
     std::size_t done = variants_.size() - missing.size();
     std::mutex one_writer;
-    const auto one = [&](std::size_t place) {
-      const std::size_t number = missing[place];
+    const auto one = [&](std::size_t location) {
+      const std::size_t number = missing[location];
       const ResolvedCase changed = resolved_.with(variants_[number].settings);
       const SignalNoise noise{options_.noise, options_.seed};
       const DefectStudy study = defect_study(
@@ -136,7 +136,7 @@ void require_noise(const Options& options) {
 }
 
 int signals_command(const Options& options) {
-  require_place_of_results(options);
+  require_output(options);
   require_noise(options);
   const ResolvedCase resolved = point_of(options);
   if (!is_defect(resolved))

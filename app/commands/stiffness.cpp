@@ -12,7 +12,7 @@
 namespace orbearing::app {
 
 int stiffness_command(const Options& options) {
-  require_place_of_results(options);
+  require_output(options);
   const ResolvedCase resolved = case_of(options);
   const bool planet = resolved.model() == planetary_drivetrain;
   const std::vector<std::string> unused =

@@ -24,7 +24,7 @@ void require_sequential(const Options& options) {
 }  // namespace
 
 int sweep_command(const Options& options) {
-  require_place_of_results(options);
+  require_output(options);
   const ResolvedCase resolved = case_of(options);
   require_computable(resolved, options.fidelity, true);
   SweepRequest request = sweep_request(resolved, options.fidelity);

@@ -67,7 +67,7 @@ Points points_of(const app::TableHead& head, const std::vector<app::ResultRow>& 
   std::vector<std::size_t> taken;
   Points points;
   for (std::size_t i = 0; i < head.names.size(); ++i) {
-    if (i == head.status_place || i == head.set_place || i == head.refined_place) continue;
+    if (i == head.status_location || i == head.set_place || i == head.refined_location) continue;
     taken.push_back(i);
     points.columns.push_back(head.names[i]);
   }

@@ -231,7 +231,7 @@ std::string entry_line(const TableHead& head, std::size_t point, const ManifestE
   return sealed(object);
 }
 
-Manifest parse_manifest(std::string_view text, const std::string& place) {
+Manifest parse_manifest(std::string_view text, const std::string& location) {
   Manifest manifest;
   for (std::size_t line = 1; manifest.sound_bytes < text.size(); ++line) {
     const std::size_t end = text.find('\n', manifest.sound_bytes);
@@ -250,7 +250,7 @@ Manifest parse_manifest(std::string_view text, const std::string& place) {
         throw BadInput(fmt::format(
             "{}:{}:1: not a line that this version of the program wrote; an undamaged result folder "
             "is required, or an empty one to start afresh",
-            place, line));
+            location, line));
       }
     }
     manifest.sound_bytes = end + 1;

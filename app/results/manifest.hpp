@@ -90,7 +90,7 @@ std::string entry_line(const TableHead& head, std::size_t point, const ManifestE
 /// Reads the text of a manifest. A last line without its end is left out, a line whose check sum is wrong is
 /// listed as damaged, and a blank line is skipped. Throws BadInput with file and line where the first line is
 /// damaged, or a sound one does not belong to this sweep. `place` is the file's name for messages.
-Manifest parse_manifest(std::string_view text, const std::string& place);
+Manifest parse_manifest(std::string_view text, const std::string& location);
 
 /// Rows as a table shows them: the grid's points in their order, each followed by the points that were added
 /// between it and the next higher speed, in ascending order.

@@ -75,11 +75,12 @@ void check_unfinished(const std::vector<ShardResults>& shards, std::vector<std::
 void check_complete(const std::vector<ShardResults>& shards, std::vector<std::string>& messages) {
   std::vector<const ShardResults*> found(shards.front().shard.count, nullptr);
   for (const ShardResults& shard : shards) {
-    const ShardResults*& place = found[shard.shard.index - 1];
-    if (place != nullptr)
+    const ShardResults*& location = found[shard.shard.index - 1];
+    if (location != nullptr)
       messages.push_back(fmt::format("{}: shard {} was found, which {} holds too; each is required once",
-                                     shard.folder.string(), to_string(shard.shard), place->folder.string()));
-    place = &shard;
+                                     shard.folder.string(), to_string(shard.shard),
+                                     location->folder.string()));
+    location = &shard;
   }
   for (std::size_t i = 0; i < found.size(); ++i)
     if (found[i] == nullptr)

@@ -114,7 +114,7 @@ PointContent point_content(const ManifestHeader& header, std::size_t point,
   return content;
 }
 
-void add_place_in_sweep(bool refined, const std::optional<Resonance>& resonance, PointContent& content) {
+void add_location_in_sweep(bool refined, const std::optional<Resonance>& resonance, PointContent& content) {
   content.attributes.emplace_back("refined", refined ? "true" : "false");
   if (!resonance) return;
   content.attributes.emplace_back("resonance_kind", resonance->kind);

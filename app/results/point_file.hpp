@@ -25,7 +25,7 @@ PointContent point_content(const ManifestHeader& header, std::size_t point,
 
 /// Appends where the point stands in its sweep: added around the peak or not, and its nearest resonance where
 /// one is known.
-void add_place_in_sweep(bool refined, const std::optional<Resonance>& resonance, PointContent& content);
+void add_location_in_sweep(bool refined, const std::optional<Resonance>& resonance, PointContent& content);
 
 /// The bytes of the file. One thread at a time: the netCDF library knows no more. Throws ComputationFailed.
 std::string netcdf_bytes(const PointContent& content);

@@ -248,9 +248,9 @@ std::string csv_line(const Items& items, const Field& field) {
 }
 
 // Place in `numbers` of the element of `whole` at `place`.
-std::size_t place_in(const Numbers& numbers, const Numbers& whole, std::size_t place) {
+std::size_t location_in(const Numbers& numbers, const Numbers& whole, std::size_t location) {
   std::vector<std::size_t> at(whole.shape.size());
-  for (std::size_t i = at.size(); i-- > 0; place /= whole.shape[i]) at[i] = place % whole.shape[i];
+  for (std::size_t i = at.size(); i-- > 0; location /= whole.shape[i]) at[i] = location % whole.shape[i];
   std::size_t found = 0;
   for (std::size_t i = 0; i < numbers.shape.size(); ++i)
     for (std::size_t k = 0; k < at.size(); ++k)
@@ -270,7 +270,7 @@ std::string csv_of_arrays(const Record& arrays) {
     text += csv_line(columns, [&](const described::Entry& column) {
       const Numbers& numbers = numbers_of(column);
       return in_csv(
-          {.number = in_customary_unit(column.dimension, numbers.values[place_in(numbers, whole, row)])});
+          {.number = in_customary_unit(column.dimension, numbers.values[location_in(numbers, whole, row)])});
     });
   return text;
 }

@@ -73,9 +73,9 @@ TableHead table_head(const std::vector<SweptAxis>& axes, const std::vector<std::
                      bool resonances) {
   TableHead head;
   add_names(row_of(PointResult{}), "", head);
-  head.status_place =
+  head.status_location =
       static_cast<std::size_t>(std::ranges::find(head.names, status_column) - head.names.begin());
-  head.refined_place = head.names.size();
+  head.refined_location = head.names.size();
   head.names.emplace_back(refined_column);
   head.first_axis = head.names.size();
   head.axes = axes.size();
@@ -149,9 +149,9 @@ bool on_one_line(const TableHead& head, const ResultRow& one, const ResultRow& o
 }
 
 double value_of(const TableHead& head, const ResultRow& row, const std::string& name) {
-  const auto place = std::find(head.names.begin(), head.names.end(), name);
-  return place == head.names.end() ? not_given
-                                   : row.values[static_cast<std::size_t>(place - head.names.begin())];
+  const auto location = std::find(head.names.begin(), head.names.end(), name);
+  return location == head.names.end() ? not_given
+                                      : row.values[static_cast<std::size_t>(location - head.names.begin())];
 }
 
 double life_to_go_by(const TableHead& head, const ResultRow& row) {

@@ -13,7 +13,7 @@ namespace {
 
 /// Where a row keeps the text of column `i`; null for a column of another kind.
 std::string ResultRow::*text_member(const TableHead& head, std::size_t i) {
-  if (i == head.status_place) return &ResultRow::status;
+  if (i == head.status_location) return &ResultRow::status;
   if (i == head.set_place) return &ResultRow::limiting_set;
   if (i == head.first_resonance) return &ResultRow::resonance_kind;
   if (head.first_resonance && i == *head.first_resonance + 1) return &ResultRow::resonance_mode;
@@ -34,7 +34,7 @@ std::string csv_line(const TableHead& head, const ResultRow& row) {
     if (i > 0) line += ',';
     if (const auto text = text_member(head, i))
       line += csv_field(row.*text);
-    else if (i == head.refined_place)
+    else if (i == head.refined_location)
       line += row.refined ? "true" : "false";
     else if (std::isfinite(row.values[i]))
       line += fmt::format("{}", row.values[i]);
@@ -52,7 +52,7 @@ void describe_row(described::Record& record, const TableHead& head, const Result
   for (std::size_t i = 0; i < head.names.size(); ++i)
     if (const auto text = text_member(head, i))
       record.value(head.names[i], "", row.*text);
-    else if (i == head.refined_place)
+    else if (i == head.refined_location)
       record.value(head.names[i], "", row.refined);
     else
       record.value(head.names[i], {}, "", row.values[i]);
@@ -65,7 +65,7 @@ ResultRow row_from_json(const TableHead& head, const nlohmann::ordered_json& obj
     double value = not_given;
     if (const auto text = text_member(head, i))
       row.*text = field.get<std::string>();
-    else if (i == head.refined_place)
+    else if (i == head.refined_location)
       row.refined = field.get<bool>();
     else if (!field.is_null())
       value = field.get<double>();

@@ -243,15 +243,15 @@ double life_of(const SpectrumResult& result, const std::string& name) {
 std::vector<SpectrumResult> spectrum_results(const ManifestHeader& header,
                                              const std::map<std::size_t, ManifestEntry>& entries) {
   const TableHead head = head_of(header);
-  const std::vector<std::size_t> turning = header.spectrum.turning();
+  const std::vector<std::size_t> rotating = header.spectrum.rotating();
   std::vector<SpectrumResult> results;
   for (std::size_t line = 0; line < header.spectrum.lines; ++line) {
     SpectrumResult result;
     for (const LoadBin& bin : header.spectrum.bins) result.bins.push_back({bin});
-    for (std::size_t i = 0; i < turning.size(); ++i) {
-      const auto entry = entries.find(header.grid() + line * turning.size() + i);
+    for (std::size_t i = 0; i < rotating.size(); ++i) {
+      const auto entry = entries.find(header.grid() + line * rotating.size() + i);
       if (entry == entries.end()) return {};
-      result.bins[turning[i]].row = entry->second.row;
+      result.bins[rotating[i]].row = entry->second.row;
       result.failed += entry->second.row.ok() ? 0 : 1;
     }
     result.axis_values = axis_values_of(head, result);
@@ -300,8 +300,8 @@ std::string spectrum_text(const ManifestHeader& header, const std::vector<Spectr
       const SpectrumBin& bin = result.bins[order[i]];
       const double life = bin.row ? life_to_go_by(head, *bin.row) : not_given;
       text += fmt::format(
-          "{:>5} {:>11.5g} {:>11.5g} {:>12.5g} {:>9.3g} {:>12} {:>9}\n", order[i] + 1, kKilo * bin.bin.power,
-          kRpm * bin.bin.speed, torque(bin.bin), 100.0 * bin.bin.share,
+          "{:>5} {:>11.5g} {:>11.5g} {:>12.5g} {:>9.3g} {:>12} {:>9}\n", order[i] + 1,
+          per_kilo * bin.bin.power, kRpm * bin.bin.speed, torque(bin.bin), 100.0 * bin.bin.share,
           std::isfinite(life) ? fmt::format("{:.5g}", life) : "-",
           std::isfinite(bin.damage_share) ? fmt::format("{:.3g}", 100.0 * bin.damage_share) : "-");
     }

@@ -51,7 +51,7 @@ FinishedPoint finished_point(const SweepRequest& request, const SweepPoint& aske
   }
   if (request.folder.empty()) return point;  // a file that nobody keeps costs more than a quasi-static point
   PointContent content = point_content(request.header, computed.index, asked.axis_values, computed.result);
-  add_place_in_sweep(refined, resonance, content);
+  add_location_in_sweep(refined, resonance, content);
   point.content = netcdf_bytes(content);
   return point;
 }

@@ -25,7 +25,9 @@ struct Scale {
   double low = 0.0;
   double high = 1.0;
   int last = 1;
-  int place(double value) const { return static_cast<int>(std::lround((value - low) / (high - low) * last)); }
+  int location(double value) const {
+    return static_cast<int>(std::lround((value - low) / (high - low) * last));
+  }
 };
 
 Curve curve_of(const TableHead& head, const std::vector<ResultRow>& rows) {
@@ -77,11 +79,11 @@ std::vector<double> life_ticks(const Scale& scale) {
 /// Consecutive points of rising speed are joined; another swept axis starts a new line.
 void draw(Canvas& canvas, const Curve& curve, const Scale& across, const Scale& up) {
   for (std::size_t i = 0; i < curve.speed.size(); ++i) {
-    const int x = across.place(curve.speed[i]);
-    const int y = up.place(std::log10(curve.life[i]));
+    const int x = across.location(curve.speed[i]);
+    const int y = up.location(std::log10(curve.life[i]));
     canvas.dot(x, y);
     if (i > 0 && curve.speed[i] > curve.speed[i - 1])
-      canvas.line(across.place(curve.speed[i - 1]), up.place(std::log10(curve.life[i - 1])), x, y);
+      canvas.line(across.location(curve.speed[i - 1]), up.location(std::log10(curve.life[i - 1])), x, y);
   }
 }
 
@@ -93,7 +95,7 @@ std::string name_of_life(const LifePeak& peak) {
 std::string with_life_axis(const Canvas& canvas, const Scale& up, const std::string& life, Glyphs glyphs) {
   std::vector<std::string> labels(lines);
   for (const double tick : life_ticks(up)) {
-    const int line = lines - 1 - up.place(std::log10(tick)) * lines / canvas.height();
+    const int line = lines - 1 - up.location(std::log10(tick)) * lines / canvas.height();
     labels[static_cast<std::size_t>(std::clamp(line, 0, lines - 1))] = fmt::format("{:.7g}", tick);
   }
   std::string text = fmt::format("{:>{}}\n", life + " [h]", label_width);
@@ -111,7 +113,7 @@ std::string speed_axis(const Scale& across, int dots_per_column, Glyphs glyphs) 
   std::string labels;
   const double step = round_step(across.high - across.low, 6);
   for (double tick = std::ceil(across.low / step) * step; tick <= across.high; tick += step) {
-    const int column = across.place(tick) / dots_per_column;
+    const int column = across.location(tick) / dots_per_column;
     axis[static_cast<std::size_t>(column)] = glyphs == Glyphs::ascii ? "+" : "┬";
     const std::string label = fmt::format("{:g}", tick);
     const int start = std::max(0, column - static_cast<int>(label.size()) / 2);
@@ -135,7 +137,8 @@ std::string drawing(const Curve& curve, const LifePeak& peak, Glyphs glyphs) {
   const double peak_rpm = refined ? peak.refined_speed_rpm : peak.speed_rpm;
   const double peak_life = refined ? peak.refined_life_h : peak.life_h;
   if (peak_life > 0.0)
-    canvas.mark(across.place(peak_rpm), up.place(std::log10(peak_life)), glyphs == Glyphs::ascii ? "O" : "●");
+    canvas.mark(across.location(peak_rpm), up.location(std::log10(peak_life)),
+                glyphs == Glyphs::ascii ? "O" : "●");
   return with_life_axis(canvas, up, name_of_life(peak), glyphs) +
          speed_axis(across, canvas.width() / columns, glyphs);
 }

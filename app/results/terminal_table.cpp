@@ -68,9 +68,9 @@ ShownRows shown_rows(const TableHead& head, const std::vector<ResultRow>& rows) 
   }
   const bool all = rows.size() <= most_rows;
   const std::size_t step = all ? 1 : (grid + most_rows - 1) / most_rows;
-  std::size_t place = 0;
+  std::size_t location = 0;
   for (const ResultRow& row : rows) {
-    const bool of_grid = !row.refined && place++ % step == 0;
+    const bool of_grid = !row.refined && location++ % step == 0;
     if (of_grid || (row.refined && (all || &row == longest))) shown.rows.push_back(&row);
   }
   if (step > 1) shown.note = fmt::format("one row in {} of {}", step, grid);

@@ -193,8 +193,8 @@ std::optional<SpeedTable> speed_table(const ResolvedCase& in) {
     table.warnings.push_back(
         fmt::format("operation.speeds: the film at {:.6g} rpm lies outside of the ranges of its regressions",
                     fmt::join(beyond, ", ")));
-  table.inner_turning = highest_at(table, "film_inner_h_min_um");
-  table.outer_turning = highest_at(table, "film_outer_h_min_um");
+  table.inner_rotating = highest_at(table, "film_inner_h_min_um");
+  table.outer_rotating = highest_at(table, "film_outer_h_min_um");
   return table;
 }
 
@@ -209,7 +209,7 @@ void describe(described::Record& record, const SpeedTable& table) {
                });
   record.array("least_film_turns_at_rpm", described::dimension::angular_speed,
                "speed of the largest least film", {{"race", {"inner", "outer"}}},
-               std::array{table.inner_turning.value_or(kMissing), table.outer_turning.value_or(kMissing)});
+               std::array{table.inner_rotating.value_or(kMissing), table.outer_rotating.value_or(kMissing)});
 }
 
 }  // namespace orbearing::app

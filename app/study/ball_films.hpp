@@ -31,14 +31,14 @@ std::vector<std::string> film_warnings(const bearing::Bearing& bearing, const st
 struct SpeedTable {
   struct Column {
     std::string name;  // with its unit
-    std::string units;
+    const char* units;
     std::string meaning;
   };
   std::vector<Column> columns;
   std::vector<std::vector<double>> rows;  // (speeds, columns)  not a number where there is none
   std::optional<double>
-      inner_turning;  // [rad/s]  speed of the largest least film, none where the table ends first
-  std::optional<double> outer_turning;
+      inner_rotating;  // [rad/s]  speed of the largest least film, none where the table ends first
+  std::optional<double> outer_rotating;
   std::vector<std::string> warnings;
 };
 

@@ -94,14 +94,14 @@ BallStudy ball_study(const ResolvedCase& in, const std::function<void(double)>& 
     throw ComputationFailed(fmt::format("{}: {}", in.text("name"), study.run.message));
   const double inner = duty.inner.speed_at(options.duration), outer = duty.outer.speed_at(options.duration);
   study.rolling_cage_speed = kinematic_cage_speed(geometry_of(bearing), inner, outer);
-  const double turning = bearing.motions.inner == bearing::RaceMotion::turning ? inner : outer;
+  const double rotating = bearing.motions.inner == bearing::RaceMotion::rotating ? inner : outer;
   const system::BallMeans& means = study.run.means;
-  study.turning_speed = turning;
+  study.rotating_speed = rotating;
   study.lives = bearing::rating::rating_lives(rating, condition, means.equivalent);
   study.largest_pressure = largest_pressure(bearing, means);
-  study.life_hours = bearing::hours(means.life.bearing, turning);
+  study.life_hours = bearing::hours(means.life.bearing, rotating);
   study.life_with_balls_hours =
-      bearing::hours(bearing::rating::life_of_both(means.life.bearing, means.balls_life), turning);
+      bearing::hours(bearing::rating::life_of_both(means.life.bearing, means.balls_life), rotating);
   const bearing::Bearing running =
       study.warming.empty() ? bearing : system::warm_bearing(bearing, heat, study.warming.back().temperature);
   study.radial_clearance = running.radial_clearance;

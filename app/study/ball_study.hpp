@@ -22,7 +22,7 @@ struct BallStudy {
   double life_with_balls_hours = 0.0;      // [h]   where its balls may fail too, Eq. (35) of [Chen2026]
   double dynamic_capacity = 0.0;           // [N]
   bearing::rating::RatingLives lives;      // by the standards, of loads averaged over time
-  double turning_speed = 0.0;              // [rad/s]  at the end, of the race that turns relative to the load
+  double rotating_speed = 0.0;             // [rad/s]  at the end, of the race that turns relative to the load
   double largest_pressure = 0.0;           // [Pa]
   double radial_clearance = 0.0;           // [m]      at the temperatures of the run
   /// Of the balance under the same load at the final speeds, as orbearing stiffness has it; none where there
@@ -30,7 +30,7 @@ struct BallStudy {
   std::optional<bearing::equilibrium::RingStiffness> stiffness;
   std::vector<std::string> warnings;
 
-  BearingLives all_lives() const { return {lives, run.means.life.bearing, turning_speed, largest_pressure}; }
+  BearingLives all_lives() const { return {lives, run.means.life.bearing, rotating_speed, largest_pressure}; }
   LifeTable life_table() const {
     return {value_by_name(all_lives()), {bearing::rating::RollingElement::ball}};
   }

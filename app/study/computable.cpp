@@ -40,7 +40,7 @@ void require_computable(const ResolvedCase& in, const std::string& fidelity, boo
   const auto swept = std::find_if(in.axes().begin(), in.axes().end(),
                                   [](const SweepAxis& axis) { return axis.path == kAcceleration; });
   if (sweep && swept != in.axes().end())
-    throw_mistakes(in.file(), {{swept->place,
+    throw_mistakes(in.file(), {{swept->location,
                                 "sweep." + kAcceleration,
                                 {"a sweep of a run-up", "steady points are required: no axis of it"}}});
   if (sweep && runs_up(in))

@@ -42,15 +42,15 @@ void describe_levels(Record& record, const DefectStudy& study) {
                  of.value("max_m_s2", dimension::acceleration, "largest magnitude", signal.abs().maxCoeff());
                });
   record.child("at_rest", "without motion", study.at_rest, [](Record& of, const auto& at_rest) {
-    of.value("displacement_um", dimension::small_length, "outer ring along the load", at_rest.place[0]);
+    of.value("displacement_um", dimension::small_length, "outer ring along the load", at_rest.position[0]);
     of.value("contact_load_max_N", dimension::force, "largest load of an element", at_rest.load.maxCoeff());
   });
   record.value("contact_load_max_N", dimension::force, "largest load of an element in motion",
                study.vibration.largest_load);
   record.child("sinking", "deepest, of an element into the scratch", study,
                [](Record& of, const DefectStudy& s) {
-                 of.value("inner_um", dimension::small_length, "of the inner race", s.inner_sinking);
-                 of.value("outer_um", dimension::small_length, "of the outer race", s.outer_sinking);
+                 of.value("inner_um", dimension::small_length, "of the inner race", s.inner_depth);
+                 of.value("outer_um", dimension::small_length, "of the outer race", s.outer_depth);
                });
 }
 
@@ -76,7 +76,7 @@ void describe_series(Record& record, const DefectStudy& study) {
                 {"direction", "time"}, vibration.acceleration);
   record.series("displacement", dimension::length,
                 "outer ring from the concentric place, along the load and across it", {"direction", "time"},
-                vibration.place);
+                vibration.position);
   along_time("ball_deflection", dimension::length,
              "approach of both races at the first ball, negative where it is free", vibration.ball_approach);
   along_time("ball_load", dimension::force, "load of the first ball with damping", vibration.ball_load);

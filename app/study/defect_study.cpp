@@ -35,7 +35,7 @@ void require_few_steps(const ResolvedCase& in, double natural_frequency) {
 }  // namespace
 
 bool is_defect(const ResolvedCase& resolved) {
-  return (resolved.model() & described::lone_scratched) != 0;
+  return (resolved.model() & described::single_scratched) != 0;
 }
 
 void require_wide_scratch(const ResolvedCase& in) {
@@ -54,10 +54,10 @@ DefectStudy defect_study(const ResolvedCase& in, DefectRung rung, const std::fun
   DefectStudy study{.scratched = scratched.scratch.race,
                     .passing = defect::passing_frequencies(scratched.bearing, scratched.shaft_speed)};
   study.defect_frequency = diagnosis::defect_frequency(study.scratched, study.passing);
-  study.at_rest = defect::ScratchedMotion(scratched).static_place();
+  study.at_rest = defect::ScratchedMotion(scratched).static_position();
   if (study.defect_frequency) {
-    study.inner_sinking = defect::deepest_sinking(scratched.scratch.width, bearing::Race::inner, geometry);
-    study.outer_sinking = defect::deepest_sinking(scratched.scratch.width, bearing::Race::outer, geometry);
+    study.inner_depth = defect::greatest_depth(scratched.scratch.width, bearing::Race::inner, geometry);
+    study.outer_depth = defect::greatest_depth(scratched.scratch.width, bearing::Race::outer, geometry);
   }
   require_few_steps(in, study.at_rest.natural_frequency);
   study.rollers = scratched.bearing.has_rollers();
@@ -102,13 +102,13 @@ std::vector<Derived> defect_quantities(const ResolvedCase& in) {
   const defect::ScratchedBearing scratched = scratched_bearing_of(in);
   const defect::PassingFrequencies passing =
       defect::passing_frequencies(scratched.bearing, scratched.shaft_speed);
-  const defect::StaticPlace at_rest = defect::ScratchedMotion(scratched).static_place();
+  const defect::StaticPosition at_rest = defect::ScratchedMotion(scratched).static_position();
   return {{"defect.shaft_frequency", passing.shaft, "Hz", "turns of the shaft"},
           {"defect.cage_frequency", passing.cage, "Hz", "turns of the cage at pure rolling"},
           {"defect.outer_pass_frequency", passing.outer_pass, "Hz", "balls over a place of the outer race"},
           {"defect.inner_pass_frequency", passing.inner_pass, "Hz", "balls over a place of the inner race"},
           {"defect.ball_pass_frequency", passing.element_pass, "Hz", "a place of a ball over either race"},
-          {"defect.static_displacement", 1e6 * at_rest.place[0], "um", "outer ring along the load"},
+          {"defect.static_displacement", 1e6 * at_rest.position[0], "um", "outer ring along the load"},
           {"defect.natural_frequency", at_rest.natural_frequency, "Hz",
            "outer ring along the load, about its static balance"}};
 }

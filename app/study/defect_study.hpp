@@ -25,9 +25,9 @@ struct DefectStudy {
       turned;  // means, as the cage turned: those of pure rolling unless moving
   std::optional<double>
       defect_frequency;  // [Hz]  at pure rolling, at the end of a run-up; none without a scratch
-  bearing::defect::StaticPlace at_rest;
-  double inner_sinking = 0.0;  // [m]  deepest, on a scratch of the inner race
-  double outer_sinking = 0.0;  // [m]
+  bearing::defect::StaticPosition at_rest;
+  double inner_depth = 0.0;  // [m]  deepest, on a scratch of the inner race
+  double outer_depth = 0.0;  // [m]
   study::RingVibration vibration;
   diagnosis::InstrumentView view;  // acceleration of the outer ring along the load [m/s^2]
   std::vector<std::string> warnings;

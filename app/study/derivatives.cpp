@@ -121,7 +121,7 @@ bool is_a_name(const Input& input) {
 void add_candidates(const ResolvedCase& in, const ScalarResult& result, const Input& input,
                     std::vector<Candidate>& all) {
   if (is_a_name(input)) return;
-  if (standing_in_row(in, input, result.analysis) != Standing::used) {
+  if (use_status_in_row(in, input, result.analysis) != UseStatus::used) {
     all.push_back(WithoutEffect{input.path});
   } else if (const auto reason = reason_of_kind(*input.field)) {
     all.push_back(NoDerivative{input.path, in.given(input.path), *reason});
@@ -169,7 +169,7 @@ void compute(std::vector<Candidate>& candidates, const ScalarResult& result,
   });
 }
 
-std::string standing_text(const ResolvedCase& in, const std::string& path) {
+std::string status_text(const ResolvedCase& in, const std::string& path) {
   if (in.origin(path) == "default") return "default";
   return in.assumed().contains(path) ? "assumed" : "given";
 }
@@ -183,7 +183,7 @@ Derivative derivative_of(const ResolvedCase& in, double result, const CaseNumber
   Derivative one{.path = number.path(),
                  .value = value,
                  .unit = std::string(number.unit()),
-                 .standing = standing_text(in, number.input.path),
+                 .status = status_text(in, number.input.path),
                  .derivative = slope.value / per,
                  .error = slope.error / std::abs(per),
                  .side = slope.side};
@@ -268,7 +268,7 @@ void describe(described::Record& row, const Derivative& one) {
   row.value("path", "of the input", one.path);
   row.value("value", {}, "of the input, in its unit", one.value);
   row.value("unit", "customary, of the input", one.unit);
-  row.value("standing", "given, assumed or default", one.standing);
+  row.value("standing", "given, assumed or default", one.status);
   row.value("derivative", {}, "of the result, per unit of the input", one.derivative);
   row.value("error", {}, "estimated, of the derivative", one.error);
   row.value("elasticity", {}, "d ln(result)/d ln(input)", one.elasticity);
@@ -303,7 +303,7 @@ std::string derivatives_csv(const Derivatives& d) {
       unit);
   for (const Derivative& one : d.inputs)
     text += fmt::format("{},{:.12g},{},{},{:.12g},{:.3g},{},{},{:.12g},{}\n", one.path, one.value, one.unit,
-                        one.standing, one.derivative, one.error,
+                        one.status, one.derivative, one.error,
                         one.elasticity ? fmt::format("{:.12g}", *one.elasticity) : "", one.step, one.change,
                         side_text(one.side));
   for (const NoDerivative& one : d.not_differentiable)

@@ -40,7 +40,7 @@ struct Derivative {
   std::string path;                  // of an element of a list with its index: "bearing.axial_places[0]"
   double value = 0.0;                // [unit]
   std::string unit;                  // "1" of a plain number
-  std::string standing;              // given, assumed or default
+  std::string status;                // given, assumed or default
   double derivative = 0.0;           // [result/unit]
   double error = 0.0;                // [result/unit]  estimated
   std::optional<double> elasticity;  // [-]  d ln(result)/d ln(value); none where either is zero

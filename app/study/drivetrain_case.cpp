@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/case/bought_case.hpp"
+#include "app/case/catalogue_case.hpp"
 #include "app/case/described_case.hpp"
 #include "app/case/profile_case.hpp"
 #include "app/case/set_case.hpp"
@@ -15,7 +15,7 @@ namespace orbearing::app {
 
 namespace {
 
-void add_waves(const ResolvedCase& in, const std::string& block, bool turning,
+void add_waves(const ResolvedCase& in, const std::string& block, bool rotating,
                std::vector<bearing::RaceHarmonic>& form) {
   if (!in.has(block + ".order")) return;
   const std::vector<double>& order = in.list(block + ".order");
@@ -25,7 +25,7 @@ void add_waves(const ResolvedCase& in, const std::string& block, bool turning,
     form.push_back({.order = static_cast<int>(std::lround(order[i])),
                     .amplitude = amplitude[i],
                     .phase = in.has(phase) ? in.list(phase)[i] : 0.0,
-                    .turning = turning});
+                    .rotating = rotating});
 }
 
 std::vector<bearing::RaceHarmonic> form_of(const ResolvedCase& in, const std::string& race) {
@@ -65,7 +65,7 @@ std::vector<std::string> gear_warnings(const ResolvedCase& resolved) {
   std::vector<std::string> texts;
   const auto add = [&](const std::string& prefix, const ResolvedCase& set) {
     for (const gearset::Warning& warning : gearset::tooth_warnings(gearset::working_geometry(set_of(set))))
-      texts.push_back(prefix + place_in_case(set, warning.place) + ": " + warning.text);
+      texts.push_back(prefix + location_in_case(set, warning.key) + ": " + warning.text);
     for (const std::string& text : ring_sign_warnings(set)) texts.push_back(prefix + text);
   };
   if (!resolved.shape().teeth) return texts;

@@ -18,7 +18,7 @@ namespace {
 namespace duplex = bearing::duplex;
 
 constexpr auto kPhysical = duplex::TiltPlanes::physical;
-constexpr auto kPrinted = duplex::TiltPlanes::literature_variant;
+constexpr auto kPublished = duplex::TiltPlanes::literature_variant;
 
 PairColumn column_of(const duplex::Shaft& shaft, const duplex::Stiffness& stiffness,
                      const std::optional<duplex::Housing>& housing, duplex::TiltPlanes planes) {
@@ -135,9 +135,9 @@ Identification identification_of(const ResolvedCase& in) {
                 return duplex::identify_cylinder(chosen, *cylinder_of(in), least_lever, housing);
               });
   if (arrangement_of_pair(in) != duplex::Arrangement::back_to_back)
-    found.linear = {predict(in, found.pairs, &PredictedPair::linear, kPrinted, observed_linear,
+    found.linear = {predict(in, found.pairs, &PredictedPair::linear, kPublished, observed_linear,
                             [&](const std::vector<duplex::Observation>& chosen) {
-                              return duplex::identify_all(chosen, linear_shaft_of(in), kPrinted, housing);
+                              return duplex::identify_all(chosen, linear_shaft_of(in), kPublished, housing);
                             }),
                     {},
                     {}};
@@ -167,7 +167,7 @@ Response response_of(const ResolvedCase& in, const PairPoint& point) {
   const duplex::ResponsePoint at{in.quantity("response.position"), in.number("response.loss_factor")};
   for (int k = 1; k <= steps; ++k) {
     const auto values = duplex::accelerance(column.stiffness, column.shaft, housing_of(in),
-                                            point.linear ? kPrinted : kPhysical, at, k * response.step);
+                                            point.linear ? kPublished : kPhysical, at, k * response.step);
     for (std::size_t i = 0; i < values.size(); ++i) response.accelerance[i].push_back(values[i]);
   }
   return response;
@@ -191,9 +191,9 @@ PairPoint balanced(const ResolvedCase& in) {
   point.nonlinear = column_of(shaft, point.state.stiffness, housing_of(in), kPhysical);
   if (arrangement != duplex::Arrangement::back_to_back && motion.speeds.at_rest()) {
     const duplex::Shaft other = linear_shaft_of(in);
-    point.printed =
+    point.published =
         column_of(other, duplex::linear_stiffness(duplex::pressed_row(bearing, point.approach), other.levers),
-                  housing_of(in), kPrinted);
+                  housing_of(in), kPublished);
   }
   warn(arrangement, point);
   return point;
@@ -289,9 +289,9 @@ void describe(Record& row, const Prediction& prediction) {
 
 void describe(Record& record, const PairPoint& point) {
   describe_modes(record, point.linear, point.asked());
-  if (point.printed)
+  if (point.published)
     record.child("other", "by the other stiffness", point, [](Record& other, const PairPoint& of) {
-      describe_modes(other, !of.linear, of.linear ? of.nonlinear : *of.printed);
+      describe_modes(other, !of.linear, of.linear ? of.nonlinear : *of.published);
     });
 }
 
@@ -419,7 +419,7 @@ DuplexStudy duplex_study(const ResolvedCase& in) {
 std::vector<Derived> duplex_quantities(const ResolvedCase& in) {
   const PairPoint point = pair_point(in);
   const duplex::Shaft& shaft = point.asked().shaft;
-  return {{"pair.approach", kMicro * point.approach, "um", "of each row along the shaft under preload"},
+  return {{"pair.approach", per_micro * point.approach, "um", "of each row along the shaft under preload"},
           {"pair.contact_angle", kDegree * point.state.contact_angle[0], "deg", "under preload"},
           {"pair.contact_load", point.state.contact_load.maxCoeff(), "N", "largest of all balls"},
           {"pair.mass", shaft.mass, "kg", "of the shaft, as used"},

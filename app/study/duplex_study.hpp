@@ -23,12 +23,12 @@ struct PairColumn {
 struct PairPoint {
   bool linear = false;  // what the case asks for
   PairColumn nonlinear;
-  std::optional<PairColumn> printed;  // linear formulas; of face-to-face and tandem that stand
+  std::optional<PairColumn> published;  // linear formulas; of face-to-face and tandem that stand
   bearing::equilibrium::RingState state;
   double approach = 0.0;  // [m]  of each row
   std::vector<std::string> warnings;
 
-  const PairColumn& asked() const { return linear ? *printed : nonlinear; }
+  const PairColumn& asked() const { return linear ? *published : nonlinear; }
 };
 
 /// Modes by the stiffness that the case asks for, and by the other.

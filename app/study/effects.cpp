@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "app/case/bought_case.hpp"
+#include "app/case/catalogue_case.hpp"
 #include "app/case/field_table.hpp"
 
 namespace orbearing::app {
@@ -81,7 +81,7 @@ constexpr Effect kOil[] = {
 };
 
 // What the source prints and the default replaces.
-constexpr Effect kAsPrinted[] = {
+constexpr Effect kAsPublished[] = {
     {"as printed", "film.approach", "as-printed", "film subtracted, as printed", "added", "", "film.enabled"},
     {"as printed", "contact.damping_law", "as-printed", "damping as printed", "approach-speed", ""},
     {"as printed", "bearing.cage.guidance_film", "as-printed", "guidance film as printed", "short-bearing",
@@ -192,7 +192,7 @@ std::vector<NamedChange> effects_in_motion(const ResolvedCase& resolved, bool ev
     add_guidance(in, list);
     add_forms(in, list);
     add_larger_roller(in, list);
-    add_effects(in, kAsPrinted, list);
+    add_effects(in, kAsPublished, list);
   }
   return placed(resolved, set, list);
 }

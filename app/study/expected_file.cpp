@@ -67,8 +67,8 @@ void require_each_key_once(const Entry& entry, const std::string& file, std::vec
   for (const Entry& item : entry.items) require_each_key_once(item, file, mistakes);
   for (const Member& member : entry.members) {
     if (!seen.insert(member.key).second)
-      mistakes.push_back(fmt::format("{}:{}:{}: {}: found twice; required: once", file, member.place.line,
-                                     member.place.column, member.key));
+      mistakes.push_back(fmt::format("{}:{}:{}: {}: found twice; required: once", file, member.location.line,
+                                     member.location.column, member.key));
     require_each_key_once(member.value, file, mistakes);
   }
 }
@@ -78,8 +78,8 @@ void require_each_key_once(const std::string& file) {
   try {
     require_each_key_once(read_yaml(read_file(file)), file, mistakes);
   } catch (const YamlFault& fault) {
-    throw BadInput(fmt::format("{}:{}:{}: {}; {}", file, fault.place.line, fault.place.column, fault.complaint.found,
-                               fault.complaint.required));
+    throw BadInput(fmt::format("{}:{}:{}: {}; {}", file, fault.location.line, fault.location.column,
+                               fault.message.found, fault.message.required));
   }
   if (!mistakes.empty()) throw BadInput(mistakes);
 }
@@ -181,7 +181,7 @@ std::string text_of_file(const std::string& file) {
   try {
     check_text(text);
   } catch (const YamlFault& fault) {
-    throw BadInput(describe(Mistake{fault.place, "(file)", fault.complaint}, file));
+    throw BadInput(describe(Mistake{fault.location, "(file)", fault.message}, file));
   }
   return text;
 }

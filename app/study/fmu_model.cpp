@@ -66,7 +66,7 @@ fmu::NumberTable bearing_numbers(const ResolvedCase& in) {
   system::DrivenBearingSetup setup = bearing_setup(in);
   try {
     const system::DrivenBearing driven(setup);
-    setup.start_displacement = driven.place_under(
+    setup.start_displacement = driven.position_under(
         setup.start_load, {.speed = setup.planet_speed, .carrier_speed = setup.carrier_speed});
   } catch (const std::invalid_argument& unfit) {
     throw BadInput(in.file() + ": " + unfit.what());

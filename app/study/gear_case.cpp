@@ -156,7 +156,8 @@ std::vector<std::string> gear_dynamics_warnings(const ResolvedCase& resolved) {
          gearset::edge_warnings(gearset::set_teeth(drivetrain.set, meshes), force))
       warnings.push_back(std::move(warning));
   }
-  for (const gearset::Warning& warning : warnings) texts.push_back(place_in_case(resolved, warning.place) + ": " + warning.text);
+  for (const gearset::Warning& warning : warnings)
+    texts.push_back(location_in_case(resolved, warning.key) + ": " + warning.text);
   return texts;
 }
 

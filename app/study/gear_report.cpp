@@ -218,7 +218,7 @@ Json campbell(const std::vector<SpeedPoint>& points) {
     }
   }
   result["modes"] = Json::array();
-  for (auto& [place, line] : lines) result["modes"].push_back(std::move(line));
+  for (auto& [position, line] : lines) result["modes"].push_back(std::move(line));
   return result;
 }
 

@@ -63,11 +63,13 @@ void warn_of_neighbours(const SpeedLine& line, bool in_motion, std::vector<std::
 // Of a sweep with more axes than speed, the one line on which points were added.
 void warn_of_other_lines(const SweepOutcome& outcome, const ResultRow& best,
                          std::vector<std::string>& warnings) {
-  std::string place;
+  std::string position;
   for (std::size_t i = outcome.head.first_axis; i < outcome.head.first_axis + outcome.head.axes; ++i)
-    place += fmt::format("{}{} = {:.10g}", place.empty() ? "" : ", ", outcome.head.names[i], best.values[i]);
-  if (!place.empty())
-    warnings.push_back("peak: refined on the line of speeds through the grid's best point only, at " + place);
+    position +=
+        fmt::format("{}{} = {:.10g}", position.empty() ? "" : ", ", outcome.head.names[i], best.values[i]);
+  if (!position.empty())
+    warnings.push_back("peak: refined on the line of speeds through the grid's best point only, at " +
+                       position);
 }
 
 }  // namespace

@@ -45,22 +45,22 @@ struct Table {
   std::vector<int> lines{};  // of the samples; empty: none
 };
 
-[[noreturn]] void refuse(const std::string& place, const std::string& found, const std::string& required) {
-  throw BadInput(fmt::format("{}: found {}; required: {}", printable(place), printable(found), required));
+[[noreturn]] void refuse(const std::string& position, const std::string& found, const std::string& required) {
+  throw BadInput(fmt::format("{}: found {}; required: {}", printable(position), printable(found), required));
 }
 
-double factor_of(const std::string& place, const Quantity& quantity, const std::string& unit) {
+double factor_of(const std::string& position, const Quantity& quantity, const std::string& unit) {
   if (unit.empty())
-    refuse(place, fmt::format("{} without a unit", quantity.name),
+    refuse(position, fmt::format("{} without a unit", quantity.name),
            fmt::format("its unit, as in {}", quantity.example));
   const Reading<double> factor = convert(1.0, unit.substr(0, unit.find(" since ")), quantity.si);
-  if (!factor.value) refuse(place, fmt::format("{}: {}", quantity.name, factor.fault), quantity.example);
+  if (!factor.value) refuse(position, fmt::format("{}: {}", quantity.name, factor.fault), quantity.example);
   return *factor.value;
 }
 
 // A column that is read, and how.
 struct Column {
-  std::size_t place;
+  std::size_t position;
   std::string name;
   double factor;
 };
@@ -71,11 +71,11 @@ std::vector<Column> columns_of(const std::string& file, int line, const std::vec
     for (std::size_t i = 0; i < cells.size(); ++i) {
       const HeaderCell cell = header_cell(cells[i], {quantity.name});
       if (cell.name.empty()) continue;
-      const std::string place = fmt::format("{}:{}", file, line);
+      const std::string position = fmt::format("{}:{}", file, line);
       if (std::any_of(columns.begin(), columns.end(),
                       [&](const Column& other) { return other.name == quantity.name; }))
-        refuse(place, fmt::format("two columns of {}", quantity.name), "one");
-      columns.push_back({i, quantity.name, factor_of(place, quantity, cell.unit)});
+        refuse(position, fmt::format("two columns of {}", quantity.name), "one");
+      columns.push_back({i, quantity.name, factor_of(position, quantity, cell.unit)});
     }
   return columns;
 }
@@ -88,10 +88,10 @@ Table table_of_csv(const fs::path& file) {
   std::string text;
   for (int line = 0; next_csv_line(stream, text, line);) {
     if (const auto fault = text_fault(text))
-      refuse(fmt::format("{}:{}:{}", file.string(), line, fault->column), fault->complaint.found,
-             fault->complaint.required);
-    std::vector<int> places;
-    const std::vector<std::string> cells = csv_cells(text, places);
+      refuse(fmt::format("{}:{}:{}", file.string(), line, fault->column), fault->message.found,
+             fault->message.required);
+    std::vector<int> positions;
+    const std::vector<std::string> cells = csv_cells(text, positions);
     if (columns.empty()) {
       if (!is_of_semicolons(cells)) columns = columns_of(file.string(), line, cells);
       head = cells.size();
@@ -101,14 +101,14 @@ Table table_of_csv(const fs::path& file) {
                "time_s,speed_rpm,torque_N_m");
       continue;
     }
-    if (const auto fault = row_fault(cells, places, head))
-      refuse(fmt::format("{}:{}:{}", file.string(), line, fault->column), fault->complaint.found,
-             fault->complaint.required);
+    if (const auto fault = row_fault(cells, positions, head))
+      refuse(fmt::format("{}:{}:{}", file.string(), line, fault->column), fault->message.found,
+             fault->message.required);
     for (const Column& column : columns) {
-      const std::string& cell = cells[column.place];
+      const std::string& cell = cells[column.position];
       const Reading<double> number = read_number(cell);
       if (!number.value)
-        refuse(fmt::format("{}:{}:{}", file.string(), line, places[column.place]),
+        refuse(fmt::format("{}:{}:{}", file.string(), line, positions[column.position]),
                fmt::format("{} as {}: {}", quote(cell), column.name, number.fault), "a finite number");
       table.values[column.name].push_back(*number.value * column.factor);
     }
@@ -134,57 +134,60 @@ class NetcdfFile {
   std::optional<std::vector<double>> read(const Quantity& quantity) const {
     int variable = 0, dimensions = 0, dimension = 0;
     if (nc_inq_varid(number_, quantity.name, &variable) != NC_NOERR) return std::nullopt;
-    const std::string place = fmt::format("{}: {}", file_.string(), quantity.name);
+    const std::string position = fmt::format("{}: {}", file_.string(), quantity.name);
     nc_inq_varndims(number_, variable, &dimensions);
-    if (dimensions != 1) refuse(place, fmt::format("{} dimensions", dimensions), "one, that of time");
+    if (dimensions != 1) refuse(position, fmt::format("{} dimensions", dimensions), "one, that of time");
     std::size_t size = 0;
     nc_inq_vardimid(number_, variable, &dimension);
     nc_inq_dimlen(number_, dimension, &size);
     std::vector<double> values(size);
     if (nc_get_var_double(number_, variable, values.data()) != NC_NOERR)
-      refuse(place, "no numbers", "numbers");
-    require_present(place, variable, values);
-    const double scale = attribute(place, variable, "scale_factor").value_or(1.0);
-    const double offset = attribute(place, variable, "add_offset").value_or(0.0);
-    const double factor = factor_of(place, quantity, units(variable));
+      refuse(position, "no numbers", "numbers");
+    require_present(position, variable, values);
+    const double scale = attribute(position, variable, "scale_factor").value_or(1.0);
+    const double offset = attribute(position, variable, "add_offset").value_or(0.0);
+    const double factor = factor_of(position, quantity, units(variable));
     for (double& value : values) value = (value * scale + offset) * factor;
     return values;
   }
 
  private:
   // The number of an attribute; none where it is not there.
-  std::optional<double> attribute(const std::string& place, int variable, const char* name) const {
-    const std::vector<double> numbers = attributes(place, variable, name);
-    if (numbers.size() > 1) refuse(place, fmt::format("{} numbers as {}", numbers.size(), name), "one");
+  std::optional<double> attribute(const std::string& position, int variable, const char* name) const {
+    const std::vector<double> numbers = attributes(position, variable, name);
+    if (numbers.size() > 1) refuse(position, fmt::format("{} numbers as {}", numbers.size(), name), "one");
     return numbers.empty() ? std::nullopt : std::optional<double>(numbers.front());
   }
 
-  std::vector<double> attributes(const std::string& place, int variable, const char* name) const {
+  std::vector<double> attributes(const std::string& position, int variable, const char* name) const {
     std::size_t length = 0;
     if (nc_inq_attlen(number_, variable, name, &length) != NC_NOERR) return {};
     std::vector<double> numbers(length);
     if (length == 0 || nc_get_att_double(number_, variable, name, numbers.data()) != NC_NOERR)
-      refuse(place, fmt::format("{}, which is no number", name), "numbers in this attribute");
+      refuse(position, fmt::format("{}, which is no number", name), "numbers in this attribute");
     return numbers;
   }
 
   // Values that the file itself calls missing [CF]: the fill value, stated or that of the type (of bytes none
   // is meant), missing_value, and what lies outside the valid range. All are in packed units.
-  void require_present(const std::string& place, int variable, const std::vector<double>& packed) const {
+  void require_present(const std::string& position, int variable, const std::vector<double>& packed) const {
     const auto refuse_at = [&](std::size_t sample, const std::string& reason) {
-      refuse(fmt::format("{}: sample {}", place, sample + 1),
+      refuse(fmt::format("{}: sample {}", position, sample + 1),
              fmt::format("{} ({})", packed[sample], reason), "a value for every sample");
     };
-    std::vector<double> missing = attributes(place, variable, "missing_value");
-    const std::vector<double> fill = attributes(place, variable, "_FillValue");
+    std::vector<double> missing = attributes(position, variable, "missing_value");
+    const std::vector<double> fill = attributes(position, variable, "_FillValue");
     missing.insert(missing.end(), fill.begin(), fill.end());
     if (fill.empty())
-      if (const std::optional<double> usual = usual_fill(variable)) missing.push_back(*usual);
-    const std::vector<double> range = attributes(place, variable, "valid_range");
+      if (const std::optional<double> default_value = default_fill(variable))
+        missing.push_back(*default_value);
+    const std::vector<double> range = attributes(position, variable, "valid_range");
     if (!range.empty() && range.size() != 2)
-      refuse(place, fmt::format("{} numbers as valid_range", range.size()), "two");
-    const double least = range.empty() ? attribute(place, variable, "valid_min").value_or(-kNoBound) : range[0];
-    const double most = range.empty() ? attribute(place, variable, "valid_max").value_or(kNoBound) : range[1];
+      refuse(position, fmt::format("{} numbers as valid_range", range.size()), "two");
+    const double least =
+        range.empty() ? attribute(position, variable, "valid_min").value_or(-kNoBound) : range[0];
+    const double most =
+        range.empty() ? attribute(position, variable, "valid_max").value_or(kNoBound) : range[1];
     for (std::size_t i = 0; i < packed.size(); ++i) {
       if (std::find(missing.begin(), missing.end(), packed[i]) != missing.end())
         refuse_at(i, "marked as missing by _FillValue or missing_value");
@@ -194,7 +197,7 @@ class NetcdfFile {
   }
 
   // What the library fills in where nothing was written.
-  std::optional<double> usual_fill(int variable) const {
+  std::optional<double> default_fill(int variable) const {
     nc_type type = NC_NAT;
     nc_inq_vartype(number_, variable, &type);
     switch (type) {
@@ -250,7 +253,7 @@ const std::vector<double>& needed(const fs::path& file, const Table& table, cons
   return found->second;
 }
 
-std::string place_of(const fs::path& file, const Table& table, std::size_t sample) {
+std::string position_of(const fs::path& file, const Table& table, std::size_t sample) {
   return sample < table.lines.size() ? fmt::format("{}:{}", file.string(), table.lines[sample])
                                      : fmt::format("{}: sample {}", file.string(), sample + 1);
 }
@@ -266,11 +269,11 @@ void require_sound(const fs::path& file, const Table& table) {
              "as many of both");
     for (std::size_t i = 0; i < values.size(); ++i)
       if (!std::isfinite(values[i]))
-        refuse(place_of(file, table, i), "a value of " + name + " that is not finite", "a number");
+        refuse(position_of(file, table, i), "a value of " + name + " that is not finite", "a number");
   }
   for (std::size_t i = 1; i < time.size(); ++i)
     if (!(time[i] > time[i - 1]))
-      refuse(place_of(file, table, i), "a time that is not later than the one before", "rising times");
+      refuse(position_of(file, table, i), "a time that is not later than the one before", "rising times");
 }
 
 // Power over speed. At rest there is neither; a record that states one leaves its torque unknown.
@@ -282,7 +285,7 @@ std::vector<double> torque_of(const fs::path& file, const Table& table) {
   for (std::size_t i = 0; i < power.size(); ++i) {
     const bool turns = LoadBin{.speed = std::abs(speed[i])}.turns();
     if (!turns && std::abs(power[i]) > kNoise * greatest)
-      refuse(place_of(file, table, i), fmt::format("a power of {:g} W at speed 0", power[i]),
+      refuse(position_of(file, table, i), fmt::format("a power of {:g} W at speed 0", power[i]),
              "no power at rest, or torque_N_m in place of power");
     torque[i] = turns ? power[i] / speed[i] : 0.0;
   }
@@ -319,7 +322,7 @@ struct Sums {
 /// Damage of the samples over that of their bins, less 1, for a life by kSteepestExponent.
 double steep_excess(const std::map<std::pair<int, int>, Sums>& bins, double exponent) {
   double samples = 0.0, means = 0.0;
-  for (const auto& [place, sums] : bins) {
+  for (const auto& [position, sums] : bins) {
     samples += sums.steep;
     means += sums.turns * std::pow(sums.torque(exponent), kSteepestExponent);
   }
@@ -397,7 +400,7 @@ BinnedSeries binned(const LoadSeries& series, const BinCounts& counts, double ex
     sums.damage += time * speed * std::pow(torque / greatest, exponent);
     sums.steep += time * speed * std::pow(torque / greatest, kSteepestExponent);
   }
-  for (const auto& [place, sums] : bins) {
+  for (const auto& [position, sums] : bins) {
     const double speed = sums.turns / sums.time;
     const double torque = greatest * sums.torque(exponent);
     result.spectrum.bins.push_back({torque * speed, speed, sums.time / result.duration});

@@ -24,7 +24,7 @@ namespace orbearing::app {
 namespace {
 
 void add_texts(const gearset::Warnings& warnings, std::vector<std::string>& texts) {
-  for (const gearset::Warning& warning : warnings) texts.push_back(warning.place + ": " + warning.text);
+  for (const gearset::Warning& warning : warnings) texts.push_back(warning.key + ": " + warning.text);
 }
 
 mechanics::Material elasticity_of(const ResolvedCase& in) {
@@ -60,11 +60,12 @@ MeshStudy pair_study(const ResolvedCase& in) {
                           .face_width = pair.face_width});
   gearset::PeriodicCurve& curve = study.meshes.front().stiffness.curve;
   if (pair.web.thickness) curve = curve.times(gearset::web_factor(pair.web));
-  const double place = gearset::pitch_point(gears);
+  const double position = gearset::pitch_point(gears);
   add_texts(gearset::pair_warnings(geometry), study.warnings);
-  add_texts(gearset::foundation_warnings(gears.first, gears.line_length - place, "first gear", "pair.bore"),
-            study.warnings);
-  add_texts(gearset::foundation_warnings(gears.second, place, "second gear", "pair.bore"), study.warnings);
+  add_texts(
+      gearset::foundation_warnings(gears.first, gears.line_length - position, "first gear", "pair.bore"),
+      study.warnings);
+  add_texts(gearset::foundation_warnings(gears.second, position, "second gear", "pair.bore"), study.warnings);
   warn_standard(study.meshes.front(), study.warnings);
   return study;
 }
@@ -190,7 +191,7 @@ MeshStudy set_study(const ResolvedCase& in) {
   add_texts(gearset::tooth_warnings(geometry), study.warnings);
   for (std::string& text : ring_sign_warnings(in)) study.warnings.push_back(std::move(text));
   for (const gearset::Warning& warning : gearset::foundation_warnings(meshes))
-    study.warnings.push_back(place_in_case(in, warning.place) + ": " + warning.text);
+    study.warnings.push_back(location_in_case(in, warning.key) + ": " + warning.text);
   warn_standard(sun, study.warnings);
   warn_standard(ring, study.warnings);
   return study;

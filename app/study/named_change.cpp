@@ -46,28 +46,28 @@ std::vector<ChangeResult> results_of(const ResolvedCase& resolved, const std::ve
                                      const ChangeStudy& study, const ChangesDone& done) {
   std::vector<ChangeResult> results;
   std::vector<std::vector<study::NamedSet>> sets;           // of each change
-  std::vector<std::pair<std::size_t, std::size_t>> places;  // of each point: its change, its speed
+  std::vector<std::pair<std::size_t, std::size_t>> positions;  // of each point: its change, its speed
   std::vector<std::size_t> left;                            // points of each change
   for (const NamedChange& change : changes) {
     const ResolvedCase changed = with_settings(resolved, change.settings);
     const std::vector<double> speeds = study.speed.empty() ? swept_speeds(changed) : study.speed;
-    for (std::size_t i = 0; i < speeds.size(); ++i) places.emplace_back(results.size(), i);
+    for (std::size_t i = 0; i < speeds.size(); ++i) positions.emplace_back(results.size(), i);
     sets.push_back(bearing_sets(changed));
     left.push_back(speeds.size());
     results.push_back({change, speeds, std::vector<study::PointResult>(speeds.size())});
   }
-  std::vector<std::size_t> indices(places.size());
+  std::vector<std::size_t> indices(positions.size());
   std::iota(indices.begin(), indices.end(), std::size_t{0});
   std::size_t whole = 0;
   study::compute_points(
       indices, study.jobs,
       [&](std::size_t index) {
-        const auto [change, at] = places[index];
+        const auto [change, at] = positions[index];
         return study.evaluate(study::at_speed(sets[change], results[change].speed[at]), study.fidelity);
       },
       [&](std::vector<study::ComputedPoint> points) {
         for (study::ComputedPoint& point : points) {
-          const auto [change, at] = places[point.index];
+          const auto [change, at] = positions[point.index];
           results[change].points[at] = std::move(point.result);
           --left[change];
         }

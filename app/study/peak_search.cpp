@@ -53,7 +53,7 @@ void halve(const SpeedGap& gap, const PeakSearch& search, std::vector<double>& s
   if (middle > gap.low.rpm && middle < gap.high.rpm) speeds.push_back(middle);
 }
 
-std::size_t best_place(const SpeedAxis& axis) {
+std::size_t best_position(const SpeedAxis& axis) {
   const auto shorter = [](const LivedSpeed& one, const LivedSpeed& other) {
     return one.life_h < other.life_h;
   };
@@ -78,7 +78,7 @@ std::vector<double> unseen_resonances(const SpeedAxis& axis, const PeakSearch& s
 // Gaps in which life could rise above the best: as far as the steepest rise from their higher end goes.
 std::vector<double> unseen_stretches(const SpeedAxis& axis, const PeakSearch& search) {
   std::vector<double> speeds;
-  const double best = axis[best_place(axis)].life_h;
+  const double best = axis[best_position(axis)].life_h;
   for (std::size_t i = 0; i + 1 < axis.size(); ++i) {
     const SpeedGap gap = gap_above(axis, i);
     const double share = gap.width() / gap.middle();
@@ -108,7 +108,7 @@ bool is_rival(const SpeedAxis& axis, std::size_t i, double best) {
 
 // Both gaps beside the best point, and beside each other hill whose top may be higher.
 std::vector<double> beside_hills(const SpeedAxis& axis, const PeakSearch& search) {
-  const std::size_t best = best_place(axis);
+  const std::size_t best = best_position(axis);
   // Widths [rpm] to which the gaps are to be brought.
   std::vector<double> wanted(axis.size() - 1, std::numeric_limits<double>::infinity());
   for (std::size_t i = 0; i < axis.size(); ++i) {
@@ -134,7 +134,7 @@ double peak_resolution(double rpm, bool in_motion) {
 }
 
 std::vector<double> next_speeds(const std::vector<LivedSpeed>& done, const PeakSearch& search) {
-  if (done.size() < 2 || !(done[best_place(done)].life_h > 0.0)) return {};
+  if (done.size() < 2 || !(done[best_position(done)].life_h > 0.0)) return {};
   std::vector<double> speeds;
   if (search.in_motion) speeds = unseen_resonances(done, search);
   if (search.in_motion && speeds.empty()) speeds = unseen_stretches(done, search);

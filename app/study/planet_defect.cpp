@@ -32,7 +32,7 @@ Eigen::Vector2d load_zone_of(const ResolvedCase& in) {
 // None where nothing is scratched. Angles of the case count from the middle of the load zone, those of the
 // result from outward; those of a roller stay.
 std::vector<system::ScratchedPlanet> scratched_planets_of(const ResolvedCase& in) {
-  const auto place = from_case<study::ScratchedPlace>(in);
+  const auto position = from_case<study::ScratchedPosition>(in);
   Scratch first = from_case<Scratch>(in);
   if (first.race == Scratched::none) return {};
   const Eigen::Vector2d zone = load_zone_of(in);
@@ -44,10 +44,10 @@ std::vector<system::ScratchedPlanet> scratched_planets_of(const ResolvedCase& in
     return scratch;
   };
   system::ScratchedPlanet planet{
-      .planet = place.planet - 1, .bearing = place.bearing - 1, .scratches = {turned(first)}};
-  if (place.also != Scratched::none) {
-    first.race = place.also;
-    first.angle = place.also_angle;
+      .planet = position.planet - 1, .bearing = position.bearing - 1, .scratches = {turned(first)}};
+  if (position.also != Scratched::none) {
+    first.race = position.also;
+    first.angle = position.also_angle;
     first.more_angles.clear();
     planet.scratches.push_back(turned(first));
   }

@@ -100,7 +100,7 @@ void add_profile(const bearing::Bearing& bearing, std::vector<Derived>& rows) {
   const double half = 0.5 * bearing.rollers().length;
   rows.push_back(
       {"bearing.profile.outermost_drop",
-       1e6 * bearing::profile::drop(bearing.rollers().profile, bearing::profile::kDropPlace * half), "um",
+       1e6 * bearing::profile::drop(bearing.rollers().profile, bearing::profile::kDropPosition * half), "um",
        "relief of one roller at the outermost of 40 laminae"});
 }
 
@@ -134,13 +134,14 @@ void add_clearance(const ResolvedCase& resolved, const study::NamedSet& set, std
     rows.push_back({"bearing.clearance." + path, per_unit * value, unit, meaning});
   };
   const bearing::ClearanceChain chain = study::clearance_chain(set.drivetrain);
-  add("unmounted", chain.unmounted, kMicro, "um", "on the shelf");
-  add("after_fits", chain.fitted, kMicro, "um", "mounted, cold, at rest");
-  add("at_temperatures", chain.warm, kMicro, "um", "the same, warm");
-  add("operating", chain.operating, kMicro, "um", "the same, at the case's speed: that of the computation");
-  add("inner_seat_pressure", chain.inner_pressure, kMega, "MPa",
+  add("unmounted", chain.unmounted, per_micro, "um", "on the shelf");
+  add("after_fits", chain.fitted, per_micro, "um", "mounted, cold, at rest");
+  add("at_temperatures", chain.warm, per_micro, "um", "the same, warm");
+  add("operating", chain.operating, per_micro, "um",
+      "the same, at the case's speed: that of the computation");
+  add("inner_seat_pressure", chain.inner_pressure, per_mega, "MPa",
       "between pin and inner ring as they run; 0: they part");
-  add("outer_seat_pressure", chain.outer_pressure, kMega, "MPa",
+  add("outer_seat_pressure", chain.outer_pressure, per_mega, "MPa",
       "between outer ring and planet as they run; 0: they part");
   constexpr std::size_t most_speeds = 24;
   for (const SweepAxis& axis : resolved.axes()) {
@@ -148,7 +149,7 @@ void add_clearance(const ResolvedCase& resolved, const study::NamedSet& set, std
     for (std::size_t i = 0; i < axis.values.size(); ++i) {
       study::NamedSet there = set;
       study::turn_at(axis.numbers[i], there.drivetrain, there.geometry);
-      add("operating", there.drivetrain.bearing.radial_clearance, kMicro, "um", "at " + axis.values[i]);
+      add("operating", there.drivetrain.bearing.radial_clearance, per_micro, "um", "at " + axis.values[i]);
     }
   }
 }
@@ -217,16 +218,17 @@ std::vector<std::string> overturning_warnings(const ResolvedCase& resolved) {
     const study::PlanetaryDrivetrain& drivetrain = set.drivetrain;
     if (drivetrain.set.helix_angle == 0.0 || drivetrain.seats.tilt == study::TiltState::computed) continue;
     const gearset::MeanLoads gears = study::bearing_duty(drivetrain, set.geometry).gears;
-    const std::vector<double> places = study::axial_places(drivetrain);
+    const std::vector<double> positions = study::axial_positions(drivetrain);
     double squares = 0.0;  // [m^2]  bearings on a stiff pin share a moment as their places
-    for (const double place : places) squares += place * place;
+    for (const double position : positions) squares += position * position;
     const double moment = std::abs(gears.overturning_moment);
     const std::string as_loads =
-        squares > 0.0 ? fmt::format(
-                            "{:.4g} N outward at one end and inward at the other on the outer bearings at "
-                            "{:.4g} and {:.4g} mm",
-                            moment * places.back() / squares, 1e3 * places.front(), 1e3 * places.back())
-                      : std::string("a moment on the one bearing");
+        squares > 0.0
+            ? fmt::format(
+                  "{:.4g} N outward at one end and inward at the other on the outer bearings at "
+                  "{:.4g} and {:.4g} mm",
+                  moment * positions.back() / squares, 1e3 * positions.front(), 1e3 * positions.back())
+            : std::string("a moment on the one bearing");
     warnings.push_back(fmt::format(
         "{}gearset.helix_angle: the axial forces overturn a planet by {:.4g} N m at the case's "
         "input, which what holds its tilt is taken to hold; on bearings on a stiff pin that would be "
@@ -274,8 +276,8 @@ std::vector<study::NamedSet> bearing_sets(const ResolvedCase& resolved) {
   std::vector<study::NamedSet> sets;
   for (const std::string& name : bearing_set_names(resolved)) {
     study::PlanetaryDrivetrain drivetrain = drivetrain_of(resolved.of_set(name));
-    const auto place = static_cast<std::size_t>(std::find(all.begin(), all.end(), name) - all.begin());
-    drivetrain.in_arrangement = flow.sets[place];
+    const auto position = static_cast<std::size_t>(std::find(all.begin(), all.end(), name) - all.begin());
+    drivetrain.in_arrangement = flow.sets[position];
     drivetrain.gear_set = nullptr;      // a model of one set, which knows neither its place nor its share
     drivetrain.uneven_planets = false;  // without that model none shares its load unevenly; the case warns
     study::mount(drivetrain);

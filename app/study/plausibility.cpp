@@ -23,7 +23,7 @@ namespace {
 namespace rating = bearing::rating;
 
 constexpr double kNone = std::numeric_limits<double>::infinity();
-constexpr double kStaticPressureMPa = kMega * rating::static_pressure(rating::RollingElement::roller);
+constexpr double kStaticPressureMPa = per_mega * rating::static_pressure(rating::RollingElement::roller);
 constexpr double kMillimetresPerMinute = 1e3 * 30.0 / constants::pi;  // mm rpm per m rad/s
 
 const std::string kSkidding = "less than a hundredth of C, below which rolling elements skid";
@@ -32,7 +32,7 @@ void add_meshes(const gearset::PlanetarySet& set, const gearset::WorkingGeometry
                 const gearset::MeanLoads& loads, std::vector<Observation>& found) {
   found.push_back({"pitch_line_speed_m_s", std::abs(loads.planet_speed_relative) *
                                                planet_working_radius(geometry, geometry.sun_mesh)});
-  found.push_back({"unit_load_MPa", kMega * std::abs(loads.normal_force) / (set.face_width * set.module)});
+  found.push_back({"unit_load_MPa", per_mega * std::abs(loads.normal_force) / (set.face_width * set.module)});
 }
 
 void add_motion(const study::NamedSet& set, std::vector<Observation>& found) {
@@ -50,7 +50,7 @@ void add_gears_alone(const ResolvedCase& in, std::vector<Observation>& found) {
 }
 
 // Of a bearing by itself: the speed of its rings against each other.
-void add_lone_speed(const ResolvedCase& in, std::vector<Observation>& found) {
+void add_single_speed(const ResolvedCase& in, std::vector<Observation>& found) {
   if (!in.has("operation.shaft_speed") || !in.has("bearing.pitch_diameter")) return;
   const double outer = in.has("operation.outer_speed") ? in.quantity("operation.outer_speed") : 0.0;
   const double turn = std::abs(in.quantity("operation.shaft_speed") - outer);
@@ -223,7 +223,7 @@ std::vector<Observation> observations(const nlohmann::ordered_json& object) {
 std::vector<Observation> observations(const ResolvedCase& at_point) {
   std::vector<Observation> found;
   if (at_point.model() != planetary_drivetrain)
-    add_lone_speed(at_point, found);
+    add_single_speed(at_point, found);
   else if (at_point.shape().several || at_point.shape().bearing)
     for (const study::NamedSet& set : bearing_sets(at_point)) add_motion(set, found);
   else if (at_point.shape().teeth)

@@ -39,7 +39,7 @@ std::string how(const cosim::CoupledOptions& exchange, const std::string& fideli
     return "gears and all bearings as one system of equations";
   const char* order = exchange.order == cosim::ExchangeOrder::jacobi ? "Jacobi" : "Gauss-Seidel";
   return fmt::format("co-simulated, {} exchange of degree {} in windows of at most {:.3g} \u00b5s{}", order,
-                     exchange.extrapolation, kMicro * exchange.window,
+                     exchange.extrapolation, per_micro * exchange.window,
                      exchange.iteration.most_passes > 1
                          ? fmt::format(", each repeated up to {} times", exchange.iteration.most_passes)
                          : "");
@@ -57,20 +57,20 @@ Json one_way_curve(const ChangeResult& one_way, const std::vector<double>& speed
 Json convergence(const study::PlanetaryDrivetrain& drivetrain) {
   const study::SchemeConvergence found =
       study::scheme_convergence(drivetrain, study::derive(drivetrain), study::common_schemes());
-  Json object{{"path_ms", kMilli * found.path},
+  Json object{{"path_ms", per_milli * found.path},
               {"speed_rpm", kRpm * drivetrain.drive.speed},
               {"rows", Json::array()},
               {"orders", Json::array()}};
   for (const study::SchemeError& error : found.errors)
     object["rows"].push_back({{"scheme", error.scheme},
-                              {"window_us", kMicro * error.window},
+                              {"window_us", per_micro * error.window},
                               {"force_error", number_or_null(error.force_error)},
                               {"energy_residual", number_or_null(error.energy_residual)}});
   for (const study::SchemeOrder& order : found.orders)
     object["orders"].push_back({{"scheme", order.scheme},
                                 {"expected", order.expected},
                                 {"measured", number_or_null(order.measured)},
-                                {"stability_limit_us", number_or_null(kMicro * order.stability_limit)}});
+                                {"stability_limit_us", number_or_null(per_micro * order.stability_limit)}});
   return object;
 }
 
@@ -169,10 +169,10 @@ Json drawing(const study::PlanetaryDrivetrain& drivetrain, const study::Drivetra
              {"guide_land_mm", of_cage(1e3 * drivetrain.dynamics.cage.guide_diameter)},
              {"clearance_um", 1e6 * b.radial_clearance}};
   const std::size_t stride = static_cast<std::size_t>(drivetrain.cage_positions);
-  for (std::size_t place = 0; place < point.distribution.angle.size(); place += stride) {
-    drawn["roller_angle_deg"].push_back(kDegree * point.distribution.angle[place]);
-    drawn["inner_load_N"].push_back(point.distribution.inner_load[place]);
-    drawn["outer_load_N"].push_back(point.distribution.outer_load[place]);
+  for (std::size_t position = 0; position < point.distribution.angle.size(); position += stride) {
+    drawn["roller_angle_deg"].push_back(kDegree * point.distribution.angle[position]);
+    drawn["inner_load_N"].push_back(point.distribution.inner_load[position]);
+    drawn["outer_load_N"].push_back(point.distribution.outer_load[position]);
   }
   return drawn;
 }

@@ -32,9 +32,9 @@ LinesOfResonances::LinesOfResonances(const ResolvedCase& resolved) : resolved_(r
 
 const std::vector<Resonance>& LinesOfResonances::of(const std::vector<Setting>& settings) {
   const std::vector<Setting> line = other_settings(settings);
-  const auto [place, is_new] = lines_.try_emplace(line);
-  if (is_new) place->second = computed(line);
-  return place->second;
+  const auto [position, is_new] = lines_.try_emplace(line);
+  if (is_new) position->second = computed(line);
+  return position->second;
 }
 
 // A line on which the gears cannot be computed has points that say why.

@@ -83,9 +83,9 @@ std::pair<std::string, std::string> life_key(const ResolvedCase& in) {
 }
 
 double number_of(const Json& object, const std::string& key) {
-  const Json::json_pointer place("/" + key);
-  const bool found = object.contains(place) && object.at(place).is_number();
-  return found ? object.at(place).get<double>() : std::numeric_limits<double>::quiet_NaN();
+  const Json::json_pointer position("/" + key);
+  const bool found = object.contains(position) && object.at(position).is_number();
+  return found ? object.at(position).get<double>() : std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace

@@ -59,9 +59,9 @@ bearing::BearingLife lundberg_palmgren(const bearing::Bearing& bearing, const St
 // Shoulders are not stated; one at 70 degrees is a third of a ball's diameter high.
 void warn_of_steep_contacts(StaticStudy& study) {
   if (study.contact_angle.size() == 0) return;
-  constexpr double degree = constants::degree, usual_end = 70.0 * degree;
+  constexpr double degree = constants::degree, normal_end = 70.0 * degree;
   const Eigen::ArrayXd loaded_angle = (study.contact_load > 0.0).select(study.contact_angle.abs(), 0.0);
-  const auto beyond = (loaded_angle > usual_end).count();
+  const auto beyond = (loaded_angle > normal_end).count();
   if (beyond == 0) return;
   study.warnings.push_back(fmt::format(
       "load: {} of {} balls bear on the inner race at more than 70 degrees (up to {:.1f}), where a usual "

@@ -133,7 +133,7 @@ void describe(Record& record, const RollerSteps& rollers) {
   constexpr described::Dimension line_constant{"contact constant", "1", "N/mm^(10/9)", ""};
   record.value("c_L_N_per_mm_10_9", line_constant, "of both contacts in series",
                rollers.constant * std::pow(kPerMetre, -bearing::kLineExponent));
-  record.array("lamina_places_mm", dimension::length, "from the middle", {"lamina"}, rollers.lamina_place);
+  record.array("lamina_places_mm", dimension::length, "from the middle", {"lamina"}, rollers.lamina_position);
   record.array("drops_um", dimension::small_length, "of both contacts: 2 P(x_k)", {"lamina"}, rollers.drop);
   record.array("element_tilts_mrad", dimension::small_angle, "of the races against each other", {"element"},
                rollers.tilt);

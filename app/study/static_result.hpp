@@ -20,7 +20,7 @@ namespace orbearing::app {
 /// bearing/life/README.md.
 struct RollerSteps {
   double constant = 0.0;               // [N/m^(10/9)]  c_L of both contacts in series
-  Eigen::ArrayXd lamina_place;         // [m]    (laminae)  x_k from the middle
+  Eigen::ArrayXd lamina_position;      // [m]    (laminae)  x_k from the middle
   Eigen::ArrayXd drop;                 // [m]    (laminae)  of both contacts: 2 P(x_k)
   Eigen::ArrayXd tilt;                 // [rad]  (rollers)  psi_j of the races against each other
   Eigen::ArrayXd stress_riser;         // [-]    (laminae)  f_k

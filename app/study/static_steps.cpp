@@ -23,18 +23,18 @@ struct StepsOf {
   StaticSteps& steps;
 
   void operator()(const equilibrium::RollerRow& row) const {
-    const equilibrium::RingPlace place = equilibrium::place_of(state, row.lever());
+    const equilibrium::RingPosition position = equilibrium::position_of(state, row.lever());
     const auto& contact = row.contact();
     const int laminae = contact.laminae();
     RollerSteps rollers{.constant = contact.constant(),
-                        .lamina_place = row.lever() * contact.places(),
+                        .lamina_position = row.lever() * contact.positions(),
                         .drop = contact.drops(),
                         .tilt = steps.angle,
                         .stress_riser = rating::stress_riser(laminae),
                         .inner_lamina_capacity = rating::lamina_capacity(ratings.contacts.inner, laminae),
                         .outer_lamina_capacity = rating::lamina_capacity(ratings.contacts.outer, laminae)};
     for (Eigen::Index j = 0; j < steps.angle.size(); ++j) {
-      const Eigen::Vector2d at = row.coordinates(j, place);
+      const Eigen::Vector2d at = row.coordinates(j, position);
       steps.approach[j] = at[0];
       rollers.tilt[j] = -std::atan(at[1] / row.lever());
     }
@@ -45,8 +45,9 @@ struct StepsOf {
   }
 
   void operator()(const equilibrium::BallRow& row) const {
-    const equilibrium::RingPlace place = equilibrium::place_of(state, row.lever());
-    for (Eigen::Index j = 0; j < steps.angle.size(); ++j) steps.approach[j] = row.place_of(j, place).approach;
+    const equilibrium::RingPosition position = equilibrium::position_of(state, row.lever());
+    for (Eigen::Index j = 0; j < steps.angle.size(); ++j)
+      steps.approach[j] = row.position_of(j, position).approach;
     const auto equivalent = [&](bearing::RaceMotion motion) {
       return Eigen::ArrayXd::Constant(1, rating::equivalent_ball_load(state.contact_load, motion)).eval();
     };

@@ -31,8 +31,8 @@ equilibrium::RingLoad scaled(equilibrium::RingLoad load, double factor) {
   return load;
 }
 
-StiffnessPoint lone_point(const bearing::Bearing& bearing, const equilibrium::RowMotion& motion,
-                          const equilibrium::RingLoad& load) {
+StiffnessPoint single_point(const bearing::Bearing& bearing, const equilibrium::RowMotion& motion,
+                            const equilibrium::RingLoad& load) {
   const equilibrium::RingState state = equilibrium::balance_bearing(bearing, motion, load);
   StiffnessPoint point{.speed = bearing.has_rollers() ? 0.0 : motion.speeds.inner,
                        .load = {{"radial_N", load.radial},
@@ -63,7 +63,7 @@ StiffnessStudy single_stiffness(const ResolvedCase& in) {
   for (const double factor : list_or(in, "operation.load_factors", 1.0)) {
     for (const double speed : speeds) {
       motion.speeds.inner = speed;
-      study.points.push_back(lone_point(bearing, motion, scaled(ring_load_of(in), factor)));
+      study.points.push_back(single_point(bearing, motion, scaled(ring_load_of(in), factor)));
       study.points.back().series = study.series;
     }
     ++study.series;

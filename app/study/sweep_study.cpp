@@ -78,15 +78,15 @@ bool is_idle_bin(const std::vector<Setting>& settings) {
 /// The bins that turn, for each combination of the other swept values.
 void add_spectrum(const ResolvedCase& resolved, LoadSpectrum& spectrum, std::vector<SweepPoint>& points) {
   const std::vector<std::vector<Setting>> lines = lines_of_spectrum(resolved);
-  const std::vector<std::size_t> turning = spectrum.turning();
-  const std::size_t count = points.size() + lines.size() * turning.size();
+  const std::vector<std::size_t> rotating = spectrum.rotating();
+  const std::size_t count = points.size() + lines.size() * rotating.size();
   if (static_cast<double>(count) > most_points)
     throw BadInput(
         fmt::format("{}: spectrum: found {} operating points with those of the sweep; required: at most {}",
                     resolved.origin(kSpectrumPath), count, most_points));
   spectrum.lines = lines.size();
   for (const std::vector<Setting>& line : lines)
-    for (const std::size_t number : turning) {
+    for (const std::size_t number : rotating) {
       const LoadBin& bin = spectrum.bins[number];
       std::vector<Setting> settings = line;
       settings.push_back(entering_power(bin));

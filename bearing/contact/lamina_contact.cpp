@@ -41,15 +41,15 @@ int padded(std::size_t laminae) {
 
 }  // namespace
 
-std::vector<double> lamina_places(int n) {
-  std::vector<double> places(static_cast<std::size_t>(std::max(n, 0)));
-  for (int k = 0; k < n; ++k) places[static_cast<std::size_t>(k)] = (2.0 * k + 1.0) / n - 1.0;
-  return places;
+std::vector<double> lamina_positions(int n) {
+  std::vector<double> positions(static_cast<std::size_t>(std::max(n, 0)));
+  for (int k = 0; k < n; ++k) positions[static_cast<std::size_t>(k)] = (2.0 * k + 1.0) / n - 1.0;
+  return positions;
 }
 
 std::vector<double> lamina_drops(const profile::Profile& roller, const profile::Profile& race, double length,
                                  int n) {
-  std::vector<double> drops = lamina_places(n);
+  std::vector<double> drops = lamina_positions(n);
   for (double& drop : drops) {
     const double x = 0.5 * length * drop;
     drop = profile::drop(roller, x) + profile::drop(race, x);
@@ -63,20 +63,20 @@ LaminaContact::LaminaContact(const LaminaLaw& law, double length, std::span<cons
       half_length_(0.5 * length),
       laminae_(static_cast<int>(drops.size())),
       padded_(padded(drops.size())),
-      place_(lamina_places(laminae_)),
+      position_(lamina_positions(laminae_)),
       drop_(drops.begin(), drops.end()),
       kernel_(&kernel_of(set)) {
   require_sound(drops);
   least_drop_ = *std::min_element(drops.begin(), drops.end());
   greatest_drop_ = *std::max_element(drops.begin(), drops.end());
-  place_.resize(static_cast<std::size_t>(padded_), 0.0);
+  position_.resize(static_cast<std::size_t>(padded_), 0.0);
   drop_.resize(static_cast<std::size_t>(padded_), vectorised::kNoLamina);
 }
 
 LaminaForce LaminaContact::evaluate(double approach, double end_displacement) const {
   if (approach + std::abs(end_displacement) <= least_drop_) return {};
   const vectorised::LaminaSums sums =
-      kernel_->sums(place_.data(), drop_.data(), padded_, approach, end_displacement);
+      kernel_->sums(position_.data(), drop_.data(), padded_, approach, end_displacement);
   const double slope = LaminaLaw::exponent * scale_;
   return {scale_ * sums.load, scale_ * sums.end_load, slope * sums.by_approach, slope * sums.mixed,
           slope * sums.by_end_displacement};
@@ -88,7 +88,7 @@ void LaminaContact::put_loads(double approach, double end_displacement, double* 
     std::fill_n(load, laminae_, 0.0);
     return;
   }
-  kernel_->loads(place_.data(), drop_.data(), padded_, approach, end_displacement, padded_load.data());
+  kernel_->loads(position_.data(), drop_.data(), padded_, approach, end_displacement, padded_load.data());
   for (int k = 0; k < laminae_; ++k) load[k] = scale_ * padded_load[static_cast<std::size_t>(k)];
 }
 
@@ -100,7 +100,7 @@ Eigen::ArrayXd LaminaContact::loads(double approach, double end_displacement) co
 
 double LaminaContact::energy(double approach, double end_displacement) const {
   const Eigen::Map<const Eigen::ArrayXd> drop(drop_.data(), laminae_);
-  return (loads(approach, end_displacement) * (approach + end_displacement * places() - drop)).sum() /
+  return (loads(approach, end_displacement) * (approach + end_displacement * positions() - drop)).sum() /
          (LaminaLaw::exponent + 1.0);
 }
 

@@ -31,7 +31,7 @@ inline LaminaLaw lamina_law(const LineContact& contact) {
 }
 
 /// Middles of `n` equal laminae as fractions of half the length, -1 to 1, [ISO16281]: (2k - 1)/n - 1.
-std::vector<double> lamina_places(int n);
+std::vector<double> lamina_positions(int n);
 
 /// Drop [m] of both bodies at the middles of `n` laminae of a contact of `length` [m].
 std::vector<double> lamina_drops(const profile::Profile& roller, const profile::Profile& race, double length,
@@ -71,7 +71,7 @@ class LaminaContact {
   double least_drop() const { return least_drop_; }
   double greatest_drop() const { return greatest_drop_; }  // [m]
   /// Fractions of half the length.
-  Eigen::Map<const Eigen::ArrayXd> places() const { return {place_.data(), laminae_}; }
+  Eigen::Map<const Eigen::ArrayXd> positions() const { return {position_.data(), laminae_}; }
   Eigen::Map<const Eigen::ArrayXd> drops() const { return {drop_.data(), laminae_}; }  // [m]
 
  private:
@@ -81,7 +81,7 @@ class LaminaContact {
   double greatest_drop_;
   int laminae_;
   int padded_;
-  std::vector<double> place_;  // [-]  (padded)
+  std::vector<double> position_;  // [-]  (padded)
   std::vector<double> drop_;   // [m]  (padded)
   const vectorised::LaminaKernel* kernel_;
 };

@@ -19,11 +19,11 @@ struct LaminaSums {
 
 /// Places are fractions of half the length, -1 to 1; `count` is a multiple of kLaminaPadding.
 struct LaminaKernel {
-  LaminaSums (*sums)(const double* place, const double* drop, int count, double approach,
+  LaminaSums (*sums)(const double* position, const double* drop, int count, double approach,
                      double end_displacement);
   /// Of each lamina: d^(10/9) [m^(10/9)].
-  void (*loads)(const double* place, const double* drop, int count, double approach, double end_displacement,
-                double* load);
+  void (*loads)(const double* position, const double* drop, int count, double approach,
+                double end_displacement, double* load);
 };
 
 /// One for each instruction set. They stand in files of their own, so that the engines keep their bits.

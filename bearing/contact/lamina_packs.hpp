@@ -9,39 +9,39 @@ namespace orbearing::bearing::vectorised::ORBEARING_PACKS {
 using namespace mechanics::ORBEARING_PACKS;
 
 struct LaminaPack {
-  Pack place, load, root;
+  Pack position, load, root;
 };
 
-inline LaminaPack lamina_pack(const double* place, const double* drop, double approach,
+inline LaminaPack lamina_pack(const double* position, const double* drop, double approach,
                               double end_displacement) {
   LaminaPack pack;
-  pack.place = mechanics::ORBEARING_PACKS::load(place);
-  const Pack depth = (approach + pack.place * end_displacement) - mechanics::ORBEARING_PACKS::load(drop);
+  pack.position = mechanics::ORBEARING_PACKS::load(position);
+  const Pack depth = (approach + pack.position * end_displacement) - mechanics::ORBEARING_PACKS::load(drop);
   const Mask touching = depth > 0.0;
   pack.root = only(touching, ninth_root(only(touching, depth)));
   pack.load = only(touching, depth) * pack.root;
   return pack;
 }
 
-inline LaminaSums lamina_sums(const double* place, const double* drop, int count, double approach,
+inline LaminaSums lamina_sums(const double* position, const double* drop, int count, double approach,
                               double end_displacement) {
   Pack load{}, end_load{}, by_approach{}, mixed{}, by_end_displacement{};
   for (int k = 0; k < count; k += kLanes) {
-    const LaminaPack pack = lamina_pack(place + k, drop + k, approach, end_displacement);
-    const Pack sloped = pack.root * pack.place;
+    const LaminaPack pack = lamina_pack(position + k, drop + k, approach, end_displacement);
+    const Pack sloped = pack.root * pack.position;
     load += pack.load;
-    end_load += pack.load * pack.place;
+    end_load += pack.load * pack.position;
     by_approach += pack.root;
     mixed += sloped;
-    by_end_displacement += sloped * pack.place;
+    by_end_displacement += sloped * pack.position;
   }
   return {sum(load), sum(end_load), sum(by_approach), sum(mixed), sum(by_end_displacement)};
 }
 
-inline void lamina_loads(const double* place, const double* drop, int count, double approach,
+inline void lamina_loads(const double* position, const double* drop, int count, double approach,
                          double end_displacement, double* load) {
   for (int k = 0; k < count; k += kLanes)
-    store(lamina_pack(place + k, drop + k, approach, end_displacement).load, load + k);
+    store(lamina_pack(position + k, drop + k, approach, end_displacement).load, load + k);
 }
 
 inline constexpr LaminaKernel kLaminaKernel{lamina_sums, lamina_loads};

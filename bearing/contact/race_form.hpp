@@ -13,7 +13,7 @@ namespace orbearing::bearing {
 struct FormAt {
   double height = 0.0;         // [m]      by which the radius is larger
   double slope = 0.0;          // [m/rad]  d(height)/d(angle)
-  double turning_slope = 0.0;  // [m/rad]  the share of what turns with the race: -d(height)/d(race angle)
+  double rotating_slope = 0.0;  // [m/rad]  the share of what turns with the race: -d(height)/d(race angle)
 };
 
 /// Form at `angle` [rad] in the carrier frame of a race that has turned by `race_angle` [rad]: the sum of
@@ -21,11 +21,11 @@ struct FormAt {
 inline FormAt form_at(const std::vector<RaceHarmonic>& form, double angle, double race_angle) {
   FormAt sum;
   for (const RaceHarmonic& wave : form) {
-    const double place = wave.order * (wave.turning ? angle - race_angle : angle) + wave.phase;
-    const double slope = -wave.order * wave.amplitude * std::sin(place);
-    sum.height += wave.amplitude * std::cos(place);
+    const double position = wave.order * (wave.rotating ? angle - race_angle : angle) + wave.phase;
+    const double slope = -wave.order * wave.amplitude * std::sin(position);
+    sum.height += wave.amplitude * std::cos(position);
     sum.slope += slope;
-    if (wave.turning) sum.turning_slope += slope;
+    if (wave.rotating) sum.rotating_slope += slope;
   }
   return sum;
 }
@@ -45,7 +45,7 @@ inline bool is_round(const Bearing& bearing) {
 /// Whether the bearing repeats itself when the cage turns by one roller pitch: equal rollers,
 /// no waves but out-of-roundness.
 inline bool every_pitch_alike(const Bearing& bearing) {
-  const auto turns = [](const RaceHarmonic& wave) { return wave.turning; };
+  const auto turns = [](const RaceHarmonic& wave) { return wave.rotating; };
   return bearing.rollers().diameter_deviation.empty() &&
          std::none_of(bearing.inner.form.begin(), bearing.inner.form.end(), turns) &&
          std::none_of(bearing.outer.form.begin(), bearing.outer.form.end(), turns);

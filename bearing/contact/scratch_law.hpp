@@ -21,14 +21,14 @@ enum class ScratchForm {
 
 /// Sinking and its slope along the track.
 template <class Number>
-struct Sinking {
+struct DefectDepth {
   Number depth{};  // [m]
   Number slope{};  // [-]
   Number bend{};   // [1/m]  slope of the slope
 };
 
 /// Sinking at even places from one edge to the other; between them cubics that share value and slope.
-struct SinkingTable {
+struct DefectDepthTable {
   static constexpr int kPoints = 65;
 
   double depth[kPoints]{};  // [m]
@@ -40,12 +40,12 @@ struct ScratchLaw {
   double width = 0.0;    // [m]  along the track
   double bottom = 0.0;   // [m]  depth of the scratch: no element sinks further
   double deepest = 0.0;  // [m]  sinking of an element that rests on both edges
-  SinkingTable table;    // of a profile: what an element sinks, whatever `bottom` and `deepest` say
+  DefectDepthTable table;  // of a profile: what an element sinks, whatever `bottom` and `deepest` say
 };
 
 /// Of depth 1 and width 1, at `s` widths from the middle.
 template <class Number>
-Sinking<Number> unit_sinking(ScratchForm form, const Number& s) {
+DefectDepth<Number> unit_depth(ScratchForm form, const Number& s) {
   using namespace mechanics;
   constexpr double kPi = 3.14159265358979323846;
   if (form == ScratchForm::edges) {
@@ -60,13 +60,13 @@ Sinking<Number> unit_sinking(ScratchForm form, const Number& s) {
 }
 
 /// By the table, at `from_middle` [m] from the middle.
-[[gnu::always_inline]] inline Sinking<double> tabulated_sinking(const ScratchLaw& law, double from_middle) {
-  const double spacing = law.width / (SinkingTable::kPoints - 1);  // [m]
-  const double place = (from_middle + 0.5 * law.width) / spacing;
-  if (!(place >= 0.0 && place <= SinkingTable::kPoints - 1)) return {};
-  const int last = SinkingTable::kPoints - 2, whole = static_cast<int>(place);
+[[gnu::always_inline]] inline DefectDepth<double> tabulated_depth(const ScratchLaw& law, double from_middle) {
+  const double spacing = law.width / (DefectDepthTable::kPoints - 1);  // [m]
+  const double position = (from_middle + 0.5 * law.width) / spacing;
+  if (!(position >= 0.0 && position <= DefectDepthTable::kPoints - 1)) return {};
+  const int last = DefectDepthTable::kPoints - 2, whole = static_cast<int>(position);
   const int i = whole < last ? whole : last;
-  const double t = place - i, mean = (law.table.depth[i + 1] - law.table.depth[i]) / spacing;
+  const double t = position - i, mean = (law.table.depth[i + 1] - law.table.depth[i]) / spacing;
   const double a = law.table.slope[i], b = law.table.slope[i + 1];
   const double bend = 3.0 * mean - 2.0 * a - b, twist = a + b - 2.0 * mean;
   return {law.table.depth[i] + spacing * t * (a + t * (bend + t * twist)),
@@ -75,17 +75,17 @@ Sinking<Number> unit_sinking(ScratchForm form, const Number& s) {
 
 /// The same for a pack, number by number: few are on a scratch at a time.
 template <class Number>
-Sinking<Number> tabulated_sinkings(const ScratchLaw& law, const Number& from_middle) {
+DefectDepth<Number> tabulated_depths(const ScratchLaw& law, const Number& from_middle) {
   constexpr int kNumbers = sizeof(Number) / sizeof(double);
   double at[kNumbers], depth[kNumbers], slope[kNumbers], bend[kNumbers];
   __builtin_memcpy(at, &from_middle, sizeof at);
   for (int i = 0; i < kNumbers; ++i) {
-    const Sinking<double> one = tabulated_sinking(law, at[i]);
+    const DefectDepth<double> one = tabulated_depth(law, at[i]);
     depth[i] = one.depth;
     slope[i] = one.slope;
     bend[i] = one.bend;
   }
-  Sinking<Number> all;
+  DefectDepth<Number> all;
   __builtin_memcpy(&all.depth, depth, sizeof depth);
   __builtin_memcpy(&all.slope, slope, sizeof slope);
   __builtin_memcpy(&all.bend, bend, sizeof bend);
@@ -95,10 +95,10 @@ Sinking<Number> tabulated_sinkings(const ScratchLaw& law, const Number& from_mid
 /// At `from_middle` [m] from the middle; the form goes on beyond the edges, where a caller must not ask it to
 /// count.
 template <class Number>
-Sinking<Number> sinking(const ScratchLaw& law, const Number& from_middle) {
+DefectDepth<Number> defect_depth(const ScratchLaw& law, const Number& from_middle) {
   using namespace mechanics;
-  if (law.form == ScratchForm::profile) return tabulated_sinkings(law, from_middle);
-  const Sinking<Number> unit = unit_sinking(law.form, Number(from_middle * (1.0 / law.width)));
+  if (law.form == ScratchForm::profile) return tabulated_depths(law, from_middle);
+  const DefectDepth<Number> unit = unit_depth(law.form, Number(from_middle * (1.0 / law.width)));
   const Number depth = law.deepest * unit.depth;
   const auto hanging = depth < Number{} + law.bottom;
   return {select(hanging, depth, Number{} + law.bottom), only(hanging, (law.deepest / law.width) * unit.slope),
@@ -107,7 +107,7 @@ Sinking<Number> sinking(const ScratchLaw& law, const Number& from_middle) {
 
 /// Sinking of an element on a round track, and its slopes by the element's angle.
 template <class Number>
-struct TrackSinking {
+struct TrackDepth {
   Number depth{};     // [m]
   Number by_angle{};  // [m/rad]
   Number bend{};      // [m/rad^2]
@@ -116,13 +116,13 @@ struct TrackSinking {
 /// On a track of radius `radius` [m] whose scratch lies at the angle of which `ahead` and `towards` are sine and
 /// cosine from the element's; the sine stands for the angle. Zero off the scratch.
 template <class Number>
-TrackSinking<Number> track_sinking(const ScratchLaw& law, double radius, const Number& ahead,
-                                   const Number& towards) {
+TrackDepth<Number> track_depth(const ScratchLaw& law, double radius, const Number& ahead,
+                               const Number& towards) {
   using namespace mechanics;
   const Number from_middle = radius * ahead;
   const auto inside = (towards > Number{}) & (absolute(from_middle) < Number{} + 0.5 * law.width);
   if (!any(inside)) return {};
-  const Sinking<Number> one = sinking(law, from_middle);
+  const DefectDepth<Number> one = defect_depth(law, from_middle);
   const Number along = radius * towards;
   return {only(inside, one.depth), only(inside, along * one.slope),
           only(inside, along * along * one.bend - from_middle * one.slope)};

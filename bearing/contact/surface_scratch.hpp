@@ -26,11 +26,11 @@ struct RollerScratch {
 /// What lies on a contact whose normal stands at the angle with `cosine` and `sine`: a scratch at the angle
 /// `scratch` [rad].
 template <class Number>
-TrackSinking<Number> sinking_at(const ScratchLaw& law, double radius, double scratch, const Number& cosine,
-                                const Number& sine) {
+TrackDepth<Number> depth_at(const ScratchLaw& law, double radius, double scratch, const Number& cosine,
+                            const Number& sine) {
   const auto at = mechanics::sine_cosine(scratch);
-  return track_sinking(law, radius, Number(sine * at.cosine - cosine * at.sine),
-                       Number(cosine * at.cosine + sine * at.sine));
+  return track_depth(law, radius, Number(sine * at.cosine - cosine * at.sine),
+                     Number(cosine * at.cosine + sine * at.sine));
 }
 
 }  // namespace orbearing::bearing

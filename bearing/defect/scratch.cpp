@@ -17,15 +17,16 @@ double arc_height(double radius, double width) {
 
 }  // namespace
 
-double deepest_sinking(double width, Race race, const BearingGeometry& geometry) {
+double greatest_depth(double width, Race race, const BearingGeometry& geometry) {
   const double of_race = race == Race::inner ? arc_height(geometry.inner_radius, width)
                                              : -arc_height(geometry.outer_radius, width);
   return arc_height(geometry.element_radius, width) + of_race;
 }
 
-SinkingTable rolled_over(const std::vector<double>& depths, double width, Race race,
-                         const BearingGeometry& geometry) {
-  constexpr int kFine = 20, kLast = SinkingTable::kPoints - 1;  // places looked at for each one that is kept
+DefectDepthTable rolled_over(const std::vector<double>& depths, double width, Race race,
+                             const BearingGeometry& geometry) {
+  constexpr int kFine = 20,
+                kLast = DefectDepthTable::kPoints - 1;  // places looked at for each one that is kept
   const double of_race = race == Race::inner ? 1.0 / geometry.inner_radius : -1.0 / geometry.outer_radius;
   const double curvature = 1.0 / geometry.element_radius + of_race;  // [1/m]
   const auto last = static_cast<double>(depths.size() - 1);
@@ -34,7 +35,7 @@ SinkingTable rolled_over(const std::vector<double>& depths, double width, Race r
     const auto at = [&](std::size_t k) { return k == 0 || k + 1 == depths.size() ? 0.0 : depths[k]; };
     return at(i) + (share * last - static_cast<double>(i)) * (at(i + 1) - at(i));
   };
-  SinkingTable table;
+  DefectDepthTable table;
   for (int i = 1; i < kLast; ++i) {
     double least = depth_at(static_cast<double>(i) / kLast);
     for (int k = 0; k <= kFine * kLast; ++k) {
@@ -50,7 +51,8 @@ SinkingTable rolled_over(const std::vector<double>& depths, double width, Race r
 }
 
 ScratchLaw scratch_law(const Scratch& scratch, Race race, const BearingGeometry& geometry) {
-  ScratchLaw law{scratch.form, scratch.width, scratch.depth, deepest_sinking(scratch.width, race, geometry), {}};
+  ScratchLaw law{
+      scratch.form, scratch.width, scratch.depth, greatest_depth(scratch.width, race, geometry), {}};
   if (scratch.form != ScratchForm::profile) return law;
   if (scratch.profile.size() < 3)
     mechanics::refuse("depths of a measured scratch", static_cast<double>(scratch.profile.size()), "at least 3");

@@ -53,7 +53,7 @@ void describe(Visitor& visit, Scratch& m) {
   members(
       visit, m,
       field(m.race, "defect.race", Felt::defect, "what is scratched: a race, one ball, one roller or none",
-            {.models = scratched_bearings, .required_by = lone_scratched}),
+            {.models = scratched_bearings, .required_by = single_scratched}),
       field(m.width, "defect.width", Felt::defect, "width of the scratch along the track",
             {.models = scratched_bearings,
              .dimension = dimension::length,
@@ -96,7 +96,7 @@ void describe(Visitor& visit, Scratch& m) {
 /// By how much an element on a scratch sinks at the most where it does not touch the bottom [m], eq. 4 of
 /// [ScratchVibration]: the height of its own arc over the width, more by that of the convex inner race and
 /// less by that of the concave outer one. For a scratch of the element itself `race` is the one it meets.
-double deepest_sinking(double width, Race race, const BearingGeometry& geometry);
+double greatest_depth(double width, Race race, const BearingGeometry& geometry);
 
 /// Whether the scratch is one of a rolling element.
 inline bool of_element(Scratched scratched) {
@@ -106,8 +106,8 @@ inline bool of_element(Scratched scratched) {
 /// What an element sinks on a scratch whose depths were measured at even places from edge to edge: as far as its
 /// own arc, relative to that of `race`, lets it touch none of them. The first and the last depth are those of the
 /// edges and count as zero.
-SinkingTable rolled_over(const std::vector<double>& depths, double width, Race race,
-                         const BearingGeometry& geometry);
+DefectDepthTable rolled_over(const std::vector<double>& depths, double width, Race race,
+                             const BearingGeometry& geometry);
 
 /// Of an element that meets `race` of a bearing of this geometry on the scratch. Throws std::invalid_argument for
 /// a measured one of less than three depths, or of one below zero.

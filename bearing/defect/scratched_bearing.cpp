@@ -60,7 +60,7 @@ ScratchedMotion::ScratchedMotion(const ScratchedBearing& parameters)
   first_angle_ = equilibrium::element_angles(in_.bearing);
   set_scratches();
   on_.setConstant(switches(), false);
-  static_ = find_static_place();
+  static_ = find_static_position();
   if (!static_.report.converged)
     mechanics::refuse("radial load [N]", in_.load, "one under which the ring finds a balance");
   set_damping();
@@ -112,8 +112,8 @@ double ScratchedMotion::from_middle(Eigen::Index element, Eigen::Index scratch, 
   return track_radius_ * std::remainder(angle, between_);
 }
 
-Sinking<double> ScratchedMotion::sinking_of(Eigen::Index element, double time) const {
-  Sinking<double> sum;
+DefectDepth<double> ScratchedMotion::depth_of(Eigen::Index element, double time) const {
+  DefectDepth<double> sum;
   const auto scratches = static_cast<Eigen::Index>(middle_.size());
   for (Eigen::Index i = 0; i < scratches; ++i) {
     if (!on_[elements() + element * scratches + i]) continue;
@@ -122,7 +122,8 @@ Sinking<double> ScratchedMotion::sinking_of(Eigen::Index element, double time) c
       const double turned = track_speed_ * in_.run_up.turned_at(time) - middle_[static_cast<std::size_t>(i)];
       outer = std::abs(std::remainder(turned, 2.0 * kHalfTurn)) < 0.5 * kHalfTurn;
     }
-    const Sinking<double> one = sinking(outer ? on_outer_ : on_inner_, from_middle(element, i, time));
+    const DefectDepth<double> one =
+        defect_depth(outer ? on_outer_ : on_inner_, from_middle(element, i, time));
     sum.depth += one.depth;
     sum.slope += one.slope;
   }
@@ -134,11 +135,11 @@ ScratchedMotion::Contact ScratchedMotion::contact(Eigen::Index element, double t
   const double share = in_.run_up.share_at(time);
   Contact now{.angle = first_angle_[element] + cage_speed_ * in_.run_up.turned_at(time)};
   const double cosine = std::cos(now.angle), sine = std::sin(now.angle);
-  const Sinking<double> sunk = sinking_of(element, time);
+  const DefectDepth<double> element_depth = depth_of(element, time);
   const double along = x[0] * cosine + x[1] * sine, across = x[1] * cosine - x[0] * sine;
-  now.approach = (along - 0.5 * in_.bearing.radial_clearance) * cosine_ - sunk.depth;
+  now.approach = (along - 0.5 * in_.bearing.radial_clearance) * cosine_ - element_depth.depth;
   now.approach_speed = (x[2] * cosine + x[3] * sine + share * cage_speed_ * across) * cosine_ -
-                       sunk.slope * track_radius_ * share * track_speed_;
+                       element_depth.slope * track_radius_ * share * track_speed_;
   if (!on_[element]) return now;
   now.elastic_load = elastic(constant_, exponent_, now.approach);
   now.load = in_.ring.damping_law == DampingLaw::viscous
@@ -177,14 +178,14 @@ double ScratchedMotion::weight() const {
   return weight_of(in_.ring);
 }
 
-StaticPlace ScratchedMotion::find_static_place() const {
-  StaticPlace found{.load = Eigen::ArrayXd::Zero(elements())};
+StaticPosition ScratchedMotion::find_static_position() const {
+  StaticPosition found{.load = Eigen::ArrayXd::Zero(elements())};
   const double force = in_.load + weight();
-  const auto imbalance_at = [&](const Eigen::Vector2d& place) {
+  const auto imbalance_at = [&](const Eigen::Vector2d& position) {
     mechanics::Imbalance<2> sum{.force = {force, 0.0}, .scale = force};
     for (Eigen::Index j = 0; j < elements(); ++j) {
       const Eigen::Vector2d direction(std::cos(first_angle_[j]), std::sin(first_angle_[j]));
-      const double approach = (place.dot(direction) - 0.5 * in_.bearing.radial_clearance) * cosine_;
+      const double approach = (position.dot(direction) - 0.5 * in_.bearing.radial_clearance) * cosine_;
       found.load[j] = approach > 0.0 ? elastic(constant_, exponent_, approach) : 0.0;
       if (approach <= 0.0) continue;
       sum.force -= found.load[j] * cosine_ * direction;
@@ -198,8 +199,8 @@ StaticPlace ScratchedMotion::find_static_place() const {
                                        .size = std::abs(in_.bearing.radial_clearance),
                                        .tolerance = 1e-13};
   mechanics::Imbalance<2> now;
-  found.report = mechanics::find_balance<2>(imbalance_at, limits, found.place, now);
-  now = imbalance_at(found.place);
+  found.report = mechanics::find_balance<2>(imbalance_at, limits, found.position, now);
+  now = imbalance_at(found.position);
   found.stiffness = now.stiffness(0, 0);
   found.natural_frequency = std::sqrt(found.stiffness / in_.ring.mass) / (2.0 * kHalfTurn);
   return found;

@@ -51,18 +51,18 @@ void describe(Visitor& visit, VibratingRing& m) {
   members(visit, m,
           field(m.mass, "bearing.outer_ring_mass", Felt::defect,
                 "mass of the outer ring and of what moves with it",
-                {.models = lone_scratched,
-                 .required_by = lone_scratched,
+                {.models = single_scratched,
+                 .required_by = single_scratched,
                  .dimension = dimension::mass,
                  .range = positive(1e6)}),
           field(m.damping_ratio, "contact.damping_ratio", Felt::defect,
                 "damping of the ring's vibration along the load, over the critical one",
-                {.models = lone_scratched,
+                {.models = single_scratched,
                  .range = {0.0, 1.0},
                  .reason = "within 0.25e-5 to 2.5e-5 s times the stiffness, usual for rolling bearings"}),
           field(m.damping_law, "contact.damping_model", Felt::defect,
                 "damping of a contact: of its speed alone, or of its load and speed",
-                {.models = lone_scratched, .reason = "as the source writes it"}));
+                {.models = single_scratched, .reason = "as the source writes it"}));
 }
 
 /// [N]
@@ -94,8 +94,8 @@ struct ScratchedBearing {
 };
 
 /// Where the ring rests, and how it would vibrate there.
-struct StaticPlace {
-  Eigen::Vector2d place = Eigen::Vector2d::Zero();  // [m]  u, v
+struct StaticPosition {
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();  // [m]  u, v
   Eigen::ArrayXd load;                              // [N]  (elements)
   double stiffness = 0.0;                           // [N/m]  along the load
   double natural_frequency = 0.0;                   // [Hz]   undamped, along the load
@@ -112,7 +112,7 @@ class ScratchedMotion {
   /// Throws std::invalid_argument for a bearing that cannot be, and where no static balance is found.
   explicit ScratchedMotion(const ScratchedBearing& parameters);
 
-  const StaticPlace& static_place() const { return static_; }
+  const StaticPosition& static_position() const { return static_; }
   Eigen::Index elements() const { return first_angle_.size(); }
 
   /// Values whose signs make the form: approach of each element [m], then for each element and scratch how
@@ -139,11 +139,11 @@ class ScratchedMotion {
   double weight() const;  // [N]  of the ring
 
  private:
-  StaticPlace find_static_place() const;
+  StaticPosition find_static_position() const;
   void set_scratches();
   void set_damping();
   double from_middle(Eigen::Index element, Eigen::Index scratch, double time) const;
-  Sinking<double> sinking_of(Eigen::Index element, double time) const;
+  DefectDepth<double> depth_of(Eigen::Index element, double time) const;
 
   ScratchedBearing in_;
   BearingGeometry geometry_;
@@ -159,7 +159,7 @@ class ScratchedMotion {
   std::vector<double> middle_;  // [rad]  (scratches)  at time 0
   ScratchLaw on_inner_, on_outer_;  // of an element that meets this race on a scratch
   Eigen::Array<bool, Eigen::Dynamic, 1> on_;  // (switches)
-  StaticPlace static_;
+  StaticPosition static_;
 };
 
 }  // namespace orbearing::bearing::defect

@@ -7,9 +7,9 @@ namespace orbearing::bearing::duplex {
 
 PressedRow pressed_row(const Bearing& bearing, double approach) {
   const equilibrium::BallRow row(bearing);
-  equilibrium::RingPlace place = equilibrium::RingPlace::Zero();
-  place[2] = approach;
-  const equilibrium::BallRow::BallPlace ball = row.place_of(0, place);
+  equilibrium::RingPosition position = equilibrium::RingPosition::Zero();
+  position[2] = approach;
+  const equilibrium::BallRow::BallPosition ball = row.position_of(0, position);
   const double root = std::sqrt(std::max(0.0, ball.approach));
   return {.angle = std::atan2(ball.axial, ball.radial),
           .normal_stiffness = 1.5 * row.constant() * root,

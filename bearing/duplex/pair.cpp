@@ -11,7 +11,7 @@ namespace {
 
 using equilibrium::RingImbalance;
 using equilibrium::RingLoad;
-using equilibrium::RingPlace;
+using equilibrium::RingPosition;
 using equilibrium::RingState;
 
 }  // namespace
@@ -44,25 +44,25 @@ PairRow::PairRow(const Pair& pair) : row_(pair.bearing), approach_(pair.approach
   second_ = equilibrium::motion_of_row(-pair.levers.second, sides.second, lever(), lever());
 }
 
-RingPlace PairRow::in_row(const Stiffness& motion, const RingPlace& place) const {
-  RingPlace own = motion * place;
+RingPosition PairRow::in_row(const Stiffness& motion, const RingPosition& position) const {
+  RingPosition own = motion * position;
   own[2] += approach_;
   return own;
 }
 
-void PairRow::add_forces(const RingPlace& place, RingImbalance& sum) const {
+void PairRow::add_forces(const RingPosition& position, RingImbalance& sum) const {
   for (const Stiffness& motion : {first_, second_}) {
-    const RingImbalance one = equilibrium::row_forces(row_, in_row(motion, place));
+    const RingImbalance one = equilibrium::row_forces(row_, in_row(motion, position));
     sum.force += motion.transpose() * one.force;
     sum.stiffness += motion.transpose() * one.stiffness * motion;
     sum.scale += one.scale;
   }
 }
 
-void PairRow::put_loads(const RingPlace& place, RingState& state) const {
+void PairRow::put_loads(const RingPosition& position, RingState& state) const {
   RingState first, second;
-  row_.put_loads(in_row(first_, place), first);
-  row_.put_loads(in_row(second_, place), second);
+  row_.put_loads(in_row(first_, position), first);
+  row_.put_loads(in_row(second_, position), second);
   const Eigen::Index balls = row_.count();
   state.contact_load.resize(2 * balls);
   state.contact_load << first.contact_load, second.contact_load;
@@ -71,13 +71,13 @@ void PairRow::put_loads(const RingPlace& place, RingState& state) const {
   state.largest_pressure = std::max(first.largest_pressure, second.largest_pressure);
 }
 
-double PairRow::stored_energy(const RingPlace& place) const {
-  return row_.stored_energy(in_row(first_, place)) + row_.stored_energy(in_row(second_, place));
+double PairRow::stored_energy(const RingPosition& position) const {
+  return row_.stored_energy(in_row(first_, position)) + row_.stored_energy(in_row(second_, position));
 }
 
-PairRow::RowStiffnesses PairRow::row_stiffnesses(const RingPlace& place) const {
+PairRow::RowStiffnesses PairRow::row_stiffnesses(const RingPosition& position) const {
   const auto of = [&](const Stiffness& motion) {
-    return equilibrium::by_tilt(equilibrium::row_forces(row_, in_row(motion, place)).stiffness, lever());
+    return equilibrium::by_tilt(equilibrium::row_forces(row_, in_row(motion, position)).stiffness, lever());
   };
   return {of(first_), of(second_)};
 }
@@ -88,7 +88,7 @@ namespace {
 struct Pressed {
   Pair pair;
   RingLoad load;
-  RingPlace start = RingPlace::Zero();
+  RingPosition start = RingPosition::Zero();
 };
 
 // Rows of a tandem are pressed by what draws the shaft along; found from the rows' own force at rest where
@@ -124,7 +124,7 @@ PairState balance_pair(const Pair& pair, const RingLoad& load) {
   const Pressed all = pressed(pair, load);
   const PairRow row(all.pair);
   PairState state{.ring = equilibrium::balance_ring(row, all.load, all.start), .rows = {}};
-  state.rows = row.row_stiffnesses(equilibrium::place_of(state.ring, row.lever()));
+  state.rows = row.row_stiffnesses(equilibrium::position_of(state.ring, row.lever()));
   return state;
 }
 

@@ -14,7 +14,7 @@
 #include <Eigen/Core>
 
 #include "bearing/equilibrium/balls.hpp"
-#include "bearing/equilibrium/moving_balls.hpp"
+#include "bearing/equilibrium/jones_balls.hpp"
 #include "mechanics/described.hpp"
 
 namespace orbearing::bearing::duplex {
@@ -68,22 +68,22 @@ class PairRow {
 
   double lever() const { return row_.lever(); }
   double reach(double load) const { return row_.reach(load) + approach_; }
-  void add_forces(const equilibrium::RingPlace& place, equilibrium::RingImbalance& sum) const;
+  void add_forces(const equilibrium::RingPosition& position, equilibrium::RingImbalance& sum) const;
   /// Loads and angles of the first row's balls, then of the second's.
-  void put_loads(const equilibrium::RingPlace& place, equilibrium::RingState& state) const;
-  double stored_energy(const equilibrium::RingPlace& place) const;
+  void put_loads(const equilibrium::RingPosition& position, equilibrium::RingState& state) const;
+  double stored_energy(const equilibrium::RingPosition& position) const;
 
   /// Stiffness of both rows in coordinates of their own, Eq. (1).
   struct RowStiffnesses {
     Stiffness first;
     Stiffness second;
   };
-  RowStiffnesses row_stiffnesses(const equilibrium::RingPlace& place) const;
+  RowStiffnesses row_stiffnesses(const equilibrium::RingPosition& position) const;
 
   const equilibrium::BallRow& row() const { return row_; }
 
  private:
-  equilibrium::RingPlace in_row(const Stiffness& motion, const equilibrium::RingPlace& place) const;
+  equilibrium::RingPosition in_row(const Stiffness& motion, const equilibrium::RingPosition& position) const;
 
   equilibrium::BallRow row_;
   double approach_;

@@ -46,9 +46,9 @@ double BallRow::free_angle() const {
   return std::acos(std::min(1.0, radial_distance_ / groove_distance_));
 }
 
-Eigen::Vector2d BallRow::coordinates(Eigen::Index ball, const RingPlace& place) const {
-  return {radial_distance_ + place[0] * cosine_[ball] + place[1] * sine_[ball],
-          axial_distance_ + place[2] + place[3] * cosine_[ball] + place[4] * sine_[ball]};
+Eigen::Vector2d BallRow::coordinates(Eigen::Index ball, const RingPosition& position) const {
+  return {radial_distance_ + position[0] * cosine_[ball] + position[1] * sine_[ball],
+          axial_distance_ + position[2] + position[3] * cosine_[ball] + position[4] * sine_[ball]};
 }
 
 Eigen::Matrix<double, 5, 2> BallRow::moves(Eigen::Index ball) const {
@@ -58,8 +58,8 @@ Eigen::Matrix<double, 5, 2> BallRow::moves(Eigen::Index ball) const {
   return all;
 }
 
-BallRow::BallPlace BallRow::place_of(Eigen::Index ball, const RingPlace& place) const {
-  const Eigen::Vector2d at = coordinates(ball, place);
+BallRow::BallPosition BallRow::position_of(Eigen::Index ball, const RingPosition& position) const {
+  const Eigen::Vector2d at = coordinates(ball, position);
   const double length = std::hypot(at[0], at[1]);
   return {at[0], at[1], length, length - groove_distance_};
 }
@@ -72,28 +72,28 @@ double BallRow::reach(double load) const {
   return 4.0 * elastic + play + 1e-3 * groove_distance_;
 }
 
-void BallRow::add_forces(const RingPlace& place, RingImbalance& sum) const {
+void BallRow::add_forces(const RingPosition& position, RingImbalance& sum) const {
   for (Eigen::Index j = 0; j < cosine_.size(); ++j) {
-    const BallPlace at = place_of(j, place);
+    const BallPosition at = position_of(j, position);
     if (at.approach <= 0.0) continue;
     const double root = std::sqrt(at.approach);
     const double load = constant_ * at.approach * root;
     const double stiffness = 1.5 * constant_ * root;
     const double cosine = at.radial / at.length, sine = at.axial / at.length;
     const Eigen::Matrix<double, 5, 2> by = moves(j);
-    const RingPlace along = cosine * by.col(0) + sine * by.col(1);
-    const RingPlace across = cosine * by.col(1) - sine * by.col(0);
+    const RingPosition along = cosine * by.col(0) + sine * by.col(1);
+    const RingPosition across = cosine * by.col(1) - sine * by.col(0);
     sum.scale += load;
     sum.force -= load * along;
     sum.stiffness += stiffness * along * along.transpose() + load / at.length * across * across.transpose();
   }
 }
 
-void BallRow::put_loads(const RingPlace& place, RingState& state) const {
+void BallRow::put_loads(const RingPosition& position, RingState& state) const {
   state.contact_load = Eigen::ArrayXd::Zero(cosine_.size());
   state.contact_angle = Eigen::ArrayXd::Zero(cosine_.size());
   for (Eigen::Index j = 0; j < cosine_.size(); ++j) {
-    const BallPlace at = place_of(j, place);
+    const BallPosition at = position_of(j, position);
     if (at.approach > 0.0) state.contact_load[j] = constant_ * std::pow(at.approach, 1.5);
     state.contact_angle[j] = std::atan2(at.axial, at.radial);
   }
@@ -102,10 +102,10 @@ void BallRow::put_loads(const RingPlace& place, RingState& state) const {
       std::max(point_pressure(inner_, most).pressure, point_pressure(outer_, most).pressure);
 }
 
-double BallRow::stored_energy(const RingPlace& place) const {
+double BallRow::stored_energy(const RingPosition& position) const {
   double energy = 0.0;
   for (Eigen::Index j = 0; j < cosine_.size(); ++j) {
-    const double approach = place_of(j, place).approach;
+    const double approach = position_of(j, position).approach;
     if (approach > 0.0) energy += 0.4 * constant_ * std::pow(approach, 2.5);
   }
   return energy;

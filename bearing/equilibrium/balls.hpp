@@ -19,9 +19,9 @@ class BallRow {
 
   double lever() const { return lever_; }
   double reach(double load) const;
-  void add_forces(const RingPlace& place, RingImbalance& sum) const;
-  void put_loads(const RingPlace& place, RingState& state) const;
-  double stored_energy(const RingPlace& place) const;
+  void add_forces(const RingPosition& position, RingImbalance& sum) const;
+  void put_loads(const RingPosition& position, RingState& state) const;
+  double stored_energy(const RingPosition& position) const;
 
   double groove_distance() const { return groove_distance_; }  // [m]  of the centres, just touching: A
   double radial_distance() const { return radial_distance_; }  // [m]  concentric: A cos(alpha) - s/2
@@ -29,16 +29,16 @@ class BallRow {
   double free_angle() const;                                   // [rad]  concentric, play taken up; 0: no play
   double constant() const { return constant_; }                // [N/m^1.5]  of both contacts in series
   /// Where the groove centres of one ball stand to each other.
-  struct BallPlace {
+  struct BallPosition {
     double radial;    // [m]
     double axial;     // [m]
     double length;    // [m]
     double approach;  // [m]  positive in contact
   };
-  BallPlace place_of(Eigen::Index ball, const RingPlace& place) const;
+  BallPosition position_of(Eigen::Index ball, const RingPosition& position) const;
   /// Radial and axial distance of the groove centres of one ball [m], and how both follow the place of the
   /// ring.
-  Eigen::Vector2d coordinates(Eigen::Index ball, const RingPlace& place) const;
+  Eigen::Vector2d coordinates(Eigen::Index ball, const RingPosition& position) const;
   Eigen::Matrix<double, 5, 2> moves(Eigen::Index ball) const;
   /// Cosine and sine of a ball's angle from the radial load.
   std::pair<double, double> direction(Eigen::Index ball) const { return {cosine_[ball], sine_[ball]}; }

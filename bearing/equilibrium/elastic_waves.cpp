@@ -11,7 +11,7 @@ namespace orbearing::bearing {
 namespace {
 
 // Places of the cosine of an order among the waves; its sine comes next.
-Eigen::Index place_of_order(Eigen::Index order) {
+Eigen::Index position_of_order(Eigen::Index order) {
   return 2 * order - 3;
 }
 
@@ -22,8 +22,8 @@ Eigen::VectorXd of_each_wave(const ElasticRace& race, Pick&& pick) {
   if (all.size() == 0) return all;
   all[0] = pick(0, false);
   for (Eigen::Index order = 2; order < race.compliance.size(); ++order) {
-    all[place_of_order(order)] = pick(order, false);
-    all[place_of_order(order) + 1] = pick(order, true);
+    all[position_of_order(order)] = pick(order, false);
+    all[position_of_order(order) + 1] = pick(order, true);
   }
   return all;
 }
@@ -60,8 +60,8 @@ void add_form(const Eigen::VectorXd& waves, double share, const Eigen::ArrayXd& 
   if (waves.size() == 0) return;
   ElasticRace race;
   race.compliance.resize((waves.size() + 3) / 2);  // only its orders count
-  for (Eigen::Index place = 0; place < angles.size(); ++place)
-    form[place] += share * waves.dot(wave_shapes(race, angles[place]));
+  for (Eigen::Index position = 0; position < angles.size(); ++position)
+    form[position] += share * waves.dot(wave_shapes(race, angles[position]));
 }
 
 Eigen::MatrixXd without_waves(const Eigen::MatrixXd& stiffness, Eigen::Index kept) {

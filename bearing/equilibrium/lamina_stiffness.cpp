@@ -52,10 +52,10 @@ Eigen::Matrix4d mean_stiffness(const LaminaBearing& bearing, const QuasiStaticRe
     moment_by_load += share * k.bottomLeftCorner<2, 2>() * compliance;
     moment_by_tilt += share * (k.bottomRightCorner<2, 2>() - k.bottomLeftCorner<2, 2>() * coupled);
   }
-  const Matrix2d load_by_place = by_load.inverse(), moment_by_place = moment_by_load * load_by_place;
+  const Matrix2d load_by_position = by_load.inverse(), moment_by_position = moment_by_load * load_by_position;
   Eigen::Matrix4d mean;
-  mean << load_by_place, -load_by_place * by_tilt, moment_by_place,
-      moment_by_tilt - moment_by_place * by_tilt;
+  mean << load_by_position, -load_by_position * by_tilt, moment_by_position,
+      moment_by_tilt - moment_by_position * by_tilt;
   return mean;
 }
 

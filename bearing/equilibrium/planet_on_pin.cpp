@@ -61,7 +61,7 @@ std::vector<RaceEquilibrium> bearings_on(const PlanetOnPin& planet, const Operat
 double lever_of(const PlanetOnPin& planet) {
   double lever = 0.0;
   for (std::size_t k = 0; k < planet.bearings.size(); ++k)
-    lever = std::max({lever, std::abs(planet.place[k]), planet.bearings[k].half_length()});
+    lever = std::max({lever, std::abs(planet.position[k]), planet.bearings[k].half_length()});
   return lever;
 }
 
@@ -72,7 +72,7 @@ SettlingRow<Eigen::Dynamic> row_on(const PlanetOnPin& planet, std::size_t k, con
   for (Index j = 0; j < races.angle.size(); ++j) {
     const Vector2d e = direction(races.angle[j]);
     outward.col(j).head<2>() = e;
-    outward.col(j).segment<2>(kTiltAt) = e * (planet.place[k] / lever);
+    outward.col(j).segment<2>(kTiltAt) = e * (planet.position[k] / lever);
     outward.col(j).segment<2>(pin_of(k)) = -e;
     tilting.col(j).segment<2>(kTiltAt) = e * (planet.bearings[k].half_length() / lever);
     tilting.col(j).segment<2>(pin_of(k) + 2) = -tilting.col(j).segment<2>(kTiltAt);
@@ -114,7 +114,7 @@ RingsOnRollers<Eigen::Dynamic> rings_on(const PlanetOnPin& planet, const std::ve
   for (std::size_t k = 0; k < races.size(); ++k) {
     rings.load.head<2>() += races[k].load;
     const Vector2d through_cage = races[k].load - share;
-    rings.load.segment<2>(kTiltAt) += through_cage * (planet.place[k] / lever);
+    rings.load.segment<2>(kTiltAt) += through_cage * (planet.position[k] / lever);
     largest = std::max(largest, races[k].inertial_load.abs().maxCoeff());
     rollers[k].resize(static_cast<std::size_t>(races[k].angle.size()));
     rings.rows.push_back(row_on(planet, k, races[k], lever, size, rollers[k]));
@@ -135,8 +135,8 @@ Eigen::VectorXd start_near(const PlanetOnPin& planet, double lever, const Planet
   at.head<2>() = near.displacement;
   at.segment<2>(kTiltAt) = near.tilt * lever;
   for (std::size_t k = 0; k < planet.bearings.size(); ++k) {
-    at.segment<2>(pin_of(k)) =
-        near.displacement + near.tilt * planet.place[k] - error_of(planet, k) - near.bearings[k].displacement;
+    at.segment<2>(pin_of(k)) = near.displacement + near.tilt * planet.position[k] - error_of(planet, k) -
+                               near.bearings[k].displacement;
     at.segment<2>(pin_of(k) + 2) = lever * (near.tilt - near.bearing_tilt[k] - inclination_of(planet, k));
   }
   return at;
@@ -147,7 +147,7 @@ void put_bearing(const PlanetOnPin& planet, std::size_t k, const RaceEquilibrium
                  PlanetOnPinState& state) {
   QuasiStaticState& one = state.bearings.emplace_back();
   one.displacement =
-      state.displacement + state.tilt * planet.place[k] - at.segment<2>(pin_of(k)) - error_of(planet, k);
+      state.displacement + state.tilt * planet.position[k] - at.segment<2>(pin_of(k)) - error_of(planet, k);
   state.bearing_tilt.push_back(state.tilt - at.segment<2>(pin_of(k) + 2) / lever - inclination_of(planet, k));
   put_rollers(races, std::move(rollers), one);
   state.report.converged = state.report.converged && are_settled(one.rollers);
@@ -158,8 +158,8 @@ void put_bearing(const PlanetOnPin& planet, std::size_t k, const RaceEquilibrium
 PlanetOnPinState planet_on_pin(const PlanetOnPin& planet, const OperatingPoint& point, const Vector2d& moment,
                                const QuasiStaticOptions& options, double first_roller,
                                const PlanetOnPinState* near) {
-  mechanics::require(!planet.bearings.empty() && planet.bearings.size() == planet.place.size(),
-                     "bearings of a planet", planet.place.size(), "at least one, each with its place");
+  mechanics::require(!planet.bearings.empty() && planet.bearings.size() == planet.position.size(),
+                     "bearings of a planet", planet.position.size(), "at least one, each with its place");
   mechanics::require(point.outer_race.is_rigid(), "outer race", "elastic",
                      "a rigid one where the tilt is computed");
   const std::vector<RaceEquilibrium> races = bearings_on(planet, point, options, first_roller);

@@ -19,7 +19,7 @@ namespace orbearing::bearing::laminae {
 /// Planet, pin and what stands between them. All bearings on laminae, each with its own clearance.
 struct PlanetOnPin {
   std::vector<LaminaBearing> bearings;
-  std::vector<double> place;       // [m]  (bearings)  of their middles, from that of the face
+  std::vector<double> position;    // [m]  (bearings)  of their middles, from that of the face
   Eigen::MatrixXd pin_compliance;  // [m/N], ...  pin_compliance() at these places
   /// The same along y, with what the carrier adds there; empty: as along x.
   Eigen::MatrixXd tangential_compliance{};

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "bearing/carrier_frame.hpp"
-#include "bearing/contact/printed_film.hpp"
+#include "bearing/contact/published_film.hpp"
 #include "bearing/contact/race_form.hpp"
 #include "bearing/equilibrium/elastic_waves.hpp"
 #include "bearing/equilibrium/lamina_bearing.hpp"
@@ -97,10 +97,11 @@ RaceEquilibrium quasi_static_problem(const Bearing& bearing, const BearingGeomet
   const double cage_speed = kinematic_cage_speed(geometry, point.inner_speed, point.outer_speed);
 
   const bool subtracted = options.film && options.film_approach == FilmApproach::literature_variant;
-  const double film_clearance = subtracted ? printed_film(bearing, geometry, *options.film, point.inner_speed,
-                                                          point.outer_speed, point.bore_load.norm())
-                                                 .clearance()
-                                           : 0.0;
+  const double film_clearance = subtracted
+                                    ? published_film(bearing, geometry, *options.film, point.inner_speed,
+                                                     point.outer_speed, point.bore_load.norm())
+                                          .clearance()
+                                    : 0.0;
   RaceEquilibrium problem{rolling_contacts(bearing, geometry, point.inner_speed, point.outer_speed,
                                            subtracted ? std::nullopt : options.film)};
   problem.clearance = bearing.radial_clearance + film_clearance;
@@ -138,15 +139,15 @@ QuasiStaticState quasi_static_state(const Bearing& bearing, const OperatingPoint
 QuasiStaticResult empty_result(const laminae::LaminaBearing& bearing, const OperatingPoint& point,
                                const QuasiStaticOptions& options) {
   const Bearing& b = bearing.bearing();
-  const int places = options.cage_positions * b.rollers().count;
+  const int positions = options.cage_positions * b.rollers().count;
   QuasiStaticResult result;
   result.angle =
-      options.first_roller + Eigen::ArrayXd::LinSpaced(places, 0.0, two_pi * (places - 1) / places);
-  for (Eigen::ArrayXd* array : {&result.inner_load, &result.outer_load}) array->resize(places);
+      options.first_roller + Eigen::ArrayXd::LinSpaced(positions, 0.0, two_pi * (positions - 1) / positions);
+  for (Eigen::ArrayXd* array : {&result.inner_load, &result.outer_load}) array->resize(positions);
   for (Eigen::ArrayXXd* array : {&result.inner_lamina_load, &result.outer_lamina_load})
-    array->resize(b.rollers().laminae, places);
+    array->resize(b.rollers().laminae, positions);
   result.total_bore_load = total_bore_load(b, bearing.geometry(), point, options.inertia);
-  result.roller_tilt = result.race_form = Eigen::ArrayXd::Zero(places);
+  result.roller_tilt = result.race_form = Eigen::ArrayXd::Zero(positions);
   result.report.converged = true;
   return result;
 }
@@ -159,18 +160,18 @@ void put_position(const laminae::LaminaBearing& bearing, QuasiStaticState state,
   result.moment += part * state.moment;
   keep_worst(state.report, result.report);
   for (Eigen::Index j = 0; j < state.angle.size(); ++j) {
-    const Eigen::Index place = position + j * positions;
-    result.inner_load[place] = state.inner_load[j];
-    result.outer_load[place] = state.outer_load[j];
+    const Eigen::Index column = position + j * positions;
+    result.inner_load[column] = state.inner_load[j];
+    result.outer_load[column] = state.outer_load[j];
     if (!bearing.is_cut()) continue;
     const laminae::RollerState& roller = state.rollers[static_cast<std::size_t>(j)];
-    result.roller_tilt[place] = roller.end_displacement / bearing.half_length();
+    result.roller_tilt[column] = roller.end_displacement / bearing.half_length();
     bearing.contact(Race::inner)
         .put_loads(roller.inner_approach(), roller.inner_end_displacement,
-                   result.inner_lamina_load.col(place).data());
+                   result.inner_lamina_load.col(column).data());
     bearing.contact(Race::outer)
         .put_loads(roller.outer_approach, roller.outer_end_displacement,
-                   result.outer_lamina_load.col(place).data());
+                   result.outer_lamina_load.col(column).data());
   }
   result.states.push_back(std::move(state));
 }

@@ -36,7 +36,7 @@ void settle(const RaceEquilibrium& races, Eigen::Index j, double approach, doubl
             RollerState& roller) {
   const auto& [inner, outer] = races.contacts;
   if (races.cut)
-    return settle_roller(
+    return converge_roller(
         {races.cut->contact(Race::inner), races.cut->contact(Race::outer), inner.film(), outer.film()},
         {approach, 0.0, end_displacement, races.inertial_load[j]}, roller);
   const RollerBalance whole = balance_roller(inner, outer, races.inertial_load[j], approach);
@@ -58,14 +58,14 @@ QuasiStaticState solve_in(const RaceEquilibrium& problem, const QuasiStaticState
   std::vector<RollerState> rollers = near && problem.cut ? near->rollers : std::vector<RollerState>();
   rollers.resize(static_cast<std::size_t>(problem.angle.size()));
   const RingsOnRollers<N> ring = ring_on_rollers<N>(problem, rollers);
-  Eigen::Vector<double, N> place = ring.rest;
-  place.template head<2>() = near ? near->displacement : first_displacement(problem);
-  if (near) place.tail(near->waves.size()) = near->waves;
+  Eigen::Vector<double, N> position = ring.rest;
+  position.template head<2>() = near ? near->displacement : first_displacement(problem);
+  if (near) position.tail(near->waves.size()) = near->waves;
   mechanics::Imbalance<N> now;
   QuasiStaticState state;
-  state.report = {mechanics::find_balance<N>(ring, ring.limits(), place, now)};
-  state.displacement = place.template head<2>();
-  state.waves = place.tail(place.size() - 2);
+  state.report = {mechanics::find_balance<N>(ring, ring.limits(), position, now)};
+  state.displacement = position.template head<2>();
+  state.waves = position.tail(position.size() - 2);
   state.stiffness = without_waves<N>(now);
   put_rollers(problem, std::move(rollers), state);
   state.report.converged = state.report.converged && are_settled(state.rollers);
@@ -92,30 +92,30 @@ SettlingRow<N>::SettlingRow(const RaceEquilibrium& of, Moves outward_moves, std:
 }
 
 template <int N>
-void SettlingRow<N>::add(Eigen::Index j, const Eigen::Vector<double, N>& place,
+void SettlingRow<N>::add(Eigen::Index j, const Eigen::Vector<double, N>& position,
                          mechanics::Imbalance<N>& sum) const {
   RollerState& roller = (*rollers)[static_cast<std::size_t>(j)];
   const auto out = outward.col(j);
   const double stated = races->cut ? races->end_displacement[j] : 0.0;
   if (tilting.size() == 0) {
-    settle(*races, j, concentric[j] - place.dot(out), stated, roller);
+    settle(*races, j, concentric[j] - position.dot(out), stated, roller);
     sum.force += roller.outer.load * out;
     sum.stiffness += roller.stiffness * out * out.transpose();
     return;
   }
-  settle(*races, j, concentric[j] - place.dot(out), stated + place.dot(tilting.col(j)), roller);
-  Eigen::Matrix<double, N, 2> moves(place.size(), 2);
+  settle(*races, j, concentric[j] - position.dot(out), stated + position.dot(tilting.col(j)), roller);
+  Eigen::Matrix<double, N, 2> moves(position.size(), 2);
   moves << out, tilting.col(j);
   sum.force += moves * Eigen::Vector2d(roller.outer.load, roller.outer.end_load);
   sum.stiffness += moves * laminae::roller_stiffness(roller) * moves.transpose();
 }
 
 template <int N>
-mechanics::Imbalance<N> RingsOnRollers<N>::operator()(const Place& place) const {
+mechanics::Imbalance<N> RingsOnRollers<N>::operator()(const Position& position) const {
   mechanics::Imbalance<N> sum{load, stiffness, scale};
-  if constexpr (N == Eigen::Dynamic) sum.force -= stiffness * (place - rest);
+  if constexpr (N == Eigen::Dynamic) sum.force -= stiffness * (position - rest);
   for (const SettlingRow<N>& row : rows)
-    for (Eigen::Index j = 0; j < row.concentric.size(); ++j) row.add(j, place, sum);
+    for (Eigen::Index j = 0; j < row.concentric.size(); ++j) row.add(j, position, sum);
   return sum;
 }
 

@@ -45,7 +45,7 @@ struct SettlingRow {
   SettlingRow(const RaceEquilibrium& of, Moves outward_moves, std::vector<laminae::RollerState>& states);
 
   /// Settles roller `j` with the rings at `place` and adds what it does to them.
-  void add(Eigen::Index j, const Eigen::Vector<double, N>& place, mechanics::Imbalance<N>& sum) const;
+  void add(Eigen::Index j, const Eigen::Vector<double, N>& position, mechanics::Imbalance<N>& sum) const;
 
   const RaceEquilibrium* races;
   Moves outward;              // [-]  (coordinates, rollers)  how far each moves the outer race outward
@@ -58,14 +58,14 @@ struct SettlingRow {
 /// ring by itself (N = 2) has no stiffness but its rollers'.
 template <int N>
 struct RingsOnRollers {
-  using Place = Eigen::Vector<double, N>;
+  using Position = Eigen::Vector<double, N>;
 
-  mechanics::Imbalance<N> operator()(const Place& place) const;
+  mechanics::Imbalance<N> operator()(const Position& position) const;
   mechanics::SearchLimits limits() const;
 
-  Place load;                             // [N]
+  Position load;                          // [N]
   Eigen::Matrix<double, N, N> stiffness;  // [N/m]  without rollers
-  Place rest;                             // [m]
+  Position rest;                          // [m]
   double scale = 0.0;                     // [N]  the largest of the forces that balance
   std::vector<SettlingRow<N>> rows;       // (bearings)
 };

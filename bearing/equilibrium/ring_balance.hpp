@@ -24,7 +24,7 @@
 
 namespace orbearing::bearing::equilibrium {
 
-using RingPlace = Eigen::Vector<double, 5>;  // [m]
+using RingPosition = Eigen::Vector<double, 5>;  // [m]
 using RingImbalance = mechanics::Imbalance<5>;
 
 /// Load on the inner ring.
@@ -39,33 +39,33 @@ struct RingLoad {
 template <class Visitor>
 void describe(Visitor& visit, RingLoad& m) {
   using namespace described;
-  constexpr unsigned single_bearing = roller_bearing | lone_balls;
-  members(
-      visit, m,
-      field(m.radial, "load.radial", Felt::lone, "radial load on the bearing",
-            {.models = single_bearing | lone_scratched,
-             .required_by = single_bearing | lone_scratched,
-             .dimension = dimension::force,
-             .range = {0.0, 1e9}}),
-      field(m.axial, "load.axial", Felt::lone, "axial load on the bearing",
-            {.models = lone_balls,
-             .dimension = dimension::force,
-             .range = {0.0, 1e9},
-             .reason = "a radial load alone"}),
-      field(m.moment, "load.moment", Felt::lone, "moment on the inner ring in the plane of the radial load",
-            {.models = single_bearing,
-             .dimension = dimension::torque,
-             .range = {-1e9, 1e9},
-             .reason = "the shaft does not hold the ring against tilting"}),
-      field(m.moment_across, "load.moment_across", Felt::lone,
-            "moment on the inner ring in the axial plane across the radial load",
-            {.models = single_bearing,
-             .dimension = dimension::torque,
-             .range = {-1e9, 1e9},
-             .reason = "the load lies in one axial plane"}),
-      field(m.tilt, "load.tilt", Felt::lone,
-            "tilt of the inner ring in the plane of the radial load, in place of its moment",
-            {.models = single_bearing, .dimension = dimension::angle, .range = {-10.0, 10.0}}));
+  constexpr unsigned single_bearing = roller_bearing | single_ball_bearing;
+  members(visit, m,
+          field(m.radial, "load.radial", Felt::single_bearing, "radial load on the bearing",
+                {.models = single_bearing | single_scratched,
+                 .required_by = single_bearing | single_scratched,
+                 .dimension = dimension::force,
+                 .range = {0.0, 1e9}}),
+          field(m.axial, "load.axial", Felt::single_bearing, "axial load on the bearing",
+                {.models = single_ball_bearing,
+                 .dimension = dimension::force,
+                 .range = {0.0, 1e9},
+                 .reason = "a radial load alone"}),
+          field(m.moment, "load.moment", Felt::single_bearing,
+                "moment on the inner ring in the plane of the radial load",
+                {.models = single_bearing,
+                 .dimension = dimension::torque,
+                 .range = {-1e9, 1e9},
+                 .reason = "the shaft does not hold the ring against tilting"}),
+          field(m.moment_across, "load.moment_across", Felt::single_bearing,
+                "moment on the inner ring in the axial plane across the radial load",
+                {.models = single_bearing,
+                 .dimension = dimension::torque,
+                 .range = {-1e9, 1e9},
+                 .reason = "the load lies in one axial plane"}),
+          field(m.tilt, "load.tilt", Felt::single_bearing,
+                "tilt of the inner ring in the plane of the radial load, in place of its moment",
+                {.models = single_bearing, .dimension = dimension::angle, .range = {-10.0, 10.0}}));
 }
 
 /// How the search for the balance ended.
@@ -91,7 +91,7 @@ struct RingState {
   /// (balls)  of rings that turn; else empty: surface speed against each contact [m/s], equal on ball and
   /// race, and spin of the ball on the race about its normal [rad/s].
   Eigen::ArrayXd inner_rolling, inner_spin, outer_rolling, outer_spin;
-  Eigen::Array2Xd ball_place;       // [m]  (r and z, balls)  from the outer groove centre
+  Eigen::Array2Xd ball_position;    // [m]  (r and z, balls)  from the outer groove centre
   std::vector<bool> inner_control;  // (balls)  whether race control gave a ball to the inner race
   double friction = 0.0;        // [-]    traction over load that holds the balls' gyroscopic moments, at most
   Eigen::ArrayXXd lamina_load;  // [N]    (laminae, rollers); empty for balls
@@ -103,8 +103,8 @@ struct RingState {
 };
 
 /// The place at which a state was found. `lever` [m].
-inline RingPlace place_of(const RingState& state, double lever) {
-  return (RingPlace() << state.radial, state.lateral, state.axial, lever * std::tan(state.tilt),
+inline RingPosition position_of(const RingState& state, double lever) {
+  return (RingPosition() << state.radial, state.lateral, state.axial, lever * std::tan(state.tilt),
           lever * std::tan(state.lateral_tilt))
       .finished();
 }
@@ -128,16 +128,16 @@ inline Eigen::ArrayXd element_angles(const Bearing& bearing) {
 ///     void put_loads(const RingPlace&, RingState&) const;       // all of the elements, and the pressure
 ///     double stored_energy(const RingPlace&) const;             // [J]
 template <class Row>
-RingImbalance row_forces(Row&& row, const RingPlace& place) {
+RingImbalance row_forces(Row&& row, const RingPosition& position) {
   RingImbalance sum;
-  row.add_forces(place, sum);
+  row.add_forces(position, sum);
   return sum;
 }
 
 /// The load on the place's coordinates [N]; a given tilt bears the moments.
-inline RingPlace outer_load(const RingLoad& load, double lever) {
+inline RingPosition outer_load(const RingLoad& load, double lever) {
   const bool held = load.tilt.has_value();
-  return (RingPlace() << load.radial, 0.0, load.axial, held ? 0.0 : load.moment / lever,
+  return (RingPosition() << load.radial, 0.0, load.axial, held ? 0.0 : load.moment / lever,
           held ? 0.0 : load.moment_across / lever)
       .finished();
 }
@@ -150,36 +150,36 @@ inline Eigen::Matrix<double, 5, 5> by_tilt(const Eigen::Matrix<double, 5, 5>& st
 
 /// Where the ring is, what its row bears there and how stiffly. The report is that of no search.
 template <class Row>
-RingState state_at(Row&& row, const RingPlace& place) {
+RingState state_at(Row&& row, const RingPosition& position) {
   const double lever = row.lever();
-  const RingImbalance borne = row_forces(row, place);
+  const RingImbalance borne = row_forces(row, position);
   RingState state;
-  state.radial = place[0];
-  state.lateral = place[1];
-  state.axial = place[2];
-  state.tilt = std::atan(place[3] / lever);
-  state.lateral_tilt = std::atan(place[4] / lever);
+  state.radial = position[0];
+  state.lateral = position[1];
+  state.axial = position[2];
+  state.tilt = std::atan(position[3] / lever);
+  state.lateral_tilt = std::atan(position[4] / lever);
   state.moment = -borne.force[3] * lever;
   state.lateral_moment = -borne.force[4] * lever;
   state.stiffness = by_tilt(borne.stiffness, lever);
-  row.put_loads(place, state);
+  row.put_loads(position, state);
   return state;
 }
 
 /// The search begins at `start`; a tilt that is given stays.
 template <class Row>
-RingState balance_ring(Row&& row, const RingLoad& load, const RingPlace& start = RingPlace::Zero()) {
+RingState balance_ring(Row&& row, const RingLoad& load, const RingPosition& start = RingPosition::Zero()) {
   const double lever = row.lever();
   const bool tilt_given = load.tilt.has_value();
-  const RingPlace outer = outer_load(load, lever);
+  const RingPosition outer = outer_load(load, lever);
   const Eigen::Array<bool, 5, 1> held(false, false, false, tilt_given, tilt_given);
-  RingPlace place = start;
+  RingPosition position = start;
   if (tilt_given) {
-    place[3] = lever * std::tan(*load.tilt);
-    place[4] = 0.0;
+    position[3] = lever * std::tan(*load.tilt);
+    position[4] = 0.0;
   }
-  const double reach = row.reach(outer.norm()) + std::abs(place[3]);
-  const auto imbalance_at = [&](const RingPlace& at) {
+  const double reach = row.reach(outer.norm()) + std::abs(position[3]);
+  const auto imbalance_at = [&](const RingPosition& at) {
     RingImbalance sum = row_forces(row, at);
     sum.force += outer;
     sum.scale = std::max(sum.scale, outer.cwiseAbs().maxCoeff());
@@ -191,14 +191,14 @@ RingState balance_ring(Row&& row, const RingLoad& load, const RingPlace& start =
   mechanics::SearchLimits limits{.reach = reach, .tolerance = 1e-13, .most_iterations = 300};
   if constexpr (requires { std::remove_cvref_t<Row>::follows_motion; }) {
     limits.most_iterations = 60;  // begins near its end, or not at all
-    report = {mechanics::find_root<5>(imbalance_at, limits, place, now)};
+    report = {mechanics::find_root<5>(imbalance_at, limits, position, now)};
   } else {
     if constexpr (requires { std::remove_cvref_t<Row>::near; })
       limits.tolerance = limits.acceptable = std::remove_cvref_t<Row>::near;
-    report = {mechanics::find_balance<5>(imbalance_at, limits, place, now)};
+    report = {mechanics::find_balance<5>(imbalance_at, limits, position, now)};
   }
   if (!report.converged) report.message = "the ring found no balance on its rolling elements";
-  RingState state = state_at(row, place);
+  RingState state = state_at(row, position);
   state.report = report;
   return state;
 }

@@ -49,9 +49,10 @@ RollerRow::RollerRow(const Bearing& bearing)
   sine_ = angle.sin();
 }
 
-Eigen::Vector2d RollerRow::coordinates(Eigen::Index roller, const RingPlace& place) const {
+Eigen::Vector2d RollerRow::coordinates(Eigen::Index roller, const RingPosition& position) const {
   const double cosine = cosine_[roller], sine = sine_[roller];
-  return {place[0] * cosine + place[1] * sine - 0.5 * clearance_, -(place[3] * cosine + place[4] * sine)};
+  return {position[0] * cosine + position[1] * sine - 0.5 * clearance_,
+          -(position[3] * cosine + position[4] * sine)};
 }
 
 Eigen::Matrix<double, 5, 2> RollerRow::moves(Eigen::Index roller) const {
@@ -67,9 +68,9 @@ double RollerRow::reach(double load) const {
   return std::abs(clearance_) + contact_.greatest_drop() + 2.0 * elastic + 1e-6;
 }
 
-void RollerRow::add_forces(const RingPlace& place, RingImbalance& sum) const {
+void RollerRow::add_forces(const RingPosition& position, RingImbalance& sum) const {
   for (Eigen::Index j = 0; j < cosine_.size(); ++j) {
-    const Eigen::Vector2d at = coordinates(j, place);
+    const Eigen::Vector2d at = coordinates(j, position);
     const laminae::LaminaForce contact = contact_.evaluate(at[0], at[1]);
     const Eigen::Vector2d load(contact.load, contact.end_load);
     const Eigen::Matrix2d stiffness =
@@ -82,10 +83,10 @@ void RollerRow::add_forces(const RingPlace& place, RingImbalance& sum) const {
   }
 }
 
-void RollerRow::put_loads(const RingPlace& place, RingState& state) const {
+void RollerRow::put_loads(const RingPosition& position, RingState& state) const {
   state.lamina_load.resize(contact_.laminae(), cosine_.size());
   for (Eigen::Index j = 0; j < cosine_.size(); ++j) {
-    const Eigen::Vector2d at = coordinates(j, place);
+    const Eigen::Vector2d at = coordinates(j, position);
     state.lamina_load.col(j) = contact_.loads(at[0], at[1]);
   }
   state.contact_load = state.lamina_load.colwise().sum().transpose();
@@ -93,10 +94,10 @@ void RollerRow::put_loads(const RingPlace& place, RingState& state) const {
   state.largest_pressure = hertz_pressure(state.lamina_load.maxCoeff(), sharpest_radius_, lamina, material_);
 }
 
-double RollerRow::stored_energy(const RingPlace& place) const {
+double RollerRow::stored_energy(const RingPosition& position) const {
   double energy = 0.0;
   for (Eigen::Index j = 0; j < cosine_.size(); ++j) {
-    const Eigen::Vector2d at = coordinates(j, place);
+    const Eigen::Vector2d at = coordinates(j, position);
     energy += contact_.energy(at[0], at[1]);
   }
   return energy;

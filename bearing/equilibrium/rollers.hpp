@@ -21,15 +21,15 @@ class RollerRow {
 
   double lever() const { return contact_.half_length(); }
   double reach(double load) const;
-  void add_forces(const RingPlace& place, RingImbalance& sum) const;
-  void put_loads(const RingPlace& place, RingState& state) const;
-  double stored_energy(const RingPlace& place) const;
+  void add_forces(const RingPosition& position, RingImbalance& sum) const;
+  void put_loads(const RingPosition& position, RingState& state) const;
+  double stored_energy(const RingPosition& position) const;
 
   /// Both contacts of a roller as one.
   const laminae::LaminaContact& contact() const { return contact_; }
   /// Of ring and ring at one roller, less the clearance: approach in the middle, and by how much more they approach
   /// at z = l/2 [m]; and how both follow the place of the ring.
-  Eigen::Vector2d coordinates(Eigen::Index roller, const RingPlace& place) const;
+  Eigen::Vector2d coordinates(Eigen::Index roller, const RingPosition& position) const;
   Eigen::Matrix<double, 5, 2> moves(Eigen::Index roller) const;
 
  private:

@@ -11,7 +11,7 @@ namespace orbearing::bearing::equilibrium {
 
 namespace {
 
-double lever_of_row(const std::variant<BallRow, RollerRow, MovingBallRow>& row) {
+double lever_of_row(const std::variant<BallRow, RollerRow, JonesRow>& row) {
   return std::visit([](const auto& one) { return one.lever(); }, row);
 }
 
@@ -46,13 +46,13 @@ RowGroup::RowGroup(const RowGroup& at_rest, const std::vector<RowOnShaft>& beari
   for (std::size_t k = 0; k < rows_.size(); ++k) {
     if (!feels_its_motion(bearings[k])) continue;
     const BallRow& balls = std::get<BallRow>(at_rest.rows_[k].row);
-    rows_[k].row.emplace<MovingBallRow>(bearings[k].bearing, bearings[k].motion, balls);
-    places_ += 2 * balls.count();
+    rows_[k].row.emplace<JonesRow>(bearings[k].bearing, bearings[k].motion, balls);
+    positions_ += 2 * balls.count();
   }
 }
 
-RingPlace RowGroup::Placed::in_row(const RingPlace& place) const {
-  RingPlace own = motion * place;
+RingPosition RowGroup::Placed::in_row(const RingPosition& position) const {
+  RingPosition own = motion * position;
   own[2] += approach;
   return own;
 }
@@ -65,20 +65,20 @@ double RowGroup::reach(double load) const {
   return longest;
 }
 
-void RowGroup::add_forces(const RingPlace& place, RingImbalance& sum) const {
+void RowGroup::add_forces(const RingPosition& position, RingImbalance& sum) const {
   for (Placed& one : rows_) {
     RingImbalance own;
-    std::visit([&](auto& row) { row.add_forces(one.in_row(place), own); }, one.row);
+    std::visit([&](auto& row) { row.add_forces(one.in_row(position), own); }, one.row);
     sum.force += one.motion.transpose() * own.force;
     sum.stiffness += one.motion.transpose() * own.stiffness * one.motion;
     sum.scale += own.scale;
   }
 }
 
-void RowGroup::put_loads(const RingPlace& place, RingState& state) const {
+void RowGroup::put_loads(const RingPosition& position, RingState& state) const {
   for (Placed& one : rows_) {
     RingState own;
-    std::visit([&](auto& row) { row.put_loads(one.in_row(place), own); }, one.row);
+    std::visit([&](auto& row) { row.put_loads(one.in_row(position), own); }, one.row);
     append(own.contact_load, state.contact_load);
     append(own.contact_angle, state.contact_angle);
     append(own.outer_load, state.outer_load);
@@ -87,9 +87,9 @@ void RowGroup::put_loads(const RingPlace& place, RingState& state) const {
     append(own.inner_spin, state.inner_spin);
     append(own.outer_rolling, state.outer_rolling);
     append(own.outer_spin, state.outer_spin);
-    const Eigen::Index before = state.ball_place.cols();
-    state.ball_place.conservativeResize(2, before + own.ball_place.cols());
-    state.ball_place.rightCols(own.ball_place.cols()) = own.ball_place;
+    const Eigen::Index before = state.ball_position.cols();
+    state.ball_position.conservativeResize(2, before + own.ball_position.cols());
+    state.ball_position.rightCols(own.ball_position.cols()) = own.ball_position;
     state.inner_control.insert(state.inner_control.end(), own.inner_control.begin(), own.inner_control.end());
     state.friction = std::max(state.friction, own.friction);
     state.largest_pressure = std::max(state.largest_pressure, own.largest_pressure);
@@ -98,7 +98,7 @@ void RowGroup::put_loads(const RingPlace& place, RingState& state) const {
 
 bool RowGroup::settled() const {
   return std::all_of(rows_.begin(), rows_.end(), [](Placed& one) {
-    const MovingBallRow* balls = one.turning();
+    const JonesRow* balls = one.rotating();
     return !balls || balls->settled();
   });
 }
@@ -106,74 +106,74 @@ bool RowGroup::settled() const {
 bool RowGroup::choose_control() {
   bool changed = false;
   for (Placed& one : rows_)
-    if (MovingBallRow* balls = one.turning()) changed = balls->choose_control() || changed;
+    if (JonesRow* balls = one.rotating()) changed = balls->choose_control() || changed;
   return changed;
 }
 
 void RowGroup::freeze(bool frozen) {
   for (Placed& one : rows_)
-    if (MovingBallRow* balls = one.turning()) balls->freeze(frozen);
+    if (JonesRow* balls = one.rotating()) balls->freeze(frozen);
 }
 
 void RowGroup::push_unlike(int path) {
   for (Placed& one : rows_)
-    if (MovingBallRow* balls = one.turning()) balls->push_unlike(path);
+    if (JonesRow* balls = one.rotating()) balls->push_unlike(path);
 }
 
 int RowGroup::beyond_grooves() const {
   int sum = 0;
   for (Placed& one : rows_)
-    if (const MovingBallRow* balls = one.turning()) sum += balls->beyond_grooves();
+    if (const JonesRow* balls = one.rotating()) sum += balls->beyond_grooves();
   return sum;
 }
 
 bool RowGroup::has_stiffness() const {
   return std::all_of(rows_.begin(), rows_.end(), [](Placed& one) {
-    const MovingBallRow* balls = one.turning();
+    const JonesRow* balls = one.rotating();
     return !balls || balls->has_stiffness();
   });
 }
 
 // The shaft's place, then those of all balls that turn, row by row.
-Eigen::VectorXd RowGroup::places(const RingPlace& shaft) const {
-  Eigen::VectorXd all(places_);
+Eigen::VectorXd RowGroup::positions(const RingPosition& shaft) const {
+  Eigen::VectorXd all(positions_);
   all.head<5>() = shaft;
   Eigen::Index from = 5;
   for (Placed& one : rows_)
-    if (const MovingBallRow* balls = one.turning()) {
-      const Eigen::VectorXd own = balls->places(one.in_row(shaft));
+    if (const JonesRow* balls = one.rotating()) {
+      const Eigen::VectorXd own = balls->positions(one.in_row(shaft));
       all.segment(from, own.size() - 5) = own.tail(own.size() - 5);
       from += own.size() - 5;
     }
   return all;
 }
 
-RingPlace RowGroup::put_places(const Eigen::VectorXd& all) {
-  const RingPlace shaft = all.head<5>();
+RingPosition RowGroup::put_positions(const Eigen::VectorXd& all) {
+  const RingPosition shaft = all.head<5>();
   Eigen::Index from = 5;
   for (Placed& one : rows_)
-    if (MovingBallRow* balls = one.turning()) {
+    if (JonesRow* balls = one.rotating()) {
       const Eigen::Index count = 2 * balls->geometry().count();
       Eigen::VectorXd own(5 + count);
       own << one.in_row(shaft), all.segment(from, count);
-      balls->put_places(own);
+      balls->put_positions(own);
       from += count;
     }
   return shaft;
 }
 
 mechanics::Imbalance<Eigen::Dynamic> RowGroup::all_forces(const Eigen::VectorXd& all) const {
-  const RingPlace shaft = all.head<5>();
-  mechanics::Imbalance<Eigen::Dynamic> sum{.force = Eigen::VectorXd::Zero(places_),
-                                           .stiffness = Eigen::MatrixXd::Zero(places_, places_)};
+  const RingPosition shaft = all.head<5>();
+  mechanics::Imbalance<Eigen::Dynamic> sum{.force = Eigen::VectorXd::Zero(positions_),
+                                           .stiffness = Eigen::MatrixXd::Zero(positions_, positions_)};
   Eigen::Index from = 5;
   for (Placed& one : rows_) {
-    const RingPlace place = one.in_row(shaft);
+    const RingPosition position = one.in_row(shaft);
     const auto back = one.motion.transpose();
-    if (const MovingBallRow* balls = one.turning()) {
+    if (const JonesRow* balls = one.rotating()) {
       const Eigen::Index count = 2 * balls->geometry().count();
       Eigen::VectorXd own(5 + count);
-      own << place, all.segment(from, count);
+      own << position, all.segment(from, count);
       const mechanics::Imbalance<Eigen::Dynamic> forces = balls->all_forces(own);
       sum.force.head<5>() += back * forces.force.head<5>();
       sum.force.segment(from, count) = forces.force.tail(count);
@@ -185,7 +185,7 @@ mechanics::Imbalance<Eigen::Dynamic> RowGroup::all_forces(const Eigen::VectorXd&
       from += count;
     } else {
       RingImbalance own;
-      std::visit([&](auto& row) { row.add_forces(place, own); }, one.row);
+      std::visit([&](auto& row) { row.add_forces(position, own); }, one.row);
       sum.force.head<5>() += back * own.force;
       sum.stiffness.topLeftCorner<5, 5>() += back * own.stiffness * one.motion;
       sum.scale += own.scale;
@@ -197,14 +197,14 @@ mechanics::Imbalance<Eigen::Dynamic> RowGroup::all_forces(const Eigen::VectorXd&
 namespace {
 
 // A group whose forces have no energy.
-struct TurningGroup {
+struct RotatingGroup {
   static constexpr bool follows_motion = true;
   const RowGroup& group;
 
   double lever() const { return group.lever(); }
   double reach(double load) const { return group.reach(load); }
-  void add_forces(const RingPlace& place, RingImbalance& sum) const { group.add_forces(place, sum); }
-  void put_loads(const RingPlace& place, RingState& state) const { group.put_loads(place, state); }
+  void add_forces(const RingPosition& position, RingImbalance& sum) const { group.add_forces(position, sum); }
+  void put_loads(const RingPosition& position, RingState& state) const { group.put_loads(position, state); }
 };
 
 // A group while it is frozen: a search in a convex energy.
@@ -214,12 +214,12 @@ struct FrozenGroup {
 
   double lever() const { return group.lever(); }
   double reach(double load) const { return group.reach(load); }
-  void add_forces(const RingPlace& place, RingImbalance& sum) const { group.add_forces(place, sum); }
-  void put_loads(const RingPlace&, RingState&) const {}
+  void add_forces(const RingPosition& position, RingImbalance& sum) const { group.add_forces(position, sum); }
+  void put_loads(const RingPosition&, RingState&) const {}
 };
 
-RingState balance_thawed(const RowGroup& group, const RingLoad& load, const RingPlace& place) {
-  RingState state = balance_ring(TurningGroup{group}, load, place);
+RingState balance_with_inertia(const RowGroup& group, const RingLoad& load, const RingPosition& position) {
+  RingState state = balance_ring(RotatingGroup{group}, load, position);
   if (state.report.converged && !group.settled()) {
     state.report.converged = false;
     state.report.message = "a ball found no balance between its races";
@@ -235,11 +235,11 @@ std::string beyond_grooves(int balls) {
 // The forces on shaft and balls at once, of rows under an outer load.
 struct AllForcesAt {
   RowGroup& group;
-  RingPlace outer;  // [N]
+  RingPosition outer;  // [N]
   bool held;        // the tilts are given
 
-  mechanics::Imbalance<Eigen::Dynamic> operator()(const Eigen::VectorXd& places) const {
-    mechanics::Imbalance<Eigen::Dynamic> sum = group.all_forces(places);
+  mechanics::Imbalance<Eigen::Dynamic> operator()(const Eigen::VectorXd& positions) const {
+    mechanics::Imbalance<Eigen::Dynamic> sum = group.all_forces(positions);
     sum.force.head<5>() += outer;
     for (int i = 3; held && i < 5; ++i) {
       sum.force[i] = 0.0;
@@ -250,11 +250,11 @@ struct AllForcesAt {
     return sum;
   }
   // The share of all that follows from the motion, in place of the frozen rows' centrifugal forces.
-  mechanics::PathForces operator()(const Eigen::VectorXd& places, double share) const {
+  mechanics::PathForces operator()(const Eigen::VectorXd& positions, double share) const {
     group.freeze(true);
-    const mechanics::Imbalance<Eigen::Dynamic> from = (*this)(places);
+    const mechanics::Imbalance<Eigen::Dynamic> from = (*this)(positions);
     group.freeze(false);
-    const mechanics::Imbalance<Eigen::Dynamic> to = (*this)(places);
+    const mechanics::Imbalance<Eigen::Dynamic> to = (*this)(positions);
     return {.force = from.force + share * (to.force - from.force),
             .stiffness = from.stiffness + share * (to.stiffness - from.stiffness),
             .by_share = to.force - from.force,
@@ -264,17 +264,18 @@ struct AllForcesAt {
 
 // From the balance of the frozen rows, which is alone and found from any start, along the path on which the
 // motion comes in.
-RingState balance_along(RowGroup& group, const RingLoad& load, const RingPlace& start) {
+RingState balance_along(RowGroup& group, const RingLoad& load, const RingPosition& start) {
   group.freeze(true);
-  const RingPlace frozen = place_of(balance_ring(FrozenGroup{group}, load, start), group.lever());
+  const RingPosition frozen = position_of(balance_ring(FrozenGroup{group}, load, start), group.lever());
   RingState state;
   group.put_loads(frozen, state);
   const int lost_at_start = group.beyond_grooves();
-  Eigen::VectorXd places = group.places(frozen);
+  Eigen::VectorXd positions = group.positions(frozen);
   const AllForcesAt forces{group, outer_load(load, group.lever()), load.tilt.has_value()};
-  const mechanics::PathReport path = mechanics::follow_path(forces, group.reach(forces.outer.norm()), places);
+  const mechanics::PathReport path =
+      mechanics::follow_path(forces, group.reach(forces.outer.norm()), positions);
   group.freeze(false);
-  state = state_at(group, group.put_places(places));
+  state = state_at(group, group.put_positions(positions));
   state.report.converged = path.converged;
   state.report.iterations = path.steps;
   if (!path.converged)
@@ -285,9 +286,9 @@ RingState balance_along(RowGroup& group, const RingLoad& load, const RingPlace& 
 
 // Newton's method from `start`; where it stops, along a path, and along others on which balls are pushed
 // unlike.
-RingState balance_from(RowGroup& group, const RingLoad& load, const RingPlace& start) {
+RingState balance_from(RowGroup& group, const RingLoad& load, const RingPosition& start) {
   constexpr int kPaths = 24;
-  RingState state = balance_thawed(group, load, start);
+  RingState state = balance_with_inertia(group, load, start);
   for (int path = 0; path < kPaths && !state.report.converged; ++path) {
     group.push_unlike(path);
     state = balance_along(group, load, start);
@@ -302,10 +303,10 @@ RingState balance_rows(const std::vector<RowOnShaft>& bearings, const RingLoad& 
   const RingState at_rest = balance_ring(still, load);
   if (std::none_of(bearings.begin(), bearings.end(), feels_its_motion)) return at_rest;
   RowGroup group(still, bearings);
-  RingState state = balance_from(group, load, place_of(at_rest, group.lever()));
+  RingState state = balance_from(group, load, position_of(at_rest, group.lever()));
   constexpr int kMostChanges = 6;
   for (int i = 0; i < kMostChanges && state.report.converged && group.choose_control(); ++i) {
-    const RingState changed = balance_from(group, load, place_of(state, group.lever()));
+    const RingState changed = balance_from(group, load, position_of(state, group.lever()));
     if (!changed.report.converged) break;  // a race that cannot hold its balls leaves them to the other one
     state = changed;
   }

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "bearing/equilibrium/balls.hpp"
-#include "bearing/equilibrium/moving_balls.hpp"
+#include "bearing/equilibrium/jones_balls.hpp"
 #include "bearing/equilibrium/ring_balance.hpp"
 #include "bearing/equilibrium/rollers.hpp"
 
@@ -51,9 +51,9 @@ class RowGroup {
 
   double lever() const { return lever_; }
   double reach(double load) const;
-  void add_forces(const RingPlace& place, RingImbalance& sum) const;
+  void add_forces(const RingPosition& position, RingImbalance& sum) const;
   /// Loads and angles of the first row's elements, then of the second's and so on; no laminae.
-  void put_loads(const RingPlace& place, RingState& state) const;
+  void put_loads(const RingPosition& position, RingState& state) const;
 
   // Of moving_balls.hpp, of all rows whose balls turn.
   bool settled() const;
@@ -62,24 +62,24 @@ class RowGroup {
   void push_unlike(int path);
   int beyond_grooves() const;
   bool has_stiffness() const;
-  Eigen::VectorXd places(const RingPlace& shaft) const;
-  RingPlace put_places(const Eigen::VectorXd& all);
+  Eigen::VectorXd positions(const RingPosition& shaft) const;
+  RingPosition put_positions(const Eigen::VectorXd& all);
   mechanics::Imbalance<Eigen::Dynamic> all_forces(const Eigen::VectorXd& all) const;
 
  private:
   struct Placed {
-    std::variant<BallRow, RollerRow, MovingBallRow> row;
+    std::variant<BallRow, RollerRow, JonesRow> row;
     double approach = 0.0;  // [m]
     // Of the row by that of the shaft, tilts at both levers.
     Eigen::Matrix<double, 5, 5> motion = Eigen::Matrix<double, 5, 5>::Identity();
 
-    RingPlace in_row(const RingPlace& place) const;
-    MovingBallRow* turning() { return std::get_if<MovingBallRow>(&row); }
+    RingPosition in_row(const RingPosition& position) const;
+    JonesRow* rotating() { return std::get_if<JonesRow>(&row); }
   };
 
   mutable std::vector<Placed> rows_;
   double lever_ = 0.0;       // [m]
-  Eigen::Index places_ = 5;  // of the shaft and of the balls that turn
+  Eigen::Index positions_ = 5;  // of the shaft and of the balls that turn
 };
 
 /// Where the shaft balances on all rows under `load`, which acts at the origin. Balls at speed are sought by

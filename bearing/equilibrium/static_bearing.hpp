@@ -5,7 +5,7 @@
 #include <variant>
 
 #include "bearing/equilibrium/balls.hpp"
-#include "bearing/equilibrium/moving_balls.hpp"
+#include "bearing/equilibrium/jones_balls.hpp"
 #include "bearing/equilibrium/ring_balance.hpp"
 #include "bearing/equilibrium/rollers.hpp"
 

@@ -53,8 +53,9 @@ double straight_approach(const LaminaContact& contact, double load) {
 Eigen::Vector2d first_guess(const TiltedRoller& roller, const RollerSetting& setting, double elastic) {
   const double load = setting.inertial_load, half = 0.5 * elastic;
   const double outer = load > 0.0 ? std::max(half, straight_approach(roller.outer, load)) : half;
-  const double place = load < 0.0 ? std::min(half, elastic - straight_approach(roller.inner, -load)) : outer;
-  return {place, 0.5 * (setting.inner_end_displacement + setting.outer_end_displacement)};
+  const double position =
+      load < 0.0 ? std::min(half, elastic - straight_approach(roller.inner, -load)) : outer;
+  return {position, 0.5 * (setting.inner_end_displacement + setting.outer_end_displacement)};
 }
 
 mechanics::SearchLimits limits_of(const TiltedRoller& roller, const RollerSetting& setting, double elastic) {
@@ -80,19 +81,19 @@ double zero_of_falling(const Force& force, double low, double high) {
 // The same least of the energy by two searches, one within the other, each along one unknown in which the
 // force falls: slow, and sure where a lamina or two barely touch and Newton's steps lead to and fro. The
 // energy that is least in the place is convex in the end displacement.
-RollerImbalance settle_within_brackets(const DryRoller& roller, double reach, Eigen::Vector2d& at) {
+RollerImbalance converge_within_brackets(const DryRoller& roller, double reach, Eigen::Vector2d& at) {
   RollerImbalance now;
-  const auto settle_place = [&](double end_displacement) {
+  const auto converge_position = [&](double end_displacement) {
     at[1] = end_displacement;
     at[0] = zero_of_falling(
-        [&](double place) {
-          return roller({place, end_displacement}).force[0];
+        [&](double position) {
+          return roller({position, end_displacement}).force[0];
         },
         -reach, reach);
     now = roller(at);
     return now.force[1];
   };
-  settle_place(zero_of_falling(settle_place, -reach, reach));
+  converge_position(zero_of_falling(converge_position, -reach, reach));
   return now;
 }
 
@@ -105,8 +106,8 @@ double put_slopes(const RollerImbalance& now, RollerState& state) {
 }
 
 // Settles the roller for one sum of elastic approaches; returns d(load)/d(that sum).
-double settle_dry(const TiltedRoller& roller, const RollerSetting& setting, double elastic,
-                  RollerState& state) {
+double converge_dry(const TiltedRoller& roller, const RollerSetting& setting, double elastic,
+                    RollerState& state) {
   Eigen::Vector2d at = first_guess(roller, setting, elastic);
   if (state.known)
     at = Eigen::Vector2d(state.outer_approach, state.end_displacement) +
@@ -115,7 +116,7 @@ double settle_dry(const TiltedRoller& roller, const RollerSetting& setting, doub
   const DryRoller problem{roller, setting, elastic, state};
   const mechanics::SearchLimits limits = limits_of(roller, setting, elastic);
   const mechanics::SearchReport report = mechanics::find_balance<2>(problem, limits, at, now);
-  if (!report.converged) now = settle_within_brackets(problem, 2.0 * limits.reach, at);
+  if (!report.converged) now = converge_within_brackets(problem, 2.0 * limits.reach, at);
   state.known = true;
   state.settled = report.converged || mechanics::is_balanced<2>(now, at, limits);
   state.elastic = elastic;
@@ -126,7 +127,7 @@ double settle_dry(const TiltedRoller& roller, const RollerSetting& setting, doub
 
 // The films take part of the approach: elastic - h_i - h_o = approach, whose left side grows with the elastic
 // part at least as fast as that, for films thin under load.
-void settle_with_film(const TiltedRoller& roller, const RollerSetting& setting, RollerState& state) {
+void converge_with_film(const TiltedRoller& roller, const RollerSetting& setting, RollerState& state) {
   const Film &in = roller.inner_film, &out = roller.outer_film;
   double low = setting.approach, high = setting.approach + in.cap() + out.cap();
   double elastic =
@@ -134,7 +135,7 @@ void settle_with_film(const TiltedRoller& roller, const RollerSetting& setting, 
   elastic = std::clamp(elastic, low, high);
   const double smallest = kRollerRoundOff * lengths_at_hand(roller, setting, elastic);
   for (int i = 0; i < kMostFilmSteps; ++i) {
-    const double dry_stiffness = settle_dry(roller, setting, elastic, state);
+    const double dry_stiffness = converge_dry(roller, setting, elastic, state);
     const double excess =
         elastic - in.central(state.inner.load) - out.central(state.outer.load) - setting.approach;
     const double growth = 1.0 - (in.slope(state.inner.load) + out.slope(state.outer.load)) * dry_stiffness;
@@ -182,13 +183,13 @@ Eigen::Matrix2d roller_stiffness(const RollerState& roller) {
   return series;
 }
 
-void settle_roller(const TiltedRoller& roller, const RollerSetting& setting, RollerState& state) {
+void converge_roller(const TiltedRoller& roller, const RollerSetting& setting, RollerState& state) {
   const bool dry = roller.inner_film.cap() == 0.0 && roller.outer_film.cap() == 0.0;
   if (dry) {
     state.per_approach = 1.0;
-    state.stiffness = settle_dry(roller, setting, setting.approach, state);
+    state.stiffness = converge_dry(roller, setting, setting.approach, state);
   } else {
-    settle_with_film(roller, setting, state);
+    converge_with_film(roller, setting, state);
   }
   state.approach = setting.approach;
   state.inner_end_displacement = setting.inner_end_displacement - state.end_displacement;

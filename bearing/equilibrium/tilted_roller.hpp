@@ -62,7 +62,7 @@ inline Eigen::Matrix2d settling_stiffness(const RollerState& state) {
 /// Balance of forces and of moments about the middle: Q_o - Q_i = I, M_o = M_i. Slopes follow from the
 /// implicit function theorem. A roller that is not squeezed rests on the race towards which its inertial load
 /// points. A known `state` is where the search starts.
-void settle_roller(const TiltedRoller& roller, const RollerSetting& setting, RollerState& state);
+void converge_roller(const TiltedRoller& roller, const RollerSetting& setting, RollerState& state);
 
 /// Stiffness [N/m] of one settled roller between races that approach each other in the middle and at
 /// x = l/2: README.md (13).

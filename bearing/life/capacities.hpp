@@ -12,9 +12,9 @@ struct ContactCapacities {
 };
 
 /// One race turns relative to the load, the other stands.
-inline RaceMotions turning(Race race) {
+inline RaceMotions rotating(Race race) {
   if (race == Race::inner) return {};
-  return {.inner = RaceMotion::standing, .outer = RaceMotion::turning};
+  return {.inner = RaceMotion::stationary, .outer = RaceMotion::rotating};
 }
 
 }  // namespace orbearing::bearing::rating

@@ -35,12 +35,12 @@ Eigen::ArrayXd weights(const Eigen::ArrayXd& riser, double capacity) {
 
 // Mean over the places of the load's power: (2) without its root.
 Eigen::ArrayXd mean_power(const Loads& loads, RaceMotion motion) {
-  if (motion == RaceMotion::turning) return loads.square().square().rowwise().mean();
+  if (motion == RaceMotion::rotating) return loads.square().square().rowwise().mean();
   return (loads.square().square() * loads.sqrt()).rowwise().mean();
 }
 
 // Rollers that stay level load both halves alike.
-bool are_level(const Eigen::Ref<const Eigen::ArrayXXd>& powers) {
+bool are_aligned(const Eigen::Ref<const Eigen::ArrayXXd>& powers) {
   const Eigen::Index half = powers.rows() / 2;
   return (powers.topRows(half) == powers.bottomRows(half).colwise().reverse()).all();
 }
@@ -49,14 +49,14 @@ bool are_level(const Eigen::Ref<const Eigen::ArrayXXd>& powers) {
 Eigen::ArrayXd mean_of_fourth_powers(const Eigen::Ref<const Eigen::ArrayXXd>& powers, RaceMotion motion) {
   // The roots of one half are those of the other; sums cost no more than to find that out.
   const Eigen::Index laminae = powers.rows();
-  const bool by_half = motion == RaceMotion::standing && are_level(powers);
+  const bool by_half = motion == RaceMotion::stationary && are_aligned(powers);
   const Eigen::Index unlike = by_half ? (laminae + 1) / 2 : laminae;
   // Column by column: Eigen takes the roots of a row one at a time.
   Eigen::ArrayXd sum = Eigen::ArrayXd::Zero(unlike);
-  for (Eigen::Index place = 0; place < powers.cols(); ++place) {
-    const auto at = powers.col(place).head(unlike);
+  for (Eigen::Index position = 0; position < powers.cols(); ++position) {
+    const auto at = powers.col(position).head(unlike);
     if ((at == 0.0).all()) continue;  // not touched there
-    if (motion == RaceMotion::turning)
+    if (motion == RaceMotion::rotating)
       sum += at;
     else
       sum += at * at.sqrt().sqrt().sqrt();
@@ -71,7 +71,7 @@ Eigen::ArrayXd by_lamina(const Eigen::ArrayXd& weight, const Eigen::ArrayXd& mea
     const double share = std::pow(static_cast<double>(weight.size()), -line_contacts.mean_exponent(motion));
     return by_lamina(weight, Eigen::ArrayXd::Constant(weight.size(), share * mean[0]), motion);
   }
-  if (motion == RaceMotion::turning) return weight * mean.pow(line_contacts.weibull_slope);
+  if (motion == RaceMotion::rotating) return weight * mean.pow(line_contacts.weibull_slope);
   return weight * mean;
 }
 

@@ -32,7 +32,7 @@ struct FatigueLaw {
 
   constexpr double damage_exponent() const { return load_exponent * weibull_slope; }
   constexpr double mean_exponent(RaceMotion motion) const {
-    return motion == RaceMotion::turning ? load_exponent : damage_exponent();
+    return motion == RaceMotion::rotating ? load_exponent : damage_exponent();
   }
 
   /// (1) [N]. `loads` [N] are taken at places evenly spaced on the race, unloaded ones included.

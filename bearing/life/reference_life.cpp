@@ -11,9 +11,9 @@ Eigen::ArrayXd stress_riser(Eigen::Index laminae) {
   Eigen::ArrayXd riser = Eigen::ArrayXd::Ones(laminae);
   const double n = static_cast<double>(laminae);
   for (Eigen::Index k = 1; k <= laminae; ++k) {
-    const double place =
+    const double position =
         std::abs(2.0 * static_cast<double>(k) - n - 1.0);  // 0 only in the middle of an odd n
-    if (place > 0.0) riser[k - 1] = 1.0 - 0.01 / std::log(1.985 * place / (2.0 * n - 2.0));
+    if (position > 0.0) riser[k - 1] = 1.0 - 0.01 / std::log(1.985 * position / (2.0 * n - 2.0));
   }
   return riser;
 }

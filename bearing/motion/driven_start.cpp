@@ -31,34 +31,35 @@ struct PinProblem {
   Eigen::Index waves() const { return wave_stiffness.size(); }
   Eigen::Index size() const { return 2 + waves() + (bore_load ? 2 : 0); }
 
-  template <class Place>
-  Vector2 bore_at(const Place& place) const {
-    if constexpr (Place::SizeAtCompileTime == Eigen::Dynamic)
-      if (bore_load) return place.template tail<2>();
+  template <class Position>
+  Vector2 bore_at(const Position& position) const {
+    if constexpr (Position::SizeAtCompileTime == Eigen::Dynamic)
+      if (bore_load) return position.template tail<2>();
     return bore;
   }
 
-  template <class Place>
-  RollerBalance roller(Eigen::Index j, const Place& place) const {
-    double approach = races.approach(j, bore_at(place) - place.template head<2>());
-    if constexpr (Place::SizeAtCompileTime == Eigen::Dynamic)
+  template <class Position>
+  RollerBalance roller(Eigen::Index j, const Position& position) const {
+    double approach = races.approach(j, bore_at(position) - position.template head<2>());
+    if constexpr (Position::SizeAtCompileTime == Eigen::Dynamic)
       if (waves() > 0)
-        approach -= place.segment(2, waves()).dot(wave_shapes(races.outer_race, races.angle[j]));
+        approach -= position.segment(2, waves()).dot(wave_shapes(races.outer_race, races.angle[j]));
     return balance_roller(races.contacts.inner, races.contacts.outer, races.inertial_load[j], approach);
   }
 
   // Forces on the pin ring, on the waves and on a bore that is free.
   template <int N>
-  mechanics::Imbalance<N> at(const Eigen::Vector<double, N>& place) const {
-    const Vector2 pin = place.template head<2>();
-    const Eigen::Index size = place.size();
+  mechanics::Imbalance<N> at(const Eigen::Vector<double, N>& position) const {
+    const Vector2 pin = position.template head<2>();
+    const Eigen::Index size = position.size();
     mechanics::Imbalance<N> sum;
     sum.force.setZero(size);
     sum.stiffness.setZero(size, size);
     sum.force.template head<2>() = own_load - stiffness_support * pin;
     sum.stiffness.diagonal().template head<2>().setConstant(stiffness_support);
     if constexpr (N == Eigen::Dynamic) {
-      sum.force.segment(2, waves()) -= wave_stiffness.cwiseProduct(place.segment(2, waves()) - wave_at_rest);
+      sum.force.segment(2, waves()) -=
+          wave_stiffness.cwiseProduct(position.segment(2, waves()) - wave_at_rest);
       sum.stiffness.diagonal().segment(2, waves()) += wave_stiffness;
       if (bore_load) sum.force.template tail<2>() += *bore_load;
     }
@@ -67,7 +68,7 @@ struct PinProblem {
     Eigen::Vector<double, N> closes(size);  // the approach by each coordinate
     for (Eigen::Index j = 0; j < races.angle.size(); ++j) {
       closes.template head<2>() = direction(races.angle[j]);
-      const RollerBalance one = roller(j, place);
+      const RollerBalance one = roller(j, position);
       sum.force.template head<2>() -= one.inner_load * closes.template head<2>();
       if constexpr (N == Eigen::Dynamic) {
         if (waves() > 0) closes.segment(2, waves()) = -wave_shapes(races.outer_race, races.angle[j]);
@@ -113,21 +114,22 @@ PinProblem pin_problem(const Bearing& bearing, const BearingModel& model,
 
 template <int N>
 void solve_in(const PinProblem& problem, PinBalance& balance) {
-  Eigen::Vector<double, N> place = Eigen::Vector<double, N>::Zero(problem.size());
-  if constexpr (N == Eigen::Dynamic) place.segment(2, problem.waves()) = problem.wave_at_rest;
+  Eigen::Vector<double, N> position = Eigen::Vector<double, N>::Zero(problem.size());
+  if constexpr (N == Eigen::Dynamic) position.segment(2, problem.waves()) = problem.wave_at_rest;
   mechanics::Imbalance<N> now;
-  balance.rollers.report = {mechanics::find_balance<N>(
-      [&](const Eigen::Vector<double, N>& at) { return problem.at<N>(at); }, problem.limits(), place, now)};
+  balance.rollers.report = {
+      mechanics::find_balance<N>([&](const Eigen::Vector<double, N>& at) { return problem.at<N>(at); },
+                                 problem.limits(), position, now)};
   const Eigen::Index rollers = problem.races.angle.size();
-  balance.pin = place.template head<2>();
-  if constexpr (N == Eigen::Dynamic) balance.rollers.waves = place.segment(2, problem.waves());
+  balance.pin = position.template head<2>();
+  if constexpr (N == Eigen::Dynamic) balance.rollers.waves = position.segment(2, problem.waves());
   balance.rollers.angle = problem.races.angle;
-  balance.bore = problem.bore_at(place);
+  balance.bore = problem.bore_at(position);
   balance.rollers.displacement = balance.bore - balance.pin;
   balance.rollers.inner_load.resize(rollers);
   balance.rollers.outer_load.resize(rollers);
   for (Eigen::Index j = 0; j < rollers; ++j) {
-    const RollerBalance one = problem.roller(j, place);
+    const RollerBalance one = problem.roller(j, position);
     balance.rollers.inner_load[j] = one.inner_load;
     balance.rollers.outer_load[j] = one.outer_load;
   }

@@ -22,7 +22,7 @@ RaceConstants race_constants(const motion::RaceModel& race) {
 
 LaminaConstants lamina_constants(const motion::LaminaRaces& races) {
   return {.count = races.inner().laminae(),
-          .place = races.inner().places().data(),
+          .position = races.inner().positions().data(),
           .inner_drop = races.inner().drops().data(),
           .outer_drop = races.outer().drops().data(),
           .bore_end_displacement_x = races.bore_end_displacement().x(),
@@ -64,7 +64,7 @@ Constants constants_of(const motion::BearingModel& model) {
 
 bool turns_unevenly(const motion::RaceModel& race) {
   return !race.scratches.empty() || std::any_of(race.form.begin(), race.form.end(),
-                                                [](const RaceHarmonic& wave) { return wave.turning; });
+                                                [](const RaceHarmonic& wave) { return wave.rotating; });
 }
 
 Surroundings surroundings_at(const motion::BearingModel& model, double time) {

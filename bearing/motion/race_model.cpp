@@ -2,19 +2,19 @@
 
 #include <cmath>
 
-#include "bearing/contact/printed_film.hpp"
+#include "bearing/contact/published_film.hpp"
 
 namespace orbearing::bearing::motion {
 
 namespace {
 
-constexpr double kPrintedSpeed =
+constexpr double kPublishedSpeed =
     1.0;  // [m/s]  that turns the damping of Eq. (9) of [Gai2025] into a stiffness
 
 LineContact elastic_contact(const Bearing& bearing, const RaceContactParameters& given) {
   const LineContact elastic = roller_race_contact(bearing.contact_law, bearing.rollers().length);
   if (given.damping_law == DampingLaw::approach_speed) return elastic;
-  return LineContact(elastic.constant() * (1.0 + given.damping * kPrintedSpeed));
+  return LineContact(elastic.constant() * (1.0 + given.damping * kPublishedSpeed));
 }
 
 // The subtracted film moves the race away from the rollers.
@@ -24,8 +24,8 @@ double radius_of_race(const Bearing& bearing, const BearingGeometry& geometry, c
   const double radius = inner ? geometry.inner_radius : geometry.outer_radius;
   const RaceContactParameters& given = parameters.race;
   if (!given.film_in_approach || given.film_approach == FilmApproach::added) return radius;
-  const PrintedFilm film = printed_film(bearing, geometry, parameters.lubricant, point.inner_speed,
-                                        point.outer_speed, point.bore_load.norm());
+  const PublishedFilm film = published_film(bearing, geometry, parameters.lubricant, point.inner_speed,
+                                            point.outer_speed, point.bore_load.norm());
   return inner ? radius - film.inner : radius + film.outer;
 }
 

@@ -54,8 +54,8 @@ class VectorBearing {
   BoreSlopes bore_slopes() const { return engine_->bore_slopes(); }
   /// As factor() and solve() with the bore open: engine.hpp. The planet's row of a stage becomes
   ///   (mass + port) rate = mass rhs + force,   rate: of the bore's velocity and rotation.
-  bool factor_open(double g, bool turning, PortMatrix& port) {
-    return engine_->factor_open(g, turning, port);
+  bool factor_open(double g, bool rotating, PortMatrix& port) {
+    return engine_->factor_open(g, rotating, port);
   }
   void reduce(const double* rhs, double* k, double (&force)[3]) { engine_->reduce(rhs, k, force); }
   void complete(const double* rhs, const double (&rate)[3], double* k) const {

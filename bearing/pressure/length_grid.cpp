@@ -20,8 +20,8 @@ LengthGrid graded_grid(double length, int elements, double grading) {
   // Each half from its own end, so that the grid is symmetric to the last bit.
   for (int k = 0; 2 * k <= elements; ++k) {
     const double s = 1.0 - 2.0 * k / elements;
-    const double place = (1.0 - grading) * s + grading * std::sin(constants::half_pi * s);
-    grid.edge(elements - k) = 0.5 * length * place;
+    const double position = (1.0 - grading) * s + grading * std::sin(constants::half_pi * s);
+    grid.edge(elements - k) = 0.5 * length * position;
     grid.edge(k) = -grid.edge(elements - k);
   }
   grid.middle = 0.5 * (grid.edge.head(elements) + grid.edge.tail(elements));

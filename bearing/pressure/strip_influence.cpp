@@ -104,17 +104,17 @@ void StripInfluence::evaluate(const Eigen::ArrayXd& half_width, StripMatrices& m
   matrices.influence.resize(elements, elements);
   matrices.widening.resize(elements, elements);
   const Eigen::ArrayXd square = half_width.square();
-  std::size_t place = 0;
+  std::size_t position = 0;
   for (Index i = 0; i < elements; ++i) {
-    for (Index j = 0; j <= i; ++j, ++place) {
+    for (Index j = 0; j <= i; ++j, ++position) {
       const double width = std::sqrt(0.5 * (square(i) + square(j)));
       const double far = StripFarField::from * width;
       Field sum;
-      if (all_[place].nearest > far) {
-        sum = far_field(all_[place], width);
+      if (all_[position].nearest > far) {
+        sum = far_field(all_[position], width);
       } else {
         for (const Source& source : sources_) {
-          const Pair& pair = source.pairs[place];
+          const Pair& pair = source.pairs[position];
           const Field field =
               pair.nearest > far ? far_field(pair, width) : near_field(corners(source, i, j), width);
           sum.influence += source.factor * field.influence;

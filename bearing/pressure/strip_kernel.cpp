@@ -30,7 +30,7 @@ double density(double s) {
 
 /// Places s with their weights; they crowd at s = 0, where the functions bend when xi is small.
 struct Mean {
-  std::vector<std::pair<double, double>> places;
+  std::vector<std::pair<double, double>> positions;
 
   Mean() {
     using Rule = boost::math::quadrature::gauss<double, 30>;
@@ -46,7 +46,7 @@ struct Mean {
 
   void add(double v, double weight) {
     const double s = 2.0 * v * v * v;
-    places.emplace_back(s, 6.0 * v * v * weight * density(s));
+    positions.emplace_back(s, 6.0 * v * v * weight * density(s));
   }
 };
 
@@ -62,7 +62,7 @@ StripKernel expansion(double xi) {
 /// Slope of both functions: <arsinh(xi/s)> and <xi/sqrt(xi^2 + s^2)>. The first is d(potential)/d(xi).
 StripKernel slope(const Mean& mean, double xi) {
   StripKernel sum;
-  for (const auto& [s, weight] : mean.places) {
+  for (const auto& [s, weight] : mean.positions) {
     sum.potential += weight * std::asinh(xi / s);
     sum.spread += weight * xi / std::hypot(xi, s);
   }
@@ -88,9 +88,9 @@ class Table {
   }
 
   StripKernel at(double xi) const {
-    const double place = std::sqrt(xi) / kStep;
-    const auto cell = static_cast<std::size_t>(place);
-    const double t = place - static_cast<double>(cell), r = 1.0 - t;
+    const double position = std::sqrt(xi) / kStep;
+    const auto cell = static_cast<std::size_t>(position);
+    const double t = position - static_cast<double>(cell), r = 1.0 - t;
     const double value0 = (1.0 + 2.0 * t) * r * r, slope0 = t * r * r;
     const double value1 = t * t * (3.0 - 2.0 * t), slope1 = -t * t * r;
     const auto &a = nodes_[cell], &b = nodes_[cell + 1];
@@ -108,7 +108,7 @@ class Table {
 
 StripKernel strip_kernel_by_quadrature(double distance) {
   StripKernel sum;
-  for (const auto& [s, weight] : mean_over_sections().places) {
+  for (const auto& [s, weight] : mean_over_sections().positions) {
     const double root = std::hypot(distance, s);
     sum.spread += weight * root;
     sum.potential += weight * (distance * std::asinh(distance / s) - root);

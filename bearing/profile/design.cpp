@@ -32,7 +32,7 @@ FujiwaraKawase fujiwara_kawase_for(const DesignLoad& design, double k1, double k
 // The end's width changes the logarithm little, so that each step of the iteration loses most of the error.
 double design_load_of_drop(DesignLoad design, double drop) {
   constexpr int kSteps = 60;
-  const double station = kDropPlace * 0.5 * design.length;
+  const double station = kDropPosition * 0.5 * design.length;
   design.load = drop * design.material.plane_strain_modulus() * design.length;
   for (int i = 0; i < kSteps; ++i) {
     const double now = profile::drop(johns_gohar_for(design), station);

@@ -8,7 +8,7 @@ namespace orbearing::bearing::profile {
 
 /// Where a profile's drop is stated, as a share of half the length: the middle of the outermost of 40
 /// laminae. The ends themselves are no good place, for logarithmic profiles are steepest there.
-inline constexpr double kDropPlace = 39.0 / 40.0;
+inline constexpr double kDropPosition = 39.0 / 40.0;
 
 /// What a logarithmic profile is laid out for.
 struct DesignLoad {

@@ -91,7 +91,7 @@ Model constants_of(const bearing::motion::BearingModel& model) {
 }
 
 double largest_difference(const bearing::motion::BearingModel& model, const Eigen::VectorXd& x, int states) {
-  constexpr double kLength = 2e-6, kSpeed = 0.05, kTurning = 0.01;  // [m], [m/s], [-] of an angular speed
+  constexpr double kLength = 2e-6, kSpeed = 0.05, kRotating = 0.01;  // [m], [m/s], [-] of an angular speed
   const Equations frozen(constants_of(model));
   bearing::vectorised::VectorBearing today(model);
   const auto kinds = bearing::motion::variable_kinds(model.layout);
@@ -105,7 +105,7 @@ double largest_difference(const bearing::motion::BearingModel& model, const Eige
       const auto kind = kinds[static_cast<std::size_t>(k)];
       moved[k] += some(chance) * (kind == length          ? kLength
                                   : kind == velocity      ? kSpeed
-                                  : kind == angular_speed ? kTurning * std::abs(x[k])
+                                  : kind == angular_speed ? kRotating * std::abs(x[k])
                                                           : kLength / model.geometry.pitch_radius);
     }
     Eigen::VectorXd then(x.size()), now(x.size());

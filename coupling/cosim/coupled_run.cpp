@@ -75,8 +75,8 @@ Eigen::VectorXd packed(const Exchange& exchange, const InterfaceValues& values) 
 
 // The inverse; writes into `values` what the vector holds.
 void unpack(const Exchange& exchange, const Eigen::VectorXd& vector, InterfaceValues& values) {
-  Eigen::Index place = 0;
-  for_each_expected(exchange, values, [&](double& value) { value = vector[place++]; });
+  Eigen::Index position = 0;
+  for_each_expected(exchange, values, [&](double& value) { value = vector[position++]; });
 }
 
 // One over the size of each of them.

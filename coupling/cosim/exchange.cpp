@@ -53,22 +53,22 @@ Exchange::Exchange(const Sides& sides, ExchangeOrder order)
       outputs_(sides.size()) {}
 
 const Port& Exchange::port(std::size_t joint) const {
-  const PortPlace& place = connections_[joint].motion;
-  return sides_[place.side].ports[place.port];
+  const PortPosition& position = connections_[joint].motion;
+  return sides_[position.side].ports[position.port];
 }
 
 bool Exchange::motion_is_expected(std::size_t joint) const {
   if (order_ == ExchangeOrder::jacobi) return true;
   const Connection& connection = connections_[joint];
   return std::any_of(connection.forces.begin(), connection.forces.end(),
-                     [&](const PortPlace& force) { return force.side < connection.motion.side; });
+                     [&](const PortPosition& force) { return force.side < connection.motion.side; });
 }
 
 bool Exchange::force_is_expected(std::size_t joint) const {
   if (order_ == ExchangeOrder::jacobi) return true;
   const Connection& connection = connections_[joint];
   return std::any_of(connection.forces.begin(), connection.forces.end(),
-                     [&](const PortPlace& force) { return force.side > connection.motion.side; });
+                     [&](const PortPosition& force) { return force.side > connection.motion.side; });
 }
 
 // Inputs of `side` over a window from `begin` [s] on: the nominal ones, and at each port the half that
@@ -78,15 +78,15 @@ std::vector<InputPolynomial> Exchange::inputs_from(std::size_t side, double begi
                                                    const PolynomialOf& polynomial_of) const {
   const Side& own = sides_[side];
   std::vector<InputPolynomial> inputs(own.participant->inputs().size());
-  for (const Nominal& nominal : own.inputs) inputs[nominal.place] = nominal.polynomial(begin);
+  for (const Nominal& nominal : own.inputs) inputs[nominal.position] = nominal.polynomial(begin);
   for (std::size_t joint = 0; joint < connections_.size(); ++joint) {
     const Connection& connection = connections_[joint];
     if (connection.motion.side == side)
       add_to(inputs[port(joint).force], polynomial_of(joint, Gives::force).force);
-    for (const PortPlace& place : connection.forces) {
-      if (place.side != side) continue;
+    for (const PortPosition& position : connection.forces) {
+      if (position.side != side) continue;
       const JointPolynomial motion = polynomial_of(joint, Gives::motion);
-      const Port& taken = own.ports[place.port];
+      const Port& taken = own.ports[position.port];
       if (taken.displacement != kNone) add_to(inputs[taken.displacement], motion.displacement);
       add_to(inputs[taken.velocity], motion.velocity);
     }
@@ -107,7 +107,7 @@ void Exchange::read(std::size_t side, double time, const std::vector<double>& in
   const Side& own = sides_[side];
   outputs_[side] = own.participant->values(inputs, asked_for(own));
   for (const Nominal& nominal : own.outputs)
-    outputs_[side][nominal.place] -= nominal.polynomial(time).at(0.0);
+    outputs_[side][nominal.position] -= nominal.polynomial(time).at(0.0);
 }
 
 void Exchange::read_motion(std::size_t side, InterfaceValues& values) const {
@@ -120,8 +120,8 @@ void Exchange::read_motion(std::size_t side, InterfaceValues& values) const {
 
 double Exchange::force_of(std::size_t joint) const {
   double sum = 0.0;
-  for (const PortPlace& place : connections_[joint].forces)
-    sum += outputs_[place.side][sides_[place.side].ports[place.port].force];
+  for (const PortPosition& position : connections_[joint].forces)
+    sum += outputs_[position.side][sides_[position.side].ports[position.port].force];
   return sum;
 }
 
@@ -149,8 +149,8 @@ void Exchange::learn(std::size_t side, std::vector<std::size_t>& still_to_come,
                      InterfaceValues& known) const {
   read_motion(side, known);
   for (std::size_t joint = 0; joint < connections_.size(); ++joint)
-    for (const PortPlace& place : connections_[joint].forces)
-      if (place.side == side && --still_to_come[joint] == 0) known.joints[joint].force = force_of(joint);
+    for (const PortPosition& position : connections_[joint].forces)
+      if (position.side == side && --still_to_come[joint] == 0) known.joints[joint].force = force_of(joint);
 }
 
 InterfaceValues Exchange::input(const InterfaceValues& expected, const InterfaceValues& output) const {

@@ -34,8 +34,8 @@ std::vector<Port> planet_ports(const Participant& of, Gives gives, const PlanetN
 }
 
 // `speed` [rad/s] times what the run-up leaves of it, along a straight line from its value and rate.
-Nominal nominal(std::size_t place, const gearset::dynamics::Operation& operation, double speed) {
-  return {place, [operation, speed](double time) -> InputPolynomial {
+Nominal nominal(std::size_t position, const gearset::dynamics::Operation& operation, double speed) {
+  return {position, [operation, speed](double time) -> InputPolynomial {
             const gearset::dynamics::SpeedState now = speed_at(operation, time);
             return {{speed * now.factor, speed * now.rate, 0.0, 0.0}};
           }};

@@ -35,9 +35,9 @@ InputPolynomial through(const std::vector<TimedValue>& points, double begin) {
   InputPolynomial out;  // Horner: out = out * (t - t_i) + difference_i
   auto& c = out.coefficient;
   for (std::size_t i = points.size(); i-- > 0;) {
-    const double place = points[i].time - begin;
-    for (std::size_t k = c.size() - 1; k > 0; --k) c[k] = c[k - 1] - place * c[k];
-    c[0] = difference[i] - place * c[0];
+    const double position = points[i].time - begin;
+    for (std::size_t k = c.size() - 1; k > 0; --k) c[k] = c[k - 1] - position * c[k];
+    c[0] = difference[i] - position * c[0];
   }
   return out;
 }

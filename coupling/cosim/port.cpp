@@ -7,19 +7,19 @@ namespace orbearing::cosim {
 
 namespace {
 
-struct NamedPlace {
+struct NamedPosition {
   const Port& port;
-  PortPlace place;
+  PortPosition position;
 };
 
-std::vector<NamedPlace> all_ports(const Sides& sides) {
-  std::vector<NamedPlace> out;
+std::vector<NamedPosition> all_ports(const Sides& sides) {
+  std::vector<NamedPosition> out;
   for (std::size_t s = 0; s < sides.size(); ++s)
     for (std::size_t i = 0; i < sides[s].ports.size(); ++i) out.push_back({sides[s].ports[i], {s, i}});
   return out;
 }
 
-bool is_same(const PortPlace& a, const PortPlace& b) {
+bool is_same(const PortPosition& a, const PortPosition& b) {
   return a.side == b.side && a.port == b.port;
 }
 
@@ -28,13 +28,13 @@ bool is_same(const PortPlace& a, const PortPlace& b) {
                               "; required: one participant that gives its motion, others that give forces");
 }
 
-Connection joined(const NamedPlace& motion, const std::vector<NamedPlace>& ports) {
-  Connection out{motion.place, {}};
-  for (const NamedPlace& other : ports) {
-    if (other.port.name != motion.port.name || is_same(other.place, motion.place)) continue;
+Connection joined(const NamedPosition& motion, const std::vector<NamedPosition>& ports) {
+  Connection out{motion.position, {}};
+  for (const NamedPosition& other : ports) {
+    if (other.port.name != motion.port.name || is_same(other.position, motion.position)) continue;
     if (other.port.kind != motion.port.kind) refuse(motion.port.name, "a translation and a rotation");
     if (other.port.gives == Gives::motion) refuse(motion.port.name, "two that give its motion");
-    out.forces.push_back(other.place);
+    out.forces.push_back(other.position);
   }
   if (out.forces.empty()) refuse(motion.port.name, "nobody that gives a force");
   return out;
@@ -50,13 +50,13 @@ void require_whole(const Port& port) {
 }  // namespace
 
 std::vector<Connection> connect_by_name(const Sides& sides) {
-  const std::vector<NamedPlace> ports = all_ports(sides);
-  for (const NamedPlace& port : ports) require_whole(port.port);
+  const std::vector<NamedPosition> ports = all_ports(sides);
+  for (const NamedPosition& port : ports) require_whole(port.port);
   std::vector<Connection> out;
-  for (const NamedPlace& port : ports)
+  for (const NamedPosition& port : ports)
     if (port.port.gives == Gives::motion) out.push_back(joined(port, ports));
-  for (const NamedPlace& port : ports) {
-    const auto same = [&](const NamedPlace& other) {
+  for (const NamedPosition& port : ports) {
+    const auto same = [&](const NamedPosition& other) {
       return other.port.name == port.port.name && other.port.gives == Gives::motion;
     };
     if (std::none_of(ports.begin(), ports.end(), same))

@@ -44,7 +44,7 @@ struct Port {
 
 /// What an input or output runs through where nothing moves at the ports. A port's velocity adds to it.
 struct Nominal {
-  std::size_t place = kNone;
+  std::size_t position = kNone;
   std::function<InputPolynomial(double time)> polynomial;  // from `time` [s] on
 };
 
@@ -58,15 +58,15 @@ struct Side {
 using Sides = std::vector<Side>;
 
 /// A port of a side, both counted from 0.
-struct PortPlace {
+struct PortPosition {
   std::size_t side = 0;
   std::size_t port = 0;
 };
 
 /// One joint: a side gives the motion; one or more give forces, which add up.
 struct Connection {
-  PortPlace motion;
-  std::vector<PortPlace> forces;
+  PortPosition motion;
+  std::vector<PortPosition> forces;
 };
 
 /// Joins ports of one name, in the order in which their motion is given. Throws std::invalid_argument where a

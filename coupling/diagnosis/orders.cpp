@@ -18,13 +18,13 @@ using constants::two_pi;
 constexpr Eigen::Index kReach = 32;  // samples to each side
 
 // Of what the samples hold at `place`, counted in samples.
-double between(const Eigen::ArrayXd& signal, double place) {
-  const auto nearest = static_cast<Eigen::Index>(std::floor(place));
+double between(const Eigen::ArrayXd& signal, double position) {
+  const auto nearest = static_cast<Eigen::Index>(std::floor(position));
   const Eigen::Index from = std::max<Eigen::Index>(0, nearest - kReach + 1);
   const Eigen::Index to = std::min(signal.size() - 1, nearest + kReach);
   double sum = 0.0;
   for (Eigen::Index k = from; k <= to; ++k) {
-    const double off = place - static_cast<double>(k), turn = pi * off / static_cast<double>(kReach);
+    const double off = position - static_cast<double>(k), turn = pi * off / static_cast<double>(kReach);
     const double blackman = 0.42 + 0.5 * std::cos(turn) + 0.08 * std::cos(2.0 * turn);
     sum += signal[k] * blackman * boost::math::sinc_pi(pi * off);
   }
@@ -32,7 +32,7 @@ double between(const Eigen::ArrayXd& signal, double place) {
 }
 
 // Where the angle is `wanted`: within the samples after `k` by the parabola through three of them.
-double place_of(const Eigen::ArrayXd& angle, Eigen::Index k, double wanted) {
+double position_of(const Eigen::ArrayXd& angle, Eigen::Index k, double wanted) {
   const Eigen::Index middle = std::clamp<Eigen::Index>(k, 1, angle.size() - 2);
   const double slope = 0.5 * (angle[middle + 1] - angle[middle - 1]);
   const double bend = angle[middle + 1] - 2.0 * angle[middle] + angle[middle - 1];
@@ -68,7 +68,7 @@ AngleSignal resampled(const Eigen::ArrayXd& signal, const Eigen::ArrayXd& angle)
   for (Eigen::Index i = 0; i < count; ++i) {
     const double wanted = begin + spacing * static_cast<double>(i);
     while (k + 2 < samples && turned[k + 1] <= wanted) ++k;
-    out.value[i] = between(signal, place_of(turned, k, wanted));
+    out.value[i] = between(signal, position_of(turned, k, wanted));
   }
   return out;
 }

@@ -70,8 +70,8 @@ std::vector<NamedFrequency> named_frequencies(const std::vector<Mode>& modes, in
   for (const Mode& mode : modes) {
     if (mode.frequency <= kStillMode * modes.back().frequency) continue;
     for (int i = 0; i < mode.multiplicity; ++i) {
-      const int place = rank[mode.kind]++;
-      list.push_back({mode_name(mode.kind, place, planets), mode.kind, place, mode.frequency});
+      const int position = rank[mode.kind]++;
+      list.push_back({mode_name(mode.kind, position, planets), mode.kind, position, mode.frequency});
     }
   }
   return list;
@@ -117,7 +117,7 @@ std::optional<Meeting> meeting_at(const Crossing& crossing, const ModesAt& modes
 std::vector<Meeting> meetings(const std::vector<ModesAtSpeed>& points, const gearset::PlanetarySet& set,
                               const ModesAt& modes_at) {
   std::vector<Meeting> list;
-  const std::vector<double> places = angles_of_planets(set);
+  const std::vector<double> positions = angles_of_planets(set);
   for (int order = 1; order <= kMetHarmonics; ++order)
     for (std::size_t i = 0; i + 1 < points.size(); ++i)
       for (const NamedFrequency& mode : points[i].modes) {
@@ -129,7 +129,7 @@ std::vector<Meeting> meetings(const std::vector<ModesAtSpeed>& points, const gea
         std::optional<Meeting> meeting =
             meeting_at({order, mode, points[i].speed, points[i + 1].speed, before, after}, modes_at);
         if (!meeting) continue;
-        meeting->excited = excites(places, order * set.sun_teeth, mode.kind);
+        meeting->excited = excites(positions, order * set.sun_teeth, mode.kind);
         list.push_back(std::move(*meeting));
       }
   return list;

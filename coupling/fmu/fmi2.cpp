@@ -12,7 +12,7 @@ using orbearing::fmu::InstanceState;
 using orbearing::fmu::Log;
 using orbearing::fmu::References;
 using orbearing::fmu::Refused;
-using orbearing::fmu::require_place;
+using orbearing::fmu::require_position;
 using orbearing::fmu::Status;
 
 template <class Body>
@@ -110,7 +110,7 @@ fmi2Status fmi2GetInteger(fmi2Component instance, const fmi2ValueReference refer
                           fmi2Integer values[]) {
   return guarded(instance, __func__, [&](Instance& it) {
     for (size_t i = 0; i < number; ++i) {
-      require_place(values, "values");
+      require_position(values, "values");
       std::int64_t value = 0;
       it.get_whole({references == nullptr ? nullptr : references + i, 1}, &value);
       values[i] = static_cast<fmi2Integer>(value);
@@ -145,7 +145,7 @@ fmi2Status fmi2SetString(fmi2Component instance, const fmi2ValueReference*, size
 
 fmi2Status fmi2GetFMUstate(fmi2Component instance, fmi2FMUstate* state) {
   return guarded(instance, __func__, [&](Instance& it) {
-    require_place(state, "state");
+    require_position(state, "state");
     *state = it.keep_state(static_cast<InstanceState*>(*state));
   });
 }
@@ -162,7 +162,7 @@ fmi2Status fmi2FreeFMUstate(fmi2Component instance, fmi2FMUstate* state) {
 }
 fmi2Status fmi2SerializedFMUstateSize(fmi2Component instance, fmi2FMUstate state, size_t* size) {
   return guarded(instance, __func__, [&](Instance& it) {
-    require_place(size, "size");
+    require_position(size, "size");
     *size = it.state_size(static_cast<InstanceState*>(state));
   });
 }
@@ -173,7 +173,7 @@ fmi2Status fmi2SerializeFMUstate(fmi2Component instance, fmi2FMUstate state, fmi
 fmi2Status fmi2DeSerializeFMUstate(fmi2Component instance, const fmi2Byte bytes[], size_t size,
                                    fmi2FMUstate* state) {
   return guarded(instance, __func__, [&](Instance& it) {
-    require_place(state, "state");
+    require_position(state, "state");
     *state = it.deserialize(bytes, size, static_cast<InstanceState*>(*state));
   });
 }
@@ -222,7 +222,7 @@ fmi2Status fmi2GetStatus(fmi2Component instance, fmi2StatusKind, fmi2Status*) {
 }
 fmi2Status fmi2GetRealStatus(fmi2Component instance, fmi2StatusKind kind, fmi2Real* value) {
   return guarded(instance, __func__, [&](Instance& it) {
-    require_place(value, "value");
+    require_position(value, "value");
     if (kind != fmi2LastSuccessfulTime) no_status();
     *value = it.time();
   });
@@ -232,7 +232,7 @@ fmi2Status fmi2GetIntegerStatus(fmi2Component instance, fmi2StatusKind, fmi2Inte
 }
 fmi2Status fmi2GetBooleanStatus(fmi2Component instance, fmi2StatusKind kind, fmi2Boolean* value) {
   return guarded(instance, __func__, [&](Instance&) {
-    require_place(value, "value");
+    require_position(value, "value");
     if (kind != fmi2Terminated) no_status();
     *value = fmi2False;  // an instance ends when its importer says so
   });

@@ -9,7 +9,7 @@ using orbearing::fmu::Instance;
 using orbearing::fmu::InstanceState;
 using orbearing::fmu::Log;
 using orbearing::fmu::Refused;
-using orbearing::fmu::require_place;
+using orbearing::fmu::require_position;
 using orbearing::fmu::Role;
 using orbearing::fmu::Status;
 using orbearing::fmu::Variable;
@@ -103,7 +103,7 @@ fmi3Status fmi3GetInt32(fmi3Instance instance, const fmi3ValueReference referenc
   return guarded(instance, __func__, [&](Instance& it) {
     require_equal(value_number, number);
     for (size_t i = 0; i < number; ++i) {
-      require_place(values, "values");
+      require_position(values, "values");
       std::int64_t value = 0;
       it.get_whole({references == nullptr ? nullptr : references + i, 1}, &value);
       values[i] = static_cast<fmi3Int32>(value);
@@ -121,7 +121,7 @@ fmi3Status fmi3SetFloat64(fmi3Instance instance, const fmi3ValueReference refere
 fmi3Status fmi3GetNumberOfVariableDependencies(fmi3Instance instance, fmi3ValueReference reference,
                                                size_t* number) {
   return guarded(instance, __func__, [&](Instance& it) {
-    require_place(number, "number");
+    require_position(number, "number");
     *number = dependencies_of(it, reference).size();
   });
 }
@@ -133,10 +133,10 @@ fmi3Status fmi3GetVariableDependencies(fmi3Instance instance, fmi3ValueReference
     const std::vector<size_t>& inputs = dependencies_of(it, dependent);
     require_equal(number, inputs.size());
     if (number == 0) return;
-    require_place(elements_of_dependent, "elements of the dependent");
-    require_place(independents, "independents");
-    require_place(elements_of_independents, "elements of the independents");
-    require_place(kinds, "kinds");
+    require_position(elements_of_dependent, "elements of the dependent");
+    require_position(independents, "independents");
+    require_position(elements_of_independents, "elements of the independents");
+    require_position(kinds, "kinds");
     const std::uint32_t first = orbearing::fmu::first_reference(it.variables(), Role::input);
     for (size_t i = 0; i < number; ++i) {
       elements_of_dependent[i] = elements_of_independents[i] = 0;  // as a whole
@@ -148,7 +148,7 @@ fmi3Status fmi3GetVariableDependencies(fmi3Instance instance, fmi3ValueReference
 
 fmi3Status fmi3GetFMUState(fmi3Instance instance, fmi3FMUState* state) {
   return guarded(instance, __func__, [&](Instance& it) {
-    require_place(state, "state");
+    require_position(state, "state");
     *state = it.keep_state(static_cast<InstanceState*>(*state));
   });
 }
@@ -165,7 +165,7 @@ fmi3Status fmi3FreeFMUState(fmi3Instance instance, fmi3FMUState* state) {
 }
 fmi3Status fmi3SerializedFMUStateSize(fmi3Instance instance, fmi3FMUState state, size_t* size) {
   return guarded(instance, __func__, [&](Instance& it) {
-    require_place(size, "size");
+    require_position(size, "size");
     *size = it.state_size(static_cast<InstanceState*>(state));
   });
 }
@@ -177,7 +177,7 @@ fmi3Status fmi3SerializeFMUState(fmi3Instance instance, fmi3FMUState state, fmi3
 fmi3Status fmi3DeserializeFMUState(fmi3Instance instance, const fmi3Byte bytes[], size_t size,
                                    fmi3FMUState* state) {
   return guarded(instance, __func__, [&](Instance& it) {
-    require_place(state, "state");
+    require_position(state, "state");
     *state = it.deserialize(reinterpret_cast<const char*>(bytes), size, static_cast<InstanceState*>(*state));
   });
 }

@@ -30,7 +30,7 @@ Instance* new_instance(const char* function, const char* wrong, const char* toke
   return nullptr;
 }
 
-void require_place(const void* pointer, const char* what) {
+void require_position(const void* pointer, const char* what) {
   if (pointer == nullptr) throw Refused(std::string(what) + ": found NULL; required: a place for it");
 }
 

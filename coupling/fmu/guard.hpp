@@ -35,7 +35,7 @@ Instance* new_instance(const char* function, const char* wrong, const char* toke
                        Log log, bool logging) noexcept;
 
 /// Throws Refused for NULL, where a call writes `what`.
-void require_place(const void* pointer, const char* what);
+void require_position(const void* pointer, const char* what);
 
 /// `list` of so many categories as strings. Throws Refused for NULL.
 std::vector<std::string> categories_of(std::size_t number, const char* const* list);

@@ -48,9 +48,9 @@ std::vector<double*> members_of(Table& p) {
 
 // The variant's alternative at a place known at run time, empty but for the length of a table.
 template <std::size_t I = 0>
-Profile empty_profile(std::size_t place, std::size_t numbers) {
+Profile empty_profile(std::size_t position, std::size_t numbers) {
   if constexpr (I < std::variant_size_v<Profile>) {
-    if (place != I) return empty_profile<I + 1>(place, numbers);
+    if (position != I) return empty_profile<I + 1>(position, numbers);
     std::variant_alternative_t<I, Profile> profile{};
     if constexpr (std::is_same_v<decltype(profile), Table>) {
       profile.x.resize(numbers < 2 ? 0 : (numbers - 2) / 2);

@@ -77,7 +77,7 @@ std::vector<double> to_numbers(const std::vector<bearing::RaceHarmonic>& form) {
   std::vector<double> numbers;
   for (const bearing::RaceHarmonic& wave : form)
     numbers.insert(numbers.end(), {static_cast<double>(wave.order), wave.amplitude, wave.phase,
-                                   static_cast<double>(wave.turning)});
+                                   static_cast<double>(wave.rotating)});
   return numbers;
 }
 void from_numbers(const std::vector<double>& numbers, std::vector<bearing::RaceHarmonic>& form) {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "bearing/equilibrium/level_pitch.hpp"
+#include "bearing/equilibrium/aligned_pitch.hpp"
 #include "mechanics/constants.hpp"
 #include "mechanics/plane.hpp"
 
@@ -76,7 +76,7 @@ RollerTangent roller_tangent(const PlanetaryDrivetrain& drivetrain, const bearin
 bearing::Bearing of_like_rollers(bearing::Bearing like) {
   like.rollers().diameter_deviation.clear();
   for (std::vector<bearing::RaceHarmonic>* form : {&like.inner.form, &like.outer.form})
-    std::erase_if(*form, [](const bearing::RaceHarmonic& wave) { return wave.turning; });
+    std::erase_if(*form, [](const bearing::RaceHarmonic& wave) { return wave.rotating; });
   return like;
 }
 

@@ -104,7 +104,8 @@ constexpr described::Names<TiltState, 2> names_of(TiltState) {
 /// How the bearings of a planet sit on their pin. Counts where the tilt is computed.
 struct PinSeats {
   TiltState tilt = TiltState::stated;
-  std::vector<double> axial_places;  // [m]  (bearings)  from the middle of the face; none: evenly across it
+  std::vector<double>
+      axial_positions;  // [m]  (bearings)  from the middle of the face; none: evenly across it
   std::vector<double> clearance_differences;  // [m]  (bearings)  beyond the stated clearance; none: alike
   bearing::PinEnds ends = bearing::PinEnds::both;
   std::optional<double> span;  // [m]  of the pin; none: by the face, pin_span()
@@ -133,7 +134,7 @@ void describe(Visitor& visit, PinSeats& m) {
             "bearings, the "
             "pin and the meshes",
             {.models = planetary_drivetrain, .reason = "as published models have it"}),
-      field(m.axial_places, "bearing.axial_places", Felt::at_rest,
+      field(m.axial_positions, "bearing.axial_places", Felt::at_rest,
             "places of the bearings of a planet along its axis, from the middle of the face; evenly across "
             "it if absent",
             {.models = planetary_drivetrain,
@@ -165,7 +166,7 @@ void describe(Visitor& visit, PinSeats& m) {
             "negative "
             "end, which passes the torque on; rigid if absent",
             {.models = planetary_drivetrain,
-             .dimension = dimension::turning_stiffness,
+             .dimension = dimension::rotating_stiffness,
              .range = positive(1e15),
              .where = computed}),
       inclination(m.radial_inclination, "radial", "its positive end outward"),

@@ -103,8 +103,8 @@ class GearRun {
           take_snapshot(equations_, time, x, workspace_, snapshot_);
           signals.add(mesh_periods(operation, time), snapshot_);
           apart += snapshot_.separated ? 1 : 0;
-          const long place = sample++ - (samples - kept);
-          if (series && place >= 0) record(time, snapshot_, place, *series);
+          const long position = sample++ - (samples - kept);
+          if (series && position >= 0) record(time, snapshot_, position, *series);
         });
     result_.separated = static_cast<double>(apart) / static_cast<double>(samples);
     end_rotation(static_cast<double>(samples) * interval);

@@ -103,12 +103,12 @@ SetParameters assemble(const GearDynamicsChoice& choice, int planets, std::optio
 }  // namespace
 
 SetParameters lumped_set(const GearDynamicsChoice& choice, int planets, double pressure_angle,
-                         const std::vector<double>& places) {
+                         const std::vector<double>& positions) {
   const Body unit{.radius = 1.0};  // inertias are stated over radius^2, and no torque is applied
   SetParameters set = assemble(
       choice, planets, std::nullopt,
       {.bodies = {unit, unit, unit, unit}, .sun_angle = pressure_angle, .ring_angle = pressure_angle});
-  set.planet_angles = places;
+  set.planet_angles = positions;
   set.sun_phase.assign(static_cast<std::size_t>(planets), 0.0);
   set.ring_phase = set.sun_phase;
   return set;

@@ -122,7 +122,7 @@ void describe(Visitor& visit, GearDynamicsChoice& m) {
 /// A set that is stated by masses and stiffnesses alone. All optional values of `choice` must be there.
 /// @param places [rad] of the planets; empty: at equal steps
 gearset::dynamics::SetParameters lumped_set(const GearDynamicsChoice& choice, int planets,
-                                            double pressure_angle, const std::vector<double>& places = {});
+                                            double pressure_angle, const std::vector<double>& positions = {});
 
 /// A set with teeth. Masses, inertias and mesh stiffness follow from geometry where `choice` has none.
 /// @param planet_rings [kg] of rings of the bearings that turn with a planet

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "bearing/equilibrium/level_pitch.hpp"
+#include "bearing/equilibrium/aligned_pitch.hpp"
 #include "coupling/study/bearing_tangent.hpp"
 #include "gearset/dynamics/bearing_force.hpp"
 #include "gearset/dynamics/snapshot.hpp"
@@ -123,9 +123,9 @@ class Mixing {
       changes_.resize(change.size(), most);
       results_.resize(change.size(), most);
     }
-    const Eigen::Index place = kept_ < most ? kept_++ : oldest_++ % most;
-    changes_.col(place) = change;
-    results_.col(place) = result;
+    const Eigen::Index position = kept_ < most ? kept_++ : oldest_++ % most;
+    changes_.col(position) = change;
+    results_.col(position) = result;
   }
 
   std::optional<Step> before_;

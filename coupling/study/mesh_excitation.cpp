@@ -39,9 +39,9 @@ Matrix2cd inertia_of(double mass, const bearing::CarrierFrame& frame, double w) 
   Matrix2cd matrix;
   for (Eigen::Index i = 0; i < 2; ++i) {
     const Eigen::Vector2d unit = Eigen::Vector2d::Unit(i), none = Eigen::Vector2d::Zero();
-    const Eigen::Vector2d by_place = bearing::inertial_acceleration(frame, unit, none);
+    const Eigen::Vector2d by_position = bearing::inertial_acceleration(frame, unit, none);
     const Eigen::Vector2d by_speed = bearing::inertial_acceleration(frame, none, unit);
-    matrix.col(i) = -mass * (w * w * unit.cast<Complex>() + by_place.cast<Complex>() +
+    matrix.col(i) = -mass * (w * w * unit.cast<Complex>() + by_position.cast<Complex>() +
                              Complex(0.0, w) * by_speed.cast<Complex>());
   }
   return matrix;

@@ -6,10 +6,10 @@
 #include <stdexcept>
 
 #include "bearing/contact/line_contact.hpp"
+#include "bearing/equilibrium/aligned_pitch.hpp"
 #include "bearing/equilibrium/elastic_waves.hpp"
 #include "bearing/equilibrium/lamina_bearing.hpp"
 #include "bearing/equilibrium/quasi_static.hpp"
-#include "bearing/equilibrium/level_pitch.hpp"
 #include "bearing/equilibrium/race_equilibrium.hpp"
 #include "bearing/life/lundberg_palmgren.hpp"
 #include "bearing/life/rating_lives.hpp"
@@ -31,7 +31,7 @@ using bearing::Race;
 
 constexpr double kRollerSlope = bearing::rating::weibull_slope(bearing::rating::RollingElement::roller);
 
-using bearing::vectorised::LevelPitch;
+using bearing::vectorised::AlignedPitch;
 
 std::vector<double> as_vector(const Eigen::ArrayXd& array) {
   return {array.begin(), array.end()};
@@ -105,7 +105,7 @@ class BearingsAtRest {
         geometry_(geometry),
         options_(quasi_static_options(drivetrain)),
         bearing_(drivetrain.bearing, mechanics::InstructionSet::baseline) {
-    if (drivetrain.seats.tilt != TiltState::computed) level_ = LevelPitch::of(drivetrain.bearing, options_);
+    if (drivetrain.seats.tilt != TiltState::computed) level_ = AlignedPitch::of(drivetrain.bearing, options_);
   }
 
   /// All bearings of a planet: one where they are alike.
@@ -124,8 +124,8 @@ class BearingsAtRest {
 
   std::optional<LaminaRecord> record_of_laminae(const QuasiStaticBearing& one) const {
     if (!bearing_.is_cut()) return std::nullopt;
-    const Eigen::ArrayXd places = bearing_.half_length() * bearing_.contact(Race::inner).places();
-    return LaminaRecord{.lamina_place = as_vector(places),
+    const Eigen::ArrayXd positions = bearing_.half_length() * bearing_.contact(Race::inner).positions();
+    return LaminaRecord{.lamina_position = as_vector(positions),
                         .inner_load = as_vector(one.loads.inner_lamina_load),
                         .outer_load = as_vector(one.loads.outer_lamina_load),
                         .roller_tilt = as_vector(one.loads.roller_tilt),
@@ -135,7 +135,7 @@ class BearingsAtRest {
 
  private:
   bearing::QuasiStaticResult loads_under(const BearingDuty& duty) {
-    if (level_ && LevelPitch::holds(duty.point))
+    if (level_ && AlignedPitch::holds(duty.point))
       if (auto loads = level_->under(bearing_, duty.point, duty.near.get())) return *std::move(loads);
     return bearing::quasi_static_bearing(bearing_, duty.point, options_);
   }
@@ -144,7 +144,7 @@ class BearingsAtRest {
   const DrivetrainGeometry& geometry_;
   bearing::QuasiStaticOptions options_;
   bearing::laminae::LaminaBearing bearing_;
-  std::optional<LevelPitch> level_;
+  std::optional<AlignedPitch> level_;
 };
 
 // The one life of all fidelities; `powers` where they are known.
@@ -159,7 +159,9 @@ class Rating {
  public:
   /// `duty`: whose speeds count.
   Rating(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry, const BearingDuty& duty)
-      : drivetrain_(drivetrain), geometry_(geometry), speed_(turning_speed(drivetrain.bearing, duty.point)) {}
+      : drivetrain_(drivetrain),
+        geometry_(geometry),
+        speed_(rotating_speed(drivetrain.bearing, duty.point)) {}
 
   /// Of one bearing under a radial load [N].
   struct Lives {
@@ -310,7 +312,7 @@ void put_seats(const Rating& rating, const Eigen::ArrayXd& angle, const std::vec
                const std::vector<double>& loads, const std::vector<Eigen::Vector2d>& tilts,
                PointResult& result) {
   const PlanetaryDrivetrain& drivetrain = rating.drivetrain();
-  const std::vector<double> places = axial_places(drivetrain);
+  const std::vector<double> positions = axial_positions(drivetrain);
   std::vector<double> lives;
   std::vector<bearing::rating::RatedHours> rated;
   for (std::size_t k = 0; k < means.size(); ++k) {
@@ -318,7 +320,7 @@ void put_seats(const Rating& rating, const Eigen::ArrayXd& angle, const std::vec
     lives.push_back(one.hours);
     rated.push_back(one.rated_hours);
     result.seats.push_back(
-        {.place = places[k],
+        {.position = positions[k],
          .load = mean_bore_force(means[k].outer, angle, drivetrain.bearing.rollers().count).norm(),
          .tilt = tilts[k],
          .life_hours = one.hours,
@@ -383,13 +385,13 @@ DynamicRecord record_of(const system::SteadyStateResult& run) {
           .layout = run.layout};
 }
 
-Eigen::ArrayXd place_angles(Eigen::Index places) {
-  const double step = constants::two_pi / static_cast<double>(places);
-  return Eigen::ArrayXd::LinSpaced(places, 0.0, step * static_cast<double>(places - 1));
+Eigen::ArrayXd position_angles(Eigen::Index positions) {
+  const double step = constants::two_pi / static_cast<double>(positions);
+  return Eigen::ArrayXd::LinSpaced(positions, 0.0, step * static_cast<double>(positions - 1));
 }
 
 LoadDistribution distribution_of(const WindowStatistics& means) {
-  const Eigen::ArrayXd angles = place_angles(means.inner.mean_load.size());
+  const Eigen::ArrayXd angles = position_angles(means.inner.mean_load.size());
   Eigen::ArrayXd form = Eigen::ArrayXd::Zero(means.mean_waves.size() > 0 ? angles.size() : 0);
   if (form.size() > 0) bearing::add_form(means.mean_waves, 1.0, angles, form);
   return {as_vector(angles), as_vector(means.inner.mean_load), as_vector(means.outer.mean_load),
@@ -474,7 +476,7 @@ PointResult seated_point(const PlanetaryDrivetrain& drivetrain, const Drivetrain
     tilts.push_back(one.duty.point.bore_tilt);
   }
   const Rating rating(drivetrain, geometry, mean_duty(drivetrain, duty));
-  const Eigen::ArrayXd angle = place_angles(means.front().outer.mean_load.size());
+  const Eigen::ArrayXd angle = position_angles(means.front().outer.mean_load.size());
   const std::vector<double> loads =
       shared_loads(rating.load_of(duty), means, angle, drivetrain.bearing.rollers().count);
   PointResult result = dynamic_point(rating, loads, together(runs, means));
@@ -500,7 +502,7 @@ PointResult one_way_point(const PlanetaryDrivetrain& drivetrain, const Drivetrai
   const Rating rating(drivetrain, geometry, mean_duty(drivetrain, duties.front()));
   const std::vector<double> loads = loads_of(rating, duties);
   PointResult result = dynamic_point(rating, loads, together(runs, means));
-  put_planets(rating, place_angles(means.front().outer.mean_load.size()), means, loads, result);
+  put_planets(rating, position_angles(means.front().outer.mean_load.size()), means, loads, result);
   put_system_life(drivetrain, result);
   return result;
 }
@@ -539,7 +541,7 @@ PointResult coupled_point(const PlanetaryDrivetrain& drivetrain, const Drivetrai
   CoupledRecord record;
   const system::SteadyStateResult run = run_coupled(drivetrain, geometry, duty.point, fidelity, record);
   const Rating rating(drivetrain, geometry, mean_duty(drivetrain, duty));
-  const Eigen::ArrayXd angle = place_angles(run.statistics.outer.mean_load.size());
+  const Eigen::ArrayXd angle = position_angles(run.statistics.outer.mean_load.size());
   const auto loads_under = [&](const std::vector<WindowStatistics>& means) {
     return shared_loads(rating.load_of(duty), means, angle, drivetrain.bearing.rollers().count);
   };

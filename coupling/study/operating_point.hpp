@@ -41,7 +41,7 @@ struct LoadDistribution {
 
 /// What only a bearing cut into laminae tells. Arrays (places, laminae) have the laminae fastest.
 struct LaminaRecord {
-  std::vector<double> lamina_place;  // [m]    (laminae)  middles, from the middle of the roller
+  std::vector<double> lamina_position;  // [m]    (laminae)  middles, from the middle of the roller
   std::vector<double> inner_load;    // [N]    (places, laminae)
   std::vector<double> outer_load;    // [N]    (places, laminae)
   std::vector<double> roller_tilt;   // [rad]  (places)  outward at positive lamina places
@@ -87,7 +87,7 @@ struct PlanetResult {
 
 /// One bearing of a planet whose tilt is computed.
 struct SeatResult {
-  double place = 0.0;                              // [m]    along the axis, from the middle of the face
+  double position = 0.0;                           // [m]    along the axis, from the middle of the face
   double load = 0.0;                               // [N]    of its rollers on the bore
   Eigen::Vector2d tilt = Eigen::Vector2d::Zero();  // [rad]  of its bore against the pin, outward and ahead
   double life_hours = 0.0;                         // [h]

@@ -304,13 +304,13 @@ void describe_direction(Record& record, const std::string& name, const described
 // Of a bearing cut into laminae, whose places are those of the distribution.
 void describe_laminae(Record& record, const LaminaRecord& laminae) {
   using Table = Eigen::Map<const Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>;
-  const auto count = static_cast<Eigen::Index>(laminae.lamina_place.size());
+  const auto count = static_cast<Eigen::Index>(laminae.lamina_position.size());
   const auto by_lamina = [&](const char* name, const char* meaning, const std::vector<double>& loads) {
     record.series(name, dimension::force, meaning, {"place", "lamina"},
                   Table(loads.data(), static_cast<Eigen::Index>(loads.size()) / count, count));
   };
   record.series("lamina_place", dimension::length, "middle of a lamina, from the middle of the roller",
-                {"lamina"}, laminae.lamina_place);
+                {"lamina"}, laminae.lamina_position);
   by_lamina("inner_lamina_load", "load of a lamina of a roller on the inner race", laminae.inner_load);
   by_lamina("outer_lamina_load", "load of a lamina of a roller on the outer race", laminae.outer_load);
   record.series("roller_tilt", dimension::angle, "tilt of a roller, outward at positive lamina places",
@@ -323,7 +323,7 @@ void describe_laminae(Record& record, const LaminaRecord& laminae) {
 
 // The bearings of a planet whose tilt is computed.
 void describe(Record& row, const SeatResult& seat) {
-  row.value("place", dimension::length, "place along the axis, from the middle of the face", seat.place);
+  row.value("place", dimension::length, "place along the axis, from the middle of the face", seat.position);
   row.value("load", dimension::force, "load of the rollers on the bore", seat.load);
   describe_direction(row, "tilt", dimension::angle, "tilt of the bore against the pin", seat.tilt);
   row.value("life", dimension::hours, "fatigue life of one bearing", seat.life_hours);

@@ -44,9 +44,8 @@ PointResult result_or_reason(const Evaluate& evaluate, std::size_t index) {
 void compute_all(const std::vector<std::size_t>& indices, int jobs, const Evaluate& evaluate, Queue& queue,
                  const std::atomic<bool>& stop, bool& cancelled) {
   try {
-    in_parallel(indices.size(), jobs, [&](std::size_t place) {
-      if (!stop)
-        queue.push(ComputedPoint{indices[place], result_or_reason(evaluate, indices[place])});
+    in_parallel(indices.size(), jobs, [&](std::size_t position) {
+      if (!stop) queue.push(ComputedPoint{indices[position], result_or_reason(evaluate, indices[position])});
     });
   } catch (const Cancelled&) {
     cancelled = true;

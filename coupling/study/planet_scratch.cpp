@@ -42,11 +42,11 @@ class Turning {
   const gearset::dynamics::Operation& operation_;
 };
 
-double housing_force(const system::DrivenGearsOutput& gears, const std::vector<double>& places,
+double housing_force(const system::DrivenGearsOutput& gears, const std::vector<double>& positions,
                      double carrier_angle) {
   double force = 0.0;
   for (std::size_t i = 0; i < gears.planets.size(); ++i)
-    force += felt(carrier_angle + places[i]) * gears.planets[i].ring_mesh_force;
+    force += felt(carrier_angle + positions[i]) * gears.planets[i].ring_mesh_force;
   return force;
 }
 
@@ -103,8 +103,8 @@ PlanetVibration sample_vibration(const PlanetaryDrivetrain& drivetrain,
   const int planet = scratched.empty() ? 0 : scratched.front().planet;
   const int bearing =
       planet * setup.bearings_per_planet + (scratched.empty() ? 0 : scratched.front().bearing);
-  const Turning turning(operation);
-  const std::vector<double> places = gearset::angles_of_planets(drivetrain.set);
+  const Turning rotating(operation);
+  const std::vector<double> positions = gearset::angles_of_planets(drivetrain.set);
 
   system::Monolithic motion(setup);
   PlanetVibration out{.rate = plan.rate,
@@ -126,12 +126,12 @@ PlanetVibration sample_vibration(const PlanetaryDrivetrain& drivetrain,
       const Eigen::Vector2d acceleration = (velocity - before) / plan.interval();
       before = velocity;
       low_pass.take(
-          {acceleration.x(), acceleration.y(), housing_force(gears, places, turning.carrier(time))});
+          {acceleration.x(), acceleration.y(), housing_force(gears, positions, rotating.carrier(time))});
       if (i % PlanetLowPass::kOversampling != 0) continue;
       const long now = i / PlanetLowPass::kOversampling - plan.settling - PlanetLowPass::kReach;
       if (now >= 0 && now < plan.samples) {
-        out.carrier_angle[now] = turning.carrier(time);
-        out.planet_angle[now] = turning.planet(time);
+        out.carrier_angle[now] = rotating.carrier(time);
+        out.planet_angle[now] = rotating.planet(time);
         motion.take_snapshot(bearing, shown);
         out.largest_load =
             std::max({out.largest_load, shown.inner.load.maxCoeff(), shown.outer.load.maxCoeff()});

@@ -50,7 +50,7 @@ void describe(Visitor& visit, PlanetSampling& m) {
 }
 
 /// Which bearing is scratched, and what of it besides.
-struct ScratchedPlace {
+struct ScratchedPosition {
   int planet = 1;   // from 1
   int bearing = 1;  // of the planet, from 1
   bearing::defect::Scratched also = bearing::defect::Scratched::none;
@@ -58,7 +58,7 @@ struct ScratchedPlace {
 };
 
 template <class Visitor>
-void describe(Visitor& visit, ScratchedPlace& m) {
+void describe(Visitor& visit, ScratchedPosition& m) {
   using namespace described;
   constexpr Where scratched{"defect.race", "outer|inner|roller"};
   members(

@@ -76,13 +76,13 @@ Eigen::Matrix4d against_pins(const RimCompliance& rim, const LoadedRollers& roll
   moved.bottomRightCorner(count, count) =
       bearings * bearings * rollers.shapes.transpose() * rim.waves.asDiagonal() * rollers.shapes;
   moved.bottomRightCorner(count, count).diagonal() += bearings * rollers.stiffness.cwiseInverse();
-  MatrixXd by_place = MatrixXd::Zero(2 + count, 4);
-  by_place.topLeftCorner<2, 2>().setIdentity();
-  by_place.bottomRightCorner(count, 2) = -bearings * rollers.outward.transpose();
-  const auto borne = mechanics::definite_solution(moved, by_place);
+  MatrixXd by_position = MatrixXd::Zero(2 + count, 4);
+  by_position.topLeftCorner<2, 2>().setIdentity();
+  by_position.bottomRightCorner(count, 2) = -bearings * rollers.outward.transpose();
+  const auto borne = mechanics::definite_solution(moved, by_position);
   if (!borne)
     throw std::runtime_error("elastic rim: found teeth, rim and rollers that give way against their forces");
-  return by_place.transpose() * *borne;
+  return by_position.transpose() * *borne;
 }
 
 // With the supports of the pins in series.

@@ -27,7 +27,7 @@ using ConstState = Eigen::Ref<const Eigen::VectorXd>;
 constexpr double kHalfTurn = constants::pi;
 
 integration::IntegrationOptions options_for(const ScratchedMotion& motion, const Sampling& sampling) {
-  const double angular = 2.0 * kHalfTurn * motion.static_place().natural_frequency;
+  const double angular = 2.0 * kHalfTurn * motion.static_position().natural_frequency;
   integration::IntegrationOptions options;
   options.step = 0.05 / angular;
   options.allowed_error = Eigen::Vector4d(1.0, 1.0, angular, angular) * sampling.length_error;
@@ -48,7 +48,7 @@ using LowPass = InstrumentLowPass<2>;
 
 // What one instant adds to the signal.
 struct Instant {
-  Eigen::Vector2d place, acceleration;
+  Eigen::Vector2d position, acceleration;
   double ball_approach = 0.0, ball_load = 0.0, largest_load = 0.0;
 };
 
@@ -58,7 +58,7 @@ class Recorder {
   Recorder(long settling, long samples, double rate, RingVibration& into) : settling_(settling), into_(into) {
     into_.rate = rate;
     into_.begin = static_cast<double>(settling + LowPass::kReach) / rate;
-    into_.place.resize(2, samples);
+    into_.position.resize(2, samples);
     into_.acceleration.resize(2, samples);
     into_.ball_approach.resize(samples);
     into_.ball_load.resize(samples);
@@ -82,7 +82,7 @@ class Recorder {
 
  private:
   void keep(Eigen::Index sample, const Instant& now) {
-    into_.place.col(sample) = now.place.array();
+    into_.position.col(sample) = now.position.array();
     into_.ball_approach[sample] = now.ball_approach;
     into_.ball_load[sample] = now.ball_load;
     into_.largest_load = std::max(into_.largest_load, now.largest_load);
@@ -126,7 +126,7 @@ void add_shaft(const bearing::defect::ScratchedBearing& scratched, RingVibration
 
 Instant state_of(const ScratchedMotion& motion, double time, const ConstState& x) {
   const ScratchedMotion::Contact first = motion.contact(0, time, x);
-  Instant now{.place = x.head<2>(), .ball_approach = first.approach, .ball_load = first.load};
+  Instant now{.position = x.head<2>(), .ball_approach = first.approach, .ball_load = first.load};
   for (Eigen::Index j = 0; j < motion.elements(); ++j)
     now.largest_load = std::max(now.largest_load, motion.contact(j, time, x).load);
   return now;
@@ -138,7 +138,7 @@ Eigen::Vector2d along_load(const double* outer) {
 
 Instant state_of(const BallBearing& model, double time, const double* x) {
   const bearing::balls::BallSnapshot shown = model.snapshot(time, x);
-  Instant now{.place = along_load(x + model.layout().outer()),
+  Instant now{.position = along_load(x + model.layout().outer()),
               .ball_approach = shown.inner.front().approach + shown.outer.front().approach,
               .ball_load = shown.inner.front().load};
   for (const bearing::balls::ContactSnapshot& contact : shown.inner)
@@ -164,7 +164,7 @@ RingVibration sample_vibration(const bearing::defect::ScratchedBearing& given, c
   vibration.cage_speed =
       bearing::kinematic_cage_speed(geometry_of(scratched.bearing), vibration.shaft_speed, 0.0);
   Eigen::VectorXd x = Eigen::VectorXd::Zero(4), now(4);
-  x.head<2>() = motion.static_place().place;
+  x.head<2>() = motion.static_position().position;
   const auto rates = [&motion](double time, const ConstState& at, Eigen::Ref<Eigen::VectorXd> dx) {
     motion.rates(time, at, dx);
   };

@@ -33,18 +33,18 @@ void describe(Visitor& visit, Sampling& m) {
              .reason = "a usual rate of instruments, far above the vibration of the ring"}),
       field(m.revolutions, "signal.revolutions", Felt::defect,
             "revolutions of the shaft that are sampled; lines as close as its speed over them are resolved",
-            {.models = lone_scratched,
+            {.models = single_scratched,
              .range = {2.0, 1e5},
              .reason = "lines a fiftieth of the shaft's frequency apart"}),
       field(m.settling_revolutions, "signal.settling_revolutions", Felt::defect,
             "revolutions of the shaft before, in which the start dies away",
-            {.models = lone_scratched,
+            {.models = single_scratched,
              .range = {0.0, 1e5},
              .reason = "hundreds of periods of the ring's vibration"}),
       field(
           m.length_error, "signal.length_error", Felt::defect,
           "allowed error of the ring's place in one step",
-          {.models = lone_scratched,
+          {.models = single_scratched,
            .dimension = dimension::length,
            .range = {1e-16, 1e-3},
            .reason = "the vibration of a sound bearing stands clear of the error of its sampled acceleration",
@@ -61,7 +61,7 @@ void describe(Visitor& visit, Sampling& m) {
 struct RingVibration {
   double rate = 0.0;             // [Hz]
   double begin = 0.0;            // [s]  of the first sample, since the motion began
-  Eigen::Array2Xd place;         // [m]      (directions, samples)
+  Eigen::Array2Xd position;      // [m]      (directions, samples)
   Eigen::Array2Xd acceleration;  // [m/s^2]  (directions, samples)
   Eigen::ArrayXd ball_approach;  // [m]      of the first element, negative where it is free
   Eigen::ArrayXd ball_load;      // [N]      of the first element, with damping

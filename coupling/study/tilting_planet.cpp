@@ -7,19 +7,20 @@
 
 namespace orbearing::study {
 
-std::vector<double> axial_places(const PlanetaryDrivetrain& drivetrain) {
-  if (!drivetrain.seats.axial_places.empty()) return drivetrain.seats.axial_places;
+std::vector<double> axial_positions(const PlanetaryDrivetrain& drivetrain) {
+  if (!drivetrain.seats.axial_positions.empty()) return drivetrain.seats.axial_positions;
   const double face = drivetrain.set.face_width;
   const int bearings = drivetrain.bearings_per_planet;
-  std::vector<double> places;
-  for (int k = 0; k < bearings; ++k) places.push_back(face * ((k + 0.5) / bearings - 0.5));
-  return places;
+  std::vector<double> positions;
+  for (int k = 0; k < bearings; ++k) positions.push_back(face * ((k + 0.5) / bearings - 0.5));
+  return positions;
 }
 
 bearing::PinBeam planet_pin(const PlanetaryDrivetrain& drivetrain) {
   const PinSeats& seats = drivetrain.seats;
-  constexpr double usual = 1.25;  // half a wall at either side, each a quarter of the face
-  const double span = drivetrain.set.face_width * (seats.ends == bearing::PinEnds::both ? usual : 1.0);
+  constexpr double default_value = 1.25;  // half a wall at either side, each a quarter of the face
+  const double span =
+      drivetrain.set.face_width * (seats.ends == bearing::PinEnds::both ? default_value : 1.0);
   const bool bored =
       drivetrain.mounting.state == bearing::ClearanceState::unmounted;    // else a case cannot say so
   const bool ringed = drivetrain.mounting.rings == bearing::Rings::both;  // else rollers run on the pin
@@ -35,12 +36,12 @@ Eigen::MatrixXd carrier_twist_compliance(const PlanetaryDrivetrain& drivetrain) 
   if (!drivetrain.seats.carrier_twist) return {};
   const double span = planet_pin(drivetrain).span;
   const double radius = gearset::working_geometry(drivetrain.set).centre_distance;
-  const std::vector<double> places = axial_places(drivetrain);
-  const auto count = static_cast<Eigen::Index>(places.size());
+  const std::vector<double> positions = axial_positions(drivetrain);
+  const auto count = static_cast<Eigen::Index>(positions.size());
   Eigen::VectorXd at_wall(2 *
                           count);  // by a displacement of the positive wall: of the seats, then their slopes
   for (Eigen::Index k = 0; k < count; ++k) {
-    at_wall[k] = 0.5 + places[static_cast<std::size_t>(k)] / span;
+    at_wall[k] = 0.5 + positions[static_cast<std::size_t>(k)] / span;
     at_wall[count + k] = 1.0 / span;
   }
   return drivetrain.set.planets * radius * radius / *drivetrain.seats.carrier_twist * at_wall *
@@ -62,9 +63,10 @@ Eigen::Matrix2d mesh_tilt_stiffness(const PlanetaryDrivetrain& drivetrain) {
 
 PlanetSeat planet_seat(const PlanetaryDrivetrain& drivetrain) {
   const PinSeats& seats = drivetrain.seats;
-  PlanetSeat seat{.places = axial_places(drivetrain), .clearance_differences = seats.clearance_differences};
-  seat.clearance_differences.resize(seat.places.size(), 0.0);
-  seat.pin_compliance = bearing::pin_compliance(planet_pin(drivetrain), seat.places);
+  PlanetSeat seat{.positions = axial_positions(drivetrain),
+                  .clearance_differences = seats.clearance_differences};
+  seat.clearance_differences.resize(seat.positions.size(), 0.0);
+  seat.pin_compliance = bearing::pin_compliance(planet_pin(drivetrain), seat.positions);
   if (const Eigen::MatrixXd twist = carrier_twist_compliance(drivetrain); twist.size() > 0)
     seat.tangential_compliance = seat.pin_compliance + twist;
   seat.pin_inclination = {seats.radial_inclination, seats.tangential_inclination};
@@ -74,7 +76,7 @@ PlanetSeat planet_seat(const PlanetaryDrivetrain& drivetrain) {
 
 bearing::laminae::PlanetOnPin planet_on(const PlanetSeat& seat, const bearing::Bearing& bearing,
                                         mechanics::InstructionSet set) {
-  bearing::laminae::PlanetOnPin planet{.place = seat.places,
+  bearing::laminae::PlanetOnPin planet{.position = seat.positions,
                                        .pin_compliance = seat.pin_compliance,
                                        .tangential_compliance = seat.tangential_compliance};
   for (const double difference : seat.clearance_differences) {
@@ -82,8 +84,8 @@ bearing::laminae::PlanetOnPin planet_on(const PlanetSeat& seat, const bearing::B
     one.radial_clearance += difference;
     planet.bearings.emplace_back(one, set);
   }
-  planet.pin_inclination.assign(seat.places.size(), seat.pin_inclination);
-  for (const double place : seat.places) planet.pin_error.push_back(place * seat.pin_inclination);
+  planet.pin_inclination.assign(seat.positions.size(), seat.pin_inclination);
+  for (const double position : seat.positions) planet.pin_error.push_back(position * seat.pin_inclination);
   planet.tilt_stiffness = seat.tilt_stiffness;
   return planet;
 }

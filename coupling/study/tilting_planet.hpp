@@ -7,7 +7,7 @@
 namespace orbearing::study {
 
 /// Places of the bearings of a planet along its axis, from the middle of the face. [m]
-std::vector<double> axial_places(const PlanetaryDrivetrain& drivetrain);
+std::vector<double> axial_positions(const PlanetaryDrivetrain& drivetrain);
 
 /// The pin: as stated, or as long as the face and the usual walls ask: resting in the middles of both walls,
 /// each a quarter of the face thick, or clamped where the face ends.
@@ -27,7 +27,7 @@ Eigen::Matrix2d mesh_tilt_stiffness(const PlanetaryDrivetrain& drivetrain);
 /// What a planet stands on, whatever its load, its speed, and the clearance and profiles of its bearings:
 /// derived once, used from any thread.
 struct PlanetSeat {
-  std::vector<double> places;                 // [m]  (bearings)
+  std::vector<double> positions;              // [m]  (bearings)
   std::vector<double> clearance_differences;  // [m]  (bearings)  beyond the clearance that a bearing has
   Eigen::MatrixXd pin_compliance;             // bearing::pin_compliance() at these places
   Eigen::MatrixXd tangential_compliance;      // the same with carrier_twist_compliance(); empty: rigid walls

@@ -10,7 +10,7 @@
 #include "bearing/life/ball_failure.hpp"
 #include "bearing/life/damage.hpp"
 #include "bearing/life/reference_life.hpp"
-#include "bearing/motion/balls/printed_form.hpp"
+#include "bearing/motion/balls/published_form.hpp"
 #include "coupling/integration/run.hpp"
 #include "coupling/system/balls_in_time.hpp"
 #include "mechanics/checks.hpp"
@@ -125,10 +125,10 @@ class WatchedBalls : public BallEquations {
 };
 
 // The classic Runge-Kutta method for the printed form.
-class PrintedSteps {
+class PublishedSteps {
  public:
   /// Steps of `longest` [s] at most.
-  PrintedSteps(BallBearing& bearing, const std::vector<double>& start, double longest)
+  PublishedSteps(BallBearing& bearing, const std::vector<double>& start, double longest)
       : form_(bearing), longest_(longest), y_(form_.reduced(start)), then_(y_), sum_(y_), rate_(y_) {
     mechanics::require(longest > 0.0, "step [s]", longest, "more than 0");
   }
@@ -148,12 +148,13 @@ class PrintedSteps {
 
  private:
   void step(WatchedBalls& system, double time, double length) {
-    constexpr double place[] = {0.0, 0.5, 0.5, 1.0}, weight[] = {1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0};
+    constexpr double position[] = {0.0, 0.5, 0.5, 1.0},
+                     weight[] = {1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0};
     sum_ = y_;
     for (int stage = 0; stage < 4; ++stage) {
       for (std::size_t i = 0; i < y_.size(); ++i)
-        then_[i] = y_[i] + (stage > 0 ? place[stage] * length * rate_[i] : 0.0);
-      form_.derivative(time + place[stage] * length, then_.data(), rate_.data());
+        then_[i] = y_[i] + (stage > 0 ? position[stage] * length * rate_[i] : 0.0);
+      form_.derivative(time + position[stage] * length, then_.data(), rate_.data());
       if (stage == 0) system.begun(form_.complete());
       for (std::size_t i = 0; i < y_.size(); ++i) sum_[i] += weight[stage] * length * rate_[i];
     }
@@ -161,7 +162,7 @@ class PrintedSteps {
     system.stepped(time, length);
   }
 
-  bearing::balls::PrintedForm form_;
+  bearing::balls::PublishedForm form_;
   double longest_, time_ = 0.0;
   std::vector<double> y_, then_, sum_, rate_;
 };
@@ -211,8 +212,8 @@ void sample_series(const BallBearing& model, const bearing::BearingGeometry& geo
   series.cage_speed.push_back(s.cage_speed);
   series.cage_slip.push_back(rolling != 0.0 ? 1.0 - s.cage_speed / rolling : 0.0);
   series.inner_speed.push_back(model.duty().inner.speed_at(time));
-  series.cage_x.push_back(s.cage_place.x());
-  series.cage_y.push_back(s.cage_place.y());
+  series.cage_x.push_back(s.cage_position.x());
+  series.cage_y.push_back(s.cage_position.y());
   series.pocket_load.push_back(pocket_load);
   series.torque.push_back(s.inner_torque);
   series.inner_x.push_back(inner[0]);
@@ -271,8 +272,8 @@ BallRunResult run_balls(const bearing::Bearing& bearing, const bearing::balls::M
   const double observe_from = sample_time(first_observed);
   WatchedBalls system(model, geometry, observe_from, options.bins);
   BallsInTime balls(x, ball_stepper(numbers, options.length_error));
-  std::optional<PrintedSteps> printed;
-  if (options.form == BallForm::printed) printed.emplace(model, x, options.printed_step);
+  std::optional<PublishedSteps> published;
+  if (options.form == BallForm::published) published.emplace(model, x, options.published_step);
   BallRunResult result;
   result.report.smallest_step = std::numeric_limits<double>::infinity();
   integration::IntegrationOptions limits;
@@ -298,9 +299,9 @@ BallRunResult run_balls(const bearing::Bearing& bearing, const bearing::balls::M
   try {
     sample();
     for (long i = 1; i <= options.samples; ++i) {
-      if (printed) {
-        printed->advance(system, sample_time(i), budget, result.report);
-        x = printed->state();
+      if (published) {
+        published->advance(system, sample_time(i), budget, result.report);
+        x = published->state();
       } else {
         balls.advance(system, sample_time(i), budget, result.report);
         x = balls.state();

@@ -24,12 +24,12 @@ constexpr described::Names<Start, 2> names_of(Start) {
 
 /// Which places have inertia.
 enum class BallForm {
-  complete,  // all
-  printed,   // as [Chen2026]: those of rings and balls in their contacts follow from balance
+  complete,   // all
+  published,  // as [Chen2026]: those of rings and balls in their contacts follow from balance
 };
 
 constexpr described::Names<BallForm, 2> names_of(BallForm) {
-  return {{{BallForm::complete, "complete"}, {BallForm::printed, "printed"}}};
+  return {{{BallForm::complete, "complete"}, {BallForm::published, "printed"}}};
 }
 
 /// What belongs to the method and to the start.
@@ -44,7 +44,7 @@ struct BallRunOptions {
   BallForm form = BallForm::complete;
   std::vector<double>
       from;  // final_state of a run before it, from which this one goes on; empty: from the start
-  double printed_step = 1e-6;    // [s]  of the classic Runge-Kutta method in the printed form
+  double published_step = 1e-6;  // [s]  of the classic Runge-Kutta method in the printed form
   int bins = 72;                 // [-]  bins on the races
   double most_seconds = 3600.0;  // [s]  of wall time
 };
@@ -54,30 +54,33 @@ void describe(Visitor& visit, BallRunOptions& m) {
   using namespace described;
   rows(
       visit,
-      field(m.duration, "simulation.duration", Felt::lone_run, "time that is simulated",
+      field(m.duration, "simulation.duration", Felt::single_bearing_run, "time that is simulated",
             {.models = ball_motion,
              .required_by = ball_motion,
              .dimension = dimension::time,
              .range = positive(1e5)}),
-      field(m.observed, "simulation.observed_share", Felt::lone_run,
+      field(m.observed, "simulation.observed_share", Felt::single_bearing_run,
             "share of the time, at its end, over which means are taken",
             {.models = ball_motion,
              .range = {.least = 0.0, .most = 1.0, .least_allowed = false},
              .reason = "what lies before it is for settling"}),
-      field(m.settling_band, "simulation.settling_band", Felt::lone_run,
-            "the slip of the cage has settled when it last leaves this band, as a share of the cage's kinematic speed, "
+      field(m.settling_band, "simulation.settling_band", Felt::single_bearing_run,
+            "the slip of the cage has settled when it last leaves this band, as a share of the cage's "
+            "kinematic speed, "
             "about its mean over the last third of the run",
             {.models = ball_motion,
              .range = {.least = 0.0, .most = 1.0, .least_allowed = false},
              .reason = "settling times are usually stated for a band of 5 %"}),
-      field(m.start, "simulation.start", Felt::lone_run, "how balls and cage move at the start",
+      field(m.start, "simulation.start", Felt::single_bearing_run, "how balls and cage move at the start",
             {.models = ball_motion, .reason = "as at pure rolling on the rings' speeds of that instant"}),
-      field(m.samples, "simulation.samples", Felt::lone_run, "states that are shown, evenly over the time",
+      field(m.samples, "simulation.samples", Felt::single_bearing_run,
+            "states that are shown, evenly over the time",
             {.models = ball_motion, .range = {2, 10'000'000}, .reason = "enough for a picture"}),
-      field(m.form, "simulation.form", Felt::lone_run,
+      field(m.form, "simulation.form", Felt::single_bearing_run,
             "which places have inertia: all, or as [Chen2026] prints it, by balance where contacts hold them",
             {.models = ball_motion, .reason = "the complete equations are faster, too"}),
-      field(m.printed_step, "simulation.step", Felt::lone_run, "step of the classic Runge-Kutta method",
+      field(m.published_step, "simulation.step", Felt::single_bearing_run,
+            "step of the classic Runge-Kutta method",
             {.models = ball_motion,
              .dimension = dimension::time,
              .range = positive(1e-3),

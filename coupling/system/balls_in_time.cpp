@@ -36,9 +36,9 @@ std::vector<double> ball_allowed_errors(const BallNumbers& c, double length) {
     std::fill_n(allowed.begin() + group * layout.lanes(), c.balls, by_group[group]);
   const auto put = [&](int first, int unknowns) {
     for (int i = 0; i < unknowns; ++i) {
-      const double place = i < 3 ? length : length * per_radius;
-      allowed[static_cast<std::size_t>(first + i)] = place;
-      allowed[static_cast<std::size_t>(first + unknowns + i)] = place * frequency;
+      const double position = i < 3 ? length : length * per_radius;
+      allowed[static_cast<std::size_t>(first + i)] = position;
+      allowed[static_cast<std::size_t>(first + unknowns + i)] = position * frequency;
     }
   };
   put(layout.cage(), bearing::balls::kCageUnknowns);

@@ -25,11 +25,11 @@ std::vector<double> gears_alone(const CoupledSystem& system, const std::vector<d
 }
 
 // The cubic through places and velocities at both ends of a step, and its slope.
-void join(double h, double from, double v_from, double to, double v_to, InputPolynomial& place,
+void join(double h, double from, double v_from, double to, double v_to, InputPolynomial& position,
           InputPolynomial& velocity) {
   const double mean = (to - from) / h;
   const double bend = (3.0 * mean - 2.0 * v_from - v_to) / h, twist = (v_from + v_to - 2.0 * mean) / (h * h);
-  place = {{from, v_from, bend, twist}};
+  position = {{from, v_from, bend, twist}};
   velocity = {{v_from, 2.0 * bend, 3.0 * twist, 0.0}};
 }
 
@@ -151,14 +151,15 @@ bearing::motion::BoreReaction CoupledSteps::substep(CoupledSystem& system, int b
   };
   const BoreMotion from = motion_at(before, t);
   const BoreInputs polynomial = polynomial_between(from, motion_at(x, t + h), h);
-  const auto place = static_cast<std::size_t>(b);
-  DrivenSystem driven(system.bearing(b), polynomial, from.angle, system.loads[place], system.sums[place]);
+  const auto position = static_cast<std::size_t>(b);
+  DrivenSystem driven(system.bearing(b), polynomial, from.angle, system.loads[position],
+                      system.sums[position]);
   std::copy_n(system.of_bearing(before.data(), b), bearing_.size(), bearing_.begin());
   driven.resume(all_.slope().data() + system.offset(b), system.begin_reaction(b));
-  double step = h * integration::StepControl::share(errors_[place]);
+  double step = h * integration::StepControl::share(errors_[position]);
   integration::through_window(within_, driven, bearing_, h, {.most_steps = options_.most_steps}, step);
   std::copy(bearing_.begin(), bearing_.end(), system.of_bearing(x.data(), b));
-  system.counted[place] = true;
+  system.counted[position] = true;
   ++substepped_;
   return driven.impulse();
 }

@@ -19,13 +19,13 @@ constexpr Eigen::Index kEight = 8;  // the stepper works on as many numbers at o
 
 }  // namespace
 
-CoupledSystem::CoupledSystem(const CoupledModel& model, long bins, bool turning)
+CoupledSystem::CoupledSystem(const CoupledModel& model, long bins, bool rotating)
     : loads(static_cast<std::size_t>(model.bearings()),
             system::LoadsAtStep(static_cast<int>(model.bearing.layout.rollers))),
       sums(static_cast<std::size_t>(model.bearings()), empty_sums(model, bins)),
       counted(static_cast<std::size_t>(model.bearings()), false),
       model_(model),
-      turning_(turning),
+      rotating_(rotating),
       equations_(model.gears),
       begin_reactions_(static_cast<std::size_t>(model.bearings())),
       stages_(begin_reactions_.size()),
@@ -121,10 +121,10 @@ bool CoupledSystem::factor(double g) {
   g_ = g;
   matrix_.assemble(model_.gears, slopes_, g);
   for (int b = 0; b < bearings(); ++b) {
-    const auto place = static_cast<std::size_t>(b);
-    bearing::vectorised::PortMatrix& port = port_matrices_[place];
-    if (!bearings_[place].factor_open(g, turning_, port)) return false;
-    stages_[place].begin(begin_reactions_[place]);
+    const auto position = static_cast<std::size_t>(b);
+    bearing::vectorised::PortMatrix& port = port_matrices_[position];
+    if (!bearings_[position].factor_open(g, rotating_, port)) return false;
+    stages_[position].begin(begin_reactions_[position]);
     const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> matrix(&port.a[0][0]);
     const PlanetPort& planet = model_.port_of(b);
     matrix_.add_port(model_.gears, b / model_.per_planet, planet.of_carrier, planet.of_planet, matrix);
@@ -153,9 +153,9 @@ void CoupledSystem::solve(const double* rhs, double* k) {
   for (int b = 0; b < bearings(); ++b) {
     const Eigen::Vector3d bore = model_.port_of(b).of(rate_);
     const double rate[3] = {bore.x(), bore.y(), bore.z()};
-    const auto place = static_cast<std::size_t>(b);
-    bearings_[place].complete(of_bearing(rhs, b), rate, of_bearing(k, b));
-    stages_[place].solved(reduced_[place].force, rate, port_matrices_[place]);
+    const auto position = static_cast<std::size_t>(b);
+    bearings_[position].complete(of_bearing(rhs, b), rate, of_bearing(k, b));
+    stages_[position].solved(reduced_[position].force, rate, port_matrices_[position]);
   }
 }
 

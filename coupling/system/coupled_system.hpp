@@ -24,7 +24,7 @@ class CoupledSystem {
   using Vector = Eigen::Map<const Eigen::VectorXd>;
 
   /// `turning`: the matrix holds what rotations of the planets do to bearings, and these to them.
-  CoupledSystem(const CoupledModel& model, long bins, bool turning = false);
+  CoupledSystem(const CoupledModel& model, long bins, bool rotating = false);
 
   Eigen::Index freedoms() const { return model_.gears.layout.freedoms(); }
   /// Positions (from 0) or velocities (from freedoms()) of the gears.
@@ -64,7 +64,7 @@ class CoupledSystem {
   long steps = 0;             // [-]  accepted since construction
 
   /// Whether the matrix holds the rotations of the planets.
-  bool turning() const { return turning_; }
+  bool rotating() const { return rotating_; }
 
   /// What bearing `b` does to its planet at the last linearisation.
   const bearing::motion::BoreReaction& begin_reaction(int b) const {
@@ -89,7 +89,7 @@ class CoupledSystem {
   void evaluate(double time, const double* x, double* dx);
 
   const CoupledModel& model_;
-  bool turning_;
+  bool rotating_;
   gearset::dynamics::PlanetarySetEquations equations_;
   std::vector<bearing::vectorised::VectorBearing> bearings_;
   std::vector<bearing::motion::BoreReaction> begin_reactions_;  // (bearings)  at the last linearisation
@@ -114,8 +114,8 @@ class CoupledSystem {
 /// The same for steps that ask for all slopes, as those of order 4 do, that by time alone among them.
 class WithAllSlopes : public CoupledSystem {
  public:
-  WithAllSlopes(const CoupledModel& model, long bins, bool turning = true)
-      : CoupledSystem(model, bins, turning) {}
+  WithAllSlopes(const CoupledModel& model, long bins, bool rotating = true)
+      : CoupledSystem(model, bins, rotating) {}
   void time_slope(double time, double* dx) { mesh_slope(time, dx); }
 };
 

@@ -73,9 +73,9 @@ void check_effects(const bearing::motion::DynamicsParameters& dynamics) {
           "0, since the speeds are inputs");
   require(dynamics.excitation.harmonics.empty(), "harmonics of a mesh excitation",
           static_cast<double>(dynamics.excitation.harmonics.size()), "none, since the motion is an input");
-  const bool printed = dynamics.race.film_in_approach &&
-                       dynamics.race.film_approach == bearing::FilmApproach::literature_variant;
-  require(!printed, "film in the approach as printed", 1.0,
+  const bool published = dynamics.race.film_in_approach &&
+                         dynamics.race.film_approach == bearing::FilmApproach::literature_variant;
+  require(!published, "film in the approach as printed", 1.0,
           "a film that is added, since the printed one asks for the load beforehand");
 }
 
@@ -109,7 +109,15 @@ void require_finite(const bearing::motion::BoreMotion& motion) {
 }
 
 namespace bearing_input {
-enum Place : std::size_t { x, y, velocity_x, velocity_y, planet_speed, carrier_speed, carrier_acceleration };
+enum Position : std::size_t {
+  x,
+  y,
+  velocity_x,
+  velocity_y,
+  planet_speed,
+  carrier_speed,
+  carrier_acceleration
+};
 }
 
 std::vector<Input> bearing_inputs(const DrivenBearingSetup& setup) {
@@ -137,7 +145,7 @@ std::vector<Input> bearing_inputs(const DrivenBearingSetup& setup) {
 std::vector<Output> bearing_outputs(int rollers, bool caged) {
   using namespace bearing_input;
   using Inputs = std::vector<std::size_t>;
-  const Inputs none, turning{planet_speed}, bore{x, y, velocity_x, velocity_y, planet_speed};
+  const Inputs none, rotating{planet_speed}, bore{x, y, velocity_x, velocity_y, planet_speed};
   const Inputs all{x, y, velocity_x, velocity_y, planet_speed, carrier_speed, carrier_acceleration};
   const Inputs speeds{planet_speed, carrier_speed, carrier_acceleration};
   std::vector<Output> outputs{
@@ -145,12 +153,12 @@ std::vector<Output> bearing_outputs(int rollers, bool caged) {
       {"force.y", "N", "force of the bearing on the planet, in the sense of carrier rotation", bore, all},
       {"moment", "N.m", "moment of the bearing on the planet about its axis", bore, all},
       {"life_used", "1", "revolutions so far over the life under the loads so far", none, none, false},
-      caged ? Output{"cage.slip", "1", "1 - speed of the cage over that at pure rolling", turning, turning}
+      caged ? Output{"cage.slip", "1", "1 - speed of the cage over that at pure rolling", rotating, rotating}
             : Output{"rollers.slip", "1", "1 - mean orbital speed of the rollers over that at pure rolling",
-                     turning, turning},
-      caged ? Output{"cage.speed", "rad/s", "speed of the cage relative to the carrier", none, turning}
+                     rotating, rotating},
+      caged ? Output{"cage.speed", "rad/s", "speed of the cage relative to the carrier", none, rotating}
             : Output{"rollers.speed", "rad/s", "mean orbital speed of the rollers relative to the carrier",
-                     none, turning},
+                     none, rotating},
       {"revolutions", "1", "revolutions of the planet relative to the carrier since the start", none, none,
        false},
       {"friction_loss", "W", "power lost to friction", bore, all},
@@ -308,7 +316,7 @@ void DrivenBearing::initialize(const BoreMotion& motion) {
   const Eigen::VectorXd start =
       driven_start(in.setup.bearing, in.model, in.setup.dynamics, motion, in.setup.first_roller);
   if (!start.allFinite()) throw std::runtime_error("driven bearing: the start is not finite");
-  const Eigen::Vector2d under_load = place_under(in.setup.start_load, motion);
+  const Eigen::Vector2d under_load = position_under(in.setup.start_load, motion);
   in.state = {};
   in.state.start_x = under_load.x();
   in.state.start_y = under_load.y();
@@ -318,7 +326,7 @@ void DrivenBearing::initialize(const BoreMotion& motion) {
 
 // Rolling and traction add little to the forces of the balance: what they add is taken off the load asked for
 // until the bearing's own force is the load.
-Eigen::Vector2d DrivenBearing::place_under(const Eigen::Vector2d& load, const BoreMotion& motion) const {
+Eigen::Vector2d DrivenBearing::position_under(const Eigen::Vector2d& load, const BoreMotion& motion) const {
   constexpr int kMost = 30;
   constexpr double kEnough = 1e-9;  // [-]  of the load
   BoreMotion there = motion;
@@ -347,9 +355,9 @@ Eigen::Vector2d DrivenBearing::place_under(const Eigen::Vector2d& load, const Bo
 void DrivenBearing::complete(std::vector<double>& inputs, const std::vector<bool>& given) const {
   using namespace bearing_input;
   if (given[x] || given[y]) return;
-  const Eigen::Vector2d place = place_under(inside_->setup.start_load, motion_of(inputs));
-  inputs[x] = place.x();
-  inputs[y] = place.y();
+  const Eigen::Vector2d position = position_under(inside_->setup.start_load, motion_of(inputs));
+  inputs[x] = position.x();
+  inputs[y] = position.y();
 }
 
 void DrivenBearing::advance(const Window& window, const BoreInputs& inputs) {

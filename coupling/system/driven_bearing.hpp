@@ -137,7 +137,8 @@ class DrivenBearing final : public Participant {
   void initialize(const bearing::motion::BoreMotion& motion);
   /// Where the bore stands with the force of a bearing that begins there being -`load` [N]; speeds of carrier and
   /// bore are those of `motion`. Throws std::runtime_error where no balance is found.
-  Eigen::Vector2d place_under(const Eigen::Vector2d& load, const bearing::motion::BoreMotion& motion) const;
+  Eigen::Vector2d position_under(const Eigen::Vector2d& load,
+                                 const bearing::motion::BoreMotion& motion) const;
   /// From `window.begin` to its end with `inputs`, whose polynomials count from the beginning. On an error
   /// (std::runtime_error) the state is that at the beginning.
   void advance(const Window& window, const BoreInputs& inputs);

@@ -29,9 +29,9 @@ constexpr Index kForcesOfPlanet = 3;         // x, y, moment
 std::vector<Input> force_inputs(const DrivenGearsSetup& setup) {
   std::vector<Input> inputs;
   const auto add = [&](const std::string& name, const char* unit, const std::string& meaning) {
-    const std::size_t place = inputs.size();
+    const std::size_t position = inputs.size();
     inputs.push_back(
-        {name, unit, meaning, place < setup.start_force.size() ? setup.start_force[place] : 0.0});
+        {name, unit, meaning, position < setup.start_force.size() ? setup.start_force[position] : 0.0});
   };
   for (int i = 1; i <= setup.set.planets; ++i) {
     const std::string planet = "planet[" + std::to_string(i) + "].", all = "of all bearings on the planet, ";
@@ -78,8 +78,8 @@ SetModel on_springs(SetParameters set, const Operation& operation) {
 
 // Longest first step: well below a mesh period.
 double first_step(const Operation& operation) {
-  constexpr double share = 0.02, standing = 1e-6;  // [mesh period], [s]
-  return operation.mesh_frequency > 0.0 ? share / operation.mesh_frequency : standing;
+  constexpr double share = 0.02, stationary = 1e-6;  // [mesh period], [s]
+  return operation.mesh_frequency > 0.0 ? share / operation.mesh_frequency : stationary;
 }
 
 integration::IntegrationOptions options_of(const DrivenGearsSetup& setup, const SetModel& model) {

@@ -140,7 +140,7 @@ Monolithic::Inside::Inside(const CoupledSetup& setup)
       shown_(x_),
       turned_(static_cast<std::size_t>(system_.bearings()), 0.0),
       angle_(turned_) {
-  if (system_.turning())
+  if (system_.rotating())
     smooth_.emplace(smooth_steps(setup, model_, system_));
   else
     substepping_.emplace(system_, step_options(setup, model_, system_));
@@ -163,11 +163,11 @@ void Monolithic::Inside::start(double time, const CoupledStart& start) {
 
 void Monolithic::Inside::forget() {
   for (int b = 0; b < system_.bearings(); ++b) {
-    const auto place = static_cast<std::size_t>(b);
-    turned_[place] = 0.0;
-    angle_[place] = motion(b).angle;
-    system_.loads[place].step_before = 0.0;
-    system_.sums[place] = system_.no_damage(setup_.bearing.bins);
+    const auto position = static_cast<std::size_t>(b);
+    turned_[position] = 0.0;
+    angle_[position] = motion(b).angle;
+    system_.loads[position].step_before = 0.0;
+    system_.sums[position] = system_.no_damage(setup_.bearing.bins);
   }
 }
 
@@ -252,10 +252,10 @@ void Monolithic::Inside::show(double time) {
 
 void Monolithic::Inside::count_turns() {
   for (int b = 0; b < system_.bearings(); ++b) {
-    const auto place = static_cast<std::size_t>(b);
+    const auto position = static_cast<std::size_t>(b);
     const double now = motion(b).angle;
-    turned_[place] += std::abs(now - angle_[place]);
-    angle_[place] = now;
+    turned_[position] += std::abs(now - angle_[position]);
+    angle_[position] = now;
   }
 }
 

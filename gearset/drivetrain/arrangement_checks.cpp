@@ -57,19 +57,19 @@ Shafts shafts_of(const Arrangement& arrangement, const SetMember& member) {
 }
 
 void check_member(const Arrangement& arrangement, const SetMember& member, Problems& problems) {
-  const Shafts places = shafts_of(arrangement, member);
-  if (places.size() == 1) return;
+  const Shafts positions = shafts_of(arrangement, member);
+  if (positions.size() == 1) return;
   const std::string name = name_of(arrangement, member);
-  if (places.empty())
+  if (positions.empty())
     problems.push_back({{},
                         {member},
                         name + " on no shaft, so that it floats",
                         "each member on a shaft with another, or with the motor, the load or the ground, is "
                         "required"});
   else
-    problems.push_back({{places.rbegin(), places.rend()},
+    problems.push_back({{positions.rbegin(), positions.rend()},
                         {member},
-                        name + " on " + shaft_names(arrangement, places),
+                        name + " on " + shaft_names(arrangement, positions),
                         "each member once is required"});
 }
 
@@ -103,7 +103,8 @@ void check_speed_conflict(const Arrangement& arrangement, const SpeedSystem& sys
   std::stable_partition(problem.shafts.begin(), problem.shafts.end(),
                         [&](std::size_t shaft) { return arrangement.shafts[shaft].ground; });
   problem.found = "speeds that contradict each other: " + shaft_names(arrangement, problem.shafts) +
-                  " fix more than Willis' equation allows to " + member_places(arrangement, problem.members);
+                  " fix more than Willis' equation allows to " +
+                  member_positions(arrangement, problem.members);
   problem.required = "one of these members on a shaft that is free to turn is required";
   problems.push_back(std::move(problem));
 }
@@ -116,7 +117,7 @@ void check_speed_freedom(const Arrangement& arrangement, const SpeedSystem& syst
     add_members(arrangement.shafts[shaft].members, problem.members);
   }
   if (problem.shafts.empty()) return;
-  problem.found = "speeds left open: of " + member_places(arrangement, problem.members);
+  problem.found = "speeds left open: of " + member_positions(arrangement, problem.members);
   problem.required = "another ground, or a member joined to another shaft, is required";
   problems.push_back(std::move(problem));
 }
@@ -129,7 +130,7 @@ void check_torque_conflict(const Arrangement& arrangement, const TorqueSystem& s
   for (const std::size_t shaft : problem.shafts)
     add_members(arrangement.shafts[shaft].members, problem.members);
   problem.found =
-      "a load that stands still whatever the motor does: " + member_places(arrangement, problem.members) +
+      "a load that stands still whatever the motor does: " + member_positions(arrangement, problem.members) +
       " cannot take the power";
   problem.required = "a load on a shaft that the motor turns is required";
   problems.push_back(std::move(problem));
@@ -151,7 +152,7 @@ void check_torque_freedom(const Arrangement& arrangement, const TorqueSystem& sy
   problem.found = loads.size() > 1 ? "torques left open: how the loads on " +
                                          shaft_names(arrangement, loads) + " share the power does not follow"
                                    : "torques left open: more than one way for them through " +
-                                         member_places(arrangement, problem.members);
+                                         member_positions(arrangement, problem.members);
   problem.required = loads.size() > 1
                          ? "one load is required"
                          : "no second path, joint or ground that the speeds do without is required";

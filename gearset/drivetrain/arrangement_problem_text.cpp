@@ -10,7 +10,7 @@ std::string quoted(const std::string& name) {
   return "'" + name + "'";
 }
 
-std::string place_of(const Arrangement& arrangement, const SetMember& member) {
+std::string position_of(const Arrangement& arrangement, const SetMember& member) {
   for (const Shaft& shaft : arrangement.shafts)
     if (std::find(shaft.members.begin(), shaft.members.end(), member) != shaft.members.end())
       return "on " + quoted(shaft.name);
@@ -34,10 +34,10 @@ std::string shaft_names(const Arrangement& arrangement, const std::vector<std::s
   return listed(names);
 }
 
-std::string member_places(const Arrangement& arrangement, const std::vector<SetMember>& members) {
+std::string member_positions(const Arrangement& arrangement, const std::vector<SetMember>& members) {
   std::vector<std::string> names;
   for (const SetMember& member : members)
-    names.push_back(name_of(arrangement, member) + " (" + place_of(arrangement, member) + ")");
+    names.push_back(name_of(arrangement, member) + " (" + position_of(arrangement, member) + ")");
   return listed(names);
 }
 

@@ -15,7 +15,7 @@ std::string listed(const std::vector<std::string>& words);
 std::string shaft_names(const Arrangement& arrangement, const std::vector<std::size_t>& shafts);
 
 /// "reduction.sun (on 'input') and reduction.ring (on 'housing')": members with their shafts.
-std::string member_places(const Arrangement& arrangement, const std::vector<SetMember>& members);
+std::string member_positions(const Arrangement& arrangement, const std::vector<SetMember>& members);
 
 /// All members of a set.
 std::vector<SetMember> members_of_set(std::size_t set);

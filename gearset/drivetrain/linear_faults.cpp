@@ -27,10 +27,10 @@ Eigen::MatrixXd with_column(const Eigen::MatrixXd& matrix, const Eigen::VectorXd
   return joined;
 }
 
-std::vector<Eigen::Index> without(const std::vector<Eigen::Index>& rows, std::size_t place) {
+std::vector<Eigen::Index> without(const std::vector<Eigen::Index>& rows, std::size_t position) {
   std::vector<Eigen::Index> fewer;
   for (std::size_t i = 0; i < rows.size(); ++i)
-    if (i != place) fewer.push_back(rows[i]);
+    if (i != position) fewer.push_back(rows[i]);
   return fewer;
 }
 
@@ -45,10 +45,10 @@ std::vector<Eigen::Index> minimal_conflict(const Eigen::MatrixXd& matrix, const 
   if (is_consistent(matrix, right)) return {};
   std::vector<Eigen::Index> kept;
   for (Eigen::Index row = 0; row < matrix.rows(); ++row) kept.push_back(row);
-  for (std::size_t place = 0; place < kept.size();) {
-    const std::vector<Eigen::Index> fewer = without(kept, place);
+  for (std::size_t position = 0; position < kept.size();) {
+    const std::vector<Eigen::Index> fewer = without(kept, position);
     if (is_consistent(matrix(fewer, Eigen::all), right(fewer)))
-      ++place;
+      ++position;
     else
       kept = fewer;
   }

@@ -15,8 +15,8 @@ void add_run_up_forces(const SetModel& model, const SpeedState& speed, Eigen::Re
   const SetParameters& set = model.parameters;
   if (!set.frame.euler) return;
   const Speeds& nominal = model.operation.speeds;
-  const auto resist = [&](Eigen::Index index, double inertia, double radius, double turning) {
-    force[index + 2] -= inertia * radius * turning * speed.rate;
+  const auto resist = [&](Eigen::Index index, double inertia, double radius, double rotating) {
+    force[index + 2] -= inertia * radius * rotating * speed.rate;
   };
   resist(SetLayout::sun(), set.sun.inertia, set.sun.radius, nominal.sun);
   resist(SetLayout::ring(), set.ring.inertia, set.ring.radius, nominal.ring);

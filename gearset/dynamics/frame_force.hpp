@@ -15,8 +15,8 @@ struct CarrierTurn {
 
 inline CarrierTurn carrier_turn(const SetModel& model, const SpeedState& speed) {
   const FrameSwitches& on = model.parameters.frame;
-  const double turning = model.operation.speeds.carrier * speed.factor;
-  return {turning, on.coriolis ? turning : 0.0, on.centrifugal ? turning * turning : 0.0,
+  const double rotating = model.operation.speeds.carrier * speed.factor;
+  return {rotating, on.coriolis ? rotating : 0.0, on.centrifugal ? rotating * rotating : 0.0,
           on.euler ? model.operation.speeds.carrier * speed.rate : 0.0};
 }
 

@@ -78,9 +78,9 @@ void set_masses(SetModel& model) {
   model.mobility.resize(model.layout.freedoms());
   const auto put_central = [&](Eigen::Index index, const CentralMember& member) {
     const double planar = member.support.held ? 0.0 : 1.0 / member.mass;
-    const double turning = member.support.held_in_rotation ? 0.0 : 1.0 / member.inertia;
+    const double rotating = member.support.held_in_rotation ? 0.0 : 1.0 / member.inertia;
     model.mass.segment<3>(index) << member.mass, member.mass, member.inertia;
-    model.mobility.segment<3>(index) << planar, planar, turning;
+    model.mobility.segment<3>(index) << planar, planar, rotating;
   };
   put_central(SetLayout::sun(), set.sun);
   put_central(SetLayout::ring(), set.ring);

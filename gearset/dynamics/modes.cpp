@@ -152,10 +152,10 @@ std::vector<Mode> modes_at_speed(const SetModel& model) {
 MatrixXd campbell_frequencies(const SetModel& model, const std::vector<double>& factors) {
   const Index rows = static_cast<Index>(free_freedoms(model).size());
   MatrixXd frequencies = MatrixXd::Zero(rows, static_cast<Index>(factors.size()));
-  SetModel turning = model;
+  SetModel rotating = model;
   for (Index k = 0; k < frequencies.cols(); ++k) {
-    turning.operation.speeds.carrier = model.operation.speeds.carrier * factors[static_cast<std::size_t>(k)];
-    VectorXd found = raw_modes_at_speed(turning).frequency / two_pi;
+    rotating.operation.speeds.carrier = model.operation.speeds.carrier * factors[static_cast<std::size_t>(k)];
+    VectorXd found = raw_modes_at_speed(rotating).frequency / two_pi;
     std::sort(found.begin(), found.end());
     const Index count = std::min(rows, found.size());
     frequencies.col(k).tail(count) = found.tail(count);

@@ -17,7 +17,7 @@ using Eigen::Matrix2Xd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-struct FlankPlace {
+struct FlankPosition {
   const PlanetMesh& mesh;
   const DeflectionVector& along;
   double stiffness;  // [N/m]
@@ -25,7 +25,7 @@ struct FlankPlace {
                      // needs before it carries
 };
 
-FlankPlace flank_place(const SetModel& model, const PlanetMesh& mesh, bool loaded) {
+FlankPosition flank_position(const SetModel& model, const PlanetMesh& mesh, bool loaded) {
   const Mesh& law = model.mesh(mesh.kind);
   const double gap = model.parameters.separation ? 0.5 * law.backlash : 0.0;
   return {mesh, loaded ? mesh.loaded : mesh.back, law.stiffness.mean(),
@@ -34,13 +34,13 @@ FlankPlace flank_place(const SetModel& model, const PlanetMesh& mesh, bool loade
 
 ContactState contact_at(const SetModel& model, const VectorXd& q) {
   ContactState contact;
-  const auto touches = [&](const FlankPlace& flank) {
+  const auto touches = [&](const FlankPosition& flank) {
     return flank.along.of(q, flank.mesh.central, flank.mesh.planet_index) > flank.offset;
   };
   const bool separation = model.parameters.separation;
   for (const PlanetMesh& mesh : model.meshes) {
-    contact.loaded.push_back(!separation || touches(flank_place(model, mesh, true)));
-    contact.back.push_back(separation && touches(flank_place(model, mesh, false)));
+    contact.loaded.push_back(!separation || touches(flank_position(model, mesh, true)));
+    contact.back.push_back(separation && touches(flank_position(model, mesh, false)));
   }
   return contact;
 }
@@ -51,14 +51,14 @@ VectorXd loads_with(const SetModel& model, const ContactState& contact) {
   toothless.meshes.clear();
   VectorXd force = VectorXd::Zero(model.layout.freedoms());
   add_forces(toothless, model.operation.run_up.duration, VectorXd::Zero(model.layout.size()), force);
-  const auto add = [&](const FlankPlace& flank) {
+  const auto add = [&](const FlankPosition& flank) {
     const double preload = flank.stiffness * flank.offset;
     force.segment<3>(flank.mesh.central) += preload * flank.along.central;
     force.segment<3>(flank.mesh.planet_index) += preload * flank.along.planet;
   };
   for (std::size_t i = 0; i < model.meshes.size(); ++i) {
-    if (contact.loaded[i]) add(flank_place(model, model.meshes[i], true));
-    if (contact.back[i]) add(flank_place(model, model.meshes[i], false));
+    if (contact.loaded[i]) add(flank_position(model, model.meshes[i], true));
+    if (contact.back[i]) add(flank_position(model, model.meshes[i], false));
   }
   return force;
 }

@@ -19,8 +19,8 @@ bool internal(const MeshingGears& gears) {
 
 // Tangent length on the first gear of the point at `place` on the second: along the common line of action
 // the lengths of external gears add up, those of a ring and its planet differ by a constant.
-double place_on_first(const MeshingGears& gears, double place) {
-  return internal(gears) ? gears.line_length + place : gears.line_length - place;
+double position_on_first(const MeshingGears& gears, double position) {
+  return internal(gears) ? gears.line_length + position : gears.line_length - position;
 }
 
 double contact_ratio_of(const MeshingGears& gears) {
@@ -61,12 +61,12 @@ double hertz_compliance(double face_width, const mechanics::Material& material) 
   return 4.0 * (1.0 - nu * nu) / (pi * material.youngs_modulus * face_width);
 }
 
-PairCompliance pair_compliance(const MeshingGears& gears, double place) {
+PairCompliance pair_compliance(const MeshingGears& gears, double position) {
   // Eq. (16): a longer line, and a force in the transverse section that is less than the normal one.
   const double hertz = hertz_compliance(gears.face_width, gears.second.material);
   return {.hertz = hertz / std::cos(gears.base_helix_angle),
-          .first = gear_compliance(gears.first, place_on_first(gears, place)),
-          .second = gear_compliance(gears.second, place)};
+          .first = gear_compliance(gears.first, position_on_first(gears, position)),
+          .second = gear_compliance(gears.second, position)};
 }
 
 double contact_direction(const MeshingGears& gears) {
@@ -81,16 +81,16 @@ double contact_begin(const MeshingGears& gears) {
 double pitch_point(const MeshingGears& gears) {
   const double second = base_radius(gears.second);
   const double first = base_radius(gears.first);
-  const double place = gears.line_length * second / (internal(gears) ? first - second : first + second);
-  return std::clamp(place, gears.path.begin, gears.path.end);
+  const double position = gears.line_length * second / (internal(gears) ? first - second : first + second);
+  return std::clamp(position, gears.path.begin, gears.path.end);
 }
 
 double mesh_stiffness_at(const MeshingGears& gears, double fraction) {
   double stiffness = 0.0;
   const double lasts = lasting_periods(gears);
   for (double progress = fraction; progress < lasts; progress += 1.0) {
-    const double place = contact_begin(gears) + contact_direction(gears) * gears.base_pitch * progress;
-    stiffness += 1.0 / pair_compliance(gears, place).sum();
+    const double position = contact_begin(gears) + contact_direction(gears) * gears.base_pitch * progress;
+    stiffness += 1.0 / pair_compliance(gears, position).sum();
   }
   return stiffness;
 }

@@ -41,7 +41,7 @@ struct PairCompliance {
 double hertz_compliance(double face_width, const mechanics::Material& material);
 
 /// @param place [m] of contact on the line of action
-PairCompliance pair_compliance(const MeshingGears& gears, double place);
+PairCompliance pair_compliance(const MeshingGears& gears, double position);
 
 /// Where contact of a pair begins and which way it moves. [m] and +1 or -1
 double contact_begin(const MeshingGears& gears);

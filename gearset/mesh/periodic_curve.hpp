@@ -88,10 +88,10 @@ class PeriodicCurve {
     if (wrapped >= begin + 1.0) wrapped = begin;  // the sum rounds up to a whole period
     const Piece* piece = pieces_.data();
     while (wrapped >= piece->end && piece != &pieces_.back()) ++piece;
-    const double place = std::fmax(0.0, (wrapped - piece->begin) * piece->per_fraction);
-    std::size_t interval = static_cast<std::size_t>(place);
+    const double position = std::fmax(0.0, (wrapped - piece->begin) * piece->per_fraction);
+    std::size_t interval = static_cast<std::size_t>(position);
     if (interval >= piece->intervals) interval = piece->intervals - 1;
-    fraction = place - static_cast<double>(interval);
+    fraction = position - static_cast<double>(interval);
     return cubics_[piece->first + interval];
   }
 

@@ -10,13 +10,13 @@ namespace {
 // Reads a list from its beginning; a count or a value that is not there is an error.
 struct NumberReader {
   const std::vector<double>& numbers;
-  std::size_t place = 0;
+  std::size_t position = 0;
 
   double next() {
-    if (place == numbers.size())
+    if (position == numbers.size())
       throw std::invalid_argument("numbers of a periodic curve: found " + std::to_string(numbers.size()) +
                                   "; required: more");
-    return numbers[place++];
+    return numbers[position++];
   }
   std::size_t count() {
     const double value = next();
@@ -55,7 +55,7 @@ PeriodicCurve PeriodicCurve::from_numbers(const std::vector<double>& numbers) {
   curve.cubics_.resize(first);
   for (Cubic& c : curve.cubics_)
     c = {reader.next(), reader.next(), reader.next(), reader.next(), reader.next()};
-  if (reader.place != numbers.size())
+  if (reader.position != numbers.size())
     throw std::invalid_argument("numbers of a periodic curve: found more than those of its cubics");
   return curve;
 }

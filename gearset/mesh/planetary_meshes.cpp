@@ -58,22 +58,22 @@ std::string by_elastic_ring(const MeshGear& gear, const ToothLoad& load) {
 }  // namespace
 
 Warnings foundation_warnings(const MeshGear& gear, double tangent_length, const std::string& name,
-                             const std::string& place) {
+                             const std::string& position) {
   const auto* tooth = std::get_if<ExternalTooth>(&gear.tooth);
   if (tooth == nullptr || gear.exact || in_sainsot_range(gear.body)) return {};
-  return {{place, "the foundation of the " + name + " (root over bore diameter " +
-                      decimal(gear.body.root_radius / gear.body.body_radius, 3) +
-                      ", half tooth angle at the root " + decimal(gear.body.half_angle, 3) +
-                      " rad) lies outside the range of Sainsot's formula, 1.4 to 7 and 0.01 to 0.12 rad" +
-                      by_elastic_ring(gear, tooth_load(*tooth, tangent_length))}};
+  return {{position, "the foundation of the " + name + " (root over bore diameter " +
+                         decimal(gear.body.root_radius / gear.body.body_radius, 3) +
+                         ", half tooth angle at the root " + decimal(gear.body.half_angle, 3) +
+                         " rad) lies outside the range of Sainsot's formula, 1.4 to 7 and 0.01 to 0.12 rad" +
+                         by_elastic_ring(gear, tooth_load(*tooth, tangent_length))}};
 }
 
 Warnings foundation_warnings(const PlanetaryMeshes& meshes) {
-  const double place = pitch_point(meshes.sun_gears);
-  Warnings all = foundation_warnings(meshes.sun_gears.first, meshes.sun_gears.line_length - place, "sun",
+  const double position = pitch_point(meshes.sun_gears);
+  Warnings all = foundation_warnings(meshes.sun_gears.first, meshes.sun_gears.line_length - position, "sun",
                                      "gearset.sun_bore_ratio");
   for (Warning& warning :
-       foundation_warnings(meshes.sun_gears.second, place, "planet", "bearing.outside_diameter"))
+       foundation_warnings(meshes.sun_gears.second, position, "planet", "bearing.outside_diameter"))
     all.push_back(std::move(warning));
   return all;
 }

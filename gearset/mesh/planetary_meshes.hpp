@@ -41,7 +41,7 @@ PlanetaryMeshes planetary_meshes(const PlanetarySet& set, const WorkingGeometry&
 /// @param tangent_length [m] on the gear, where the two are compared
 /// @param place of the case that states the body
 Warnings foundation_warnings(const MeshGear& gear, double tangent_length, const std::string& name,
-                             const std::string& place);
+                             const std::string& position);
 Warnings foundation_warnings(const PlanetaryMeshes& meshes);
 
 }  // namespace orbearing::gearset

@@ -36,7 +36,7 @@ double cube(double x) {
 BeamSlice polar_slice(double radius, double half_angle, double radius_slope, double half_angle_slope) {
   const double sine = std::sin(half_angle);
   const double cosine = std::cos(half_angle);
-  return {.place = radius * cosine,
+  return {.position = radius * cosine,
           .half_thickness = radius * sine,
           .measure = std::abs(radius_slope * cosine - radius * sine * half_angle_slope)};
 }
@@ -69,12 +69,12 @@ BeamCompliance along_helix(const BeamCompliance& transverse, double helix_angle)
 
 }  // namespace
 
-BeamCompliance beam_compliance(const std::vector<BeamPiece>& pieces, double force_angle, double axis_place,
+BeamCompliance beam_compliance(const std::vector<BeamPiece>& pieces, double force_angle, double axis_position,
                                double width, const mechanics::Material& material) {
   const double across = std::pow(std::cos(force_angle), 2);
   const double along = std::pow(std::sin(force_angle), 2);
   const double bent = integral(pieces, [&](const BeamSlice& slice) {
-    const double lever = axis_place - slice.place;
+    const double lever = axis_position - slice.position;
     return lever * lever / (2.0 / 3.0 * width * cube(slice.half_thickness));
   });
   const double sheared =

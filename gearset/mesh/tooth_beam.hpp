@@ -11,7 +11,7 @@ namespace orbearing::gearset {
 
 /// Section of the tooth at one value of the parameter that its outline is described by.
 struct BeamSlice {
-  double place = 0.0;           // [m]                    along the tooth's axis
+  double position = 0.0;        // [m]                    along the tooth's axis
   double half_thickness = 0.0;  // [m]
   double measure = 0.0;         // [m per parameter unit] length of beam per step of the parameter
 };
@@ -38,7 +38,7 @@ struct BeamCompliance {
 /// @param force_angle [rad]
 /// @param axis_place  [m] counted as BeamSlice::place
 /// @param width       [m]
-BeamCompliance beam_compliance(const std::vector<BeamPiece>& pieces, double force_angle, double axis_place,
+BeamCompliance beam_compliance(const std::vector<BeamPiece>& pieces, double force_angle, double axis_position,
                                double width, const mechanics::Material& material);
 
 /// Compliance of a tooth between its root circle and the point of contact; places are distances from the

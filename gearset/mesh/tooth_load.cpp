@@ -10,10 +10,10 @@ ToothLoad load(double base_radius, double tangent_length, double force_angle, do
   const double contact = std::hypot(base_radius, tangent_length);
   const double axis = base_radius / std::cos(force_angle);
   // Eq. (18): at right angles to the teeth they are thinner and the force is less steep.
-  const double place = contact * std::cos(std::atan2(tangent_length, base_radius) - force_angle);
+  const double position = contact * std::cos(std::atan2(tangent_length, base_radius) - force_angle);
   return {.contact_radius = contact,
           .force_angle = force_angle,
-          .axis_radius = axis + std::pow(std::sin(helix_angle), 2) * (place - axis)};
+          .axis_radius = axis + std::pow(std::sin(helix_angle), 2) * (position - axis)};
 }
 
 }  // namespace

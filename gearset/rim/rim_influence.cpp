@@ -21,15 +21,15 @@ constexpr Complex kI(0.0, 1.0);
 // A force of a mesh on a tooth at its pitch point.
 struct ToothForce {
   NodalLoad load;      // on the sector whose tooth it is
-  double place = 0.0;  // [rad]  of the middle of that tooth, in the planet's frame
+  double position = 0.0;  // [rad]  of the middle of that tooth, in the planet's frame
 };
 
 ToothForce tooth_force(const SectorBody& body, const WorkingGeometry& geometry, const MeshGeometry& mesh,
-                       double pitch_place, int flank) {
+                       double pitch_position, int flank) {
   const double radius = geometry.planet.base_radius / std::cos(mesh.working_pressure_angle);
   const double half = half_thickness_angle(geometry.planet, radius);
-  const double place = pitch_place + (flank == 0 ? half : -half);
-  return {body.flank_force(flank, radius, mesh.working_pressure_angle), place};
+  const double position = pitch_position + (flank == 0 ? half : -half);
+  return {body.flank_force(flank, radius, mesh.working_pressure_angle), position};
 }
 
 // A wave of the race as cosine and sine; both waves of order n and -n.
@@ -80,7 +80,7 @@ RimInfluence rim_influence(const RimSection& section, const WorkingGeometry& geo
     const std::vector<NodalLoad> loads{body.race_wave(n), teeth[0].load, teeth[1].load};
     const Eigen::MatrixXcd free = body.works(n, loads, Held::on_average);
     const auto turned = [&](int tooth) {
-      return std::exp(-kI * (n * teeth[static_cast<std::size_t>(tooth)].place));
+      return std::exp(-kI * (n * teeth[static_cast<std::size_t>(tooth)].position));
     };
     if (n <= most_order && n != 1) {
       const double sides = n == 0 ? 1.0 : 2.0;

@@ -20,7 +20,7 @@ using ElementMatrix = Eigen::Matrix<double, 16, 16>;
 constexpr Wave kTurn(0.0, 1.0);
 
 struct GaussPoint {
-  double place = 0.0;
+  double position = 0.0;
   double weight = 0.0;
 };
 
@@ -60,7 +60,7 @@ ElementMatrix element_stiffness(const SectorMesh& mesh, std::size_t e, const Eig
   ElementMatrix stiffness = ElementMatrix::Zero();
   for (const GaussPoint& x : kGauss)
     for (const GaussPoint& y : kGauss) {
-      const Eigen::Matrix<double, 8, 2> own = shape_slopes(x.place, y.place);
+      const Eigen::Matrix<double, 8, 2> own = shape_slopes(x.position, y.position);
       const Eigen::Matrix2d jacobian = corners * own;  // d(place)/d(own)
       const double determinant = jacobian.determinant();
       if (!(determinant > 0.0)) throw std::domain_error("a tooth whose form cannot be cut into elements");
@@ -132,16 +132,16 @@ Eigen::Vector3d side_shapes(double x) {
 }
 
 // The side of a chain of nodes and the place on it where `measure(node)` has the value.
-struct PlaceOnSide {
+struct PositionOnSide {
   std::size_t first = 0;  // its first node in the chain
-  double place = 0.0;     // -1 to 1
+  double position = 0.0;  // -1 to 1
 };
 
-PlaceOnSide where_radius_is(const SectorMesh& mesh, const std::vector<int>& chain, double radius) {
-  const auto radius_at = [&](std::size_t first, double place) {
+PositionOnSide where_radius_is(const SectorMesh& mesh, const std::vector<int>& chain, double radius) {
+  const auto radius_at = [&](std::size_t first, double position) {
     Eigen::Vector2d point = Eigen::Vector2d::Zero();
     for (int i = 0; i < 3; ++i)
-      point += side_shapes(place)[i] *
+      point += side_shapes(position)[i] *
                mesh.node[static_cast<std::size_t>(chain[first + static_cast<std::size_t>(i)])];
     return point.norm();
   };
@@ -167,13 +167,13 @@ SectorBody::SectorBody(SectorMesh mesh, const mechanics::Material& material, int
   append_freedoms(mesh_.first_side, kept_);
   append_freedoms(mesh_.last_side, kept_);
   append_freedoms({mesh_.race.begin() + 1, mesh_.race.end() - 1}, kept_);
-  std::vector<int> place(2 * mesh_.node.size(),
-                         -1);  // among the kept ones, or -1 - place among the inner ones
+  std::vector<int> position(2 * mesh_.node.size(),
+                            -1);  // among the kept ones, or -1 - place among the inner ones
   for (std::size_t i = 0; i < kept_.size(); ++i)
-    place[static_cast<std::size_t>(kept_[i])] = static_cast<int>(i);
-  for (std::size_t i = 0; i < place.size(); ++i) {
-    if (place[i] >= 0) continue;
-    place[i] = -1 - static_cast<int>(inner_.size());
+    position[static_cast<std::size_t>(kept_[i])] = static_cast<int>(i);
+  for (std::size_t i = 0; i < position.size(); ++i) {
+    if (position[i] >= 0) continue;
+    position[i] = -1 - static_cast<int>(inner_.size());
     inner_.push_back(static_cast<int>(i));
   }
   const auto kept = static_cast<Eigen::Index>(kept_.size()), inner = static_cast<Eigen::Index>(inner_.size());
@@ -181,8 +181,8 @@ SectorBody::SectorBody(SectorMesh mesh, const mechanics::Material& material, int
   Eigen::MatrixXd coupling = Eigen::MatrixXd::Zero(inner, kept);
   Entries within;
   for (const Eigen::Triplet<double>& entry : sector_stiffness(mesh_, material)) {
-    const int row = place[static_cast<std::size_t>(entry.row())],
-              column = place[static_cast<std::size_t>(entry.col())];
+    const int row = position[static_cast<std::size_t>(entry.row())],
+              column = position[static_cast<std::size_t>(entry.col())];
     if (row >= 0 && column >= 0)
       stiffness_(row, column) += entry.value();
     else if (row < 0 && column < 0)
@@ -205,9 +205,9 @@ NodalLoad SectorBody::race_traction(int order, int component) const {
     const double begin = angle_of(mesh_.node[static_cast<std::size_t>(mesh_.race[first])]);
     const double end = angle_of(mesh_.node[static_cast<std::size_t>(mesh_.race[first + 2])]);
     for (const GaussPoint& gauss : kGauss) {
-      const double angle = 0.5 * (begin + end) + 0.5 * gauss.place * (end - begin);
+      const double angle = 0.5 * (begin + end) + 0.5 * gauss.position * (end - begin);
       const Wave traction = 0.5 * gauss.weight * (end - begin) * std::exp(kTurn * (order * angle));
-      const Eigen::Vector3d share = side_shapes(gauss.place);
+      const Eigen::Vector3d share = side_shapes(gauss.position);
       for (int i = 0; i < 3; ++i)
         load[2 * mesh_.race[first + static_cast<std::size_t>(i)] + component] += share[i] * traction;
     }
@@ -225,8 +225,8 @@ NodalLoad SectorBody::race_shear(int order) const {
 
 NodalLoad SectorBody::flank_force(int flank, double radius, double pressure_angle) const {
   const std::vector<int>& chain = mesh_.flank.at(static_cast<std::size_t>(flank));
-  const PlaceOnSide at = where_radius_is(mesh_, chain, radius);
-  const Eigen::Vector3d share = side_shapes(at.place);
+  const PositionOnSide at = where_radius_is(mesh_, chain, radius);
+  const Eigen::Vector3d share = side_shapes(at.position);
   const Eigen::Vector2d polar(-std::sin(pressure_angle),
                               (flank == 0 ? 1.0 : -1.0) * std::cos(pressure_angle));
   std::array<Eigen::Vector2d, 3> node;

@@ -37,7 +37,7 @@ class Lattice {
   int rim_rows() const { return ring_rows() + 2 * fineness_.through_rim; }
   int rows() const { return rim_rows() + 2 * fineness_.along_tooth; }
 
-  Eigen::Vector2d place(int column, int row) const {
+  Eigen::Vector2d position(int column, int row) const {
     const OutlinePoint point =
         row <= rim_rows() ? in_rim(std::abs(column), row) : in_tooth(std::abs(column), row);
     const double angle = column < 0 ? -point.angle : point.angle;
@@ -101,7 +101,7 @@ class Numbering {
 
   int operator()(int column, int row) {
     const auto [entry, is_new] = number_.try_emplace({column, row}, static_cast<int>(mesh_.node.size()));
-    if (is_new) mesh_.node.push_back(lattice_.place(column, row));
+    if (is_new) mesh_.node.push_back(lattice_.position(column, row));
     return entry->second;
   }
 

@@ -163,13 +163,13 @@ class SharedInverse {
  private:
   static_assert(kShared <= 8, "a row is eight numbers");
   using Row = double __attribute__((vector_size(64)));
-  using Places = long long __attribute__((vector_size(64)));
-  static constexpr Places kPlaces = {0, 1, 2, 3, 4, 5, 6, 7};
+  using Positions = long long __attribute__((vector_size(64)));
+  static constexpr Positions kPositions = {0, 1, 2, 3, 4, 5, 6, 7};
 
   // Unknown p and those after it, all rows of the others included (Gauss, Jordan).
   template <int p>
   static void eliminate(Row (&row)[kShared], bool& regular) {
-    const Places own = kPlaces == static_cast<long long>(p);
+    const Positions own = kPositions == static_cast<long long>(p);
     const auto spread_own = [](const Row& x) {
       return __builtin_shufflevector(x, x, p, p, p, p, p, p, p, p);
     };

@@ -95,7 +95,7 @@ double in_si(const app::Field& field, const std::string& path, const std::string
   const app::FieldReading reading = app::read_field_text(field, text);
   if (!reading.good)
     throw BadInput(
-        fmt::format("{}: found {}; required: {}", path, reading.complaint.found, app::requirement(field)));
+        fmt::format("{}: found {}; required: {}", path, reading.message.found, app::requirement(field)));
   return reading.value.number;
 }
 

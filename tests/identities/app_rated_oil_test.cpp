@@ -48,8 +48,8 @@ TEST(RatedOil, StandsBesideTheLifeOfLundbergAndPalmgren) {
   const ResolvedCase in = reducer({kGrade, kWarm});
   const study::PlanetaryDrivetrain set = drivetrain_of(in);
   const auto duty = study::bearing_duty(set, study::derive(set));
-  const double required = bearing::rating::required_viscosity(bearing::turning_speed(set.bearing, duty.point),
-                                                              set.bearing.pitch_diameter);
+  const double required = bearing::rating::required_viscosity(
+      bearing::rotating_speed(set.bearing, duty.point), set.bearing.pitch_diameter);
   EXPECT_NEAR(rated.rating.lives.oil->viscosity_ratio,
               in.quantity("lubricant.kinematic_viscosity") / required, 1e-12);
 }
@@ -84,7 +84,7 @@ TEST(RatedOil, FilmCanGiveKappa) {
   EXPECT_NEAR(rated.rating.lives.oil->viscosity_ratio, std::pow(film / 0.3e-6, 1.3), 1e-12);
 }
 
-TEST(RatedOil, ViscositiesOfTheGradeTakeTheirPlaceAndThatIsSaid) {
+TEST(RatedOil, ViscositiesOfTheGradeTakeTheirPositionAndThatIsSaid) {
   const ResolvedCase in = reducer({kGrade, kWarm});
   EXPECT_NE(in.quantity("lubricant.viscosity"), reducer({}).quantity("lubricant.viscosity"));
   EXPECT_NEAR(in.quantity("lubricant.viscosity") / in.quantity("lubricant.kinematic_viscosity"),

@@ -33,9 +33,9 @@ class Seen {
       const Axes axes(at(x, 1, j));
       const double r = at(x, 0, j);
       Body ball;
-      ball.place = axes.vector(r, 0.0, at(x, 2, j));
+      ball.position = axes.vector(r, 0.0, at(x, 2, j));
       ball.velocity = axes.vector(at(x, 3, j), r * at(x, 4, j), at(x, 5, j));
-      ball.turning = axes.vector(at(x, 6, j), at(x, 7, j), at(x, 8, j));
+      ball.rotating = axes.vector(at(x, 6, j), at(x, 7, j), at(x, 8, j));
       seen.balls.push_back(ball);
     }
     const double* cage = x + layout_.cage();
@@ -52,10 +52,10 @@ class Seen {
     for (int j = 0; j < layout_.balls; ++j) {
       const Body &ball = bodies.balls[static_cast<std::size_t>(j)],
                  &by = rate.balls[static_cast<std::size_t>(j)];
-      const Axes axes(std::atan2(ball.place.y(), ball.place.x()));
-      const double r = std::hypot(ball.place.x(), ball.place.y());
+      const Axes axes(std::atan2(ball.position.y(), ball.position.x()));
+      const double r = std::hypot(ball.position.x(), ball.position.y());
       const Vector v = axes.components(ball.velocity), a = axes.components(by.velocity);
-      const Vector turning = axes.components(ball.turning), turned = axes.components(by.turning);
+      const Vector rotating = axes.components(ball.rotating), turned = axes.components(by.rotating);
       const double orbital = v.y() / r;
       const double put[] = {v.x(),
                             orbital,
@@ -63,19 +63,19 @@ class Seen {
                             a.x() + r * orbital * orbital,
                             (a.y() - 2.0 * v.x() * orbital) / r,
                             a.z(),
-                            turned.x() + orbital * turning.y(),
-                            turned.y() - orbital * turning.x(),
+                            turned.x() + orbital * rotating.y(),
+                            turned.y() - orbital * rotating.x(),
                             turned.z()};
       for (int group = 0; group < StateLayout::kGroups; ++group)
         dx[static_cast<std::size_t>(group * layout_.lanes() + j)] = put[group];
     }
     put_body(bodies.cage, rate.cage, kCageUnknowns, &dx[static_cast<std::size_t>(layout_.cage())]);
-    const Vector axis = bodies.cage.attitude.col(2), passing = bodies.cage.turning.cross(axis);
+    const Vector axis = bodies.cage.attitude.col(2), passing = bodies.cage.rotating.cross(axis);
     double* cage = &dx[static_cast<std::size_t>(layout_.cage())];
     // The shortest rotation that carries Z to the axis turns by itself about it.
     cage[5] =
-        bodies.cage.turning.dot(axis) + (axis.x() * passing.y() - axis.y() * passing.x()) / (1.0 + axis.z());
-    cage[kCageUnknowns + 5] = rate.cage.turning.dot(axis);
+        bodies.cage.rotating.dot(axis) + (axis.x() * passing.y() - axis.y() * passing.x()) / (1.0 + axis.z());
+    cage[kCageUnknowns + 5] = rate.cage.rotating.dot(axis);
     put_body(bodies.inner, rate.inner, kRingUnknowns, &dx[static_cast<std::size_t>(layout_.inner())]);
     put_body(bodies.outer, rate.outer, kRingUnknowns, &dx[static_cast<std::size_t>(layout_.outer())]);
     return dx;
@@ -90,7 +90,7 @@ class Seen {
       Body by;
       by.velocity =
           axes.vector(at(dx, 3, j) - r * w * w, r * at(dx, 4, j) + 2.0 * at(x, 3, j) * w, at(dx, 5, j));
-      by.turning = axes.vector(at(dx, 6, j) - w * at(x, 7, j), at(dx, 7, j) + w * at(x, 6, j), at(dx, 8, j));
+      by.rotating = axes.vector(at(dx, 6, j) - w * at(x, 7, j), at(dx, 7, j) + w * at(x, 6, j), at(dx, 8, j));
       seen.balls.push_back(by);
     }
     const int cage = layout_.cage(), inner = layout_.inner(), outer = layout_.outer();
@@ -124,31 +124,31 @@ class Seen {
 
   double at(const double* x, int group, int ball) const { return x[group * layout_.lanes() + ball]; }
 
-  static Vector axis(const double* place) {
-    return {place[3], place[4], std::sqrt(1.0 - place[3] * place[3] - place[4] * place[4])};
+  static Vector axis(const double* position) {
+    return {position[3], position[4], std::sqrt(1.0 - position[3] * position[3] - position[4] * position[4])};
   }
   // Rate of the axis whose components along x and y are given.
-  static Vector axis_rate(const double* place, const double* rate) {
-    const Vector a = axis(place);
+  static Vector axis_rate(const double* position, const double* rate) {
+    const Vector a = axis(position);
     return {rate[3], rate[4], -(a.x() * rate[3] + a.y() * rate[4]) / a.z()};
   }
 
-  static Body body(const double* place, const double* rate, double angle, double spin) {
+  static Body body(const double* position, const double* rate, double angle, double spin) {
     Body seen;
-    seen.place = {place[0], place[1], place[2]};
+    seen.position = {position[0], position[1], position[2]};
     seen.velocity = {rate[0], rate[1], rate[2]};
-    const Vector a = axis(place);
+    const Vector a = axis(position);
     seen.attitude =
         (Eigen::Quaterniond::FromTwoVectors(Vector::UnitZ(), a) * Eigen::AngleAxisd(angle, Vector::UnitZ()))
             .toRotationMatrix();
     seen.attitude.col(2) = a;
-    seen.turning = a.cross(axis_rate(place, rate)) + spin * a;
+    seen.rotating = a.cross(axis_rate(position, rate)) + spin * a;
     return seen;
   }
 
   static void put_body(const Body& body, const Body& by, int unknowns, double* dx) {
-    const Vector a = body.attitude.col(2), passing = body.turning.cross(a);
-    const Vector bending = by.turning.cross(a) + body.turning.cross(passing);
+    const Vector a = body.attitude.col(2), passing = body.rotating.cross(a);
+    const Vector bending = by.rotating.cross(a) + body.rotating.cross(passing);
     // A held ring moves no more, whatever its state says.
     for (int i = 0; i < 3; ++i) dx[i] = body.velocity[i], dx[unknowns + i] = by.velocity[i];
     for (int i = 0; i < 2; ++i) dx[3 + i] = passing[i], dx[unknowns + 3 + i] = bending[i];
@@ -160,7 +160,8 @@ class Seen {
     const Vector a = axis(x), passing = axis_rate(x, x + unknowns);
     const double bent_z =
         -(a.x() * dx[unknowns + 3] + a.y() * dx[unknowns + 4] + passing.squaredNorm()) / a.z();
-    by.turning = a.cross(Vector(dx[unknowns + 3], dx[unknowns + 4], bent_z)) + spin_rate * a + spin * passing;
+    by.rotating =
+        a.cross(Vector(dx[unknowns + 3], dx[unknowns + 4], bent_z)) + spin_rate * a + spin * passing;
     return by;
   }
 
@@ -281,10 +282,10 @@ class RandomStates {
       const double angle =
           kTwoPi * j / n.balls + shaken(2.0) * (n.pocket.play + n.pocket.half_straight) / n.pitch_radius;
       const double r = n.pitch_radius + shaken(2.0 * small), z = shaken(2.0 * small);
-      const Vector place = pockets * Vector(r * std::cos(angle), r * std::sin(angle), z);
-      put(0, std::hypot(place.x(), place.y()));
-      put(1, std::atan2(place.y(), place.x()) + kTwoPi * whole(-3, 3));
-      put(2, place.z());
+      const Vector position = pockets * Vector(r * std::cos(angle), r * std::sin(angle), z);
+      put(0, std::hypot(position.x(), position.y()));
+      put(1, std::atan2(position.y(), position.x()) + kTwoPi * whole(-3, 3));
+      put(2, position.z());
       put(3, shaken(0.2));
       put(4, orbit * between(0.9, 1.1) + shaken(1.0));
       put(5, shaken(0.2));
@@ -457,7 +458,7 @@ TEST(BallsInertialFrame, KeepsEnergy) {
     const Surroundings now = c.model->surroundings(0.0);
     const auto work = [](const oracle::Wrench& load, const Body& body) {
       return load.force.dot(body.velocity) +
-             oracle::across(body.attitude.col(2), load.moment).dot(body.turning);
+             oracle::across(body.attitude.col(2), load.moment).dot(body.rotating);
     };
     const double input = work(around.on_inner, c.bodies.inner) + work(around.on_outer, c.bodies.outer) +
                          c.found.inner_torque * now.inner_spin + c.found.outer_torque * now.outer_spin;
@@ -508,16 +509,16 @@ TEST(BallsInertialFrame, CountsTheCagesAngleAsItTurns) {
     const Case c(number);
     const Body& cage = c.bodies.cage;
     const auto angle_after = [&](double time) {
-      const double speed = cage.turning.norm();
-      const Matrix turned = Eigen::AngleAxisd(time * speed, cage.turning / speed) * cage.attitude;
+      const double speed = cage.rotating.norm();
+      const Matrix turned = Eigen::AngleAxisd(time * speed, cage.rotating / speed) * cage.attitude;
       const Vector first =
           Eigen::Quaterniond::FromTwoVectors(Vector(turned.col(2)), Vector::UnitZ()) * turned.col(0);
       return std::atan2(first.y(), first.x());
     };
-    const double step = 1e-4 / cage.turning.norm();
+    const double step = 1e-4 / cage.rotating.norm();
     const double rate = std::remainder(angle_after(step) - angle_after(-step), kTwoPi) / (2.0 * step);
     const auto k = static_cast<std::size_t>(c.model->layout().cage() + 5);
-    EXPECT_NEAR(c.dx[k], rate, 1e-7 * cage.turning.norm()) << number;
+    EXPECT_NEAR(c.dx[k], rate, 1e-7 * cage.rotating.norm()) << number;
   }
 }
 
@@ -553,7 +554,7 @@ Means explicit_run(const BallBearing& model, const std::vector<double>& start, c
       means.outer[static_cast<Eigen::Index>(j)] += share * first.outer[j].load;
       means.pocket += share * first.pocket[j].load;
     }
-    means.cage_speed += share * now.cage.turning.dot(now.cage.attitude.col(2));
+    means.cage_speed += share * now.cage.rotating.dot(now.cage.attitude.col(2));
     const auto& loss = first.loss;
     means.loss += share * Eigen::Array<double, 6, 1>{loss.friction, loss.rolling,
                                                      loss.damping,  loss.pockets + loss.lands,

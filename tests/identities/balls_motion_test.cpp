@@ -126,9 +126,10 @@ void scratch_balls(RandomBalls& random, Started& s) {
   s.x.resize(static_cast<std::size_t>(layout.size()), 0.0);
   for (int i = 0; i < spots.count; ++i) {
     spots.ball[i] = i;
-    const auto place = static_cast<std::size_t>(i);
+    const auto position = static_cast<std::size_t>(i);
     const bool outer = random.between(0.0, 1.0) < 0.5;
-    const double leaning = outer ? now.outer[place].contact_angle : 3.141592653589793 - now.inner[place].contact_angle;
+    const double leaning =
+        outer ? now.outer[position].contact_angle : 3.141592653589793 - now.inner[position].contact_angle;
     const double ahead = random.between(-0.3, 0.3) * width / s.numbers.radius;
     const double aside = leaning + random.between(-0.3, 0.3) * width / s.numbers.radius;
     const double angle = s.x[static_cast<std::size_t>(layout.lanes() + i)];
@@ -185,13 +186,13 @@ TEST(BallMotion, StagesAreSolvedByTheStiffSlopes) {
     const auto n = static_cast<Eigen::Index>(s.x.size());
     std::vector<double> rate(s.x.size()), above(s.x.size()), below(s.x.size()), k(s.x.size());
     Eigen::MatrixXd jacobian(n, n);
-    const auto is_place = [&](int i) {
+    const auto is_position = [&](int i) {
       const auto in = [&](int first, int unknowns) { return i >= first && i < first + unknowns; };
       return i < 3 * layout.lanes() || in(layout.cage(), kCageUnknowns) || in(layout.inner(), kRingUnknowns) ||
              in(layout.outer(), kRingUnknowns);
     };
     for (int i = 0; i < n; ++i) {
-      const double step = is_place(i) ? 1e-10 : 1e-6;
+      const double step = is_position(i) ? 1e-10 : 1e-6;
       std::vector<double> x = s.x;
       x[static_cast<std::size_t>(i)] += step;
       model.derivative(0.0, x.data(), above.data());
@@ -285,7 +286,7 @@ TEST(BallMotion, SlowTurningIsTheStaticBearing) {
   b.inner.seat_diameter = 30e-3;
   b.outer.seat_diameter = 72e-3;
   b.cage = {46e-3, 51e-3, 15e-3, 1310.0, Race::outer};
-  b.motions = {RaceMotion::turning, RaceMotion::standing};
+  b.motions = {RaceMotion::rotating, RaceMotion::stationary};
   MotionParameters p;
   p.cage.pocket_clearance = 0.2e-3;
   p.race.friction = 0.01;
@@ -303,12 +304,12 @@ TEST(BallMotion, SlowTurningIsTheStaticBearing) {
   const system::BallRunResult run = system::run_balls(b, p, duty, ratings.contacts, options);
   ASSERT_TRUE(run.completed) << run.message;
   double square = 0.0, most = 0.0;
-  constexpr int places = 90;
-  for (int i = 0; i < places; ++i) {
+  constexpr int positions = 90;
+  for (int i = 0; i < positions; ++i) {
     Bearing turned = b;
-    turned.first_element = 6.283185307179586 / 8.0 * i / places;
+    turned.first_element = 6.283185307179586 / 8.0 * i / positions;
     const equilibrium::RingState state = equilibrium::balance_bearing(turned, {.radial = 1500.0});
-    square += state.contact_load.square().mean() / places;
+    square += state.contact_load.square().mean() / positions;
     most = std::max(most, state.contact_load.maxCoeff());
   }
   EXPECT_NEAR(run.means.inner_load_rms / std::sqrt(square), 1.0, 0.01);

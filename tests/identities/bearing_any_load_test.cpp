@@ -117,9 +117,9 @@ TEST(AnyLoad, RandomCornersBalance) {
   ASSERT_GT(draws, 0) << "RANDOM_BEARINGS must be a positive number";
   for (int i = 0; i < draws; ++i) {
     const Corner corner = corners.next();
-    std::ostringstream place;
-    place << "draw " << i << " of seed " << kSeed << ": " << corner;
-    SCOPED_TRACE(place.str());
+    std::ostringstream position;
+    position << "draw " << i << " of seed " << kSeed << ": " << corner;
+    SCOPED_TRACE(position.str());
     expect_balance(corner,
                    quasi_static_state(corner.bearing, corner.point, corner.options, corner.first_roller));
   }

@@ -1,7 +1,7 @@
 // Races that are not round and unequal rollers, where another description of the same bearing is known.
 #include <gtest/gtest.h>
 
-#include "bearing/contact/printed_film.hpp"
+#include "bearing/contact/published_film.hpp"
 #include "bearing/contact/race_form.hpp"
 #include "bearing/motion/snapshot.hpp"
 #include "tests/messages.hpp"
@@ -65,7 +65,7 @@ TEST(RaceForm, MeansOverOnePitchRefuseWhatDiffersFromPitchToPitch) {
   bearing.rollers().diameter_deviation.clear();
   bearing.inner.form = {{2, 1e-6, 0.0, true}};
   EXPECT_REFUSED(std::invalid_argument, "bearing_form 2", quasi_static_bearing(bearing, kPoint, {}));
-  bearing.inner.form[0].turning = false;
+  bearing.inner.form[0].rotating = false;
   EXPECT_NO_THROW(quasi_static_bearing(bearing, kPoint, {}));
 }
 
@@ -79,20 +79,20 @@ TEST(RaceForm, OneTurningWaveIsACirclingRace) {
   const motion::BearingModel round = bearing_model(bearing, kPoint, test::reducer_parameters());
   bearing.outer.form = {{1, kShift, 0.0, true}};
   const motion::BearingModel waved = bearing_model(bearing, kPoint, test::reducer_parameters());
-  const double angle = 0.7, place = 0.2;
+  const double angle = 0.7, position = 0.2;
   const mechanics::Vector2 to_mark(std::cos(angle), std::sin(angle));
-  motion::BoreMotion turning, circling;
-  turning.speed = circling.speed = -900.0;
-  turning.angle = angle;
+  motion::BoreMotion rotating, circling;
+  rotating.speed = circling.speed = -900.0;
+  rotating.angle = angle;
   circling.position = kShift * to_mark;
   circling.velocity = kShift * circling.speed * mechanics::across(to_mark);
   // One roller pressed into the outer race, the others far from it.
   Eigen::VectorXd x = Eigen::VectorXd::Zero(round.layout.size());
   motion::MutableStateViews state = motion::mutable_state_views(round.layout, x.data());
   state.radius << kPitchRadius + 4e-6, kPitchRadius - 1e-3, kPitchRadius - 1e-3;
-  state.angle << place, place + 2.0, place + 4.0;
+  state.angle << position, position + 2.0, position + 4.0;
   state.spin[0] = -4000.0;
-  const motion::Snapshot found = driven_snapshot(waved, turning, x);
+  const motion::Snapshot found = driven_snapshot(waved, rotating, x);
   const motion::Snapshot expected = driven_snapshot(round, circling, x);
   const double second_order = kShift * kShift / kPitchRadius / 4e-6 * 10.0 / 9.0;
   EXPECT_NEAR(found.outer.load[0], expected.outer.load[0], 2.0 * second_order * expected.outer.load[0]);
@@ -103,11 +103,11 @@ TEST(RaceForm, OneTurningWaveIsACirclingRace) {
               4.0 * first_order * expected.loss.race_damping);
 }
 
-TEST(PrintedFilm, IsAClearance) {
+TEST(PublishedFilm, IsAClearance) {
   const Lubricant oil{0.01, 1.5e-8};
   const Bearing bearing = test::reducer_bearing();
-  const PrintedFilm film = printed_film(bearing, geometry_of(bearing), oil, kPoint.inner_speed,
-                                        kPoint.outer_speed, kPoint.bore_load.norm());
+  const PublishedFilm film = published_film(bearing, geometry_of(bearing), oil, kPoint.inner_speed,
+                                            kPoint.outer_speed, kPoint.bore_load.norm());
   EXPECT_GT(film.inner, 1e-7);
   Bearing wider = bearing;
   wider.radial_clearance += 2.0 * (film.inner + film.outer);

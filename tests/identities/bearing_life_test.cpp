@@ -50,7 +50,7 @@ TEST(Life, OfASystemIsTheSameInOneStepOrInTwo) {
 TEST(Life, DoesNotDependOnTheOrderOfTheRollers) {
   const Eigen::ArrayXd loads = Eigen::ArrayXd::LinSpaced(15, 0.0, 800.0);
   const Eigen::ArrayXd reversed = loads.reverse();
-  for (const RaceMotion motion : {RaceMotion::turning, RaceMotion::standing}) {
+  for (const RaceMotion motion : {RaceMotion::rotating, RaceMotion::stationary}) {
     EXPECT_NEAR(life::line_contacts.equivalent_load(loads, motion),
                 life::line_contacts.equivalent_load(reversed, motion), 800.0 * 1e-14);
   }
@@ -80,7 +80,7 @@ struct ConstantPower {
 constexpr double kPeak = 1e-3;
 constexpr int kBits = 24;  // of the place of a minimum: half of double precision
 
-double place_of_least(const std::function<double(double)>& f) {
+double position_of_least(const std::function<double(double)>& f) {
   return boost::math::tools::brent_find_minima(f, 0.4, 2.5, kBits).first;
 }
 
@@ -89,7 +89,7 @@ ConstantPower loads_at(double power) {
 }
 
 double peak_of(const ConstantPower& loads) {
-  return place_of_least([&](double n) { return -std::log(life_hours(massless(), loads.at(n))); });
+  return position_of_least([&](double n) { return -std::log(life_hours(massless(), loads.at(n))); });
 }
 
 TEST(ConstantPower, LongestLifeLiesAtTheClosedForm) {
@@ -105,9 +105,9 @@ TEST(ConstantPower, LeastLoadLiesAtTheClosedForm) {
     const ConstantPower loads{1064.0, 657.0, radial};
     const double both = 1064.0 * 1064.0 + radial * radial;
     const double cube = (radial + std::sqrt(radial * radial + 8.0 * both)) / (4.0 * 657.0);
-    const double least = place_of_least([&](double n) {
+    const double least = position_of_least([&](double n) {
       return life::line_contacts.equivalent_load(quasi_static_bearing(massless(), loads.at(n), {}).outer_load,
-                                                 RaceMotion::turning);
+                                                 RaceMotion::rotating);
     });
     EXPECT_NEAR(least / std::cbrt(cube), 1.0, kPeak) << "radial mesh force " << radial << " N";
   }
@@ -118,7 +118,7 @@ TEST(ConstantPower, LeastLoadLiesAtTheClosedForm) {
 TEST(ConstantPower, PeakMovesWithTheCubeRootOfPower) {
   const Bearing bearing = example_bearings::planet_bearing();
   const auto peak = [&](double power) {
-    return place_of_least([&](double n) { return -std::log(life_hours(bearing, loads_at(power).at(n))); });
+    return position_of_least([&](double n) { return -std::log(life_hours(bearing, loads_at(power).at(n))); });
   };
   // log(life) bends by about 36 at its top, and the solver's 1e-9 leaves 4e-9 of it uncertain: sqrt(2 x 4e-9
   // / 36) for each of two peaks.

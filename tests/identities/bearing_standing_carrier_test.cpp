@@ -29,7 +29,7 @@ Bearing loose_bearing() {
   return bearing;
 }
 
-OperatingPoint standing_carrier() {
+OperatingPoint stationary_carrier() {
   OperatingPoint point = example_bearings::static_load(1500.0, 0.6);
   point.outer_speed = kOuterSpeed;
   point.carrier.orbit_radius = 87.891e-3;  // must not matter
@@ -47,10 +47,10 @@ double elastic_approach(double load) {
   return 1e-3 * std::pow(load / newton_millimetre, 0.9);
 }
 
-TEST(StandingCarrier, FulfilsTheStationaryEquations) {
-  const QuasiStaticState state = quasi_static_state(loose_bearing(), standing_carrier(), {}, 0.05);
+TEST(StationaryCarrier, FulfilsTheStationaryEquations) {
+  const QuasiStaticState state = quasi_static_state(loose_bearing(), stationary_carrier(), {}, 0.05);
   ASSERT_TRUE(state.report.converged) << state.report.message;
-  Eigen::Vector2d ring = standing_carrier().bore_load;
+  Eigen::Vector2d ring = stationary_carrier().bore_load;
   int squeezed = 0;
   for (Eigen::Index j = 0; j < 15; ++j) {
     const Eigen::Vector2d outward(std::cos(state.angle[j]), std::sin(state.angle[j]));
@@ -70,9 +70,9 @@ TEST(StandingCarrier, FulfilsTheStationaryEquations) {
   EXPECT_LT(squeezed, 15);
 }
 
-TEST(StandingCarrier, CarrierSwitchesAndTheArmDoNotMatter) {
-  const QuasiStaticState all = quasi_static_state(loose_bearing(), standing_carrier(), {}, 0.05);
-  OperatingPoint housing = standing_carrier();
+TEST(StationaryCarrier, CarrierSwitchesAndTheArmDoNotMatter) {
+  const QuasiStaticState all = quasi_static_state(loose_bearing(), stationary_carrier(), {}, 0.05);
+  OperatingPoint housing = stationary_carrier();
   housing.carrier.orbit_radius = 0.0;
   QuasiStaticOptions orbit_only;
   orbit_only.inertia = {.own_orbit = true, .coriolis = false, .carrier_centrifugal = false, .euler = false};

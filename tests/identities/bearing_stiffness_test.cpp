@@ -49,12 +49,12 @@ Bearing rollers() {
 }
 
 std::vector<Loaded> loaded_bearings() {
-  const RowMotion turning{.speeds = {.inner = 1000.0}};
-  RowMotion filmed = turning;
+  const RowMotion rotating{.speeds = {.inner = 1000.0}};
+  RowMotion filmed = rotating;
   filmed.film = Lubricant{.viscosity = 0.02, .pressure_viscosity = 2e-8};
   const Vector5 combined(1500.0, 0.0, 6000.0, 12.0, -7.0);
   return {{"balls at rest", angular_contact(), {}, combined},
-          {"balls that turn", angular_contact(), turning, combined},
+          {"balls that turn", angular_contact(), rotating, combined},
           {"balls that turn on a film", angular_contact(), filmed, combined},
           {"rollers", rollers(), {}, Vector5(4000.0, 0.0, 0.0, 9.0, 5.0), false}};
 }

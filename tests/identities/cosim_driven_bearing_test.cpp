@@ -18,11 +18,11 @@ using bearing::motion::BearingModel;
 using bearing::motion::BoreMotion;
 
 // Cubic through places and velocities at both ends; its slope as velocity.
-void join(double h, double from, double v_from, double to, double v_to, InputPolynomial& place,
+void join(double h, double from, double v_from, double to, double v_to, InputPolynomial& position,
           InputPolynomial& velocity) {
   const double mean = (to - from) / h;
   const double c2 = (3.0 * mean - 2.0 * v_from - v_to) / h, c3 = (v_from + v_to - 2.0 * mean) / (h * h);
-  place = {{from, v_from, c2, c3}};
+  position = {{from, v_from, c2, c3}};
   velocity = {{v_from, 2.0 * c2, 3.0 * c3, 0.0}};
 }
 

@@ -119,7 +119,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Scheme{"iterated_1", ExchangeOrder::gauss_seidel, 1, true, 3.0}),
     [](const ::testing::TestParamInfo<Scheme>& scheme) { return scheme.param.name; });
 
-CoupledOptions usual(double window) {
+CoupledOptions default_value(double window) {
   return {.extrapolation = 1, .window = window};
 }
 
@@ -135,7 +135,7 @@ SavedState everything(const PlanetaryCoupling& parts) {
 
 TEST(CosimReducer, ARestoredRunGivesTheSameBits) {
   const PlanetaryDrivetrain drivetrain = example::coupled_reducer(false);
-  ReducerRun one(drivetrain, {}, usual(1e-5)), other(drivetrain, {}, usual(1e-5));
+  ReducerRun one(drivetrain, {}, default_value(1e-5)), other(drivetrain, {}, default_value(1e-5));
   one.run.advance(20);
   std::vector<SavedState> saved;
   for (const Side& side : one.parts.sides) side.participant->save(saved.emplace_back());
@@ -151,12 +151,12 @@ TEST(CosimReducer, ARestoredRunGivesTheSameBits) {
 // Bearings come in any order: they hear of the gears alone.
 TEST(CosimReducer, OrderOfTheBearingsDoesNotMatter) {
   const PlanetaryDrivetrain drivetrain = example::coupled_reducer(false);
-  ReducerRun one(drivetrain, {}, usual(1e-5));
+  ReducerRun one(drivetrain, {}, default_value(1e-5));
   one.run.advance(20);
   const PlanetaryCoupling parts = planetary_coupling(setup_of(drivetrain, {}));
   Sides reversed = parts.sides;
   std::reverse(reversed.begin() + 1, reversed.end());
-  CoupledRun run(reversed, usual(1e-5));
+  CoupledRun run(reversed, default_value(1e-5));
   run.initialize(0.0);
   run.advance(20);
   EXPECT_EQ(everything(one.parts), everything(parts));
@@ -165,12 +165,12 @@ TEST(CosimReducer, OrderOfTheBearingsDoesNotMatter) {
 // Planets one place further on, with their phases: the same motion under other names.
 TEST(CosimReducer, PlanetsCanBeRenamed) {
   PlanetaryDrivetrain drivetrain = example::coupled_reducer(false);
-  ReducerRun one(drivetrain, {}, usual(5e-6));
+  ReducerRun one(drivetrain, {}, default_value(5e-6));
   gearset::dynamics::SetParameters gears = drivetrain.gear_set();
   for (std::vector<double>* phases : {&gears.sun_phase, &gears.ring_phase})
     std::rotate(phases->begin(), phases->begin() + 1, phases->end());
   drivetrain.gear_set = [gears] { return gears; };
-  ReducerRun renamed(drivetrain, {}, usual(5e-6));
+  ReducerRun renamed(drivetrain, {}, default_value(5e-6));
   one.run.advance(40);
   renamed.run.advance(40);
   const Eigen::Matrix2Xd before = displacements(one.parts.gears->output());
@@ -184,7 +184,7 @@ TEST(CosimReducer, PlanetsCanBeRenamed) {
 // At the start the bearings hold what the meshes leave and the planet's own centrifugal load.
 TEST(CosimReducer, BeginsInBalance) {
   const PlanetaryDrivetrain& drivetrain = smooth_reducer();
-  ReducerRun reducer(drivetrain, {}, usual(1e-6));
+  ReducerRun reducer(drivetrain, {}, default_value(1e-6));
   const gearset::MeanLoads loads = bearing_duty(drivetrain, study::derive(drivetrain)).gears;
   const gearset::dynamics::SetParameters gears = drivetrain.gear_set();
   const double centrifugal =

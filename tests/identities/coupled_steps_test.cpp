@@ -182,8 +182,9 @@ TEST_F(CoupledStepsOfReducer, ImpulsesChangeMomentumAndNothingElse) {
   add_port_loads(model.gears, impulses, expected);
   EXPECT_GT(expected.norm(), 0.1);
   for (std::size_t i = 0; i < x.size(); ++i) {
-    const auto place = static_cast<Eigen::Index>(i) - n;
-    const double change = place >= 0 && place < n ? model.gears.mobility[place] * expected[place] : 0.0;
+    const auto position = static_cast<Eigen::Index>(i) - n;
+    const double change =
+        position >= 0 && position < n ? model.gears.mobility[position] * expected[position] : 0.0;
     EXPECT_NEAR(after[i] - x[i], change, 1e-12 * (1.0 + std::abs(x[i])));
   }
 }

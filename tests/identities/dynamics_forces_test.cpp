@@ -21,7 +21,7 @@ enum class Refinement {
   mixed_lubrication,
   pocket_film,
   run_up,
-  printed,
+  published,
   full_complement,
   rim,
   squeeze,
@@ -85,7 +85,7 @@ class DynamicsIdentity : public testing::TestWithParam<Variant> {
         bearing = test::full_complement_bearing();
         bearing.rollers().diameter_deviation = {1e-6, -2e-6, 0.0, 1e-6};
         break;
-      case Refinement::printed:
+      case Refinement::published:
         parameters.race.film_approach = FilmApproach::literature_variant;
         parameters.race.damping_law = DampingLaw::literature_variant;
         parameters.cage.reference_speed = ReferenceSpeed::literature_variant;
@@ -204,9 +204,9 @@ TEST_P(DynamicsIdentity, InnerForcesAndMomentsCancel) {
                           rate = state_views(model.layout, dx.data());
     Vector2 force = Vector2::Zero();
     double moment = 0.0, scale = 0.0;
-    const auto add = [&](const Vector2& on_body, double turning, const Vector2& place) {
+    const auto add = [&](const Vector2& on_body, double rotating, const Vector2& position) {
       force += on_body;
-      moment += turning + cross(place, on_body);
+      moment += rotating + cross(position, on_body);
       scale += on_body.norm();
     };
     for (Eigen::Index j = 0; j < model.layout.rollers; ++j) {
@@ -219,9 +219,9 @@ TEST_P(DynamicsIdentity, InnerForcesAndMomentsCancel) {
               (model.roller.mass * along - model.orbit_drag.force(r * orbital)) * across(out),
           model.roller.inertia * (rate.spin[j] + frame.euler) - model.spin_drag.force(at.spin[j]), r * out);
     }
-    const auto beyond = [&](const auto& acceleration, const CarrierFrame& in, const auto& place,
+    const auto beyond = [&](const auto& acceleration, const CarrierFrame& in, const auto& position,
                             const auto& velocity) -> Vector2 {
-      return acceleration - inertial_acceleration(in, place, velocity);
+      return acceleration - inertial_acceleration(in, position, velocity);
     };
     if (model.layout.caged)
       add(model.cage.mass * beyond(rate.cage_velocity, frame, at.cage_position, at.cage_velocity),
@@ -316,7 +316,7 @@ INSTANTIATE_TEST_SUITE_P(
         Variant{"run_up", false, false, TractionLaw::regularised_coulomb, Refinement::run_up},
         Variant{"full_complement", true, false, TractionLaw::regularised_coulomb,
                 Refinement::full_complement},
-        Variant{"printed", true, false, TractionLaw::regularised_coulomb, Refinement::printed}),
+        Variant{"printed", true, false, TractionLaw::regularised_coulomb, Refinement::published}),
     [](const testing::TestParamInfo<Variant>& variant) { return variant.param.name; });
 
 }  // namespace

@@ -138,14 +138,14 @@ ReferenceRates reference_rates(const reference::BearingNumbers& numbers, const O
                                    point.carrier.orbit_radius};
   const Outside outside(carrier);
   const ConstStateViews state = state_views(layout, x.data());
-  const auto place = [&](Eigen::Index j) { return std::polar(state.radius[j], state.angle[j]); };
+  const auto position = [&](Eigen::Index j) { return std::polar(state.radius[j], state.angle[j]); };
   const auto speed = [&](Eigen::Index j) {
     return std::polar(1.0, state.angle[j]) *
            Plane(state.radial_speed[j], state.radius[j] * state.orbital_speed[j]);
   };
   reference::Bodies bodies;
   for (Eigen::Index j = 0; j < layout.rollers; ++j)
-    bodies.rollers.push_back(outside.body(place(j), speed(j), 0.0, state.spin[j]));
+    bodies.rollers.push_back(outside.body(position(j), speed(j), 0.0, state.spin[j]));
   if (layout.caged)
     bodies.cage = outside.body(plane(state.cage_position), plane(state.cage_velocity), state.cage_angle,
                                state.cage_speed);
@@ -164,15 +164,16 @@ ReferenceRates reference_rates(const reference::BearingNumbers& numbers, const O
   MutableStateViews rate = mutable_state_views(layout, rates.data());
   for (Eigen::Index j = 0; j < layout.rollers; ++j) {
     const auto& roller = found.rollers[static_cast<std::size_t>(j)];
-    const Plane polar = outside.inside(roller.linear, place(j), speed(j)) / std::polar(1.0, state.angle[j]);
+    const Plane polar =
+        outside.inside(roller.linear, position(j), speed(j)) / std::polar(1.0, state.angle[j]);
     rate.radial_speed[j] = polar.real() + state.radius[j] * state.orbital_speed[j] * state.orbital_speed[j];
     rate.orbital_speed[j] =
         (polar.imag() - 2.0 * state.radial_speed[j] * state.orbital_speed[j]) / state.radius[j];
     rate.spin[j] = roller.angular - carrier.acceleration;
   }
-  const auto put = [&](const reference::BodyAcceleration& body, const auto& position, const auto& velocity,
+  const auto put = [&](const reference::BodyAcceleration& body, const auto& at, const auto& velocity,
                        auto&& into) {
-    const Plane a = outside.inside(body.linear, plane(position), plane(velocity));
+    const Plane a = outside.inside(body.linear, plane(at), plane(velocity));
     into = Eigen::Vector2d(a.real(), a.imag());
   };
   if (layout.caged) {
@@ -190,7 +191,7 @@ ReferenceRates reference_rates(const reference::BearingNumbers& numbers, const O
 }
 
 // A pin that turns, too: the equations know no standing race.
-OperatingPoint turning_pin(OperatingPoint point) {
+OperatingPoint rotating_pin(OperatingPoint point) {
   point.inner_speed = 40.0;  // [rad/s]
   return point;
 }
@@ -207,7 +208,7 @@ class InertialFrame : public testing::TestWithParam<Seen> {
   }
   Bearing bearing = test::reducer_bearing();
   DynamicsParameters parameters = test::reducer_parameters();
-  OperatingPoint point = turning_pin(test::reducer_point(GetParam().sun_rpm));
+  OperatingPoint point = rotating_pin(test::reducer_point(GetParam().sun_rpm));
   test::Random random;
 };
 

@@ -263,11 +263,11 @@ INSTANTIATE_TEST_SUITE_P(Rims, SteadyStateOfRims, testing::Bool(),
                          });
 
 // Cage slip of the bearing in a housing at rest, 20 um clearance, one ring turning at 1000 rad/s.
-double slip_in_housing(double OperatingPoint::*turning, double load) {
+double slip_in_housing(double OperatingPoint::*rotating, double load) {
   Bearing bearing = test::reducer_bearing();
   bearing.radial_clearance = 20e-6;
   OperatingPoint point;
-  point.*turning = 1000.0;
+  point.*rotating = 1000.0;
   point.bore_load = {load, 0.0};
   const system::SteadyStateOptions options{.most_windows = 3, .observed_windows = 1, .integration = {}};
   return system::run_to_steady_state(bearing, point, test::reducer_parameters(), options).orbit_slip();

@@ -155,8 +155,8 @@ TEST_P(GearDynamicsIdentity, PlanetsCanBeRenamed) {
   const auto rename = [&](const VectorXd& x) {
     VectorXd out = x;
     for (Index half : {Index{0}, model.layout.freedoms()}) {
-      for (Index place = 0; place < 9; place += 3)
-        out.segment<2>(half + place) = back * x.segment<2>(half + place);
+      for (Index position = 0; position < 9; position += 3)
+        out.segment<2>(half + position) = back * x.segment<2>(half + position);
       for (Index i = 0; i < planets; ++i)
         out.segment<3>(half + SetLayout::planet(i)) =
             x.segment<3>(half + SetLayout::planet((i + 1) % planets));

@@ -275,9 +275,9 @@ TEST_F(GearRun, MeansAreThoseOfTheTorqueBalance) {
   for (const double rpm : {1000.0, 6000.0, 12000.0}) {
     const SetModel model =
         set_model(test::reducer_dynamics(), test::reducer_operation(rpm * 2.0 * M_PI / 60.0));
-    study::GearRunOptions usual;
-    usual.observed_periods = 100;
-    const study::GearRunResult result = run_gears(model, usual);
+    study::GearRunOptions default_value;
+    default_value.observed_periods = 100;
+    const study::GearRunResult result = run_gears(model, default_value);
     ASSERT_TRUE(result.completed) << result.message;
     const double force =
         model.operation.torques.sun / (model.parameters.planets * model.parameters.sun.radius);
@@ -316,9 +316,9 @@ TEST_F(GearRun, LoadedTeethCarryTheMeanLoads) {
   SetParameters set = test::reducer_dynamics();
   test::load_teeth(set);
   const SetModel model = set_model(set, test::reducer_operation(628.0));
-  study::GearRunOptions usual;
-  usual.observed_periods = 100;
-  const study::GearRunResult result = run_gears(model, usual);
+  study::GearRunOptions default_value;
+  default_value.observed_periods = 100;
+  const study::GearRunResult result = run_gears(model, default_value);
   ASSERT_TRUE(result.completed) << result.message;
   const double force = model.operation.torques.sun / (set.planets * set.sun.radius);
   for (const study::PlanetStatistics& planet : result.planets) {

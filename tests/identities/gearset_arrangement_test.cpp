@@ -82,7 +82,7 @@ class WholeSystem {
 
   void add(const Terms& terms, double right = 0.0) {
     Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(unknowns_);
-    for (const auto& [place, factor] : terms) row(place) += factor;
+    for (const auto& [position, factor] : terms) row(position) += factor;
     rows_.push_back(row);
     rights_.push_back(right);
   }
@@ -133,7 +133,7 @@ bool has_one_solution(const Whole& whole) {
   return rank_of(whole.matrix) == whole.matrix.cols() && rank_of(joined) == whole.matrix.cols();
 }
 
-bool has_lone_member(const Arrangement& arrangement) {
+bool has_single_member(const Arrangement& arrangement) {
   for (const Shaft& shaft : arrangement.shafts)
     if (shaft.members.size() == 1 && !shaft.motor && !shaft.load && !shaft.ground) return true;
   return false;
@@ -180,7 +180,7 @@ TEST(ArrangementIdentities, RandomOnesAreSolvedOrRefusedWithMembersNamed) {
     const std::vector<ArrangementProblem> problems = arrangement_problems(arrangement);
     const bool motor_is_load = std::any_of(arrangement.shafts.begin(), arrangement.shafts.end(),
                                            [](const Shaft& shaft) { return shaft.motor && shaft.load; });
-    if (has_lone_member(arrangement)) {
+    if (has_single_member(arrangement)) {
       EXPECT_FALSE(problems.empty()) << "arrangement " << i;
       continue;
     }

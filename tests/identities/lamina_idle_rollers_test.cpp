@@ -30,7 +30,7 @@ TEST_P(IdleRollers, FindTheirBalance) {
                                              LifeMeasure::lundberg_palmgren, idle.laminae);
   const ProfileFamily family = family_of(idle.profile, problem.bearing, 1500.0);
   const DutyLoads found =
-      loads_at(problem, profile_of(family, {idle.drop, usual_share(family)}), Lean(idle.tilt, 0.0), 0);
+      loads_at(problem, profile_of(family, {idle.drop, default_share(family)}), Lean(idle.tilt, 0.0), 0);
   const bearing::QuasiStaticResult& loads = found.bearings.front();
   EXPECT_TRUE(loads.report.converged);
   // Outer loads less inner ones are the rollers' inertial loads, whatever the laminae.

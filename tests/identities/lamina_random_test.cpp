@@ -40,11 +40,11 @@ void expect_balance(const Draw& draw, const LaminaBearing& bearing, const QuasiS
         bearing.contact(Race::outer).loads(roller.outer_approach, roller.outer_end_displacement);
     ASSERT_TRUE(inner.allFinite() && outer.allFinite()) << draw;
     EXPECT_GE(std::min(inner.minCoeff(), outer.minCoeff()), 0.0);
-    const Eigen::ArrayXd places = bearing.contact(Race::outer).places();
+    const Eigen::ArrayXd positions = bearing.contact(Race::outer).positions();
     EXPECT_NEAR(outer.sum() - inner.sum(), problem.inertial_load[j], kBalance * scale) << draw;
-    EXPECT_NEAR((places * outer).sum(), (places * inner).sum(), kBalance * scale) << draw;
+    EXPECT_NEAR((positions * outer).sum(), (positions * inner).sum(), kBalance * scale) << draw;
     force += outer.sum() * outward;
-    moment += bearing.half_length() * (places * outer).sum() * outward;
+    moment += bearing.half_length() * (positions * outer).sum() * outward;
   }
   EXPECT_LE(force.norm(), kBalance * scale) << draw;
   EXPECT_LE((moment - state.moment).norm(), kBalance * scale * bearing.half_length()) << draw;

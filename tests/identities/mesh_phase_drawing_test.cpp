@@ -53,11 +53,12 @@ double gap(const Drawing<Tooth>& d, double axis) {
   constexpr double golden = 0.618033988749895;
   const double foot = tangent_length(d.planet.base_radius, d.planet.form_radius);
   const double step = (tangent_length(d.planet.base_radius, d.planet.tip_radius) - foot) / points;
-  const auto at = [&](double place) { return gap_at(d, axis, foot + step * place); };
-  double place = 0.0;
+  const auto at = [&](double position) { return gap_at(d, axis, foot + step * position); };
+  double position = 0.0;
   for (int i = 1; i <= points; ++i)
-    if (at(i) < at(place)) place = i;
-  double low = std::max(place - 1.0, 0.0), high = std::min(place + 1.0, double(points)), least = at(place);
+    if (at(i) < at(position)) position = i;
+  double low = std::max(position - 1.0, 0.0), high = std::min(position + 1.0, double(points)),
+         least = at(position);
   for (int i = 0; i < sections; ++i) {
     const double a = high - golden * (high - low), b = low + golden * (high - low);
     const double at_a = at(a), at_b = at(b);

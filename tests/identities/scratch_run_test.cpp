@@ -19,7 +19,7 @@ Sampling brief(double length_error = 1e-14) {
 }
 
 double largest_difference(const RingVibration& one, const RingVibration& other) {
-  return (one.place - other.place).abs().maxCoeff();
+  return (one.position - other.position).abs().maxCoeff();
 }
 
 // A scratch of an inner race so deep in its effect that contacts open: the error follows what is allowed in a
@@ -49,9 +49,9 @@ TEST(ScratchRun, SlowlyItFollowsTheStaticBalance) {
     ScratchedBearing there = in;
     const double time = vibration.begin + static_cast<double>(sample) / slow.rate;
     there.bearing.first_element = 2.0 * 3.14159265358979324 * cage * time;
-    const Eigen::Vector2d place = ScratchedMotion(there).static_place().place;
-    EXPECT_NEAR(vibration.place(0, sample), place[0], 2e-4 * place[0]);
-    EXPECT_NEAR(vibration.place(1, sample), place[1], 2e-4 * place[0]);
+    const Eigen::Vector2d position = ScratchedMotion(there).static_position().position;
+    EXPECT_NEAR(vibration.position(0, sample), position[0], 2e-4 * position[0]);
+    EXPECT_NEAR(vibration.position(1, sample), position[1], 2e-4 * position[0]);
   }
 }
 

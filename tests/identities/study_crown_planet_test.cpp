@@ -92,7 +92,7 @@ TEST(CrownOfAPlanet, OnAnInclinedPinWantsACrownThatNoDropOfAGridBeats) {
     EXPECT_GT(best.crown.drop, 0.5e-6) << kind;
     for (int i = 0; i <= 16; ++i)
       EXPECT_GE(best.life_hours * (1.0 + 1e-9),
-                life_hours(problem, profile_of(family, {i * 1e-6, usual_share(family)}), Lean::Zero()))
+                life_hours(problem, profile_of(family, {i * 1e-6, default_share(family)}), Lean::Zero()))
           << kind << i;
   }
 }

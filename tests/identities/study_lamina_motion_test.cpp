@@ -12,7 +12,7 @@ namespace {
 // within a per cent and a quarter.
 constexpr double kMotion = 0.05;
 
-PlanetaryDrivetrain level_gears() {
+PlanetaryDrivetrain aligned_gears() {
   PlanetaryDrivetrain drivetrain = example::reducer();
   drivetrain.dynamics.cage.guide_diameter = 38.88e-3;
   const gearset::dynamics::SetParameters gears = example::reducer_gears(drivetrain);
@@ -25,7 +25,7 @@ PlanetaryDrivetrain level_gears() {
 }
 
 PlanetaryDrivetrain crowned(double drop, double tilt) {
-  PlanetaryDrivetrain drivetrain = level_gears();
+  PlanetaryDrivetrain drivetrain = aligned_gears();
   drivetrain.bearing.rollers().profile =
       crowning::profile_of(crowning::family_of("iso16281", drivetrain.bearing, 1.0), {drop, 1.0});
   drivetrain.misalignment.planet_tilt = tilt;

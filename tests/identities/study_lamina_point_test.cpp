@@ -50,20 +50,20 @@ TEST(LaminaPoint, HasItsLeastFilmUnderTheLargestLoad) {
   EXPECT_LT(found.inner.least_film, 0.99 * contacts.inner.film().least(found.inner.load_rms));
 }
 
-TEST(LaminaPoint, RecordsTheLaminaeOfEveryPlace) {
+TEST(LaminaPoint, RecordsTheLaminaeOfEveryPosition) {
   PlanetaryDrivetrain drivetrain = crowned(1.0);
   drivetrain.misalignment = {.planet_tilt = 1e-3};
   const PointResult found = point(drivetrain);
   ASSERT_TRUE(found.laminae.has_value());
   const LaminaRecord& record = *found.laminae;
-  const std::size_t places = found.distribution.angle.size();
-  ASSERT_EQ(record.lamina_place.size(), 40U);
-  ASSERT_EQ(record.inner_load.size(), 40U * places);
-  ASSERT_EQ(record.roller_tilt.size(), places);
-  EXPECT_NEAR(record.lamina_place.back(), 0.975 * 2.85e-3, 1e-15);
-  for (std::size_t place = 0; place < places; ++place) {
-    const auto first = record.outer_load.begin() + static_cast<std::ptrdiff_t>(40 * place);
-    EXPECT_NEAR(std::accumulate(first, first + 40, 0.0), found.distribution.outer_load[place],
+  const std::size_t positions = found.distribution.angle.size();
+  ASSERT_EQ(record.lamina_position.size(), 40U);
+  ASSERT_EQ(record.inner_load.size(), 40U * positions);
+  ASSERT_EQ(record.roller_tilt.size(), positions);
+  EXPECT_NEAR(record.lamina_position.back(), 0.975 * 2.85e-3, 1e-15);
+  for (std::size_t position = 0; position < positions; ++position) {
+    const auto first = record.outer_load.begin() + static_cast<std::ptrdiff_t>(40 * position);
+    EXPECT_NEAR(std::accumulate(first, first + 40, 0.0), found.distribution.outer_load[position],
                 kRoundOff * found.outer.load_max);
   }
   EXPECT_NEAR(record.bore_tilt.norm(), 1e-3, 1e-15);

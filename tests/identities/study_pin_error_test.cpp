@@ -42,7 +42,7 @@ double sum(const std::vector<double>& shares) {
   return std::accumulate(shares.begin(), shares.end(), 0.0);
 }
 
-TEST(LoadSharing, IsEvenWherePinsStandInTheirPlaces) {
+TEST(LoadSharing, IsEvenWherePinsStandInTheirPositions) {
   for (const double share : shares_of(displaced(4, 0.0, false))) EXPECT_NEAR(share, 1.0, kBalance);
 }
 
@@ -222,9 +222,9 @@ TEST(LoadSharing, KnowsLikeRollersAndStandingForms) {
   PlanetaryDrivetrain drivetrain = displaced(4, 10e-6, false);
   const std::vector<double> like = shares_of(drivetrain);
   drivetrain.bearing.rollers().diameter_deviation = {1e-6};
-  drivetrain.bearing.outer.form = {{.order = 2, .amplitude = 1e-6, .turning = true}};
+  drivetrain.bearing.outer.form = {{.order = 2, .amplitude = 1e-6, .rotating = true}};
   EXPECT_EQ(shares_of(drivetrain), like);
-  drivetrain.bearing.outer.form = {{.order = 2, .amplitude = 1e-6, .turning = false}};
+  drivetrain.bearing.outer.form = {{.order = 2, .amplitude = 1e-6, .rotating = false}};
   EXPECT_NE(shares_of(drivetrain), like);
 }
 

@@ -45,8 +45,8 @@ TEST(TiltingPlanet, TiltOfTheReducerIsThatOfItsPin) {
     drivetrain.drive.speed = rpm * 3.14159265358979 / 30.0;
     const DrivetrainGeometry geometry = derive(drivetrain);
     const PointResult found = evaluate(drivetrain, geometry);
-    const std::vector<double> places = axial_places(drivetrain);
-    const Eigen::MatrixXd bends = bearing::pin_compliance(planet_pin(drivetrain), places);
+    const std::vector<double> positions = axial_positions(drivetrain);
+    const Eigen::MatrixXd bends = bearing::pin_compliance(planet_pin(drivetrain), positions);
     const Eigen::Vector2d load = bearing_duty(drivetrain, geometry).point.bore_load;
     const double slope = (bends(2, 0) + bends(2, 1)) * load.norm();
     ASSERT_EQ(found.seats.size(), 2u);
@@ -87,10 +87,10 @@ TEST(TiltingPlanet, HoldsWhatHelicalTeethOverturn) {
         geometry.gears.planet.base_radius * (1.0 / std::cos(geometry.gears.sun_mesh.working_pressure_angle) +
                                              1.0 / std::cos(geometry.gears.ring_mesh.working_pressure_angle));
     const bearing::laminae::PlanetOnPinResult found = tilting_planet(drivetrain, duty);
-    const std::vector<double> places = axial_places(drivetrain);
+    const std::vector<double> positions = axial_positions(drivetrain);
     Eigen::Vector2d held = -mesh_tilt_stiffness(drivetrain) * found.tilt;
-    for (std::size_t k = 0; k < places.size(); ++k)
-      held += found.bearings[k].moment - places[k] * found.bearings[k].total_bore_load;
+    for (std::size_t k = 0; k < positions.size(); ++k)
+      held += found.bearings[k].moment - positions[k] * found.bearings[k].total_bore_load;
     const double moment = axial * between;
     EXPECT_GT(std::abs(moment), 10.0);
     EXPECT_NEAR(held.x() / moment, -1.0, 1e-6);
@@ -160,9 +160,9 @@ TEST(TiltingPlanet, FeelsTheTwistOfItsCarrier) {
   const bearing::laminae::PlanetOnPinResult rigid = tilting_planet(stated, duty);
   const double wall = [&] {  // of the loads that are found: bearings no longer carry alike
     double force = 0.0;
-    const std::vector<double> places = axial_places(drivetrain);
+    const std::vector<double> positions = axial_positions(drivetrain);
     for (std::size_t k = 0; k < 2; ++k)
-      force += twisted.bearings[k].total_bore_load.y() * (0.5 + places[k] / span) +
+      force += twisted.bearings[k].total_bore_load.y() * (0.5 + positions[k] / span) +
                twisted.bearings[k].moment.y() / span * -1.0;
     return force;
   }();

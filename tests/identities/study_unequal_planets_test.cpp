@@ -52,9 +52,9 @@ TEST(UnequalPlanets, StandWhereBothMeshesAgree) {
   const gearset::MeshMotion motion;
   const double step = two_pi / (set.sun_teeth + set.ring_teeth);
   for (int k = 0; k < set.sun_teeth + set.ring_teeth; ++k) {
-    const auto apart = [&](double place) {
-      const double difference = gearset::sun_mesh_lag(set.sun_teeth, place, motion) -
-                                gearset::ring_mesh_lag(set.ring_teeth, place, motion);
+    const auto apart = [&](double position) {
+      const double difference = gearset::sun_mesh_lag(set.sun_teeth, position, motion) -
+                                gearset::ring_mesh_lag(set.ring_teeth, position, motion);
       return std::abs(difference - std::round(difference));
     };
     EXPECT_LT(apart(k * step), 1e-9) << k;
@@ -68,7 +68,7 @@ std::string problem_of(std::vector<double> degrees) {
   set.planet_angles.clear();
   for (const double angle : degrees) set.planet_angles.push_back(angle * degree);
   const gearset::Warnings problems = gearset::assembly_problems(set);
-  return problems.empty() ? "" : problems.front().place + ": " + problems.front().text;
+  return problems.empty() ? "" : problems.front().key + ": " + problems.front().text;
 }
 
 // Issue 44, item 16: the gap from the last planet to the first counts, too.
@@ -202,7 +202,7 @@ TEST(UnequalPlanets, AreExcitedByWhatTheForcesOfAllMeshesLeave) {
   EXPECT_FALSE(excites(pairs, 2 * 37, ModeKind::translational));
 }
 
-TEST(UnequalPlanets, TellTheirPlacesToTheModel) {
+TEST(UnequalPlanets, TellTheirPositionsToTheModel) {
   const SetModel model = reducer_placed({0, 22, 58, 80});
   EXPECT_NEAR(model.planet_angles[1], 22 * two_pi / 116.0, 1e-12);
   EXPECT_NEAR(model.bearings[1].radial.central.x(), std::cos(model.planet_angles[1]), 1e-12);

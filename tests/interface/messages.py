@@ -35,10 +35,10 @@ MOST_NOT_YET = 90
 HAS_NETCDF = importlib.util.find_spec("netCDF4") is not None
 
 CPP = re.compile(r"""//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])+'|[A-Za-z_]\w*|\d[\w.']*|->|\S""", re.S)
-REFUSING = {"refuse", "require", "require_positive", "require_not_negative", "object_to", "problem", "fail", "warn"}
+REFUSING = {"refuse", "require", "require_positive", "require_not_negative", "add_error_at", "problem", "fail", "warn"}
 CHECKS = {"refuse", "require", "require_positive", "require_not_negative"}
 SHORTEST = 12  # letters of a piece of text by which a message is known
-COLLECTING = re.compile(r"warning|mistake|problem|complaint|objection|list$|texts$|noted$|missing$", re.I)
+COLLECTING = re.compile(r"warning|mistake|problem|validation_error|list$|texts$|noted$|missing$", re.I)
 # Where a text is put together before it is thrown or listed.
 SPOKEN = re.compile(r"\brequired\b|\bfound\b|\bcannot be\b|\bno balance\b|\bno longer\b|\bnot finite\b|\bhas no effect\b"
                     r"|\bcame out\b|\bdrifted\b|\bit is not\b|\bits unit\b|\bits value\b|\bis out of range\b|\bis none of\b")

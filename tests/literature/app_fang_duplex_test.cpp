@@ -93,7 +93,7 @@ TEST(FangDuplex, TheIdentifiedShaftIsPossible) {
 }
 
 // Fig. 7: the place of the balls changes next to nothing.
-TEST(FangDuplex, PlaceOfTheBallsHardlyMatters) {
+TEST(FangDuplex, PositionOfTheBallsHardlyMatters) {
   const PairPoint one = pair_point(pair({})),
                   turned = pair_point(pair({"bearing.first_element_angle=9 deg"}));
   for (std::size_t i = 0; i < 5; ++i)

@@ -43,7 +43,7 @@ TEST(Ball6305, DisplacementsAndLives) {
     const rating::ContactCapacities capacities =
         rating::contact_capacities(rating::ball_set(bearing), 23400.0);
     const BearingLife life = rating::ball_reference_life(capacities, state.contact_load, state.contact_load,
-                                                         rating::turning(Race::inner));
+                                                         rating::rotating(Race::inner));
     EXPECT_NEAR(1e-6 * life.bearing / row.life, 1.0, kLife);
   }
 }
@@ -60,14 +60,14 @@ TEST(Ball6305, TiltIsThatOfTheProgramButForItsArm) {
     double published, power;  // [mrad], [-]
   };
   constexpr double half_pitch = 21.75, arm = half_pitch + 0.02 * 11.5;  // [mm]
-  constexpr double printed = 1e-4;  // half a unit of the last of five digits, and small angles in the power
+  constexpr double last_digit = 1e-4;  // half a unit of the last of five digits, and small angles in the power
   for (const Tilted& row : {Tilted{"radial and axial", {.radial = 1000.0, .axial = 1000.0}, 10.0, 2.6872, 1.0},
                             Tilted{"moment", {.moment_across = 1.0}, 0.0, 3.6957, 1.25}}) {
     SCOPED_TRACE(row.name);
     const RingState state = balance_ring(BallRow(bearing_6305(row.clearance)), row.load);
     ASSERT_TRUE(state.report.converged) << state.report.message;
     const double tilt = 1e3 * std::hypot(state.tilt, state.lateral_tilt);
-    EXPECT_NEAR(tilt * std::pow(arm / half_pitch, row.power) / row.published, 1.0, printed);
+    EXPECT_NEAR(tilt * std::pow(arm / half_pitch, row.power) / row.published, 1.0, last_digit);
     EXPECT_LT(tilt / row.published, 0.99);
   }
 }

@@ -17,7 +17,7 @@
 namespace orbearing::bearing::gai2025_life_test {
 namespace {
 
-constexpr double kPrintedPeakLife = 43869.0;  // [h]
+constexpr double kPublishedPeakLife = 43869.0;  // [h]
 constexpr double kOpenAssumptions =
     0.15;                         // planet mass, cage, clearance and shifts are not given: agreed beforehand
 constexpr double kPower = 150e3;  // [W]
@@ -71,7 +71,7 @@ TEST(Gai2025, LongestLifeAndLeastLoadOfTheGridAt6000rpm) {
 
 TEST(Gai2025, LifeAtThePeak) {
   RecordProperty("life_h", std::to_string(speed_point(6000.0).life));
-  EXPECT_NEAR(speed_point(6000.0).life / kPrintedPeakLife, 1.0, kOpenAssumptions);
+  EXPECT_NEAR(speed_point(6000.0).life / kPublishedPeakLife, 1.0, kOpenAssumptions);
 }
 
 // The source finds the shortest life of its whole grid at 12000 rpm. From 2000 rpm on so do we; at 1000 rpm

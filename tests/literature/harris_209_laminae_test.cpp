@@ -11,7 +11,7 @@
 namespace orbearing::bearing::equilibrium::harris_209_laminae_test {
 namespace {
 
-constexpr double kPrinted = 0.05;  // [N]  half a unit of the last digit given
+constexpr double kPublished = 0.05;  // [N]  half a unit of the last digit given
 
 Bearing bearing_209(double clearance) {
   Bearing bearing = example_bearings::bearing_209();
@@ -21,11 +21,11 @@ Bearing bearing_209(double clearance) {
   return bearing;
 }
 
-void expect_loads(const Bearing& bearing, const std::vector<double>& printed) {
+void expect_loads(const Bearing& bearing, const std::vector<double>& published) {
   const RingState state = balance_ring(RollerRow(bearing), {.radial = 4450.0});
   ASSERT_TRUE(state.report.converged) << state.report.message;
-  for (std::size_t j = 0; j < printed.size(); ++j)
-    EXPECT_NEAR(state.contact_load[static_cast<Eigen::Index>(j)], printed[j], kPrinted) << "roller " << j;
+  for (std::size_t j = 0; j < published.size(); ++j)
+    EXPECT_NEAR(state.contact_load[static_cast<Eigen::Index>(j)], published[j], kPublished) << "roller " << j;
   EXPECT_NEAR(state.tilt, 0.0, 1e-15);
 }
 
@@ -50,7 +50,7 @@ double planet_life(int laminae) {
   EXPECT_TRUE(state.report.converged);
   const rating::RollerSet set = rating::roller_set(planet);
   return rating::lamina_reference_life(rating::contact_capacities(set, rating::dynamic_capacity(set)),
-                                       state.lamina_load, state.lamina_load, rating::turning(Race::outer))
+                                       state.lamina_load, state.lamina_load, rating::rotating(Race::outer))
       .bearing;
 }
 

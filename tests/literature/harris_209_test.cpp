@@ -10,7 +10,7 @@
 namespace orbearing::bearing::harris_209_test {
 namespace {
 
-constexpr double kPrinted = 0.05;  // [N] half a unit of the last digit given
+constexpr double kPublished = 0.05;  // [N] half a unit of the last digit given
 constexpr double kUnloaded = 0.0;  // [N]
 
 struct Row {
@@ -41,10 +41,10 @@ TEST(Harris209, RollerLoads) {
         quasi_static_state(bearing, example_bearings::static_load(-4450.0), {}, 0.0);
     ASSERT_TRUE(state.report.converged) << state.report.message;
     for (Eigen::Index j = 0; j <= 7; ++j) {
-      const auto place = static_cast<std::size_t>(j);
-      const double expected = place < row.loads.size() ? row.loads[place] : kUnloaded;
-      EXPECT_NEAR(state.outer_load[j], expected, kPrinted) << "roller " << j;
-      EXPECT_NEAR(state.inner_load[j], expected, kPrinted) << "roller " << j;
+      const auto position = static_cast<std::size_t>(j);
+      const double expected = position < row.loads.size() ? row.loads[position] : kUnloaded;
+      EXPECT_NEAR(state.outer_load[j], expected, kPublished) << "roller " << j;
+      EXPECT_NEAR(state.inner_load[j], expected, kPublished) << "roller " << j;
     }
   }
 }

@@ -20,7 +20,7 @@ using Eigen::Index;
 
 constexpr double kLine = 0.005;    // what is asked of the middle of a long roller
 constexpr double kPoint = 0.01;    // and of a crowned one
-constexpr double kPrinted = 5e-4;  // the exponent is known to three digits
+constexpr double kPublished = 5e-4;  // the exponent is known to three digits
 
 struct HertzLine {
   double pressure = 0.0;    // [Pa]
@@ -132,7 +132,7 @@ double quarter_space_exponent() {
 // corner, 0.226 in truth and 1/2 if the end is forgotten. The correction brings it to 0.255.
 TEST(HertzHalfSpace, CorrectedEndComesNearTheCornerOfAQuarterSpace) {
   const double exact = quarter_space_exponent();
-  EXPECT_NEAR(exact, 0.226, kPrinted);
+  EXPECT_NEAR(exact, 0.226, kPublished);
   const auto exponent = [](EndSurface ends) { return corner_exponent(mirror_factor(reducer_roller(ends))); };
   EXPECT_NEAR(exponent(EndSurface::continuing), 0.5, 1e-15);
   EXPECT_NEAR(exponent(EndSurface::mirrored), 1.0 / 3.0, 1e-15);

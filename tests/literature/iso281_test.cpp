@@ -18,20 +18,20 @@ using Table = std::vector<std::pair<double, double>>;
 
 // To which the closed form is known to meet the table of rollers; half a unit of its last digit is up to 0.1
 // %.
-constexpr double kPrintedTable = 1.5e-3;
+constexpr double kPublishedTable = 1.5e-3;
 
 TEST(Iso281, RollerFactorOfTheTable) {
-  const Table printed{{0.01, 52.1}, {0.05, 74.1}, {0.10, 84.2}, {0.14, 87.7},
-                      {0.18, 88.8}, {0.20, 88.7}, {0.30, 83.7}};
-  for (const auto& [gamma, factor] : printed)
-    EXPECT_NEAR(roller_capacity_factor(gamma) / factor, 1.0, kPrintedTable) << "gamma " << gamma;
+  const Table published{{0.01, 52.1}, {0.05, 74.1}, {0.10, 84.2}, {0.14, 87.7},
+                        {0.18, 88.8}, {0.20, 88.7}, {0.30, 83.7}};
+  for (const auto& [gamma, factor] : published)
+    EXPECT_NEAR(roller_capacity_factor(gamma) / factor, 1.0, kPublishedTable) << "gamma " << gamma;
 }
 
 TEST(Iso281, BallFactorOfTheTable) {
-  const Table printed{{0.05, 46.7}, {0.10, 55.5}, {0.12, 57.5}, {0.14, 58.8}, {0.16, 59.6},
-                      {0.20, 59.9}, {0.26, 58.2}, {0.30, 56.0}, {0.40, 48.4}};
-  for (const auto& [gamma, factor] : printed)
-    EXPECT_NEAR(ball_capacity_factor(gamma) / factor, 1.0, kPrintedTable) << "gamma " << gamma;
+  const Table published{{0.05, 46.7}, {0.10, 55.5}, {0.12, 57.5}, {0.14, 58.8}, {0.16, 59.6},
+                        {0.20, 59.9}, {0.26, 58.2}, {0.30, 56.0}, {0.40, 48.4}};
+  for (const auto& [gamma, factor] : published)
+    EXPECT_NEAR(ball_capacity_factor(gamma) / factor, 1.0, kPublishedTable) << "gamma " << gamma;
 }
 
 TEST(Iso281, CapacitiesOfTwoRollerBearings) {
@@ -43,10 +43,10 @@ TEST(Iso281, CapacitiesOfTwoRollerBearings) {
 }
 
 TEST(Iso281, ReliabilityTable) {
-  const Table printed{{0.90, 1.0},    {0.95, 0.64},    {0.96, 0.55},    {0.97, 0.47},   {0.98, 0.37},
-                      {0.99, 0.25},   {0.992, 0.22},   {0.994, 0.19},   {0.996, 0.16},  {0.998, 0.12},
-                      {0.999, 0.093}, {0.9992, 0.087}, {0.9994, 0.080}, {0.9995, 0.077}};
-  for (const auto& [reliability, factor] : printed) {
+  const Table published{{0.90, 1.0},    {0.95, 0.64},    {0.96, 0.55},    {0.97, 0.47},   {0.98, 0.37},
+                        {0.99, 0.25},   {0.992, 0.22},   {0.994, 0.19},   {0.996, 0.16},  {0.998, 0.12},
+                        {0.999, 0.093}, {0.9992, 0.087}, {0.9994, 0.080}, {0.9995, 0.077}};
+  for (const auto& [reliability, factor] : published) {
     const double half_a_digit = factor < 0.1 ? 0.0005 : 0.005;
     EXPECT_NEAR(reliability_factor(reliability), factor, half_a_digit) << "reliability " << reliability;
   }

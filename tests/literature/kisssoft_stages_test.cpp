@@ -10,15 +10,15 @@
 namespace orbearing::gearset::kisssoft_stages_test {
 namespace {
 
-constexpr double printed_shift = 0.5e-4;      // [module]  half of the last digit
-constexpr double printed_stiffness = 0.5e-3;  // [N/(mm um)]
-constexpr double printed_contact_ratio = 0.5e-3;
+constexpr double published_shift = 0.5e-4;      // [module]  half of the last digit
+constexpr double published_stiffness = 0.5e-3;  // [N/(mm um)]
+constexpr double published_contact_ratio = 0.5e-3;
 constexpr double unit = 1e9;  // [Pa] of 1 N/(mm um)
 
 // The web factor printed for all four meshes, for webs of a quarter of the face width; method B is asked
 // without one here, for gears of one piece.
 constexpr double web_factor = 0.862;
-constexpr double printed_web_factor = 0.5e-3;
+constexpr double published_web_factor = 0.5e-3;
 
 struct ReportedMesh {
   double contact_ratio;
@@ -70,7 +70,7 @@ Iso6336Stiffness of_ring_mesh(const ReportedStage& stage) {
 // ring are known to half a digit each, and it follows each of them by less than one to one.
 TEST(KisssoftStages, PlanetShift) {
   for (const ReportedStage& stage : stages)
-    EXPECT_NEAR(working_geometry(stage.set).planet_shift, stage.planet_shift, 3.0 * printed_shift);
+    EXPECT_NEAR(working_geometry(stage.set).planet_shift, stage.planet_shift, 3.0 * published_shift);
 }
 
 TEST(KisssoftStages, OneWebFactorExplainsAllMeshes) {
@@ -80,16 +80,16 @@ TEST(KisssoftStages, OneWebFactorExplainsAllMeshes) {
     ratios.push_back(stage.ring.single * unit / of_ring_mesh(stage).single);
   }
   // Each is known to half a digit of its c'.
-  const double spread = 2.0 * printed_stiffness / 12.240;
+  const double spread = 2.0 * published_stiffness / 12.240;
   const auto [least, largest] = std::minmax_element(ratios.begin(), ratios.end());
   EXPECT_LT(*largest - *least, spread);
-  for (const double ratio : ratios) EXPECT_NEAR(ratio, web_factor, printed_web_factor);
+  for (const double ratio : ratios) EXPECT_NEAR(ratio, web_factor, published_web_factor);
 }
 
 TEST(KisssoftStages, MeshStiffnessFollowsTheContactRatio) {
-  const auto expect_mean = [](const Iso6336Stiffness& ours, const ReportedMesh& printed) {
-    EXPECT_NEAR(ours.mesh / ours.single, printed.mesh / printed.single,
-                0.75 * printed_contact_ratio + 2.0 * printed_stiffness / printed.single);
+  const auto expect_mean = [](const Iso6336Stiffness& ours, const ReportedMesh& published) {
+    EXPECT_NEAR(ours.mesh / ours.single, published.mesh / published.single,
+                0.75 * published_contact_ratio + 2.0 * published_stiffness / published.single);
   };
   for (const ReportedStage& stage : stages) {
     expect_mean(of_sun_mesh(stage), stage.sun);

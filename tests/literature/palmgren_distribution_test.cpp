@@ -11,7 +11,7 @@
 namespace orbearing::bearing::palmgren_distribution_test {
 namespace {
 
-constexpr double kPrinted = 0.005;  // half a unit of the last digit of 4.08
+constexpr double kPublished = 0.005;  // half a unit of the last digit of 4.08
 
 // 1/J with J = (1/2 pi) integral of cos^(10/9 + 1) over the loaded half = Gamma(p) / (2 sqrt(pi) Gamma(p +
 // 1/2)), p = (10/9 + 2) / 2.
@@ -29,8 +29,8 @@ double largest_share(int rollers) {
 }
 
 TEST(PalmgrenDistribution, ManyRollersShareAsPublished) {
-  EXPECT_NEAR(integral_of_many_rollers(), 4.08, kPrinted);
-  EXPECT_NEAR(largest_share(1000), 4.08, kPrinted);
+  EXPECT_NEAR(integral_of_many_rollers(), 4.08, kPublished);
+  EXPECT_NEAR(largest_share(1000), 4.08, kPublished);
 }
 
 // The sum over Z rollers is the trapezoidal rule of the integral; cos^(19/9) has a kink of that order at the

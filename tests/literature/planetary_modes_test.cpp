@@ -38,10 +38,10 @@ TEST_P(LinParker1999, NaturalFrequencies) {
       frequencies_of(test::lin_parker_model(GetParam().planets), GetParam(), 1.0);
   ASSERT_EQ(ours.size(), GetParam().frequencies.size());
   for (std::size_t i = 0; i < ours.size(); ++i) {
-    const double printed = GetParam().frequencies[i];
+    const double published = GetParam().frequencies[i];
     // 727, 1091, 710 and 1072 Hz are rounded to whole hertz.
-    const double last_digit = printed == std::round(printed) && printed < 1100.0 ? 0.5 : 0.1;  // [Hz]
-    EXPECT_NEAR(ours[i], printed, last_digit);
+    const double last_digit = published == std::round(published) && published < 1100.0 ? 0.5 : 0.1;  // [Hz]
+    EXPECT_NEAR(ours[i], published, last_digit);
   }
 }
 
@@ -86,8 +86,8 @@ TEST_P(CooleyParker2012, NaturalFrequencies) {
       frequencies_of(set_model(cooley_parker(GetParam().planets), {}), GetParam(), unit);
   ASSERT_EQ(ours.size(), GetParam().frequencies.size());
   for (std::size_t i = 0; i < ours.size(); ++i) {
-    const double printed = GetParam().frequencies[i];
-    EXPECT_NEAR(ours[i], printed, printed < 1.0 ? 1e-4 : 1e-3);  // the last digit, rounded or cut off
+    const double published = GetParam().frequencies[i];
+    EXPECT_NEAR(ours[i], published, published < 1.0 ? 1e-4 : 1e-3);  // the last digit, rounded or cut off
   }
 }
 

@@ -10,7 +10,7 @@ namespace orbearing::bearing::defect::skf_6205_test {
 namespace {
 
 constexpr double kInch = 25.4e-3;  // [m]
-constexpr double kPrinted =
+constexpr double kPublished =
     1e-4;  // relative: five digits, the cage's printed 0.39828 where the formula gives 0.39831
 
 constexpr double kAngle = 15.7 * 3.14159265358979324 / 180.0;  // of the ZA-2115
@@ -21,7 +21,7 @@ TEST(Skf6205, MultiplesOfTheShaftsFrequency) {
   bearing.pitch_diameter = 1.537 * kInch;
   const PassingFrequencies found = passing_frequencies(bearing, 2.0 * 3.14159265358979324 * 29.95);
   const auto expect = [&](double frequency, double published) {
-    EXPECT_NEAR(frequency / found.shaft, published, kPrinted * published);
+    EXPECT_NEAR(frequency / found.shaft, published, kPublished * published);
   };
   expect(found.outer_pass, 3.5848);
   expect(found.inner_pass, 5.4152);
@@ -56,15 +56,15 @@ TEST(Za2115, Frequencies) {
 
 // [ScratchVibration], printed to one decimal.
 TEST(ScratchVibration, KinematicFrequencies) {
-  constexpr double printed = 0.05;  // [Hz]
+  constexpr double published = 0.05;  // [Hz]
   Bearing bearing;
   bearing.elements = Balls{.count = 8, .diameter = 11.509e-3};
   bearing.pitch_diameter = 48.5e-3;
   const PassingFrequencies found = passing_frequencies(bearing, 2.0 * 3.14159265358979324 * 25.0);
   EXPECT_NEAR(found.shaft, 25.0, 1e-12);
-  EXPECT_NEAR(found.cage, 9.5, printed);
-  EXPECT_NEAR(found.outer_pass, 76.3, printed);
-  EXPECT_NEAR(found.inner_pass, 123.7, printed);
+  EXPECT_NEAR(found.cage, 9.5, published);
+  EXPECT_NEAR(found.outer_pass, 76.3, published);
+  EXPECT_NEAR(found.inner_pass, 123.7, published);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ using equilibrium::balance_bearing;
 using equilibrium::RingLoad;
 using equilibrium::RingState;
 
-constexpr double kPrintedLoad = 0.05;   // [N]  half a unit of the last digit given
+constexpr double kPublishedLoad = 0.05;  // [N]  half a unit of the last digit given
 constexpr double kDisplacement = 4e-4;  // [um]  half a unit of the last of five or six digits
 constexpr double kLife = 1e-3;          // two programs' constants carry four digits
 
@@ -37,7 +37,7 @@ Bearing bearing_209(double clearance) {
   bearing.rollers().laminae = 40;
   bearing.radial_clearance = clearance;
   bearing.contact_law = ContactLaw::iso16281;
-  bearing.motions = rating::turning(Race::inner);
+  bearing.motions = rating::rotating(Race::inner);
   return bearing;
 }
 
@@ -46,7 +46,7 @@ Bearing bearing_6305(double clearance) {
           .pitch_diameter = 43.5e-3,
           .radial_clearance = clearance,
           .material = {.youngs_modulus = 210e9, .poisson_ratio = 0.3},
-          .motions = rating::turning(Race::inner)};
+          .motions = rating::rotating(Race::inner)};
 }
 
 std::vector<Row> rows() {
@@ -65,7 +65,8 @@ TEST(StaticBearings, RollersAndBallsGoOneWay) {
     ASSERT_EQ(state.contact_load.size(), row.bearing.element_count());
     EXPECT_EQ(state.lamina_load.size() > 0, row.bearing.has_rollers());
     for (std::size_t j = 0; j < row.contact_loads.size(); ++j)
-      EXPECT_NEAR(state.contact_load[static_cast<Eigen::Index>(j)], row.contact_loads[j], kPrintedLoad) << j;
+      EXPECT_NEAR(state.contact_load[static_cast<Eigen::Index>(j)], row.contact_loads[j], kPublishedLoad)
+          << j;
     if (row.radial > 0.0) {
       EXPECT_NEAR(1e6 * state.radial, row.radial, kDisplacement);
     }

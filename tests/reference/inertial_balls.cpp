@@ -16,14 +16,14 @@ namespace {
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kLeastLoad = 1e-6;      // [N]    added to what ellipse, film and friction see
 constexpr double kLeastSliding = 1e-7;   // [m/s]  rounds the size of the sliding at a point
-constexpr double kLeastTurning = 1e-12;  // [rad^2/s^2]
+constexpr double kLeastRotating = 1e-12;  // [rad^2/s^2]
 
 Vector axis_of(const Body& body) {
   return body.attitude.col(2);
 }
 
 Vector velocity_at(const Body& body, const Vector& point) {
-  return body.velocity + body.turning.cross(point - body.place);
+  return body.velocity + body.rotating.cross(point - body.position);
 }
 
 Matrix cross_matrix(const Vector& v) {
@@ -100,10 +100,10 @@ double squeezed_load(const bearing::balls::GrooveNumbers& groove, double approac
 }
 
 // Axes of a ball's place about the bearing's axis.
-struct Place {
-  explicit Place(const Body& ball)
-      : radius(std::hypot(ball.place.x(), ball.place.y())),
-        outward(ball.place.x() / radius, ball.place.y() / radius, 0.0),
+struct Position {
+  explicit Position(const Body& ball)
+      : radius(std::hypot(ball.position.x(), ball.position.y())),
+        outward(ball.position.x() / radius, ball.position.y() / radius, 0.0),
         ahead(Vector::UnitZ().cross(outward)) {}
 
   double radius;
@@ -113,24 +113,24 @@ struct Place {
 Contact roll(const BallNumbers& b, const GrooveNumbers& groove, const Body& ball, const Body& ring,
              Wrench& on_ball, Wrench& on_ring, Outcome& total) {
   Contact contact;
-  const Vector axis = axis_of(ring), arm = ball.place - ring.place;
+  const Vector axis = axis_of(ring), arm = ball.position - ring.position;
   const Vector outward = inertial_balls::across(axis, arm).normalized();
-  const Vector groove_centre = ring.place + groove.centre_radius * outward + groove.centre_axial * axis;
-  const Vector line = ball.place - groove_centre, n = line.normalized();
+  const Vector groove_centre = ring.position + groove.centre_radius * outward + groove.centre_axial * axis;
+  const Vector line = ball.position - groove_centre, n = line.normalized();
   contact.approach = line.norm() - groove.play;
   if (contact.approach <= 0.0 && !groove.squeeze.present()) return contact;
 
-  const Vector point = ball.place + b.radius * n;
+  const Vector point = ball.position + b.radius * n;
   const Vector passing = velocity_at(ring, point) - velocity_at(ball, point);
-  const Vector turning = ring.turning - ball.turning;
+  const Vector rotating = ring.rotating - ball.rotating;
   const double closing = -passing.dot(n);
   const Vector along = axis.cross(outward), across = n.cross(along);
-  const Place place(ball);
+  const Position position(ball);
   // Speed with which the surfaces, on the average, run through the contact, which goes round with the ball.
-  const double orbital = ball.velocity.dot(place.ahead) / place.radius;  // [rad/s]
-  const double mean = velocity_at(ball, point).dot(place.ahead) +
-                      0.5 * passing.dot(along) * along.dot(place.ahead) -
-                      orbital * (place.radius + b.radius * n.dot(place.outward));
+  const double orbital = ball.velocity.dot(position.ahead) / position.radius;  // [rad/s]
+  const double mean = velocity_at(ball, point).dot(position.ahead) +
+                      0.5 * passing.dot(along) * along.dot(position.ahead) -
+                      orbital * (position.radius + b.radius * n.dot(position.outward));
   const double drawn = std::hypot(mean, b.entrainment_scale);
 
   Load load = load_of(groove.stiffness, groove.damping, std::max(contact.approach, 0.0), closing);
@@ -148,7 +148,7 @@ Contact roll(const BallNumbers& b, const GrooveNumbers& groove, const Body& ball
   contact.film = std::exp(film.log_factor) * std::pow(drawn, film.speed) * std::pow(seen, -film.load);
   contact.contact_angle = std::asin(n.z());
   contact.sliding = passing.dot(along);
-  contact.spin = turning.dot(n);
+  contact.spin = rotating.dot(n);
   contact.entrainment = drawn;
 
   const double half_across = groove.across * scale, half_along = groove.along * scale;
@@ -166,16 +166,16 @@ Contact roll(const BallNumbers& b, const GrooveNumbers& groove, const Body& ball
     act_and_react(on_ball, ball, on_ring, ring, there, force);
     total.loss.friction += force.dot(sliding);
     total.loss.sliding += force.dot(in_plane(passing));
-    total.loss.spin += force.dot(in_plane(turning.dot(n) * n.cross(there - point)));
+    total.loss.spin += force.dot(in_plane(rotating.dot(n) * n.cross(there - point)));
   }
 
-  const double rolling = turning.dot(across) * groove.rolling_radius;
+  const double rolling = rotating.dot(across) * groove.rolling_radius;
   const double couple = groove.rolling_factor *
                         std::pow(std::hypot(rolling, b.entrainment_scale), 0.66 - 1.0) *
                         std::pow(seen, 0.47) * rolling;
   on_ball.moment += couple * across;
   on_ring.moment -= couple * across;
-  total.loss.rolling += couple * turning.dot(across);
+  total.loss.rolling += couple * rotating.dot(across);
   return contact;
 }
 
@@ -187,9 +187,9 @@ void oil_in_pocket(const BallNumbers& b, double gap, const Vector& n, const Vect
   const bearing::RigidPointFilm& film = b.pocket.film;
   const double along_radius = b.radius, round_radius = b.radius * (b.radius + b.pocket.play) / b.pocket.play;
   const double mean = std::sqrt(along_radius * round_radius), g = std::max(gap, film.least_gap);
-  const Vector point = ball.place + b.radius * n, up = straight_up, aside = n.cross(up);
-  const Vector centres = velocity_at(cage, ball.place) - velocity_at(ball, ball.place);
-  const Vector turn = cage.turning - ball.turning, by_turning = b.radius * turn.cross(n);
+  const Vector point = ball.position + b.radius * n, up = straight_up, aside = n.cross(up);
+  const Vector centres = velocity_at(cage, ball.position) - velocity_at(ball, ball.position);
+  const Vector turn = cage.rotating - ball.rotating, by_turning = b.radius * turn.cross(n);
   const Vector passing = centres + by_turning;
   const double closing = -passing.dot(n);
   const double c = 6.0 * film.viscosity * closing / (1.0 / along_radius + 1.0 / round_radius);
@@ -219,7 +219,7 @@ Contact guide_ball(const BallNumbers& b, int pocket, const Body& ball, const Bod
   Contact contact;
   const double angle = 2.0 * kPi * pocket / b.balls;
   const Vector direction = cage.attitude * Vector(std::cos(angle), std::sin(angle), 0.0);
-  const Vector axis = axis_of(cage), ahead = axis.cross(direction), arm = ball.place - cage.place;
+  const Vector axis = axis_of(cage), ahead = axis.cross(direction), arm = ball.position - cage.position;
   // Nearest point of the middle plane of the slot: along the pocket it lies where the ball does.
   const double straight = std::clamp(arm.dot(ahead), -b.pocket.half_straight, b.pocket.half_straight);
   const Vector off = arm - arm.dot(direction) * direction - straight * ahead;
@@ -238,13 +238,13 @@ Contact guide_ball(const BallNumbers& b, int pocket, const Body& ball, const Bod
                       mean * (1.0 / std::max(near, least) + 1.0 / std::max(wider - near, least)) *
                       (1.0 - e * e) / (1.0 + 2.0 * e * e);
     const Vector aside = n.cross(direction);
-    const Vector passing = velocity_at(cage, ball.place) - velocity_at(ball, ball.place);
+    const Vector passing = velocity_at(cage, ball.position) - velocity_at(ball, ball.position);
     const Vector force = by * passing.dot(aside) * aside;
-    act_and_react(on_ball, ball, on_cage, cage, ball.place, force);
+    act_and_react(on_ball, ball, on_cage, cage, ball.position, force);
     total.loss.pockets += force.dot(passing);
   }
   if (contact.approach <= 0.0) return contact;
-  const Vector n = off.normalized(), point = ball.place + b.radius * n;
+  const Vector n = off.normalized(), point = ball.position + b.radius * n;
   const Vector passing = velocity_at(cage, point) - velocity_at(ball, point);
   const double closing = -passing.dot(n);
   const Load load = load_of(b.pocket.stiffness, b.pocket.damping, contact.approach, closing);
@@ -262,12 +262,13 @@ void guide_cage(const BallNumbers& b, const Body& cage, const Body& ring, Wrench
                 Outcome& total) {
   const bearing::LandLaw& law = b.land.law;
   const Vector cage_axis = axis_of(cage), ring_axis = axis_of(ring);
-  for (const double place : {-b.land.offset, b.land.offset}) {
-    const Vector at_cage = cage.place + place * cage_axis, at_ring = ring.place + place * ring_axis;
+  for (const double position : {-b.land.offset, b.land.offset}) {
+    const Vector at_cage = cage.position + position * cage_axis,
+                 at_ring = ring.position + position * ring_axis;
     const Vector offset = at_cage - at_ring;
     const Vector velocity = cage.velocity - ring.velocity +
-                            place * (cage.turning.cross(cage_axis) - ring.turning.cross(ring_axis));
-    const double cage_spin = cage.turning.dot(cage_axis), ring_spin = ring.turning.dot(ring_axis);
+                            position * (cage.rotating.cross(cage_axis) - ring.rotating.cross(ring_axis));
+    const double cage_spin = cage.rotating.dot(cage_axis), ring_spin = ring.rotating.dot(ring_axis);
     const auto found = law.forces<double>({.offset_x = offset.x(),
                                            .offset_y = offset.y(),
                                            .velocity_x = velocity.x(),
@@ -296,14 +297,14 @@ void guide_cage(const BallNumbers& b, const Body& cage, const Body& ring, Wrench
 }
 
 void drag(const BallNumbers& b, const Body& ball, Wrench& on_ball, Outcome& total) {
-  const Place place(ball);
-  const double speed = ball.velocity.dot(place.ahead);
-  const double size = std::sqrt(ball.turning.squaredNorm() + kLeastTurning);
-  const Vector force = -b.drag.translation * speed * std::abs(speed) * place.ahead;
-  const Vector moment = -b.drag.churning * size * ball.turning;
+  const Position position(ball);
+  const double speed = ball.velocity.dot(position.ahead);
+  const double size = std::sqrt(ball.rotating.squaredNorm() + kLeastRotating);
+  const Vector force = -b.drag.translation * speed * std::abs(speed) * position.ahead;
+  const Vector moment = -b.drag.churning * size * ball.rotating;
   on_ball.force += force;
   on_ball.moment += moment;
-  total.loss.churning -= force.dot(ball.velocity) + moment.dot(ball.turning);
+  total.loss.churning -= force.dot(ball.velocity) + moment.dot(ball.rotating);
 }
 
 // Shear of the oil that goes round, on both walls: half of the friction that [BilgenBoulos1973] have for a
@@ -312,7 +313,7 @@ void stir(const BallNumbers& b, const Body& inner, const Body& outer, Wrench& on
           Outcome& total) {
   const auto& m = b.drag.mixture;
   if (!m.carried) return;
-  const auto spin = [](const Body& ring) { return ring.turning.dot(axis_of(ring)); };
+  const auto spin = [](const Body& ring) { return ring.rotating.dot(axis_of(ring)); };
   const double ball = m.slenderness * b.pitch_radius;
   const double low = b.pitch_radius - ball, high = b.pitch_radius + ball;
   const double oil = m.share * (low * spin(inner) + high * spin(outer)) / (2.0 * b.pitch_radius);
@@ -328,7 +329,7 @@ void stir(const BallNumbers& b, const Body& inner, const Body& outer, Wrench& on
     const double stress = c * r * m.density * speed * std::abs(speed);
     const Vector moment = -stress * radius * 6.283185307179586 * radius * m.width * axis_of(ring);
     on_ring.moment += moment;
-    total.loss.churning -= moment.dot(ring.turning);
+    total.loss.churning -= moment.dot(ring.rotating);
   };
   shear(inside, inner, on_inner);
   shear(b.pitch_radius + b.radius, outer, on_outer);
@@ -337,11 +338,11 @@ void stir(const BallNumbers& b, const Body& inner, const Body& outer, Wrench& on
 // J w' = M - w x J w.
 Body rate_of(const BodyNumbers& numbers, const Body& body, const Wrench& load) {
   Body rate;
-  rate.place = body.velocity;
+  rate.position = body.velocity;
   rate.velocity = load.force / numbers.mass;
-  rate.attitude = cross_matrix(body.turning) * body.attitude;
+  rate.attitude = cross_matrix(body.rotating) * body.attitude;
   const Matrix inertia = inertia_of(numbers, body);
-  rate.turning = inertia.inverse() * (load.moment - body.turning.cross(inertia * body.turning));
+  rate.rotating = inertia.inverse() * (load.moment - body.rotating.cross(inertia * body.rotating));
   return rate;
 }
 
@@ -351,8 +352,8 @@ Body ring_rate(const BodyNumbers& numbers, const Body& ring, const Wrench& load,
   const Vector axis = axis_of(ring);
   torque = -load.moment.dot(axis);
   Body rate;
-  rate.attitude = cross_matrix(axis * ring.turning.dot(axis)) * ring.attitude;
-  rate.turning = acceleration * axis;
+  rate.attitude = cross_matrix(axis * ring.rotating.dot(axis)) * ring.attitude;
+  rate.rotating = acceleration * axis;
   if (numbers.mass == 0.0) return rate;
   Wrench driven = load;
   driven.moment += (torque + numbers.polar * acceleration) * axis;
@@ -376,16 +377,16 @@ Vector across(const Vector& axis, const Vector& v) {
 
 void Wrench::add(const Body& body, const Vector& point, const Vector& force_there) {
   force += force_there;
-  moment += (point - body.place).cross(force_there);
+  moment += (point - body.position).cross(force_there);
 }
 
 Bodies Bodies::after(double time, const Bodies& rate) const {
   Bodies then = *this;
   const auto move = [&](Body& body, const Body& by) {
-    body.place += time * by.place;
+    body.position += time * by.position;
     body.velocity += time * by.velocity;
     body.attitude += time * by.attitude;
-    body.turning += time * by.turning;
+    body.rotating += time * by.rotating;
   };
   for (std::size_t j = 0; j < balls.size(); ++j) move(then.balls[j], rate.balls[j]);
   move(then.cage, rate.cage);
@@ -407,10 +408,10 @@ Outcome outcome(const BallNumbers& b, const Surroundings& around, const Bodies& 
     result.pocket.push_back(guide_ball(b, static_cast<int>(j), ball, bodies.cage, on_ball, on_cage, result));
     drag(b, ball, on_ball, result);
     Body rate;
-    rate.place = ball.velocity;
+    rate.position = ball.velocity;
     rate.velocity = on_ball.force / b.mass;
     rate.attitude.setZero();
-    rate.turning = on_ball.moment / b.inertia;
+    rate.rotating = on_ball.moment / b.inertia;
     result.rate.balls.push_back(rate);
   }
   if (b.land.present) {
@@ -420,7 +421,7 @@ Outcome outcome(const BallNumbers& b, const Surroundings& around, const Bodies& 
       guide_cage(b, bodies.cage, bodies.inner, on_cage, on_inner, result);
   }
   const Vector cage_axis = axis_of(bodies.cage);
-  const double cage_spin = bodies.cage.turning.dot(cage_axis);
+  const double cage_spin = bodies.cage.rotating.dot(cage_axis);
   on_cage.moment -= b.drag.cage_churning * cage_spin * std::abs(cage_spin) * cage_axis;
   result.loss.churning += b.drag.cage_churning * std::pow(std::abs(cage_spin), 3.0);
   result.rate.cage = rate_of(b.cage, bodies.cage, on_cage);
@@ -437,8 +438,8 @@ Momenta momentum_rate(const BallNumbers& b, const Bodies& bodies, const Bodies& 
   for_each_body(b, bodies, rate, [&](const BodyNumbers& numbers, const Body& body, const Body& by) {
     const Matrix inertia = inertia_of(numbers, body);
     sum.linear += numbers.mass * by.velocity;
-    sum.angular += numbers.mass * body.place.cross(by.velocity) + inertia * by.turning +
-                   body.turning.cross(inertia * body.turning);
+    sum.angular += numbers.mass * body.position.cross(by.velocity) + inertia * by.rotating +
+                   body.rotating.cross(inertia * body.rotating);
   });
   return sum;
 }
@@ -447,7 +448,7 @@ Momenta momentum_scale(const BallNumbers& b, const Bodies& bodies, const Bodies&
   Momenta sum;
   for_each_body(b, bodies, rate, [&](const BodyNumbers& numbers, const Body& body, const Body& by) {
     sum.linear += numbers.mass * by.velocity.cwiseAbs();
-    sum.angular.array() += numbers.mass * body.place.norm() * by.velocity.norm();
+    sum.angular.array() += numbers.mass * body.position.norm() * by.velocity.norm();
   });
   return sum;
 }
@@ -456,7 +457,7 @@ double kinetic_power(const BallNumbers& b, const Bodies& bodies, const Bodies& r
   double sum = 0.0;
   for_each_body(b, bodies, rate, [&](const BodyNumbers& numbers, const Body& body, const Body& by) {
     const Matrix inertia = inertia_of(numbers, body);
-    sum += numbers.mass * body.velocity.dot(by.velocity) + body.turning.dot(inertia * by.turning);
+    sum += numbers.mass * body.velocity.dot(by.velocity) + body.rotating.dot(inertia * by.rotating);
   });
   return sum;
 }

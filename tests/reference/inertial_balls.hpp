@@ -17,10 +17,10 @@ using Matrix = Eigen::Matrix3d;
 /// A ball, a ring or the cage. The third column of `attitude` is the axis of a ring or the cage, the first
 /// one points to the cage's first pocket. As a rate: velocity, acceleration, rates of attitude and turning.
 struct Body {
-  Vector place = Vector::Zero();         // [m]
+  Vector position = Vector::Zero();      // [m]
   Vector velocity = Vector::Zero();      // [m/s]
   Matrix attitude = Matrix::Identity();  // [-]  not kept of balls
-  Vector turning = Vector::Zero();       // [rad/s]
+  Vector rotating = Vector::Zero();      // [rad/s]
 };
 
 struct Bodies {

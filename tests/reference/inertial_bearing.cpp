@@ -155,16 +155,17 @@ void press(const BearingNumbers& b, bool outside, const Body& roller, const Body
   const double distance = std::abs(line);
   const Plane outward = line / distance, tangent = kTurn * outward;
   const Plane towards_race = outside ? outward : -outward;
-  const double place = std::arg(line);
-  const double further = outside ? rim.further(place, rim.bodies.bent) : 0.0;
-  const double steep = outside ? rim.slope(place) : 0.0;
+  const double position = std::arg(line);
+  const double further = outside ? rim.further(position, rim.bodies.bent) : 0.0;
+  const double steep = outside ? rim.slope(position) : 0.0;
   const double gap = outside ? race_radius + further - distance - a : distance - race_radius - a;
   const Plane touch = roller.position + a * towards_race;
   // The point of contact stays on the line of centres, which passes along a bore whose form stands in the
   // carrier.
   const double line_speed = along(roller.velocity - race.velocity, tangent) / distance;
   double closing = along(roller.velocity - race.velocity, towards_race);
-  if (outside) closing -= steep * (line_speed - rim.carrier.speed) + rim.further(place, rim.bodies.bending);
+  if (outside)
+    closing -= steep * (line_speed - rim.carrier.speed) + rim.further(position, rim.bodies.bending);
   const Plane touch_velocity = roller.velocity + kTurn * line_speed * (touch - roller.position);
   const double race_surface = along(velocity_at(race, touch) - touch_velocity, tangent);
   const double roller_surface = along(velocity_at(roller, touch) - touch_velocity, tangent);
@@ -185,7 +186,7 @@ void press(const BearingNumbers& b, bool outside, const Body& roller, const Body
   on_roller.force += load * steep / distance * tangent;
   on_race.add(race, roller.position, -load * steep / distance * tangent);
   for (std::size_t i = 0; outside && i < b.rim.size(); ++i)
-    on_rim[i] += load * std::polar(1.0, b.rim[i].order * (place - rim.carrier.angle));
+    on_rim[i] += load * std::polar(1.0, b.rim[i].order * (position - rim.carrier.angle));
 
   // Oil at the inlet drags both surfaces back, each about its own centre; the force that keeps forces and
   // moments of both in balance goes through the centres.
@@ -285,9 +286,9 @@ Accelerations accelerations(const BearingNumbers& b, const Carrier& carrier, con
   const auto carrier_velocity = [&](Plane point) { return kTurn * carrier.speed * point; };
   const double length = b.roller_length, a = b.roller_radius;
   const auto churned = [&](double radius, double width, double speed) {
-    const double turning = speed - carrier.speed;
-    return -0.5 * b.churning * b.mixture_density * std::pow(radius, 4.0) * width * turning *
-           std::abs(turning);
+    const double rotating = speed - carrier.speed;
+    return -0.5 * b.churning * b.mixture_density * std::pow(radius, 4.0) * width * rotating *
+           std::abs(rotating);
   };
 
   Accelerations result;

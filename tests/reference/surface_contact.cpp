@@ -33,8 +33,8 @@ struct Plane {
 ArrayXXd elliptic_pressure(const RollerContactPressure& strips, const ArrayXd& y) {
   ArrayXXd pressure(strips.x.size(), y.size());
   for (Index row = 0; row < y.size(); ++row) {
-    const ArrayXd place = y(row) / strips.half_width.max(1e-300);
-    pressure.col(row) = strips.pressure * (1.0 - place.square()).max(0.0).sqrt();
+    const ArrayXd position = y(row) / strips.half_width.max(1e-300);
+    pressure.col(row) = strips.pressure * (1.0 - position.square()).max(0.0).sqrt();
   }
   return pressure;
 }

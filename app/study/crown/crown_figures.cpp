@@ -36,7 +36,7 @@ struct Stage {
 Profile advised_profile(const CrownProblem& problem, const ordered_json& advice) {
   const ProfileFamily family = family_in(problem, advice.at("profile"));
   const double share =
-      advice.contains("crowned_share") ? advice.at("crowned_share").get<double>() : usual_share(family);
+      advice.contains("crowned_share") ? advice.at("crowned_share").get<double>() : default_share(family);
   return profile_of(family, {1e-6 * advice.at("drop_um").get<double>(), share});
 }
 
@@ -73,7 +73,7 @@ std::vector<double> scaled(const Eigen::ArrayXd& values, double factor) {
 ordered_json drawn_profile(const Named& profile, double length) {
   const std::vector<double> x = even(-0.5 * length, 0.5 * length, kProfilePoints);
   std::vector<double> drops;
-  for (const double place : x) drops.push_back(1e6 * bearing::profile::drop(profile.made, place));
+  for (const double position : x) drops.push_back(1e6 * bearing::profile::drop(profile.made, position));
   return {{"profile", profile.name}, {"x_mm", scaled(x, 1e3)}, {"drop_um", drops}};
 }
 
@@ -82,7 +82,7 @@ std::vector<Named> all_kinds(const Stage& stage) {
   std::vector<Named> kinds{stage.chief.front()};
   for (const std::string& name : family_names()) {
     const ProfileFamily family = family_in(stage.problem, name);
-    kinds.push_back({name, profile_of(family, {std::max(stage.advised_drop, 1e-7), usual_share(family)})});
+    kinds.push_back({name, profile_of(family, {std::max(stage.advised_drop, 1e-7), default_share(family)})});
   }
   return kinds;
 }
@@ -158,7 +158,7 @@ ordered_json zone_of(const Stage& stage, const Named& profile, double tilt, std:
 // a planet.
 ordered_json zones(const Stage& stage) {
   ordered_json all = ordered_json::array();
-  const std::size_t last = stage.problem.seat ? stage.problem.seat->places.size() - 1 : 0;
+  const std::size_t last = stage.problem.seat ? stage.problem.seat->positions.size() - 1 : 0;
   const double most = stage.request.tilts.back();
   for (const Named& profile : {stage.chief.front(), stage.chief.back()}) {
     all.push_back(zone_of(stage, profile, 0.0, 0));
@@ -180,7 +180,7 @@ ordered_json life_map(const Stage& stage, const ordered_json& optimum) {
   const std::string name = optimum.at("profile");
   const ProfileFamily family = family_in(stage.problem, name);
   const double share =
-      optimum.contains("crowned_share") ? optimum.at("crowned_share").get<double>() : usual_share(family);
+      optimum.contains("crowned_share") ? optimum.at("crowned_share").get<double>() : default_share(family);
   const double asked =
       stage.request.computes_tilt() ? stage.request.tolerance.tilt : stage.request.tilts.back();
   const double most = std::max(1.25 * asked, stage.request.computes_tilt() ? 0.5e-3 : 1e-3);
@@ -200,7 +200,7 @@ ordered_json front_of(const Stage& stage, const std::string& name) {
   const ProfileFamily family = family_in(stage.problem, name);
   std::vector<double> drops = even(0.0, stage.request.drops.back(), kFrontDrops);
   std::vector<Profile> profiles;
-  for (const double drop : drops) profiles.push_back(profile_of(family, {drop, usual_share(family)}));
+  for (const double drop : drops) profiles.push_back(profile_of(family, {drop, default_share(family)}));
   const auto points = crown_grid(stage.problem, stage.pressure, profiles, drops, stage.request.tilts, 0, {});
   ordered_json front{{"profile", name}, {"points", ordered_json::array()}};
   for (const WorstOfTilts& one : worst_of_tilts(points, stage.request.tilts.size()))

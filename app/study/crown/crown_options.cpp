@@ -31,7 +31,7 @@ constexpr double kShareRoundOff = 1e-6;  // of a sum of shares that were rounded
 using Mistakes = std::vector<std::string>;
 
 // About 1/5 of the standard's drop, a round number of its decade; sixteen of them reach well beyond the best.
-std::vector<double> usual_drops(const bearing::Bearing& bearing) {
+std::vector<double> default_drops(const bearing::Bearing& bearing) {
   const double fifth = crowning::reference_drop(bearing) / 5.0;
   const double decade = std::pow(10.0, std::floor(std::log10(fifth)));
   const double step = decade * (fifth >= 5.0 * decade ? 5.0 : fifth >= 2.0 * decade ? 2.0 : 1.0);
@@ -70,7 +70,7 @@ std::vector<double> tilts_of(const CrownOptions& options, bool computed, Mistake
 
 std::vector<double> drops_of(const CrownOptions& options, const bearing::Bearing& bearing,
                              Mistakes& mistakes) {
-  if (options.drops.empty()) return usual_drops(bearing);
+  if (options.drops.empty()) return default_drops(bearing);
   const std::size_t before = mistakes.size();
   std::vector<double> drops =
       quantity_list("--drops", options.drops, kDrop, {0.0, kMostDrop, "drops from 0 to 1000 um"}, mistakes);
@@ -279,7 +279,7 @@ CrownRequest crown_request(const ResolvedCase& resolved, const CrownOptions& opt
   const double greatest = request.drops.empty() ? kMostDrop : request.drops.back();
   request.tolerance = {
       tolerance_of("--tolerance", options.tolerance, kDrop, greatest,
-                   fmt::format("the greatest drop, {:.6g} um", kMicro * greatest), mistakes),
+                   fmt::format("the greatest drop, {:.6g} um", per_micro * greatest), mistakes),
       tolerance_of("--tilt-tolerance", options.tilt_tolerance, kTilt, kMostTilt, "100 mrad", mistakes)};
   if (!mistakes.empty()) throw BadInput(mistakes);
   request.drivetrain = std::move(set.drivetrain);

@@ -47,7 +47,7 @@ std::vector<CrownPoint> grid_of(const Bench& bench, const ProfileFamily& family,
                                 const Progressed& progressed) {
   std::vector<Profile> profiles;
   for (const double drop : bench.request.drops)
-    profiles.push_back(profile_of(family, {drop, usual_share(family)}));
+    profiles.push_back(profile_of(family, {drop, default_share(family)}));
   return crown_grid(bench.problem, bench.pressure, profiles, bench.request.drops, bench.request.tilts,
                     bench.jobs, progressed);
 }
@@ -188,13 +188,13 @@ void put_searches(const Bench& bench, CrownStudy& study) {
 
 // The share of a crown without depth is none.
 double share_beside(const CrownSearch& search, const ProfileFamily& family, double greatest) {
-  return search.best.crown.drop > kAtEnd * greatest ? search.best.crown.share : usual_share(family);
+  return search.best.crown.drop > kAtEnd * greatest ? search.best.crown.share : default_share(family);
 }
 
 // Of each kind the best drop by half-space pressures, with the share that laminae find; the one that lives
 // longest.
 Recommendation recommendation(const Bench& bench, const CrownStudy& study) {
-  constexpr double usual_miss = 1e-6;  // [m]
+  constexpr double default_miss = 1e-6;  // [m]
   const CrownRequest& request = bench.request;
   Recommendation best;
   for (std::size_t i = 0; i < study.searches.size(); ++i) {
@@ -207,7 +207,7 @@ Recommendation recommendation(const Bench& bench, const CrownStudy& study) {
                            .tolerance = request.tolerance,
                            .distribution = request.distribution,
                            .greatest_drop = request.drops.back(),
-                           .miss = request.tolerance.drop > 0.0 ? request.tolerance.drop : usual_miss,
+                           .miss = request.tolerance.drop > 0.0 ? request.tolerance.drop : default_miss,
                            .other_drop = search.best.crown.drop,
                            .jobs = bench.jobs});
     if (advice.life_hours <= best.advice.life_hours) continue;

@@ -83,8 +83,9 @@ std::vector<BallTouches> touches_of(const BallNumbers& c, const StateLayout& lay
     SeenSpots<double> spots;
     for (int i = 0; i < c.spots.count; ++i) {
       if (c.spots.ball[i] != j) continue;
-      const double* place = x + layout.spot(i);
-      spots.spot[spots.count++] = {in_axes_of(now.ball, unit(Triple<double>{place[0], place[1], place[2]})), 1.0};
+      const double* position = x + layout.spot(i);
+      spots.spot[spots.count++] = {
+          in_axes_of(now.ball, unit(Triple<double>{position[0], position[1], position[2]})), 1.0};
     }
     for (const int race : {0, 1}) {
       now.ring[race] = seen(now.ball, race == 0 ? bodies.inner : bodies.outer);
@@ -121,8 +122,8 @@ template <class Visit>
 void visit_lands(const BallNumbers& c, const Bodies& bodies, const Visit& visit) {
   if (!c.land.present) return;
   const Body& ring = c.land.on_outer ? bodies.outer : bodies.inner;
-  for (const double place : {-c.land.offset, c.land.offset}) {
-    const LandOffset at = land_offset(bodies.cage, ring, place);
+  for (const double position : {-c.land.offset, c.land.offset}) {
+    const LandOffset at = land_offset(bodies.cage, ring, position);
     visit(at,
           c.land.law.force(LandMotion<double>{at.by[0], at.by[1], at.by[2], at.by[3], at.by[4]}, ring.spin));
   }
@@ -178,7 +179,7 @@ BallSnapshot BallBearing::snapshot(double time, const double* x) const {
   const Bodies bodies = bodies_of(layout_, now, x);
   BallSnapshot s;
   s.cage_speed = bodies.cage.spin;
-  s.cage_place = {bodies.cage.centre.x, bodies.cage.centre.y, bodies.cage.centre.z};
+  s.cage_position = {bodies.cage.centre.x, bodies.cage.centre.y, bodies.cage.centre.z};
   for (const BallTouches& ball : touches_of(numbers_, layout_, bodies, x)) {
     s.inner.push_back(shown(ball.race[0]));
     s.outer.push_back(shown(ball.race[1]));
@@ -322,20 +323,21 @@ std::vector<double> start_state(const Bearing& bearing, const BallBearing& model
     entry(4) = cage;
     // Rolling on the outer race: relative to the cage about the line across the contact's normal.
     const double angle_here = load_here > 0.0 ? state.contact_angle[j] : bearing.balls().contact_angle;
-    const double turning = (share * outer_speed - cage) * (entry(0) / c.radius + std::cos(angle_here));
-    entry(6) = -turning * std::sin(angle_here);
-    entry(8) = turning * std::cos(angle_here) + cage;
+    const double rotating = (share * outer_speed - cage) * (entry(0) / c.radius + std::cos(angle_here));
+    entry(6) = -rotating * std::sin(angle_here);
+    entry(8) = rotating * std::cos(angle_here) + cage;
   }
   for (int i = 0; i < c.spots.count; ++i) {
     const double lean = bearing.balls().contact_angle, ahead = c.spots.angle[i];
     const double angle = x[static_cast<std::size_t>(lanes + c.spots.ball[i])];
     const Ball<double> axes{0.0, 0.0, std::cos(angle), std::sin(angle), {}, {}, 0.0};
-    const Triple<double> place = in_bearing_axes(
-        axes, Triple<double>{std::cos(lean) * std::cos(ahead), std::sin(ahead), std::sin(lean) * std::cos(ahead)});
+    const Triple<double> position = in_bearing_axes(
+        axes,
+        Triple<double>{std::cos(lean) * std::cos(ahead), std::sin(ahead), std::sin(lean) * std::cos(ahead)});
     double* into = x.data() + layout.spot(i);
-    into[0] = place.x;
-    into[1] = place.y;
-    into[2] = place.z;
+    into[0] = position.x;
+    into[1] = position.y;
+    into[2] = position.z;
   }
   x[static_cast<std::size_t>(layout.cage() + 5)] = first;
   x[static_cast<std::size_t>(layout.cage() + 2 * kCageUnknowns - 1)] = cage;

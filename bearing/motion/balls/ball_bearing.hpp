@@ -69,7 +69,7 @@ struct BallSnapshot {
   std::vector<ContactSnapshot> outer;    // (balls)
   std::vector<double> pocket_load;       // [N]  (balls)
   double cage_speed = 0.0;               // [rad/s]
-  Eigen::Vector3d cage_place;            // [m]
+  Eigen::Vector3d cage_position;         // [m]
   double inner_torque = 0.0;             // [N m]  of the drive against the bearing's friction alone
   double outer_torque = 0.0;             // [N m]
   BallPowerLoss loss;

@@ -16,7 +16,7 @@ namespace orbearing::bearing::balls {
 /// A scratch as one contact of one ball sees it.
 template <class Number>
 struct SeenSpot {
-  Triple<Number> place;  // [-]  direction of its middle, in the ball's axes
+  Triple<Number> position;  // [-]  direction of its middle, in the ball's axes
   Number owned{};        // [-]  1 where the ball has it, else 0
 };
 
@@ -51,8 +51,8 @@ template <class Number>
 Triple<Number> normal_rate(const GrooveNumbers& groove, const Ball<Number>& ball, const SeenBody<Number>& ring,
                            const Triple<Number>& outward, const Number& per_away, const Triple<Number>& normal,
                            const Number& per_distance) {
-  const Triple<Number> axis_rate = cross(ring.turning, ring.axis);
-  const Triple<Number> centre = ring.velocity - cross(ring.turning, ring.from_centre);
+  const Triple<Number> axis_rate = cross(ring.rotating, ring.axis);
+  const Triple<Number> centre = ring.velocity - cross(ring.rotating, ring.from_centre);
   const Triple<Number> moved = ball.velocity - centre;
   const Number along_axis = dot(ring.from_centre, ring.axis);
   const Number along_rate = dot(moved, ring.axis) + dot(ring.from_centre, axis_rate);
@@ -70,21 +70,21 @@ SpotTouch<Number> spot_touch(const ScratchLaw& law, double radius, const SeenSpo
   constexpr double kMiddle = 1e-24;  // keeps the direction finite where it does not matter
   SpotTouch<Number> sum;
   for (int i = 0; i < spots.count; ++i) {
-    const Triple<Number>& place = spots.spot[i].place;
-    const Triple<Number> off = at.normal - place;
+    const Triple<Number>& position = spots.spot[i].position;
+    const Triple<Number> off = at.normal - position;
     const Number square = dot(off, off) + kMiddle;
     const Number per_off = inverse_root(square), from_middle = radius * (square * per_off);
-    const auto inside = (dot(at.normal, place) > Number{}) & (from_middle < Number{} + 0.5 * law.width) &
+    const auto inside = (dot(at.normal, position) > Number{}) & (from_middle < Number{} + 0.5 * law.width) &
                         (spots.spot[i].owned > Number{});
     if (!any(inside)) continue;
-    const Sinking<Number> one = sinking(law, from_middle);
+    const DefectDepth<Number> one = defect_depth(law, from_middle);
     const Triple<Number> e = scaled(per_off, off);
     const Number slope = only(inside, radius * one.slope);
     sum.depth += only(inside, one.depth);
-    sum.rate += slope * dot(e, at.rate - cross(at.spin, place));
+    sum.rate += slope * dot(e, at.rate - cross(at.spin, position));
     sum.force += scaled(slope * dot(e, cross(at.axis, at.normal)) * at.per_away, at.along) +
                  scaled(slope * dot(e, at.across) * at.per_distance, at.across);
-    sum.moment += scaled(-slope, cross(place, e));
+    sum.moment += scaled(-slope, cross(position, e));
   }
   return sum;
 }

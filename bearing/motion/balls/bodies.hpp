@@ -36,7 +36,7 @@ struct Body {
 }
 
 /// What turns how fast [rad/s].
-[[gnu::always_inline]] inline Triple<double> turning(const Body& body) {
+[[gnu::always_inline]] inline Triple<double> rotating(const Body& body) {
   return cross(body.axis, body.axis_rate) + scaled(body.spin, body.axis);
 }
 
@@ -72,7 +72,7 @@ struct SeenBody {
   Triple<Number> from_centre;  // [m]      of the ball
   Triple<Number> axis;         // [-]
   Triple<Number> velocity;     // [m/s]    of the body's material where the ball's centre is
-  Triple<Number> turning;      // [rad/s]
+  Triple<Number> rotating;     // [rad/s]
   double turn = 0.0;           // [rad]    since the start
 };
 
@@ -82,8 +82,8 @@ SeenBody<Number> seen(const Ball<Number>& ball, const Body& body) {
   const Triple<Number> centre = in_axes_of(ball, body.centre);
   s.from_centre = {ball.radius - centre.x, -centre.y, ball.axial - centre.z};
   s.axis = in_axes_of(ball, body.axis);
-  s.turning = in_axes_of(ball, turning(body));
-  s.velocity = in_axes_of(ball, body.velocity) + cross(s.turning, s.from_centre);
+  s.rotating = in_axes_of(ball, rotating(body));
+  s.velocity = in_axes_of(ball, body.velocity) + cross(s.rotating, s.from_centre);
   s.turn = body.turn;
   return s;
 }
@@ -117,7 +117,7 @@ struct ContactSlopes {
   Number per_load[6];               // wrench over normal load; [0] is -1
   Number load_by_approach;          // [N/m]
   Number load_by_speed;             // [N s/m]
-  Number turning_stiffness;         // [N/m]  of the normal's direction, across
+  Number rotating_stiffness;        // [N/m]  of the normal's direction, across
   TractionSlopes<Number> friction;  // with the couple against rolling
 };
 

@@ -10,11 +10,11 @@ namespace orbearing::bearing::balls {
 struct LandOffset {
   double by[5];
 };
-[[gnu::always_inline]] inline LandOffset land_offset(const Body& cage, const Body& ring, double place) {
-  return {{cage.centre.x - ring.centre.x + place * (cage.axis.x - ring.axis.x),
-           cage.centre.y - ring.centre.y + place * (cage.axis.y - ring.axis.y),
-           cage.velocity.x - ring.velocity.x + place * (cage.axis_rate.x - ring.axis_rate.x),
-           cage.velocity.y - ring.velocity.y + place * (cage.axis_rate.y - ring.axis_rate.y), cage.spin}};
+[[gnu::always_inline]] inline LandOffset land_offset(const Body& cage, const Body& ring, double position) {
+  return {{cage.centre.x - ring.centre.x + position * (cage.axis.x - ring.axis.x),
+           cage.centre.y - ring.centre.y + position * (cage.axis.y - ring.axis.y),
+           cage.velocity.x - ring.velocity.x + position * (cage.axis_rate.x - ring.axis_rate.x),
+           cage.velocity.y - ring.velocity.y + position * (cage.axis_rate.y - ring.axis_rate.y), cage.spin}};
 }
 
 }  // namespace orbearing::bearing::balls

@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "bearing/contact/point_contact.hpp"
+#include "bearing/default_design.hpp"
 #include "bearing/geometry.hpp"
 #include "bearing/motion/cage_guidance.hpp"
 #include "bearing/motion/oil_drag.hpp"
-#include "bearing/usual_design.hpp"
 #include "mechanics/checks.hpp"
 #include "mechanics/constants.hpp"
 
@@ -111,7 +111,7 @@ double pocket_stiffness(const Bearing& bearing, double play) {
   const double sum = 4.0 / ball - 2.0 / hole;
   const PointCurvature curvature{.sum = sum, .difference = (2.0 / hole) / sum};
   constexpr double cage_poisson_ratio = 0.35;
-  const CageMaterial& cage = usual_cage_material(bearing.cage.density);
+  const CageMaterial& cage = default_cage_material(bearing.cage.density);
   const double of_cage = cage.youngs_modulus / (1.0 - cage_poisson_ratio * cage_poisson_ratio);
   const double both = 2.0 / (1.0 / bearing.material.plane_strain_modulus() + 1.0 / of_cage);
   return point_contact(curvature, {.youngs_modulus = both, .poisson_ratio = 0.0}).constant;

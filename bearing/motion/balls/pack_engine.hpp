@@ -109,9 +109,10 @@ class PackEngine final : public Engine {
       const int lane = c_.spots.ball[i] - p * kLanes;
       if (lane < 0 || lane >= kLanes) continue;
       const Mask own = first_lanes(lane + 1) & ~first_lanes(lane);
-      const double* place = x + layout_.spot(i);
-      seen.spot[seen.count++] = {in_axes_of(ball, unit(Triple<double>{place[0], place[1], place[2]})),
-                                 only(own, spread(1.0))};
+      const double* position = x + layout_.spot(i);
+      seen.spot[seen.count++] = {
+          in_axes_of(ball, unit(Triple<double>{position[0], position[1], position[2]})),
+          only(own, spread(1.0))};
     }
     return seen;
   }
@@ -206,9 +207,9 @@ void PackEngine::evaluate_balls(const Law& law, int p, const double* x, const Bo
     sum += held.on_ball;
   }
   const Pack speed = ball.velocity.y;
-  const Pack turning = root(dot(ball.spin, ball.spin) + 1e-12);
+  const Pack rotating = root(dot(ball.spin, ball.spin) + 1e-12);
   sum.force.y -= c_.drag.translation * speed * absolute(speed);
-  sum.moment += scaled(-c_.drag.churning * turning, ball.spin);
+  sum.moment += scaled(-c_.drag.churning * rotating, ball.spin);
 
   const double per_mass = 1.0 / c_.mass, per_inertia = 1.0 / c_.inertia;
   put(ball.velocity.x, dx, 0, p);
@@ -234,9 +235,9 @@ inline void PackEngine::turn_spots(const double* x, double* dx) const {
     const int j = c_.spots.ball[i];
     const double c = __builtin_cos(x[lanes + j]), s = __builtin_sin(x[lanes + j]);
     const double r = x[6 * lanes + j], t = x[7 * lanes + j];
-    const double* place = x + layout_.spot(i);
+    const double* position = x + layout_.spot(i);
     const Triple<double> rate = cross(Triple<double>{r * c - t * s, r * s + t * c, x[8 * lanes + j]},
-                                      Triple<double>{place[0], place[1], place[2]});
+                                      Triple<double>{position[0], position[1], position[2]});
     dx[layout_.spot(i)] = rate.x;
     dx[layout_.spot(i) + 1] = rate.y;
     dx[layout_.spot(i) + 2] = rate.z;
@@ -248,8 +249,8 @@ template <bool kSlopes>
 void PackEngine::evaluate_lands(const Body& cage, const Body& ring, BodyLoad& on_cage, BodyLoad& on_ring) {
   if (!c_.land.present) return;
   for (int side = 0; side < 2; ++side) {
-    const double place = side == 0 ? -c_.land.offset : c_.land.offset;
-    const LandOffset at = land_offset(cage, ring, place);
+    const double position = side == 0 ? -c_.land.offset : c_.land.offset;
+    const LandOffset at = land_offset(cage, ring, position);
     double x = 0.0, y = 0.0, moment = 0.0;
     if constexpr (kSlopes) {
       const auto variable = [&](int i) { return LandDual::variable(at.by[i], i); };
@@ -270,9 +271,9 @@ void PackEngine::evaluate_lands(const Body& cage, const Body& ring, BodyLoad& on
     }
     const Triple<double> force{x, y, 0.0};
     on_cage.force += force;
-    on_cage.moment += scaled(place, cross(cage.axis, force)) + scaled(moment, cage.axis);
+    on_cage.moment += scaled(position, cross(cage.axis, force)) + scaled(moment, cage.axis);
     on_ring.force += -force;
-    on_ring.moment += scaled(-place, cross(ring.axis, force));
+    on_ring.moment += scaled(-position, cross(ring.axis, force));
   }
 }
 

@@ -27,7 +27,7 @@ inline Impedance impedance(const ContactSlopes<Pack>& s, double g, const PocketF
   constexpr int row[4] = {1, 2, 5, 3};  // along, across, rolling, spin
   for (int i = 0; i < 4; ++i)
     for (int k = 0; k < 4; ++k) z[row[i]][row[k]] += g * s.friction.by[i][k];
-  z[2][2] += (g * g) * s.turning_stiffness;
+  z[2][2] += (g * g) * s.rotating_stiffness;
   // About the ball's centre: turning about across moves the contact along, turning about along moves it back
   // across; forces there turn the ball likewise.
   for (int i = 0; i < 6; ++i) {
@@ -46,8 +46,8 @@ inline Impedance impedance(const ContactSlopes<Pack>& s, double g, const PocketF
     z[0][5] -= g * film->by_turning_across;
     z[1][1] += g * film->along;
     z[2][2] += g * film->across;
-    z[4][4] += g * film->turning;
-    z[5][5] += g * film->turning;
+    z[4][4] += g * film->rotating;
+    z[5][5] += g * film->rotating;
   }
   const Pack r[3][3] = {{s.axes.normal.x, s.axes.along.x, s.axes.across.x},
                         {s.axes.normal.y, s.axes.along.y, s.axes.across.y},
@@ -124,7 +124,7 @@ inline void PackEngine::add_lands(double g) {
   const int ring = c_.land.on_outer ? kOuter : kInner;
   // Unknowns of a body by the two components of the offset at a land: its centre, and its axis times place.
   for (int side = 0; side < 2; ++side) {
-    const double place = side == 0 ? -c_.land.offset : c_.land.offset;
+    const double position = side == 0 ? -c_.land.offset : c_.land.offset;
     for (int i = 0; i < 3; ++i) {
       const LandDual& force = land_[side][i];
       const double by[2] = {g * (force.by(2) + g * force.by(0)), g * (force.by(3) + g * force.by(1))};
@@ -134,20 +134,20 @@ inline void PackEngine::add_lands(double g) {
         };
         const auto into = [&](int row, double row_share) {
           put(row, row_share, kCage + k, 1.0);
-          put(row, row_share, kCage + 3 + k, place);
+          put(row, row_share, kCage + 3 + k, position);
           if (ring >= shared_end()) return;
           put(row, row_share, ring + k, -1.0);
-          put(row, row_share, ring + 3 + k, -place);
+          put(row, row_share, ring + 3 + k, -position);
         };
         if (i == 2) {
           into(kCage + 5, 1.0);
           continue;
         }
         into(kCage + i, 1.0);
-        into(kCage + 3 + i, place);
+        into(kCage + 3 + i, position);
         if (ring >= shared_end()) continue;
         into(ring + i, -1.0);
-        into(ring + 3 + i, -place);
+        into(ring + 3 + i, -position);
       }
     }
     shared_.a[kCage + 5][kCage + 5] -= g * land_[side][2].by(4);
@@ -192,7 +192,7 @@ inline BallWrench<Pack> shifted(const ContactSlopes<Pack>& s, const Triple<Pack>
   const Pack along_normal = dot(shift, s.axes.normal), across = dot(shift, s.axes.across);
   const Pack load = s.load_by_approach * along_normal;
   const Pack force[3] = {-(s.per_load[0] * load), -(s.per_load[1] * load),
-                         s.turning_stiffness * across - s.per_load[2] * load};
+                         s.rotating_stiffness * across - s.per_load[2] * load};
   const Pack moment[3] = {-(s.per_load[3] * load), -(s.per_load[4] * load) - s.arm * force[2],
                           -(s.per_load[5] * load) + s.arm * force[1]};
   return {scaled(force[0], s.axes.normal) + scaled(force[1], s.axes.along) + scaled(force[2], s.axes.across),
@@ -288,9 +288,9 @@ inline void PackEngine::add_film(const BallPack& at, const BodyColumns& columns,
     const int ring = c_.land.on_outer ? kOuter : kInner;
     const double* guide = c_.land.on_outer ? outer : inner;
     for (int side = 0; side < 2; ++side) {
-      const double place = side == 0 ? -c_.land.offset : c_.land.offset;
-      const double x = cage[0] - guide[0] + place * (cage[3] - guide[3]);
-      const double y = cage[1] - guide[1] + place * (cage[4] - guide[4]);
+      const double position = side == 0 ? -c_.land.offset : c_.land.offset;
+      const double x = cage[0] - guide[0] + position * (cage[3] - guide[3]);
+      const double y = cage[1] - guide[1] + position * (cage[4] - guide[4]);
       for (int i = 0; i < 3; ++i) {
         const double force = g_ * (land_[side][i].by(0) * x + land_[side][i].by(1) * y);
         if (i == 2) {
@@ -298,9 +298,9 @@ inline void PackEngine::add_film(const BallPack& at, const BodyColumns& columns,
           continue;
         }
         b[kCage + i] += force;
-        b[kCage + 3 + i] += place * force;
+        b[kCage + 3 + i] += position * force;
         b[ring + i] -= force;
-        b[ring + 3 + i] -= place * force;
+        b[ring + 3 + i] -= position * force;
       }
     }
   }

@@ -42,7 +42,7 @@ struct PocketFilmSlopes {
   Number by_along, by_across;                // [N s/m]  of the load by sliding
   Number by_turning_along, by_turning_across;  // [N s]  by turning about either
   Number along, across;  // [N s/m]    drag
-  Number turning;        // [N m s]    against turning about either
+  Number rotating;       // [N m s]    against turning about either
 };
 
 /// Adds the oil on both sides of a ball that stands `distance` [m] off the pocket's middle line along
@@ -85,7 +85,7 @@ void add_pocket_film(const BallNumbers& c, const ContactAxes<Number>& axes, cons
       slopes.by_turning_along -= (0.5 * c.radius) * now.by_uy;
       slopes.along += now.shear;
       slopes.across += now.shear;
-      slopes.turning += (c.radius * c.radius) * now.shear;
+      slopes.rotating += (c.radius * c.radius) * now.shear;
     }
   }
   const Number least = Number{} + film.least_gap, eccentricity = smaller(distance / pocket.play, Number{} + 1.0);
@@ -126,7 +126,7 @@ PocketTouch<Number> pocket_touch(const BallNumbers& c, const Ball<Number>& ball,
   const Number pressed = only(touching, approach);
   const Number root_approach = root(pressed);
   const Number elastic = pocket.stiffness * pressed * root_approach;
-  const Triple<Number> turn = cage.turning - ball.spin;
+  const Triple<Number> turn = cage.rotating - ball.spin;
   const Triple<Number> slip =
       cage.velocity - ball.velocity + scaled(Number{} + c.radius, cross(turn, axes.normal));
   const Number closing = -dot(slip, axes.normal);
@@ -157,7 +157,7 @@ PocketTouch<Number> pocket_touch(const BallNumbers& c, const Ball<Number>& ball,
     slopes.load_by_approach =
         only(loaded, 1.5 * pocket.stiffness * root_approach * damping_factor(pocket.damping, closing));
     slopes.load_by_speed = only(loaded, elastic * pocket.damping);
-    slopes.turning_stiffness = only(absolute(off) > Number{}, load * per_distance);
+    slopes.rotating_stiffness = only(absolute(off) > Number{}, load * per_distance);
     slopes.friction = {};
     slopes.friction.by[0][0] = per_speed - bend * along * along;
     slopes.friction.by[1][0] = slopes.friction.by[0][1] = -(bend * along * across);

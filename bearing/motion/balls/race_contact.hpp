@@ -32,7 +32,7 @@ struct RaceTouch {
 
 /// What scratches of the race do to a contact.
 template <class Number>
-struct Sunk {
+struct ElementDepth {
   Number depth{};     // [m]
   Number by_angle{};  // [m/rad]  its slope by the ball's angle about the ring's axis
 };
@@ -40,16 +40,16 @@ struct Sunk {
 /// `outward` and `along` from the ring's axis, in the ball's axes. The sine stands for the angle from a
 /// scratch.
 template <class Number>
-Sunk<Number> sunk(const ScratchNumbers& c, const Ball<Number>& ball, double turn,
-                  const Triple<Number>& outward, const Triple<Number>& along) {
+ElementDepth<Number> element_depth(const ScratchNumbers& c, const Ball<Number>& ball, double turn,
+                                   const Triple<Number>& outward, const Triple<Number>& along) {
   using namespace mechanics;
-  Sunk<Number> sum;
+  ElementDepth<Number> sum;
   for (int i = 0; i < c.count; ++i) {
     const double angle = c.angle[i] + turn;
     const Triple<Number> scratch =
         in_axes_of(ball, Triple<double>{__builtin_cos(angle), __builtin_sin(angle), 0.0});
     const Number ahead = -dot(scratch, along), towards = dot(scratch, outward);
-    const TrackSinking<Number> one = track_sinking(c.law, c.track_radius, ahead, towards);
+    const TrackDepth<Number> one = track_depth(c.law, c.track_radius, ahead, towards);
     sum.depth += one.depth;
     sum.by_angle += one.by_angle;
   }
@@ -80,8 +80,9 @@ RaceTouch<Number> race_touch(const Law& law, const BallNumbers& c, const GrooveN
   axes.along = cross(ring.axis, outward);
   axes.across = cross(axes.normal, axes.along);
 
-  Sunk<Number> scratched;
-  if (groove.scratch.count > 0) scratched = sunk(groove.scratch, ball, ring.turn, outward, axes.along);
+  ElementDepth<Number> scratched;
+  if (groove.scratch.count > 0)
+    scratched = element_depth(groove.scratch, ball, ring.turn, outward, axes.along);
   SpotTouch<Number> spotted;
   if (spots.count > 0)
     spotted = spot_touch(&groove == &c.inner ? c.spots.on_inner : c.spots.on_outer, c.radius, spots,
@@ -97,7 +98,7 @@ RaceTouch<Number> race_touch(const Law& law, const BallNumbers& c, const GrooveN
   const Number elastic = groove.stiffness * pressed * root_approach;
 
   // The race relative to the ball at the contact, which lies by a ball's radius off its centre.
-  const Triple<Number> turn = ring.turning - ball.spin;
+  const Triple<Number> turn = ring.rotating - ball.spin;
   const Triple<Number> slip =
       ring.velocity - ball.velocity + scaled(Number{} + c.radius, cross(turn, axes.normal));
   const Number past = dot(ball.velocity - ring.velocity, axes.along) * per_away;  // [rad/s] over the race
@@ -183,7 +184,7 @@ RaceTouch<Number> race_touch(const Law& law, const BallNumbers& c, const GrooveN
       slopes.load_by_approach += only(loaded, squeezed.by_approach);
       slopes.load_by_speed += only(loaded, squeezed.by_closing);
     }
-    slopes.turning_stiffness = load * per_distance;
+    slopes.rotating_stiffness = load * per_distance;
     for (int i = 0; i < 4; ++i)
       for (int k = 0; k < 4; ++k) slopes.friction.by[i][k] = only(loaded, friction.by[i][k]);
     slopes.friction.by[2][2] += only(loaded, couple * groove.rolling_radius);

@@ -73,7 +73,7 @@ inline void set_film_powers(RaceNumbers<double>& c) {
 /// The contacts cut into laminae; see contact/lamina_races.hpp.
 struct LaminaConstants {
   int count = 0;                       // 0: line contacts of straight rollers
-  const double* place = nullptr;       // (count)  -1 to 1
+  const double* position = nullptr;    // (count)  -1 to 1
   const double* inner_drop = nullptr;  // (count)  [m]
   const double* outer_drop = nullptr;  // (count)  [m]
   double bore_end_displacement_x = 0.0;             // [m]

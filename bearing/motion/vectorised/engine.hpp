@@ -124,7 +124,7 @@ class Engine {
   /// As factor(), for all but the bore's velocity and, with a cage and where it is `turning` at a speed that
   /// changes in a step, its rotation, whose rates remain to be found or are given. That takes a quarter
   /// longer.
-  virtual bool factor_open(double g, bool turning, PortMatrix& port) = 0;
+  virtual bool factor_open(double g, bool rotating, PortMatrix& port) = 0;
   /// First part of a solution after factor_open(): begins `k` and gives the reduced force [N] and moment
   /// [N m] on the bore.
   virtual void reduce(const double* rhs, double* k, double (&force)[3]) = 0;

@@ -35,15 +35,15 @@ inline LaminaPackSums tilted_sums(const LaminaConstants& laminae, const PackPair
                                   const PackPair& end_displacement) {
   LaminaPackSums sums;
   for (int k = 0; k < laminae.count; ++k) {
-    const double place = laminae.place[k];
-    const PackPair depth = elastic + place * end_displacement - drop_of(laminae, k);
+    const double position = laminae.position[k];
+    const PackPair depth = elastic + position * end_displacement - drop_of(laminae, k);
     const PackPair root = only(depth > 0.0, ninth_root(depth));
     const PackPair load = root * depth;
     sums.load += load;
-    sums.end_load += place * load;
+    sums.end_load += position * load;
     sums.by_approach += root;
-    sums.mixed += place * root;
-    sums.by_end_displacement += (place * place) * root;
+    sums.mixed += position * root;
+    sums.by_end_displacement += (position * position) * root;
   }
   return sums;
 }

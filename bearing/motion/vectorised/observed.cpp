@@ -14,7 +14,7 @@ SeenContact<PackPair> seen_contact(const RacePair& race, const RaceMotion& m, co
   PackPair form_power{};
   if (!race.round)
     form_power =
-        race.side * x.load * race.speed * (m.form.slope - m.form.turning_slope - m.form.rolling_slope);
+        race.side * x.load * race.speed * (m.form.slope - m.form.rotating_slope - m.form.rolling_slope);
   return {.approach = m.approach,
           .elastic_approach = x.elastic_approach,
           .load = x.load,

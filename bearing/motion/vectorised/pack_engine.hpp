@@ -111,7 +111,7 @@ class PackEngine final : public Engine {
   void set_surroundings(const Surroundings& now) override;
   BoreForces bore_forces() const override { return on_bore_; }
   BoreSlopes bore_slopes() const override;
-  bool factor_open(double g, bool turning, PortMatrix& port) override;
+  bool factor_open(double g, bool rotating, PortMatrix& port) override;
   void reduce(const double* rhs, double* k, double (&force)[3]) override;
   void complete(const double* rhs, const double (&rate)[3], double* k) const override;
 
@@ -199,7 +199,7 @@ class PackEngine final : public Engine {
   RingBlock rings_;
   SharedInverse<kRingUnknowns> inverse_;  // of rings_, after factor()
   double g_ = 0.0;
-  bool turning_ = false;  // the rotation of the bore is in the factors
+  bool rotating_ = false;  // the rotation of the bore is in the factors
   GuidanceDual land_x_, land_y_, land_moment_;
   double bore_x_ = 0.0, bore_y_ = 0.0;  // [m]  at the last linearisation
   double cage_speed_ = 0.0;
@@ -375,12 +375,12 @@ void PackEngine::evaluate(const double* x, double load_x, double load_y, double*
 }
 
 inline void PackEngine::evaluate_waves(const double* x, double* dx) const {
-  const double *place = x + layout_.wave(), *speed = x + layout_.wave_speed();
+  const double *position = x + layout_.wave(), *speed = x + layout_.wave_speed();
   for (int i = 0; i < layout_.waves; ++i) {
     dx[layout_.wave() + i] = speed[i];
     const RimWave& wave = c_.rim[i];
     dx[layout_.wave_speed() + i] = (sum(wave_force_[i]) - wave.damping * speed[i] -
-                                    wave.stiffness * (place[i] - c_.meshes * wave.at_rest)) /
+                                    wave.stiffness * (position[i] - c_.meshes * wave.at_rest)) /
                                    wave.mass;
   }
 }

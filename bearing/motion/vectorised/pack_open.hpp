@@ -13,8 +13,8 @@ inline constexpr int kBoreLast[kOpenUnknowns] = {kPin,      kPin + 1, kCage,    
                                                  kCage + 2, kBore,    kBore + 1, kTurn};
 inline constexpr int kInner = kOpenUnknowns - 3;  // all but the bore
 
-[[gnu::flatten]] inline bool PackEngine::factor_open(double g, bool turning, PortMatrix& port) {
-  turning_ = turning && c_.caged;
+[[gnu::flatten]] inline bool PackEngine::factor_open(double g, bool rotating, PortMatrix& port) {
+  rotating_ = rotating && c_.caged;
   if (c_.caged)
     assemble<true, true>(g);
   else

@@ -70,7 +70,7 @@ void PackEngine::reduce_rollers(const double* rhs, double* k, double (&b)[kOpenU
     const ContactForce<Pack> outer = shifted(at.outer, of_bore);
     react(inner.f_r, inner.f_t, at.cosine, at.sine, loads.pin);
     react(outer.f_r, outer.f_t, at.cosine, at.sine, loads.bore);
-    if (OpenBore && turning_) {
+    if (OpenBore && rotating_) {
       bore_moment -= bore_arm(at).moment(outer.f_r, outer.f_t, outer.moment) + of_bore.d_r * at.outer_t -
                      of_bore.d_t * at.outer_r;
     }
@@ -177,13 +177,14 @@ inline void PackEngine::tilt_rollers(int p, const double* rhs, const Pack& shift
 /// Rates of the waves of an elastic rim, each by itself: that they move rollers and rollers move them is left
 /// out of J, since the rim gives way far less than the contacts; the order does not ask for it.
 inline void PackEngine::complete_waves(const double* rhs, double* k) const {
-  const double *place = rhs + layout_.wave(), *speed = rhs + layout_.wave_speed();
+  const double *position = rhs + layout_.wave(), *speed = rhs + layout_.wave_speed();
   for (int i = 0; i < layout_.waves; ++i) {
     const RimWave& wave = c_.rim[i];
     const double per_mass = g_ / wave.mass, stiffness = per_mass * wave.stiffness;
-    const double rate = (speed[i] - stiffness * place[i]) / (1.0 + per_mass * wave.damping + g_ * stiffness);
+    const double rate =
+        (speed[i] - stiffness * position[i]) / (1.0 + per_mass * wave.damping + g_ * stiffness);
     k[layout_.wave_speed() + i] = rate;
-    k[layout_.wave() + i] = place[i] + g_ * rate;
+    k[layout_.wave() + i] = position[i] + g_ * rate;
   }
 }
 

@@ -132,7 +132,7 @@ inline RaceMotion race_motion(const RacePair& race, const Pack& radius, const Ma
       opening -= m.form.rate;
     }
     gap -= m.form.height;
-    opening -= m.form.slope * m.line - m.form.turning_slope * race.speed;
+    opening -= m.form.slope * m.line - m.form.rotating_slope * race.speed;
     if (!race.roller_scratches.empty()) {
       FormSlopes<PackPair> own{};
       add_roller_scratches(race, state, c, s, own);
@@ -360,7 +360,7 @@ inline NormalSlopes normal_slopes(const RacePair& race, const RaceMotion& m, con
     const PackPair per_distance = side * m.inverse;
     n.distance.tangential -= per_distance * x.load * m.form.slope * m.inverse;
     const PackPair climb = -1.0 * m.form.slope * per_distance;
-    const PackPair gain = (m.form.turning_bend * race.speed + m.form.rolling_bend * m.spin -
+    const PackPair gain = (m.form.rotating_bend * race.speed + m.form.rolling_bend * m.spin -
                            m.form.bend * m.line - m.form.rate_slope) *
                           per_distance;
     const ForceRate by_form = force_rate(race, m, x, climb * laws.approach + gain * laws.closing);

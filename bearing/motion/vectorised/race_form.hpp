@@ -22,8 +22,8 @@ struct FormSlopes {
   Number height;  // [m]
   Number slope;   // [m/rad]
   Number bend;    // [m/rad^2]  second derivative
-  Number turning_slope;
-  Number turning_bend;
+  Number rotating_slope;
+  Number rotating_bend;
   Number rolling_slope;  // the share of what turns with the roller
   Number rolling_bend;
   Number rate;        // [m/s]  of a race that bends
@@ -35,13 +35,13 @@ struct FormSlopes {
 inline void add_scratches(const RaceConstants& race, const Pack& cosine, const Pack& sine,
                           FormSlopes<Pack>& sum) {
   for (const RaceScratch& scratch : race.scratches) {
-    const TrackSinking<Pack> sunk =
-        sinking_at(scratch.law, scratch.radius, scratch.angle + race.turned, cosine, sine);
-    sum.height += race.side * sunk.depth;
-    sum.slope += race.side * sunk.by_angle;
-    sum.bend += race.side * sunk.bend;
-    sum.turning_slope += race.side * sunk.by_angle;
-    sum.turning_bend += race.side * sunk.bend;
+    const TrackDepth<Pack> element_depth =
+        depth_at(scratch.law, scratch.radius, scratch.angle + race.turned, cosine, sine);
+    sum.height += race.side * element_depth.depth;
+    sum.slope += race.side * element_depth.by_angle;
+    sum.bend += race.side * element_depth.bend;
+    sum.rotating_slope += race.side * element_depth.by_angle;
+    sum.rotating_bend += race.side * element_depth.bend;
   }
 }
 
@@ -74,10 +74,10 @@ inline void add_rim(int waves, const FormState& state, const Pack& cosine, const
   PackMultiples turned(cosine, sine);
   for (int i = 1; i + 1 < waves; i += 2) {
     turned.next();
-    const double n = (i + 3) / 2, *place = state.wave + i, *speed = state.wave_speed + i;
-    const Pack outward = place[0] * turned.cosine + place[1] * turned.sine;
+    const double n = (i + 3) / 2, *position = state.wave + i, *speed = state.wave_speed + i;
+    const Pack outward = position[0] * turned.cosine + position[1] * turned.sine;
     height += outward;
-    slope += (n * place[1]) * turned.cosine - (n * place[0]) * turned.sine;
+    slope += (n * position[1]) * turned.cosine - (n * position[0]) * turned.sine;
     bend -= (n * n) * outward;
     rate += speed[0] * turned.cosine + speed[1] * turned.sine;
     rate_slope += (n * speed[1]) * turned.cosine - (n * speed[0]) * turned.sine;
@@ -116,7 +116,7 @@ inline FormSlopes<Pack> form_slopes(const RaceConstants& race, const Pack& cosin
       base_s = 2.0 * base_c * base_s;
       base_c = square;
     }
-    const double order = wave.order, phase = wave.turning ? wave.phase - order * race.turned : wave.phase;
+    const double order = wave.order, phase = wave.rotating ? wave.phase - order * race.turned : wave.phase;
     const double turn_c = wave.amplitude * __builtin_cos(phase);
     const double turn_s = wave.amplitude * __builtin_sin(phase);
     const Pack height = turn_c * c - turn_s * s;
@@ -124,9 +124,9 @@ inline FormSlopes<Pack> form_slopes(const RaceConstants& race, const Pack& cosin
     sum.height += height;
     sum.slope += slope;
     sum.bend -= order * order * height;
-    if (wave.turning) {
-      sum.turning_slope += slope;
-      sum.turning_bend -= order * order * height;
+    if (wave.rotating) {
+      sum.rotating_slope += slope;
+      sum.rotating_bend -= order * order * height;
     }
   }
   add_scratches(race, cosine, sine, sum);
@@ -139,8 +139,8 @@ inline FormSlopes<PackPair> form_slopes(const RacePair& race, const PackPair& co
   return {{inner.height, outer.height},
           {inner.slope, outer.slope},
           {inner.bend, outer.bend},
-          {inner.turning_slope, outer.turning_slope},
-          {inner.turning_bend, outer.turning_bend},
+          {inner.rotating_slope, outer.rotating_slope},
+          {inner.rotating_bend, outer.rotating_bend},
           {inner.rolling_slope, outer.rolling_slope},
           {inner.rolling_bend, outer.rolling_bend},
           {inner.rate, outer.rate},
@@ -150,12 +150,12 @@ inline FormSlopes<PackPair> form_slopes(const RacePair& race, const PackPair& co
 /// Adds what the scratches of the rollers do to one contact: `side` -1 on the inner race, 1 on the outer one.
 inline void add_roller_scratch(const RollerScratch& scratch, double side, double turned, const Mask& own,
                                const Pack& cosine, const Pack& sine, Pack& height, Pack& slope, Pack& bend) {
-  const TrackSinking<Pack> sunk =
-      sinking_at(side < 0.0 ? scratch.on_inner : scratch.on_outer, scratch.radius, scratch.angle + turned,
-                 side * cosine, side * sine);
-  height += only(own, side * sunk.depth);
-  slope += only(own, side * sunk.by_angle);
-  bend += only(own, side * sunk.bend);
+  const TrackDepth<Pack> element_depth =
+      depth_at(side < 0.0 ? scratch.on_inner : scratch.on_outer, scratch.radius, scratch.angle + turned,
+               side * cosine, side * sine);
+  height += only(own, side * element_depth.depth);
+  slope += only(own, side * element_depth.by_angle);
+  bend += only(own, side * element_depth.bend);
 }
 
 inline void add_roller_scratches(const RacePair& race, const FormState& rollers, const PackPair& cosine,

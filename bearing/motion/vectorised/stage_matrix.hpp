@@ -171,8 +171,8 @@ template <bool OpenBore, bool Caged>
 void PackEngine::build_block(int p, double g) {
   const RollerPack& at = linear_[p];
   RollerBlock& block = block_[p];
-  const bool turning = OpenBore && Caged && turning_;
-  block.ring_end = turning ? kOpenUnknowns : at.caged ? kRingUnknowns : kCage;
+  const bool rotating = OpenBore && Caged && rotating_;
+  block.ring_end = rotating ? kOpenUnknowns : at.caged ? kRingUnknowns : kCage;
   const FreeSlopes& free = at.free;
   block.own[0][0] = 1.0 - g * g * free.radial_by_r;
   block.own[0][1] = -g * (g * free.radial_by_theta + free.radial_by_orbital);
@@ -187,7 +187,7 @@ void PackEngine::build_block(int p, double g) {
   add_contact(g, roller_scale, c_.pin_mass, kPin, at, stage_slopes(g, at, at.inner), block);
   const StageSlopes outer = stage_slopes(g, at, at.outer);
   add_contact(g, roller_scale, c_.bore_mass, kBore, at, outer, block);
-  if (turning) {
+  if (rotating) {
     add_bore_rotation(g, roller_scale, c_, at, bore_arm(at), outer, block);
     if (!at.caged) leave_cage_out(block);
   }

@@ -33,9 +33,9 @@ void add(zip_t* archive, const ArchiveFile& file) {
     zip_source_free(source);
     fail(file.path.c_str(), zip_strerror(archive));
   }
-  const auto place = static_cast<zip_uint64_t>(index);
-  if (zip_file_set_dostime(archive, place, 0, kFirstDay, 0) != 0 ||
-      zip_set_file_compression(archive, place, ZIP_CM_DEFLATE, kCompression) != 0)
+  const auto position = static_cast<zip_uint64_t>(index);
+  if (zip_file_set_dostime(archive, position, 0, kFirstDay, 0) != 0 ||
+      zip_set_file_compression(archive, position, ZIP_CM_DEFLATE, kCompression) != 0)
     fail(file.path.c_str(), zip_strerror(archive));
 }
 

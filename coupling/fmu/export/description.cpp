@@ -59,7 +59,7 @@ struct Model {
   bool fmi3 = false;
 
   // FMI 2.0 counts variables from 1 where FMI 3.0 has value references.
-  std::uint32_t place(std::uint32_t reference) const { return fmi3 ? reference : reference + 1; }
+  std::uint32_t position(std::uint32_t reference) const { return fmi3 ? reference : reference + 1; }
 };
 
 void put(Node node, const char* name, const std::string& value) {
@@ -189,13 +189,13 @@ void add_variables(Node root, const Model& model) {
 void add_unknown(Node parent, const char* name, const Model& model, const Variable& output,
                  const std::vector<std::uint32_t>& references) {
   Node node = parent.append_child(name);
-  put(node, model.fmi3 ? "valueReference" : "index", std::to_string(model.place(output.reference)));
-  std::string places, kinds;
+  put(node, model.fmi3 ? "valueReference" : "index", std::to_string(model.position(output.reference)));
+  std::string positions, kinds;
   for (const std::uint32_t reference : references) {
-    places += (places.empty() ? "" : " ") + std::to_string(model.place(reference));
+    positions += (positions.empty() ? "" : " ") + std::to_string(model.position(reference));
     kinds += kinds.empty() ? "dependent" : " dependent";
   }
-  put(node, "dependencies", places);
+  put(node, "dependencies", positions);
   put(node, "dependenciesKind", kinds);
 }
 

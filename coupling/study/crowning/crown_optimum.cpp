@@ -35,7 +35,7 @@ struct Search {
   bool with_share() const { return options.free_share && has_share(family); }
   unsigned size() const { return with_share() ? 3 : 2; }
   Crown crown(const double* x) const {
-    return {x[0] * options.greatest_drop, with_share() ? x[1] : usual_share(family)};
+    return {x[0] * options.greatest_drop, with_share() ? x[1] : default_share(family)};
   }
   CrownLife of_member(const Crown& crown, const Member& member, bool with_slopes) const {
     const Crown made = missed(crown, member);
@@ -175,7 +175,7 @@ std::vector<Crown> random_starts(const Search& search) {
   for (int i = 0; i < search.options.starts; ++i) {
     const double drop = uniform(search.options.least_drop, search.options.greatest_drop);
     const double share = uniform(kLeastShare, kGreatestShare);
-    starts.push_back({drop, search.with_share() ? share : usual_share(search.family)});
+    starts.push_back({drop, search.with_share() ? share : default_share(search.family)});
   }
   return starts;
 }

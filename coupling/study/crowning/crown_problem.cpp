@@ -166,14 +166,14 @@ DutyLoads loads_at(const CrownProblem& problem, const Profile& profile, const Le
 double duty_hours(const CrownProblem& problem, const DutyLoads& loads, std::size_t duty) {
   const double revolutions =
       lamina_life(problem.ratings[duty], loads.inner_lamina_load(), loads.outer_lamina_load()).bearing;
-  return bearing::hours(revolutions, turning_speed(problem.bearing, problem.duties[duty].point));
+  return bearing::hours(revolutions, rotating_speed(problem.bearing, problem.duties[duty].point));
 }
 
 bearing::rating::RatedHours rated_duty_hours(const CrownProblem& problem, const DutyLoads& loads,
                                              std::size_t duty) {
   using namespace bearing::rating;
   const bearing::OperatingPoint& point = problem.duties[duty].point;
-  const double speed = turning_speed(problem.bearing, point);
+  const double speed = rotating_speed(problem.bearing, point);
   const double load =
       bearing::total_bore_load(problem.bearing, geometry_of(problem.bearing), point, problem.options.inertia)
           .norm();

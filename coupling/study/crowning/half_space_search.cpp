@@ -33,9 +33,9 @@ struct Lives {
     const auto count = static_cast<Eigen::Index>(leans.size());
     Eigen::ArrayXXd found(count, drops.size());
     in_parallel(static_cast<std::size_t>(found.size()), jobs, [&](std::size_t i) {
-      const auto place = static_cast<Eigen::Index>(i);
-      found(place % count, place / count) =
-          log_life(drops[place / count], leans[static_cast<std::size_t>(place % count)].lean);
+      const auto position = static_cast<Eigen::Index>(i);
+      found(position % count, position / count) =
+          log_life(drops[position / count], leans[static_cast<std::size_t>(position % count)].lean);
     });
     return found;
   }

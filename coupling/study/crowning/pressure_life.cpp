@@ -27,15 +27,15 @@ Eigen::ArrayXXd pressures_on(Race race, const CrownProblem& problem, const Rolle
   const int taken = std::min(angles, states);
   Eigen::ArrayXXd found =
       Eigen::ArrayXXd::Zero(problem.bearing.rollers().laminae, taken * problem.bearing.rollers().count);
-  Eigen::Index place = 0;
+  Eigen::Index position = 0;
   for (int i = 0; i < taken; ++i)
     for (const RollerState& roller : loads.states[static_cast<std::size_t>(i * states / taken)].rollers) {
       const double load = inner ? roller.inner.load : roller.outer.load;
       const double tilt = (inner ? roller.inner_end_displacement : roller.outer_end_displacement) / half;
       if (load > idle)
-        found.col(place) = bearing::half_space::fatigue_pressures(pressure.on(race, profile, load, tilt),
-                                                                  problem.bearing.rollers().laminae);
-      ++place;
+        found.col(position) = bearing::half_space::fatigue_pressures(pressure.on(race, profile, load, tilt),
+                                                                     problem.bearing.rollers().laminae);
+      ++position;
     }
   return found;
 }
@@ -68,7 +68,7 @@ double revolutions(const CrownProblem& problem, const RollerPressure& pressure, 
 double pressure_duty_hours(const CrownProblem& problem, const RollerPressure& pressure,
                            const Profile& profile, const DutyLoads& loads, std::size_t duty, int angles) {
   return bearing::hours(revolutions(problem, pressure, profile, loads, problem.ratings[duty].motions, angles),
-                        turning_speed(problem.bearing, problem.duties[duty].point));
+                        rotating_speed(problem.bearing, problem.duties[duty].point));
 }
 
 double pressure_life_hours(const CrownProblem& problem, const RollerPressure& pressure,

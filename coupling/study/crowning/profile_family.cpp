@@ -45,7 +45,7 @@ Profile with_share(Profile shape, double length, double share) {
 }
 
 double station_of(const ProfileFamily& family) {
-  return profile::kDropPlace * 0.5 * family.length;
+  return profile::kDropPosition * 0.5 * family.length;
 }
 
 }  // namespace
@@ -72,7 +72,7 @@ bool has_share(const ProfileFamily& family) {
          std::holds_alternative<profile::FujiwaraKawase>(family.shape);
 }
 
-double usual_share(const ProfileFamily& family) {
+double default_share(const ProfileFamily& family) {
   if (const auto* chamfer = std::get_if<profile::Chamfer>(&family.shape))
     return chamfer->chamfer_length / (0.5 * family.length);
   if (const auto* circular = std::get_if<profile::StraightCircular>(&family.shape))
@@ -89,7 +89,7 @@ Profile profile_of(const ProfileFamily& family, const Crown& crown) {
 
 double reference_drop(const bearing::Bearing& bearing) {
   return profile::drop(profile::Iso16281{bearing.rollers().length, bearing.rollers().diameter, 1.0},
-                       profile::kDropPlace * 0.5 * bearing.rollers().length);
+                       profile::kDropPosition * 0.5 * bearing.rollers().length);
 }
 
 }  // namespace orbearing::study::crowning

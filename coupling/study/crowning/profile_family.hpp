@@ -37,7 +37,7 @@ ProfileFamily family_like(const bearing::profile::Profile& made, const bearing::
 bool has_share(const ProfileFamily& family);
 
 /// Crowned share of the family as it is made; 1 for kinds crowned all along.
-double usual_share(const ProfileFamily& family);
+double default_share(const ProfileFamily& family);
 
 /// Least and greatest share of any use: the station stays within the crown.
 inline constexpr double kLeastShare = 0.1;

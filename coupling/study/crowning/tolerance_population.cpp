@@ -27,9 +27,9 @@ Misses fine_misses(Distribution distribution) {
   Misses fine{Eigen::ArrayXd(30), Eigen::ArrayXd(30)};
   for (std::size_t i = 0; i < Fine::abscissa().size(); ++i)
     for (const int side : {0, 1}) {
-      const auto place = static_cast<Eigen::Index>(2 * i) + side;
-      fine.miss[place] = (side == 0 ? -1.0 : 1.0) * Fine::abscissa()[i];
-      fine.weight[place] = Fine::weights()[i] * density(distribution, fine.miss[place]);
+      const auto position = static_cast<Eigen::Index>(2 * i) + side;
+      fine.miss[position] = (side == 0 ? -1.0 : 1.0) * Fine::abscissa()[i];
+      fine.weight[position] = Fine::weights()[i] * density(distribution, fine.miss[position]);
     }
   fine.weight /= fine.weight.sum();
   return fine;

@@ -34,8 +34,8 @@ TangentRange range_of(const MeshGear& gear) {
           tangent_length(tooth.base_radius, tooth.tip_radius)};
 }
 
-double on_first(const MeshingGears& gears, double place) {
-  return is_internal(gears) ? gears.line_length + place : gears.line_length - place;
+double on_first(const MeshingGears& gears, double position) {
+  return is_internal(gears) ? gears.line_length + position : gears.line_length - position;
 }
 
 // Axes with the line of action along y and the tangent point of each gear on x at its base radius; those of
@@ -54,9 +54,9 @@ Eigen::Vector2d from_second_to_first(const MeshingGears& gears, const Eigen::Vec
 
 // Eq. (1): the edge, in the axes of the other gear; its own gear turned on by `turned` [m] at the base
 // circle.
-Eigen::Vector2d edge_point(const MeshingGears& gears, const EdgeAtEnd& edge, double place, double turned) {
+Eigen::Vector2d edge_point(const MeshingGears& gears, const EdgeAtEnd& edge, double position, double turned) {
   const double base = base_radius(edge.of_first ? gears.first : gears.second);
-  const double own = (edge.of_first ? on_first(gears, place) : place) + turned;
+  const double own = (edge.of_first ? on_first(gears, position) : position) + turned;
   const double angle = own / base - behind_foot(edge.tangent, base);
   const Eigen::Vector2d point =
       std::hypot(base, edge.tangent) * Eigen::Vector2d(std::cos(angle), std::sin(angle));
@@ -79,10 +79,11 @@ struct GapOnMate {
 };
 
 // Eqs. (2) and (3).
-GapOnMate gap_on_mate(const MeshingGears& gears, const EdgeAtEnd& edge, double place, double turned = 0.0) {
+GapOnMate gap_on_mate(const MeshingGears& gears, const EdgeAtEnd& edge, double position,
+                      double turned = 0.0) {
   const MeshGear& mate = edge.of_first ? gears.second : gears.first;
-  const double own = edge.of_first ? place : on_first(gears, place);
-  const Eigen::Vector2d point = edge_point(gears, edge, place, turned);
+  const double own = edge.of_first ? position : on_first(gears, position);
+  const Eigen::Vector2d point = edge_point(gears, edge, position, turned);
   const double radius = point.norm();
   const double turn = std::atan2(point.y(), point.x()) - flank_angle(mate, own, radius);
   const bool concave = !edge.of_first && is_internal(gears);
@@ -91,18 +92,18 @@ GapOnMate gap_on_mate(const MeshingGears& gears, const EdgeAtEnd& edge, double p
 
 // The gap of a foot by which its own gear turns: where the tip of the other takes over, that gear has turned
 // as far in both counts.
-GapOnMate gap_of_foot(const MeshingGears& gears, const EdgeAtEnd& foot, double place) {
+GapOnMate gap_of_foot(const MeshingGears& gears, const EdgeAtEnd& foot, double position) {
   constexpr int steps = 4;  // of the secant rule, on what is a straight line but for a part in thirty
   const double sense = foot.of_first && is_internal(gears) ? -1.0 : 1.0;
-  double before = 0.0, left_before = gap_on_mate(gears, foot, place).gap;
+  double before = 0.0, left_before = gap_on_mate(gears, foot, position).gap;
   double turned = left_before;
-  GapOnMate now = gap_on_mate(gears, foot, place, sense * turned);
+  GapOnMate now = gap_on_mate(gears, foot, position, sense * turned);
   for (int i = 0; i < steps && now.gap != left_before; ++i) {
     const double next = turned - now.gap * (turned - before) / (now.gap - left_before);
     before = turned;
     left_before = now.gap;
     turned = next;
-    now = gap_on_mate(gears, foot, place, sense * turned);
+    now = gap_on_mate(gears, foot, position, sense * turned);
   }
   return {turned, now.radius};
 }
@@ -140,7 +141,7 @@ EdgeAtEnd foot_at(const MeshingGears& gears, PathEnd end) {
   return {of_first, range_of(of_first ? gears.first : gears.second).foot};
 }
 
-double place_of_edge(const MeshingGears& gears, const EdgeAtEnd& edge) {
+double position_of_edge(const MeshingGears& gears, const EdgeAtEnd& edge) {
   if (!edge.of_first) return edge.tangent;
   return is_internal(gears) ? edge.tangent - gears.line_length : gears.line_length - edge.tangent;
 }
@@ -150,7 +151,7 @@ double place_of_edge(const MeshingGears& gears, const EdgeAtEnd& edge) {
 EdgeAtEnd edge_at(const MeshingGears& gears, PathEnd end) {
   const EdgeAtEnd tip = tip_at(gears, end), foot = foot_at(gears, end);
   const double sense = end == PathEnd::begin ? -1.0 : 1.0;
-  return sense * (place_of_edge(gears, foot) - place_of_edge(gears, tip)) < 0.0 ? foot : tip;
+  return sense * (position_of_edge(gears, foot) - position_of_edge(gears, tip)) < 0.0 ? foot : tip;
 }
 
 double tip_takes_over(const MeshingGears& gears, PathEnd end) {
@@ -169,13 +170,15 @@ double tip_takes_over(const MeshingGears& gears, PathEnd end) {
   return from + sense * (beyond(most) < 0.0 ? bracketed_root(beyond, 0.0, most) : most);
 }
 
-FlankGap flank_gap(const MeshingGears& gears, double place) {
-  if (place >= gears.path.begin && place <= gears.path.end) return {0.0, on_first(gears, place), place};
-  const PathEnd end = place < gears.path.begin ? PathEnd::begin : PathEnd::end;
+FlankGap flank_gap(const MeshingGears& gears, double position) {
+  if (position >= gears.path.begin && position <= gears.path.end)
+    return {0.0, on_first(gears, position), position};
+  const PathEnd end = position < gears.path.begin ? PathEnd::begin : PathEnd::end;
   const double tip_from = tip_takes_over(gears, end);
-  const bool by_tip = end == PathEnd::begin ? place <= tip_from : place >= tip_from;
+  const bool by_tip = end == PathEnd::begin ? position <= tip_from : position >= tip_from;
   const EdgeAtEnd edge = by_tip ? tip_at(gears, end) : edge_at(gears, end);
-  return touching(gears, edge, by_tip ? gap_on_mate(gears, edge, place) : gap_of_foot(gears, edge, place));
+  return touching(gears, edge,
+                  by_tip ? gap_on_mate(gears, edge, position) : gap_of_foot(gears, edge, position));
 }
 
 }  // namespace orbearing::gearset

@@ -29,7 +29,7 @@ struct FlankGap {
 
 /// @param place [m] on the line of action, where the flanks would touch if they went on: in the path of
 /// contact without a gap. Eqs. (1) to (3) of gearset/mesh/loaded/README.md.
-FlankGap flank_gap(const MeshingGears& gears, double place);
+FlankGap flank_gap(const MeshingGears& gears, double position);
 
 /// Where the tip takes over from the foot of an undercut flank beyond an end of the path; the end itself
 /// where the tip ends the path. The gap has a corner there. [m]

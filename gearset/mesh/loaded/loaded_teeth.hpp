@@ -60,10 +60,10 @@ class LoadedTeeth {
 
   /// @param place in the mesh period, any real number
   /// @param approach [m] of both gears along the line of action
-  ToothForce at(double place, double approach) const {
+  ToothForce at(double position, double approach) const {
     if (approach <= 0.0) return {};
     Contacts contacts;
-    gather(place, contacts);
+    gather(position, contacts);
     // Own deflection of the teeth, beyond that of the shared bodies: a convex equation, from its steep side.
     double own = approach;
     for (int step = 0; step < most_steps; ++step) {
@@ -77,9 +77,9 @@ class LoadedTeeth {
   }
 
   /// The approach [m] at which the mesh has the force [N]. Without a force: where it just touches.
-  double approach_under(double place, double force) const {
+  double approach_under(double position, double force) const {
     Contacts contacts;
-    gather(place, contacts);
+    gather(position, contacts);
     double own = contacts.bound(force);
     for (int step = 0; step < most_steps; ++step) {
       const Sum sum = contacts.sum(own);
@@ -137,7 +137,7 @@ class LoadedTeeth {
     }
   };
 
-  void gather(double place, Contacts& contacts) const {
+  void gather(double position, Contacts& contacts) const {
     const double width = end_ - begin_;
     const double share = 1.0 / static_cast<double>(slices_.size());
     const std::size_t all = slices_.size();
@@ -151,7 +151,7 @@ class LoadedTeeth {
           contacts.list[contacts.count++].gap += more;
         }
       } else {
-        const double now = place + slices_[s].ahead;
+        const double now = position + slices_[s].ahead;
         double progress = now + std::ceil(begin_ - now);
         for (; progress < end_ && contacts.count < most_contacts; progress += 1.0) {
           const double on_curve = std::fmin((progress - begin_) / width, below_one);

@@ -22,12 +22,12 @@ struct Window {
   double end = 0.0;
 };
 
-double place_of(const MeshingGears& gears, double progress) {
+double position_of(const MeshingGears& gears, double progress) {
   return contact_begin(gears) + contact_direction(gears) * gears.base_pitch * progress;
 }
 
 double pair_stiffness(const MeshingGears& gears, double progress, double shared) {
-  const FlankGap touch = flank_gap(gears, place_of(gears, progress));
+  const FlankGap touch = flank_gap(gears, position_of(gears, progress));
   const double hertz =
       hertz_compliance(gears.face_width, gears.second.material) / std::cos(gears.base_helix_angle);
   const double all = hertz + gear_compliance(gears.first, touch.first).sum() +
@@ -42,13 +42,13 @@ double pair_stiffness(const MeshingGears& gears, double progress, double shared)
 // Progress beyond an end of the path at which the gap grows to `reach`, at most one base pitch.
 double beyond(const MeshingGears& gears, double end, double sense, double reach) {
   const auto excess = [&](double distance) {
-    return flank_gap(gears, place_of(gears, end + sense * distance)).gap - reach;
+    return flank_gap(gears, position_of(gears, end + sense * distance)).gap - reach;
   };
   return excess(1.0) > 0.0 ? bracketed_root(excess, 0.0, 1.0) : 1.0;
 }
 
 double gap_with_relief(const MeshingGears& gears, const MeshModifications& by, double progress) {
-  const FlankGap touch = flank_gap(gears, place_of(gears, progress));
+  const FlankGap touch = flank_gap(gears, position_of(gears, progress));
   return touch.gap + relief_at(gears.first, by.first, touch.first) +
          relief_at(gears.second, by.second, touch.second);
 }
@@ -63,24 +63,25 @@ double tip_tangent(const MeshGear& gear) {
 
 // Where the curves have corners, as shares of the window, ascending from 0 on.
 std::vector<double> corners(const MeshingGears& gears, const MeshModifications& by, const Window& window) {
-  std::vector<double> places{window.begin};
-  const auto add_place = [&](double place) {
-    places.push_back((place - contact_begin(gears)) * contact_direction(gears) / gears.base_pitch);
+  std::vector<double> positions{window.begin};
+  const auto add_position = [&](double position) {
+    positions.push_back((position - contact_begin(gears)) * contact_direction(gears) / gears.base_pitch);
   };
-  for (const double place : {gears.path.begin, gears.path.end, tip_takes_over(gears, PathEnd::begin),
-                             tip_takes_over(gears, PathEnd::end)})
-    add_place(place);
+  for (const double position : {gears.path.begin, gears.path.end, tip_takes_over(gears, PathEnd::begin),
+                                tip_takes_over(gears, PathEnd::end)})
+    add_position(position);
   const auto add = [&](const MeshGear& gear, const TipRelief& relief, bool first) {
     if (relief.amount == 0.0) return;
     const bool ring = std::holds_alternative<RingTooth>(gear.tooth);
     const double own = tip_tangent(gear) + (ring ? relief.length : -relief.length);
-    const double place = !first ? own : ring ? own - gears.line_length : gears.line_length - own;
-    add_place(place);
+    const double position = !first ? own : ring ? own - gears.line_length : gears.line_length - own;
+    add_position(position);
   };
   add(gears.first, by.first, true);
   add(gears.second, by.second, false);
   std::vector<double> shares;
-  for (const double place : places) shares.push_back((place - window.begin) / (window.end - window.begin));
+  for (const double position : positions)
+    shares.push_back((position - window.begin) / (window.end - window.begin));
   std::sort(shares.begin(), shares.end());
   std::vector<double> apart;
   for (const double share : shares)
@@ -105,7 +106,7 @@ double sound_deflection(const MeshingGears& gears, const MeshModifications& by, 
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i <= samples; ++i) {
     const double progress = std::lerp(window.begin, window.end, double(i) / samples);
-    if (!flank_gap(gears, place_of(gears, progress)).on_involute)
+    if (!flank_gap(gears, position_of(gears, progress)).on_involute)
       least = std::min(least, gap_with_relief(gears, by, progress));
   }
   return least;

@@ -31,11 +31,11 @@ TransmissionError error_of(const std::function<double(double)>& approach, double
 }  // namespace
 
 TransmissionError transmission_error(const LoadedTeeth& teeth, double force) {
-  return error_of([&](double place) { return teeth.approach_under(place, force); }, force);
+  return error_of([&](double position) { return teeth.approach_under(position, force); }, force);
 }
 
 TransmissionError transmission_error(const PeriodicCurve& stiffness, double force) {
-  return error_of([&](double place) { return force / stiffness.value(place); }, force);
+  return error_of([&](double position) { return force / stiffness.value(position); }, force);
 }
 
 namespace {
@@ -44,7 +44,7 @@ namespace {
 // goes.
 std::vector<double> steps_of(const std::function<double(double)>& function, int samples) {
   constexpr double least_step = 0.02, resolution = 1e-10;  // [-], [period]
-  std::vector<double> values, places;
+  std::vector<double> values, positions;
   for (int i = 0; i <= samples; ++i) values.push_back(function(static_cast<double>(i) / samples));
   const double step = least_step * *std::max_element(values.begin(), values.end());
   for (int i = 0; i < samples; ++i) {
@@ -56,19 +56,19 @@ std::vector<double> steps_of(const std::function<double(double)>& function, int 
       (below ? high : low) = middle;
       (below ? at_high : at_low) = at_middle;
     }
-    if (std::abs(at_high - at_low) > step && high < 1.0) places.push_back(high);
+    if (std::abs(at_high - at_low) > step && high < 1.0) positions.push_back(high);
   }
-  return places;
+  return positions;
 }
 
 }  // namespace
 
 TangentSpring tangent_spring(const LoadedTeeth& teeth, double force) {
   constexpr int samples = 256;
-  const auto stiffness = [&](double place) {
-    const double approach = teeth.approach_under(place, force);
+  const auto stiffness = [&](double position) {
+    const double approach = teeth.approach_under(position, force);
     constexpr double aside = 1e-9;  // [-]  of the approach: where a slice just touches, the stiffer side
-    return teeth.at(place, approach * (1.0 + aside)).stiffness;
+    return teeth.at(position, approach * (1.0 + aside)).stiffness;
   };
   TangentSpring spring{PeriodicCurve(stiffness, steps_of(stiffness, samples), samples)};
   spring.free = transmission_error(teeth, force).mean - force / spring.stiffness.mean();

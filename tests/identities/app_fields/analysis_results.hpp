@@ -77,8 +77,8 @@ inline std::string crown_result(const ResolvedCase& in) {
   const CrownProblem problem = problem_of(request);
   const ProfileFamily family = family_in(problem, request.profiles.front());
   const CrownPoint point =
-      crown_grid(problem, RollerPressure(problem), {profile_of(family, {drop, usual_share(family)})}, {drop},
-                 {tilt}, 1, {})
+      crown_grid(problem, RollerPressure(problem), {profile_of(family, {drop, default_share(family)})},
+                 {drop}, {tilt}, 1, {})
           .front();
   return digits(std::vector{point.life_hours, point.rated_hours.basic, point.rated_hours.reference,
                             point.rated_hours.modified_reference, point.pressure.peak,
@@ -113,10 +113,10 @@ inline std::string machine_result(const fmu::NumberTable& numbers, bool bearing,
   return digits(driven->values(inputs, facts.outputs.size()));
 }
 
-inline std::string modes_result(const ResolvedCase& in, bool turning) {
+inline std::string modes_result(const ResolvedCase& in, bool rotating) {
   constexpr double carrier_speed = 100.0, nominal_speed = 900.0;  // [rad/s]
-  const auto model = in.shape().teeth ? gear_model_of(in) : gear_model_at(in, turning ? carrier_speed : 0.0);
-  if (!turning) return record_text(mode_study(model));
+  const auto model = in.shape().teeth ? gear_model_of(in) : gear_model_at(in, rotating ? carrier_speed : 0.0);
+  if (!rotating) return record_text(mode_study(model));
   Record campbell;
   describe_campbell(campbell, model, nominal_speed);
   return record_text(mode_study(model, true)) + json_of(campbell).dump();

@@ -104,34 +104,47 @@ std::vector<Context> contexts_of_teeth() {
 }
 
 std::vector<Context> contexts_of_single_bearings() {
-  const std::string rollers = "roller_bearing", balls = "ball_bearing", turning = "operation.shaft_speed=9000 rpm";
+  const std::string rollers = "roller_bearing", balls = "ball_bearing",
+                    rotating = "operation.shaft_speed=9000 rpm";
   const std::string laminae = "bearing.laminae=20", kind = "bearing.profile.kind=";
   constexpr unsigned both = use::static_load | use::stiffness;
-  return {{"rollers_under_moment", rollers, {laminae, kind + "circular", "load.moment=2 N.m"}, both},
-          {"rollers_tilted", rollers, {laminae, "load.tilt=1 mrad"}, both},
-          {"rollers_end_drop", rollers, {laminae, kind + "fujiwara-kawase", "bearing.profile.end_drop=5 um"}, both},
-          {"rollers_in_oil", rollers,
-           {"operation.shaft_speed=3000 rpm", "lubricant.grade=ISO VG 68", "life.cleanliness=high"}, both},
-          {"rollers_by_kappa", rollers, {"life.viscosity_ratio=2", "life.contamination_factor=0.4"}, both},
-          {"rollers_bought", rollers, {"bearing.designation=NU 204"}, both},
-          {"balls_turning", balls, {turning}, both},
-          {"balls_without_mass", balls, {turning, "equilibrium.ball_inertia=false"}, both},
-          {"balls_without_mass_filmed", balls,
-           {turning, "equilibrium.ball_inertia=false", "film.enabled=true"}, both},
-          {"balls_filmed", balls, {turning, "film.enabled=true", "lubricant.grade=ISO VG 68"}, both},
-          {"balls_in_oil", balls, {turning, "lubricant.kinematic_viscosity=20 mm2/s", "life.cleanliness=high"},
-           both},
-          {"balls_under_axial_load", balls, {"load.axial=300 N"}, both},
-          {"balls_over_speeds", balls, {"operation.speeds=[1000 rpm, 2000 rpm]", "load.axial=300 N"}, both},
-          {"pair_turning", "duplex_pair", {turning}, use::duplex},
-          {"pair_without_mass", "duplex_pair", {turning, "equilibrium.ball_inertia=false"}, use::duplex},
-          {"pair_back_to_back", "duplex_pair", {"arrangement=back-to-back"}, use::duplex},
-          {"pair_by_linear_formulas", "duplex_pair", {"stiffness=linear"}, use::duplex},
-          {"film_by_reynolds", "spin_film", {"film.solver=reynolds", "contact.ellipticity=3",
-                                             "points=[[20 N, 5 m/s, 200 rad/s]]"}, use::spin_film},
-          {"no_scratch", "raceway_defect", {"defect.race=none"}, use::defect},
-          {"scratched_ball", "raceway_defect", {"defect.race=ball"}, use::defect},
-          {"scratched_outer", "raceway_defect", {"defect.race=outer", "signal.run_up_from=0.8"}, use::defect}};
+  return {
+      {"rollers_under_moment", rollers, {laminae, kind + "circular", "load.moment=2 N.m"}, both},
+      {"rollers_tilted", rollers, {laminae, "load.tilt=1 mrad"}, both},
+      {"rollers_end_drop",
+       rollers,
+       {laminae, kind + "fujiwara-kawase", "bearing.profile.end_drop=5 um"},
+       both},
+      {"rollers_in_oil",
+       rollers,
+       {"operation.shaft_speed=3000 rpm", "lubricant.grade=ISO VG 68", "life.cleanliness=high"},
+       both},
+      {"rollers_by_kappa", rollers, {"life.viscosity_ratio=2", "life.contamination_factor=0.4"}, both},
+      {"rollers_bought", rollers, {"bearing.designation=NU 204"}, both},
+      {"balls_turning", balls, {rotating}, both},
+      {"balls_without_mass", balls, {rotating, "equilibrium.ball_inertia=false"}, both},
+      {"balls_without_mass_filmed",
+       balls,
+       {rotating, "equilibrium.ball_inertia=false", "film.enabled=true"},
+       both},
+      {"balls_filmed", balls, {rotating, "film.enabled=true", "lubricant.grade=ISO VG 68"}, both},
+      {"balls_in_oil",
+       balls,
+       {rotating, "lubricant.kinematic_viscosity=20 mm2/s", "life.cleanliness=high"},
+       both},
+      {"balls_under_axial_load", balls, {"load.axial=300 N"}, both},
+      {"balls_over_speeds", balls, {"operation.speeds=[1000 rpm, 2000 rpm]", "load.axial=300 N"}, both},
+      {"pair_turning", "duplex_pair", {rotating}, use::duplex},
+      {"pair_without_mass", "duplex_pair", {rotating, "equilibrium.ball_inertia=false"}, use::duplex},
+      {"pair_back_to_back", "duplex_pair", {"arrangement=back-to-back"}, use::duplex},
+      {"pair_by_linear_formulas", "duplex_pair", {"stiffness=linear"}, use::duplex},
+      {"film_by_reynolds",
+       "spin_film",
+       {"film.solver=reynolds", "contact.ellipticity=3", "points=[[20 N, 5 m/s, 200 rad/s]]"},
+       use::spin_film},
+      {"no_scratch", "raceway_defect", {"defect.race=none"}, use::defect},
+      {"scratched_ball", "raceway_defect", {"defect.race=ball"}, use::defect},
+      {"scratched_outer", "raceway_defect", {"defect.race=outer", "signal.run_up_from=0.8"}, use::defect}};
 }
 
 std::vector<Context> contexts_in_motion() {
@@ -259,22 +272,22 @@ TEST_P(EveryContext, TellsWhatIsUsed) {
     std::vector<std::string> more{input.path + "=" + change.value};
     for (const std::string& setting : change.together) more.push_back(setting);
     SCOPED_TRACE(more.front() + ", " + analysis_name(analysis));
-    Standing standing = Standing::neutral;
+    UseStatus status = UseStatus::neutral;
     std::string after;
     bool warned = false;
     try {
       const ResolvedCase changed = in(more);
-      standing = standing_of(changed, input, analysis);
+      status = use_status_of(changed, input, analysis);
       for (const std::string& warning : require_used(changed, analysis))
         warned = warned || (warning.starts_with(input.path + ":") && warning.find("is inferred") == std::string::npos);
-      if (standing == Standing::neutral) continue;
+      if (status == UseStatus::neutral) continue;
       after = result_of(changed, analysis);
     } catch (const BadInput&) {
       ++refused;  // which combinations are, and in which words, is tested elsewhere
       continue;
     }
     if (before.empty()) before = result_of(plain, analysis);
-    if (standing == Standing::used) {
+    if (status == UseStatus::used) {
       EXPECT_NE(before, after) << "said to be used, and the result is the same";
       EXPECT_FALSE(warned);
       ++used;

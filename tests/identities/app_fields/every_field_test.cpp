@@ -114,8 +114,8 @@ class EveryField : public testing::TestWithParam<Subject> {
     return verdict;
   }
 
-  Standing row_standing(const Input& input, const std::vector<std::string>& beside, const Change& change) {
-    return standing_of(in(changed(input, beside, change)), input, GetParam().analysis);
+  UseStatus row_status(const Input& input, const std::vector<std::string>& beside, const Change& change) {
+    return use_status_of(in(changed(input, beside, change)), input, GetParam().analysis);
   }
 
   const Base& base() const { return *GetParam().base; }
@@ -145,8 +145,8 @@ class EveryField : public testing::TestWithParam<Subject> {
 bool is_left_to_full_tests(const Field& field, const Subject& subject) {
   if (is_full()) return false;
   const use::Analysis analysis = subject.analysis;
-  const auto place = static_cast<std::size_t>(find_field(field.path) - all_fields().data());
-  const auto unless = [&](std::size_t part, std::size_t parts) { return place % parts != part; };
+  const auto location = static_cast<std::size_t>(find_field(field.path) - all_fields().data());
+  const auto unless = [&](std::size_t part, std::size_t parts) { return location % parts != part; };
   switch (analysis) {
     case use::dynamic:
       return unless(0, 12);
@@ -175,31 +175,31 @@ struct Count {
   int used = 0, refused = 0, warned = 0, by_nature = 0;
 };
 
-void expect(Standing standing, const Verdict& verdict, Count& count) {
-  switch (standing) {
-    case Standing::used:
+void expect(UseStatus status, const Verdict& verdict, Count& count) {
+  switch (status) {
+    case UseStatus::used:
       EXPECT_FALSE(verdict.refused) << verdict.text;
       EXPECT_FALSE(verdict.warned) << verdict.text;
       EXPECT_TRUE(verdict.changed) << "said to be used, and the result is the same";
       ++count.used;
       return;
-    case Standing::unfelt:
+    case UseStatus::unfelt:
       EXPECT_TRUE(verdict.refused || verdict.warned) << "set by an option and not warned of";
       EXPECT_FALSE(verdict.changed) << "said not to be felt by nature, and the result changed";
       ++count.by_nature;
       return;
-    case Standing::idle:
-    case Standing::unused:
+    case UseStatus::idle:
+    case UseStatus::unused:
       EXPECT_TRUE(verdict.warned) << "not used and not warned of";
       EXPECT_FALSE(verdict.changed) << "warned of as without effect, and the result changed";
       ++count.warned;
       return;
-    case Standing::refused:
+    case UseStatus::refused:
       EXPECT_TRUE(verdict.refused);
       EXPECT_THAT(verdict.text, HasSubstr("required"));
       ++count.refused;
       return;
-    case Standing::neutral:
+    case UseStatus::neutral:
       ADD_FAILURE() << "the changed value is the default: nothing was tried";
   }
 }
@@ -215,7 +215,7 @@ TEST_P(EveryField, ChangesTheResultOrIsReported) {
     const Change change = change_of(*input.field, plain, input.path);
     SCOPED_TRACE(input.path + "=" + change.value + ", " + analysis_name(GetParam().analysis));
     ASSERT_FALSE(change.value.empty()) << "no other value is known; add one to stated_changes()";
-    expect(row_standing(input, beside(change), change), judge(input, beside(change), change), count);
+    expect(row_status(input, beside(change), change), judge(input, beside(change), change), count);
   }
   std::cout << fmt::format("pairs: {} used, {} refused, {} warned, {} not felt by nature\n", count.used,
                            count.refused, count.warned, count.by_nature);

@@ -472,13 +472,14 @@ TEST(GapsOfPlanets, TheLastOneCountsAsTheOthers) {
     }
   };
   const double step = 360.0 / 116.0;  // [deg]  at which teeth fit
-  const auto places = [&](int second, int third) {
+  const auto locations = [&](int second, int third) {
     return fmt::format("[0 deg, {:.4f} deg, {:.4f} deg]", second * step, third * step);
   };
-  const std::string near_first = refusal(places(14, 65).c_str()), near_last = refusal(places(51, 102).c_str());
+  const std::string near_first = refusal(locations(14, 65).c_str()),
+                    near_last = refusal(locations(51, 102).c_str());
   EXPECT_THAT(near_first, HasSubstr("neighbours must not touch"));
   EXPECT_EQ(near_last, near_first);
-  EXPECT_EQ(refusal(places(38, 77).c_str()), "");
+  EXPECT_EQ(refusal(locations(38, 77).c_str()), "");
 }
 
 }  // namespace

@@ -262,9 +262,9 @@ inline const std::map<std::string, Change>& stated_changes() {
                                               "gearset.dynamics.run_up.duration=0.01 s"};
   const std::vector<std::string> film{"life.viscosity_ratio=2", "life.contamination_factor=0.4"};
   const std::vector<std::string> clean{"life.viscosity_ratio=2", "life.cleanliness=high"};
-  const std::vector<std::string> turning{"lubricant.kinematic_viscosity=20 mm2/s", "life.cleanliness=high",
-                                         "operation.shaft_speed=1000 rpm"};
-  const std::vector<std::string> turning_balls{"operation.shaft_speed=9000 rpm"};
+  const std::vector<std::string> rotating{"lubricant.kinematic_viscosity=20 mm2/s", "life.cleanliness=high",
+                                          "operation.shaft_speed=1000 rpm"};
+  const std::vector<std::string> rotating_balls{"operation.shaft_speed=9000 rpm"};
   const std::vector<std::string> filmed{"film.enabled=true", "operation.shaft_speed=9000 rpm"};
   const std::vector<std::string> heated{"heat.enabled=true"};
   const std::vector<std::string> loaded{"gearset.tooth_contact=loaded"};
@@ -394,7 +394,7 @@ inline const std::map<std::string, Change>& stated_changes() {
       {"contact.roughness", {"1 um", {"contact.lubrication=mixed"}}},
       {"contact.boundary_friction", {"0.13", {"contact.lubrication=mixed"}}},
       {"film.approach", {"as-printed", {"film.enabled=true"}}},
-      {"film.enabled", {"true", turning_balls}},
+      {"film.enabled", {"true", rotating_balls}},
       {"film.solver", {"reynolds", {"contact.ellipticity=3", "points=[[20 N, 5 m/s, 200 rad/s]]"}}},
       {"contact.length",
        {"10 mm", {"film.solver=reynolds", "points=[[600 N, 5 m/s, 0 rad/s]]", "contact.ellipticity=3"}}},
@@ -440,11 +440,11 @@ inline const std::map<std::string, Change>& stated_changes() {
       {"life.viscosity_ratio", {"2.1", film}},
       {"life.cleanliness", {"low", clean}},
       {"life.lubrication", {"oil-bath", clean}},
-      {"lubricant.kinematic_viscosity", {"30 mm2/s", turning}},
+      {"lubricant.kinematic_viscosity", {"30 mm2/s", rotating}},
       {"gearset.centre_distance", {"500 mm"}},  // checks of what follows: refused
       {"gearset.profile_shift.planet", {"0.9"}},
-      {"operation.shaft_speed", {"1200 rpm", turning}},
-      {"operation.outer_speed", {"-1200 rpm", turning}},
+      {"operation.shaft_speed", {"1200 rpm", rotating}},
+      {"operation.outer_speed", {"-1200 rpm", rotating}},
       {"defect.angle", {"7 deg"}},
       {"defect.depth", {"5 um"}},  // less than a ball sinks
       {"defect.more_angles", {"[40 deg]"}},
@@ -459,9 +459,9 @@ inline const std::map<std::string, Change>& stated_changes() {
       {"signal.carrier_settling", {"0.04"}},
       {"signal.run_up_from", {"0.8"}},
       {"signal.band", {"[1 kHz, 4 kHz]"}},
-      {"equilibrium.ball_inertia", {"false", turning_balls}},
-      {"equilibrium.ball_attitude", {"outer-race-control", turning_balls}},
-      {"equilibrium.gyroscopic_moment", {"none", turning_balls}},
+      {"equilibrium.ball_inertia", {"false", rotating_balls}},
+      {"equilibrium.ball_attitude", {"outer-race-control", rotating_balls}},
+      {"equilibrium.gyroscopic_moment", {"none", rotating_balls}},
       {"arrangement", {"back-to-back"}},
       {"spacer_difference", {"2 um"}},
       {"spindle.inertia_x", {"0.03 kg.m2", {}, {"spindle.inertia_y=0.03 kg.m2"}}},
@@ -520,7 +520,7 @@ inline Change change_of(const Field& field, const ResolvedCase& in, const std::s
   if (field.path == "bearing.clearance_class")
     return {"C3",
             rollers ? std::vector<std::string>{} : std::vector<std::string>{"bearing.designation=6204"}};
-  if (field.path == "operation.shaft_speed" && (in.model() & described::lone_scratched) != 0)
+  if (field.path == "operation.shaft_speed" && (in.model() & described::single_scratched) != 0)
     return {"6400 rpm"};
   if (const auto stated = stated_changes().find(field.path); stated != stated_changes().end())
     return stated->second;

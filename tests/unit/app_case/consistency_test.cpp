@@ -18,13 +18,13 @@ using testing::StartsWith;
 /// One setting that contradicts the rest of the shipped case, and where the objection goes.
 struct Contradiction {
   const char* setting;
-  const char* objection;
+  const char* validation_error;
 };
 
 class Contradictions : public testing::TestWithParam<Contradiction> {};
 
 TEST_P(Contradictions, AreReported) {
-  EXPECT_THAT(setting_mistakes({GetParam().setting}), Contains(HasSubstr(GetParam().objection)));
+  EXPECT_THAT(setting_mistakes({GetParam().setting}), Contains(HasSubstr(GetParam().validation_error)));
 }
 
 INSTANTIATE_TEST_SUITE_P(

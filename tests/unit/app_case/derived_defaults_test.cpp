@@ -8,7 +8,7 @@
 #include <regex>
 
 #include "app/case/resolved_writer.hpp"
-#include "bearing/usual_design.hpp"
+#include "bearing/default_design.hpp"
 #include "tests/unit/app_case/small_case.hpp"
 
 namespace orbearing::app::derived_defaults_test {

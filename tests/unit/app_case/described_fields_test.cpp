@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "app/case/default_drivetrain.hpp"
 #include "app/case/described_case.hpp"
 #include "app/case/field_table.hpp"
-#include "app/case/usual_drivetrain.hpp"
 #include "bearing/parameters.hpp"
 #include "coupling/system/steady_state.hpp"
 
@@ -50,7 +50,7 @@ TEST(Described, ASharedRowHasOneDefault) {
 }
 
 // Each member that a case states, once.
-struct Places {
+struct Locations {
   template <class Member>
   void operator()(Member& member, const Facts& facts) {
     EXPECT_TRUE(members.insert(&member).second) << facts.path << " is a member that has another row too";
@@ -61,11 +61,11 @@ struct Places {
 };
 
 TEST(Described, EachRowHasAMemberAndANameOfItsOwn) {
-  Places places;
+  Locations locations;
   study::PlanetaryDrivetrain drivetrain;
-  describe(places, drivetrain);
-  EXPECT_GT(places.names.size(), 60u);
-  Places of_balls;
+  describe(locations, drivetrain);
+  EXPECT_GT(locations.names.size(), 60u);
+  Locations of_balls;
   bearing::Bearing balls{.elements = bearing::Balls{}};
   describe(of_balls, balls);
   EXPECT_GE(of_balls.names.size(), 20u);
@@ -92,8 +92,8 @@ struct Defaults {
 
 TEST(Described, DefaultsInTheTableAreTheMembersInitialValues) {
   Defaults defaults;
-  study::PlanetaryDrivetrain drivetrain = usual_drivetrain();
-  study::GearDynamicsChoice gears = usual_gears();
+  study::PlanetaryDrivetrain drivetrain = default_drivetrain();
+  study::GearDynamicsChoice gears = default_gears();
   gearset::PlanetarySet set;
   describe(defaults, drivetrain);
   describe(defaults, gears);

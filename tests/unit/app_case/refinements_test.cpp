@@ -24,9 +24,9 @@ TEST(Refinements, WavesAndDeviationsReachTheBearingInSI) {
   EXPECT_EQ(outer[1].order, 11);
   EXPECT_DOUBLE_EQ(outer[0].amplitude, 4e-6);
   EXPECT_DOUBLE_EQ(outer[0].phase, M_PI / 2.0);
-  EXPECT_TRUE(outer[0].turning);
+  EXPECT_TRUE(outer[0].rotating);
   ASSERT_EQ(drivetrain.bearing.inner.form.size(), 1U);
-  EXPECT_FALSE(drivetrain.bearing.inner.form[0].turning);
+  EXPECT_FALSE(drivetrain.bearing.inner.form[0].rotating);
   EXPECT_EQ(drivetrain.bearing.inner.form[0].phase, 0.0);
   ASSERT_EQ(drivetrain.bearing.rollers().diameter_deviation.size(), 2U);
   EXPECT_DOUBLE_EQ(drivetrain.bearing.rollers().diameter_deviation[1], -1e-6);

@@ -30,7 +30,7 @@ LoadSpectrum spectrum_of(const std::string& setting) {
   return *load_spectrum(shipped({setting}));
 }
 
-std::string complaint(const std::string& rows) {
+std::string message(const std::string& rows) {
   const std::vector<std::string> found = setting_mistakes({"spectrum=" + rows});
   return found.empty() ? "" : found.front();
 }
@@ -63,32 +63,33 @@ TEST(SpectrumCase, WrittenOutItIsReadAgain) {
 }
 
 TEST(SpectrumCase, SharesMustAddUpToOne) {
-  EXPECT_THAT(complaint("[{power: 150 kW, speed: 6000 rpm, share: 0.7}]"),
+  EXPECT_THAT(message("[{power: 150 kW, speed: 6000 rpm, share: 0.7}]"),
               AllOf(StartsWith("--set: spectrum: "), HasSubstr("add up to 0.7"), HasSubstr("1 is required")));
 }
 
 TEST(SpectrumCase, WrongRowsAreRefused) {
-  EXPECT_THAT(complaint("[{power: 150 kW, torque: 3 N.m, speed: 6000 rpm, share: 1}]"),
+  EXPECT_THAT(message("[{power: 150 kW, torque: 3 N.m, speed: 6000 rpm, share: 1}]"),
               HasSubstr("more than one power or torque"));
-  EXPECT_THAT(complaint("[{speed: 6000 rpm, share: 1}]"), HasSubstr("no power or torque"));
-  EXPECT_THAT(complaint("[{power: 150 kW, speed: 6000 rpm}]"), HasSubstr("no share or hours"));
-  EXPECT_THAT(complaint("[{power: 150 kW, share: 1}]"), HasSubstr("a row without 'speed'"));
-  EXPECT_THAT(complaint("[{power: 150 kW, sped: 6000 rpm, share: 1}]"), HasSubstr("unknown key 'sped'"));
-  EXPECT_THAT(complaint("[{power: 150, speed: 6000 rpm, share: 1}]"), HasSubstr("power: "));
-  EXPECT_THAT(complaint("[{power: -150 kW, speed: 6000 rpm, share: 1}]"), HasSubstr("out of range"));
-  EXPECT_THAT(complaint("[[150 kW, 6000 rpm, 1]]"), HasSubstr("as a row"));
-  EXPECT_THAT(complaint("[{power: 0 kW, speed: 0 rpm, share: 1}]"), HasSubstr("a spectrum at rest"));
-  EXPECT_THAT(complaint("[{power: 1 kW, speed: 9 rpm, share: 0.5}, {power: 1 kW, speed: 9 rpm, hours: 5}]"),
+  EXPECT_THAT(message("[{speed: 6000 rpm, share: 1}]"), HasSubstr("no power or torque"));
+  EXPECT_THAT(message("[{power: 150 kW, speed: 6000 rpm}]"), HasSubstr("no share or hours"));
+  EXPECT_THAT(message("[{power: 150 kW, share: 1}]"), HasSubstr("a row without 'speed'"));
+  EXPECT_THAT(message("[{power: 150 kW, sped: 6000 rpm, share: 1}]"), HasSubstr("unknown key 'sped'"));
+  EXPECT_THAT(message("[{power: 150, speed: 6000 rpm, share: 1}]"), HasSubstr("power: "));
+  EXPECT_THAT(message("[{power: -150 kW, speed: 6000 rpm, share: 1}]"), HasSubstr("out of range"));
+  EXPECT_THAT(message("[[150 kW, 6000 rpm, 1]]"), HasSubstr("as a row"));
+  EXPECT_THAT(message("[{power: 0 kW, speed: 0 rpm, share: 1}]"), HasSubstr("a spectrum at rest"));
+  EXPECT_THAT(message("[{power: 1 kW, speed: 9 rpm, share: 0.5}, {power: 1 kW, speed: 9 rpm, hours: 5}]"),
               HasSubstr("a share beside rows with hours"));
 }
 
 // Issue 44, item 17: a power at rest belongs to no torque.
 TEST(SpectrumCase, PowersAtRestAreRefused) {
-  const std::string turning = ", {power: 150 kW, speed: 6000 rpm, share: 0.5}]";
-  EXPECT_THAT(setting_mistakes({"spectrum=[{power: 5 kW, speed: 0 rpm, share: 0.5}" + turning}),
+  const std::string rotating = ", {power: 150 kW, speed: 6000 rpm, share: 0.5}]";
+  EXPECT_THAT(setting_mistakes({"spectrum=[{power: 5 kW, speed: 0 rpm, share: 0.5}" + rotating}),
               Contains(HasSubstr("row 1 with 5 kW at speed 0; power 0, or torque in place of power")));
-  EXPECT_THAT(setting_mistakes({"spectrum=[{power: 0 kW, speed: 0 rpm, share: 0.5}" + turning}), IsEmpty());
-  EXPECT_THAT(setting_mistakes({"spectrum=[{torque: 5 N.m, speed: 0 rpm, share: 0.5}" + turning}), IsEmpty());
+  EXPECT_THAT(setting_mistakes({"spectrum=[{power: 0 kW, speed: 0 rpm, share: 0.5}" + rotating}), IsEmpty());
+  EXPECT_THAT(setting_mistakes({"spectrum=[{torque: 5 N.m, speed: 0 rpm, share: 0.5}" + rotating}),
+              IsEmpty());
 }
 
 TEST(SpectrumCase, ADrivetrainWithoutBearingHasNone) {

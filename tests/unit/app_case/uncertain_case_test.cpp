@@ -23,12 +23,12 @@ const std::string power = "uncertain.input.power={normal: {standard_deviation: 5
 const std::string viscosity =
     "uncertain.lubricant.viscosity={normal: {mean: 12 mPa.s, standard_deviation: 2 mPa.s, from: 8 mPa.s}, "
     "reason: 'warm, or less so: by [1]'}";
-const std::vector<std::string> bought{"bearing.clearance_state=unmounted",
-                                      "bearing.fit.inner_interference=5 um",
-                                      "bearing.fit.outer_interference=10 um"};
+const std::vector<std::string> catalogue_keys{"bearing.clearance_state=unmounted",
+                                              "bearing.fit.inner_interference=5 um",
+                                              "bearing.fit.outer_interference=10 um"};
 
-std::vector<std::string> with_bought(std::vector<std::string> settings) {
-  settings.insert(settings.begin(), bought.begin(), bought.end());
+std::vector<std::string> with_catalogue(std::vector<std::string> settings) {
+  settings.insert(settings.begin(), catalogue_keys.begin(), catalogue_keys.end());
   return settings;
 }
 
@@ -58,7 +58,7 @@ TEST(UncertainCase, NormalNumberIsCutOff) {
 
 // [ISO5753], cylindrical rollers, bore above 24 to 30 mm: CN from 20 to 45 um.
 TEST(UncertainCase, ClearanceClassIsARange) {
-  const UncertainInput clearance = only(with_bought({"uncertain.bearing.radial_clearance={class: CN}"}));
+  const UncertainInput clearance = only(with_catalogue({"uncertain.bearing.radial_clearance={class: CN}"}));
   EXPECT_EQ(clearance.distribution, "uniform");
   EXPECT_DOUBLE_EQ(clearance.from, 20e-6);
   EXPECT_DOUBLE_EQ(clearance.to, 45e-6);

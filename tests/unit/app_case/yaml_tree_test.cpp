@@ -10,35 +10,35 @@ void expect_fault(const std::string& text, const char* part, int line, int colum
     read_yaml(text);
     FAIL() << "read without objection: " << text;
   } catch (const YamlFault& fault) {
-    EXPECT_NE(fault.complaint.found.find(part), std::string::npos) << fault.complaint.found;
-    EXPECT_EQ(fault.place.line, line) << text;
-    EXPECT_EQ(fault.place.column, column) << text;
+    EXPECT_NE(fault.message.found.find(part), std::string::npos) << fault.message.found;
+    EXPECT_EQ(fault.location.line, line) << text;
+    EXPECT_EQ(fault.location.column, column) << text;
   }
 }
 
-TEST(YamlTree, KeepsPlacesQuotesAndDuplicates) {
+TEST(YamlTree, KeepsLocationsQuotesAndDuplicates) {
   const Entry root = read_yaml("a: 1\nb: {c: \"2\", d: [3, 4]}\na: 5\n");
   ASSERT_EQ(root.members.size(), 3U);
   EXPECT_EQ(root.members[2].key, "a");
-  EXPECT_EQ(root.members[2].place.line, 3);
+  EXPECT_EQ(root.members[2].location.line, 3);
   const Entry& block = find_member(root, "b")->value;
   EXPECT_TRUE(find_member(block, "c")->value.quoted);
-  EXPECT_EQ(find_member(block, "c")->value.place.column, 8);
+  EXPECT_EQ(find_member(block, "c")->value.location.column, 8);
   EXPECT_EQ(find_member(block, "d")->value.items.size(), 2U);
 }
 
 TEST(YamlTree, CountsColumnsInCharacters) {
   const Entry root = read_yaml("\xEF\xBB\xBF{\xC3\xA9\xC3\xA9: 1, b: 2}");
-  EXPECT_EQ(root.members[1].place.column, 9);
+  EXPECT_EQ(root.members[1].location.column, 9);
 }
 
-TEST(YamlTree, PlacesAMissingValueAtItsKey) {
+TEST(YamlTree, LocationsAMissingValueAtItsKey) {
   const Entry root = read_yaml("a: 1\nb:\nc: 2\n");
   EXPECT_EQ(root.members[1].value.shape, Entry::Shape::nothing);
-  EXPECT_EQ(root.members[1].value.place.line, 2);
+  EXPECT_EQ(root.members[1].value.location.line, 2);
 }
 
-TEST(YamlTree, RefusesWrongSyntaxWithItsPlace) {
+TEST(YamlTree, RefusesWrongSyntaxWithItsLocation) {
   expect_fault("a: 1\n b: 2\n", "wrong YAML", 2, 3);
   expect_fault("a: \"b\n", "does not end", 1, 4);
   expect_fault("a: 'it''s\n", "does not end", 1, 4);

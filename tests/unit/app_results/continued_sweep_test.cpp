@@ -76,9 +76,9 @@ TEST(ContinuationPaths, OneForEachCombinationOfTheOtherAxes) {
 }
 
 TEST(ContinuedSweep, EveryPointStartsWhereItsNeighbourEnded) {
-  const TemporaryFolder place;
+  const TemporaryFolder location;
   for (const Direction direction : {Direction::up, Direction::down}) {
-    const SweepOutcome outcome = run_sweep(continued(place / to_string(direction), direction));
+    const SweepOutcome outcome = run_sweep(continued(location / to_string(direction), direction));
     Eigen::VectorXd state;
     for (std::size_t i = 0; i < points; ++i) {
       const std::size_t point = direction == Direction::up ? i : points - 1 - i;
@@ -86,28 +86,28 @@ TEST(ContinuedSweep, EveryPointStartsWhereItsNeighbourEnded) {
       state = next_state(point, state);
       EXPECT_EQ(value_of(outcome.head, outcome.rows[point], "cage_slip"), in_table_unit(state[0], 1.0))
           << point;
-      EXPECT_EQ(read_final_state(place / to_string(direction) / point_file_name(point)).front(), state[0]);
+      EXPECT_EQ(read_final_state(location / to_string(direction) / point_file_name(point)).front(), state[0]);
     }
   }
 }
 
 TEST(ContinuedSweep, CutAnywhereAndResumedItIsTheSameToTheLastBit) {
-  const TemporaryFolder place;
-  const std::string undisturbed = table_of(continued(place / "whole", Direction::up));
+  const TemporaryFolder location;
+  const std::string undisturbed = table_of(continued(location / "whole", Direction::up));
   for (const std::size_t cut : {std::size_t{0}, std::size_t{5}, fake_sweep::failing_point, points - 2}) {
-    SweepRequest request = continued(place / std::to_string(cut), Direction::up);
+    SweepRequest request = continued(location / std::to_string(cut), Direction::up);
     run_until(request, cut);
     request.resume = true;
     EXPECT_EQ(table_of(request), undisturbed) << cut;
     for (std::size_t point = 0; point < points; ++point)
       EXPECT_EQ(read_final_state(request.folder / point_file_name(point)),
-                read_final_state(place / "whole" / point_file_name(point)));
+                read_final_state(location / "whole" / point_file_name(point)));
   }
 }
 
 TEST(ContinuedSweep, LostPointIsComputedAnewFromItsNeighbour) {
-  const TemporaryFolder place;
-  SweepRequest request = continued(place / "d", Direction::up);
+  const TemporaryFolder location;
+  SweepRequest request = continued(location / "d", Direction::up);
   const std::string undisturbed = table_of(request);
   fs::remove(request.folder / point_file_name(5));
   request.resume = true;
@@ -115,9 +115,9 @@ TEST(ContinuedSweep, LostPointIsComputedAnewFromItsNeighbour) {
 }
 
 TEST(ContinuedSweep, DoesNotGoOnFromAStateThatIsNotItsOwn) {
-  const TemporaryFolder place;
-  const std::string undisturbed = table_of(continued(place / "whole", Direction::up));
-  SweepRequest request = continued(place / "d", Direction::up);
+  const TemporaryFolder location;
+  const std::string undisturbed = table_of(continued(location / "whole", Direction::up));
+  SweepRequest request = continued(location / "d", Direction::up);
   run_until(request, 5);
   fs::copy_file(request.folder / point_file_name(4), request.folder / point_file_name(5),
                 fs::copy_options::overwrite_existing);
@@ -126,10 +126,10 @@ TEST(ContinuedSweep, DoesNotGoOnFromAStateThatIsNotItsOwn) {
 }
 
 TEST(ContinuedSweep, OtherDirectionsAreNotResumed) {
-  const TemporaryFolder place;
-  run_sweep(continued(place / "up", Direction::up));
-  const auto before = fake_sweep::snapshot(place / "up");
-  SweepRequest down = continued(place / "up", Direction::down);
+  const TemporaryFolder location;
+  run_sweep(continued(location / "up", Direction::up));
+  const auto before = fake_sweep::snapshot(location / "up");
+  SweepRequest down = continued(location / "up", Direction::down);
   SweepRequest none = down;
   none.header.continued.reset();
   for (SweepRequest* request : {&down, &none}) {
@@ -141,7 +141,7 @@ TEST(ContinuedSweep, OtherDirectionsAreNotResumed) {
       EXPECT_THAT(error.messages.front(), HasSubstr("direction of --continue 'up' was found"));
     }
   }
-  EXPECT_EQ(fake_sweep::snapshot(place / "up"), before);
+  EXPECT_EQ(fake_sweep::snapshot(location / "up"), before);
 }
 
 TEST(ContinuedSweep, ManifestRemembersTheDirection) {
@@ -155,13 +155,14 @@ TEST(ContinuedSweep, ManifestRemembersTheDirection) {
 }
 
 TEST(PointFile, FinalStateIsReadAsItWasWritten) {
-  const TemporaryFolder place;
+  const TemporaryFolder location;
   study::PointResult result = fake_sweep::fake_result(1);
   result.dynamic.emplace().final_state = Eigen::VectorXd::LinSpaced(state_of_rollers, -1.0 / 3.0, 2.0 / 7.0);
-  fake_sweep::write(place / "p.nc", netcdf_bytes(point_content(fake_sweep::fake_header(5), 1, {}, result)));
+  fake_sweep::write(location / "p.nc",
+                    netcdf_bytes(point_content(fake_sweep::fake_header(5), 1, {}, result)));
   const Eigen::VectorXd& state = result.dynamic->final_state;
-  EXPECT_EQ(read_final_state(place / "p.nc"), std::vector<double>(state.begin(), state.end()));
-  EXPECT_TRUE(read_final_state(place / "missing.nc").empty());
+  EXPECT_EQ(read_final_state(location / "p.nc"), std::vector<double>(state.begin(), state.end()));
+  EXPECT_TRUE(read_final_state(location / "missing.nc").empty());
 }
 
 // Rollers that tilt, rims that bend and bearings without a cage have variables of their own.

@@ -79,9 +79,9 @@ std::set<std::size_t> kept_points(const fs::path& folder) {
 }
 
 TEST(KilledSweep, ResumesWithoutLosingOrRepeatingAPoint) {
-  const TemporaryFolder place;
-  const std::string table = fake_sweep::fake_table(place / "reference", points);
-  const fs::path folder = place / "killed";
+  const TemporaryFolder location;
+  const std::string table = fake_sweep::fake_table(location / "reference", points);
+  const fs::path folder = location / "killed";
   std::mt19937 random(20240517);
   std::uniform_int_distribution<int> milliseconds(20, 120);
   std::size_t killed_at_work = 0;

@@ -65,7 +65,7 @@ study::PointResult failed_result() {
   return result;
 }
 
-TEST(PointFile, HoldsScalarsInSiAndLoadsByPlace) {
+TEST(PointFile, HoldsScalarsInSiAndLoadsByLocation) {
   const study::PointResult result = fake_sweep::fake_result(3);
   const ReadFile file(netcdf_bytes(point_content(fake_sweep::fake_header(5), 3, {}, result)));
   EXPECT_EQ(file.values("input_speed", 1).front(), result.input_speed);
@@ -86,7 +86,7 @@ TEST(PointFile, HoldsBearingsPlanetsAndLaminaeUnderTheirNames) {
   study::PointResult result = fake_sweep::fake_result(3);
   result.seats = {{-0.01, 11.0, {1e-3, 2e-3}, 21.0}, {0.01, 12.0, {3e-3, 4e-3}, 22.0}};
   result.planets = {{0.9, 101.0, 201.0}, {1.1, 102.0, 202.0}};
-  result.laminae = study::LaminaRecord{.lamina_place = {-2e-3, 2e-3},
+  result.laminae = study::LaminaRecord{.lamina_position = {-2e-3, 2e-3},
                                        .inner_load = {1.0, 2.0, 3.0, 4.0, 5.0, 6.0},
                                        .outer_load = {7.0, 8.0, 9.0, 10.0, 11.0, 12.0},
                                        .roller_tilt = {0.1, 0.2, 0.3}};
@@ -99,7 +99,7 @@ TEST(PointFile, HoldsBearingsPlanetsAndLaminaeUnderTheirNames) {
   EXPECT_EQ(file.values("planet_load_share", 2), (Values{0.9, 1.1}));
   EXPECT_EQ(file.values("planet_bearing_load", 2), (Values{101.0, 102.0}));
   EXPECT_EQ(file.values("planet_life", 2), (Values{201.0, 202.0}));
-  EXPECT_EQ(file.values("lamina_place", 2), result.laminae->lamina_place);
+  EXPECT_EQ(file.values("lamina_place", 2), result.laminae->lamina_position);
   EXPECT_EQ(file.values("inner_lamina_load", 6), result.laminae->inner_load);
   EXPECT_EQ(file.values("outer_lamina_load", 6), result.laminae->outer_load);
   EXPECT_EQ(file.values("roller_tilt", 3), result.laminae->roller_tilt);

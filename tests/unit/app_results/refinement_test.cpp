@@ -91,8 +91,8 @@ std::vector<std::string> point_files(const fs::path& folder) {
 }
 
 TEST(RefinedSweep, TableRisesInSpeedAndSaysWhichPointsWereAdded) {
-  const TemporaryFolder place;
-  const SweepOutcome outcome = run_sweep(refined_request(place / "d"));
+  const TemporaryFolder location;
+  const SweepOutcome outcome = run_sweep(refined_request(location / "d"));
   ASSERT_EQ(outcome.rows.size(), grid_points + 3 * rounds);
   double last = 0.0;
   std::size_t added = 0;
@@ -104,35 +104,35 @@ TEST(RefinedSweep, TableRisesInSpeedAndSaysWhichPointsWereAdded) {
     added += row.refined;
   }
   EXPECT_EQ(added, 3 * rounds);
-  EXPECT_THAT(read_file(place / "d/sweep.csv"), HasSubstr(",true"));
+  EXPECT_THAT(read_file(location / "d/sweep.csv"), HasSubstr(",true"));
   EXPECT_EQ(row_json(outcome.head, outcome.rows.front())["refined"], false);
-  EXPECT_EQ(point_files(place / "d").size(), grid_points + 3 * rounds);
+  EXPECT_EQ(point_files(location / "d").size(), grid_points + 3 * rounds);
 }
 
 TEST(RefinedSweep, GridsPeakIsOfTheGridAlone) {
-  const TemporaryFolder place;
-  const SweepOutcome outcome = run_sweep(refined_request(place / "d"));
+  const TemporaryFolder location;
+  const SweepOutcome outcome = run_sweep(refined_request(location / "d"));
   EXPECT_EQ(grid_peak(outcome.head, outcome.rows).speed_rpm, 5000.0);
 }
 
 TEST(RefinedSweep, ThreadsChangeNoByte) {
-  const TemporaryFolder place;
-  const std::string table = refined_table(place / "reference");
+  const TemporaryFolder location;
+  const std::string table = refined_table(location / "reference");
   for (const int jobs : {1, 3, 8}) {
-    SweepRequest request = refined_request(place / ("jobs" + std::to_string(jobs)));
+    SweepRequest request = refined_request(location / ("jobs" + std::to_string(jobs)));
     request.jobs = jobs;
     run_sweep(request);
     EXPECT_EQ(read_file(request.folder / "sweep.csv"), table) << jobs;
-    EXPECT_EQ(point_files(request.folder), point_files(place / "reference")) << jobs;
+    EXPECT_EQ(point_files(request.folder), point_files(location / "reference")) << jobs;
   }
 }
 
 // Stopped once before each of the points, of the grid and of each round, and resumed.
 TEST(RefinedSweep, InterruptedAnywhereItResumesToTheSameTable) {
-  const TemporaryFolder place;
-  const std::string table = refined_table(place / "reference");
+  const TemporaryFolder location;
+  const std::string table = refined_table(location / "reference");
   for (std::size_t stop = 1; stop <= grid_points + 3 * rounds; ++stop) {
-    SweepRequest request = refined_request(place / ("stop" + std::to_string(stop)));
+    SweepRequest request = refined_request(location / ("stop" + std::to_string(stop)));
     request.jobs = 1;
     std::size_t begun = 0;
     const auto count = [&] {
@@ -157,34 +157,34 @@ TEST(RefinedSweep, InterruptedAnywhereItResumesToTheSameTable) {
 }
 
 TEST(RefinedSweep, ResumeOfAFinishedOneComputesNothing) {
-  const TemporaryFolder place;
-  const std::string table = refined_table(place / "d");
-  SweepRequest request = refined_request(place / "d");
+  const TemporaryFolder location;
+  const std::string table = refined_table(location / "d");
+  SweepRequest request = refined_request(location / "d");
   request.resume = true;
   request.evaluate = [](std::size_t) -> study::PointResult { throw std::logic_error("computed again"); };
   request.refinement->evaluate = [](const SweepPoint&) -> study::PointResult {
     throw std::logic_error("computed again");
   };
   run_sweep(request);
-  EXPECT_EQ(read_file(place / "d/sweep.csv"), table);
+  EXPECT_EQ(read_file(location / "d/sweep.csv"), table);
 }
 
 TEST(RefinedSweep, LostFilesOfAnyPointsAreComputedAgain) {
-  const TemporaryFolder place;
-  const std::string table = refined_table(place / "d");
+  const TemporaryFolder location;
+  const std::string table = refined_table(location / "d");
   for (const std::size_t point : {std::size_t{4}, grid_points + 1, grid_points + 3 * rounds - 1})
-    fs::remove(place / "d" / point_file_name(point));
-  SweepRequest request = refined_request(place / "d");
+    fs::remove(location / "d" / point_file_name(point));
+  SweepRequest request = refined_request(location / "d");
   request.resume = true;
   run_sweep(request);
-  EXPECT_EQ(read_file(place / "d/sweep.csv"), table);
+  EXPECT_EQ(read_file(location / "d/sweep.csv"), table);
 }
 
-std::vector<fs::path> shards_of(const TemporaryFolder& place, std::size_t count) {
+std::vector<fs::path> shards_of(const TemporaryFolder& location, std::size_t count) {
   std::vector<fs::path> shards;
   for (std::size_t index = 1; index <= count; ++index) {
     SweepRequest request =
-        refined_request(place / ("s" + std::to_string(count) + "_" + std::to_string(index)));
+        refined_request(location / ("s" + std::to_string(count) + "_" + std::to_string(index)));
     request.header.shard = Shard{index, count};
     for (const ResultRow& row : run_sweep(request).rows) EXPECT_FALSE(row.refined);
     shards.push_back(request.folder);
@@ -193,25 +193,25 @@ std::vector<fs::path> shards_of(const TemporaryFolder& place, std::size_t count)
 }
 
 TEST(RefinedSweep, ShardsHoldTheGridAndTheMergedOneIsRefinedToTheSameTable) {
-  const TemporaryFolder place;
-  const std::string table = refined_table(place / "reference");
+  const TemporaryFolder location;
+  const std::string table = refined_table(location / "reference");
   for (const std::size_t count : {1U, 2U, 5U}) {
-    const fs::path merged = place / ("merged" + std::to_string(count));
-    EXPECT_TRUE(merge_shards(shards_of(place, count), merged).header.refined);
+    const fs::path merged = location / ("merged" + std::to_string(count));
+    EXPECT_TRUE(merge_shards(shards_of(location, count), merged).header.refined);
     SweepRequest request = refined_request(merged);
     request.resume = true;
     EXPECT_EQ(run_sweep(request).kept, grid_points);
     EXPECT_EQ(read_file(merged / "sweep.csv"), table) << count;
-    EXPECT_EQ(point_files(merged), point_files(place / "reference")) << count;
+    EXPECT_EQ(point_files(merged), point_files(location / "reference")) << count;
   }
 }
 
 TEST(RefinedSweep, AWholeOneIsMergedWithItsAddedPointsOrWithout) {
-  const TemporaryFolder place;
-  const std::string table = refined_table(place / "d");
-  merge_shards({place / "d"}, place / "copy");
-  EXPECT_EQ(read_file(place / "copy/sweep.csv"), table);
-  const SweepOutcome grid = merge_shards({place / "d"}, place / "grid", true);
+  const TemporaryFolder location;
+  const std::string table = refined_table(location / "d");
+  merge_shards({location / "d"}, location / "copy");
+  EXPECT_EQ(read_file(location / "copy/sweep.csv"), table);
+  const SweepOutcome grid = merge_shards({location / "d"}, location / "grid", true);
   EXPECT_FALSE(grid.header.refined);
   EXPECT_EQ(grid.rows.size(), grid_points);
 }
@@ -226,18 +226,18 @@ std::string refusal_of(const SweepRequest& request) {
 }
 
 TEST(RefinedSweep, ResumeNeitherDropsNorAddsARefinementUnasked) {
-  const TemporaryFolder place;
-  run_sweep(refined_request(place / "d"));
-  SweepRequest request = refined_request(place / "d");
+  const TemporaryFolder location;
+  run_sweep(refined_request(location / "d"));
+  SweepRequest request = refined_request(location / "d");
   request.resume = true;
   request.header.refined = false;
   EXPECT_THAT(refusal_of(request), HasSubstr("refinement of the peak 'on' was found; 'off' is required"));
 }
 
 TEST(RefinedSweep, AnotherSearchThanTheFoldersIsRefused) {
-  const TemporaryFolder place;
-  run_sweep(refined_request(place / "d"));
-  SweepRequest request = refined_request(place / "d");
+  const TemporaryFolder location;
+  run_sweep(refined_request(location / "d"));
+  SweepRequest request = refined_request(location / "d");
   request.resume = true;
   request.refinement->next = [](const TableHead&, const std::vector<ResultRow>&) {
     return std::vector<SweepPoint>{point_at(4444.0)};
@@ -250,8 +250,8 @@ TEST(RefinedSweep, AnotherSearchThanTheFoldersIsRefused) {
 }
 
 TEST(RefinedSweep, PointsStandOnTheLineOfTheirOtherAxes) {
-  const TemporaryFolder place;
-  SweepRequest request = refined_request(place / "d");
+  const TemporaryFolder location;
+  SweepRequest request = refined_request(location / "d");
   request.header.axes = {{"bearing.radial_clearance_um", "um", "clearance"}};
   for (std::size_t i = 0; i < grid_points; ++i) {  // speed is the slower axis
     request.points[i] = point_at(1000.0 * static_cast<double>(1 + i / 2));
@@ -279,8 +279,8 @@ TEST(RefinedSweep, PointsStandOnTheLineOfTheirOtherAxes) {
 }
 
 TEST(NamedResonance, StandsInRowJsonManifestAndFile) {
-  const TemporaryFolder place;
-  SweepRequest request = refined_request(place / "d");
+  const TemporaryFolder location;
+  SweepRequest request = refined_request(location / "d");
   request.header.resonances = true;
   request.resonance_of = [](const SweepPoint& point) -> std::optional<Resonance> {
     if (point.input_speed * rpm_of_rad_s > 11500.0) return std::nullopt;

@@ -40,16 +40,16 @@ FinishedPoint finished(std::size_t point) {
 }
 
 /// A folder with points 0 and 1 of 5.
-fs::path begun(const TemporaryFolder& place) {
-  ResultFolder folder(place / "begun", fake_header(5), resolved, OpenMode::fresh);
+fs::path begun(const TemporaryFolder& location) {
+  ResultFolder folder(location / "begun", fake_header(5), resolved, OpenMode::fresh);
   folder.keep({finished(0), finished(1)});
   return folder.path();
 }
 
 TEST(ResultFolder, MissingFolderIsMadeWithItsParents) {
-  const TemporaryFolder place;
+  const TemporaryFolder location;
   for (const OpenMode mode : {OpenMode::fresh, OpenMode::resume}) {
-    const fs::path path = place / (mode == OpenMode::fresh ? "a/b/c" : "d/e/f/");
+    const fs::path path = location / (mode == OpenMode::fresh ? "a/b/c" : "d/e/f/");
     EXPECT_EQ(refusal(path, fake_header(5), mode), "accepted");
     EXPECT_EQ(read_file(path / "case.resolved.yaml"), resolved);
     EXPECT_TRUE(fs::is_directory(path / "points"));
@@ -57,48 +57,49 @@ TEST(ResultFolder, MissingFolderIsMadeWithItsParents) {
 }
 
 TEST(ResultFolder, EmptyFolderIsTaken) {
-  const TemporaryFolder place;
+  const TemporaryFolder location;
   for (const OpenMode mode : {OpenMode::fresh, OpenMode::resume}) {
-    const fs::path path = place / (mode == OpenMode::fresh ? "fresh" : "resume");
+    const fs::path path = location / (mode == OpenMode::fresh ? "fresh" : "resume");
     fs::create_directory(path);
     EXPECT_EQ(refusal(path, fake_header(5), mode), "accepted");
   }
 }
 
 TEST(ResultFolder, ResultsAreNotWrittenOver) {
-  const TemporaryFolder place;
-  expect_untouched(begun(place), fake_header(5), OpenMode::fresh,
+  const TemporaryFolder location;
+  expect_untouched(begun(location), fake_header(5), OpenMode::fresh,
                    "holds results; a new or empty folder is required, or --resume");
 }
 
 TEST(ResultFolder, ForeignFilesAreLeftAlone) {
-  const TemporaryFolder place;
-  fake_sweep::write(place / "thesis.tex", "years of work");
+  const TemporaryFolder location;
+  fake_sweep::write(location / "thesis.tex", "years of work");
   for (const OpenMode mode : {OpenMode::fresh, OpenMode::resume})
-    expect_untouched(place / "", fake_header(5), mode, "holds 'thesis.tex', which is no result of a sweep");
+    expect_untouched(location / "", fake_header(5), mode,
+                     "holds 'thesis.tex', which is no result of a sweep");
 }
 
 TEST(ResultFolder, ForeignManifestIsLeftAlone) {
   for (const char* text :
        {"{\"from\": \"another program\"}\n", "a list of cargo", "{\"orbearing_results\":2}\n"}) {
-    const TemporaryFolder place;
-    fake_sweep::write(place / "manifest.jsonl", text);
+    const TemporaryFolder location;
+    fake_sweep::write(location / "manifest.jsonl", text);
     for (const OpenMode mode : {OpenMode::fresh, OpenMode::resume})
-      expect_untouched(place / "", fake_header(5), mode, "required");
+      expect_untouched(location / "", fake_header(5), mode, "required");
   }
 }
 
 TEST(ResultFolder, ResumesTheSameCase) {
-  const TemporaryFolder place;
-  const fs::path path = begun(place);
+  const TemporaryFolder location;
+  const fs::path path = begun(location);
   const ResultFolder folder(path, fake_header(5), resolved, OpenMode::resume);
   EXPECT_EQ(folder.finished().size(), 2U);
   EXPECT_TRUE(folder.finished().contains(1));
 }
 
 TEST(ResultFolder, AnotherCaseVersionOrShardIsNotResumed) {
-  const TemporaryFolder place;
-  const fs::path path = begun(place);
+  const TemporaryFolder location;
+  const fs::path path = begun(location);
   const auto refuses = [&](auto change, const std::string& part) {
     ManifestHeader header = fake_header(5);
     change(header);
@@ -118,8 +119,8 @@ TEST(ResultFolder, AnotherCaseVersionOrShardIsNotResumed) {
 }
 
 TEST(ResultFolder, TornLastLineAndLeftoversAreClearedAtResume) {
-  const TemporaryFolder place;
-  const fs::path path = begun(place);
+  const TemporaryFolder location;
+  const fs::path path = begun(location);
   const std::string sound = read_file(path / "manifest.jsonl");
   fake_sweep::write(path / "manifest.jsonl", sound + "{\"point\":2,\"fi");
   fake_sweep::write(path / "points/00002.nc.tmp", "half");
@@ -134,16 +135,16 @@ TEST(ResultFolder, TornLastLineAndLeftoversAreClearedAtResume) {
 
 TEST(ResultFolder, KilledBeforeItsHeaderWasWrittenStartsAfresh) {
   for (const std::size_t length : {0U, 5U, 40U}) {
-    const TemporaryFolder place;
-    fake_sweep::write(place / "manifest.jsonl", header_line(fake_header(5)).substr(0, length));
-    EXPECT_EQ(refusal(place / "", fake_header(5), OpenMode::resume), "accepted");
-    EXPECT_TRUE(read_results(place / "").header);
+    const TemporaryFolder location;
+    fake_sweep::write(location / "manifest.jsonl", header_line(fake_header(5)).substr(0, length));
+    EXPECT_EQ(refusal(location / "", fake_header(5), OpenMode::resume), "accepted");
+    EXPECT_TRUE(read_results(location / "").header);
   }
 }
 
 TEST(ResultFolder, PointWhoseFileIsGoneIsMissing) {
-  const TemporaryFolder place;
-  const fs::path path = begun(place);
+  const TemporaryFolder location;
+  const fs::path path = begun(location);
   fs::remove(path / point_file_name(0));
   const ResultFolder folder(path, fake_header(5), resolved, OpenMode::resume);
   EXPECT_FALSE(folder.finished().contains(0));
@@ -151,8 +152,8 @@ TEST(ResultFolder, PointWhoseFileIsGoneIsMissing) {
 }
 
 TEST(ResultFolder, DamagedPointsAreMissingAndReported) {
-  const TemporaryFolder place;
-  const fs::path path = begun(place);
+  const TemporaryFolder location;
+  const fs::path path = begun(location);
   const std::string whole = read_file(path / point_file_name(0));
   std::string flipped = whole;
   flipped[whole.size() / 2] ^= 1;
@@ -169,8 +170,8 @@ TEST(ResultFolder, DamagedPointsAreMissingAndReported) {
 
 /// Issue 52, item 3: a row that was changed since is computed anew, which is said, and is not met again.
 TEST(ResultFolder, ChangedRowIsMissingReportedAndTakenAway) {
-  const TemporaryFolder place;
-  const fs::path path = begun(place);
+  const TemporaryFolder location;
+  const fs::path path = begun(location);
   std::string text = read_file(path / "manifest.jsonl");
   const std::size_t digit = text.find("\"life_h\":") + 9;
   text[digit] = text[digit] == '9' ? '8' : '9';
@@ -191,8 +192,8 @@ TEST(ResultFolder, ChangedRowIsMissingReportedAndTakenAway) {
 
 /// Further files of a result have check sums too.
 TEST(ResultFolder, ChangedFileOfAResultIsReported) {
-  const TemporaryFolder place;
-  const fs::path path = place / "lone";
+  const TemporaryFolder location;
+  const fs::path path = location / "lone";
   {
     ResultFolder folder(path, fake_header(1), resolved, OpenMode::fresh);
     fake_sweep::write(path / "crown.json", "42");
@@ -210,10 +211,10 @@ TEST(ResultFolder, ChangedFileOfAResultIsReported) {
 /// Issue 44, item 17: nothing outside of the folder is written to through a link in it.
 TEST(ResultFolder, LinksInTheFolderAreRefused) {
   for (const char* name : {"points", "manifest.jsonl"}) {
-    const TemporaryFolder place;
-    const fs::path path = begun(place);
-    fs::rename(path / name, place / "elsewhere");
-    fs::create_symlink(place / "elsewhere", path / name);
+    const TemporaryFolder location;
+    const fs::path path = begun(location);
+    fs::rename(path / name, location / "elsewhere");
+    fs::create_symlink(location / "elsewhere", path / name);
     EXPECT_THAT(refusal(path, fake_header(5), OpenMode::resume), HasSubstr("found a link to "));
   }
 }
@@ -229,24 +230,24 @@ TEST(ResultFolder, WithoutAFolderNothingIsWritten) {
 }
 
 TEST(ResultFolder, SecondSweepAtTheSameTimeIsRefused) {
-  const TemporaryFolder place;
-  const ResultFolder first(place / "d", fake_header(5), resolved, OpenMode::fresh);
-  expect_untouched(place / "d", fake_header(5), OpenMode::resume, "another sweep is writing here");
+  const TemporaryFolder location;
+  const ResultFolder first(location / "d", fake_header(5), resolved, OpenMode::fresh);
+  expect_untouched(location / "d", fake_header(5), OpenMode::resume, "another sweep is writing here");
 }
 
-TEST(ResultFolder, PlaceThatCannotBeWrittenToIsBadInput) {
-  const TemporaryFolder place;
-  fake_sweep::write(place / "file", "text");
-  EXPECT_THAT(refusal(place / "file", fake_header(5), OpenMode::fresh), HasSubstr("is not a folder"));
-  EXPECT_THAT(refusal(place / "file/below", fake_header(5), OpenMode::fresh), HasSubstr("cannot be made"));
+TEST(ResultFolder, LocationThatCannotBeWrittenToIsBadInput) {
+  const TemporaryFolder location;
+  fake_sweep::write(location / "file", "text");
+  EXPECT_THAT(refusal(location / "file", fake_header(5), OpenMode::fresh), HasSubstr("is not a folder"));
+  EXPECT_THAT(refusal(location / "file/below", fake_header(5), OpenMode::fresh), HasSubstr("cannot be made"));
   EXPECT_THAT(refusal("/proc/none", fake_header(5), OpenMode::resume), HasSubstr("cannot be made"));
-  EXPECT_EQ(read_file(place / "file"), "text");
+  EXPECT_EQ(read_file(location / "file"), "text");
 }
 
 TEST(ResultFolder, FolderWithoutResultsCannotBeRead) {
-  const TemporaryFolder place;
-  EXPECT_THROW(read_results(place / ""), BadInput);
-  EXPECT_THROW(read_results(place / "none"), BadInput);
+  const TemporaryFolder location;
+  EXPECT_THROW(read_results(location / ""), BadInput);
+  EXPECT_THROW(read_results(location / "none"), BadInput);
 }
 
 }  // namespace

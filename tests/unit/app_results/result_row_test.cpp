@@ -117,14 +117,14 @@ std::uint64_t bits_of(double value) {
 
 std::string cells_after_status() {
   const TableHead head = table_head({});
-  return std::string(head.names.size() - 1 - head.status_place, ',') + "false";
+  return std::string(head.names.size() - 1 - head.status_location, ',') + "false";
 }
 
 TEST(ResultRow, ColumnsStandInThePromisedOrderAndAxesFollow) {
   EXPECT_EQ(table_head({}).names, promised);
   const TableHead head = table_head({{"bearing.radial_clearance_um", "um", "clearance"}});
   EXPECT_EQ(head.names.back(), "bearing.radial_clearance_um");
-  EXPECT_EQ(head.names.at(head.status_place), status_column);
+  EXPECT_EQ(head.names.at(head.status_location), status_column);
 }
 
 TEST(ResultRow, SpeedsInRpmAreThoseOfTheCaseFile) {
@@ -208,7 +208,7 @@ TEST(ResultRow, EveryNumberStandsUnderItsNameInItsUnit) {
         42,      43,       43.5,       44,  45,   46,    47, 48,  49,  50,   51,  52, 53, -1,   17};
     ASSERT_EQ(expected.size(), head.names.size());
     for (std::size_t i = 0; i < expected.size(); ++i)
-      if (i != head.status_place && i != head.refined_place) {
+      if (i != head.status_location && i != head.refined_location) {
         EXPECT_TRUE(row.values.at(i) == expected[i] ||
                     (std::isnan(row.values.at(i)) && std::isnan(expected[i])))
             << head.names[i] << ": " << row.values.at(i);
@@ -311,19 +311,20 @@ TEST(RowText, JsonGivesBackEveryBit) {
   std::uint64_t bits = 1;
   for (int i = 0; i < 2000; ++i) {
     ResultRow row{{}, "ok"};
-    for (std::size_t place = 0; place < head.names.size(); ++place) {
+    for (std::size_t location = 0; location < head.names.size(); ++location) {
       bits = bits * 6364136223846793005ULL + 1442695040888963407ULL;
       const auto value = std::bit_cast<double>(bits);
-      row.values.push_back(std::isfinite(value) && place != head.status_place && place != head.refined_place
+      row.values.push_back(std::isfinite(value) && location != head.status_location &&
+                                   location != head.refined_location
                                ? value
                                : std::nan(""));
     }
     const std::string text = row_json(head, row).dump();
     const ResultRow again = row_from_json(head, nlohmann::ordered_json::parse(text));
     EXPECT_EQ(csv_line(head, again), csv_line(head, row));
-    for (std::size_t place = 0; place < row.values.size(); ++place)
-      if (std::isfinite(row.values[place])) {
-        EXPECT_EQ(bits_of(again.values[place]), bits_of(row.values[place]));
+    for (std::size_t location = 0; location < row.values.size(); ++location)
+      if (std::isfinite(row.values[location])) {
+        EXPECT_EQ(bits_of(again.values[location]), bits_of(row.values[location]));
       }
   }
 }

@@ -91,9 +91,9 @@ TEST(SpectrumLife, NeedsAllPointsAsAShardHasNot) {
 
 // Points of a spectrum follow the grid's, are no rows of the table, and have a file of their own.
 TEST(SpectrumLife, OfASweepStandsBesideItsTable) {
-  const fake_sweep::TemporaryFolder place;
+  const fake_sweep::TemporaryFolder location;
   const auto request_of = [&](const std::string& folder, std::optional<Shard> shard) {
-    SweepRequest request = fake_sweep::fake_request(place / folder, 6);
+    SweepRequest request = fake_sweep::fake_request(location / folder, 6);
     request.header.spectrum = {.bins = {{4e4, 100.0, 0.25}, {4e4, 0.0, 0.25}, {4e4, 102.0, 0.5}}, .lines = 1};
     request.header.shard = shard;
     return request;
@@ -103,12 +103,12 @@ TEST(SpectrumLife, OfASweepStandsBesideItsTable) {
   ASSERT_EQ(whole.spectra.size(), 1U);
   EXPECT_EQ(whole.spectra[0].bins[2].row->values.front(), speed_in_rpm(fake_sweep::input_speed_of(5)));
   run_sweep(request_of("one", Shard{1, 2}));
-  EXPECT_FALSE(std::filesystem::exists(place / "one" / "spectrum.csv"));
+  EXPECT_FALSE(std::filesystem::exists(location / "one" / "spectrum.csv"));
   run_sweep(request_of("two", Shard{2, 2}));
-  merge_shards({place / "one", place / "two"}, place / "merged");
+  merge_shards({location / "one", location / "two"}, location / "merged");
   for (const char* file : {"sweep.csv", "spectrum.csv"})
-    EXPECT_EQ(read_file(place / "merged" / file), read_file(place / "whole" / file)) << file;
-  EXPECT_EQ(parse_manifest(read_file(place / "whole" / "manifest.jsonl"), "").header->spectrum.bins,
+    EXPECT_EQ(read_file(location / "merged" / file), read_file(location / "whole" / file)) << file;
+  EXPECT_EQ(parse_manifest(read_file(location / "whole" / "manifest.jsonl"), "").header->spectrum.bins,
             request_of("", {}).header.spectrum.bins);
 }
 

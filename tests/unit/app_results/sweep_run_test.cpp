@@ -46,27 +46,27 @@ SweepRequest interrupted_request(const fs::path& folder, std::size_t after) {
 }
 
 TEST(Sweep, TableHasARowPerPointAndTheFailedOneItsReason) {
-  const TemporaryFolder place;
-  const std::string table = fake_sweep::fake_table(place / "d", points);
+  const TemporaryFolder location;
+  const std::string table = fake_sweep::fake_table(location / "d", points);
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), std::ptrdiff_t(points + 1));
   EXPECT_THAT(table, HasSubstr(",,,,\"no balance, \"\"as\"\" found in line 2\","));
-  EXPECT_TRUE(fs::exists(place / "d/points/00007.nc"));
-  EXPECT_TRUE(fs::exists(place / "d/points/00059.nc"));
+  EXPECT_TRUE(fs::exists(location / "d/points/00007.nc"));
+  EXPECT_TRUE(fs::exists(location / "d/points/00059.nc"));
 }
 
 TEST(Sweep, OutcomeCountsFailures) {
-  const TemporaryFolder place;
-  const SweepOutcome outcome = run_sweep(fake_request(place / "d", points));
+  const TemporaryFolder location;
+  const SweepOutcome outcome = run_sweep(fake_request(location / "d", points));
   EXPECT_EQ(outcome.rows.size(), points);
   EXPECT_EQ(outcome.failed, 1U);
   EXPECT_EQ(outcome.kept, 0U);
 }
 
 TEST(Sweep, ThreadsDoNotChangeTheTable) {
-  const TemporaryFolder place;
-  const std::string table = fake_sweep::fake_table(place / "reference", points);
+  const TemporaryFolder location;
+  const std::string table = fake_sweep::fake_table(location / "reference", points);
   for (const int jobs : {0, 1, 3, 8}) {
-    SweepRequest request = fake_request(place / ("jobs" + std::to_string(jobs)), points);
+    SweepRequest request = fake_request(location / ("jobs" + std::to_string(jobs)), points);
     request.jobs = jobs;
     run_sweep(request);
     EXPECT_EQ(read_file(request.folder / "sweep.csv"), table) << jobs;
@@ -74,8 +74,8 @@ TEST(Sweep, ThreadsDoNotChangeTheTable) {
 }
 
 TEST(Sweep, UsesTheThreadsItIsGiven) {
-  const TemporaryFolder place;
-  SweepRequest request = fake_request(place / "d", points);
+  const TemporaryFolder location;
+  SweepRequest request = fake_request(location / "d", points);
   request.jobs = 5;
   std::atomic<int> now = 0;
   std::atomic<int> most = 0;
@@ -92,23 +92,23 @@ TEST(Sweep, UsesTheThreadsItIsGiven) {
 }
 
 TEST(Sweep, InterruptedKeepsWhatIsDoneAndResumes) {
-  const TemporaryFolder place;
-  const std::string table = fake_sweep::fake_table(place / "reference", points);
-  EXPECT_THAT(failure_of(interrupted_request(place / "d", 30)), HasSubstr("go on with --resume"));
-  EXPECT_FALSE(fs::exists(place / "d/sweep.csv"));
-  SweepRequest request = fake_request(place / "d", points);
+  const TemporaryFolder location;
+  const std::string table = fake_sweep::fake_table(location / "reference", points);
+  EXPECT_THAT(failure_of(interrupted_request(location / "d", 30)), HasSubstr("go on with --resume"));
+  EXPECT_FALSE(fs::exists(location / "d/sweep.csv"));
+  SweepRequest request = fake_request(location / "d", points);
   request.resume = true;
   const SweepOutcome outcome = run_sweep(request);
   EXPECT_GE(outcome.kept, 29U);
   EXPECT_LT(outcome.kept, points);
-  EXPECT_EQ(read_file(place / "d/sweep.csv"), table);
+  EXPECT_EQ(read_file(location / "d/sweep.csv"), table);
 }
 
 // Issue 18, Build 1: a point that a wish to stop breaks off is no failed point, and no later one is begun.
 TEST(Sweep, PointThatIsBrokenOffIsNotKept) {
-  const TemporaryFolder place;
-  const std::string table = fake_sweep::fake_table(place / "reference", points);
-  SweepRequest request = fake_request(place / "d", points);
+  const TemporaryFolder location;
+  const std::string table = fake_sweep::fake_table(location / "reference", points);
+  SweepRequest request = fake_request(location / "d", points);
   request.jobs = 1;
   request.evaluate = [](std::size_t point) {
     if (point == 30) request_stop();
@@ -117,55 +117,55 @@ TEST(Sweep, PointThatIsBrokenOffIsNotKept) {
   };
   EXPECT_THROW(run_sweep(request), Interrupted);
   clear_stop();
-  EXPECT_FALSE(fs::exists(place / "d/sweep.csv"));
-  EXPECT_TRUE(fs::exists(place / "d/points/00029.nc"));
-  EXPECT_FALSE(fs::exists(place / "d/points/00030.nc"));
-  SweepRequest again = fake_request(place / "d", points);
+  EXPECT_FALSE(fs::exists(location / "d/sweep.csv"));
+  EXPECT_TRUE(fs::exists(location / "d/points/00029.nc"));
+  EXPECT_FALSE(fs::exists(location / "d/points/00030.nc"));
+  SweepRequest again = fake_request(location / "d", points);
   again.resume = true;
   EXPECT_EQ(run_sweep(again).kept, 30U);
-  EXPECT_EQ(read_file(place / "d/sweep.csv"), table);
+  EXPECT_EQ(read_file(location / "d/sweep.csv"), table);
 }
 
 TEST(Sweep, ResumeOfAFinishedSweepComputesNothing) {
-  const TemporaryFolder place;
-  const std::string table = fake_sweep::fake_table(place / "d", points);
-  SweepRequest request = fake_request(place / "d", points);
+  const TemporaryFolder location;
+  const std::string table = fake_sweep::fake_table(location / "d", points);
+  SweepRequest request = fake_request(location / "d", points);
   request.resume = true;
   request.evaluate = [](std::size_t) -> study::PointResult { throw std::logic_error("computed again"); };
   EXPECT_EQ(run_sweep(request).kept, points);
-  EXPECT_EQ(read_file(place / "d/sweep.csv"), table);
+  EXPECT_EQ(read_file(location / "d/sweep.csv"), table);
 }
 
 TEST(Sweep, DiskThatFillsUpEndsItAndLosesNothing) {
-  const TemporaryFolder place;
-  const std::string table = fake_sweep::fake_table(place / "reference", points);
-  SweepRequest request = fake_request(place / "d", points);
+  const TemporaryFolder location;
+  const std::string table = fake_sweep::fake_table(location / "reference", points);
+  SweepRequest request = fake_request(location / "d", points);
   request.evaluate = [&](std::size_t point) {
     // A folder in the way of the file is a write error at any user's rights.
-    if (point == 20) fs::create_directories(place / "d/points/00020.nc/x");
+    if (point == 20) fs::create_directories(location / "d/points/00020.nc/x");
     return fake_sweep::fake_result(point);
   };
   EXPECT_THAT(failure_of(request), HasSubstr("00020.nc: cannot be written"));
-  fs::remove_all(place / "d/points/00020.nc");
-  request = fake_request(place / "d", points);
+  fs::remove_all(location / "d/points/00020.nc");
+  request = fake_request(location / "d", points);
   request.resume = true;
   run_sweep(request);
-  EXPECT_EQ(read_file(place / "d/sweep.csv"), table);
+  EXPECT_EQ(read_file(location / "d/sweep.csv"), table);
 }
 
 TEST(Sweep, AxesStandInTableAndManifest) {
-  const TemporaryFolder place;
-  SweepRequest request = fake_request(place / "d", 3);
+  const TemporaryFolder location;
+  SweepRequest request = fake_request(location / "d", 3);
   request.header.axes = {{"bearing.radial_clearance_um", "um", "clearance"}};
   for (SweepPoint& point : request.points) point.axis_values = {0.1};
   const SweepOutcome outcome = run_sweep(request);
   EXPECT_EQ(value_of(outcome.head, outcome.rows[2], "bearing.radial_clearance_um"), 0.1);
-  EXPECT_EQ(read_results(place / "d").header->axes.front().units, "um");
+  EXPECT_EQ(read_results(location / "d").header->axes.front().units, "um");
 }
 
 TEST(Sweep, JsonHasThePromisedKeysAndNullWhereNothingIsKnown) {
-  const TemporaryFolder place;
-  const SweepOutcome outcome = run_sweep(fake_request(place / "d", 10));
+  const TemporaryFolder location;
+  const SweepOutcome outcome = run_sweep(fake_request(location / "d", 10));
   const nlohmann::ordered_json object =
       sweep_json(outcome, grid_peak(outcome.head, outcome.rows), nlohmann::ordered_json::array(),
                  nlohmann::ordered_json::array({"a warning"}), {{"orbearing", "0.1.0"}});

@@ -13,7 +13,7 @@ namespace {
 BallStudy distinct_study() {
   BallStudy study;
   study.life_hours = 1.0;
-  study.turning_speed = 21e6 * 6.283185307179586 / 3600.0;  // 21e6 revolutions in that hour
+  study.rotating_speed = 21e6 * 6.283185307179586 / 3600.0;  // 21e6 revolutions in that hour
   study.life_with_balls_hours = 2.0;
   study.dynamic_capacity = 3.0;
   study.radial_clearance = 4e-6;

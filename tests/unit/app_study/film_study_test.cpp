@@ -190,16 +190,16 @@ TEST(BallFilms, TheApproachIsTheFilms) {
 
 // The turning point is that of the table; a shorter one does not invent it.
 TEST(BallFilms, TheTurningPointNeedsBothSides) {
-  const auto turning = [](const char* speeds) {
+  const auto rotating = [](const char* speeds) {
     return speed_table(shipped("spin_bearing_7210", {std::string("operation.speeds=") + speeds}))
-        ->inner_turning;
+        ->inner_rotating;
   };
-  const std::optional<double> coarse = turning("[9000 rpm, 11000 rpm, 13000 rpm]");
-  const std::optional<double> fine = turning("[11200 rpm, 11300 rpm, 11400 rpm, 11500 rpm]");
+  const std::optional<double> coarse = rotating("[9000 rpm, 11000 rpm, 13000 rpm]");
+  const std::optional<double> fine = rotating("[11200 rpm, 11300 rpm, 11400 rpm, 11500 rpm]");
   ASSERT_TRUE(coarse && fine);
   EXPECT_NEAR(*coarse / *fine, 1.0, 0.02);
-  EXPECT_FALSE(turning("[3000 rpm, 6000 rpm, 9000 rpm]"));
-  EXPECT_FALSE(turning("[12000 rpm, 13000 rpm]"));
+  EXPECT_FALSE(rotating("[3000 rpm, 6000 rpm, 9000 rpm]"));
+  EXPECT_FALSE(rotating("[12000 rpm, 13000 rpm]"));
 }
 
 }  // namespace

@@ -130,16 +130,16 @@ TEST(LoadSeries, RestIsABinOfItsOwnAndSignsAreReported) {
 }
 
 TEST(LoadSeries, IsReadFromCsvAndNetcdfAlike) {
-  const TemporaryFolder place;
-  fake_sweep::write(place / "a.csv",
+  const TemporaryFolder position;
+  fake_sweep::write(position / "a.csv",
                     "time_s,speed_rpm,torque_N_m,other\n0,6000,100,x\n1,3000,200,y\n3,3000,200,z\n");
   fake_sweep::write(
-      place / "b.csv",
+      position / "b.csv",
       "time_h,power_kW,speed_rpm\n0,31.41592653589793,3000\n0.5,62.83185307179586,3000\n1,1,3000\n");
-  const LoadSeries one = read_load_series(place / "a.csv");
+  const LoadSeries one = read_load_series(position / "a.csv");
   EXPECT_EQ(one.time, (std::vector<double>{0.0, 1.0, 3.0}));
   EXPECT_EQ(one.torque[1], 200.0);
-  const LoadSeries by_power = read_load_series(place / "b.csv");
+  const LoadSeries by_power = read_load_series(position / "b.csv");
   EXPECT_EQ(by_power.time[1], 1800.0);
   EXPECT_NEAR(by_power.torque[1], 200.0, 1e-10);
   PointContent content;
@@ -147,19 +147,19 @@ TEST(LoadSeries, IsReadFromCsvAndNetcdfAlike) {
   content.arrays = {{"time", {"time"}, "seconds since 2026-01-01", "", one.time},
                     {"torque", {"time"}, "N m", "", one.torque},
                     {"speed", {"time"}, "rad s-1", "", one.speed}};
-  fake_sweep::write(place / "c.nc", netcdf_bytes(content));
-  const LoadSeries netcdf = read_load_series(place / "c.nc");
+  fake_sweep::write(position / "c.nc", netcdf_bytes(content));
+  const LoadSeries netcdf = read_load_series(position / "c.nc");
   EXPECT_EQ(netcdf.time, one.time);
   EXPECT_EQ(netcdf.torque, one.torque);
   EXPECT_EQ(netcdf.speed, one.speed);
 }
 
 TEST(LoadSeries, WrongOnesAreReportedByLine) {
-  const TemporaryFolder place;
+  const TemporaryFolder position;
   const auto fault = [&](const std::string& text) -> std::string {
-    fake_sweep::write(place / "a.csv", text);
+    fake_sweep::write(position / "a.csv", text);
     try {
-      read_load_series(place / "a.csv");
+      read_load_series(position / "a.csv");
     } catch (const BadInput& error) {
       return error.what();
     }
@@ -189,10 +189,10 @@ std::string fault_of(const std::filesystem::path& file) {
 
 // Issue 44, item 5: a decimal comma splits a number in two, and the row is longer than its head.
 TEST(LoadSeries, RowsMustFitTheirHead) {
-  const TemporaryFolder place;
+  const TemporaryFolder position;
   const auto fault = [&](const std::string& rows) {
-    fake_sweep::write(place / "a.csv", "time_s,speed_rpm,torque_N_m\n" + rows);
-    return fault_of(place / "a.csv");
+    fake_sweep::write(position / "a.csv", "time_s,speed_rpm,torque_N_m\n" + rows);
+    return fault_of(position / "a.csv");
   };
   EXPECT_THAT(fault("0,1500,5,1591,25\n1,1500,5,1592,25\n"),
               testing::AllOf(HasSubstr("a.csv:2:10: found 5 values"), HasSubstr("decimal comma"),
@@ -205,25 +205,25 @@ TEST(LoadSeries, RowsMustFitTheirHead) {
 
 // Issue 52, item 10: what a file that is no table holds is not shown.
 TEST(LoadSeries, ContentThatIsNoTableIsNotShown) {
-  const TemporaryFolder place;
-  fake_sweep::write(place / "secret", "token=hunter2\nmore\n");
-  const std::string fault = fault_of(place / "secret");
+  const TemporaryFolder position;
+  fake_sweep::write(position / "secret", "token=hunter2\nmore\n");
+  const std::string fault = fault_of(position / "secret");
   EXPECT_THAT(fault, HasSubstr("names none of these columns"));
   EXPECT_THAT(fault, testing::Not(HasSubstr("hunter2")));
-  fake_sweep::write(place / "a.csv", "Zeit_s;Drehzahl_rpm\n0,0;1\n");
-  EXPECT_THAT(fault_of(place / "a.csv"), HasSubstr("semicolons"));
-  fake_sweep::write(place / "b.csv", "\xff\xfet\x00i\x00");
-  EXPECT_THAT(fault_of(place / "b.csv"), HasSubstr("UTF-16"));
-  fake_sweep::write(place / "c.csv", "time_s,speed_rpm,torque_N_m,f\xfcr\n0,1,1,x\n");
-  EXPECT_THAT(fault_of(place / "c.csv"), HasSubstr("c.csv:1:30: found a byte that is not UTF-8"));
+  fake_sweep::write(position / "a.csv", "Zeit_s;Drehzahl_rpm\n0,0;1\n");
+  EXPECT_THAT(fault_of(position / "a.csv"), HasSubstr("semicolons"));
+  fake_sweep::write(position / "b.csv", "\xff\xfet\x00i\x00");
+  EXPECT_THAT(fault_of(position / "b.csv"), HasSubstr("UTF-16"));
+  fake_sweep::write(position / "c.csv", "time_s,speed_rpm,torque_N_m,f\xfcr\n0,1,1,x\n");
+  EXPECT_THAT(fault_of(position / "c.csv"), HasSubstr("c.csv:1:30: found a byte that is not UTF-8"));
 }
 
 // Issue 44, item 17: a power at rest belongs to no torque.
 TEST(LoadSeries, PowersAtRestAreRefused) {
-  const TemporaryFolder place;
+  const TemporaryFolder position;
   const auto fault = [&](const std::string& rows) {
-    fake_sweep::write(place / "a.csv", "time_s,speed_rpm,power_kW\n" + rows);
-    return fault_of(place / "a.csv");
+    fake_sweep::write(position / "a.csv", "time_s,speed_rpm,power_kW\n" + rows);
+    return fault_of(position / "a.csv");
   };
   EXPECT_THAT(fault("0,6000,100\n1,0,5\n2,6000,100\n"), HasSubstr("a.csv:3: found a power of 5000 W at speed 0"));
   EXPECT_EQ(fault("0,6000,100\n1,0,0.05\n2,6000,100\n"), "") << "noise of a record at rest";
@@ -261,22 +261,22 @@ class Packed {
 
 // Issue 52, item 2: packed values are unpacked [CF], and those that the file calls missing are refused.
 TEST(LoadSeries, NetcdfIsUnpackedAndNothingMissingIsTaken) {
-  const TemporaryFolder place;
+  const TemporaryFolder position;
   {
-    Packed file(place / "packed.nc");
+    Packed file(position / "packed.nc");
     file.put("speed", NC_SHORT, "rpm", {1000, 1100, 1200}, {{"scale_factor", {0.5}}, {"add_offset", {1000.0}}});
     file.put("torque", NC_SHORT, "kN m", {100, 110, 120}, {{"scale_factor", {0.1}}});
   }
-  const LoadSeries series = read_load_series(place / "packed.nc");
+  const LoadSeries series = read_load_series(position / "packed.nc");
   EXPECT_NEAR(series.torque[1], 11e3, 1e-9);
   EXPECT_NEAR(series.speed[1], 1550.0 * 2.0 * M_PI / 60.0, 1e-9);
   const auto fault = [&](const std::vector<double>& torque, const std::map<std::string, std::vector<double>>& with) {
     {
-      Packed file(place / "masked.nc");
+      Packed file(position / "masked.nc");
       file.put("speed", NC_DOUBLE, "rpm", {1000, 1100, 1200});
       file.put("torque", NC_DOUBLE, "N m", torque, with);
     }
-    return fault_of(place / "masked.nc");
+    return fault_of(position / "masked.nc");
   };
   EXPECT_THAT(fault({1, -9999, 3}, {{"_FillValue", {-9999}}}),
               testing::AllOf(HasSubstr("torque: sample 2"), HasSubstr("missing")));

@@ -36,14 +36,14 @@ std::vector<LivedSpeed> searched(const Life& life, const PeakSearch& search, std
   }
 }
 
-std::size_t best_place(const std::vector<LivedSpeed>& points) {
+std::size_t best_position(const std::vector<LivedSpeed>& points) {
   const auto best = std::max_element(points.begin(), points.end(),
                                      [](const auto& a, const auto& b) { return a.life_h < b.life_h; });
   return static_cast<std::size_t>(best - points.begin());
 }
 
 LivedSpeed best_of(const std::vector<LivedSpeed>& points) {
-  return points[best_place(points)];
+  return points[best_position(points)];
 }
 
 // Rises as the cube of speed, falls as its inverse sixth power: the shape of life at constant power.
@@ -75,7 +75,7 @@ double longest_life_of_fine_grid(const Life& life, double from = 1000.0, double 
 }
 
 void expect_bracketed(const std::vector<LivedSpeed>& points, bool in_motion) {
-  const std::size_t best = best_place(points);
+  const std::size_t best = best_position(points);
   // Speeds are asked for in whole rpm: half of an odd gap is one longer.
   const double widest = peak_resolution(points[best].rpm, in_motion) + 1.0;
   if (best > 0) {

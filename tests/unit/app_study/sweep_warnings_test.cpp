@@ -19,16 +19,16 @@ SweepOutcome outcome_of(const std::string& name, const std::vector<double>& valu
   outcome.header.fidelity = "dynamic";
   outcome.header.points = values.size();
   outcome.head = head_of(outcome.header);
-  const auto place = [&](const std::string& column) {
+  const auto position = [&](const std::string& column) {
     const auto found = std::find(outcome.head.names.begin(), outcome.head.names.end(), column);
     EXPECT_NE(found, outcome.head.names.end()) << column;
     return static_cast<std::size_t>(found - outcome.head.names.begin());
   };
   for (std::size_t i = 0; i < values.size(); ++i) {
     ResultRow row{std::vector<double>(outcome.head.names.size(), std::numeric_limits<double>::quiet_NaN()), "ok"};
-    row.values[place("input_speed_rpm")] = 1000.0 * static_cast<double>(i + 1);
-    row.values[place(name)] = values[i];
-    if (!beside.empty()) row.values[place(beside)] = value_beside;
+    row.values[position("input_speed_rpm")] = 1000.0 * static_cast<double>(i + 1);
+    row.values[position(name)] = values[i];
+    if (!beside.empty()) row.values[position(beside)] = value_beside;
     outcome.rows.push_back(row);
   }
   return outcome;

@@ -102,7 +102,7 @@ class ExpectedYaml : public testing::Test {
     std::ofstream(file_) << "published:\n  - source: \"[ISO281], p. 1\"\n" << lines;
     return read_expected(file_);
   }
-  std::string complaint(const std::string& lines) {
+  std::string message(const std::string& lines) {
     try {
       read(lines);
       return "";
@@ -113,29 +113,29 @@ class ExpectedYaml : public testing::Test {
   ~ExpectedYaml() override { std::filesystem::remove(file_); }
 
   const std::string file_ = testing::TempDir() + "expected_of_validation_table_test.yaml";
-  const std::string usual_ =
+  const std::string default_ =
       "    of: slip\n    quantity: run:/a/0\n    meaning: m\n    value: 2\n    tolerance: 0.1\n";
 };
 
 // Issue 52, item 6: a number that is none reproduces nothing, and one of two values is not dropped.
 TEST_F(ExpectedYaml, RefusesNumbersThatAreNoneAndKeysThatStandTwice) {
   const std::string kind = "    kind: program\n    of: slip\n    quantity: run:/a/0\n    meaning: m\n";
-  EXPECT_EQ(complaint(kind + "    value: 2\n    tolerance: 0.1\n"), "");
+  EXPECT_EQ(message(kind + "    value: 2\n    tolerance: 0.1\n"), "");
   for (const char* none : {".nan", ".inf", "-.inf", ".NaN", "1e999"}) {
-    EXPECT_THAT(complaint(kind + "    value: " + none + "\n    tolerance: 0.1\n"), HasSubstr(":7:")) << none;
-    EXPECT_THAT(complaint(kind + "    value: 2\n    tolerance: " + none + "\n"), HasSubstr(":8:")) << none;
-    EXPECT_NE(complaint(kind + "    value: 2\n    tolerance: 0.1\n    scatter: " + std::string(none) + "\n"),
+    EXPECT_THAT(message(kind + "    value: " + none + "\n    tolerance: 0.1\n"), HasSubstr(":7:")) << none;
+    EXPECT_THAT(message(kind + "    value: 2\n    tolerance: " + none + "\n"), HasSubstr(":8:")) << none;
+    EXPECT_NE(message(kind + "    value: 2\n    tolerance: 0.1\n    scatter: " + std::string(none) + "\n"),
               "")
         << none;
   }
-  EXPECT_THAT(complaint(kind + "    value: 2\n    value: 3\n    tolerance: 0.1\n"),
+  EXPECT_THAT(message(kind + "    value: 2\n    value: 3\n    tolerance: 0.1\n"),
               HasSubstr(":8:5: value: found twice"));
-  EXPECT_THAT(complaint(kind + "    value: 2\n    tolerance: 0.1\npublished: []\n"),
+  EXPECT_THAT(message(kind + "    value: 2\n    tolerance: 0.1\npublished: []\n"),
               HasSubstr("published: found twice"));
 }
 
 TEST_F(ExpectedYaml, IsReadAsWritten) {
-  const PublishedValue one = read(usual_ +
+  const PublishedValue one = read(default_ +
                                   "    kind: worked-example\n    scatter: 0.03\n    why: w\n    memory: "
                                   "true\n    fidelity: dynamic\n")
                                  .published.at(0);
@@ -150,12 +150,12 @@ TEST_F(ExpectedYaml, IsReadAsWritten) {
 }
 
 TEST_F(ExpectedYaml, RefusesWhatItDoesNotKnow) {
-  EXPECT_THAT(complaint(usual_), HasSubstr("kind: found ''"));
-  EXPECT_THAT(complaint(usual_ + "    kind: hearsay\n"), HasSubstr("kind: found 'hearsay'"));
-  EXPECT_THAT(complaint(usual_ + "    kind: program\n    evidence: recomputed\n"),
+  EXPECT_THAT(message(default_), HasSubstr("kind: found ''"));
+  EXPECT_THAT(message(default_ + "    kind: hearsay\n"), HasSubstr("kind: found 'hearsay'"));
+  EXPECT_THAT(message(default_ + "    kind: program\n    evidence: recomputed\n"),
               HasSubstr("unknown key evidence"));
-  EXPECT_THAT(complaint("    kind: program\n"), HasSubstr("of: missing"));
-  EXPECT_THAT(complaint(usual_ + "    kind: program\n    scatter: -1\n"), HasSubstr("scatter"));
+  EXPECT_THAT(message("    kind: program\n"), HasSubstr("of: missing"));
+  EXPECT_THAT(message(default_ + "    kind: program\n    scatter: -1\n"), HasSubstr("scatter"));
 }
 
 ExpectedFile of_quantity(const std::string& quantity) {

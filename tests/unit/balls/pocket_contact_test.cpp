@@ -55,8 +55,8 @@ struct Film {
   Film() { c.pocket.film = RigidPointFilm::between(0.02, kBallRadius, kBallRadius * (kBallRadius + kPlay) / kPlay, 2e-3, kBallRadius, 0.4e-6); }
 
   // The ball `ahead` [m] of the middle, moving ahead and turning about its own axis.
-  PocketTouch<double> at(double ahead, double speed, double turning, double axial = 0.0) const {
-    const Ball<double> ball{kPitch, axial, 1.0, 0.0, {0.0, speed, 0.0}, {0.0, 0.0, turning}, 0.0};
+  PocketTouch<double> at(double ahead, double speed, double rotating, double axial = 0.0) const {
+    const Ball<double> ball{kPitch, axial, 1.0, 0.0, {0.0, speed, 0.0}, {0.0, 0.0, rotating}, 0.0};
     const Body cage{{0.0, -ahead, 0.0}, {0.0, 0.0, 1.0}, {}, {}, 0.0};
     ContactSlopes<double> unused;
     PocketFilmSlopes<double> none;
@@ -117,9 +117,9 @@ TEST(PocketContact, FilmLosesPower) {
   const Film film;
   for (const double ahead : {0.0, 0.05e-3, 0.0995e-3, 0.12e-3})
     for (const double speed : {-0.2, -0.01, 0.0, 0.01, 0.2})
-      for (const double turning : {-900.0, -20.0, 0.0, 300.0}) {
-        const PocketTouch<double> now = film.at(ahead, speed, turning, 0.01e-3);
-        EXPECT_GE(now.film_power, 0.0) << ahead << " " << speed << " " << turning;
+      for (const double rotating : {-900.0, -20.0, 0.0, 300.0}) {
+        const PocketTouch<double> now = film.at(ahead, speed, rotating, 0.01e-3);
+        EXPECT_GE(now.film_power, 0.0) << ahead << " " << speed << " " << rotating;
       }
 }
 
@@ -151,16 +151,16 @@ TEST(PocketContact, SlopesOfBothSidesAreThoseOfTheirLoad) {
     add_pocket_film<true>(film.c, axes, distance, 0.0, speed, turn, touch, slopes);
     return touch.load;
   };
-  const double place = 0.04e-3;
+  const double position = 0.04e-3;
   const Triple<double> speed{0.3, -2e-3, 0.2}, turn{40.0, 15.0, -60.0};
   PocketFilmSlopes<double> slopes{}, unused{};
-  at(place, speed, turn, slopes);
+  at(position, speed, turn, slopes);
   const auto by = [&](double h, auto&& moved) { return (moved(h) - moved(-h)) / (2.0 * h); };
   const auto by_speed = [&](const Triple<double>& way) {
-    return by(1e-7, [&](double v) { return at(place, speed + mechanics::scaled(v, way), turn, unused); });
+    return by(1e-7, [&](double v) { return at(position, speed + mechanics::scaled(v, way), turn, unused); });
   };
   const auto by_turn = [&](const Triple<double>& way) {
-    return by(1e-4, [&](double w) { return at(place, speed, turn + mechanics::scaled(w, way), unused); });
+    return by(1e-4, [&](double w) { return at(position, speed, turn + mechanics::scaled(w, way), unused); });
   };
   constexpr double kDifference = 1e-5;  // relative, of differences over such steps
   const auto expect = [&](double slope, double difference, const char* what) {
@@ -168,7 +168,8 @@ TEST(PocketContact, SlopesOfBothSidesAreThoseOfTheirLoad) {
     EXPECT_NEAR(slope, difference, kDifference * std::abs(difference)) << what;
   };
   const double h = 1e-10;
-  expect(slopes.by_approach, by(h, [&](double x) { return at(place + x, speed, turn, unused); }), "approach");
+  expect(slopes.by_approach, by(h, [&](double x) { return at(position + x, speed, turn, unused); }),
+         "approach");
   expect(slopes.by_speed, -by_speed(axes.normal), "speed");
   expect(slopes.by_along, by_speed(axes.along), "along");
   expect(slopes.by_across, by_speed(axes.across), "across");

@@ -22,8 +22,8 @@ constexpr double kUm = 1e-6;
 // Whose raceways gave the walls of the rings and the spacing of the rollers; all others are predicted.
 const std::set<std::string_view> kIdentified{"205", "206", "208", "305", "308"};
 
-double miss(double found, double printed) {
-  return found / printed - 1.0;
+double miss(double found, double published) {
+  return found / published - 1.0;
 }
 
 // The rules never see C of any roller bearing, and C_0 of none but the bearing itself.

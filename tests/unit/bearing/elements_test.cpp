@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "bearing/equilibrium/aligned_pitch.hpp"
 #include "bearing/equilibrium/lamina_bearing.hpp"
-#include "bearing/equilibrium/level_pitch.hpp"
 #include "bearing/equilibrium/quasi_static.hpp"
 #include "bearing/equilibrium/static_bearing.hpp"
 #include "bearing/geometry.hpp"
@@ -42,7 +42,7 @@ TEST(Elements, BallsAreRefusedWhereRollersAreRequired) {
   const OperatingPoint point = example_bearings::static_load(100.0);
   for (const std::function<void()>& call : std::vector<std::function<void()>>{
            [&] { quasi_static_bearing(balls, point, {}); }, [&] { laminae::LaminaBearing cut(balls); },
-           [&] { vectorised::LevelPitch::of(balls, {}); }, [&] { motion::bearing_model(balls, point, {}); },
+           [&] { vectorised::AlignedPitch::of(balls, {}); }, [&] { motion::bearing_model(balls, point, {}); },
            [&] { equilibrium::RollerRow row(balls); }, [&] { rating::roller_set(balls); },
            [&] { contact_capacity(balls, Race::inner, 0.83); }})
     EXPECT_EQ(refusal_of(call),

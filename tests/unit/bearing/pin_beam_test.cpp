@@ -68,7 +68,7 @@ TEST(PinBeam, BoreMakesItSofter) {
   EXPECT_GT(pin_compliance(bored, {0.0})(0, 0), 1.1 * pin_compliance(kPinInWalls, {0.0})(0, 0));
 }
 
-TEST(PinBeam, RefusesAPlaceBeyondItsSupports) {
+TEST(PinBeam, RefusesAPositionBeyondItsSupports) {
   EXPECT_REFUSED(std::invalid_argument, "pin_beam 1", pin_compliance(kPinInWalls, {0.02}));
 }
 

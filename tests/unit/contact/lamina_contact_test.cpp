@@ -41,16 +41,16 @@ std::vector<Situation> situations() {
 
 double by_hand(const Situation& s, int k) {
   const double n = static_cast<double>(s.drops.size());
-  const double place = (k + 0.5) / n * 2.0 - 1.0;
-  const double depth = s.approach + place * s.end_displacement - s.drops[static_cast<std::size_t>(k)];
+  const double position = (k + 0.5) / n * 2.0 - 1.0;
+  const double depth = s.approach + position * s.end_displacement - s.drops[static_cast<std::size_t>(k)];
   return depth > 0.0 ? law.constant / n * std::pow(depth, 10.0 / 9.0) : 0.0;
 }
 
-TEST(LaminaContact, PlacesAreTheMiddlesOfTheStandard) {
+TEST(LaminaContact, PositionsAreTheMiddlesOfTheStandard) {
   // x_k = ((k - 1/2)/n - 1/2) l
-  const std::vector<double> places = lamina_places(5);
+  const std::vector<double> positions = lamina_positions(5);
   for (int k = 1; k <= 5; ++k)
-    EXPECT_NEAR(0.5 * places[static_cast<std::size_t>(k - 1)], (k - 0.5) / 5.0 - 0.5, kRoundOff);
+    EXPECT_NEAR(0.5 * positions[static_cast<std::size_t>(k - 1)], (k - 0.5) / 5.0 - 0.5, kRoundOff);
 }
 
 TEST(LaminaContact, DropsOfBothBodiesAddUp) {

@@ -45,13 +45,13 @@ TEST(Connect, JoinsOneMotionWithAllForcesOfItsName) {
 
 TEST(Connect, RefusesWhatIsNoJoint) {
   const Side motion = side({{"a", PortKind::translation, Gives::motion}});
-  const Side turning = side({{"a", PortKind::rotation, Gives::force}});
+  const Side rotating = side({{"a", PortKind::rotation, Gives::force}});
   const Side force = side({{"a", PortKind::translation, Gives::force}});
   const Side stray = side({{"b", PortKind::translation, Gives::force}});
   EXPECT_NO_THROW(connect_by_name({motion, force}));
   EXPECT_REFUSED(std::invalid_argument, "coupled_run 1", connect_by_name({motion}));
   EXPECT_REFUSED(std::invalid_argument, "coupled_run 2", connect_by_name({force}));
-  EXPECT_REFUSED(std::invalid_argument, "coupled_run 3", connect_by_name({motion, turning}));
+  EXPECT_REFUSED(std::invalid_argument, "coupled_run 3", connect_by_name({motion, rotating}));
   EXPECT_REFUSED(std::invalid_argument, "coupled_run 4", connect_by_name({motion, motion, force}));
   EXPECT_REFUSED(std::invalid_argument, "coupled_run 5", connect_by_name({motion, force, stray}));
   Side without = force;

@@ -74,7 +74,7 @@ class DrivenBearingState : public testing::TestWithParam<bool> {
  protected:
   DrivenBearingState() {
     if (GetParam()) setup.dynamics.cage.pocket_film = bearing::motion::PocketFilm::hydrodynamic;
-    setup.bearing.outer.form = {{.order = 5, .amplitude = 0.5e-6, .phase = 1.0, .turning = true}};
+    setup.bearing.outer.form = {{.order = 5, .amplitude = 0.5e-6, .phase = 1.0, .rotating = true}};
   }
   DrivenBearingSetup setup = test::driven_reducer();
   BoreMotion about = test::pressed_motion();
@@ -200,10 +200,11 @@ TEST(DrivenBearing, SlopesAreThoseOfTheForce) {
       return (8.0 * (at(step) - at(-step)) - (at(2.0 * step) - at(-2.0 * step))) / (12.0 * step);
     };
     for (int k = 0; k < 2; ++k) {
-      const Eigen::Vector2d place = difference(2e-9, [k](BoreMotion& m) -> double& { return m.position[k]; });
+      const Eigen::Vector2d position =
+          difference(2e-9, [k](BoreMotion& m) -> double& { return m.position[k]; });
       const Eigen::Vector2d velocity =
           difference(1e-5, [k](BoreMotion& m) -> double& { return m.velocity[k]; });
-      EXPECT_LT((slopes.by_displacement.col(k) - place).norm(), 1e-6 * place.norm());
+      EXPECT_LT((slopes.by_displacement.col(k) - position).norm(), 1e-6 * position.norm());
       EXPECT_LT((slopes.by_velocity.col(k) - velocity).norm(), 1e-6 * velocity.norm());
     }
     const Eigen::Vector2d speed = difference(1e-2, [](BoreMotion& m) -> double& { return m.speed; });

@@ -35,7 +35,7 @@ TEST(CrownLife, OfTheStandardIsThatOfTheRatings) {
   const auto set = bearing::rating::roller_set(problem.bearing);
   const auto expected = bearing::rating::lamina_reference_life(
       bearing::rating::contact_capacities(set, bearing::rating::dynamic_capacity(set)),
-      loads.inner_lamina_load(), loads.outer_lamina_load(), bearing::rating::turning(bearing::Race::outer));
+      loads.inner_lamina_load(), loads.outer_lamina_load(), bearing::rating::rotating(bearing::Race::outer));
   const bearing::BearingLife ours =
       lamina_life(problem.ratings[0], loads.inner_lamina_load(), loads.outer_lamina_load());
   EXPECT_NEAR(ours.bearing, expected.bearing, kRoundOff * expected.bearing);
@@ -105,7 +105,7 @@ TEST(ProfileFamily, HasTheDropAskedForAtTheStation) {
   for (const std::string& name : family_names()) {
     const ProfileFamily family = family_of(name, problem.bearing, 1500.0);
     for (const double drop : {0.0, 1e-6, 20e-6}) {
-      const Profile made = profile_of(family, {drop, usual_share(family)});
+      const Profile made = profile_of(family, {drop, default_share(family)});
       EXPECT_EQ(bearing::profile::kind(made), name);
       EXPECT_NEAR(bearing::profile::drop(made, 0.975 * 2.85e-3), drop, 1e-15) << name;
       EXPECT_NEAR(bearing::profile::drop(made, 0.0), 0.0, 1e-18) << name;

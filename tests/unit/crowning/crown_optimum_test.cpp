@@ -18,7 +18,7 @@ double best_of_grid(const CrownProblem& problem, const ProfileFamily& family,
   double best = 0.0;
   for (int i = 0; i <= steps; ++i)
     best =
-        std::max(best, worst_life_hours(problem, family, {least + step * i, usual_share(family)}, members));
+        std::max(best, worst_life_hours(problem, family, {least + step * i, default_share(family)}, members));
   return best;
 }
 
@@ -67,7 +67,7 @@ TEST(CrownOptimum, TheShareIsFoundWithTheDrop) {
   const CrownOptimum both = best_crown(problem, family, members, options);
   options.free_share = false;
   const CrownOptimum drop_alone = best_crown(problem, family, members, options);
-  EXPECT_DOUBLE_EQ(drop_alone.crown.share, usual_share(family));
+  EXPECT_DOUBLE_EQ(drop_alone.crown.share, default_share(family));
   EXPECT_GT(both.life_hours, drop_alone.life_hours);
 }
 

@@ -43,7 +43,7 @@ TEST(PressureLife, OfADeepProfileIsThatOfItsLaminaeWithoutRiser) {
            bearing::rating::equivalent_lamina_loads(loads.outer_lamina_load(), outer)})
           .bearing;
   const double expected =
-      bearing::hours(revolutions, turning_speed(problem.bearing, problem.duties[0].point));
+      bearing::hours(revolutions, rotating_speed(problem.bearing, problem.duties[0].point));
   const double ours = pressure_life_hours(problem, pressure, deep, Lean::Zero());
   EXPECT_NEAR(std::pow(ours / expected, -1.0 / 9.0), 1.0, kPressure);
 }

@@ -15,8 +15,8 @@ constexpr double kRoundOff = 1e-12;                 // relative
 
 ScratchLaw of_form(ScratchForm form, double depth = 1e-3) {
   ScratchLaw law{.form = form, .width = kWidth, .bottom = depth, .deepest = kDeepest};
-  for (int i = 0; i < SinkingTable::kPoints; ++i) {  // of a profile: the raised cosine as a table
-    const double turn = 6.283185307179586 * (static_cast<double>(i) / (SinkingTable::kPoints - 1) - 0.5);
+  for (int i = 0; i < DefectDepthTable::kPoints; ++i) {  // of a profile: the raised cosine as a table
+    const double turn = 6.283185307179586 * (static_cast<double>(i) / (DefectDepthTable::kPoints - 1) - 0.5);
     law.table.depth[i] = 0.5 * kDeepest * (1.0 + std::cos(turn));
     law.table.slope[i] = -3.141592653589793 * kDeepest / kWidth * std::sin(turn);
   }
@@ -34,22 +34,22 @@ TEST(Scratch, ABallSinksByItsArcMoreOnAConvexRaceAndLessOnAConcaveOne) {
   const double inner = ball + height_over_chord(geometry.inner_radius);
   const double outer = ball - height_over_chord(geometry.outer_radius);
   const double arc_for_chord = std::pow(kWidth / geometry.element_radius, 2);
-  EXPECT_NEAR(deepest_sinking(kWidth, Race::inner, geometry), inner, arc_for_chord * inner);
-  EXPECT_NEAR(deepest_sinking(kWidth, Race::outer, geometry), outer, arc_for_chord * outer);
+  EXPECT_NEAR(greatest_depth(kWidth, Race::inner, geometry), inner, arc_for_chord * inner);
+  EXPECT_NEAR(greatest_depth(kWidth, Race::outer, geometry), outer, arc_for_chord * outer);
 }
 
 TEST(Scratch, IsDeepestInTheMiddle) {
   for (const auto& form : names_of(ScratchForm{}))
-    EXPECT_DOUBLE_EQ(sinking(of_form(form.value), 0.0).depth, kDeepest) << form.text;
+    EXPECT_DOUBLE_EQ(defect_depth(of_form(form.value), 0.0).depth, kDeepest) << form.text;
 }
 
 TEST(Scratch, EntryAndExitAreContinuousButInThePrintedForm) {
   for (const double edge : {-0.5 * kWidth, 0.5 * kWidth}) {
     for (const ScratchForm form : {ScratchForm::raised_cosine, ScratchForm::half_cosine, ScratchForm::edges})
-      EXPECT_NEAR(sinking(of_form(form), edge).depth, 0.0, kRoundOff * kDeepest);
+      EXPECT_NEAR(defect_depth(of_form(form), edge).depth, 0.0, kRoundOff * kDeepest);
     for (const ScratchForm form : {ScratchForm::raised_cosine, ScratchForm::edges})
-      EXPECT_NEAR(sinking(of_form(form), edge).slope, 0.0, kRoundOff * kDeepest / kWidth);
-    EXPECT_NEAR(sinking(of_form(ScratchForm::literature_variant), edge).depth, -kDeepest,
+      EXPECT_NEAR(defect_depth(of_form(form), edge).slope, 0.0, kRoundOff * kDeepest / kWidth);
+    EXPECT_NEAR(defect_depth(of_form(ScratchForm::literature_variant), edge).depth, -kDeepest,
                 kRoundOff * kDeepest);
   }
 }
@@ -58,7 +58,7 @@ TEST(Scratch, EntryAndExitAreContinuousButInThePrintedForm) {
 TEST(Scratch, EdgesAreThoseOfARigidBall) {
   const double radius = 0.25 * kWidth * kWidth / (2.0 * kDeepest);  // to which this sinking belongs
   const double from_edge = 0.3 * kWidth;
-  EXPECT_NEAR(sinking(of_form(ScratchForm::edges), 0.5 * kWidth - from_edge).depth,
+  EXPECT_NEAR(defect_depth(of_form(ScratchForm::edges), 0.5 * kWidth - from_edge).depth,
               from_edge * from_edge / (2.0 * radius), kRoundOff * kDeepest);
 }
 
@@ -68,11 +68,10 @@ TEST(Scratch, SlopesAreThoseOfDepths) {
   for (const auto& form : names_of(ScratchForm{}))
     for (const double share : {-0.45, -0.2, 0.13, 0.37}) {
       const double at = share * kWidth;
-      const double difference = (sinking(of_form(form.value), at + step).depth -
-                                 sinking(of_form(form.value), at - step).depth) /
+      const double difference = (defect_depth(of_form(form.value), at + step).depth -
+                                 defect_depth(of_form(form.value), at - step).depth) /
                                 (2.0 * step);
-      EXPECT_NEAR(sinking(of_form(form.value), at).slope, difference,
-                  cubic * 10.0 * kDeepest / kWidth)
+      EXPECT_NEAR(defect_depth(of_form(form.value), at).slope, difference, cubic * 10.0 * kDeepest / kWidth)
           << form.text << " " << share;
     }
 }
@@ -82,10 +81,11 @@ TEST(Scratch, BendsAreTheSlopesOfSlopes) {
   for (const auto& form : names_of(ScratchForm{}))
     for (const double share : {-0.44, -0.2, 0.13, 0.37}) {
       const double at = share * kWidth;
-      const double difference =
-          (sinking(of_form(form.value), at + step).slope - sinking(of_form(form.value), at - step).slope) /
-          (2.0 * step);
-      EXPECT_NEAR(sinking(of_form(form.value), at).bend, difference, 1e-5 * kDeepest / (kWidth * kWidth) * 40.0)
+      const double difference = (defect_depth(of_form(form.value), at + step).slope -
+                                 defect_depth(of_form(form.value), at - step).slope) /
+                                (2.0 * step);
+      EXPECT_NEAR(defect_depth(of_form(form.value), at).bend, difference,
+                  1e-5 * kDeepest / (kWidth * kWidth) * 40.0)
           << form.text << " " << share;
     }
 }
@@ -97,27 +97,28 @@ TEST(Scratch, AMeasuredProfileIsRolledOverByTheArcOfTheElement) {
   measured.profile.assign(401, 1.0);  // walls as steep as the table is fine
   for (const Race race : {Race::inner, Race::outer}) {
     const ScratchLaw law = scratch_law(measured, race, geometry);
-    const double deepest = deepest_sinking(kWidth, race, geometry);
+    const double deepest = greatest_depth(kWidth, race, geometry);
     const ScratchLaw edges{.form = ScratchForm::edges, .width = kWidth, .bottom = 1e-3, .deepest = deepest};
     for (const double share : {-0.5, -0.3, -0.11, 0.0, 0.24, 0.5})
-      EXPECT_NEAR(sinking(law, share * kWidth).depth, sinking(edges, share * kWidth).depth, 0.02 * deepest)
+      EXPECT_NEAR(defect_depth(law, share * kWidth).depth, defect_depth(edges, share * kWidth).depth,
+                  0.02 * deepest)
           << share;
   }
   // A shallow one is followed where the element fits into it.
   measured.depth = 1e-7;
   measured.profile = {0.0, 0.5, 1.0, 0.5, 0.0};
   const ScratchLaw shallow = scratch_law(measured, Race::outer, geometry);
-  EXPECT_NEAR(sinking(shallow, 0.125 * kWidth).depth, 0.75e-7, 2e-9);
-  EXPECT_NEAR(sinking(shallow, 0.5 * kWidth).depth, 0.0, kRoundOff * shallow.bottom);
+  EXPECT_NEAR(defect_depth(shallow, 0.125 * kWidth).depth, 0.75e-7, 2e-9);
+  EXPECT_NEAR(defect_depth(shallow, 0.5 * kWidth).depth, 0.0, kRoundOff * shallow.bottom);
   measured.profile = {0.0, -0.1, 0.0};
   EXPECT_REFUSED(std::invalid_argument, "scratch 1", scratch_law(measured, Race::outer, geometry));
 }
 
 TEST(Scratch, AShallowOneHasABottom) {
   const ScratchLaw shallow = of_form(ScratchForm::raised_cosine, 0.4 * kDeepest);
-  EXPECT_DOUBLE_EQ(sinking(shallow, 0.0).depth, 0.4 * kDeepest);
-  EXPECT_EQ(sinking(shallow, 0.01 * kWidth).slope, 0.0);
-  EXPECT_LT(sinking(shallow, 0.45 * kWidth).depth, 0.4 * kDeepest);
+  EXPECT_DOUBLE_EQ(defect_depth(shallow, 0.0).depth, 0.4 * kDeepest);
+  EXPECT_EQ(defect_depth(shallow, 0.01 * kWidth).slope, 0.0);
+  EXPECT_LT(defect_depth(shallow, 0.45 * kWidth).depth, 0.4 * kDeepest);
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ void take_form(ScratchedMotion& motion, double time, const VectorXd& x) {
 
 VectorXd at_rest(const ScratchedMotion& motion) {
   VectorXd x = VectorXd::Zero(4);
-  x.head<2>() = motion.static_place().place;
+  x.head<2>() = motion.static_position().position;
   return x;
 }
 
@@ -31,10 +31,10 @@ TEST(ScratchedMotion, RestsWhereTheStaticBearingDoes) {
   const auto state =
       equilibrium::balance_bearing(nine_balls().bearing, {.radial = nine_balls().load + motion.weight()});
   constexpr double searches = 1e-9;  // relative, what two searches leave
-  EXPECT_NEAR(motion.static_place().place[0], state.radial, searches * state.radial);
-  EXPECT_NEAR(motion.static_place().place[1], 0.0, searches * state.radial);
+  EXPECT_NEAR(motion.static_position().position[0], state.radial, searches * state.radial);
+  EXPECT_NEAR(motion.static_position().position[1], 0.0, searches * state.radial);
   for (Eigen::Index j = 0; j < motion.elements(); ++j)
-    EXPECT_NEAR(motion.static_place().load[j], state.contact_load[j],
+    EXPECT_NEAR(motion.static_position().load[j], state.contact_load[j],
                 searches * state.contact_load.maxCoeff());
 }
 
@@ -60,7 +60,7 @@ TEST(ScratchedMotion, StiffnessAndDampingAreThoseAlongTheLoad) {
     ScratchedMotion motion(in);
     VectorXd x = at_rest(motion), dx(4);
     take_form(motion, 0.0, x);
-    const double k = motion.static_place().stiffness, m = in.ring.mass;
+    const double k = motion.static_position().stiffness, m = in.ring.mass;
     constexpr double small = 1e-11;  // [m]
     x[0] += small;
     motion.rates(0.0, x, dx);
@@ -78,9 +78,9 @@ TEST(ScratchedMotion, RollersGoByTheirPower) {
   in.bearing.elements = CylindricalRollers{.count = 11, .diameter = 8e-3, .length = 9e-3};
   const ScratchedMotion motion(in);
   const LineContact one = roller_race_contact(in.bearing.contact_law, 9e-3);
-  const double approach = motion.static_place().place[0] - 0.5 * in.bearing.radial_clearance;
+  const double approach = motion.static_position().position[0] - 0.5 * in.bearing.radial_clearance;
   const double load = one.load(0.5 * approach);  // two alike, one behind the other
-  EXPECT_NEAR(motion.static_place().load[0], load, 1e-9 * load);
+  EXPECT_NEAR(motion.static_position().load[0], load, 1e-9 * load);
 }
 
 // Where a scratch is met, and how often: the middle of each passing is a whole number of passes on.

@@ -36,9 +36,9 @@ Eigen::Vector<double, 5> force_at(const Pair& pair, const PairState& state,
   if (pair.arrangement == Arrangement::tandem) placed.approach = 0.0;
   const PairRow row(placed);
   const Eigen::Vector<double, 5> arms(1.0, 1.0, 1.0, row.lever(), row.lever());
-  const equilibrium::RingPlace place =
-      equilibrium::place_of(state.ring, row.lever()) + arms.asDiagonal() * change;
-  return arms.asDiagonal() * equilibrium::row_forces(row, place).force;
+  const equilibrium::RingPosition position =
+      equilibrium::position_of(state.ring, row.lever()) + arms.asDiagonal() * change;
+  return arms.asDiagonal() * equilibrium::row_forces(row, position).force;
 }
 
 TEST(DuplexPair, EveryEntryOfTheStiffnessIsASlopeOfTheForces) {
@@ -62,13 +62,13 @@ TEST(DuplexPair, EveryEntryOfTheStiffnessIsASlopeOfTheForces) {
 
 TEST(DuplexPair, ForcesAreSlopesOfTheEnergy) {
   const PairRow row(preloaded(Arrangement::face_to_face, 1270.0));
-  equilibrium::RingPlace place;
-  place << 2e-6, -1e-6, 3e-6, 4e-6, -2e-6;
-  const Eigen::Vector<double, 5> force = equilibrium::row_forces(row, place).force;
+  equilibrium::RingPosition position;
+  position << 2e-6, -1e-6, 3e-6, 4e-6, -2e-6;
+  const Eigen::Vector<double, 5> force = equilibrium::row_forces(row, position).force;
   constexpr double step = 1e-9, truncation = 1e-5;
   for (int i = 0; i < 5; ++i) {
-    const equilibrium::RingPlace change = equilibrium::RingPlace::Unit(i) * step;
-    EXPECT_NEAR((row.stored_energy(place - change) - row.stored_energy(place + change)) / (2.0 * step),
+    const equilibrium::RingPosition change = equilibrium::RingPosition::Unit(i) * step;
+    EXPECT_NEAR((row.stored_energy(position - change) - row.stored_energy(position + change)) / (2.0 * step),
                 force[i], truncation * force.norm());
   }
 }

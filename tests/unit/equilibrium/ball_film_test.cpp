@@ -51,9 +51,9 @@ TEST(BallFilm, TheLeastFilmTurnsOverWithSpeed) {
     const film::EllipticalContact contact = film::ball_contact(bearing, race);
     double highest = 0.0, highest_at = 0.0, central = 0.0, last = 0.0;
     for (double rpm = 500.0; rpm <= 15000.0; rpm += 500.0) {
-      MovingBallRow row(bearing, {.speeds = {.inner = rpm * kRpm}, .film = oil});
+      JonesRow row(bearing, {.speeds = {.inner = rpm * kRpm}, .film = oil});
       ASSERT_TRUE(balance_ring(row, {.axial = 10000.0}).report.converged) << rpm;
-      const MovingBall& ball = row.balls().front();
+      const JonesBall& ball = row.balls().front();
       const bool inner = race == Race::inner;
       const film::Films films =
           film::spin_films(contact, oil,
@@ -80,16 +80,16 @@ TEST(BallFilm, TheLeastFilmTurnsOverWithSpeed) {
 // The stiffness that the film adds to is still the slope of the forces.
 TEST(BallFilm, StiffnessIsTheSlopeOfTheForces) {
   const RowMotion motion{.speeds = {.inner = 9000.0 * kRpm}, .film = oil};
-  MovingBallRow row(bearing_7210(), motion);
+  JonesRow row(bearing_7210(), motion);
   const RingState state = balance_ring(row, {.radial = 2000.0, .axial = 10000.0});
   ASSERT_TRUE(state.report.converged);
-  const RingPlace place = place_of(state, row.lever());
-  const RingImbalance here = row_forces(row, place);
+  const RingPosition position = position_of(state, row.lever());
+  const RingImbalance here = row_forces(row, position);
   constexpr double step = 2e-9;  // [m]
   for (int i = 0; i < 5; ++i) {
-    const RingPlace aside = step * RingPlace::Unit(i);
-    const RingPlace slope =
-        (row_forces(row, place - aside).force - row_forces(row, place + aside).force) / (2.0 * step);
+    const RingPosition aside = step * RingPosition::Unit(i);
+    const RingPosition slope =
+        (row_forces(row, position - aside).force - row_forces(row, position + aside).force) / (2.0 * step);
     EXPECT_NEAR((slope - here.stiffness.col(i)).norm() / here.stiffness.norm(), 0.0, 1e-6) << i;
   }
 }

@@ -42,23 +42,23 @@ RaceEquilibrium problem_with(double softness) {
 }
 
 mechanics::Imbalance<Eigen::Dynamic> imbalance_at(const RaceEquilibrium& problem,
-                                                  const Eigen::VectorXd& place) {
+                                                  const Eigen::VectorXd& position) {
   std::vector<laminae::RollerState> rollers(static_cast<std::size_t>(problem.angle.size()));
-  return ring_on_rollers<Eigen::Dynamic>(problem, rollers)(place);
+  return ring_on_rollers<Eigen::Dynamic>(problem, rollers)(position);
 }
 
 TEST(ElasticRace, StiffnessIsTheSlopeOfTheForce) {
   const RaceEquilibrium problem = problem_with(1.0);
   std::vector<laminae::RollerState> none;
-  Eigen::VectorXd place = ring_on_rollers<Eigen::Dynamic>(problem, none).rest;
-  place.head<2>() << 5e-6, 12e-6;
-  place[3] += 1e-6;
-  const Eigen::MatrixXd stiffness = imbalance_at(problem, place).stiffness;
+  Eigen::VectorXd position = ring_on_rollers<Eigen::Dynamic>(problem, none).rest;
+  position.head<2>() << 5e-6, 12e-6;
+  position[3] += 1e-6;
+  const Eigen::MatrixXd stiffness = imbalance_at(problem, position).stiffness;
   EXPECT_LT((stiffness - stiffness.transpose()).norm(), 1e-14 * stiffness.norm());
-  for (Eigen::Index i = 0; i < place.size(); ++i) {
-    const Eigen::VectorXd h = 1e-9 * Eigen::VectorXd::Unit(place.size(), i);
+  for (Eigen::Index i = 0; i < position.size(); ++i) {
+    const Eigen::VectorXd h = 1e-9 * Eigen::VectorXd::Unit(position.size(), i);
     const Eigen::VectorXd slope =
-        (imbalance_at(problem, place + h).force - imbalance_at(problem, place - h).force) / 2e-9;
+        (imbalance_at(problem, position + h).force - imbalance_at(problem, position - h).force) / 2e-9;
     EXPECT_LT((stiffness.col(i) + slope).norm(), 1e-5 * stiffness.col(i).norm()) << i;
   }
 }

@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kPlace = 0.007;  // [m]  of the bearings on either side of the middle
+constexpr double kPosition = 0.007;  // [m]  of the bearings on either side of the middle
 const Vector2d kNone = Vector2d::Zero();
 
 Bearing cut_bearing(double clearance = 0.0) {
@@ -34,10 +34,10 @@ OperatingPoint loaded(const Vector2d& load) {
 }
 
 PlanetOnPin two_bearings(const PinBeam& pin, double more_clearance = 0.0) {
-  PlanetOnPin planet{.place = {-kPlace, kPlace}};
+  PlanetOnPin planet{.position = {-kPosition, kPosition}};
   planet.bearings.emplace_back(cut_bearing());
   planet.bearings.emplace_back(cut_bearing(more_clearance));
-  planet.pin_compliance = pin_compliance(pin, planet.place);
+  planet.pin_compliance = pin_compliance(pin, planet.position);
   return planet;
 }
 
@@ -88,10 +88,10 @@ TEST(PlanetOnPin, IsInBalance) {
         force_of(state.bearings[k]) +
         load_through_cage(planet.bearings[k].bearing(), planet.bearings[k].geometry(), point.carrier, {});
     force += one;
-    moments += planet.place[k] * one + state.bearings[k].moment;
+    moments += planet.position[k] * one + state.bearings[k].moment;
   }
   EXPECT_LT(force.norm(), 1e-8 * point.bore_load.norm());
-  EXPECT_LT(moments.norm(), 1e-8 * point.bore_load.norm() * kPlace);
+  EXPECT_LT(moments.norm(), 1e-8 * point.bore_load.norm() * kPosition);
   // The pin bends as its compliance says under the opposite forces and moments.
   for (Eigen::Index axis = 0; axis < 2; ++axis) {
     const Vector2d a = force_of(state.bearings[0]), b = force_of(state.bearings[1]);
@@ -99,7 +99,7 @@ TEST(PlanetOnPin, IsInBalance) {
                                  -state.bearings[1].moment[axis]);
     const Eigen::Vector4d bent = planet.pin_compliance * on_pin;
     for (std::size_t k = 0; k < 2; ++k) {
-      const double relative = state.displacement[axis] + planet.place[k] * state.tilt[axis] -
+      const double relative = state.displacement[axis] + planet.position[k] * state.tilt[axis] -
                               bent[static_cast<Eigen::Index>(k)] - planet.pin_error[k][axis];
       EXPECT_NEAR(state.bearings[k].displacement[axis], relative, 1e-12);
     }
@@ -119,13 +119,13 @@ TEST(PlanetOnPin, BearingWithMoreClearanceCarriesLess) {
   const double f = force_of(state.bearings[0]).norm() / force_of(state.bearings[1]).norm();
   const Vector2d first = quasi_static_state(one, loaded(0.5 * load), {}, 0.0).displacement;
   const Vector2d second = quasi_static_state(other, loaded(0.5 * load), {}, 0.0).displacement;
-  const double free_tilt = (second - first).y() / (2.0 * kPlace);
+  const double free_tilt = (second - first).y() / (2.0 * kPosition);
   const double k = stiffness_at(one, quasi_static_state(one, loaded(0.5 * load), {}, 0.0))(1, 1);
   const double c = 0.5 * (stiffness_at(one, quasi_static_state(one, loaded(0.5 * load), {}, 0.0))(3, 3) +
                           stiffness_at(other, quasi_static_state(other, loaded(0.5 * load), {}, 0.0))(3, 3));
   // Both bearings resist the tilt t with c; their forces make up for it: k kPlace^2 (t0 - t) 2 = 2 c t.
-  const double tilt = free_tilt * k * kPlace * kPlace / (k * kPlace * kPlace + c);
-  const double difference = c * tilt / kPlace;  // [N]  by which each force leaves the half
+  const double tilt = free_tilt * k * kPosition * kPosition / (k * kPosition * kPosition + c);
+  const double difference = c * tilt / kPosition;  // [N]  by which each force leaves the half
   const double by_hand = (0.5 * load.y() + difference) / (0.5 * load.y() - difference);
   EXPECT_NEAR(state.tilt.y() / tilt, 1.0, 0.05);
   EXPECT_NEAR(f / by_hand, 1.0, 0.02);
@@ -175,7 +175,7 @@ TEST(PlanetOnPin, InclinedPinIsFeltWhereTheMeshesHoldThePlanet) {
   PlanetOnPin planet = two_bearings(stiff_pin());
   const PlanetOnPinState straight = planet_on_pin(planet, loaded(load), kNone, {}, 0.0);
   planet.pin_inclination.assign(2, inclined);
-  planet.pin_error = {-kPlace * inclined, kPlace * inclined};
+  planet.pin_error = {-kPosition * inclined, kPosition * inclined};
   const PlanetOnPinState follows = planet_on_pin(planet, loaded(load), kNone, {}, 0.0);
   EXPECT_LT((follows.tilt - inclined).norm(), 1e-6 * inclined.norm());
   EXPECT_NEAR(force_of(follows.bearings[0]).norm(), force_of(straight.bearings[0]).norm(), 1e-3);
@@ -184,9 +184,9 @@ TEST(PlanetOnPin, InclinedPinIsFeltWhereTheMeshesHoldThePlanet) {
   const PlanetOnPinState held = planet_on_pin(planet, loaded(load), kNone, {}, 0.0);
   const LaminaBearing one(cut_bearing());
   const Eigen::Matrix4d slope = stiffness_at(one, quasi_static_state(one, loaded(0.5 * load), {}, 0.0));
-  const double bearings = 2.0 * (slope(1, 1) * kPlace * kPlace + slope(3, 3));
+  const double bearings = 2.0 * (slope(1, 1) * kPosition * kPosition + slope(3, 3));
   const double tilt = inclined.y() * bearings / (bearings + 5e2);
-  const double difference = slope(1, 1) * kPlace * (tilt - inclined.y());
+  const double difference = slope(1, 1) * kPosition * (tilt - inclined.y());
   EXPECT_NEAR(held.tilt.y() / tilt, 1.0, 0.02);
   EXPECT_NEAR(force_of(held.bearings[0]).norm(), 0.5 * load.y() - difference, 0.02 * 0.5 * load.y());
   EXPECT_NEAR(force_of(held.bearings[1]).norm(), 0.5 * load.y() + difference, 0.02 * 0.5 * load.y());

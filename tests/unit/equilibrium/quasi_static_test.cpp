@@ -21,7 +21,7 @@ using example_bearings::rpm;
 using example_bearings::static_load;
 
 constexpr double kSolved = 1e-9;          // of the load: the solver accepts no more than this
-constexpr double kPrintedCosine = 0.005;  // the limit of the sun side is printed as -0.23
+constexpr double kPublishedCosine = 0.005;  // the limit of the sun side is printed as -0.23
 
 QuasiStaticOptions options() {
   return {};
@@ -87,14 +87,14 @@ TEST(QuasiStaticState, RollersOnTheSunSideRestOnThePinOnlyByCoriolis) {
       for (Eigen::Index j = 0; j < 15; ++j) {
         const bool squeezed = state.inner_load[j] > 0.0 && state.outer_load[j] > 0.0;
         const double cosine = std::cos(state.angle[j]);
-        if (squeezed || std::abs(cosine + 0.23) < kPrintedCosine) continue;
+        if (squeezed || std::abs(cosine + 0.23) < kPublishedCosine) continue;
         EXPECT_EQ(state.inner_load[j] > 0.0, coriolis && cosine < -0.23) << "cos theta " << cosine;
       }
     }
   }
 }
 
-TEST(QuasiStaticBearing, GathersCageAnglesByPlace) {
+TEST(QuasiStaticBearing, GathersCageAnglesByPosition) {
   const Bearing bearing = planet_bearing();
   QuasiStaticOptions choice = options();
   choice.cage_positions = 3;

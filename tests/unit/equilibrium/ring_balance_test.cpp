@@ -36,32 +36,32 @@ Bearing balls(double contact_angle, double clearance) {
 
 // Central differences of the energy; the contacts' laws leave an error of step^2 beside their curvature.
 template <class Row>
-void expect_slopes(const Row& row, const RingPlace& place) {
+void expect_slopes(const Row& row, const RingPosition& position) {
   constexpr double step = 1e-3 * kMicrometre;
   constexpr double truncation = 1e-5;
-  const RingImbalance now = row_forces(row, place);
+  const RingImbalance now = row_forces(row, position);
   for (int i = 0; i < 5; ++i) {
-    const RingPlace change = RingPlace::Unit(i) * step;
-    EXPECT_NEAR((row.stored_energy(place - change) - row.stored_energy(place + change)) / (2.0 * step),
+    const RingPosition change = RingPosition::Unit(i) * step;
+    EXPECT_NEAR((row.stored_energy(position - change) - row.stored_energy(position + change)) / (2.0 * step),
                 now.force[i], truncation * now.force.norm());
-    const RingPlace slope =
-        (row_forces(row, place - change).force - row_forces(row, place + change).force) / (2.0 * step);
+    const RingPosition slope =
+        (row_forces(row, position - change).force - row_forces(row, position + change).force) / (2.0 * step);
     EXPECT_LT((slope - now.stiffness.col(i)).norm(), truncation * now.stiffness.norm());
   }
 }
 
 TEST(StaticRollers, ForcesAreSlopesOfTheEnergy) {
-  const RingPlace place = (RingPlace() << 15.0, -4.0, 2.0, 3.0, 2.0).finished() * kMicrometre;
+  const RingPosition position = (RingPosition() << 15.0, -4.0, 2.0, 3.0, 2.0).finished() * kMicrometre;
   Bearing bearing = rollers();
   bearing.first_element = 0.2;
-  expect_slopes(RollerRow(bearing), place);
+  expect_slopes(RollerRow(bearing), position);
 }
 
 TEST(StaticBalls, ForcesAreSlopesOfTheEnergy) {
   Bearing bearing = balls(0.3, 0.0);
   bearing.first_element = 0.2;
-  const RingPlace place = (RingPlace() << 12.0, -5.0, 30.0, 14.0, -9.0).finished() * kMicrometre;
-  expect_slopes(BallRow(bearing), place);
+  const RingPosition position = (RingPosition() << 12.0, -5.0, 30.0, 14.0, -9.0).finished() * kMicrometre;
+  expect_slopes(BallRow(bearing), position);
 }
 
 // Issue 44, item 14: the groove centres of the inner ring lie on a circle of R_i = d_m/2 + (r_i - D/2)

@@ -63,10 +63,10 @@ TEST(RollerBalance, UnsqueezedRollerRestsWhereItsInertialLoadPoints) {
 
 // A roller thrown on the bore sinks into it: the races may come closer by that before the pin feels it.
 TEST(RollerBalance, SqueezeBeginsContinuouslyBeyondTheInertialApproach) {
-  const double sunk = elastic().approach(4.0);
-  EXPECT_EQ(balance_roller(dry(), dry(), 4.0, 0.999 * sunk).inner_load, 0.0);
-  EXPECT_GT(balance_roller(dry(), dry(), 4.0, 1.001 * sunk).inner_load, 0.0);
-  EXPECT_LT(balance_roller(dry(), dry(), 4.0, 1.001 * sunk).inner_load, 0.01 * 4.0);
+  const double element_depth = elastic().approach(4.0);
+  EXPECT_EQ(balance_roller(dry(), dry(), 4.0, 0.999 * element_depth).inner_load, 0.0);
+  EXPECT_GT(balance_roller(dry(), dry(), 4.0, 1.001 * element_depth).inner_load, 0.0);
+  EXPECT_LT(balance_roller(dry(), dry(), 4.0, 1.001 * element_depth).inner_load, 0.01 * 4.0);
 }
 
 TEST(RollerBalance, FilmCarriesBeforeTheSurfacesMeet) {

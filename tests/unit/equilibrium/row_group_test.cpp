@@ -79,15 +79,15 @@ TEST(RowGroup, EveryEntryOfTheStiffnessOfThreeRowsIsASlopeOfTheForces) {
     ASSERT_TRUE(state.report.converged) << state.report.message;
     EXPECT_EQ(state.contact_load.size(), 16 + 16 + 14);
     const RowGroup group(RowGroup(spindle(rpm)), spindle(rpm));
-    const RingPlace place = place_of(state, group.lever());
-    const RingImbalance here = row_forces(group, place);
+    const RingPosition position = position_of(state, group.lever());
+    const RingImbalance here = row_forces(group, position);
     EXPECT_LT((here.force + outer_load(load, group.lever())).norm(), 1e-9 * here.scale);
     EXPECT_LT((by_tilt(here.stiffness, group.lever()) - state.stiffness).norm(),
               1e-7 * state.stiffness.norm());
     for (int i = 0; i < 5; ++i) {
-      const RingPlace step = 2e-9 * RingPlace::Unit(i);  // [m]
-      const RingPlace slope =
-          (row_forces(group, place - step).force - row_forces(group, place + step).force) / 4e-9;
+      const RingPosition step = 2e-9 * RingPosition::Unit(i);  // [m]
+      const RingPosition slope =
+          (row_forces(group, position - step).force - row_forces(group, position + step).force) / 4e-9;
       EXPECT_LT((slope - here.stiffness.col(i)).norm(), 1e-6 * here.stiffness.norm()) << i << " at " << rpm;
     }
   }

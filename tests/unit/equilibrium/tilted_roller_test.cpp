@@ -32,7 +32,7 @@ Film film(double speed) {
 
 RollerState settled(const TiltedRoller& roller, const RollerSetting& setting) {
   RollerState state;
-  settle_roller(roller, setting, state);
+  converge_roller(roller, setting, state);
   EXPECT_TRUE(state.settled);
   return state;
 }
@@ -57,9 +57,9 @@ TEST(TiltedRoller, WithoutInertiaItsLaminaeCarryWhatTheStandardSays) {
   const Eigen::ArrayXd load = contact.loads(state.outer_approach, state.outer_end_displacement);
   const double series = 35948.0 * std::pow(5.7, 8.0 / 9.0) / 30.0;  // N, mm
   for (int k = 0; k < 30; ++k) {
-    const double place = 2.0 * ((k + 0.5) / 30.0 - 0.5);
+    const double position = 2.0 * ((k + 0.5) / 30.0 - 0.5);
     const double depth =
-        1e3 * (approach - place * end_displacement - 2.0 * drops[static_cast<std::size_t>(k)]);
+        1e3 * (approach - position * end_displacement - 2.0 * drops[static_cast<std::size_t>(k)]);
     const double expected = depth > 0.0 ? series * std::pow(depth, 10.0 / 9.0) : 0.0;
     EXPECT_NEAR(load[k], expected, 1e-10 * load.maxCoeff());
   }
@@ -142,7 +142,7 @@ TEST(TiltedRoller, RandomRollersHaveTheStiffnessOfTheirLoad) {
   EXPECT_GT(compared, 200);
 }
 
-TEST(TiltedRoller, StartingNearbyEndsAtTheSamePlace) {
+TEST(TiltedRoller, StartingNearbyEndsAtTheSamePosition) {
   std::mt19937_64 engine(13);
   for (int i = 0; i < 300; ++i) {
     SCOPED_TRACE(i);
@@ -150,7 +150,7 @@ TEST(TiltedRoller, StartingNearbyEndsAtTheSamePlace) {
     const TiltedRoller roller{r.inner, r.outer, r.inner_film, r.outer_film};
     const RollerState cold = settled(roller, r.setting);
     RollerState warm = settled(roller, s.setting);
-    settle_roller(roller, r.setting, warm);
+    converge_roller(roller, r.setting, warm);
     EXPECT_TRUE(warm.settled);
     EXPECT_NEAR(warm.outer.load, cold.outer.load,
                 1e-11 * (cold.outer.load + std::abs(r.setting.inertial_load) + kNothing));

@@ -30,7 +30,7 @@ struct ChangeOne {
 };
 
 template <class Setup>
-void expect_every_field_has_its_own_place(const Setup& setup) {
+void expect_every_field_has_its_own_position(const Setup& setup) {
   const NumberTable before = numbers_of(setup);
   for (int i = 0; i < static_cast<int>(before.rows.size()); ++i) {
     Setup other = setup;
@@ -45,9 +45,9 @@ void expect_every_field_has_its_own_place(const Setup& setup) {
   }
 }
 
-TEST(FmuFields, EveryFieldHasItsOwnPlaceInTheSetup) {
-  expect_every_field_has_its_own_place(test::bearing_model());
-  expect_every_field_has_its_own_place(test::gear_model());
+TEST(FmuFields, EveryFieldHasItsOwnPositionInTheSetup) {
+  expect_every_field_has_its_own_position(test::bearing_model());
+  expect_every_field_has_its_own_position(test::gear_model());
 }
 
 TEST(FmuFields, NamesAreUnique) {
@@ -67,7 +67,7 @@ TEST(FmuFields, TextKeepsEveryBit) {
   EXPECT_EQ(text_of(numbers_of(again)), text);
   EXPECT_EQ(again.bearing.radial_clearance, model.bearing.radial_clearance);
   EXPECT_EQ(again.bearing.rollers().diameter_deviation, model.bearing.rollers().diameter_deviation);
-  EXPECT_EQ(again.bearing.inner.form[0].turning, true);
+  EXPECT_EQ(again.bearing.inner.form[0].rotating, true);
   EXPECT_EQ(again.bearing.inner.form[1].amplitude, -1e-6);
 }
 
@@ -94,9 +94,9 @@ TEST(FmuFields, LoadedTeethAreTheSameTeeth) {
       setup_from<system::DrivenGearsSetup>(table_from(text_of(numbers_of(model))));
   ASSERT_NE(again.set.sun_mesh.loaded, nullptr);
   EXPECT_EQ(again.set.ring_mesh.loaded, nullptr);
-  for (double place = -1.0; place < 2.0; place += 0.0731)
-    EXPECT_EQ(again.set.sun_mesh.loaded->at(place, 2e-5).force,
-              model.set.sun_mesh.loaded->at(place, 2e-5).force);
+  for (double position = -1.0; position < 2.0; position += 0.0731)
+    EXPECT_EQ(again.set.sun_mesh.loaded->at(position, 2e-5).force,
+              model.set.sun_mesh.loaded->at(position, 2e-5).force);
   const std::vector<double> numbers = to_numbers(model.set.sun_mesh.loaded);
   for (std::size_t length = 1; length < 30; ++length)
     EXPECT_REFUSED(std::invalid_argument, "fields 1",

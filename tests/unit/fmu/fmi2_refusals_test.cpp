@@ -30,8 +30,8 @@ TEST_F(Fmi2Refusals, Instantiation) {
   test::Messages log;
   const fmi2CallbackFunctions callbacks{&test::Messages::take, nullptr, nullptr, nullptr, &log};
   const std::string token = resources->token(), uri = resources->uri();
-  const auto made = [&](const char* name, fmi2Type type, const char* guid, const char* place) {
-    const fmi2Component one = fmi2Instantiate(name, type, guid, place, &callbacks, fmi2False, fmi2False);
+  const auto made = [&](const char* name, fmi2Type type, const char* guid, const char* position) {
+    const fmi2Component one = fmi2Instantiate(name, type, guid, position, &callbacks, fmi2False, fmi2False);
     const fmi2Status status = one == nullptr ? fmi2Error : fmi2OK;
     fmi2FreeInstance(one);
     return with_names(said(log, status), *resources);
@@ -247,10 +247,10 @@ TEST_F(Fmi2Refusals, BytesThatAreNoState) {
   ASSERT_EQ(fmi2SerializeFMUstate(it.component, state, bytes.data(), size), fmi2OK);
   for (const size_t length : {size_t{0}, size_t{7}, size_t{40}, size / 2, size - 8, size - 1})
     EXPECT_SAID("fmi2 bytes 2", said(it, fmi2DeSerializeFMUstate(it.component, bytes.data(), length, &made)));
-  for (const size_t place :
+  for (const size_t position :
        {size_t{0}, size_t{8}, size_t{16}, size_t{24}, size_t{32}, size_t{50}, size - 1}) {
     std::vector<char> broken = bytes;
-    broken[place] = static_cast<char>(broken[place] ^ 0x21);
+    broken[position] = static_cast<char>(broken[position] ^ 0x21);
     EXPECT_SAID("fmi2 bytes 3", said(it, fmi2DeSerializeFMUstate(it.component, broken.data(), size, &made)));
   }
   EXPECT_SAID("fmi2 bytes 4", said(it, fmi2DeSerializeFMUstate(it.component, nullptr, size, &made)));

@@ -206,9 +206,9 @@ TEST(Fmi3Bearing, InstancesThatAreNone) {
     EXPECT_EQ(made, nullptr);
     return with_names(test::said(log, fmi3Error), resources());
   };
-  const auto cosim = [&](const char* name, const char* place, std::size_t intermediate) {
-    return said_of(fmi3InstantiateCoSimulation(name, token.c_str(), place, false, false, false, false, &force,
-                                               intermediate, &log, &take, nullptr));
+  const auto cosim = [&](const char* name, const char* position, std::size_t intermediate) {
+    return said_of(fmi3InstantiateCoSimulation(name, token.c_str(), position, false, false, false, false,
+                                               &force, intermediate, &log, &take, nullptr));
   };
   EXPECT_SAID("fmi3 no resources", cosim("a", nullptr, 0));
   EXPECT_SAID("fmi3 no name", cosim("", folder.c_str(), 0));

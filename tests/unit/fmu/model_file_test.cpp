@@ -24,12 +24,12 @@ TEST(FmuResources, LocationsOfAllForms) {
 }
 
 // A file of its own, or a folder where a file is required.
-struct Place {
-  explicit Place(const std::string& name)
+struct Position {
+  explicit Position(const std::string& name)
       : folder(std::filesystem::path(testing::TempDir()) / (name + std::to_string(getpid()))) {
     std::filesystem::create_directories(folder);
   }
-  ~Place() { std::filesystem::remove_all(folder); }
+  ~Position() { std::filesystem::remove_all(folder); }
   std::string refusal() const {
     std::string text = messages::refusal<Refused>([&] { read_model(folder.string()); });
     return text.replace(text.find(folder.string()), folder.string().size(), "FOLDER");
@@ -38,7 +38,7 @@ struct Place {
 };
 
 TEST(FmuResources, ModelsThatAreNone) {
-  const Place none("no_model"), inside("folder_for_model"), large("large_model");
+  const Position none("no_model"), inside("folder_for_model"), large("large_model");
   EXPECT_SAID("no model", none.refusal());
   std::filesystem::create_directory(inside.folder / kModelFile);
   EXPECT_SAID("model is a folder", inside.refusal());

@@ -21,7 +21,7 @@ const Resources& resources() {
   static const Resources resources([] {
     system::DrivenBearingSetup setup = test::bearing_model();
     setup.start_load = kLoad;
-    setup.start_displacement = system::DrivenBearing(setup).place_under(
+    setup.start_displacement = system::DrivenBearing(setup).position_under(
         kLoad, {.speed = setup.planet_speed, .carrier_speed = setup.carrier_speed});
     return numbers_of(setup);
   }());
@@ -47,7 +47,7 @@ TEST(StartLoad, BearingCarriesItFromTheFirstInstantOn) {
   EXPECT_EQ(pair_of(it, "planet.displacement"), described);
 }
 
-TEST(StartLoad, AnotherLoadOrSpeedIsAnotherPlace) {
+TEST(StartLoad, AnotherLoadOrSpeedIsAnotherPosition) {
   Instance2 it(resources());
   const Eigen::Vector2d load(-400.0, 2000.0);
   ASSERT_EQ(fmi2SetupExperiment(it.component, fmi2False, 0.0, 0.0, fmi2False, 0.0), fmi2OK);
@@ -93,16 +93,16 @@ TEST(StartLoad, PlanetThatBeginsThereStaysThere) {
     Instance2 it(resources());
     if (from_middle) it.set("planet.displacement.x", 0.0), it.set("planet.displacement.y", 0.0);
     EXPECT_EQ(it.begin(), fmi2OK);
-    Eigen::Vector2d place = pair_of(it, "planet.displacement"), velocity = Eigen::Vector2d::Zero();
+    Eigen::Vector2d position = pair_of(it, "planet.displacement"), velocity = Eigen::Vector2d::Zero();
     double miss = 0.0;
     for (int i = 0; i < 200; ++i) {
       const Eigen::Vector2d force = pair_of(it, "force");
       miss = std::max(miss, (force + kLoad).norm());
       velocity += size / mass * (force + kLoad);
-      it.set("planet.displacement.x", place.x()), it.set("planet.displacement.y", place.y());
+      it.set("planet.displacement.x", position.x()), it.set("planet.displacement.y", position.y());
       it.set("planet.velocity.x", velocity.x()), it.set("planet.velocity.y", velocity.y());
       EXPECT_EQ(it.step(i * size, size), fmi2OK) << it.messages.last();
-      place += size * velocity;
+      position += size * velocity;
     }
     return miss / kLoad.norm();
   };
@@ -138,9 +138,9 @@ TEST(StartLoad, OneThatNothingStandsIsRefused) {
 
 double accepted_in(const std::string& message) {
   const std::string before = "at most about ";
-  const std::size_t place = message.find(before);
-  EXPECT_NE(place, std::string::npos) << message;
-  return place == std::string::npos ? 0.0 : std::stod(message.substr(place + before.size()));
+  const std::size_t position = message.find(before);
+  EXPECT_NE(position, std::string::npos) << message;
+  return position == std::string::npos ? 0.0 : std::stod(message.substr(position + before.size()));
 }
 
 TEST(StepTooLong, IsSaidWithItsLengthAndOneThatIsAccepted) {

@@ -81,12 +81,12 @@ TEST(Operation, CountsMeshPeriodsAndBack) {
 
 TEST(SetModel, FindsTheJumpsOfAllMeshes) {
   SetParameters set = test::reducer_dynamics();
-  const std::vector<double> places = jump_phases(set_model(set, test::reducer_operation(628.0)));
+  const std::vector<double> positions = jump_phases(set_model(set, test::reducer_operation(628.0)));
   // Four phases each: 0 and 0.45 of the sun mesh, 0 and 0.6 of the ring mesh 0.3 later; all apart.
-  EXPECT_EQ(places.size(), 16u - 4u);  // 0.45 - n/4 and 0.3 + 0.6 - ... meet: 0.7 = 0.45 + 0.25
-  for (std::size_t i = 1; i < places.size(); ++i) EXPECT_GT(places[i], places[i - 1]);
-  EXPECT_GE(places.front(), 0.0);
-  EXPECT_LT(places.back(), 1.0);
+  EXPECT_EQ(positions.size(), 16u - 4u);  // 0.45 - n/4 and 0.3 + 0.6 - ... meet: 0.7 = 0.45 + 0.25
+  for (std::size_t i = 1; i < positions.size(); ++i) EXPECT_GT(positions[i], positions[i - 1]);
+  EXPECT_GE(positions.front(), 0.0);
+  EXPECT_LT(positions.back(), 1.0);
 }
 
 TEST(SetModel, RefusesWhatHasNoMeaning) {

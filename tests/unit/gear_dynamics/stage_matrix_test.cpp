@@ -73,9 +73,9 @@ TEST(StageMatrix, SaysWhereAPivotVanishes) {
   StageMatrix matrix;
   matrix.assemble(model, none, 1e-6);
   EXPECT_TRUE(matrix.factor(model));
-  for (const Eigen::Index place : {Eigen::Index{1}, SetLayout::planet(1)}) {
+  for (const Eigen::Index position : {Eigen::Index{1}, SetLayout::planet(1)}) {
     ForceSlopes cancelling = none;
-    cancelling.by_velocity(place, place) = model.mass[place];  // at g = 1 s
+    cancelling.by_velocity(position, position) = model.mass[position];  // at g = 1 s
     matrix.assemble(model, cancelling, 1.0);
     EXPECT_FALSE(matrix.factor(model));
   }

@@ -20,9 +20,9 @@ ArrangementProblem only_problem(const Arrangement& arrangement) {
 }
 
 std::size_t shaft_named(const Arrangement& arrangement, const std::string& name) {
-  std::size_t place = 0;
-  while (arrangement.shafts[place].name != name) ++place;
-  return place;
+  std::size_t position = 0;
+  while (arrangement.shafts[position].name != name) ++position;
+  return position;
 }
 
 TEST(ArrangementProblems, AreNoneForSoundOnes) {

@@ -14,15 +14,15 @@
 namespace orbearing::gearset::checks_test {
 namespace {
 
-bool mentions(const Warnings& warnings, const std::string& place, const std::string& text) {
+bool mentions(const Warnings& warnings, const std::string& position, const std::string& text) {
   return std::any_of(warnings.begin(), warnings.end(), [&](const Warning& warning) {
-    return warning.place == place && warning.text.find(text) != std::string::npos;
+    return warning.key == position && warning.text.find(text) != std::string::npos;
   });
 }
 
 std::string listing(const Warnings& warnings) {
   std::string text;
-  for (const Warning& warning : warnings) text += warning.place + ": " + warning.text + "\n";
+  for (const Warning& warning : warnings) text += warning.key + ": " + warning.text + "\n";
   return text;
 }
 
@@ -31,12 +31,12 @@ TEST(AssemblyProblems, AreNoneForSoundSets) {
 }
 
 struct Mistake {
-  std::string place;
+  std::string position;
   std::string text;
   std::function<void(PlanetarySet&)> make;
 };
 
-TEST(AssemblyProblems, NameThePlaceAndWhatIsRequired) {
+TEST(AssemblyProblems, NameThePositionAndWhatIsRequired) {
   const double infinity = std::numeric_limits<double>::infinity();
   const std::vector<Mistake> mistakes{
       {"gearset.teeth.sun", "found 0", [](PlanetarySet& s) { s.sun_teeth = 0; }},
@@ -64,8 +64,8 @@ TEST(AssemblyProblems, NameThePlaceAndWhatIsRequired) {
     PlanetarySet set = reducer();
     mistake.make(set);
     const Warnings problems = assembly_problems(set);
-    EXPECT_TRUE(mentions(problems, mistake.place, mistake.text))
-        << mistake.place << " / " << mistake.text << " not in:\n"
+    EXPECT_TRUE(mentions(problems, mistake.position, mistake.text))
+        << mistake.position << " / " << mistake.text << " not in:\n"
         << listing(problems);
     EXPECT_SAID("assembly problems", listing(problems));
   }

@@ -33,11 +33,11 @@ TEST(PairGeometry, LeavesNoBacklash) {
 }
 
 struct Mistake {
-  std::string place, text;
+  std::string position, text;
   std::function<void(GearPair&)> make;
 };
 
-TEST(PairProblems, NameThePlaceAndWhatIsRequired) {
+TEST(PairProblems, NameThePositionAndWhatIsRequired) {
   const std::vector<Mistake> mistakes{
       {"pair.profile_shift", "no involute is left",
        [](GearPair& p) {
@@ -65,9 +65,9 @@ TEST(PairProblems, NameThePlaceAndWhatIsRequired) {
     GearPair pair = pair_of(30, 20);
     mistake.make(pair);
     std::string found;
-    for (const Warning& problem : pair_problems(pair)) found += problem.place + ": " + problem.text + "\n";
+    for (const Warning& problem : pair_problems(pair)) found += problem.key + ": " + problem.text + "\n";
     SCOPED_TRACE(mistake.text + " in\n" + found);
-    EXPECT_NE(found.find(mistake.place + ": "), std::string::npos);
+    EXPECT_NE(found.find(mistake.position + ": "), std::string::npos);
     EXPECT_NE(found.find(mistake.text), std::string::npos);
   }
 }

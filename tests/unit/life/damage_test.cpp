@@ -50,7 +50,7 @@ DamageSums damage_at(const std::function<double(double)>& speed) {
   return sums;
 }
 
-TEST(Place, BinsAreCentredOnTheirAngles) {
+TEST(Position, BinsAreCentredOnTheirAngles) {
   constexpr double kBin = 2.0 * M_PI / kBins;
   for (const double turn : {0.0, 2.0 * M_PI, -6.0 * M_PI}) {
     EXPECT_EQ(bin_of(turn, kBins), 0);
@@ -62,7 +62,7 @@ TEST(Place, BinsAreCentredOnTheirAngles) {
 }
 
 // Issue 17, Build 5: whole turns are taken off without the library's floor(): the same bins to the last one.
-TEST(Place, IsThatOfFloor) {
+TEST(Position, IsThatOfFloor) {
   std::mt19937 random(17);
   std::uniform_real_distribution<double> angles(-400.0, 400.0);
   for (int i = 0; i < 200'000; ++i) {
@@ -96,7 +96,7 @@ TEST(Damage, CountsForTwoSumsAsForEach) {
   }
 }
 
-TEST(Damage, OfPureRollingIsThatOfTheLoadsByPlace) {
+TEST(Damage, OfPureRollingIsThatOfTheLoadsByPosition) {
   const Bearing bearing = test::reducer_bearing();
   const DamageSums sums = damage_at([](double) { return rolling_speed(); });
   const BearingLife expected = whole_contact_life(bearing, kLambda, loads(), loads());
@@ -224,21 +224,21 @@ TEST(LaminaDamage, OfCrownedTiltedRollersIsTheSumOverLaminae) {
   EXPECT_NEAR(sums.inner.lamina_largest, largest, kRoundOff * largest);
   EXPECT_NE(life.inner, lamina_damage(races, 0, kEndDisplacement).life(bearing, kLambda).inner);
   // Where the pin turns under a load that stands on the bore, the exponents change races; nothing else does.
-  bearing.motions = rating::turning(Race::inner);
+  bearing.motions = rating::rotating(Race::inner);
   const BearingLife swapped = sums.life(bearing, kLambda);
-  const double turning_pin = (pin.pow(4.5 / 4.0) / std::pow(inner_capacity, 4.5)).sum();
-  const double standing_bore = (bore / std::pow(outer_capacity, 4.5)).sum();
-  EXPECT_NEAR(swapped.inner, 1e6 * std::pow(turning_pin, -8.0 / 9.0), kRoundOff * swapped.inner);
-  EXPECT_NEAR(swapped.outer, 1e6 * std::pow(standing_bore, -8.0 / 9.0), kRoundOff * swapped.outer);
+  const double rotating_pin = (pin.pow(4.5 / 4.0) / std::pow(inner_capacity, 4.5)).sum();
+  const double stationary_bore = (bore / std::pow(outer_capacity, 4.5)).sum();
+  EXPECT_NEAR(swapped.inner, 1e6 * std::pow(rotating_pin, -8.0 / 9.0), kRoundOff * swapped.inner);
+  EXPECT_NEAR(swapped.outer, 1e6 * std::pow(stationary_bore, -8.0 / 9.0), kRoundOff * swapped.outer);
 }
 
 TEST(Damage, NeedsLoadsAndSpeed) {
   const Bearing bearing = test::reducer_bearing();
   EXPECT_TRUE(std::isinf(DamageSums(kBins).life(bearing, kLambda).bearing));
-  DamageSums standing(kBins);
+  DamageSums stationary(kBins);
   const double angle = 0.0, orbital = 0.0, load = 100.0;
-  standing.add(1.0, 1, {&angle, &orbital, &load, &load, {}});
-  EXPECT_TRUE(std::isinf(standing.life(bearing, kLambda).bearing));
+  stationary.add(1.0, 1, {&angle, &orbital, &load, &load, {}});
+  EXPECT_TRUE(std::isinf(stationary.life(bearing, kLambda).bearing));
 }
 
 }  // namespace

@@ -55,14 +55,14 @@ TEST(ContactCapacity, GrowsWithSizeLengthAndFewerRollers) {
 TEST(EquivalentLoad, FourthPowerTurningAndPowerFourAndAHalfStanding) {
   Eigen::ArrayXd loads = Eigen::ArrayXd::Zero(16);
   loads[3] = 100.0;
-  EXPECT_NEAR(life::line_contacts.equivalent_load(loads, RaceMotion::turning), 50.0, 50.0 * kRoundOff);
-  const double standing = 100.0 * std::pow(16.0, -1.0 / 4.5);
-  EXPECT_NEAR(life::line_contacts.equivalent_load(loads, RaceMotion::standing), standing,
-              standing * kRoundOff);
+  EXPECT_NEAR(life::line_contacts.equivalent_load(loads, RaceMotion::rotating), 50.0, 50.0 * kRoundOff);
+  const double stationary = 100.0 * std::pow(16.0, -1.0 / 4.5);
+  EXPECT_NEAR(life::line_contacts.equivalent_load(loads, RaceMotion::stationary), stationary,
+              stationary * kRoundOff);
 }
 
 TEST(EquivalentLoad, OfEqualLoadsIsTheLoadAndOfNoneIsZero) {
-  for (const RaceMotion motion : {RaceMotion::turning, RaceMotion::standing}) {
+  for (const RaceMotion motion : {RaceMotion::rotating, RaceMotion::stationary}) {
     EXPECT_NEAR(life::line_contacts.equivalent_load(Eigen::ArrayXd::Constant(7, 80.0), motion), 80.0,
                 80.0 * kRoundOff);
     EXPECT_EQ(life::line_contacts.equivalent_load(Eigen::ArrayXd::Zero(7), motion), 0.0);
@@ -73,7 +73,7 @@ TEST(EquivalentLoad, OfEqualLoadsIsTheLoadAndOfNoneIsZero) {
 TEST(EquivalentLoad, NeitherOverflowsNorUnderflows) {
   for (const double scale : {1e-100, 1e100}) {
     const double equivalent =
-        life::line_contacts.equivalent_load(Eigen::ArrayXd::Constant(3, scale), RaceMotion::standing);
+        life::line_contacts.equivalent_load(Eigen::ArrayXd::Constant(3, scale), RaceMotion::stationary);
     EXPECT_NEAR(equivalent / scale, 1.0, kRoundOff);
   }
 }
@@ -87,10 +87,10 @@ TEST(RaceLife, IsAMillionRevolutionsAtTheCapacity) {
 // Issue 45, Build 8: the exponents are those of Lundberg and Palmgren, 3 and 10/3 of points, 4 and 9/2 of
 // lines.
 TEST(FatigueLaw, HasTheExponentsOfPointsAndLines) {
-  EXPECT_EQ(life::point_contacts.mean_exponent(RaceMotion::turning), 3.0);
-  EXPECT_DOUBLE_EQ(life::point_contacts.mean_exponent(RaceMotion::standing), 10.0 / 3.0);
-  EXPECT_EQ(life::line_contacts.mean_exponent(RaceMotion::turning), 4.0);
-  EXPECT_EQ(life::line_contacts.mean_exponent(RaceMotion::standing), 4.5);
+  EXPECT_EQ(life::point_contacts.mean_exponent(RaceMotion::rotating), 3.0);
+  EXPECT_DOUBLE_EQ(life::point_contacts.mean_exponent(RaceMotion::stationary), 10.0 / 3.0);
+  EXPECT_EQ(life::line_contacts.mean_exponent(RaceMotion::rotating), 4.0);
+  EXPECT_EQ(life::line_contacts.mean_exponent(RaceMotion::stationary), 4.5);
   const double life = life::point_contacts.life(life::point_contacts.damage(250.0, 500.0));
   EXPECT_NEAR(life, 8e6, 8e6 * kRoundOff);
 }
@@ -113,9 +113,9 @@ TEST(BearingLife, TakesEachRacesOwnLoadsCapacityAndMotion) {
   const Eigen::ArrayXd outer = Eigen::ArrayXd::LinSpaced(16, 5.0, 35.0);
   const BearingLife life = whole_contact_life(bearing, kLambda, inner, outer);
   const double inner_life = race_life(contact_capacity(bearing, Race::inner, kLambda),
-                                      life::line_contacts.equivalent_load(inner, RaceMotion::standing));
+                                      life::line_contacts.equivalent_load(inner, RaceMotion::stationary));
   const double outer_life = race_life(contact_capacity(bearing, Race::outer, kLambda),
-                                      life::line_contacts.equivalent_load(outer, RaceMotion::turning));
+                                      life::line_contacts.equivalent_load(outer, RaceMotion::rotating));
   EXPECT_NEAR(life.inner, inner_life, inner_life * kRoundOff);
   EXPECT_NEAR(life.outer, outer_life, outer_life * kRoundOff);
   const double both = combined_life(inner_life, outer_life);
@@ -126,7 +126,7 @@ TEST(BearingLife, TakesEachRacesOwnLoadsCapacityAndMotion) {
 // 4.5, and the capacities stay.
 TEST(BearingLife, SwapsNothingButTheExponentsWhereTheOtherRaceTurns) {
   Bearing bearing = simple_bearing();
-  bearing.motions = rating::turning(Race::inner);
+  bearing.motions = rating::rotating(Race::inner);
   const Eigen::ArrayXd inner = Eigen::ArrayXd::LinSpaced(16, 0.0, 30.0);
   const Eigen::ArrayXd outer = Eigen::ArrayXd::LinSpaced(16, 5.0, 35.0);
   const BearingLife life = whole_contact_life(bearing, kLambda, inner, outer);

@@ -28,16 +28,16 @@ TEST(StressRiser, LargestAtTheEndsOneInTheMiddleOfAnOddNumber) {
 TEST(EquivalentLaminaLoads, PowersByMotion) {
   Eigen::ArrayXXd loads = Eigen::ArrayXXd::Zero(2, 16);
   loads(0, 3) = 100.0;
-  EXPECT_NEAR(equivalent_lamina_loads(loads, RaceMotion::turning)[0], 50.0, 50.0 * kRoundOff);
-  EXPECT_NEAR(equivalent_lamina_loads(loads, RaceMotion::standing)[0], 100.0 * std::pow(16.0, -1.0 / 4.5),
+  EXPECT_NEAR(equivalent_lamina_loads(loads, RaceMotion::rotating)[0], 50.0, 50.0 * kRoundOff);
+  EXPECT_NEAR(equivalent_lamina_loads(loads, RaceMotion::stationary)[0], 100.0 * std::pow(16.0, -1.0 / 4.5),
               100.0 * kRoundOff);
-  EXPECT_EQ(equivalent_lamina_loads(loads, RaceMotion::turning)[1], 0.0);
+  EXPECT_EQ(equivalent_lamina_loads(loads, RaceMotion::rotating)[1], 0.0);
 }
 
 // One lamina, evenly loaded: L = ((q/Q_i)^4.5 + (q/Q_o)^4.5)^(-8/9) million revolutions.
 TEST(ReferenceLife, OneLaminaByHand) {
   const Eigen::ArrayXXd loads = Eigen::ArrayXXd::Constant(1, 12, 500.0);
-  const BearingLife life = lamina_reference_life(kCapacities, loads, loads, turning(Race::inner));
+  const BearingLife life = lamina_reference_life(kCapacities, loads, loads, rotating(Race::inner));
   EXPECT_NEAR(life.inner, 1e6 * 4096.0, 1e6 * 4096.0 * kRoundOff);
   EXPECT_NEAR(life.outer, 1e10, 1e10 * kRoundOff);
   const double both = 1e6 * std::pow(std::pow(8.0, -4.5) + std::pow(10.0, -4.5), -8.0 / 9.0);
@@ -46,7 +46,7 @@ TEST(ReferenceLife, OneLaminaByHand) {
 
 TEST(ReferenceLife, HalfTheLoadLivesSixteenTimesAndNoneForever) {
   const Eigen::ArrayXXd loads = Eigen::ArrayXXd::Random(40, 15).abs() * 30.0;
-  const RaceMotions motions = turning(Race::outer);
+  const RaceMotions motions = rotating(Race::outer);
   const double life = lamina_reference_life(kCapacities, loads, loads, motions).bearing;
   EXPECT_NEAR(lamina_reference_life(kCapacities, 0.5 * loads, 0.5 * loads, motions).bearing / life, 16.0,
               16.0 * kRoundOff);
@@ -58,10 +58,10 @@ TEST(ReferenceLife, HalfTheLoadLivesSixteenTimesAndNoneForever) {
 TEST(ReferenceLife, GoesByMotionAndNotByName) {
   const ContactCapacities alike{4000.0, 4000.0};
   const Eigen::ArrayXXd a = Eigen::ArrayXXd::Random(8, 15).abs(), b = Eigen::ArrayXXd::Random(8, 15).abs();
-  const BearingLife one = lamina_reference_life(alike, a, b, turning(Race::inner));
-  const BearingLife other = lamina_reference_life(alike, b, a, turning(Race::outer));
+  const BearingLife one = lamina_reference_life(alike, a, b, rotating(Race::inner));
+  const BearingLife other = lamina_reference_life(alike, b, a, rotating(Race::outer));
   EXPECT_NEAR(one.bearing / other.bearing, 1.0, kRoundOff);
-  EXPECT_NE(one.bearing, lamina_reference_life(alike, a, b, turning(Race::outer)).bearing);
+  EXPECT_NE(one.bearing, lamina_reference_life(alike, a, b, rotating(Race::outer)).bearing);
 }
 
 // The bearing says which race turns: 3 and 10/3 of balls, 4 and 4.5 of rollers change races, nothing else.
@@ -80,15 +80,15 @@ TEST(ReferenceLife, FollowsTheBearingsTurningRace) {
   };
   for (const Race race : {Race::inner, Race::outer}) {
     const bool inner_turns = race == Race::inner;
-    of_balls.motions = of_rollers.motions = turning(race);
+    of_balls.motions = of_rollers.motions = rotating(race);
     const ContactCapacities balls = ratings_of(of_balls).contacts, rollers = ratings_of(of_rollers).contacts;
     const ElementLoads on_inner{inner, inner.transpose()}, on_outer{outer, outer.transpose()};
     const BearingLife ball_life = reference_life(of_balls, balls, on_inner, on_outer);
-    const double turning_ball = 3.0, standing_ball = 10.0 / 3.0;
+    const double rotating_ball = 3.0, stationary_ball = 10.0 / 3.0;
     const double expected_inner =
-        life_of(balls.inner, mean(inner, inner_turns ? turning_ball : standing_ball), 3.0);
+        life_of(balls.inner, mean(inner, inner_turns ? rotating_ball : stationary_ball), 3.0);
     const double expected_outer =
-        life_of(balls.outer, mean(outer, inner_turns ? standing_ball : turning_ball), 3.0);
+        life_of(balls.outer, mean(outer, inner_turns ? stationary_ball : rotating_ball), 3.0);
     EXPECT_NEAR(ball_life.inner / expected_inner, 1.0, kRoundOff);
     EXPECT_NEAR(ball_life.outer / expected_outer, 1.0, kRoundOff);
     const BearingLife roller_life = reference_life(of_rollers, rollers, on_inner, on_outer);
@@ -112,23 +112,23 @@ TEST(LoadsOfPressures, HertzOfALineContactGivesTheLoadBack) {
         loads_of_pressures(Eigen::ArrayXXd::Constant(40, 1, pressure), set, race, steel);
     EXPECT_NEAR(loads.sum(), load, load * kRoundOff);
     // and in N and mm (p/271)^2 D (1 -+ gamma) l/n
-    const double printed =
+    const double published =
         std::pow(1e-6 * pressure / 271.0, 2.0) * 5.24 * (1.0 + side * gamma(set)) * 5.7 / 40.0;
     constexpr double three_digits = 3e-3;
-    EXPECT_NEAR(loads(0, 0) / printed, 1.0, three_digits);
+    EXPECT_NEAR(loads(0, 0) / published, 1.0, three_digits);
   }
 }
 
 TEST(BallReferenceLife, OneLoadByHand) {
   const Eigen::ArrayXd loads = Eigen::ArrayXd::Constant(9, 500.0);
-  const BearingLife life = ball_reference_life(kCapacities, loads, loads, turning(Race::inner));
+  const BearingLife life = ball_reference_life(kCapacities, loads, loads, rotating(Race::inner));
   EXPECT_NEAR(life.inner, 512e6, 512e6 * kRoundOff);
   EXPECT_NEAR(life.outer, 1e9, 1e9 * kRoundOff);
   EXPECT_NEAR(life.bearing, 1e6 * std::pow(std::pow(512.0, -10.0 / 9.0) + std::pow(1e3, -10.0 / 9.0), -0.9),
               1e9 * kRoundOff);
   Eigen::ArrayXd single = Eigen::ArrayXd::Zero(8);
   single[2] = 100.0;
-  EXPECT_NEAR(equivalent_ball_load(single, RaceMotion::turning), 50.0, 50.0 * kRoundOff);
+  EXPECT_NEAR(equivalent_ball_load(single, RaceMotion::rotating), 50.0, 50.0 * kRoundOff);
 }
 
 }  // namespace

@@ -15,16 +15,16 @@ using Vector3 = Eigen::Vector3d;
 TEST(ConvexSearch, ALinearSpringTakesOneStep) {
   const Eigen::Matrix2d stiffness = (Eigen::Matrix2d() << 3e6, 1e6, 1e6, 2e6).finished();
   const Eigen::Vector2d load(300.0, -100.0);
-  Eigen::Vector2d place = Eigen::Vector2d::Zero();
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();
   Imbalance<2> now;
   const SearchReport report = find_balance<2>(
       [&](const Eigen::Vector2d& at) {
         return Imbalance<2>{load - stiffness * at, stiffness, load.norm()};
       },
-      {.reach = 1.0}, place, now);
+      {.reach = 1.0}, position, now);
   EXPECT_TRUE(report.converged);
   EXPECT_EQ(report.iterations, 1);
-  EXPECT_LT((stiffness * place - load).norm(), 1e-12 * load.norm());
+  EXPECT_LT((stiffness * position - load).norm(), 1e-12 * load.norm());
 }
 
 // One-sided springs k x_+^n on either side of a gap: (F/k)^(1/n) + gap, from far off on either side.
@@ -32,7 +32,7 @@ TEST(ConvexSearch, FindsContactFromAnyStart) {
   constexpr double k = 1e10, gap = 1e-5;
   for (const double exponent : {10.0 / 9.0, 1.5})
     for (const double start : {-1e-2, 0.0, 1e-2}) {
-      Eigen::Vector<double, 1> place(start);
+      Eigen::Vector<double, 1> position(start);
       Imbalance<1> now;
       const auto contact = [&](const Eigen::Vector<double, 1>& at) {
         const double approach = std::max(0.0, at[0] - gap);
@@ -42,9 +42,9 @@ TEST(ConvexSearch, FindsContactFromAnyStart) {
         sum.scale = 100.0;
         return sum;
       };
-      const SearchReport report = find_balance<1>(contact, {.reach = 1e-3, .size = gap}, place, now);
+      const SearchReport report = find_balance<1>(contact, {.reach = 1e-3, .size = gap}, position, now);
       EXPECT_TRUE(report.converged);
-      EXPECT_NEAR(place[0], gap + std::pow(100.0 / k, 1.0 / exponent), 1e-11 * gap);
+      EXPECT_NEAR(position[0], gap + std::pow(100.0 / k, 1.0 / exponent), 1e-11 * gap);
     }
 }
 
@@ -58,38 +58,38 @@ TEST(ConvexSearch, AFreeDirectionStaysWhereNothingPushes) {
 }
 
 TEST(ConvexSearch, SaysThatThereIsNoBalance) {
-  Eigen::Vector2d place = Eigen::Vector2d::Zero();
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();
   Imbalance<2> now;
   const auto nothing_holds = [](const Eigen::Vector2d&) {
     return Imbalance<2>{Eigen::Vector2d(1.0, 0.0), Eigen::Matrix2d::Zero(), 1.0};
   };
-  const SearchReport report = find_balance<2>(nothing_holds, {.reach = 1e-3}, place, now);
+  const SearchReport report = find_balance<2>(nothing_holds, {.reach = 1e-3}, position, now);
   EXPECT_FALSE(report.converged);
   EXPECT_EQ(report.residual, 1.0);
 }
 
 TEST(ConvexSearch, NeverConvergesOnNaN) {
-  Eigen::Vector2d place = Eigen::Vector2d::Zero();
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();
   Imbalance<2> now;
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto broken = [&](const Eigen::Vector2d&) {
     return Imbalance<2>{Eigen::Vector2d(nan, 0.0), Eigen::Matrix2d::Identity(), 1.0};
   };
-  EXPECT_FALSE(find_balance<2>(broken, {.reach = 1e-3}, place, now).converged);
+  EXPECT_FALSE(find_balance<2>(broken, {.reach = 1e-3}, position, now).converged);
 }
 
 TEST(ConvexSearch, HeldCoordinatesStay) {
   const Eigen::Matrix2d stiffness = (Eigen::Matrix2d() << 3e6, 1e6, 1e6, 2e6).finished();
-  Eigen::Vector2d place(0.0, 2e-5);
+  Eigen::Vector2d position(0.0, 2e-5);
   Imbalance<2> now;
   const auto held_spring = [&](const Eigen::Vector2d& at) {
     Imbalance<2> sum{Eigen::Vector2d(100.0, 0.0) - stiffness * at, stiffness, 100.0};
     hold<2>(Eigen::Array<bool, 2, 1>(false, true), sum);
     return sum;
   };
-  ASSERT_TRUE(find_balance<2>(held_spring, {.reach = 1.0}, place, now).converged);
-  EXPECT_EQ(place[1], 2e-5);
-  EXPECT_NEAR(place[0], (100.0 - 1e6 * 2e-5) / 3e6, 1e-15);
+  ASSERT_TRUE(find_balance<2>(held_spring, {.reach = 1.0}, position, now).converged);
+  EXPECT_EQ(position[1], 2e-5);
+  EXPECT_NEAR(position[0], (100.0 - 1e6 * 2e-5) / 3e6, 1e-15);
 }
 
 }  // namespace

@@ -41,10 +41,10 @@ MeshModifications modified() {
 double gap_near(const MeshingGears& gears, PathEnd end, double distance) {
   const EdgeAtEnd edge = edge_at(gears, end);
   const double base = base_radius(edge.of_first ? gears.first : gears.second);
-  const double place = end == PathEnd::begin ? gears.path.begin : gears.path.end;
+  const double position = end == PathEnd::begin ? gears.path.begin : gears.path.end;
   const double on_first =
-      gears.line_length + (std::holds_alternative<RingTooth>(gears.first.tooth) ? place : -place);
-  const double mate = edge.of_first ? place : on_first;
+      gears.line_length + (std::holds_alternative<RingTooth>(gears.first.tooth) ? position : -position);
+  const double mate = edge.of_first ? position : on_first;
   return edge.tangent * gears.line_length * distance * distance / (2.0 * base * base * mate);
 }
 
@@ -66,7 +66,7 @@ TEST(FlankGap, GrowsAsASquareBesideThePath) {
 }
 
 // The points of a drawn flank, turned until the two teeth touch: a brute-force count of the same gap.
-double drawn_gap(const MeshingGears& gears, double place) {
+double drawn_gap(const MeshingGears& gears, double position) {
   const double base = base_radius(gears.second), first = base_radius(gears.first);
   const auto& tooth = std::get<ExternalTooth>(gears.second.tooth);
   const auto& mate = std::get<ExternalTooth>(gears.first.tooth);
@@ -81,11 +81,11 @@ double drawn_gap(const MeshingGears& gears, double place) {
   for (int i = 0; i <= points; ++i) {
     const double t = std::lerp(foot, tip, double(i) / points);
     const Eigen::Vector2d own =
-        point(std::hypot(first, t), (gears.line_length - place) / first - inv(t, first));
+        point(std::hypot(first, t), (gears.line_length - position) / first - inv(t, first));
     const Eigen::Vector2d at = Eigen::Vector2d(first + base, gears.line_length) - own;
     if (at.norm() > tooth.tip_radius || at.norm() < tooth.form_radius) continue;
     const double tangent = std::sqrt(at.squaredNorm() - base * base);
-    const double flank = place / base - inv(tangent, base);
+    const double flank = position / base - inv(tangent, base);
     least = std::min(least, base * (std::atan2(at.y(), at.x()) - flank));
   }
   return least;
@@ -95,26 +95,27 @@ double drawn_gap(const MeshingGears& gears, double place) {
 TEST(FlankGap, IsTheLeastOfAllPointsOfBothFlanks) {
   const MeshingGears gears = meshing(example_pair(62, 62));
   for (const double share : {0.05, 0.15, 0.3}) {
-    const double place = gears.path.begin - share * gears.base_pitch;
-    EXPECT_NEAR(flank_gap(gears, place).gap, drawn_gap(gears, place), 1e-9);  // the drawing ends at the tip
+    const double position = gears.path.begin - share * gears.base_pitch;
+    EXPECT_NEAR(flank_gap(gears, position).gap, drawn_gap(gears, position),
+                1e-9);  // the drawing ends at the tip
   }
 }
 
 // Issue 16: "under 18 um of deflection the tip corner touches 0.11 of a period early".
 TEST(FlankGap, IsEighteenMicrometresATenthOfAPeriodBeforeTheSunMeshOfTheReducer) {
   const MeshingGears gears = meshes_of(reducer()).sun_gears;
-  const double place = contact_begin(gears) - 0.11 * contact_direction(gears) * gears.base_pitch;
-  EXPECT_NEAR(1e6 * flank_gap(gears, place).gap, 18.0, 1.0);  // its two digits
+  const double position = contact_begin(gears) - 0.11 * contact_direction(gears) * gears.base_pitch;
+  EXPECT_NEAR(1e6 * flank_gap(gears, position).gap, 18.0, 1.0);  // its two digits
 }
 
 // The tip takes over from the foot of an undercut flank without a step.
 TEST(FlankGap, IsContinuousWhereTheTipTakesOver) {
   const MeshingGears gears = meshes_of(reducer()).sun_gears;  // its planet is undercut
   ASSERT_TRUE(std::get<ExternalTooth>(gears.second.tooth).undercut);
-  const double place = tip_takes_over(gears, PathEnd::begin);
-  ASSERT_LT(place, gears.path.begin);
+  const double position = tip_takes_over(gears, PathEnd::begin);
+  ASSERT_LT(position, gears.path.begin);
   constexpr double beside = 1e-11;  // [m]
-  const FlankGap before = flank_gap(gears, place + beside), after = flank_gap(gears, place - beside);
+  const FlankGap before = flank_gap(gears, position + beside), after = flank_gap(gears, position - beside);
   EXPECT_NEAR(before.gap, after.gap, 1e-10);  // edges cross: the gap grows about as fast as they move on
   EXPECT_NE(before.first, after.first);
 }
@@ -129,10 +130,11 @@ TEST(LoadedTeeth, ForceIsTheSlopeOfItsEnergy) {
       const LoadedTeeth teeth = tooth_pairs(example.gears, by, 7).teeth;
       double stored = 0.0;
       for (int i = 0; i < 200; ++i) {
-        const double place = 3.0 * share(engine) - 1.0, approach = 60e-6 * share(engine);
+        const double position = 3.0 * share(engine) - 1.0, approach = 60e-6 * share(engine);
         const double step = 1e-10, turn = 1e-6;
-        const ToothForce now = teeth.at(place, approach);
-        const ToothForce more = teeth.at(place, approach + step), less = teeth.at(place, approach - step);
+        const ToothForce now = teeth.at(position, approach);
+        const ToothForce more = teeth.at(position, approach + step),
+                         less = teeth.at(position, approach - step);
         stored = std::max(stored, now.energy);
         EXPECT_GE(now.force, 0.0);
         EXPECT_GE(more.force, less.force);
@@ -140,7 +142,7 @@ TEST(LoadedTeeth, ForceIsTheSlopeOfItsEnergy) {
         EXPECT_GE(more.force - less.force + 1e-6, 2.0 * step * std::min(more.stiffness, less.stiffness));
         EXPECT_LE(more.force - less.force - 1e-6, 2.0 * step * std::max(more.stiffness, less.stiffness));
         const double change =
-            (teeth.at(place + turn, approach).energy - teeth.at(place - turn, approach).energy) /
+            (teeth.at(position + turn, approach).energy - teeth.at(position - turn, approach).energy) /
             (2.0 * turn);
         EXPECT_NEAR(change, now.energy_by_phase, 3e-4 * (std::abs(change) + stored));
       }
@@ -150,16 +152,16 @@ TEST(LoadedTeeth, ForceIsTheSlopeOfItsEnergy) {
 // Against a search that knows nothing of the law: of all deflections of the teeth the one of least energy.
 TEST(LoadedTeeth, EnergyIsTheLeastOneOfAllDeflections) {
   const LoadedTeeth teeth = tooth_pairs(meshing(example_pair(62, 62)), modified(), 5).teeth;
-  for (const double place : {0.1, 0.5, 0.95})
+  for (const double position : {0.1, 0.5, 0.95})
     for (const double approach : {5e-6, 20e-6, 50e-6}) {
-      const ToothForce now = teeth.at(place, approach);
+      const ToothForce now = teeth.at(position, approach);
       double least = 1.0;
       constexpr int steps = 20000;
       for (int i = 0; i < steps; ++i) {
         const double own = approach * i / steps, bodies = approach - own;
         double energy = 0.5 * bodies * bodies / teeth.shared();
         for (const FaceSlice& slice : teeth.slices())
-          for (double progress = place + std::ceil(teeth.begin() - place); progress < teeth.end();
+          for (double progress = position + std::ceil(teeth.begin() - position); progress < teeth.end();
                ++progress) {
             const double at = (progress - teeth.begin()) / (teeth.end() - teeth.begin());
             const double closed = std::max(0.0, own - teeth.gap().value(at) - slice.gap);
@@ -181,16 +183,17 @@ TEST(LoadedTeeth, AreAsStiffAsThePairsInThePathUnderALightLoad) {
     const LoadedTeeth teeth = tooth_pairs(gears).teeth;
     const double ratio = gears.path.length() / gears.base_pitch, shared = teeth.shared();
     for (int i = 1; i < 40; ++i) {
-      const double place = i / 40.0;
-      if (std::abs(place - (ratio - std::floor(ratio))) < 0.03 || place > 0.97 || place < 0.03) continue;
+      const double position = i / 40.0;
+      if (std::abs(position - (ratio - std::floor(ratio))) < 0.03 || position > 0.97 || position < 0.03)
+        continue;
       double own = 0.0;
-      for (double progress = place; progress < ratio; ++progress)
+      for (double progress = position; progress < ratio; ++progress)
         own += 1.0 / (pair_compliance(gears, contact_begin(gears) +
                                                  contact_direction(gears) * gears.base_pitch * progress)
                           .sum() -
                       shared);
       const double expected = 1.0 / (shared + 1.0 / own);
-      EXPECT_NEAR(teeth.at(place, 1e-12).stiffness, expected, kTable * expected);
+      EXPECT_NEAR(teeth.at(position, 1e-12).stiffness, expected, kTable * expected);
     }
   }
 }
@@ -198,16 +201,16 @@ TEST(LoadedTeeth, AreAsStiffAsThePairsInThePathUnderALightLoad) {
 // One pair by itself is as stiff as the step-like mesh has it; two of 62/62 are up to a fifth softer
 // (Issue 16: "double contact up to 20 % too stiff at 62/62, 3 % at the sun").
 TEST(LoadedTeeth, CountTheBodiesOnceForAllPairs) {
-  const auto too_stiff = [](const MeshingGears& gears, double place) {
-    return mesh_stiffness_at(gears, place) / tooth_pairs(gears).teeth.at(place, 1e-12).stiffness - 1.0;
+  const auto too_stiff = [](const MeshingGears& gears, double position) {
+    return mesh_stiffness_at(gears, position) / tooth_pairs(gears).teeth.at(position, 1e-12).stiffness - 1.0;
   };
   const MeshingGears alike = meshing(example_pair(62, 62)), sun = meshes_of(reducer()).sun_gears;
   EXPECT_NEAR(too_stiff(alike, 0.9), 0.0, 1e-5);  // single contact
   EXPECT_NEAR(too_stiff(sun, 0.8), 0.0, 1e-5);
   double most = 0.0, most_sun = 0.0;
-  for (double place = 0.05; place < 0.65; place += 0.05) {
-    most = std::max(most, too_stiff(alike, place));
-    most_sun = std::max(most_sun, too_stiff(sun, place));
+  for (double position = 0.05; position < 0.65; position += 0.05) {
+    most = std::max(most, too_stiff(alike, position));
+    most_sun = std::max(most_sun, too_stiff(sun, position));
   }
   EXPECT_NEAR(most, 0.20, 0.03);
   EXPECT_NEAR(most_sun, 0.03, 0.015);
@@ -234,8 +237,9 @@ TEST(LoadedTeeth, TorsionOfABodyIsThatOfAShearedRing) {
 TEST(TransmissionError, HasTheAmplitudesOfItsHarmonics) {
   constexpr double turn = 2.0 * 3.14159265358979323846, force = 900.0;
   const PeriodicCurve spring(
-      [](double place) {
-        return force / (1e-6 * (5.0 + 2.0 * std::cos(turn * place) + 0.5 * std::sin(3.0 * turn * place)));
+      [](double position) {
+        return force /
+               (1e-6 * (5.0 + 2.0 * std::cos(turn * position) + 0.5 * std::sin(3.0 * turn * position)));
       },
       {}, 4000);
   const TransmissionError error = transmission_error(spring, force);
@@ -256,9 +260,9 @@ TEST(TransmissionError, OfPerfectInvolutesVanishesWithTheLoad) {
     EXPECT_LT(light.peak_to_peak, 20e-9);  // 1 N on some 1e8 N/m
     for (const double force : {500.0, 6000.0})
       for (int i = 0; i < transmission_samples; i += 37) {
-        const double place = (i + 0.5) / transmission_samples;
+        const double position = (i + 0.5) / transmission_samples;
         const double approach = transmission_error(teeth, force).curve[static_cast<std::size_t>(i)];
-        EXPECT_NEAR(teeth.at(place, approach).force, force, 1e-9 * force);
+        EXPECT_NEAR(teeth.at(position, approach).force, force, 1e-9 * force);
       }
   }
 }
@@ -271,11 +275,11 @@ TEST(TransmissionError, WithoutLoadIsThatOfTheFlanks) {
   const LoadedTeeth teeth = tooth_pairs(gears, by).teeth;
   const double pitch = gears.base_pitch, path = gears.path.length();
   const auto relief = [&](double from_end) { return amount * std::max(0.0, 1.0 - from_end / length); };
-  for (double place = 0.05; place < 1.0; place += 0.1) {
+  for (double position = 0.05; position < 1.0; position += 0.1) {
     double least = 1.0;
-    for (double s = place * pitch; s < path; s += pitch)
+    for (double s = position * pitch; s < path; s += pitch)
       least = std::min(least, relief(s) + relief(path - s));
-    EXPECT_NEAR(teeth.approach_under(place, 0.0), least, 1e-12);
+    EXPECT_NEAR(teeth.approach_under(position, 0.0), least, 1e-12);
   }
 }
 
@@ -316,8 +320,8 @@ TEST(LoadedTeeth, OfHelicalTeethTendToTheIntegralAcrossTheFace) {
     const LoadedTeeth teeth = tooth_pairs(gears, {}, slices).teeth;
     double most = 0.0;
     for (int i = 0; i < 50; ++i) {
-      const double place = (i + 0.37) / 50.0, expected = 1.0 / (shared + 1.0 / exact.value(place));
-      most = std::max(most, std::abs(teeth.at(place, 1e-12).stiffness / expected - 1.0));
+      const double position = (i + 0.37) / 50.0, expected = 1.0 / (shared + 1.0 / exact.value(position));
+      most = std::max(most, std::abs(teeth.at(position, 1e-12).stiffness / expected - 1.0));
     }
     return most;
   };
@@ -377,9 +381,9 @@ TEST(EdgeWarnings, TellWhereATipReachesAFillet) {
   PlanetarySet set = standard_set();
   set.planet_teeth = 37;
   set.ring_teeth = 104;
-  const SetTeeth usual = teeth_of(set);
-  EXPECT_FALSE(std::isfinite(usual.ring.sound));
-  EXPECT_TRUE(edge_warnings(usual, 10000.0).empty());
+  const SetTeeth default_value = teeth_of(set);
+  EXPECT_FALSE(std::isfinite(default_value.ring.sound));
+  EXPECT_TRUE(edge_warnings(default_value, 10000.0).empty());
   set.planet_heights = {.addendum = 0.8, .clearance = 0.1};
   set.ring_heights.addendum = 1.0;
   const SetTeeth deeper = teeth_of(set);

@@ -6,6 +6,7 @@
 
 #include "bearing/contact/ellipse_traction.hpp"
 #include "bearing/contact/point_contact.hpp"
+#include "bearing/default_design.hpp"
 #include "bearing/defect/scratched_balls.hpp"
 #include "bearing/defect/scratched_bearing.hpp"
 #include "bearing/defect/scratched_rollers.hpp"
@@ -15,14 +16,13 @@
 #include "bearing/life/basic_life.hpp"
 #include "bearing/life/life_modification.hpp"
 #include "bearing/motion/balls/ball_bearing.hpp"
-#include "bearing/motion/balls/printed_form.hpp"
+#include "bearing/motion/balls/published_form.hpp"
 #include "bearing/motion/model.hpp"
 #include "bearing/motion/rim.hpp"
 #include "bearing/pin_beam.hpp"
 #include "bearing/pressure/length_grid.hpp"
 #include "bearing/pressure/strip_contact.hpp"
 #include "bearing/profile/profile.hpp"
-#include "bearing/usual_design.hpp"
 #include "tests/messages.hpp"
 #include "tests/unit/defect/scratched_bearings.hpp"
 #include "tests/unit/motion/reducer_bearing.hpp"
@@ -229,7 +229,7 @@ TEST(BearingRefusals, RowsAndContacts) {
   balls::MotionParameters free = system::small_ball_motion();
   free.outer.held = false;
   balls::BallBearing both(balls::ball_numbers(balls, free), {});
-  EXPECT_REFUSED(Refused, "two free rings", balls::PrintedForm{both});
+  EXPECT_REFUSED(Refused, "two free rings", balls::PublishedForm{both});
 }
 
 TEST(BearingRefusals, ProfilesThatAreNone) {

@@ -101,11 +101,11 @@ TEST(CageGuidance, ForceDoesNotDependOnTheFrame) {
   for (int i = 0; i < 100; ++i) {
     const Vector2 position = 0.6 * model.clearance * Vector2(random(), random());
     const Vector2 velocity(0.05 * random(), 0.05 * random());
-    const double cage_speed = 500.0 * random(), land_speed = 500.0 * random(), turning = 300.0 * random();
+    const double cage_speed = 500.0 * random(), land_speed = 500.0 * random(), rotating = 300.0 * random();
     const BodyMotion at_rest{Vector2::Zero(), Vector2::Zero(), land_speed};
-    const BodyMotion turned{Vector2::Zero(), Vector2::Zero(), land_speed - turning};
+    const BodyMotion turned{Vector2::Zero(), Vector2::Zero(), land_speed - rotating};
     const Vector2 first = vector_of(force(land(), {position, velocity, cage_speed}, at_rest));
-    const BodyMotion seen{position, velocity - turning * across(position), cage_speed - turning};
+    const BodyMotion seen{position, velocity - rotating * across(position), cage_speed - rotating};
     const Vector2 same = vector_of(force(land(), seen, turned));
     EXPECT_NEAR((first - same).norm(), 0.0, kRoundOff * first.norm());
   }
@@ -114,15 +114,15 @@ TEST(CageGuidance, ForceDoesNotDependOnTheFrame) {
 // As printed the film knows neither whirl nor squeeze: right for a cage that stays where it is, wrong for one
 // that moves.
 TEST(CageGuidance, PrintedFilmAgreesForACageAtRestAndMissesWhirl) {
-  const LandLaw printed = land(GuidanceFilm::literature_variant);
-  const Vector2 position(0.3 * printed.clearance, 0.4 * printed.clearance);
+  const LandLaw published = land(GuidanceFilm::literature_variant);
+  const Vector2 position(0.3 * published.clearance, 0.4 * published.clearance);
   const BodyMotion ring{Vector2::Zero(), Vector2::Zero(), 700.0};
   const BodyMotion still{position, Vector2::Zero(), 400.0};
   const Vector2 steady = vector_of(force(land(), still, ring));
-  EXPECT_NEAR((vector_of(force(printed, still, ring)) - steady).norm(), 0.0, 1e-9 * steady.norm());
+  EXPECT_NEAR((vector_of(force(published, still, ring)) - steady).norm(), 0.0, 1e-9 * steady.norm());
   const BodyMotion whirling{position, 550.0 * across(position), 400.0};
   EXPECT_NEAR(vector_of(force(land(), whirling, ring)).norm(), 0.0, 1e-9 * steady.norm());
-  EXPECT_NEAR((vector_of(force(printed, whirling, ring)) - steady).norm(), 0.0, 1e-9 * steady.norm());
+  EXPECT_NEAR((vector_of(force(published, whirling, ring)) - steady).norm(), 0.0, 1e-9 * steady.norm());
 }
 
 TEST(CageGuidance, TouchesDownBeyondTheLargestEccentricity) {

@@ -34,9 +34,9 @@ class DrivenBore : public testing::TestWithParam<Variant> {
     if (!GetParam().rough) return;
     parameters.race.lubrication = Lubrication::mixed;
     parameters.cage.pocket_film = PocketFilm::hydrodynamic;
-    bearing.inner.form = {{.order = 2, .amplitude = 1e-6, .phase = 0.4, .turning = false}};
-    bearing.outer.form = {{.order = 3, .amplitude = 2e-6, .phase = 1.0, .turning = true},
-                          {.order = 11, .amplitude = 0.3e-6, .phase = 2.0, .turning = false}};
+    bearing.inner.form = {{.order = 2, .amplitude = 1e-6, .phase = 0.4, .rotating = false}};
+    bearing.outer.form = {{.order = 3, .amplitude = 2e-6, .phase = 1.0, .rotating = true},
+                          {.order = 11, .amplitude = 0.3e-6, .phase = 2.0, .rotating = false}};
     bearing.rollers().diameter_deviation = {0.0, 1e-6, -1e-6, 2e-6};
   }
 
@@ -165,7 +165,7 @@ TEST_P(DrivenBore, StartsWithThePinInBalance) {
 
 // Issue 18, Build 6: the bore too in balance. Where it is put there, the pin alone finds the same balance, and the
 // rollers press against the load.
-TEST_P(DrivenBore, FindsThePlaceUnderALoad) {
+TEST_P(DrivenBore, FindsThePositionUnderALoad) {
   const BearingModel model = bearing_model(bearing, point, parameters);
   for (const Vector2& load : {Vector2(100.0, 1000.0), Vector2(-3000.0, 20.0), Vector2(0.0, -20000.0)}) {
     BoreMotion motion;

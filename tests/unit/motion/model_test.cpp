@@ -9,7 +9,7 @@
 namespace orbearing::bearing::motion::model_test {
 namespace {
 
-std::string complaint(const Bearing& bearing, const DynamicsParameters& parameters) {
+std::string message(const Bearing& bearing, const DynamicsParameters& parameters) {
   try {
     bearing_model(bearing, test::reducer_point(6000.0), parameters);
   } catch (const std::invalid_argument& error) {
@@ -22,33 +22,33 @@ TEST(BearingModel, RefusesWhatHasNoMeaningAndSaysWhy) {
   using testing::HasSubstr;
   const Bearing bearing = test::reducer_bearing();
   const DynamicsParameters parameters = test::reducer_parameters();
-  EXPECT_EQ(complaint(bearing, parameters), "accepted");
+  EXPECT_EQ(message(bearing, parameters), "accepted");
 
   Bearing cage_of_nothing = bearing;
   cage_of_nothing.cage.density = 0.0;
-  EXPECT_THAT(complaint(cage_of_nothing, parameters), HasSubstr("mass of the cage"));
+  EXPECT_THAT(message(cage_of_nothing, parameters), HasSubstr("mass of the cage"));
   // Issue 16, Build 8: without a cage rollers touch one another, and must have room.
   Bearing crowded = bearing;
   crowded.cage = {};
   crowded.rollers().count = 21;
-  EXPECT_EQ(complaint(crowded, parameters), "accepted");
+  EXPECT_EQ(message(crowded, parameters), "accepted");
   crowded.rollers().count = 22;
-  EXPECT_THAT(complaint(crowded, parameters), HasSubstr("found 6.49"));
+  EXPECT_THAT(message(crowded, parameters), HasSubstr("found 6.49"));
   crowded.rollers().count = 2;
-  EXPECT_THAT(complaint(crowded, parameters), HasSubstr("rollers without a cage"));
+  EXPECT_THAT(message(crowded, parameters), HasSubstr("rollers without a cage"));
   DynamicsParameters tight_land = parameters;
   tight_land.cage.guide_diameter = 38.0e-3;
-  EXPECT_THAT(complaint(bearing, tight_land), HasSubstr("clearance of cage and land"));
+  EXPECT_THAT(message(bearing, tight_land), HasSubstr("clearance of cage and land"));
   DynamicsParameters dry_film = parameters;
   dry_film.race.film_in_approach = true;
   dry_film.lubricant = {};
-  EXPECT_THAT(complaint(bearing, dry_film), HasSubstr("viscosity"));
+  EXPECT_THAT(message(bearing, dry_film), HasSubstr("viscosity"));
   DynamicsParameters no_support = parameters;
   no_support.support.stiffness = 0.0;
-  EXPECT_THAT(complaint(bearing, no_support), HasSubstr("support stiffness"));
+  EXPECT_THAT(message(bearing, no_support), HasSubstr("support stiffness"));
   DynamicsParameters not_a_number = parameters;
   not_a_number.cage.pocket_clearance = std::nan("");
-  EXPECT_THAT(complaint(bearing, not_a_number), HasSubstr("pocket clearance"));
+  EXPECT_THAT(message(bearing, not_a_number), HasSubstr("pocket clearance"));
 }
 
 // Issue 19, Build 6. Two rollers that touch stand (d_1 + d_2)/2 apart, so that rollers which are all larger
@@ -57,13 +57,13 @@ TEST(BearingModel, RefusesLargerRollersThanGoIn) {
   Bearing bearing = test::full_complement_bearing();  // 3 um are left between two
   const auto with_deviation = [&](double deviation) {
     bearing.rollers().diameter_deviation.assign(21, deviation);
-    return complaint(bearing, test::reducer_parameters());
+    return message(bearing, test::reducer_parameters());
   };
   EXPECT_EQ(with_deviation(2.95e-6), "accepted");
   EXPECT_THAT(with_deviation(3.05e-6), testing::HasSubstr("give fewer or smaller rollers"));
   // Larger and smaller by turns, the mean decides.
   for (std::size_t j = 0; j < 21; ++j) bearing.rollers().diameter_deviation[j] = j % 2 == 0 ? 9e-6 : -9e-6;
-  EXPECT_EQ(complaint(bearing, test::reducer_parameters()), "accepted");
+  EXPECT_EQ(message(bearing, test::reducer_parameters()), "accepted");
 }
 
 // Issue 19, Build 6: a hollow cylinder from each race to its seat.
@@ -141,19 +141,19 @@ TEST(BearingModel, PrintedVariantsDoWhatTheySay) {
   const Bearing bearing = test::reducer_bearing();
   const OperatingPoint point = test::reducer_point(6000.0);
   DynamicsParameters parameters = test::reducer_parameters();
-  const BearingModel usual = bearing_model(bearing, point, parameters);
+  const BearingModel default_value = bearing_model(bearing, point, parameters);
   parameters.race.damping_law = DampingLaw::literature_variant;
   parameters.race.film_in_approach = true;
   parameters.race.film_approach = FilmApproach::literature_variant;
   parameters.cage.reference_speed = ReferenceSpeed::literature_variant;
-  const BearingModel printed = bearing_model(bearing, point, parameters);
-  EXPECT_DOUBLE_EQ(race_load(printed.inner, 2e-6, 5.0), 1.1 * race_load(usual.inner, 2e-6, 5.0));
-  EXPECT_EQ(printed.inner.damping, 0.0);
-  EXPECT_LT(printed.inner.radius, usual.inner.radius);
-  EXPECT_GT(printed.outer.radius, usual.outer.radius);
+  const BearingModel published = bearing_model(bearing, point, parameters);
+  EXPECT_DOUBLE_EQ(race_load(published.inner, 2e-6, 5.0), 1.1 * race_load(default_value.inner, 2e-6, 5.0));
+  EXPECT_EQ(published.inner.damping, 0.0);
+  EXPECT_LT(published.inner.radius, default_value.inner.radius);
+  EXPECT_GT(published.outer.radius, default_value.outer.radius);
   const double gamma = 5.24 / 35.64;
-  EXPECT_DOUBLE_EQ(printed.kinematic_cage_speed, 0.5 * point.outer_speed * (1.0 - gamma));
-  EXPECT_DOUBLE_EQ(usual.kinematic_cage_speed, 0.5 * point.outer_speed * (1.0 + gamma));
+  EXPECT_DOUBLE_EQ(published.kinematic_cage_speed, 0.5 * point.outer_speed * (1.0 - gamma));
+  EXPECT_DOUBLE_EQ(default_value.kinematic_cage_speed, 0.5 * point.outer_speed * (1.0 + gamma));
 }
 
 }  // namespace

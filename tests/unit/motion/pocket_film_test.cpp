@@ -141,10 +141,10 @@ struct PocketForces {
 
 // Film, and touch where the bar is pressed in, in the pocket that points along `outward`.
 PocketForces pocket_forces(const BodyMotion& roller, const BodyMotion& cage, const Vector2& outward) {
-  const Vector2 ahead = across(outward), place = roller.position - cage.position,
+  const Vector2 ahead = across(outward), position = roller.position - cage.position,
                 velocity = roller.velocity - cage.velocity;
-  const PocketMotion motion{place.dot(ahead),      place.dot(outward), velocity.dot(ahead),
-                            velocity.dot(outward), roller.speed,       cage.speed};
+  const PocketMotion motion{position.dot(ahead),   position.dot(outward), velocity.dot(ahead),
+                            velocity.dot(outward), roller.speed,          cage.speed};
   const auto on_both = [&](const auto& law) {
     const Vector2 force = law.ahead * ahead + law.along * outward;
     return PocketForces{{force, law.roller_moment}, {-force, law.cage_moment}, -law.ahead, law.power};
@@ -169,9 +169,9 @@ TEST(PocketFilm, PowerAndMomentsBalanceOnRollerAndCage) {
                            f.on_cage.force.dot(cage.velocity) + f.on_cage.moment * cage.speed;
       EXPECT_GT(f.power, 0.0);
       EXPECT_NEAR(given, -f.power, 1e-10 * f.power);
-      const double turning = f.on_roller.moment + cross(roller.position, f.on_roller.force) +
-                             f.on_cage.moment + cross(cage.position, f.on_cage.force);
-      EXPECT_NEAR(turning, 0.0, 1e-14 * f.on_roller.force.norm());
+      const double rotating = f.on_roller.moment + cross(roller.position, f.on_roller.force) +
+                              f.on_cage.moment + cross(cage.position, f.on_cage.force);
+      EXPECT_NEAR(rotating, 0.0, 1e-14 * f.on_roller.force.norm());
     }
 }
 

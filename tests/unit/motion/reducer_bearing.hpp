@@ -95,7 +95,7 @@ inline Eigen::VectorXd shaken_state(const bearing::motion::BearingModel& model,
   Eigen::VectorXd x = bearing::motion::initial_state(bearing, model, parameters, 0.3).x;
   const auto kinds = bearing::motion::variable_kinds(model.layout);
   const double pitch_radius = model.geometry.pitch_radius;
-  const double turning = 500.0;  // [rad/s]
+  const double rotating = 500.0;  // [rad/s]
   for (Eigen::Index i = 0; i < x.size(); ++i) {
     using bearing::motion::VariableKind;
     switch (kinds[static_cast<std::size_t>(i)]) {
@@ -106,10 +106,10 @@ inline Eigen::VectorXd shaken_state(const bearing::motion::BearingModel& model,
         x[i] += 20.0 * length / pitch_radius * random();
         break;
       case VariableKind::velocity:
-        x[i] += speed * turning * pitch_radius * random();
+        x[i] += speed * rotating * pitch_radius * random();
         break;
       case VariableKind::angular_speed:
-        x[i] += speed * turning * random();
+        x[i] += speed * rotating * random();
         break;
     }
   }

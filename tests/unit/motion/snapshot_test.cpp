@@ -14,10 +14,10 @@ constexpr double kRoundOff = 1e-12;
 struct CentredRings {
   double orbit = 300.0, spin = -2100.0;  // [rad/s]
   OperatingPoint point = [] {
-    OperatingPoint turning = test::reducer_point(6000.0);
-    turning.inner_speed = 40.0;
-    turning.outer_speed = 700.0;
-    return turning;
+    OperatingPoint rotating = test::reducer_point(6000.0);
+    rotating.inner_speed = 40.0;
+    rotating.outer_speed = 700.0;
+    return rotating;
   }();
   BearingModel model = bearing_model(test::reducer_bearing(), point, test::reducer_parameters());
   double a = model.geometry.element_radius;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kRoundOff = 1e-12;
 constexpr Eigen::Index kRollers = 2;
-constexpr Eigen::Index kPlaces = 8;
+constexpr Eigen::Index kPositions = 8;
 
 Snapshot sample_at(double first_angle, double first_load, double second_load, double cage_angle) {
   Snapshot sample;
@@ -48,7 +48,7 @@ TEST(PowerLoss, MeanOfEachPartIsItsOwn) {
 }
 
 TEST(Statistics, MeansOfAHandMadeWindow) {
-  StatisticsCollector collector(kRollers, kPlaces);
+  StatisticsCollector collector(kRollers, kPositions);
   collector.begin(1.0, sample_at(0.0, 0.0, 0.0, 5.0));
   collector.add(1.5, sample_at(0.0, 3.0, 1.0, 5.5));
   collector.add(2.0, sample_at(0.05, 4.0, 1.0, 7.0));
@@ -63,10 +63,10 @@ TEST(Statistics, MeansOfAHandMadeWindow) {
   EXPECT_EQ(means.inner.load_max, 4.0);
   EXPECT_EQ(means.inner.least_film, 2e-7) << "of the most loaded roller";
   EXPECT_NEAR(means.outer.mean_load[0], 3.5, kRoundOff);
-  EXPECT_NEAR(means.outer.mean_load[kPlaces / 2], 1.0, kRoundOff);
+  EXPECT_NEAR(means.outer.mean_load[kPositions / 2], 1.0, kRoundOff);
   // Of 2 samples x 2 rollers x 8 bins, 32 in all, two fell on the first bin.
-  EXPECT_NEAR(means.outer.passages[0], 2.0 * kPlaces / 4.0, kRoundOff);
-  EXPECT_NEAR(means.outer.damage[0], (81.0 + 256.0) * kPlaces / 4.0, 1e3 * kRoundOff);
+  EXPECT_NEAR(means.outer.passages[0], 2.0 * kPositions / 4.0, kRoundOff);
+  EXPECT_NEAR(means.outer.damage[0], (81.0 + 256.0) * kPositions / 4.0, 1e3 * kRoundOff);
 }
 
 }  // namespace

@@ -26,8 +26,8 @@ LengthGrid grid() {
   return graded_grid(kLength, 24);
 }
 
-ArrayXd widths(const LengthGrid& places) {
-  return 60e-6 * (1.0 + 0.3 * (2.0 * places.middle / kLength).square());
+ArrayXd widths(const LengthGrid& positions) {
+  return 60e-6 * (1.0 + 0.3 * (2.0 * positions.middle / kLength).square());
 }
 
 MatrixXd influence(double mirror_factor, double scale = 1.0) {
@@ -38,7 +38,7 @@ MatrixXd influence(double mirror_factor, double scale = 1.0) {
 
 /// Integral over both elements of the mean of 1/r over two semi-ellipses of half width b, places far enough
 /// apart.
-double by_quadrature(const LengthGrid& places, Index i, Index j, double b) {
+double by_quadrature(const LengthGrid& positions, Index i, Index j, double b) {
   using Rule = boost::math::quadrature::gauss<double, 15>;
   const auto between = [&](double x) {
     return Rule::integrate(
@@ -55,17 +55,18 @@ double by_quadrature(const LengthGrid& places, Index i, Index j, double b) {
   };
   return Rule::integrate(
       [&](double x) {
-        return Rule::integrate([&](double s) { return between(x - s); }, places.edge(j), places.edge(j + 1));
+        return Rule::integrate([&](double s) { return between(x - s); }, positions.edge(j),
+                               positions.edge(j + 1));
       },
-      places.edge(i), places.edge(i + 1));
+      positions.edge(i), positions.edge(i + 1));
 }
 
 TEST(StripInfluence, IsTheIntegralOverBothElements) {
-  const LengthGrid places = grid();
+  const LengthGrid positions = grid();
   const MatrixXd matrix = influence(0.0);
   for (const auto& [i, j] : {std::pair<Index, Index>{12, 10}, {12, 5}, {23, 20}, {23, 0}}) {
-    const double b = std::sqrt(0.5 * (std::pow(widths(places)(i), 2) + std::pow(widths(places)(j), 2)));
-    const double exact = by_quadrature(places, i, j, b);
+    const double b = std::sqrt(0.5 * (std::pow(widths(positions)(i), 2) + std::pow(widths(positions)(j), 2)));
+    const double exact = by_quadrature(positions, i, j, b);
     EXPECT_NEAR(matrix(i, j), exact, kTable * exact) << i << " " << j;
   }
 }
@@ -111,10 +112,10 @@ TEST(StripInfluence, FullMirrorIsTheOtherHalfOfALongerBody) {
 }
 
 TEST(StripInfluence, ScalesWithAllLengths) {
-  const LengthGrid places = grid();
+  const LengthGrid positions = grid();
   LengthGrid larger = graded_grid(3.0 * kLength, 24);
   StripMatrices matrices;
-  StripInfluence(larger, 0.695).evaluate(3.0 * widths(places), matrices);
+  StripInfluence(larger, 0.695).evaluate(3.0 * widths(positions), matrices);
   const MatrixXd ratio = matrices.influence.cwiseQuotient(influence(0.695));
   // 1/r over two lengths: one power of length.
   EXPECT_LE((ratio.array() - 3.0).abs().maxCoeff(), 1e3 * kRoundOff);

@@ -15,7 +15,7 @@ constexpr double kRoundOff = 1e-13;        // relative, a few operations
 constexpr double kDifferenceError = 1e-7;  // relative, central difference over 1e-6 of the length
 constexpr double kLength = 5.7e-3, kDiameter = 5.24e-3;
 constexpr double kHalf = 0.5 * kLength;
-constexpr double kPrintedConstant = 2e-4;  // 0.3033 and 1.1932 are printed to four digits
+constexpr double kPublishedConstant = 2e-4;  // 0.3033 and 1.1932 are printed to four digits
 
 const DesignLoad design{
     .load = 2000.0, .length = kLength, .equivalent_radius = 2.2e-3, .material = Material{}};
@@ -70,14 +70,14 @@ TEST(RollerProfile, LundbergsAmplitudeAndEndAreThoseOfTheHalfSpace) {
   const double half_width = std::sqrt(8.0 * 2000.0 * 2.2e-3 / (std::numbers::pi * modulus * kLength));
   const Profile profile = lundberg_for(design);
   EXPECT_NEAR(drop(profile, 0.5 * kHalf), a * std::log(4.0 / 3.0), a * kRoundOff);
-  EXPECT_NEAR(drop(profile, kHalf), a * (1.1932 + std::log(kHalf / half_width)), a * kPrintedConstant);
+  EXPECT_NEAR(drop(profile, kHalf), a * (1.1932 + std::log(kHalf / half_width)), a * kPublishedConstant);
 }
 
 TEST(RollerProfile, JohnsAndGoharAreLundbergButForTheEnd) {
   const Profile lundberg = lundberg_for(design), smooth = johns_gohar_for(design);
   const double a = amplitude(design), ratio = width_ratio(design);
   EXPECT_NEAR(drop(smooth, kHalf), a * -std::log(0.3033 * ratio), a * kRoundOff);
-  EXPECT_NEAR(drop(smooth, kHalf), drop(lundberg, kHalf), a * kPrintedConstant);
+  EXPECT_NEAR(drop(smooth, kHalf), drop(lundberg, kHalf), a * kPublishedConstant);
   EXPECT_NEAR(drop(smooth, 0.5 * kHalf), drop(lundberg, 0.5 * kHalf), a * ratio * 0.3033 / 3.0);
   EXPECT_LT(drop(smooth, 0.5 * kHalf), drop(lundberg, 0.5 * kHalf));
 }
@@ -145,7 +145,7 @@ TEST(RollerProfile, DropPerParameterIsItsDifference) {
   }
 }
 
-TEST(RollerProfile, CanBeGivenADropAtAPlace) {
+TEST(RollerProfile, CanBeGivenADropAtAPosition) {
   const double station = 0.975 * kHalf, x = 0.95 * kHalf;
   for (const Profile& profile : relieved()) {
     if (drop(profile, station) == 0.0) continue;  // the long roller is straight that far in

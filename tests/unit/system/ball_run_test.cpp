@@ -121,11 +121,11 @@ TEST(BallRun, AFinerErrorChangesLittle) {
 
 // Issue 14, Build 2: the form of [Chen2026], whose places follow from balance, gives the same statistics.
 TEST(BallRun, PrintedFormGivesTheStatisticsOfTheCompleteOne) {
-  BallRunOptions options = short_run(), printed = options;
-  options.duration = printed.duration = 0.03;
-  printed.form = BallForm::printed;
-  printed.printed_step = 2e-6;
-  const BallRunResult complete = run(938.0, 181.0, options), found = run(938.0, 181.0, printed);
+  BallRunOptions options = short_run(), published = options;
+  options.duration = published.duration = 0.03;
+  published.form = BallForm::published;
+  published.published_step = 2e-6;
+  const BallRunResult complete = run(938.0, 181.0, options), found = run(938.0, 181.0, published);
   ASSERT_TRUE(found.completed) << found.message;
   EXPECT_NEAR(found.means.inner_load_rms / complete.means.inner_load_rms, 1.0, 0.01);
   EXPECT_NEAR(found.means.outer_load_rms / complete.means.outer_load_rms, 1.0, 0.01);
@@ -136,11 +136,11 @@ TEST(BallRun, PrintedFormGivesTheStatisticsOfTheCompleteOne) {
 
 TEST(BallRun, PrintedFormsStepsConverge) {
   BallRunOptions coarse = short_run();
-  coarse.form = BallForm::printed;
+  coarse.form = BallForm::published;
   coarse.duration = 0.002;
-  coarse.printed_step = 4e-6;
+  coarse.published_step = 4e-6;
   BallRunOptions fine = coarse;
-  fine.printed_step = 1e-6;
+  fine.published_step = 1e-6;
   const BallRunResult a = run(938.0, 181.0, coarse), b = run(938.0, 181.0, fine);
   EXPECT_NEAR(a.series.cage_speed.back() / b.series.cage_speed.back(), 1.0, 1e-5);
   EXPECT_NEAR(a.series.first_inner.back(), b.series.first_inner.back(), 1e-3 * 938.0);

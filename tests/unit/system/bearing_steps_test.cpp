@@ -62,9 +62,9 @@ TEST(ThirdOrderSteps, WeighWhatLoadsHangOnWhereOilIsInThePockets) {
         bearing_model(test::reducer_bearing(), test::reducer_point(6000.0), parameters);
     const bearing::vectorised::VectorBearing vectorised(model);
     const Eigen::VectorXd allowed = allowed_errors(model, 1e-10);
-    const auto place = static_cast<std::size_t>(variable);
-    return third_order_steps(vectorised, allowed).allowed[place] /
-           linearly_implicit_errors(vectorised, allowed)[place];
+    const auto position = static_cast<std::size_t>(variable);
+    return third_order_steps(vectorised, allowed).allowed[position] /
+           linearly_implicit_errors(vectorised, allowed)[position];
   };
   const bearing::vectorised::PaddedLayout layout{15};
   const int lanes = layout.lanes();

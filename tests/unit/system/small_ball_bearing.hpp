@@ -16,7 +16,7 @@ inline bearing::Bearing small_ball_bearing(double clearance) {
   b.inner.seat_diameter = 20e-3;
   b.outer.seat_diameter = 52e-3;
   b.cage = {33e-3, 39e-3, 13e-3, 1310.0, bearing::Race::outer};
-  b.motions = {bearing::RaceMotion::turning, bearing::RaceMotion::standing};
+  b.motions = {bearing::RaceMotion::rotating, bearing::RaceMotion::stationary};
   return b;
 }
 

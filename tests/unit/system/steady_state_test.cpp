@@ -203,7 +203,7 @@ TEST(RunToSteadyState, EndsAtALookWithStatesOfAllBearings) {
 
 // Of several bearings one at a time gives a state; over a run each of them does, a like share, and none
 // always in the same place of a window. Issue 17, Build 5.
-TEST(RunToSteadyState, StatesComeFromAllBearingsInNoFixedPlace) {
+TEST(RunToSteadyState, StatesComeFromAllBearingsInNoFixedPosition) {
   class Watched : public EvenMotion {
    public:
     mutable std::vector<std::pair<int, double>> seen;  // bearing, time [s]

@@ -35,8 +35,8 @@ class OpenBore : public testing::TestWithParam<Variant> {
     }
     if (!GetParam().rough) return;
     parameters.race.lubrication = motion::Lubrication::mixed;
-    bearing.outer.form = {{.order = 3, .amplitude = 2e-6, .phase = 1.0, .turning = true},
-                          {.order = 11, .amplitude = 0.3e-6, .phase = 2.0, .turning = false}};
+    bearing.outer.form = {{.order = 3, .amplitude = 2e-6, .phase = 1.0, .rotating = true},
+                          {.order = 11, .amplitude = 0.3e-6, .phase = 2.0, .rotating = false}};
     bearing.rollers().diameter_deviation = {0.0, 1e-6, -1e-6, 2e-6};
   }
 

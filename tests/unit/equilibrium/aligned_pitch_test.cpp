@@ -1,6 +1,6 @@
 // Level rollers on laminae, all cage angles of a pitch at once, against the readable searches, on bearings,
 // loads and motions drawn at random. Issue 18, Build 4.
-#include "bearing/equilibrium/level_pitch.hpp"
+#include "bearing/equilibrium/aligned_pitch.hpp"
 
 #include <gtest/gtest.h>
 
@@ -33,13 +33,13 @@ Draw next_level(RandomBearings& bearings, int kind) {
   return draw;
 }
 
-TEST(LevelPitch, RandomBearingsAgreeWithTheReadableSearches) {
+TEST(AlignedPitch, RandomBearingsAgreeWithTheReadableSearches) {
   RandomBearings bearings;
   int unbalanced = 0;
   for (int i = 0; i < kBearings; ++i) {
     const Draw draw = next_level(bearings, i);
-    std::optional<LevelPitch> level = LevelPitch::of(draw.bearing, draw.options);
-    ASSERT_TRUE(level && LevelPitch::holds(draw.point)) << draw;
+    std::optional<AlignedPitch> level = AlignedPitch::of(draw.bearing, draw.options);
+    ASSERT_TRUE(level && AlignedPitch::holds(draw.point)) << draw;
     PitchResults pitch;
     level->solve(draw.point, pitch);
     const QuasiStaticResult expected =
@@ -52,10 +52,10 @@ TEST(LevelPitch, RandomBearingsAgreeWithTheReadableSearches) {
         continue;
       }
       for (Eigen::Index j = 0; j < pitch.inner_load.cols(); ++j) {
-        const Eigen::Index place = p + j * pitch.inner_load.rows();
-        EXPECT_NEAR(pitch.inner_load(p, j), expected.inner_load[place], allowed)
+        const Eigen::Index position = p + j * pitch.inner_load.rows();
+        EXPECT_NEAR(pitch.inner_load(p, j), expected.inner_load[position], allowed)
             << "bearing " << i << ": " << draw;
-        EXPECT_NEAR(pitch.outer_load(p, j), expected.outer_load[place], allowed)
+        EXPECT_NEAR(pitch.outer_load(p, j), expected.outer_load[position], allowed)
             << "bearing " << i << ": " << draw;
       }
     }
@@ -64,13 +64,13 @@ TEST(LevelPitch, RandomBearingsAgreeWithTheReadableSearches) {
   EXPECT_LE(unbalanced, kBearings / 20);
 }
 
-TEST(LevelPitch, LaminaLoadsAndMeansAreThoseOfTheReadableSearch) {
+TEST(AlignedPitch, LaminaLoadsAndMeansAreThoseOfTheReadableSearch) {
   RandomBearings bearings;
   for (int i = 0; i < kBearings; ++i) {
     const Draw draw = next_level(bearings, i);
     const LaminaBearing cut(draw.bearing);
     const std::optional<QuasiStaticResult> found =
-        LevelPitch::of(draw.bearing, draw.options)->under(cut, draw.point);
+        AlignedPitch::of(draw.bearing, draw.options)->under(cut, draw.point);
     if (!found) continue;
     const QuasiStaticResult expected = quasi_static_bearing(cut, draw.point, draw.options);
     const double largest = std::max(
@@ -87,18 +87,18 @@ TEST(LevelPitch, LaminaLoadsAndMeansAreThoseOfTheReadableSearch) {
   }
 }
 
-TEST(LevelPitch, StiffnessIsTheSlopeOfTheForces) {
+TEST(AlignedPitch, StiffnessIsTheSlopeOfTheForces) {
   RandomBearings bearings;
   for (int i = 0; i < kBearings; ++i) {
     const Draw draw = next_level(bearings, i);
-    std::optional<LevelPitch> level = LevelPitch::of(draw.bearing, draw.options);
+    std::optional<AlignedPitch> level = AlignedPitch::of(draw.bearing, draw.options);
     PitchResults pitch;
     level->solve(draw.point, pitch);
     for (std::size_t p = 0; p < pitch.reports.size(); ++p) {
       if (!pitch.reports[p].converged) continue;
-      const double angle = draw.options.first_roller +
-                           constants::two_pi * static_cast<double>(p) /
-                               static_cast<double>(pitch.reports.size()) / draw.bearing.rollers().count;
+      const double angle = draw.options.first_roller + constants::two_pi * static_cast<double>(p) /
+                                                           static_cast<double>(pitch.reports.size()) /
+                                                           draw.bearing.rollers().count;
       const Eigen::Matrix2d expected =
           quasi_static_state(LaminaBearing(draw.bearing), draw.point, draw.options, angle).stiffness;
       EXPECT_LE((pitch.stiffness[p] - expected).cwiseAbs().maxCoeff(),
@@ -109,12 +109,12 @@ TEST(LevelPitch, StiffnessIsTheSlopeOfTheForces) {
 }
 
 // From the balances under another load, near and far.
-TEST(LevelPitch, BalancesFromNeighboursAreTheSame) {
+TEST(AlignedPitch, BalancesFromNeighboursAreTheSame) {
   RandomBearings bearings;
   int from_near = 0, by_itself = 0;
   for (int i = 0; i < kBearings; ++i) {
     Draw draw = next_level(bearings, i);
-    std::optional<LevelPitch> level = LevelPitch::of(draw.bearing, draw.options);
+    std::optional<AlignedPitch> level = AlignedPitch::of(draw.bearing, draw.options);
     PitchResults near, alone, found;
     level->solve(draw.point, near);
     for (const double share : {0.0, 1e-6, 0.03, 0.5}) {
@@ -138,15 +138,15 @@ TEST(LevelPitch, BalancesFromNeighboursAreTheSame) {
   EXPECT_LT(2 * from_near, by_itself);  // or it would not pay
 }
 
-TEST(LevelPitch, EveryInstructionSetGivesTheSameBits) {
+TEST(AlignedPitch, EveryInstructionSetGivesTheSameBits) {
   RandomBearings bearings;
   for (int i = 0; i < kBearings; ++i) {
     const Draw draw = next_level(bearings, i);
     PitchResults first;
-    LevelPitch::of(draw.bearing, draw.options, InstructionSet::baseline)->solve(draw.point, first);
+    AlignedPitch::of(draw.bearing, draw.options, InstructionSet::baseline)->solve(draw.point, first);
     for (const InstructionSet set : mechanics::instruction_sets()) {
       PitchResults again;
-      LevelPitch::of(draw.bearing, draw.options, set)->solve(draw.point, again);
+      AlignedPitch::of(draw.bearing, draw.options, set)->solve(draw.point, again);
       EXPECT_TRUE((again.inner_load == first.inner_load).all()) << name_of(set) << ": " << draw;
       EXPECT_TRUE((again.outer_load == first.outer_load).all()) << name_of(set) << ": " << draw;
       EXPECT_TRUE((again.displacement == first.displacement).all()) << name_of(set) << ": " << draw;
@@ -155,20 +155,20 @@ TEST(LevelPitch, EveryInstructionSetGivesTheSameBits) {
   }
 }
 
-TEST(LevelPitch, LeavesTiltsFilmsAndRacesThatAreNotRoundToOthers) {
+TEST(AlignedPitch, LeavesTiltsFilmsAndRacesThatAreNotRoundToOthers) {
   RandomBearings bearings;
   const Draw level = next_level(bearings, 3);
-  ASSERT_TRUE(LevelPitch::holds(level.point) && LevelPitch::of(level.bearing, level.options));
+  ASSERT_TRUE(AlignedPitch::holds(level.point) && AlignedPitch::of(level.bearing, level.options));
   OperatingPoint tilted = level.point;
   tilted.bore_tilt.x() = 1e-4;
-  EXPECT_FALSE(LevelPitch::holds(tilted));
+  EXPECT_FALSE(AlignedPitch::holds(tilted));
   Draw filmed = level, oval = level, unlike = level;
   filmed.options.film = Lubricant{};
   oval.bearing.outer.form.push_back({.order = 2, .amplitude = 20e-6});
   unlike.bearing.inner.profile =
       profile::Iso16281{level.bearing.rollers().length, level.bearing.rollers().diameter, 1.0};
   for (const Draw* draw : {&filmed, &oval, &unlike})
-    EXPECT_FALSE(LevelPitch::of(draw->bearing, draw->options));
+    EXPECT_FALSE(AlignedPitch::of(draw->bearing, draw->options));
 }
 
 }  // namespace

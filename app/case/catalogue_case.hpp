@@ -16,10 +16,10 @@ namespace orbearing::app {
 /// Where a case says how its bearing is bought, what follows stands in place of what is stated, which then
 /// has no effect; so with each of several sets. Sizes of a cage that are left out beside a designation are
 /// those of a usual one.
-void fill_as_bought(CaseData& data, Model model);
+void fill_from_catalogue(CaseData& data, Model model);
 
 /// Whether anything is known of such a bearing, and whether what says so fits together.
-void check_as_bought(const ResolvedCase& resolved, std::vector<Mistake>& mistakes);
+void check_catalogue_bearing(const ResolvedCase& resolved, std::vector<Mistake>& mistakes);
 
 /// Whether the bearing has no cage: a full complement of rollers.
 bool is_full_complement(const ResolvedCase& in);
@@ -28,12 +28,12 @@ bool is_full_complement(const ResolvedCase& in);
 /// std::invalid_argument where the tables have none.
 bearing::catalogue::ClearanceRange clearance_range_of(const ResolvedCase& in, const std::string& which);
 
-/// How far rollers or balls that are inferred from a designation may be off: what every result of theirs is to be
-/// read with.
+/// How far rollers or balls that are inferred from a designation may be off: what every result of theirs is
+/// to be read with.
 std::vector<std::string> inferred_warnings(const ResolvedCase& resolved);
 
 /// What a designation and a class say beside the values that they give, for `check`: ratings, the range of
 /// the clearance.
-std::vector<Derived> bought_quantities(const ResolvedCase& resolved);
+std::vector<Derived> catalogue_quantities(const ResolvedCase& resolved);
 
 }  // namespace orbearing::app

@@ -11,7 +11,7 @@ inline constexpr int kBlock = 16;
 /// 1 N, so that it carries Q = x^(10/9) with Q in [N]. Laminae of like drop are one, a whole contact is one
 /// lamina; drops count from the least, and the clearance holds twice that. What is pointed to outlives the
 /// engine.
-struct LevelConstants {
+struct AlignedConstants {
   int rollers = 0;
   double half_clearance = 0.0;            // [N^0.9]
   const double* pocket_cosine = nullptr;  // [-]  of each roller's angle from the first
@@ -23,7 +23,7 @@ struct LevelConstants {
 
 /// What distinguishes them, an entry for each. The inertial load of the roller at angle a is
 /// steady + cosine cos a + sine sin a, outward positive.
-struct LevelInput {
+struct AlignedInput {
   double force_x[kBlock];       // [N]  on the outer ring
   double force_y[kBlock];       // [N]
   double steady[kBlock];        // [N]
@@ -39,7 +39,7 @@ struct LevelInput {
 
 /// `lamina_loads` where it is asked for: loads [N] per share of the length, of the laminae at the inner race,
 /// then at the outer one, kBlock entries for each roller of each of them.
-struct LevelOutput {
+struct AlignedOutput {
   double displacement_x[kBlock];  // [N^0.9]  outer ring relative to inner ring
   double displacement_y[kBlock];  // [N^0.9]
   double residual[kBlock];        // [N]  force out of balance on the outer ring
@@ -54,17 +54,17 @@ struct LevelOutput {
 };
 
 /// Not for use by two threads at once; nothing is allocated after construction.
-class LevelEngine {
+class AlignedEngine {
  public:
-  virtual ~LevelEngine() = default;
+  virtual ~AlignedEngine() = default;
   /// Solves a block. `inner_load` and `outer_load` [N] hold kBlock entries for each roller.
-  virtual void solve(const LevelInput& input, LevelOutput& output, double* inner_load,
+  virtual void solve(const AlignedInput& input, AlignedOutput& output, double* inner_load,
                      double* outer_load) = 0;
 };
 
 /// One for each instruction set, each in its own file with its own compiler options: the same bits in all.
-LevelEngine* baseline_level_engine(const LevelConstants& constants);
-LevelEngine* avx2_level_engine(const LevelConstants& constants);
-LevelEngine* avx512_level_engine(const LevelConstants& constants);
+AlignedEngine* baseline_aligned_engine(const AlignedConstants& constants);
+AlignedEngine* avx2_aligned_engine(const AlignedConstants& constants);
+AlignedEngine* avx512_aligned_engine(const AlignedConstants& constants);
 
 }  // namespace orbearing::bearing::vectorised

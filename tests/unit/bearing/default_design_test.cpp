@@ -1,4 +1,4 @@
-#include "bearing/usual_design.hpp"
+#include "bearing/default_design.hpp"
 
 #include <gtest/gtest.h>
 
@@ -53,7 +53,7 @@ TEST(PinStiffness, OfASlenderPinIsBendingAlone) {
 }
 
 // Bending and shear both scale with the size at constant shape.
-TEST(UsualDesign, StiffnessScalesWithSizeAndModulus) {
+TEST(DefaultDesign, StiffnessScalesWithSizeAndModulus) {
   for (const double factor : {0.1, 10.0}) {
     PlanetPin larger = pin;
     larger.diameter *= factor;
@@ -67,8 +67,8 @@ TEST(UsualDesign, StiffnessScalesWithSizeAndModulus) {
     thicker.youngs_modulus *= 3.0;
     EXPECT_NEAR(cage_bar_stiffness(thicker), 3.0 * factor * cage_bar_stiffness(bar),
                 3.0 * kRoundOff * factor * cage_bar_stiffness(bar));
-    EXPECT_NEAR(usual_pocket_clearance(factor * 5e-3, factor * 36e-3, 15),
-                factor * usual_pocket_clearance(5e-3, 36e-3, 15), kRoundOff);
+    EXPECT_NEAR(default_pocket_clearance(factor * 5e-3, factor * 36e-3, 15),
+                factor * default_pocket_clearance(5e-3, 36e-3, 15), kRoundOff);
   }
 }
 
@@ -82,20 +82,20 @@ TEST(CageBarStiffness, OfASlenderBarIsBendingAlone) {
               shear_left_out);
 }
 
-TEST(UsualCageMaterial, IsTheNearestInDensity) {
-  EXPECT_EQ(usual_cage_material(1310.0).name, "glass-filled polyamide");
-  EXPECT_EQ(usual_cage_material(1450.0).name, "glass-filled polyamide");
-  EXPECT_EQ(usual_cage_material(7800.0).name, "steel");
-  EXPECT_EQ(usual_cage_material(8700.0).name, "brass");
-  EXPECT_EQ(usual_cage_material(8700.0).youngs_modulus, 105e9);
+TEST(DefaultCageMaterial, IsTheNearestInDensity) {
+  EXPECT_EQ(default_cage_material(1310.0).name, "glass-filled polyamide");
+  EXPECT_EQ(default_cage_material(1450.0).name, "glass-filled polyamide");
+  EXPECT_EQ(default_cage_material(7800.0).name, "steel");
+  EXPECT_EQ(default_cage_material(8700.0).name, "brass");
+  EXPECT_EQ(default_cage_material(8700.0).youngs_modulus, 105e9);
 }
 
-TEST(UsualPocketClearance, LeavesRoomForBars) {
-  EXPECT_NEAR(usual_pocket_clearance(5e-3, 36e-3, 15), 0.1e-3, kRoundOff);
+TEST(DefaultPocketClearance, LeavesRoomForBars) {
+  EXPECT_NEAR(default_pocket_clearance(5e-3, 36e-3, 15), 0.1e-3, kRoundOff);
   const double spacing = 36e-3 * std::sin(std::numbers::pi / 15);
   const double tight = spacing - 0.05e-3;
-  EXPECT_NEAR(usual_pocket_clearance(tight, 36e-3, 15), 0.025e-3, kRoundOff);
-  EXPECT_EQ(usual_pocket_clearance(1.1 * spacing, 36e-3, 15), 0.0);
+  EXPECT_NEAR(default_pocket_clearance(tight, 36e-3, 15), 0.025e-3, kRoundOff);
+  EXPECT_EQ(default_pocket_clearance(1.1 * spacing, 36e-3, 15), 0.0);
   EXPECT_NEAR(cage_bar_thickness(tight, 0.025e-3, 36e-3, 15), 0.025e-3, kRoundOff);
 }
 

@@ -1,4 +1,4 @@
-#include "bearing/equilibrium/moving_balls.hpp"
+#include "bearing/equilibrium/jones_balls.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -65,28 +65,28 @@ BallLaw<double> ball_law(const Bearing& bearing, const RowMotion& motion, const 
   return law;
 }
 
-MovingBallRow::MovingBallRow(const Bearing& bearing, const RowMotion& motion)
-    : MovingBallRow(bearing, motion, BallRow(bearing)) {}
+JonesRow::JonesRow(const Bearing& bearing, const RowMotion& motion)
+    : JonesRow(bearing, motion, BallRow(bearing)) {}
 
-MovingBallRow::MovingBallRow(const Bearing& bearing, const RowMotion& motion, const BallRow& at_rest)
+JonesRow::JonesRow(const Bearing& bearing, const RowMotion& motion, const BallRow& at_rest)
     : geometry_(at_rest), law_(ball_law(bearing, motion, at_rest)) {
   const double angle = bearing.balls().contact_angle;
   const ContactNormal<double> normal{std::cos(angle), std::sin(angle)};
   const double orbit =
       ball_motion<double>(normal, normal, {0.0, 1.0}, law_.ball_radius, law_.pitch_radius, law_.speeds).orbit;
-  usual_centrifugal_ = law_.mass * law_.pitch_radius * orbit * orbit;
+  default_centrifugal_ = law_.mass * law_.pitch_radius * orbit * orbit;
   memory_.resize(static_cast<std::size_t>(geometry_.count()));
   balls_.resize(memory_.size());
 }
 
-double MovingBallRow::reach(double load) const {
+double JonesRow::reach(double load) const {
   const double spin = std::max(std::abs(law_.speeds.inner), std::abs(law_.speeds.outer));
   return geometry_.reach(load + law_.mass * law_.pitch_radius * spin * spin);
 }
 
 template <class T, class Outer, class Inner>
-BallForcesOf<T> MovingBallRow::forces_of(const Outer& outer_r, const Outer& outer_z, const Inner& inner_r,
-                                         const Inner& inner_z, const BallMemory& ball) const {
+BallForcesOf<T> JonesRow::forces_of(const Outer& outer_r, const Outer& outer_z, const Inner& inner_r,
+                                    const Inner& inner_z, const BallMemory& ball) const {
   if (!frozen_) return law_.forces<T>(outer_r, outer_z, inner_r, inner_z, ball.control);
   const BallContacts<T> at = law_.contacts<T>(outer_r, outer_z, inner_r, inner_z);
   const T inner_force_r = at.inner_load * at.inner.cosine, inner_force_z = at.inner_load * at.inner.sine;
@@ -101,7 +101,7 @@ BallForcesOf<T> MovingBallRow::forces_of(const Outer& outer_r, const Outer& oute
 
 // Between both groove centres under the load of a ball at rest; where they are too near for that, thrown
 // against the outer race.
-Eigen::Vector2d MovingBallRow::usual_place(const Eigen::Vector2d& grooves) const {
+Eigen::Vector2d JonesRow::default_position(const Eigen::Vector2d& grooves) const {
   const double length = grooves.norm();
   const double approach = length - law_.inner.distance - law_.outer.distance;
   if (approach <= 0.0 && length > 0.0) return {law_.outer.distance, 0.0};
@@ -111,15 +111,15 @@ Eigen::Vector2d MovingBallRow::usual_place(const Eigen::Vector2d& grooves) const
 }
 
 // Forces of one ball at its place, with their slopes.
-struct MovingBallRow::BallForces {
+struct JonesRow::BallForces {
   BallForcesOf<Slopes> f;
   mechanics::Imbalance<2> on_ball;
   Eigen::Matrix2d ball_by_grooves;
-  Eigen::Matrix<double, 3, 2> ring_by_grooves, ring_by_place;
+  Eigen::Matrix<double, 3, 2> ring_by_grooves, ring_by_position;
 
-  void of(const MovingBallRow& row, const Eigen::Vector2d& place, const BallMemory& ball) {
-    const Eigen::Vector2d inner = ball.grooves - place;
-    f = row.forces_of<Slopes>(coordinate<kOuter, 0>(place[0]), coordinate<kOuter, 1>(place[1]),
+  void of(const JonesRow& row, const Eigen::Vector2d& position, const BallMemory& ball) {
+    const Eigen::Vector2d inner = ball.grooves - position;
+    f = row.forces_of<Slopes>(coordinate<kOuter, 0>(position[0]), coordinate<kOuter, 1>(position[1]),
                               coordinate<kInner, 0>(inner[0]), coordinate<kInner, 1>(inner[1]), ball);
     ball_by_grooves << by_inner(f.ball_r), by_inner(f.ball_z);
     on_ball.force = {f.ball_r.value, f.ball_z.value};
@@ -129,33 +129,33 @@ struct MovingBallRow::BallForces {
   }
   void on_ring() {
     ring_by_grooves << by_inner(f.ring_r), by_inner(f.ring_z), by_inner(f.ring_moment);
-    ring_by_place << by_outer(f.ring_r), by_outer(f.ring_z), by_outer(f.ring_moment);
-    ring_by_place -= ring_by_grooves;
+    ring_by_position << by_outer(f.ring_r), by_outer(f.ring_z), by_outer(f.ring_moment);
+    ring_by_position -= ring_by_grooves;
   }
   Eigen::Vector3d ring() const { return {f.ring_r.value, f.ring_z.value, f.ring_moment.value}; }
 };
 
 // A step beyond the last one is taken into account to first order, which leaves an error of second order.
-void MovingBallRow::remember(BallForces& at, BallMemory& ball) const {
+void JonesRow::remember(BallForces& at, BallMemory& ball) const {
   const auto& stiffness = at.on_ball.stiffness;
   const Eigen::Vector2d left = mechanics::lengths_under_any<2>(at.on_ball.force, stiffness);
   ball.follows.col(0) = mechanics::lengths_under_any<2>(at.ball_by_grooves.col(0), stiffness);
   ball.follows.col(1) = mechanics::lengths_under_any<2>(at.ball_by_grooves.col(1), stiffness);
   at.on_ring();
-  ball.place += left;
-  ball.ring = at.ring() + at.ring_by_place * left;
-  ball.slope = at.ring_by_grooves + at.ring_by_place * ball.follows;
+  ball.position += left;
+  ball.ring = at.ring() + at.ring_by_position * left;
+  ball.slope = at.ring_by_grooves + at.ring_by_position * ball.follows;
   ball.load = at.f.inner_load.value;
 }
 
-void MovingBallRow::settle_from(const Eigen::Vector2d& start, const Eigen::Vector2d& grooves,
-                                BallMemory& ball) const {
+void JonesRow::settle_from(const Eigen::Vector2d& start, const Eigen::Vector2d& grooves,
+                           BallMemory& ball) const {
   const bool begun = ball.found || frozen_;
   ball.grooves = grooves;
-  ball.place = start;
+  ball.position = start;
   BallForces at;
-  const auto imbalance_at = [&](const Eigen::Vector2d& place) {
-    at.of(*this, place, ball);
+  const auto imbalance_at = [&](const Eigen::Vector2d& position) {
+    at.of(*this, position, ball);
     return at.on_ball;
   };
   // Of the loads. Its square is what remains: little on the way, round-off in the end, when a step of the
@@ -167,24 +167,24 @@ void MovingBallRow::settle_from(const Eigen::Vector2d& start, const Eigen::Vecto
                                        .acceptable = near,
                                        .most_iterations = 60};
   mechanics::Imbalance<2> now;
-  ball.found = (frozen_ ? mechanics::find_balance<2>(imbalance_at, limits, ball.place, now)
-                        : mechanics::find_root<2>(imbalance_at, limits, ball.place, now))
+  ball.found = (frozen_ ? mechanics::find_balance<2>(imbalance_at, limits, ball.position, now)
+                        : mechanics::find_root<2>(imbalance_at, limits, ball.position, now))
                    .converged;
   remember(at, ball);
 }
 
-void MovingBallRow::settle(const Eigen::Vector2d& grooves, BallMemory& ball) const {
-  if (ball.found) settle_from(ball.place + ball.follows * (grooves - ball.grooves), grooves, ball);
-  if (!ball.found) settle_from(usual_place(grooves), grooves, ball);
+void JonesRow::settle(const Eigen::Vector2d& grooves, BallMemory& ball) const {
+  if (ball.found) settle_from(ball.position + ball.follows * (grooves - ball.grooves), grooves, ball);
+  if (!ball.found) settle_from(default_position(grooves), grooves, ball);
   if (!ball.found) settle_from({law_.outer.distance, 0.0}, grooves, ball);
 }
 
-Eigen::Vector2d MovingBallRow::grooves_at(Eigen::Index ball, const RingPlace& place) const {
-  const BallRow::BallPlace at = geometry_.place_of(ball, place);
+Eigen::Vector2d JonesRow::grooves_at(Eigen::Index ball, const RingPosition& position) const {
+  const BallRow::BallPosition at = geometry_.position_of(ball, position);
   return {at.radial, at.axial};
 }
 
-MovingBallRow::RingActs MovingBallRow::acts_of(Eigen::Index ball) const {
+JonesRow::RingActs JonesRow::acts_of(Eigen::Index ball) const {
   const auto [cosine, sine] = geometry_.direction(ball);
   const double arm = 1.0 / lever();
   return (RingActs() << cosine, 0.0, 0.0,  //
@@ -195,24 +195,24 @@ MovingBallRow::RingActs MovingBallRow::acts_of(Eigen::Index ball) const {
       .finished();
 }
 
-void MovingBallRow::add_forces(const RingPlace& place, RingImbalance& sum) {
-  const bool known = known_ && *known_ == place;
+void JonesRow::add_forces(const RingPosition& position, RingImbalance& sum) {
+  const bool known = known_ && *known_ == position;
   if (!known) settled_ = true;
   for (Eigen::Index j = 0; j < geometry_.count(); ++j) {
     BallMemory& ball = memory_[static_cast<std::size_t>(j)];
-    if (!known) settle(grooves_at(j, place), ball);
+    if (!known) settle(grooves_at(j, position), ball);
     if (!ball.found) settled_ = false;
     const RingActs acts = acts_of(j);
     sum.force += acts * ball.ring;
     sum.stiffness -= (acts * ball.slope) * acts.leftCols<2>().transpose();
     sum.scale += ball.load;
   }
-  known_ = place;
+  known_ = position;
 }
 
-MovingBall MovingBallRow::ball_at(const BallMemory& ball) const {
-  const Eigen::Vector2d inner = ball.grooves - ball.place;
-  BallContacts<double> at = law_.contacts<double>(ball.place[0], ball.place[1], inner[0], inner[1]);
+JonesBall JonesRow::ball_at(const BallMemory& ball) const {
+  const Eigen::Vector2d inner = ball.grooves - ball.position;
+  BallContacts<double> at = law_.contacts<double>(ball.position[0], ball.position[1], inner[0], inner[1]);
   const BallMotionForces<double> moved = law_.add_motion(ball.control, at);
   return {.inner = at.inner,
           .outer = at.outer,
@@ -225,20 +225,20 @@ MovingBall MovingBallRow::ball_at(const BallMemory& ball) const {
           .motion = at.motion};
 }
 
-void MovingBallRow::put_loads(const RingPlace& place, RingState& state) {
+void JonesRow::put_loads(const RingPosition& position, RingState& state) {
   RingImbalance unused;
-  add_forces(place, unused);
+  add_forces(position, unused);
   const Eigen::Index count = geometry_.count();
   state.contact_load = state.contact_angle = Eigen::ArrayXd::Zero(count);
   state.outer_load = state.outer_angle = Eigen::ArrayXd::Zero(count);
   state.inner_rolling = state.inner_spin = state.outer_rolling = state.outer_spin = state.outer_load;
-  state.ball_place.resize(2, count);
+  state.ball_position.resize(2, count);
   state.inner_control.clear();
   for (Eigen::Index j = 0; j < count; ++j) {
-    const MovingBall ball = ball_at(memory_[static_cast<std::size_t>(j)]);
+    const JonesBall ball = ball_at(memory_[static_cast<std::size_t>(j)]);
     balls_[static_cast<std::size_t>(j)] = ball;
     const BallMemory& found = memory_[static_cast<std::size_t>(j)];
-    state.ball_place.col(j) = found.place.array();
+    state.ball_position.col(j) = found.position.array();
     state.inner_control.push_back(found.control == SpinControl::inner);
     state.contact_load[j] = ball.inner_load;
     for (const auto& [traction, load] :
@@ -257,22 +257,22 @@ void MovingBallRow::put_loads(const RingPlace& place, RingState& state) {
                point_pressure(geometry_.contact(Race::outer), state.outer_load.maxCoeff()).pressure);
 }
 
-void MovingBallRow::freeze(bool frozen) {
+void JonesRow::freeze(bool frozen) {
   frozen_ = frozen;
   known_.reset();
 }
 
-void MovingBallRow::push_unlike(int path) {
+void JonesRow::push_unlike(int path) {
   for (std::size_t j = 0; j < memory_.size(); ++j) {
     const double unlike = 0.7 * std::sin(2.4 * static_cast<double>(j + 1) * path);
-    memory_[j].push = usual_centrifugal_ * (1.0 + unlike);
+    memory_[j].push = default_centrifugal_ * (1.0 + unlike);
     memory_[j].found = false;
   }
   known_.reset();
 }
 
 // Far above Hertz's stiffness of all contacts together, which is more than a row has.
-bool MovingBallRow::has_stiffness() const {
+bool JonesRow::has_stiffness() const {
   constexpr double kFarAbove = 10.0;
   const auto slope = [](const BallRaceLaw<double>& side, double load) {
     return 1.5 * std::pow(side.constant, 2.0 / 3.0) * std::cbrt(load);
@@ -280,7 +280,7 @@ bool MovingBallRow::has_stiffness() const {
   double contacts = 0.0;
   Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero();
   for (Eigen::Index j = 0; j < geometry_.count(); ++j) {
-    const MovingBall& ball = balls_[static_cast<std::size_t>(j)];
+    const JonesBall& ball = balls_[static_cast<std::size_t>(j)];
     contacts += slope(law_.inner, ball.inner_load) + slope(law_.outer, ball.outer_load);
     const RingActs acts = acts_of(j);
     stiffness -= acts.topRows<3>() * memory_[static_cast<std::size_t>(j)].slope *
@@ -289,31 +289,31 @@ bool MovingBallRow::has_stiffness() const {
   return stiffness.cwiseAbs().maxCoeff() <= kFarAbove * contacts;
 }
 
-int MovingBallRow::beyond_grooves() const {
+int JonesRow::beyond_grooves() const {
   const auto ended = [](const ContactNormal<double>& normal, double load) {
     return load > 0.0 && normal.cosine <= 0.0;
   };
-  return static_cast<int>(std::count_if(balls_.begin(), balls_.end(), [&](const MovingBall& ball) {
+  return static_cast<int>(std::count_if(balls_.begin(), balls_.end(), [&](const JonesBall& ball) {
     return ended(ball.inner, ball.inner_load) || ended(ball.outer, ball.outer_load);
   }));
 }
 
-Eigen::VectorXd MovingBallRow::places(const RingPlace& ring) const {
+Eigen::VectorXd JonesRow::positions(const RingPosition& ring) const {
   Eigen::VectorXd all(5 + 2 * geometry_.count());
   all.head<5>() = ring;
   for (Eigen::Index j = 0; j < geometry_.count(); ++j)
-    all.segment<2>(5 + 2 * j) = memory_[static_cast<std::size_t>(j)].place;
+    all.segment<2>(5 + 2 * j) = memory_[static_cast<std::size_t>(j)].position;
   return all;
 }
 
-RingPlace MovingBallRow::put_places(const Eigen::VectorXd& all) {
-  const RingPlace ring = all.head<5>();
+RingPosition JonesRow::put_positions(const Eigen::VectorXd& all) {
+  const RingPosition ring = all.head<5>();
   for (Eigen::Index j = 0; j < geometry_.count(); ++j) {
     BallMemory& ball = memory_[static_cast<std::size_t>(j)];
     ball.grooves = grooves_at(j, ring);
-    ball.place = all.segment<2>(5 + 2 * j);
+    ball.position = all.segment<2>(5 + 2 * j);
     BallForces at;
-    at.of(*this, ball.place, ball);
+    at.of(*this, ball.position, ball);
     remember(at, ball);
     ball.found = true;
   }
@@ -322,11 +322,11 @@ RingPlace MovingBallRow::put_places(const Eigen::VectorXd& all) {
   return ring;
 }
 
-mechanics::Imbalance<Eigen::Dynamic> MovingBallRow::all_forces(const Eigen::VectorXd& all) const {
+mechanics::Imbalance<Eigen::Dynamic> JonesRow::all_forces(const Eigen::VectorXd& all) const {
   const Eigen::Index size = all.size();
   mechanics::Imbalance<Eigen::Dynamic> sum{.force = Eigen::VectorXd::Zero(size),
                                            .stiffness = Eigen::MatrixXd::Zero(size, size)};
-  const RingPlace ring = all.head<5>();
+  const RingPosition ring = all.head<5>();
   BallForces at;
   for (Eigen::Index j = 0; j < geometry_.count(); ++j) {
     const Eigen::Index row = 5 + 2 * j;
@@ -339,7 +339,7 @@ mechanics::Imbalance<Eigen::Dynamic> MovingBallRow::all_forces(const Eigen::Vect
     sum.force.head<5>() += acts * at.ring();
     sum.force.segment<2>(row) = at.on_ball.force;
     sum.stiffness.topLeftCorner<5, 5>() -= acts * at.ring_by_grooves * grooves_by_ring;
-    sum.stiffness.block<5, 2>(0, row) = -acts * at.ring_by_place;
+    sum.stiffness.block<5, 2>(0, row) = -acts * at.ring_by_position;
     sum.stiffness.block<2, 5>(row, 0) = -at.ball_by_grooves * grooves_by_ring;
     sum.stiffness.block<2, 2>(row, row) = at.on_ball.stiffness;
     sum.scale += at.f.inner_load.value + at.f.outer_load.value;
@@ -348,11 +348,11 @@ mechanics::Imbalance<Eigen::Dynamic> MovingBallRow::all_forces(const Eigen::Vect
 }
 
 // By [Harris2006] the outer race controls where Q_o a_o E_o cos(a_i - a_o) > Q_i a_i E_i.
-bool MovingBallRow::choose_control() {
+bool JonesRow::choose_control() {
   if (law_.attitude != BallAttitude::race_control) return false;
   bool changed = false;
   for (std::size_t j = 0; j < memory_.size(); ++j) {
-    const MovingBall& ball = balls_[j];
+    const JonesBall& ball = balls_[j];
     const double inner =
         law_.inner.pivot / std::cbrt(law_.inner.constant) * std::pow(ball.inner_load, 4.0 / 3.0);
     const double outer =

@@ -24,8 +24,8 @@ Bearing bearing_218() {
           .material = {.youngs_modulus = 207e9, .poisson_ratio = 0.3, .density = 7800.0}};
 }
 
-RowMotion turning(double rpm, BallAttitude attitude = BallAttitude::minimum_friction,
-                  GyroscopicMoment moment = GyroscopicMoment::balanced) {
+RowMotion rotating(double rpm, BallAttitude attitude = BallAttitude::minimum_friction,
+                   GyroscopicMoment moment = GyroscopicMoment::balanced) {
   return {.speeds = {.inner = rpm * kRpm}, .inertia = {.attitude = attitude, .gyroscopic_moment = moment}};
 }
 
@@ -33,9 +33,10 @@ constexpr BallAttitude attitudes[] = {BallAttitude::minimum_friction, BallAttitu
                                       BallAttitude::race_control, BallAttitude::outer_race_control};
 
 // Computed by a separate program from the printed equations.
-TEST(MovingBalls, Bearing218AsPrinted) {
+TEST(JonesBalls, Bearing218AsPrinted) {
   const RingState state = balance_bearing(
-      bearing_218(), turning(10000.0, BallAttitude::outer_race_control, GyroscopicMoment::literature_variant),
+      bearing_218(),
+      rotating(10000.0, BallAttitude::outer_race_control, GyroscopicMoment::literature_variant),
       {.axial = 17800.0});
   ASSERT_TRUE(state.report.converged) << state.report.message;
   constexpr double kDigits = 1e-6;  // of the other program's solution
@@ -47,15 +48,15 @@ TEST(MovingBalls, Bearing218AsPrinted) {
 }
 
 // The races' moment on a ball is the rate of its angular momentum, here by differences in a frame at rest.
-TEST(MovingBalls, TheMomentIsTheRateOfAngularMomentum) {
+TEST(JonesBalls, TheMomentIsTheRateOfAngularMomentum) {
   const Bearing bearing = bearing_218();
   const BearingGeometry geometry = geometry_of(bearing);
   for (const RingSpeeds speeds :
        {RingSpeeds{1000.0, 0.0}, RingSpeeds{0.0, 700.0}, RingSpeeds{900.0, -500.0}}) {
-    MovingBallRow row(bearing, {.speeds = speeds});
+    JonesRow row(bearing, {.speeds = speeds});
     RingState state = balance_ring(row, {.axial = 17800.0});
     ASSERT_TRUE(state.report.converged);
-    const MovingBall& ball = row.balls().front();
+    const JonesBall& ball = row.balls().front();
     // x outward at the start, z along the axis, y where the ball goes.
     const auto momentum = [&](double time) {
       const Eigen::Vector3d spin(ball.motion.radial_spin, 0.0, ball.motion.axial_spin + ball.motion.orbit);
@@ -78,7 +79,7 @@ TEST(MovingBalls, TheMomentIsTheRateOfAngularMomentum) {
 }
 
 // Both centres of contact roll: ball and race have one speed there.
-TEST(MovingBalls, BallsRollOnBothRaces) {
+TEST(JonesBalls, BallsRollOnBothRaces) {
   const ContactNormal<double> inner{std::cos(0.8), std::sin(0.8)}, outer{std::cos(0.6), std::sin(0.6)};
   const RingSpeeds speeds{900.0, -200.0};
   constexpr double ball = 0.01, pitch = 0.06;
@@ -108,38 +109,39 @@ TEST(MovingBalls, BallsRollOnBothRaces) {
 
 // Each entry of the stiffness against differences of the forces, all closures, with unloaded balls among
 // them.
-TEST(MovingBalls, StiffnessIsTheSlopeOfTheForces) {
+TEST(JonesBalls, StiffnessIsTheSlopeOfTheForces) {
   const Bearing bearing = bearing_218();
   for (const BallAttitude attitude : attitudes)
     for (const auto& load :
          {RingLoad{.radial = 9000.0, .axial = 17800.0, .moment = 60.0, .moment_across = 30.0},
           RingLoad{.radial = 15000.0, .axial = 9000.0}}) {
-      const RowMotion motion = turning(9000.0, attitude);
+      const RowMotion motion = rotating(9000.0, attitude);
       const RingState state = balance_bearing(bearing, motion, load);
       ASSERT_TRUE(state.report.converged);
-      MovingBallRow row(bearing, motion);
-      const RingPlace place = place_of(state, row.lever());
+      JonesRow row(bearing, motion);
+      const RingPosition position = position_of(state, row.lever());
       RingState unused;
-      row.put_loads(place, unused);
+      row.put_loads(position, unused);
       row.choose_control();
-      const RingImbalance here = row_forces(row, place);
+      const RingImbalance here = row_forces(row, position);
       constexpr double step = 2e-9;  // [m]
       for (int i = 0; i < 5; ++i) {
-        const RingPlace aside = step * RingPlace::Unit(i);
-        const RingPlace slope =
-            (row_forces(row, place - aside).force - row_forces(row, place + aside).force) / (2.0 * step);
+        const RingPosition aside = step * RingPosition::Unit(i);
+        const RingPosition slope =
+            (row_forces(row, position - aside).force - row_forces(row, position + aside).force) /
+            (2.0 * step);
         EXPECT_NEAR((slope - here.stiffness.col(i)).norm() / here.stiffness.norm(), 0.0, 1e-6) << i;
       }
     }
 }
 
 // Nearly at rest the moving row, through all of its own equations, is the row at rest.
-TEST(MovingBalls, AtRestItIsTheStaticRow) {
+TEST(JonesBalls, AtRestItIsTheStaticRow) {
   const Bearing bearing = bearing_218();
   const RingLoad load{.radial = 4000.0, .axial = 17800.0, .moment = 50.0};
   const RingState still = balance_ring(BallRow(bearing), load);
   for (const BallAttitude attitude : attitudes) {
-    const RingState state = balance_bearing(bearing, turning(1e-4, attitude), load);
+    const RingState state = balance_bearing(bearing, rotating(1e-4, attitude), load);
     ASSERT_TRUE(state.report.converged);
     EXPECT_NEAR(state.axial / still.axial, 1.0, 1e-12);
     EXPECT_NEAR(state.radial / still.radial, 1.0, 1e-12);
@@ -148,27 +150,27 @@ TEST(MovingBalls, AtRestItIsTheStaticRow) {
     EXPECT_LT((state.stiffness - still.stiffness).norm() / still.stiffness.norm(), 1e-9);
     EXPECT_LT((state.stiffness - state.stiffness.transpose()).norm() / state.stiffness.norm(), 1e-10);
   }
-  EXPECT_EQ(balance_bearing(bearing, turning(0.0), load).axial, still.axial);
+  EXPECT_EQ(balance_bearing(bearing, rotating(0.0), load).axial, still.axial);
 }
 
 // Centrifugal force alone leaves an energy: stiffness is symmetric at all speeds but for what the orbit owes
 // to the contact angles; with it frozen, exactly.
-TEST(MovingBalls, WithoutMassSpeedsAreNotFelt) {
+TEST(JonesBalls, WithoutMassSpeedsAreNotFelt) {
   const Bearing bearing = bearing_218();
-  RowMotion motion = turning(12000.0);
+  RowMotion motion = rotating(12000.0);
   motion.inertia.enabled = false;
   const RingState state = balance_bearing(bearing, motion, {.axial = 17800.0});
   EXPECT_EQ(state.axial, balance_ring(BallRow(bearing), {.axial = 17800.0}).axial);
 }
 
 // An axial load that the inner ring carries is carried by the outer one, and the balls' forces close.
-TEST(MovingBalls, ForcesOfEachBallClose) {
+TEST(JonesBalls, ForcesOfEachBallClose) {
   const Bearing bearing = bearing_218();
   for (const BallAttitude attitude : attitudes) {
-    MovingBallRow row(bearing, turning(11000.0, attitude));
+    JonesRow row(bearing, rotating(11000.0, attitude));
     const RingState state = balance_ring(row, {.radial = 3000.0, .axial = 17800.0});
     ASSERT_TRUE(state.report.converged);
-    for (const MovingBall& ball : row.balls()) {
+    for (const JonesBall& ball : row.balls()) {
       const double along = ball.inner_load * ball.inner.sine + ball.inner_traction * ball.inner.cosine -
                            ball.outer_load * ball.outer.sine + ball.outer_traction * ball.outer.cosine;
       const double outward = ball.inner_load * ball.inner.cosine - ball.inner_traction * ball.inner.sine -
@@ -182,22 +184,22 @@ TEST(MovingBalls, ForcesOfEachBallClose) {
 
 // Forces at the points of contact, with their arms in space, hold the moments on the ring: those of traction
 // too.
-TEST(MovingBalls, ForcesAtTheContactsHoldTheMoments) {
+TEST(JonesBalls, ForcesAtTheContactsHoldTheMoments) {
   const Bearing bearing = bearing_218();
   const RingLoad load{.radial = 3000.0, .axial = 17800.0, .moment = 40.0, .moment_across = -25.0};
   for (const BallAttitude attitude : attitudes) {
-    MovingBallRow row(bearing, turning(11000.0, attitude));
+    JonesRow row(bearing, rotating(11000.0, attitude));
     ASSERT_TRUE(balance_ring(row, load).report.converged);
     const double groove = 0.5232 * 22.23e-3;  // [m]
     Eigen::Vector3d moment = Eigen::Vector3d::Zero();
     for (Eigen::Index j = 0; j < 16; ++j) {
-      const MovingBall& ball = row.balls()[static_cast<std::size_t>(j)];
+      const JonesBall& ball = row.balls()[static_cast<std::size_t>(j)];
       const auto [cosine, sine] = row.geometry().direction(j);
       const Eigen::Vector3d outward(cosine, sine, 0.0), along = Eigen::Vector3d::UnitZ();
       const Eigen::Vector3d normal = ball.inner.cosine * outward + ball.inner.sine * along;
       const Eigen::Vector3d across = ball.inner.cosine * along - ball.inner.sine * outward;
-      const Eigen::Vector3d place = row.lever() * outward - groove * normal;
-      moment += place.cross(-ball.inner_load * normal - ball.inner_traction * across);
+      const Eigen::Vector3d position = row.lever() * outward - groove * normal;
+      moment += position.cross(-ball.inner_load * normal - ball.inner_traction * across);
     }
     EXPECT_NEAR(moment.x(), -load.moment_across, 1e-7);
     EXPECT_NEAR(moment.y(), load.moment, 1e-7);
@@ -205,25 +207,25 @@ TEST(MovingBalls, ForcesAtTheContactsHoldTheMoments) {
 }
 
 // A bearing turned about its axis carries a turned load alike: one ball pitch further nothing has changed.
-TEST(MovingBalls, OnePitchFurtherNothingChanges) {
+TEST(JonesBalls, OnePitchFurtherNothingChanges) {
   Bearing bearing = bearing_218();
   const RingLoad load{.radial = 5000.0, .axial = 12000.0, .moment = 20.0};
-  const RingState one = balance_bearing(bearing, turning(8000.0), load);
+  const RingState one = balance_bearing(bearing, rotating(8000.0), load);
   bearing.first_element = 2.0 * constants::pi / 16.0;
-  const RingState other = balance_bearing(bearing, turning(8000.0), load);
+  const RingState other = balance_bearing(bearing, rotating(8000.0), load);
   EXPECT_NEAR(one.radial / other.radial, 1.0, 1e-9);
   EXPECT_NEAR((one.stiffness - other.stiffness).norm() / one.stiffness.norm(), 0.0, 1e-7);
 }
 
 // A ball that a radial load does not reach runs in the outer groove with the kinematic speed of the cage, and
 // presses on it by its centrifugal force.
-TEST(MovingBalls, ABallThatLeftTheInnerRaceOrbitsWithTheCage) {
+TEST(JonesBalls, ABallThatLeftTheInnerRaceOrbitsWithTheCage) {
   const Bearing bearing = bearing_218();
   const BearingGeometry geometry = geometry_of(bearing);
   const double cage = 0.5 * 8000.0 * kRpm * (1.0 - geometry.element_radius / geometry.pitch_radius);
   const double thrown = geometry.element_mass * geometry.pitch_radius * cage * cage;
   for (const BallAttitude attitude : attitudes) {
-    const RingState state = balance_bearing(bearing, turning(8000.0, attitude),
+    const RingState state = balance_bearing(bearing, rotating(8000.0, attitude),
                                             {.radial = 15000.0, .axial = 6000.0, .tilt = 0.0});
     ASSERT_TRUE(state.report.converged) << state.report.message;
     int unloaded = 0;
@@ -239,31 +241,31 @@ TEST(MovingBalls, ABallThatLeftTheInnerRaceOrbitsWithTheCage) {
 
 // Newton's method alone, from the bearing at rest, finds no balance of a light load on balls that are thrown
 // outward; the path from the centrifugal force alone leads to one, at which the row's own forces close.
-TEST(MovingBalls, APathLeadsWhereNewtonStops) {
+TEST(JonesBalls, APathLeadsWhereNewtonStops) {
   const Bearing bearing = bearing_218();
   const RowMotion motion{.speeds = {.outer = 10000.0 * kRpm}};
   const RingLoad load{.radial = 2000.0, .axial = 500.0};
-  MovingBallRow row(bearing, motion);
-  const RingPlace at_rest = place_of(balance_ring(BallRow(bearing), load), row.lever());
+  JonesRow row(bearing, motion);
+  const RingPosition at_rest = position_of(balance_ring(BallRow(bearing), load), row.lever());
   EXPECT_FALSE(balance_ring(row, load, at_rest).report.converged && row.settled());
   const RingState state = balance_bearing(bearing, motion, load);
   ASSERT_TRUE(state.report.converged) << state.report.message;
-  MovingBallRow again(bearing, motion);
-  const RingImbalance borne = row_forces(again, place_of(state, again.lever()));
+  JonesRow again(bearing, motion);
+  const RingImbalance borne = row_forces(again, position_of(state, again.lever()));
   ASSERT_TRUE(again.settled());
   EXPECT_LT((borne.force + outer_load(load, again.lever())).norm(), 1e-6 * borne.scale);
 }
 
 // A bearing at 40 degrees whose axial load is far too small for its radial one, with nothing to hold its
 // tilt.
-TEST(MovingBalls, BallsPressedBeyondTheirGroovesAreNamed) {
+TEST(JonesBalls, BallsPressedBeyondTheirGroovesAreNamed) {
   const RingState state =
-      balance_bearing(bearing_218(), turning(10000.0), {.radial = 12000.0, .axial = 2000.0});
+      balance_bearing(bearing_218(), rotating(10000.0), {.radial = 12000.0, .axial = 2000.0});
   EXPECT_FALSE(state.report.converged);
   EXPECT_SAID("beyond grooves", state.report.message);
 }
 
-TEST(MovingBalls, EitherRingMayTurn) {
+TEST(JonesBalls, EitherRingMayTurn) {
   const Bearing bearing = bearing_218();
   RowMotion motion;
   motion.speeds.outer = 6000.0 * kRpm;

@@ -2,14 +2,14 @@
 // the others.
 #include "mechanics/packs/instruction_set.hpp"
 
-#ifdef ORBEARING_HAS_AVX2
-#define ORBEARING_PACKS packs_avx2_level
-#include "bearing/equilibrium/level_packs.hpp"
+#ifdef ORBEARING_HAS_AVX512
+#define ORBEARING_PACKS packs_avx512_aligned
+#include "bearing/equilibrium/aligned_packs.hpp"
 
 namespace orbearing::bearing::vectorised {
 
-LevelEngine* avx2_level_engine(const LevelConstants& constants) {
-  return new packs_avx2_level::PackEquilibrium(constants);
+AlignedEngine* avx512_aligned_engine(const AlignedConstants& constants) {
+  return new packs_avx512_aligned::PackEquilibrium(constants);
 }
 
 }  // namespace orbearing::bearing::vectorised

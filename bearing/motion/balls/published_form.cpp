@@ -1,4 +1,4 @@
-#include "bearing/motion/balls/printed_form.hpp"
+#include "bearing/motion/balls/published_form.hpp"
 
 #include <cmath>
 #include <stdexcept>
@@ -9,13 +9,13 @@ namespace orbearing::bearing::balls {
 
 namespace {
 
-constexpr double kShift = 1e-9;        // [m]    of a place, for the slopes
-constexpr double kBalanced = 1e-3;     // [N]    of loads of hundreds: some 1e-10 m
-constexpr double kSlow = 0.3;          // [-]    of a step of the search: slopes are renewed
-constexpr double kUntouched = 1e3;    // [N/m]  more than its inertia slopes, less than any contact does
+constexpr double kShift = 1e-9;     // [m]    of a place, for the slopes
+constexpr double kBalanced = 1e-3;  // [N]    of loads of hundreds: some 1e-10 m
+constexpr double kSlow = 0.3;       // [-]    of a step of the search: slopes are renewed
+constexpr double kUntouched = 1e3;  // [N/m]  more than its inertia slopes, less than any contact does
 constexpr int kMostSteps = 60;
 constexpr int kMostHalves = 12;
-constexpr double kLongest = 2e-5;      // [m]    of a step
+constexpr double kLongest = 2e-5;  // [m]    of a step
 
 BallNumbers without_friction(BallNumbers c) {
   c.shear.law = ShearLaw::coulomb;
@@ -26,8 +26,10 @@ BallNumbers without_friction(BallNumbers c) {
 
 }  // namespace
 
-PrintedForm::PrintedForm(BallBearing& bearing)
-    : bearing_(bearing), smooth_(without_friction(bearing.numbers()), bearing.duty()), balls_(bearing.layout().balls) {
+PublishedForm::PublishedForm(BallBearing& bearing)
+    : bearing_(bearing),
+      smooth_(without_friction(bearing.numbers()), bearing.duty()),
+      balls_(bearing.layout().balls) {
   const StateLayout& layout = bearing.layout();
   const BallNumbers& c = bearing.numbers();
   const bool inner = c.inner_ring.mass > 0.0, outer = c.outer_ring.mass > 0.0;
@@ -36,15 +38,15 @@ PrintedForm::PrintedForm(BallBearing& bearing)
   if (outer) ring_ = layout.outer();
   x_.assign(static_cast<std::size_t>(layout.size()), 0.0);
   rate_ = x_;
-  const Eigen::Index places = 2 * balls_ + (ring_ >= 0 ? kRingUnknowns : 0);
-  inertia_ = Eigen::VectorXd::Constant(places, c.mass);
+  const Eigen::Index positions = 2 * balls_ + (ring_ >= 0 ? kRingUnknowns : 0);
+  inertia_ = Eigen::VectorXd::Constant(positions, c.mass);
   const BodyNumbers& body = outer ? c.outer_ring : c.inner_ring;
-  for (Eigen::Index i = 2 * balls_; i < places; ++i)
+  for (Eigen::Index i = 2 * balls_; i < positions; ++i)
     inertia_[i] = i < 2 * balls_ + 3 ? body.mass : body.across / c.pitch_radius;
 }
 
 // Balls' radii, their axial places, then the ring's: by so many metres, of a tilt at the pitch circle.
-void PrintedForm::move(Eigen::Index i, double by) {
+void PublishedForm::move(Eigen::Index i, double by) {
   const int lanes = bearing_.layout().lanes();
   const auto at = [&](Eigen::Index index) -> double& { return x_[static_cast<std::size_t>(index)]; };
   if (i < balls_)
@@ -55,7 +57,7 @@ void PrintedForm::move(Eigen::Index i, double by) {
     at(ring_ + i - 2 * balls_) += i < 2 * balls_ + 3 ? by : by / bearing_.numbers().pitch_radius;
 }
 
-Eigen::VectorXd PrintedForm::unbalanced(double time) {
+Eigen::VectorXd PublishedForm::unbalanced(double time) {
   const int lanes = bearing_.layout().lanes();
   smooth_.derivative(time, x_.data(), rate_.data());
   Eigen::VectorXd force(inertia_.size());
@@ -68,7 +70,7 @@ Eigen::VectorXd PrintedForm::unbalanced(double time) {
   return force.cwiseProduct(inertia_);
 }
 
-void PrintedForm::differentiate(double time) {
+void PublishedForm::differentiate(double time) {
   const Eigen::Index n = inertia_.size();
   Eigen::MatrixXd slope(n, n);
   for (Eigen::Index i = 0; i < n; ++i) {
@@ -84,7 +86,7 @@ void PrintedForm::differentiate(double time) {
   differentiated_ = true;
 }
 
-const std::vector<double>& PrintedForm::complete(double time, const double* y) {
+const std::vector<double>& PublishedForm::complete(double time, const double* y) {
   const StateLayout& layout = bearing_.layout();
   const int lanes = layout.lanes();
   for (int j = 0; j < balls_; ++j) {
@@ -126,13 +128,15 @@ const std::vector<double>& PrintedForm::complete(double time, const double* y) {
   return x_;
 }
 
-std::vector<double> PrintedForm::reduced(const std::vector<double>& complete) {
+std::vector<double> PublishedForm::reduced(const std::vector<double>& complete) {
   const StateLayout& layout = bearing_.layout();
   const int lanes = layout.lanes();
   std::vector<double> y(static_cast<std::size_t>(size()), 0.0);
   const auto from = [&](int i) { return complete[static_cast<std::size_t>(i)]; };
   for (int j = 0; j < balls_; ++j) {
-    const auto put = [&](int group, double value) { y[static_cast<std::size_t>(group * balls_ + j)] = value; };
+    const auto put = [&](int group, double value) {
+      y[static_cast<std::size_t>(group * balls_ + j)] = value;
+    };
     put(0, from(lanes + j));
     put(1, from(4 * lanes + j));
     for (int i = 0; i < 3; ++i) put(2 + i, from((6 + i) * lanes + j));
@@ -151,12 +155,13 @@ std::vector<double> PrintedForm::reduced(const std::vector<double>& complete) {
   for (const int ring : {layout.inner(), layout.outer()})
     for (int i = 0; i < kRingUnknowns; ++i) x_[static_cast<std::size_t>(ring + kRingUnknowns + i)] = 0.0;
   for (const int i : {3, 4})
-    x_[static_cast<std::size_t>(layout.cage() + i)] = x_[static_cast<std::size_t>(layout.cage() + kCageUnknowns + i)] = 0.0;
+    x_[static_cast<std::size_t>(layout.cage() + i)] =
+        x_[static_cast<std::size_t>(layout.cage() + kCageUnknowns + i)] = 0.0;
   differentiated_ = false;
   return y;
 }
 
-void PrintedForm::derivative(double time, const double* y, double* dy) {
+void PublishedForm::derivative(double time, const double* y, double* dy) {
   const StateLayout& layout = bearing_.layout();
   const int lanes = layout.lanes();
   complete(time, y);

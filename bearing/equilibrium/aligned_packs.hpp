@@ -1,7 +1,7 @@
 // Equilibria of one bearing whose rollers stay aligned, dry, one cage angle a lane: the model of
 // lamina_bearing by Newton's method on the rings' displacement and all rollers at once.
 //
-// In the lengths of LevelConstants a squeezed roller with inertial load I and e = |I| has
+// In the lengths of AlignedConstants a squeezed roller with inertial load I and e = |I| has
 //   Q(y) - Q(x) = e,   x + y = A = -half clearance - u . e_r,   Q(x) = sum over laminae share (x -
 //   drop)_+^(10/9)
 // with x on the race that feels the squeeze alone. Eliminating x roller by roller leaves two equations for u.
@@ -11,7 +11,7 @@
 #pragma once
 
 #include "bearing/contact/line_law.hpp"
-#include "bearing/equilibrium/level_engine.hpp"
+#include "bearing/equilibrium/aligned_engine.hpp"
 #include "mechanics/packs/aligned_array.hpp"
 #include "mechanics/packs/elementary.hpp"
 #include "mechanics/packs/powers.hpp"
@@ -141,12 +141,13 @@ struct CutContact {
   Pack load{}, root{};
 };
 
-class LevelContacts {
+class AlignedContacts {
  public:
   static constexpr double kBend = 1.0;    // curvature of the law of a contact, from above
   static constexpr double kOnset = 0.01;  // share of a step's load that these bear, as a rule
 
-  explicit LevelContacts(const LevelConstants& constants) : c_(constants), load_at_drop_(constants.laminae) {
+  explicit AlignedContacts(const AlignedConstants& constants)
+      : c_(constants), load_at_drop_(constants.laminae) {
     for (int k = 0; k < c_.laminae; ++k) load_at_drop_[k] = contact(spread(c_.drop[k])).load.low[0];
   }
 
@@ -157,7 +158,7 @@ class LevelContacts {
 
   /// Loads of all laminae at the balance.
   void put(const AlignedArray<RollerUnknown>& rollers, int count, const PlaneVector& u, double half_clearance,
-           int first, const LevelOutput& output) const {
+           int first, const AlignedOutput& output) const {
     if (output.lamina_loads == nullptr) return;
     for (int j = 0; j < count; ++j) {
       const RollerUnknown& roller = rollers[j];
@@ -214,16 +215,17 @@ class LevelContacts {
     }
   }
 
-  LevelConstants c_;
+  AlignedConstants c_;
   AlignedArray<double> load_at_drop_;  // [N]  (laminae)
 };
 
-class PackEquilibrium final : public LevelEngine {
+class PackEquilibrium final : public AlignedEngine {
  public:
-  explicit PackEquilibrium(const LevelConstants& constants)
+  explicit PackEquilibrium(const AlignedConstants& constants)
       : c_(constants), contacts_(constants), roller_(constants.rollers) {}
 
-  void solve(const LevelInput& input, LevelOutput& output, double* inner_load, double* outer_load) override {
+  void solve(const AlignedInput& input, AlignedOutput& output, double* inner_load,
+             double* outer_load) override {
     for (int first = 0; first < kBlock; first += kLanes) solve(input, first, output, inner_load, outer_load);
   }
 
@@ -236,9 +238,10 @@ class PackEquilibrium final : public LevelEngine {
   static constexpr double kTrusted = 0.1;      // error of a force whose sign is relied on
   static constexpr double kRoundOff = 1e-15;   // of the lengths whose difference is the approach
 
-  void solve(const LevelInput& input, int first, LevelOutput& output, double* inner_load, double* outer_load);
-  void place_rollers(const LevelInput& input, int first);
-  void start(const LevelInput& input, int first);
+  void solve(const AlignedInput& input, int first, AlignedOutput& output, double* inner_load,
+             double* outer_load);
+  void place_rollers(const AlignedInput& input, int first);
+  void start(const AlignedInput& input, int first);
   RingBalance balance(const Mask& done);
   void balance_roller(RollerUnknown& roller, const Mask& done, RingBalance& sums) const;
   PlaneVector newton_step(const RingBalance& now) const;
@@ -248,8 +251,8 @@ class PackEquilibrium final : public LevelEngine {
     return kRoundOff * (absolute(u_.x) + absolute(u_.y) + 2.0 * __builtin_fabs(c_.half_clearance));
   }
 
-  LevelConstants c_;
-  LevelContacts contacts_;
+  AlignedConstants c_;
+  AlignedContacts contacts_;
   AlignedArray<RollerUnknown> roller_;
   PlaneVector load_;   // [N]      on the outer ring
   Pack scale_;         // [N]      largest force at hand
@@ -261,7 +264,7 @@ class PackEquilibrium final : public LevelEngine {
   Mask trusted_;       // that force was known well enough to judge the step by
 };
 
-inline void PackEquilibrium::place_rollers(const LevelInput& input, int first) {
+inline void PackEquilibrium::place_rollers(const AlignedInput& input, int first) {
   const auto [sine, cosine] = sine_cosine(load(input.first_roller + first));
   const Pack steady = load(input.steady + first), by_x = load(input.cosine + first),
              by_y = load(input.sine + first);
@@ -287,7 +290,7 @@ inline void PackEquilibrium::place_rollers(const LevelInput& input, int first) {
   reach_ = 2.0 * __builtin_fabs(c_.half_clearance) + 2.5 * rough_power(forces, kLineApproachExponent);
 }
 
-inline void PackEquilibrium::start(const LevelInput& input, int first) {
+inline void PackEquilibrium::start(const AlignedInput& input, int first) {
   u_ = input.near_rollers == nullptr ? starting_displacement(roller_, c_.rollers, c_.half_clearance, load_)
                                      : PlaneVector{load(input.start_x + first), load(input.start_y + first)};
   moved_ = trial_ = {};
@@ -335,8 +338,8 @@ inline void PackEquilibrium::balance_roller(RollerUnknown& roller, const Mask& d
   sums.k_yy += stiffness * roller.e_y * roller.e_y;
   // The step leaves an error of its square over the load, times the bend of the law.
   const Mask counts = (approach > 0.0) & ((x > 0.0) | (residual > 0.0));
-  const Pack error = LevelContacts::kBend * (residual * residual) * (inverse * (root_x + root_y)) +
-                     LevelContacts::kOnset * size;
+  const Pack error = AlignedContacts::kBend * (residual * residual) * (inverse * (root_x + root_y)) +
+                     AlignedContacts::kOnset * size;
   sums.error += only(counts, error);
   roller.x = x;
   roller.step = select(squeezed, step, -x);
@@ -383,7 +386,7 @@ inline Mask PackEquilibrium::move(const RingBalance& now, const Mask& done, bool
   return lost;
 }
 
-inline void PackEquilibrium::solve(const LevelInput& input, int first, LevelOutput& output,
+inline void PackEquilibrium::solve(const AlignedInput& input, int first, AlignedOutput& output,
                                    double* inner_load, double* outer_load) {
   place_rollers(input, first);
   start(input, first);

@@ -1,6 +1,6 @@
 // Issue 16, Build 8: bearings by designation, clearance class and cage material; full complement; without
 // rings.
-#include "app/case/bought_case.hpp"
+#include "app/case/catalogue_case.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 #include "app/case/unused_inputs.hpp"
 #include "app/study/planetary_case.hpp"
 #include "bearing/catalogue/inference.hpp"
-#include "bearing/usual_design.hpp"
+#include "bearing/default_design.hpp"
 #include "tests/unit/app_case/small_case.hpp"
 
 namespace orbearing::app::bought_case_test {
@@ -57,7 +57,7 @@ bearing: {)" +
          bearing + "}\n";
 }
 
-const std::string kBought =
+const std::string kCatalogue =
     "designation: NU 204, per_planet: 2, clearance_class: CN, cage: {material: brass}";
 const std::string kNeedles =
     "type: cylindrical-roller, per_planet: 1, roller_diameter: 5 mm, roller_length: 20 mm, pitch_diameter: "
@@ -70,7 +70,7 @@ ResolvedCase of(const std::string& text, const std::vector<std::string>& setting
   return parse_case(text, "case.yaml", settings);
 }
 
-TEST(BoughtBearing, DesignationGivesRollersRingsAndRating) {
+TEST(CatalogueBearing, DesignationGivesRollersRingsAndRating) {
   const ResolvedCase in = of(kByDesignation);
   const bearing::catalogue::Inside inside =
       bearing::catalogue::inside_of(*bearing::catalogue::find("NU 205"));
@@ -84,7 +84,7 @@ TEST(BoughtBearing, DesignationGivesRollersRingsAndRating) {
   EXPECT_EQ(in.origin("bearing.rollers"), "default");
 }
 
-TEST(BoughtBearing, DesignationGivesBallsAndTheirAngle) {
+TEST(CatalogueBearing, DesignationGivesBallsAndTheirAngle) {
   const ResolvedCase in = of(kBallsByDesignation);
   EXPECT_EQ(in.integer("bearing.balls"), 9);
   EXPECT_DOUBLE_EQ(in.quantity("bearing.radial_clearance"), 20.5 * kUm);
@@ -95,16 +95,16 @@ TEST(BoughtBearing, DesignationGivesBallsAndTheirAngle) {
 }
 
 // What the resolved case says when it is read again is the same case.
-TEST(BoughtBearing, ResolvedCaseReadAgainIsTheSame) {
+TEST(CatalogueBearing, ResolvedCaseReadAgainIsTheSame) {
   for (const std::string& text :
-       {kByDesignation, kBallsByDesignation, planet(kBought), planet(kNeedles + kCage)}) {
+       {kByDesignation, kBallsByDesignation, planet(kCatalogue), planet(kNeedles + kCage)}) {
     const std::string written = write_resolved(of(text));
     EXPECT_EQ(write_resolved(of(written)), written);
   }
 }
 
 // As an oil's grade: what is stated beside it has no effect, and that is said.
-TEST(BoughtBearing, StatedGeometryBesideADesignationHasNoEffectAndIsWarnedOf) {
+TEST(CatalogueBearing, StatedGeometryBesideADesignationHasNoEffectAndIsWarnedOf) {
   const ResolvedCase in =
       of(kByDesignation, {"bearing.pitch_diameter=40 mm", "bearing.radial_clearance=12 um"});
   EXPECT_DOUBLE_EQ(in.quantity("bearing.pitch_diameter"), 39e-3);
@@ -116,7 +116,7 @@ TEST(BoughtBearing, StatedGeometryBesideADesignationHasNoEffectAndIsWarnedOf) {
   EXPECT_THAT(idle_inputs(of(kByDesignation)), IsEmpty());
 }
 
-TEST(BoughtBearing, WhatIsNotKnownIsRefused) {
+TEST(CatalogueBearing, WhatIsNotKnownIsRefused) {
   EXPECT_THAT(mistakes(kByDesignation, {"bearing.designation=NU 9999"}),
               Contains(HasSubstr("none of the choices")));
   EXPECT_THAT(mistakes(kByDesignation, {"bearing.designation=NU 9999"}), Not(Contains(HasSubstr("missing"))));
@@ -129,30 +129,31 @@ TEST(BoughtBearing, WhatIsNotKnownIsRefused) {
               Contains(HasSubstr("angular-contact")));
   EXPECT_THAT(mistakes(bearing_case, {"bearing.clearance_class=C3"}),
               ElementsAre(HasSubstr("bearing.designation or bearing.bore beside it is required")));
-  EXPECT_THAT(mistakes(planet(kBought), {"bearing.clearance_state=operating"}),
+  EXPECT_THAT(mistakes(planet(kCatalogue), {"bearing.clearance_state=operating"}),
               ElementsAre(HasSubstr("a class is that of a bearing on the shelf")));
 }
 
 // Issue 44, first use 12 and 13: what would give the missing value is named.
-TEST(BoughtBearing, WhatIsMissingNamesWhatWouldGiveIt) {
+TEST(CatalogueBearing, WhatIsMissingNamesWhatWouldGiveIt) {
   EXPECT_THAT(mistakes(replaced(kBallsByDesignation, ", clearance_class: C3", "")),
-              Contains(AllOf(HasSubstr("bearing.radial_clearance: missing"), HasSubstr("or bearing.clearance_class in its place"))));
+              Contains(AllOf(HasSubstr("bearing.radial_clearance: missing"),
+                             HasSubstr("or bearing.clearance_class in its place"))));
   EXPECT_THAT(mistakes(kByDesignation, {"bearing.designation=NU 9999", "bearing.clearance_class=C3"}),
               Not(Contains(HasSubstr("bearing.clearance_class"))));
 }
 
 // Issue 44, item 11: lines of a scratched 6205 by its inferred inside, 106.94 for 107.36 Hz.
-TEST(BoughtBearing, AnInferredInsideIsWarnedOf) {
-  const auto of_balls = AllOf(HasSubstr("bearing.designation: the inside of"), HasSubstr("inferred"), HasSubstr("uncertain"),
-                              HasSubstr("by 2 %"));
+TEST(CatalogueBearing, AnInferredInsideIsWarnedOf) {
+  const auto of_balls = AllOf(HasSubstr("bearing.designation: the inside of"), HasSubstr("inferred"),
+                              HasSubstr("uncertain"), HasSubstr("by 2 %"));
   EXPECT_THAT(inferred_warnings(of(kBallsByDesignation)), ElementsAre(of_balls));
   EXPECT_THAT(require_used(of(kBallsByDesignation), use::static_load), Contains(of_balls));
   EXPECT_THAT(inferred_warnings(shipped()), IsEmpty());
 }
 
 // 16.7: the class is the clearance from which fits, temperatures and speeds make the operating one.
-TEST(BoughtBearing, ClassIsTheUnmountedClearanceOfAPlanetBearing) {
-  const ResolvedCase in = of(planet(kBought), {"bearing.fit.inner_interference=8 um"});
+TEST(CatalogueBearing, ClassIsTheUnmountedClearanceOfAPlanetBearing) {
+  const ResolvedCase in = of(planet(kCatalogue), {"bearing.fit.inner_interference=8 um"});
   EXPECT_EQ(in.choice("bearing.clearance_state"), "unmounted");
   const study::PlanetaryDrivetrain drivetrain = bearing_sets(in).front().drivetrain;
   const bearing::ClearanceChain chain = study::clearance_chain(drivetrain);
@@ -160,17 +161,17 @@ TEST(BoughtBearing, ClassIsTheUnmountedClearanceOfAPlanetBearing) {
   EXPECT_LT(chain.fitted, 32.5 * kUm - 5.0 * kUm);
   EXPECT_DOUBLE_EQ(drivetrain.bearing.radial_clearance, chain.operating);
   std::vector<std::string> shown;
-  for (const Derived& row : bought_quantities(in))
+  for (const Derived& row : catalogue_quantities(in))
     shown.push_back(fmt::format("{} {:g}", row.path, row.value));
   EXPECT_THAT(shown,
               AllOf(Contains("bearing.clearance_class.least 20"), Contains("bearing.clearance_class.most 45"),
                     Contains("bearing.catalogue.dynamic_rating 25700")));
 }
 
-TEST(BoughtBearing, MaterialOfACageIsItsDensityAndStiffness) {
+TEST(CatalogueBearing, MaterialOfACageIsItsDensityAndStiffness) {
   double stiffness = 0.0;
   for (const char* name : {"polyamide", "brass", "steel"}) {
-    const ResolvedCase in = of(planet(kBought), {fmt::format("bearing.cage.material={}", name)});
+    const ResolvedCase in = of(planet(kCatalogue), {fmt::format("bearing.cage.material={}", name)});
     EXPECT_DOUBLE_EQ(in.quantity("bearing.cage.density"), bearing::cage_material(name).density);
     EXPECT_GT(in.quantity("bearing.cage.pocket_stiffness"), stiffness) << name;
     stiffness = in.quantity("bearing.cage.pocket_stiffness");

@@ -7,14 +7,14 @@
 
 namespace orbearing::app {
 
-inline study::PlanetaryDrivetrain usual_drivetrain() {
+inline study::PlanetaryDrivetrain default_drivetrain() {
   study::PlanetaryDrivetrain drivetrain;
   drivetrain.steady_state.observed_windows = 10;
   drivetrain.steady_state.integration.method = integration::Method::linearly_implicit;
   return drivetrain;
 }
 
-inline study::GearDynamicsChoice usual_gears() {
+inline study::GearDynamicsChoice default_gears() {
   study::GearDynamicsChoice gears;
   gears.sun.support_stiffness = 1e8;
   gears.ring.support_stiffness = 1e9;

@@ -1,4 +1,4 @@
-#include "bearing/equilibrium/level_pitch.hpp"
+#include "bearing/equilibrium/aligned_pitch.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -36,20 +36,21 @@ void make_room(int positions, int rollers, PitchResults& results) {
   results.reports.assign(static_cast<std::size_t>(positions), {});
 }
 
-LevelEngine* make_engine([[maybe_unused]] mechanics::InstructionSet set, const LevelConstants& constants) {
+AlignedEngine* make_engine([[maybe_unused]] mechanics::InstructionSet set,
+                           const AlignedConstants& constants) {
 #ifdef ORBEARING_HAS_AVX512
-  if (set == mechanics::InstructionSet::avx512) return avx512_level_engine(constants);
+  if (set == mechanics::InstructionSet::avx512) return avx512_aligned_engine(constants);
 #endif
 #ifdef ORBEARING_HAS_AVX2
-  if (set == mechanics::InstructionSet::avx2) return avx2_level_engine(constants);
+  if (set == mechanics::InstructionSet::avx2) return avx2_aligned_engine(constants);
 #endif
-  return baseline_level_engine(constants);
+  return baseline_aligned_engine(constants);
 }
 
 }  // namespace
 
-std::optional<LevelPitch> LevelPitch::of(const Bearing& bearing, const QuasiStaticOptions& options,
-                                         mechanics::InstructionSet set) {
+std::optional<AlignedPitch> AlignedPitch::of(const Bearing& bearing, const QuasiStaticOptions& options,
+                                             mechanics::InstructionSet set) {
   if (!is_round(bearing) || options.film) return std::nullopt;
   const std::vector<double> drops = laminae::lamina_drops(bearing, Race::inner);
   if (!are_same(drops, {drops.rbegin(), drops.rend()}) ||
@@ -70,11 +71,11 @@ std::optional<LevelPitch> LevelPitch::of(const Bearing& bearing, const QuasiStat
     laminae.share.back() += 1.0 / static_cast<double>(drops.size());
     laminae.lamina_of[k] = laminae.drop.size() - 1;
   }
-  return LevelPitch(bearing, options, std::move(laminae), set);
+  return AlignedPitch(bearing, options, std::move(laminae), set);
 }
 
-LevelPitch::LevelPitch(const Bearing& bearing, const QuasiStaticOptions& options, UnlikeLaminae laminae,
-                       mechanics::InstructionSet set)
+AlignedPitch::AlignedPitch(const Bearing& bearing, const QuasiStaticOptions& options, UnlikeLaminae laminae,
+                           mechanics::InstructionSet set)
     : bearing_(bearing),
       geometry_(geometry_of(bearing)),
       options_(options),
@@ -101,7 +102,7 @@ LevelPitch::LevelPitch(const Bearing& bearing, const QuasiStaticOptions& options
 }
 
 // The inertial load of a roller is radial_inertial_acceleration() on the pitch circle, split by its angle.
-void LevelPitch::put(const OperatingPoint& point, double first_roller, int lane) {
+void AlignedPitch::put(const OperatingPoint& point, double first_roller, int lane) {
   const CarrierFrame frame = carrier_frame(point.carrier, options_.inertia);
   const double cage_speed = kinematic_cage_speed(geometry_, point.inner_speed, point.outer_speed);
   const double mass = geometry_.element_mass;
@@ -117,7 +118,7 @@ void LevelPitch::put(const OperatingPoint& point, double first_roller, int lane)
       std::abs(first_roller) < 1e6 ? first_roller : std::remainder(first_roller, two_pi);
 }
 
-void LevelPitch::start_near(const OperatingPoint& point, const PitchResults& near, int position, int lane) {
+void AlignedPitch::start_near(const OperatingPoint& point, const PitchResults& near, int position, int lane) {
   const Eigen::Vector2d at = near.displacement.col(position).matrix() / unit_length_;
   const Eigen::Vector2d moved =
       mechanics::lengths_under<2>(Eigen::Vector2d(point.bore_load - near.load),
@@ -130,7 +131,7 @@ void LevelPitch::start_near(const OperatingPoint& point, const PitchResults& nea
 }
 
 // `count` cage angles of the block, those from `first` on of the pitch.
-void LevelPitch::take(Eigen::Index first, Eigen::Index count, PitchResults& results) const {
+void AlignedPitch::take(Eigen::Index first, Eigen::Index count, PitchResults& results) const {
   for (Eigen::Index j = 0; j < results.inner_load.cols(); ++j) {
     std::copy_n(inner_.data() + j * kBlock, count, results.inner_load.col(j).data() + first);
     std::copy_n(outer_.data() + j * kBlock, count, results.outer_load.col(j).data() + first);
@@ -150,13 +151,13 @@ void LevelPitch::take(Eigen::Index first, Eigen::Index count, PitchResults& resu
   }
 }
 
-void LevelPitch::solve(const OperatingPoint& point, PitchResults& results, const PitchResults* near) {
+void AlignedPitch::solve(const OperatingPoint& point, PitchResults& results, const PitchResults* near) {
   solve(point, results, near, nullptr);
 }
 
 // `lamina_loads` has room for the loads of all blocks.
-void LevelPitch::solve(const OperatingPoint& point, PitchResults& results, const PitchResults* near,
-                       double* lamina_loads) {
+void AlignedPitch::solve(const OperatingPoint& point, PitchResults& results, const PitchResults* near,
+                         double* lamina_loads) {
   require_finite(point);
   const int positions = options_.cage_positions, rollers = bearing_.rollers().count;
   make_room(positions, rollers, results);
@@ -181,8 +182,8 @@ void LevelPitch::solve(const OperatingPoint& point, PitchResults& results, const
   }
 }
 
-std::optional<QuasiStaticResult> LevelPitch::under(const laminae::LaminaBearing& bearing,
-                                                   const OperatingPoint& point, const PitchResults* near) {
+std::optional<QuasiStaticResult> AlignedPitch::under(const laminae::LaminaBearing& bearing,
+                                                     const OperatingPoint& point, const PitchResults* near) {
   const int positions = options_.cage_positions, rollers = bearing_.rollers().count;
   const auto stride = static_cast<std::size_t>(rollers) * kBlock;  // from one unlike lamina to the next
   const std::size_t of_one_race = laminae_.drop.size() * stride,
@@ -204,13 +205,13 @@ std::optional<QuasiStaticResult> LevelPitch::under(const laminae::LaminaBearing&
     const double* block = lamina_loads_.data() +
                           static_cast<std::size_t>(position / kBlock) * 2 * of_one_race + position % kBlock;
     for (int j = 0; j < rollers; ++j) {
-      const Eigen::Index place = position + j * positions;
-      result.inner_load[place] = pitch.inner_load(position, j);
-      result.outer_load[place] = pitch.outer_load(position, j);
+      const Eigen::Index column = position + j * positions;
+      result.inner_load[column] = pitch.inner_load(position, j);
+      result.outer_load[column] = pitch.outer_load(position, j);
       if (!bearing.is_cut()) continue;
       const double* loads = block + j * kBlock;
-      put(loads, result.inner_load[place], result.inner_lamina_load.col(place));
-      put(loads + of_one_race, result.outer_load[place], result.outer_lamina_load.col(place));
+      put(loads, result.inner_load[column], result.inner_lamina_load.col(column));
+      put(loads + of_one_race, result.outer_load[column], result.outer_lamina_load.col(column));
     }
   }
   if (!result.report.converged) return std::nullopt;
@@ -220,7 +221,7 @@ std::optional<QuasiStaticResult> LevelPitch::under(const laminae::LaminaBearing&
 // One by one each search starts where `near` stood at that cage angle, displaced along its tangent by what
 // the load has changed; else from the cage angle before.
 void PitchSearch::solve(const OperatingPoint& point, PitchResults& results, const PitchResults* near) {
-  if (level_ && LevelPitch::holds(point)) {
+  if (level_ && AlignedPitch::holds(point)) {
     level_->solve(point, results, near && !near->rollers.empty() ? near : nullptr);
     if (std::all_of(results.reports.begin(), results.reports.end(),
                     [](const SolverReport& report) { return report.converged; }))

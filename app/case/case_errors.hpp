@@ -10,19 +10,19 @@
 namespace orbearing::app {
 
 /// Where `path` stands; of a value that the case leaves out, the place of one of its block, or of the model.
-inline Place place_for(const ResolvedCase& in, const std::string& path) {
-  if (in.has(path)) return in.place(path);
+inline Location location_for(const ResolvedCase& in, const std::string& path) {
+  if (in.has(path)) return in.location(path);
   const std::string block = path.substr(0, path.rfind('.') + 1);
   for (const Input& input : in.inputs())
     if (!block.empty() && input.path.starts_with(block) && is_stated(in, input.path))
-      return in.place(input.path);
-  return in.has("model") ? in.place("model") : Place{};
+      return in.location(input.path);
+  return in.has("model") ? in.location("model") : Location{};
 }
 
 /// Adds a mistake at the place of `path`.
-inline void object_to(const ResolvedCase& in, const std::string& path, std::string found,
-                      std::string required, std::vector<Mistake>& mistakes) {
-  mistakes.push_back({place_for(in, path), path, {std::move(found), std::move(required)}});
+inline void add_error_at(const ResolvedCase& in, const std::string& path, std::string found,
+                         std::string required, std::vector<Mistake>& mistakes) {
+  mistakes.push_back({location_for(in, path), path, {std::move(found), std::move(required)}});
 }
 
 inline bool has_all(const ResolvedCase& in, std::initializer_list<const char*> paths) {

@@ -12,7 +12,7 @@
 namespace orbearing::bearing {
 
 /// Film on each race [m].
-struct PrintedFilm {
+struct PublishedFilm {
   double inner = 0.0;
   double outer = 0.0;
 
@@ -22,7 +22,7 @@ struct PrintedFilm {
 
 /// Least film of Eq. (10) of [Gai2025] under `load` [N] on the bearing, between races turning at the given
 /// speeds [rad/s].
-PrintedFilm printed_film(const Bearing& bearing, const BearingGeometry& geometry, const Lubricant& lubricant,
-                         double inner_speed, double outer_speed, double load);
+PublishedFilm published_film(const Bearing& bearing, const BearingGeometry& geometry,
+                             const Lubricant& lubricant, double inner_speed, double outer_speed, double load);
 
 }  // namespace orbearing::bearing

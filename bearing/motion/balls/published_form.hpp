@@ -2,9 +2,9 @@
 //
 // Radial and axial places of the balls and the five of a free ring follow at each instant from the balance of
 // loads, pockets and inertia, Eqs. (31) and (32); angles, turning rates of the balls and four freedoms of the
-// cage (it does not lean) move by their rates, Eqs. (33) and (34). Laws are those of the complete form, without
-// damping in the races, since nothing closes in on them. Friction of the races is no part of Eq. (31): with it
-// a ball that rolls would be steered, which is no balance. It is left out of Eq. (32) likewise.
+// cage (it does not lean) move by their rates, Eqs. (33) and (34). Laws are those of the complete form,
+// without damping in the races, since nothing closes in on them. Friction of the races is no part of Eq.
+// (31): with it a ball that rolls would be steered, which is no balance. It is left out of Eq. (32) likewise.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,18 +15,18 @@
 
 namespace orbearing::bearing::balls {
 
-class PrintedForm {
+class PublishedForm {
  public:
   /// Keeps `bearing`, whose equations it asks.
-  explicit PrintedForm(BallBearing& bearing);
+  explicit PublishedForm(BallBearing& bearing);
 
-  /// Order of the state: angle, orbital speed, three turning rates of each ball [balls at a time], then x, y, z,
-  /// angle of the cage and their rates.
+  /// Order of the state: angle, orbital speed, three turning rates of each ball [balls at a time], then x, y,
+  /// z, angle of the cage and their rates.
   int size() const { return 5 * balls_ + 8; }
   /// From a state of the complete form; the places begin where it has them.
   std::vector<double> reduced(const std::vector<double>& complete);
-  /// The complete form's state for `y` at `time` [s], places by balance; velocities of places are zero. Throws
-  /// std::runtime_error where no balance is found.
+  /// The complete form's state for `y` at `time` [s], places by balance; velocities of places are zero.
+  /// Throws std::runtime_error where no balance is found.
   const std::vector<double>& complete(double time, const double* y);
   /// The last of them.
   const std::vector<double>& complete() const { return x_; }

@@ -6,7 +6,7 @@
 
 namespace orbearing::app {
 
-namespace bought {
+namespace catalogue_keys {
 inline constexpr const char *kDesignation = "bearing.designation", *kClass = "bearing.clearance_class",
                             *kClearance = "bearing.radial_clearance", *kState = "bearing.clearance_state",
                             *kMaterial = "bearing.cage.material", *kComplement = "bearing.complement",
@@ -15,7 +15,7 @@ inline constexpr const char *kDesignation = "bearing.designation", *kClass = "be
                             *kPlanetClass = "bearing.fit.planet_class",
                             *kInnerFit = "bearing.fit.inner_interference",
                             *kOuterFit = "bearing.fit.outer_interference";
-}  // namespace bought
+}  // namespace catalogue_keys
 
 /// Inputs that follow where `bearing.designation` is given.
 const std::vector<std::string>& paths_of_designation();

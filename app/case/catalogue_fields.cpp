@@ -1,6 +1,6 @@
 // Rows of designation, class, cage material and complement, and the conditions that they put on the rows
 // before them.
-#include "app/case/bought_fields.hpp"
+#include "app/case/catalogue_fields.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -42,8 +42,8 @@ Use use_of_any(const std::vector<Field>& fields, const std::vector<std::string>&
 
 // Without inner ring the pin differs, without any the planet's bore as well.
 Use use_of_rings(const std::vector<Field>& fields) {
-  const Use planet =
-      use_of_row(fields, "bearing.outside_diameter").limited(use::all, {where(bought::kRings, {"none"})});
+  const Use planet = use_of_row(fields, "bearing.outside_diameter")
+                         .limited(use::all, {where(catalogue_keys::kRings, {"none"})});
   return either_of(use_of_row(fields, "bearing.bore"), planet);
 }
 
@@ -72,10 +72,10 @@ Field choice(std::string path, std::string meaning, const Use& use, unsigned mod
 // are those of its cage.
 Use use_of_complement(const std::vector<Field>& fields) {
   constexpr unsigned moving = use::planet_defect;
-  Use rollers = use_of_row(fields, bought::kRollers);
-  for (unsigned* standing : {&rollers.by, &rollers.unfelt_by, &rollers.refused_by}) *standing &= ~moving;
+  Use rollers = use_of_row(fields, catalogue_keys::kRollers);
+  for (unsigned* status : {&rollers.by, &rollers.unfelt_by, &rollers.refused_by}) *status &= ~moving;
   rollers.refused_by |= moving;
-  return rollers.felt_only(use::lone_balance, {where_given({bought::kDesignation})});
+  return rollers.felt_only(use::single_bearing_equilibrium, {where_given({catalogue_keys::kDesignation})});
 }
 
 }  // namespace
@@ -84,22 +84,22 @@ std::vector<Condition> given_by(std::string_view path) {
   const std::vector<std::string>& designated = paths_of_designation();
   const bool of_cage = path.starts_with("bearing.cage.");
   std::vector<Condition> by;
-  if (path == "bearing.type" || (of_cage && path != bought::kDensity) ||
+  if (path == "bearing.type" || (of_cage && path != catalogue_keys::kDensity) ||
       std::find(designated.begin(), designated.end(), path) != designated.end())
-    by.push_back(where_given({bought::kDesignation}));
-  if (path == bought::kRollers || of_cage) by.push_back(where(bought::kComplement, {"full"}));
-  if (path == "bearing.bore") by.push_back(where(bought::kRings, {"outer", "none"}));
-  if (path == "bearing.outside_diameter") by.push_back(where(bought::kRings, {"none"}));
-  if (path == bought::kClearance) by.push_back(where_given({bought::kClass}));
-  if (path == bought::kDensity) by.push_back(where_given({bought::kMaterial}));
-  if (path == bought::kInnerFit) by.push_back(where_given({bought::kPinClass}));
-  if (path == bought::kOuterFit) by.push_back(where_given({bought::kPlanetClass}));
+    by.push_back(where_given({catalogue_keys::kDesignation}));
+  if (path == catalogue_keys::kRollers || of_cage) by.push_back(where(catalogue_keys::kComplement, {"full"}));
+  if (path == "bearing.bore") by.push_back(where(catalogue_keys::kRings, {"outer", "none"}));
+  if (path == "bearing.outside_diameter") by.push_back(where(catalogue_keys::kRings, {"none"}));
+  if (path == catalogue_keys::kClearance) by.push_back(where_given({catalogue_keys::kClass}));
+  if (path == catalogue_keys::kDensity) by.push_back(where_given({catalogue_keys::kMaterial}));
+  if (path == catalogue_keys::kInnerFit) by.push_back(where_given({catalogue_keys::kPinClass}));
+  if (path == catalogue_keys::kOuterFit) by.push_back(where_given({catalogue_keys::kPlanetClass}));
   return by;
 }
 
 const std::vector<std::string>& paths_of_designation() {
   static const std::vector<std::string> paths{
-      bought::kRollers,           "bearing.roller_diameter", "bearing.roller_length",   "bearing.balls",
+      catalogue_keys::kRollers,   "bearing.roller_diameter", "bearing.roller_length",   "bearing.balls",
       "bearing.ball_diameter",    "bearing.contact_angle",   "bearing.pitch_diameter",  "bearing.bore",
       "bearing.outside_diameter", "bearing.width",           "bearing.dynamic_capacity"};
   return paths;
@@ -107,55 +107,59 @@ const std::vector<std::string>& paths_of_designation() {
 
 namespace table {
 
-void add_bought_fields(std::vector<Field>& fields) {
-  constexpr unsigned bought = with_rollers | with_balls;
+void add_catalogue_fields(std::vector<Field>& fields) {
+  constexpr unsigned catalogue_keys = with_rollers | with_balls;
   std::vector<Field> rows{
-      choice(bought::kDesignation,
+      choice(catalogue_keys::kDesignation,
              "designation of the bearing in the project's catalogue: boundary dimensions and ratings as "
              "printed, "
              "rollers or balls inferred from them",
-             use_of_any(fields, paths_of_designation()), bought, catalogue::designations()),
-      choice(bought::kClass,
+             use_of_any(fields, paths_of_designation()), catalogue_keys, catalogue::designations()),
+      choice(catalogue_keys::kClass,
              "clearance class of the bearing on the shelf, ISO 5753; the middle of its range is taken",
-             use_of_any(fields, {bought::kClearance}), with_rollers | lone_balls, names_of_classes()),
-      choice(bought::kPinClass,
+             use_of_any(fields, {catalogue_keys::kClearance}), with_rollers | single_ball_bearing,
+             names_of_classes()),
+      choice(catalogue_keys::kPinClass,
              "tolerance class of the pin under the inner ring, ISO 286, in place of its interference: the "
              "middle of "
              "what a bearing of normal accuracy has on it",
-             use_of_row(fields, bought::kInnerFit), planetary_drivetrain, catalogue::shaft_classes()),
-      choice(bought::kPlanetClass,
+             use_of_row(fields, catalogue_keys::kInnerFit), planetary_drivetrain, catalogue::shaft_classes()),
+      choice(catalogue_keys::kPlanetClass,
              "tolerance class of the planet's bore around the outer ring, ISO 286, in place of its "
              "interference: "
              "the middle of what a bearing of normal accuracy has in it",
-             use_of_row(fields, bought::kOuterFit), planetary_drivetrain, catalogue::hole_classes()),
-      choice(bought::kMaterial, "material of the cage, in place of its density",
-             use_of_any(fields, {bought::kDensity}), with_rollers | described::balls_in_time,
+             use_of_row(fields, catalogue_keys::kOuterFit), planetary_drivetrain, catalogue::hole_classes()),
+      choice(catalogue_keys::kMaterial, "material of the cage, in place of its density",
+             use_of_any(fields, {catalogue_keys::kDensity}), with_rollers | described::balls_in_time,
              {"polyamide", "steel", "brass", "aluminium"}),
-      choice(bought::kComplement, "whether a cage keeps the rollers apart, or they touch one another",
+      choice(catalogue_keys::kComplement, "whether a cage keeps the rollers apart, or they touch one another",
              use_of_complement(fields), with_rollers, {"caged", "full"})};
   for (Field& field : fields)
-    if (field.path == bought::kRings) field.use = use_of_rings(fields);
+    if (field.path == catalogue_keys::kRings) field.use = use_of_rings(fields);
   rows.back().default_text = "caged";
   rows.back().default_reason = "as most bearings are bought";
   for (const std::string& path : paths_of_designation())
-    add_condition(fields, path, where_absent(bought::kDesignation));
-  add_condition(fields, bought::kClearance, where_absent(bought::kClass));
-  add_condition(fields, bought::kDensity, where_absent(bought::kMaterial));
-  add_condition(fields, bought::kInnerFit, where_absent(bought::kPinClass));
-  add_condition(fields, bought::kOuterFit, where_absent(bought::kPlanetClass));
+    add_condition(fields, path, where_absent(catalogue_keys::kDesignation));
+  add_condition(fields, catalogue_keys::kClearance, where_absent(catalogue_keys::kClass));
+  add_condition(fields, catalogue_keys::kDensity, where_absent(catalogue_keys::kMaterial));
+  add_condition(fields, catalogue_keys::kInnerFit, where_absent(catalogue_keys::kPinClass));
+  add_condition(fields, catalogue_keys::kOuterFit, where_absent(catalogue_keys::kPlanetClass));
   for (Field& field : fields)
     if (field.path.starts_with("bearing.cage."))
-      field.use = field.use.when(where(bought::kComplement, {"caged"}));
-  add_condition(fields, "bearing.bore", where(bought::kRings, {"both"}));
-  add_condition(fields, "bearing.outside_diameter", where(bought::kRings, {"both", "outer"}));
-  add_condition(fields, bought::kInnerFit, where(bought::kRings, {"both"}));
-  add_condition(fields, "bearing.temperature.inner_ring", where(bought::kRings, {"both"}));
-  add_condition(fields, bought::kOuterFit, where(bought::kRings, {"both", "outer"}));
-  add_condition(fields, "bearing.temperature.outer_ring", where(bought::kRings, {"both", "outer"}));
+      field.use = field.use.when(where(catalogue_keys::kComplement, {"caged"}));
+  add_condition(fields, "bearing.bore", where(catalogue_keys::kRings, {"both"}));
+  add_condition(fields, "bearing.outside_diameter", where(catalogue_keys::kRings, {"both", "outer"}));
+  add_condition(fields, catalogue_keys::kInnerFit, where(catalogue_keys::kRings, {"both"}));
+  add_condition(fields, "bearing.temperature.inner_ring", where(catalogue_keys::kRings, {"both"}));
+  add_condition(fields, catalogue_keys::kOuterFit, where(catalogue_keys::kRings, {"both", "outer"}));
+  add_condition(fields, "bearing.temperature.outer_ring", where(catalogue_keys::kRings, {"both", "outer"}));
   for (Field& row : rows) {
-    if (row.path == bought::kMaterial) row.use = row.use.when(where(bought::kComplement, {"caged"}));
-    if (row.path == bought::kPinClass) row.use = row.use.when(where(bought::kRings, {"both"}));
-    if (row.path == bought::kPlanetClass) row.use = row.use.when(where(bought::kRings, {"both", "outer"}));
+    if (row.path == catalogue_keys::kMaterial)
+      row.use = row.use.when(where(catalogue_keys::kComplement, {"caged"}));
+    if (row.path == catalogue_keys::kPinClass)
+      row.use = row.use.when(where(catalogue_keys::kRings, {"both"}));
+    if (row.path == catalogue_keys::kPlanetClass)
+      row.use = row.use.when(where(catalogue_keys::kRings, {"both", "outer"}));
     fields.push_back(std::move(row));
   }
 }

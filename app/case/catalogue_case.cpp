@@ -1,4 +1,4 @@
-#include "app/case/bought_case.hpp"
+#include "app/case/catalogue_case.hpp"
 
 #include <fmt/format.h>
 
@@ -9,15 +9,15 @@
 #include <optional>
 #include <stdexcept>
 
-#include "app/case/bought_fields.hpp"
+#include "app/case/case_errors.hpp"
+#include "app/case/catalogue_fields.hpp"
 #include "app/case/field_table.hpp"
-#include "app/case/objection.hpp"
 #include "app/case/substitute.hpp"
 #include "app/units.hpp"
 #include "bearing/catalogue/clearance_class.hpp"
 #include "bearing/catalogue/inference.hpp"
 #include "bearing/catalogue/seat_class.hpp"
-#include "bearing/usual_design.hpp"
+#include "bearing/default_design.hpp"
 #include "mechanics/constants.hpp"
 
 namespace orbearing::app {
@@ -31,7 +31,7 @@ using constants::pi;
 constexpr double kLeastGap = 1e-3;  // [-]
 
 std::string millimetres(double length) {
-  return fmt::format("{:.9g} mm", kMilli * length);
+  return fmt::format("{:.9g} mm", per_milli * length);
 }
 
 int most_rollers(double pitch_diameter, double roller_diameter) {
@@ -55,9 +55,9 @@ const catalogue::Inside& known_inside(const catalogue::Entry& entry) {
 }
 
 // What a case or one of its sets states, and what is put in its place.
-class Bought {
+class CatalogueCase {
  public:
-  Bought(CaseData& data, std::string prefix, Model model)
+  CatalogueCase(CaseData& data, std::string prefix, Model model)
       : data_(data), prefix_(std::move(prefix)), model_(model) {}
 
   void fill() {
@@ -81,69 +81,70 @@ class Bought {
   void put(const std::string& path, const std::string& text, const std::string& reason) {
     if (takes(path)) substitute(data_, prefix_ + path, text, reason);
   }
-  void put_usual(const std::string& path, const std::string& text, const std::string& reason) {
+  void put_default(const std::string& path, const std::string& text, const std::string& reason) {
     if (takes(path)) put_where_absent(data_, prefix_ + path, text, reason);
   }
 
   void fill_designation() {
-    const FieldValue* name = find(bought::kDesignation);
+    const FieldValue* name = find(catalogue_keys::kDesignation);
     entry_ = name == nullptr ? nullptr : catalogue::find(name->given);
     if (entry_ == nullptr) return;
     const bool rollers = entry_->family == catalogue::Family::cylindrical;
-    if (rollers != ((model_ & with_rollers) != 0)) return;  // check_as_bought() says it
+    if (rollers != ((model_ & with_rollers) != 0)) return;  // check_catalogue_bearing() says it
     const catalogue::Inside& inside = known_inside(*entry_);
-    const std::string printed = fmt::format("default: {} in [NSKE1102]", name->given);
+    const std::string published = fmt::format("default: {} in [NSKE1102]", name->given);
     const std::string inferred = fmt::format(
         "default: inferred from the ratings of {} (docs/bearings.md); one {} more would leave a {} of "
         "{:.2g} % less",
         name->given, rollers ? "roller" : "ball", rollers ? "length" : "diameter",
         -100.0 * inside.per_element);
-    put(rollers ? bought::kRollers : "bearing.balls", fmt::format("{}", inside.elements), inferred);
+    put(rollers ? catalogue_keys::kRollers : "bearing.balls", fmt::format("{}", inside.elements), inferred);
     put(rollers ? "bearing.roller_diameter" : "bearing.ball_diameter", millimetres(inside.diameter),
         inferred);
     if (rollers)
       put("bearing.roller_length", millimetres(inside.length), inferred);
     else
-      put("bearing.contact_angle", fmt::format("{:g} deg", kDegree * entry_->contact_angle), printed);
+      put("bearing.contact_angle", fmt::format("{:g} deg", kDegree * entry_->contact_angle), published);
     put("bearing.pitch_diameter", millimetres(inside.pitch_diameter), inferred);
-    put("bearing.bore", millimetres(entry_->bore), printed);
-    put("bearing.outside_diameter", millimetres(entry_->outside), printed);
-    put("bearing.width", millimetres(entry_->width), printed);
-    put("bearing.dynamic_capacity", fmt::format("{:g} N", entry_->dynamic_rating), printed);
-    if (rollers) put_usual("bearing.type", "cylindrical-roller", printed);
-    fill_usual_cage(inside);
+    put("bearing.bore", millimetres(entry_->bore), published);
+    put("bearing.outside_diameter", millimetres(entry_->outside), published);
+    put("bearing.width", millimetres(entry_->width), published);
+    put("bearing.dynamic_capacity", fmt::format("{:g} N", entry_->dynamic_rating), published);
+    if (rollers) put_default("bearing.type", "cylindrical-roller", published);
+    fill_default_cage(inside);
   }
 
   // As a window cage of sheet or polyamide has them: somewhat outside the pitch circle, since it is guided
   // there.
-  void fill_usual_cage(const catalogue::Inside& inside) {
+  void fill_default_cage(const catalogue::Inside& inside) {
     if ((model_ & described::in_motion) == 0) return;  // others need none
     const std::string reason = "default: a usual cage of a bearing of this section, guided at the outer ring";
     constexpr double inward = 0.4, outward = 0.5, land = 0.56, share_of_width = 0.76;
-    put_usual("bearing.cage.inner_diameter", millimetres(inside.pitch_diameter - inward * inside.diameter),
-              reason);
-    put_usual("bearing.cage.outer_diameter", millimetres(inside.pitch_diameter + outward * inside.diameter),
-              reason);
+    put_default("bearing.cage.inner_diameter", millimetres(inside.pitch_diameter - inward * inside.diameter),
+                reason);
+    put_default("bearing.cage.outer_diameter", millimetres(inside.pitch_diameter + outward * inside.diameter),
+                reason);
     // Without a land the cage falls out of the middle; one around a stated cage is the user's to state.
     const auto outer = data_.values.find(prefix_ + "bearing.cage.outer_diameter");
     if (outer != data_.values.end() && outer->second.from_default)
-      put_usual("bearing.cage.guide_land_diameter",
-                millimetres(inside.pitch_diameter + land * inside.diameter), reason);
-    put_usual("bearing.cage.width", millimetres(share_of_width * entry_->width), reason);
+      put_default("bearing.cage.guide_land_diameter",
+                  millimetres(inside.pitch_diameter + land * inside.diameter), reason);
+    put_default("bearing.cage.width", millimetres(share_of_width * entry_->width), reason);
   }
 
   void fill_class() {
-    const FieldValue *name = find(bought::kClass), *bore = find("bearing.bore");
+    const FieldValue *name = find(catalogue_keys::kClass), *bore = find("bearing.bore");
     if (name == nullptr || (entry_ == nullptr && bore == nullptr)) return;
     const double diameter = entry_ != nullptr ? entry_->bore : bore->number;
     try {
       const catalogue::ClearanceRange range =
           catalogue::clearance_range(family(), class_of(name->given), diameter);
-      put(bought::kClearance, fmt::format("{:g} um", kMicro * range.middle()),
+      put(catalogue_keys::kClearance, fmt::format("{:g} um", per_micro * range.middle()),
           fmt::format("default: middle of class {}, {:g} to {:g} um (ISO 5753)", name->given,
-                      kMicro * range.least, kMicro * range.most));
-      put_usual(bought::kState, "unmounted", "default: a clearance class is that of a bearing on the shelf");
-    } catch (const std::invalid_argument&) {  // check_as_bought() says it
+                      per_micro * range.least, per_micro * range.most));
+      put_default(catalogue_keys::kState, "unmounted",
+                  "default: a clearance class is that of a bearing on the shelf");
+    } catch (const std::invalid_argument&) {  // check_catalogue_bearing() says it
     }
   }
 
@@ -157,8 +158,9 @@ class Bought {
 
   // Both seats, each by its class.
   void fill_seats() {
-    fill_seat(bought::kPinClass, "bearing.bore", bought::kInnerFit, catalogue::inner_interference);
-    fill_seat(bought::kPlanetClass, "bearing.outside_diameter", bought::kOuterFit,
+    fill_seat(catalogue_keys::kPinClass, "bearing.bore", catalogue_keys::kInnerFit,
+              catalogue::inner_interference);
+    fill_seat(catalogue_keys::kPlanetClass, "bearing.outside_diameter", catalogue_keys::kOuterFit,
               catalogue::outer_interference);
   }
 
@@ -168,24 +170,24 @@ class Bought {
     if (name == nullptr || size == nullptr) return;
     try {
       const catalogue::Deviations range = range_of(name->given, size->number);
-      put(interference, fmt::format("{:g} um", kMicro * range.middle()),
+      put(interference, fmt::format("{:g} um", per_micro * range.middle()),
           fmt::format("default: middle of class {}, {:g} to {:g} um (ISO 286, ISO 492)", name->given,
-                      kMicro * range.least, kMicro * range.most));
-    } catch (const std::invalid_argument&) {  // check_as_bought() says it
+                      per_micro * range.least, per_micro * range.most));
+    } catch (const std::invalid_argument&) {  // check_catalogue_bearing() says it
     }
   }
 
   void fill_material() {
-    const FieldValue* name = find(bought::kMaterial);
+    const FieldValue* name = find(catalogue_keys::kMaterial);
     if (name == nullptr) return;
     const bearing::CageMaterial& material = bearing::cage_material(name->given);
-    put(bought::kDensity, fmt::format("{:g} kg/m3", material.density),
+    put(catalogue_keys::kDensity, fmt::format("{:g} kg/m3", material.density),
         fmt::format("default: a cage of {}", material.name));
   }
 
   // Of rollers whose number is left out, as many as go in.
   void fill_complement() {
-    const FieldValue *complement = find(bought::kComplement), *pitch = find("bearing.pitch_diameter"),
+    const FieldValue *complement = find(catalogue_keys::kComplement), *pitch = find("bearing.pitch_diameter"),
                      *diameter = find("bearing.roller_diameter");
     if (complement == nullptr || complement->given != "full" || pitch == nullptr || diameter == nullptr)
       return;
@@ -193,15 +195,16 @@ class Bought {
     const std::string most = fmt::format("{}", most_rollers(pitch->number, diameter->number));
     const std::string reason = "default: a full complement, as many as go in";
     if (entry_ != nullptr)
-      put(bought::kRollers, most, reason);  // the designation's own number is that of a cage
+      put(catalogue_keys::kRollers, most, reason);  // the designation's own number is that of a cage
     else
-      put_usual(bought::kRollers, most, reason);
+      put_default(catalogue_keys::kRollers, most, reason);
   }
 
   // The pin and the bore of the planet are the races.
   void fill_rings() {
-    const FieldValue *rings = find(bought::kRings), *pitch = find("bearing.pitch_diameter"),
-                     *diameter = find("bearing.roller_diameter"), *clearance = find(bought::kClearance);
+    const FieldValue *rings = find(catalogue_keys::kRings), *pitch = find("bearing.pitch_diameter"),
+                     *diameter = find("bearing.roller_diameter"),
+                     *clearance = find(catalogue_keys::kClearance);
     if (rings == nullptr || rings->given == "both" || pitch == nullptr || diameter == nullptr ||
         clearance == nullptr)
       return;
@@ -219,19 +222,21 @@ class Bought {
 };
 
 void check_designation(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
-  if (!in.has(bought::kDesignation)) return;
-  const catalogue::Entry* entry = catalogue::find(in.choice(bought::kDesignation));
+  if (!in.has(catalogue_keys::kDesignation)) return;
+  const catalogue::Entry* entry = catalogue::find(in.choice(catalogue_keys::kDesignation));
   const bool rollers = entry->family == catalogue::Family::cylindrical;
   if (rollers != ((in.model() & with_rollers) != 0))
-    object_to(
-        in, bought::kDesignation,
-        fmt::format("'{}', a bearing of {}", in.choice(bought::kDesignation), rollers ? "rollers" : "balls"),
+    add_error_at(
+        in, catalogue_keys::kDesignation,
+        fmt::format("'{}', a bearing of {}", in.choice(catalogue_keys::kDesignation),
+                    rollers ? "rollers" : "balls"),
         rollers ? "one of balls, such as 6205, is required" : "one of rollers, such as NU 205, is required",
         mistakes);
 }
 
 catalogue::Family family_of(const ResolvedCase& in) {
-  if (in.has(bought::kDesignation)) return catalogue::find(in.choice(bought::kDesignation))->family;
+  if (in.has(catalogue_keys::kDesignation))
+    return catalogue::find(in.choice(catalogue_keys::kDesignation))->family;
   if ((in.model() & with_rollers) != 0) return catalogue::Family::cylindrical;
   return in.has("bearing.contact_angle") && in.quantity("bearing.contact_angle") != 0.0
              ? catalogue::Family::angular_contact
@@ -239,36 +244,39 @@ catalogue::Family family_of(const ResolvedCase& in) {
 }
 
 std::optional<double> bore_of(const ResolvedCase& in) {
-  if (in.has(bought::kDesignation)) return catalogue::find(in.choice(bought::kDesignation))->bore;
+  if (in.has(catalogue_keys::kDesignation))
+    return catalogue::find(in.choice(catalogue_keys::kDesignation))->bore;
   return in.has("bearing.bore") ? std::optional<double>(in.quantity("bearing.bore")) : std::nullopt;
 }
 
 void check_class(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
-  if (!in.has(bought::kClass)) return;
+  if (!in.has(catalogue_keys::kClass)) return;
   // Of a bearing that is not known its designation is to blame.
-  if (std::any_of(mistakes.begin(), mistakes.end(),
-                  [](const Mistake& mistake) { return mistake.path.ends_with(bought::kDesignation); }))
+  if (std::any_of(mistakes.begin(), mistakes.end(), [](const Mistake& mistake) {
+        return mistake.path.ends_with(catalogue_keys::kDesignation);
+      }))
     return;
-  const auto object = [&](std::string found, std::string required) {
-    object_to(in, bought::kClass, std::move(found), std::move(required), mistakes);
+  const auto add_error = [&](std::string found, std::string required) {
+    add_error_at(in, catalogue_keys::kClass, std::move(found), std::move(required), mistakes);
   };
-  if (in.has(bought::kState) && in.choice(bought::kState) == "operating")
-    object("a clearance class beside bearing.clearance_state: operating",
-           "a class is that of a bearing on the shelf: bearing.clearance_state: unmounted, or a radial "
-           "clearance in "
-           "place of the class, is required");
-  if (in.has(bought::kRings) && in.choice(bought::kRings) != "both")
-    object("a clearance class of a bearing without both rings",
-           "bearing.radial_clearance, of pin, rollers and bore together, is required");
+  if (in.has(catalogue_keys::kState) && in.choice(catalogue_keys::kState) == "operating")
+    add_error("a clearance class beside bearing.clearance_state: operating",
+              "a class is that of a bearing on the shelf: bearing.clearance_state: unmounted, or a radial "
+              "clearance in "
+              "place of the class, is required");
+  if (in.has(catalogue_keys::kRings) && in.choice(catalogue_keys::kRings) != "both")
+    add_error("a clearance class of a bearing without both rings",
+              "bearing.radial_clearance, of pin, rollers and bore together, is required");
   const std::optional<double> bore = bore_of(in);
   if (!bore) {
-    object("a clearance class without a bore", "bearing.designation or bearing.bore beside it is required");
+    add_error("a clearance class without a bore",
+              "bearing.designation or bearing.bore beside it is required");
     return;
   }
   try {
-    (void)catalogue::clearance_range(family_of(in), class_of(in.choice(bought::kClass)), *bore);
+    (void)catalogue::clearance_range(family_of(in), class_of(in.choice(catalogue_keys::kClass)), *bore);
   } catch (const std::invalid_argument& error) {
-    object(in.choice(bought::kClass), error.what());
+    add_error(in.choice(catalogue_keys::kClass), error.what());
   }
 }
 
@@ -278,30 +286,31 @@ void check_seat(const ResolvedCase& in, const char* seat_class, const char* diam
   try {
     (void)catalogue::shaft_deviations("h6", in.quantity(diameter));
   } catch (const std::invalid_argument& error) {
-    object_to(in, seat_class, fmt::format("{} on {}", in.choice(seat_class), in.given(diameter)),
-              error.what(), mistakes);
+    add_error_at(in, seat_class, fmt::format("{} on {}", in.choice(seat_class), in.given(diameter)),
+                 error.what(), mistakes);
   }
 }
 
 void check_complement(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   if (!is_full_complement(in) ||
-      !has_all(in, {bought::kRollers, "bearing.pitch_diameter", "bearing.roller_diameter"}))
+      !has_all(in, {catalogue_keys::kRollers, "bearing.pitch_diameter", "bearing.roller_diameter"}))
     return;
   const double pitch = in.quantity("bearing.pitch_diameter"),
                diameter = in.quantity("bearing.roller_diameter");
   if (!(diameter < pitch)) return;
   const int most = most_rollers(pitch, diameter);
-  if (in.integer(bought::kRollers) < most)
-    object_to(in, bought::kComplement,
-              fmt::format("a full complement of {} rollers with room for {} more",
-                          in.integer(bought::kRollers), most - in.integer(bought::kRollers)),
-              fmt::format("{} rollers, or their number left out, are required", most), mistakes);
+  if (in.integer(catalogue_keys::kRollers) < most)
+    add_error_at(
+        in, catalogue_keys::kComplement,
+        fmt::format("a full complement of {} rollers with room for {} more",
+                    in.integer(catalogue_keys::kRollers), most - in.integer(catalogue_keys::kRollers)),
+        fmt::format("{} rollers, or their number left out, are required", most), mistakes);
 }
 
 std::vector<Derived> quantities_of_one(const ResolvedCase& in) {
   std::vector<Derived> rows;
-  if (in.has(bought::kDesignation)) {
-    const catalogue::Entry& entry = *catalogue::find(in.choice(bought::kDesignation));
+  if (in.has(catalogue_keys::kDesignation)) {
+    const catalogue::Entry& entry = *catalogue::find(in.choice(catalogue_keys::kDesignation));
     const catalogue::Inside& inside = known_inside(entry);
     rows.push_back({"bearing.catalogue.dynamic_rating", entry.dynamic_rating, "N", "C as printed"});
     rows.push_back({"bearing.catalogue.dynamic_rating_inferred", inside.dynamic_rating, "N",
@@ -310,42 +319,44 @@ std::vector<Derived> quantities_of_one(const ResolvedCase& in) {
     rows.push_back({"bearing.catalogue.static_rating_inferred", inside.static_rating, "N",
                     "C_0 of ISO 76 by the inferred geometry"});
   }
-  if (in.has(bought::kClass)) {
+  if (in.has(catalogue_keys::kClass)) {
     const catalogue::ClearanceRange range =
-        catalogue::clearance_range(family_of(in), class_of(in.choice(bought::kClass)), *bore_of(in));
+        catalogue::clearance_range(family_of(in), class_of(in.choice(catalogue_keys::kClass)), *bore_of(in));
     rows.push_back(
-        {"bearing.clearance_class.least", kMicro * range.least, "um", "of bearings of this class"});
-    rows.push_back({"bearing.clearance_class.most", kMicro * range.most, "um", "of bearings of this class"});
+        {"bearing.clearance_class.least", per_micro * range.least, "um", "of bearings of this class"});
+    rows.push_back(
+        {"bearing.clearance_class.most", per_micro * range.most, "um", "of bearings of this class"});
   }
   const auto add_seat = [&](const char* seat_class, const char* diameter, const std::string& interference,
                             catalogue::Deviations (*range_of)(std::string_view, double)) {
     if (!has_all(in, {seat_class, diameter})) return;
     const catalogue::Deviations range = range_of(in.choice(seat_class), in.quantity(diameter));
     rows.push_back(
-        {interference + ".least", kMicro * range.least, "um", "of seats of this class; negative: loose"});
-    rows.push_back({interference + ".most", kMicro * range.most, "um", "of seats of this class"});
+        {interference + ".least", per_micro * range.least, "um", "of seats of this class; negative: loose"});
+    rows.push_back({interference + ".most", per_micro * range.most, "um", "of seats of this class"});
   };
-  add_seat(bought::kPinClass, "bearing.bore", bought::kInnerFit, catalogue::inner_interference);
-  add_seat(bought::kPlanetClass, "bearing.outside_diameter", bought::kOuterFit,
+  add_seat(catalogue_keys::kPinClass, "bearing.bore", catalogue_keys::kInnerFit,
+           catalogue::inner_interference);
+  add_seat(catalogue_keys::kPlanetClass, "bearing.outside_diameter", catalogue_keys::kOuterFit,
            catalogue::outer_interference);
   return rows;
 }
 
 }  // namespace
 
-void fill_as_bought(CaseData& data, Model model) {
+void fill_from_catalogue(CaseData& data, Model model) {
   if (!data.shape.several) {
-    Bought(data, "", model).fill();
+    CatalogueCase(data, "", model).fill();
     return;
   }
-  for (const std::string& set : data.shape.sets) Bought(data, set_prefix(set), model).fill();
+  for (const std::string& set : data.shape.sets) CatalogueCase(data, set_prefix(set), model).fill();
 }
 
-void check_as_bought(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
+void check_catalogue_bearing(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   check_designation(in, mistakes);
   check_class(in, mistakes);
-  check_seat(in, bought::kPinClass, "bearing.bore", mistakes);
-  check_seat(in, bought::kPlanetClass, "bearing.outside_diameter", mistakes);
+  check_seat(in, catalogue_keys::kPinClass, "bearing.bore", mistakes);
+  check_seat(in, catalogue_keys::kPlanetClass, "bearing.outside_diameter", mistakes);
   check_complement(in, mistakes);
 }
 
@@ -356,33 +367,36 @@ catalogue::ClearanceRange clearance_range_of(const ResolvedCase& in, const std::
 }
 
 bool is_full_complement(const ResolvedCase& in) {
-  return in.has(bought::kComplement) && in.choice(bought::kComplement) == "full";
+  return in.has(catalogue_keys::kComplement) && in.choice(catalogue_keys::kComplement) == "full";
 }
 
 std::vector<std::string> inferred_warnings(const ResolvedCase& resolved) {
   std::vector<std::string> warnings;
   for (const Input& input : resolved.inputs()) {
-    if (input.field->path != bought::kDesignation || !resolved.has(input.path)) continue;
+    if (input.field->path != catalogue_keys::kDesignation || !resolved.has(input.path)) continue;
     const catalogue::Entry* entry = catalogue::find(resolved.choice(input.path));
     if (entry == nullptr) continue;
     const catalogue::Inside& inside = known_inside(*entry);
     const bool rollers = entry->family == catalogue::Family::cylindrical;
     const char* element = rollers ? "roller" : "ball";
-    warnings.push_back(fmt::format(
-        "{}: the inside of {} is inferred from its printed ratings, not measured: {} {}s of {:.4g} mm on {:.4g} mm "
-        "(C by them is {:.1f} % {} the printed one). Pass frequencies of the races are uncertain by about 0.5 % and "
-        "those of a {} by 2 %; with one {} more or less, by {:.0f} %. State the {}s in place of the designation "
-        "where they are known",
-        input.path, resolved.choice(input.path), inside.elements, element, kMilli * inside.diameter,
-        kMilli * inside.pitch_diameter,
-        100.0 * std::abs(inside.dynamic_rating / entry->dynamic_rating - 1.0),
-        inside.dynamic_rating < entry->dynamic_rating ? "below" : "above", element, element,
-        100.0 / inside.elements, element));
+    warnings.push_back(
+        fmt::format("{}: the inside of {} is inferred from its printed ratings, not measured: {} {}s of "
+                    "{:.4g} mm on {:.4g} mm "
+                    "(C by them is {:.1f} % {} the printed one). Pass frequencies of the races are uncertain "
+                    "by about 0.5 % and "
+                    "those of a {} by 2 %; with one {} more or less, by {:.0f} %. State the {}s in place of "
+                    "the designation "
+                    "where they are known",
+                    input.path, resolved.choice(input.path), inside.elements, element,
+                    per_milli * inside.diameter, per_milli * inside.pitch_diameter,
+                    100.0 * std::abs(inside.dynamic_rating / entry->dynamic_rating - 1.0),
+                    inside.dynamic_rating < entry->dynamic_rating ? "below" : "above", element, element,
+                    100.0 / inside.elements, element));
   }
   return warnings;
 }
 
-std::vector<Derived> bought_quantities(const ResolvedCase& resolved) {
+std::vector<Derived> catalogue_quantities(const ResolvedCase& resolved) {
   if (!resolved.shape().several) return quantities_of_one(resolved);
   std::vector<Derived> rows;
   for (const std::string& set : resolved.shape().sets)

@@ -14,7 +14,7 @@ struct CageMaterial {
 };
 
 /// The usual cage material nearest in density: glass-filled polyamide (warm), aluminium, steel or brass.
-const CageMaterial& usual_cage_material(double density);
+const CageMaterial& default_cage_material(double density);
 
 /// The usual cage material of this name: polyamide, aluminium, steel or brass. Throws std::invalid_argument
 /// for another one.
@@ -22,7 +22,7 @@ const CageMaterial& cage_material(std::string_view name);
 
 /// Play of a roller in its pocket in diametral measure: a fiftieth of its diameter, at most half of the gap
 /// between neighbours on the pitch circle. [m]; 0 where the rollers touch
-double usual_pocket_clearance(double roller_diameter, double pitch_diameter, int rollers);
+double default_pocket_clearance(double roller_diameter, double pitch_diameter, int rollers);
 
 /// A bar between two pockets, held at both ends by the side rings of the cage.
 struct CageBar {
@@ -42,7 +42,7 @@ double cage_bar_stiffness(const CageBar& bar);
 
 /// Stiffness of a cage's land of that width on the ring. Assumption: a line contact, a fifth of modulus times
 /// width. [N/m]
-double usual_touch_down_stiffness(double youngs_modulus, double width);
+double default_touch_down_stiffness(double youngs_modulus, double width);
 
 /// Pin of a planet, a solid round beam that rests in the middles of both walls of the carrier and carries its
 /// load spread over the length between the walls.

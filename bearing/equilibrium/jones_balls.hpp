@@ -28,15 +28,15 @@ void describe(Visitor& visit, BallInertia& m) {
   using namespace described;
   members(
       visit, m,
-      field(m.enabled, "equilibrium.ball_inertia", Felt::turning_balls,
+      field(m.enabled, "equilibrium.ball_inertia", Felt::rotating_balls,
             "centrifugal force and gyroscopic moment of the balls",
             {.models = ball_bearing | duplex_pair, .reason = "nothing left out"}),
-      field(m.attitude, "equilibrium.ball_attitude", Felt::turning_balls,
+      field(m.attitude, "equilibrium.ball_attitude", Felt::rotating_balls,
             "what decides how the axes of the balls stand, and which race holds their gyroscopic moment",
             {.models = ball_bearing | duplex_pair,
              .reason = "traction that grows with slip, as that of an oil film",
              .where = {"equilibrium.ball_inertia", "true"}}),
-      field(m.gyroscopic_moment, "equilibrium.gyroscopic_moment", Felt::turning_balls,
+      field(m.gyroscopic_moment, "equilibrium.gyroscopic_moment", Felt::rotating_balls,
             "gyroscopic moment of the balls: the rate of their angular momentum; with its sign turned, as "
             "textbooks print it; none",
             {.models = ball_bearing | duplex_pair,
@@ -55,7 +55,7 @@ struct RowMotion {
 };
 
 /// One ball in balance.
-struct MovingBall {
+struct JonesBall {
   ContactNormal<double> inner;
   ContactNormal<double> outer;
   double inner_load = 0.0;         // [N]
@@ -70,14 +70,14 @@ struct MovingBall {
 /// What the balls of a row in motion have in common. Throws std::invalid_argument as BallRow does.
 BallLaw<double> ball_law(const Bearing& bearing, const RowMotion& motion, const BallRow& at_rest);
 
-class MovingBallRow {
+class JonesRow {
  public:
   static constexpr bool follows_motion = true;  // its forces have no energy
 
   /// Throws std::invalid_argument as BallRow does.
-  MovingBallRow(const Bearing& bearing, const RowMotion& motion);
+  JonesRow(const Bearing& bearing, const RowMotion& motion);
   /// The same, of a bearing whose row at rest is there.
-  MovingBallRow(const Bearing& bearing, const RowMotion& motion, const BallRow& at_rest);
+  JonesRow(const Bearing& bearing, const RowMotion& motion, const BallRow& at_rest);
 
   double lever() const { return geometry_.lever(); }
   double reach(double load) const;
@@ -85,8 +85,8 @@ class MovingBallRow {
   using RingActs = Eigen::Matrix<double, 5, 3>;
   RingActs acts_of(Eigen::Index ball) const;
   /// Remembers where the balls came to rest, to begin there the next time.
-  void add_forces(const RingPlace& place, RingImbalance& sum);
-  void put_loads(const RingPlace& place, RingState& state);
+  void add_forces(const RingPosition& position, RingImbalance& sum);
+  void put_loads(const RingPosition& position, RingState& state);
   /// Whether all balls found their balance the last time.
   bool settled() const { return settled_; }
   /// Race control alone: gives each ball the race that resists its spin more, by its loads of the last time.
@@ -105,21 +105,21 @@ class MovingBallRow {
   /// Balls, where the loads were put, that are loaded where a groove stands upright and so has ended.
   int beyond_grooves() const;
   /// Places of ring (5) and balls (2 each, from their outer groove centre) [m].
-  Eigen::VectorXd places(const RingPlace& ring) const;
+  Eigen::VectorXd positions(const RingPosition& ring) const;
   /// Takes such places over; returns that of the ring.
-  RingPlace put_places(const Eigen::VectorXd& all);
+  RingPosition put_positions(const Eigen::VectorXd& all);
   /// Forces on all of them, without the outer load; their scale is the sum of the contact loads.
   mechanics::Imbalance<Eigen::Dynamic> all_forces(const Eigen::VectorXd& all) const;
 
   const BallRow& geometry() const { return geometry_; }
-  const std::vector<MovingBall>& balls() const { return balls_; }  // where the loads were put
+  const std::vector<JonesBall>& balls() const { return balls_; }  // where the loads were put
 
  private:
   struct BallMemory {
-    Eigen::Vector2d grooves = Eigen::Vector2d::Zero();  // [m]  where it was found
-    Eigen::Vector2d place = Eigen::Vector2d::Zero();    // [m]  from the outer groove centre
-    Eigen::Matrix2d follows = Eigen::Matrix2d::Zero();  // how the ball follows the groove centres
-    Eigen::Vector3d ring = Eigen::Vector3d::Zero();     // [N], [N], [N m]  on the ring
+    Eigen::Vector2d grooves = Eigen::Vector2d::Zero();   // [m]  where it was found
+    Eigen::Vector2d position = Eigen::Vector2d::Zero();  // [m]  from the outer groove centre
+    Eigen::Matrix2d follows = Eigen::Matrix2d::Zero();   // how the ball follows the groove centres
+    Eigen::Vector3d ring = Eigen::Vector3d::Zero();      // [N], [N], [N m]  on the ring
     Eigen::Matrix<double, 3, 2> slope = Eigen::Matrix<double, 3, 2>::Zero();  // of it by the groove centres
     double push = 0.0;                                                        // [N]  outward, while frozen
     double load = 0.0;                                                        // [N]  on the inner race
@@ -134,18 +134,18 @@ class MovingBallRow {
   void settle(const Eigen::Vector2d& grooves, BallMemory& ball) const;
   void remember(BallForces& at, BallMemory& ball) const;
   void settle_from(const Eigen::Vector2d& start, const Eigen::Vector2d& grooves, BallMemory& ball) const;
-  Eigen::Vector2d usual_place(const Eigen::Vector2d& grooves) const;
-  Eigen::Vector2d grooves_at(Eigen::Index ball, const RingPlace& place) const;
-  MovingBall ball_at(const BallMemory& ball) const;
+  Eigen::Vector2d default_position(const Eigen::Vector2d& grooves) const;
+  Eigen::Vector2d grooves_at(Eigen::Index ball, const RingPosition& position) const;
+  JonesBall ball_at(const BallMemory& ball) const;
 
   BallRow geometry_;
   BallLaw<double> law_;
-  double usual_centrifugal_ = 0.0;  // [N]  at the nominal contact angle
+  double default_centrifugal_ = 0.0;  // [N]  at the nominal contact angle
   bool frozen_ = false;
   bool settled_ = true;
-  std::optional<RingPlace> known_;  // where the memory holds the forces
+  std::optional<RingPosition> known_;  // where the memory holds the forces
   std::vector<BallMemory> memory_;
-  std::vector<MovingBall> balls_;
+  std::vector<JonesBall> balls_;
 };
 
 }  // namespace orbearing::bearing::equilibrium

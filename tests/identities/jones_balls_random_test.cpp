@@ -110,7 +110,7 @@ TEST(RandomBalances, AreFoundOrAreNone) {
 }
 
 // A group of rows is sought, and refused, as one row is: two bearings in one place bear half each.
-TEST(RandomBalances, TwoRowsInOnePlaceBearHalfEach) {
+TEST(RandomBalances, TwoRowsInOnePositionBearHalfEach) {
   Draws draws;
   int found = 0, none = 0;
   for (int i = 0; i < 60; ++i) {

@@ -1,4 +1,4 @@
-#include "bearing/usual_design.hpp"
+#include "bearing/default_design.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@ namespace orbearing::bearing {
 
 namespace {
 
-constexpr std::array<CageMaterial, 4> usual_materials{{
+constexpr std::array<CageMaterial, 4> default_materials{{
     {"glass-filled polyamide", 1310.0, 6e9},  // moist and warm; dry and cold 8e9
     {"aluminium", 2700.0, 70e9},
     {"steel", 7850.0, 206e9},
@@ -30,24 +30,24 @@ double shear_modulus(double youngs_modulus, double poisson_ratio) {
 
 }  // namespace
 
-const CageMaterial& usual_cage_material(double density) {
+const CageMaterial& default_cage_material(double density) {
   const auto distance = [density](const CageMaterial& material) {
     return std::abs(material.density - density);
   };
   return *std::min_element(
-      usual_materials.begin(), usual_materials.end(),
+      default_materials.begin(), default_materials.end(),
       [&](const CageMaterial& a, const CageMaterial& b) { return distance(a) < distance(b); });
 }
 
 const CageMaterial& cage_material(std::string_view name) {
-  const auto found = std::find_if(usual_materials.begin(), usual_materials.end(),
+  const auto found = std::find_if(default_materials.begin(), default_materials.end(),
                                   [name](const CageMaterial& one) { return one.name.ends_with(name); });
-  mechanics::require(!name.empty() && found != usual_materials.end(), "material of a cage", name,
+  mechanics::require(!name.empty() && found != default_materials.end(), "material of a cage", name,
                      "polyamide, aluminium, steel or brass");
   return *found;
 }
 
-double usual_pocket_clearance(double roller_diameter, double pitch_diameter, int rollers) {
+double default_pocket_clearance(double roller_diameter, double pitch_diameter, int rollers) {
   const double gap = gap_between_rollers(roller_diameter, pitch_diameter, rollers);
   return std::max(0.0, std::min(roller_diameter / 50.0, 0.5 * gap));
 }
@@ -67,7 +67,7 @@ double cage_bar_stiffness(const CageBar& bar) {
   return 1.0 / (bending + shear);
 }
 
-double usual_touch_down_stiffness(double youngs_modulus, double width) {
+double default_touch_down_stiffness(double youngs_modulus, double width) {
   return 0.2 * youngs_modulus * width;
 }
 

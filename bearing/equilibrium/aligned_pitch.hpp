@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
+#include "bearing/equilibrium/aligned_engine.hpp"
 #include "bearing/equilibrium/lamina_bearing.hpp"
-#include "bearing/equilibrium/level_engine.hpp"
 #include "bearing/equilibrium/quasi_static.hpp"
 #include "mechanics/packs/instruction_set.hpp"
 
@@ -21,7 +21,7 @@ struct PitchResults {
   Eigen::Array2Xd displacement;            // [m]    (x and y, positions)  outer ring relative to inner ring
   std::vector<Eigen::Matrix2d> stiffness;  // [N/m]  (positions)
   Eigen::ArrayXXd inner_load, outer_load;  // [N]    (positions, rollers)
-  std::vector<double> rollers;             // of LevelOutput, block by block; empty: not by LevelPitch
+  std::vector<double> rollers;             // of AlignedOutput, block by block; empty: not by AlignedPitch
   std::vector<QuasiStaticState> states;    // (positions)  where searched one by one, else empty
   std::vector<SolverReport> reports;       // (positions)
 };
@@ -35,12 +35,12 @@ struct UnlikeLaminae {
 
 /// The solver for one bearing: whole contacts, or laminae whose drops are the same at both ends and on both
 /// races, dry. Not for use by two threads at once.
-class LevelPitch {
+class AlignedPitch {
  public:
   /// None where rollers tilt between aligned races, or races are not round or have a film. Throws
   /// std::invalid_argument where the bearing has an unsound profile.
-  static std::optional<LevelPitch> of(const Bearing& bearing, const QuasiStaticOptions& options,
-                                      mechanics::InstructionSet set = mechanics::best_instruction_set());
+  static std::optional<AlignedPitch> of(const Bearing& bearing, const QuasiStaticOptions& options,
+                                        mechanics::InstructionSet set = mechanics::best_instruction_set());
   /// Whether races are aligned and rigid at `point`.
   static bool holds(const OperatingPoint& point) {
     return point.outer_race.is_rigid() && point.bore_tilt.isZero(0.0);
@@ -56,8 +56,8 @@ class LevelPitch {
                                          const PitchResults* near = nullptr);
 
  private:
-  LevelPitch(const Bearing& bearing, const QuasiStaticOptions& options, UnlikeLaminae laminae,
-             mechanics::InstructionSet set);
+  AlignedPitch(const Bearing& bearing, const QuasiStaticOptions& options, UnlikeLaminae laminae,
+               mechanics::InstructionSet set);
   void solve(const OperatingPoint& point, PitchResults& results, const PitchResults* near,
              double* lamina_loads);
   void put(const OperatingPoint& point, double first_roller, int lane);
@@ -71,28 +71,28 @@ class LevelPitch {
   UnlikeLaminae laminae_;  // drops in units of length, from the least on
   std::vector<double> pocket_cosine_, pocket_sine_;
   std::vector<double> inner_, outer_;  // [N]  (rollers, kBlock)
-  std::vector<double> lamina_loads_;   // of LevelOutput, block by block
-  LevelInput input_{};
-  LevelOutput output_{};
-  std::unique_ptr<LevelEngine> engine_;
+  std::vector<double> lamina_loads_;   // of AlignedOutput, block by block
+  AlignedInput input_{};
+  AlignedOutput output_{};
+  std::unique_ptr<AlignedEngine> engine_;
 };
 
-/// Equilibria over a pitch whatever the rollers do: by LevelPitch where it holds, else cage angle by cage
+/// Equilibria over a pitch whatever the rollers do: by AlignedPitch where it holds, else cage angle by cage
 /// angle.
 class PitchSearch {
  public:
   PitchSearch(const Bearing& bearing, const QuasiStaticOptions& options)
       : bearing_(bearing, mechanics::InstructionSet::baseline),
         options_(options),
-        level_(LevelPitch::of(bearing, options)) {}
+        level_(AlignedPitch::of(bearing, options)) {}
 
-  /// As LevelPitch::solve(); other results than `near`.
+  /// As AlignedPitch::solve(); other results than `near`.
   void solve(const OperatingPoint& point, PitchResults& results, const PitchResults* near = nullptr);
 
  private:
   laminae::LaminaBearing bearing_;
   QuasiStaticOptions options_;
-  std::optional<LevelPitch> level_;
+  std::optional<AlignedPitch> level_;
 };
 
 }  // namespace orbearing::bearing::vectorised
