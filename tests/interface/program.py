@@ -1,6 +1,8 @@
 """The program as the interface tests call it, and the cases that they call it with."""
 
+import contextlib
 import importlib
+import io
 import json
 import os
 import pathlib
@@ -30,6 +32,17 @@ def package():
 def run(*arguments):
     command = [os.environ["ORBEARING"], *map(str, arguments)]
     return subprocess.run(command, capture_output=True, text=True, timeout=SECONDS, check=False)
+
+
+def within(main, *arguments):
+    """As `run`, of a command that Python carries out: in this process, which has loaded its packages once."""
+    said, complained = io.StringIO(), io.StringIO()
+    with contextlib.redirect_stdout(said), contextlib.redirect_stderr(complained):
+        try:
+            code = main([*map(str, arguments)])
+        except SystemExit as end:
+            code = end.code
+    return subprocess.CompletedProcess(arguments, code, said.getvalue(), complained.getvalue())
 
 
 def settings(values):

@@ -23,6 +23,7 @@ orbearing = program.package()
 import numpy as np  # noqa: E402
 import xarray  # noqa: E402
 
+from orbearing.studies.__main__ import main  # noqa: E402
 from orbearing.studies.folder import DATASET, finished_counts  # noqa: E402
 
 CASE, PROGRAM = str(program.REDUCER), os.environ["ORBEARING"]
@@ -39,7 +40,7 @@ def call(*options):
 
 
 def run(*options):
-    return program.run("study", CASE, *options)
+    return program.within(main, CASE, *options)
 
 
 def sweep(folder, *options):
@@ -55,7 +56,7 @@ class Study(unittest.TestCase):
         place = tempfile.TemporaryDirectory()
         cls.addClassCleanup(place.cleanup)
         cls.place = pathlib.Path(place.name)
-        cls.result = run("-o", cls.place / "grid", *VARY, "--points", "peak", "--json")
+        cls.result = program.run("study", CASE, "-o", cls.place / "grid", *VARY, "--points", "peak", "--json")
         assert cls.result.returncode == 0, cls.result.stderr
         with xarray.open_dataset(cls.place / "grid" / DATASET) as stored:
             cls.stored = stored.load()
@@ -179,7 +180,7 @@ class Killed(unittest.TestCase):
         with tempfile.TemporaryDirectory() as name:
             place = pathlib.Path(name)
             begin = time.monotonic()
-            self.assertEqual(run("-o", place / "whole", *MANY, "--quiet").returncode, 0)
+            self.assertEqual(program.run("study", CASE, "-o", place / "whole", *MANY, "--quiet").returncode, 0)
             seconds = time.monotonic() - begin
             whole = (place / "whole" / DATASET).read_bytes()
             kills = kept = rounds = 0

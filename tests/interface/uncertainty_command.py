@@ -24,6 +24,8 @@ import program
 orbearing = program.package()
 BUILT = pathlib.Path(orbearing.__file__).parents[1]
 
+from orbearing.uncertainties.__main__ import main  # noqa: E402
+
 POWER = "input.power: {normal: {standard_deviation: 5 kW}, reason: 'so: said'}"
 CLEARANCE = "bearing.radial_clearance: {triangular: {from: 0 um, peak: 5 um, to: 20 um}}"
 UNCERTAIN = "uncertain={" + POWER + ", " + CLEARANCE + "}"
@@ -33,7 +35,7 @@ SETTINGS = program.settings((UNCERTAIN, COARSE))
 
 
 def study(*words, case=program.REDUCER):
-    return program.run("uncertainty", case, *FEW, *SETTINGS, *words)
+    return program.within(main, case, *FEW, *SETTINGS, *words)
 
 
 class Command(unittest.TestCase):
@@ -41,7 +43,7 @@ class Command(unittest.TestCase):
     def setUpClass(cls):
         cls.place = tempfile.TemporaryDirectory()
         cls.folder = pathlib.Path(cls.place.name) / "new" / "results"
-        cls.done = study("-o", cls.folder)
+        cls.done = program.run("uncertainty", program.REDUCER, *FEW, *SETTINGS, "-o", cls.folder)
         cls.data = json.loads((cls.folder / "uncertainty.json").read_text())
 
     @classmethod
@@ -59,7 +61,7 @@ class Command(unittest.TestCase):
         self.assertNotIn("http", page.replace("http://www.w3.org", ""))
 
     def test_the_resolved_case_gives_the_same_numbers_whatever_the_jobs(self):
-        again = program.run("uncertainty", self.folder / "case.resolved.yaml", *FEW, "--json", "--jobs", "1")
+        again = program.within(main, self.folder / "case.resolved.yaml", *FEW, "--json", "--jobs", "1")
         self.assertEqual(again.stdout, (self.folder / "uncertainty.json").read_text())
 
     def test_the_case_as_it_stands_is_its_sweep(self):
@@ -95,7 +97,7 @@ class Command(unittest.TestCase):
     def test_names_a_spectrum_that_it_leaves_out(self):  # issue 52, item 7
         few = ("--samples", "16", "--curves", "2", "--index-samples", "4")
         spectrum = program.settings(("spectrum=[{power: 150 kW, speed: 6000 rpm, share: 1}]",))
-        done = program.run("uncertainty", program.REDUCER, *few, *SETTINGS, *spectrum, "--json")
+        done = program.within(main, program.REDUCER, *few, *SETTINGS, *spectrum, "--json")
         self.assertEqual(done.returncode, 0, done.stderr)
         named = [text for text in json.loads(done.stdout)["warnings"] if text.startswith("spectrum: has no effect on uncertainty")]
         self.assertEqual(len(named), 1)
