@@ -19,6 +19,8 @@ except ImportError:
     print("skipped: matplotlib is missing")
     sys.exit(77)
 
+from program import BRIEF_GEARS
+
 SOURCE = pathlib.Path(os.environ.get("ORBEARING_SOURCE_DIR", "."))
 REDUCER = SOURCE / "cases" / "reducer_150kW" / "case.yaml"
 MOTOR = SOURCE / "cases" / "deep_groove_motor" / "case.yaml"
@@ -45,7 +47,7 @@ class Planets(unittest.TestCase):
         cls.addClassCleanup(cls.place.cleanup)
         cls.folder = pathlib.Path(cls.place.name) / "out"
         cls.text = call("sweep", REDUCER, "-o", cls.folder, "--grid-only",
-                        settings=(*OIL, "sweep={input.speed: [3000 rpm, 6000 rpm, 9000 rpm]}"))
+                        settings=(*OIL, *BRIEF_GEARS, "sweep={input.speed: [3000 rpm, 6000 rpm, 9000 rpm]}"))
         call("report", cls.folder)
         cls.page = (cls.folder / "report.html").read_text(encoding="utf-8")
         lines = (cls.folder / "sweep.csv").read_text(encoding="utf-8").splitlines()
