@@ -44,7 +44,7 @@ class TheSameNumbers(unittest.TestCase):
         for name in ("check", "modes", "mesh"):
             with self.subTest(name):
                 self.assertEqual(getattr(case, name)().data, printed(name, REDUCER))
-        self.assertEqual(case.crown(drops="0 um, 10 um").data, printed("crown", REDUCER, "--drops", "0 um, 10 um"))
+        self.assertEqual(case.crown(drops="0 um, 10 um", starts=1).data, printed("crown", REDUCER, "--drops", "0 um, 10 um", "--starts", "1"))
         self.assertEqual(case.modes(speed="6000 rpm").data, printed("modes", REDUCER, "--speed", "6000 rpm"))
 
     def test_every_case_runs_as_by_the_command_line(self):
@@ -69,9 +69,9 @@ class TheSameNumbers(unittest.TestCase):
         """Issue 17, Build 3: neighbouring speeds and clearances, one way and as one system, with oil on races and in pockets."""
         case = orbearing.load(REDUCER)
         for path, value in {"film.enabled": "true", "contact.squeeze": "true", "bearing.cage.pocket_film": "hydrodynamic",
-                            "simulation.observed_revolutions": "1", "simulation.most_revolutions": "2"}.items():
+                            "simulation.observed_revolutions": "1", "simulation.most_revolutions": "2", "simulation.length_error": "2e-6 mm"}.items():
             case[path] = value
-        rows = np.array([[speed, clearance] for speed in (580.0, 600.0, 620.0) for clearance in (0.0, 20e-6)])
+        rows = np.array([[speed, clearance] for speed in (600.0, 620.0) for clearance in (0.0, 20e-6)])
         order = np.random.default_rng(1).permutation(len(rows))
         for fidelity in ("dynamic", "monolithic"):
             with self.subTest(fidelity):
@@ -230,24 +230,27 @@ class Results(unittest.TestCase):
         self.assertEqual(meshes.stiffness_N_per_m.dims, ("mesh", "fraction"))
 
     def test_motion_keeps_its_series_and_report(self):
-        case = orbearing.load(REDUCER, {"simulation.observed_revolutions": 2, "simulation.most_revolutions": 2})
+        case = orbearing.load(REDUCER, {"simulation.observed_revolutions": 1, "simulation.most_revolutions": 2})
         result = case.run(fidelity="dynamic")
         self.assertIn("time", " ".join(result.series().variables))
         with tempfile.TemporaryDirectory() as folder:
             self.assertIn(b"<svg", result.report(pathlib.Path(folder) / "new" / "page.html").read_bytes())
 
     def test_figures_of_the_report_are_functions_of_results(self):
-        figures = orbearing.load(REDUCER).sweep(grid_only=True).figures()
+        figures = orbearing.load(REDUCER, {"sweep.input.speed": ["6000 rpm"]}).sweep(grid_only=True).figures()
         self.assertEqual(len(figures["life"].pictures), 2)
         self.assertIn("<svg", figures["polar"]._repr_html_())
-        self.assertIn("crown-drop", orbearing.load(REDUCER).crown(drops="0 um, 5 um").figures())
+        self.assertIn("crown-drop", self.few_rollers().crown(drops="0 um, 5 um", starts=1).figures())
+
+    def few_rollers(self):
+        return orbearing.load(REDUCER, {"bearing.rollers": 7})
 
     def test_plots_and_notebook_displays(self):
         import matplotlib
 
         matplotlib.use("agg")
         case = orbearing.load(REDUCER)
-        for result in (case.sweep(grid_only=True), case.modes(), case.mesh(), case.crown(drops="0 um, 5 um")):
+        for result in (case.sweep(grid_only=True), case.modes(), case.mesh(), self.few_rollers().crown(drops="0 um, 5 um", starts=1)):
             axes = result.plot()
             self.assertTrue(axes.get_xlabel() and axes.get_ylabel())
             self.assertIn("<table>", result._repr_html_())
