@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Issue 44, Build 4(a) and item 16: the unit that the Python package gives each number of the program's JSON.
 
-Two ways: a table by hand of what the commands print, and every key that the program's sources write, read by a grammar of its own.
+Three ways: a table by hand of what the commands print, every key that the program's sources write, read by a grammar of its own, and results that
+scale with their inputs.
 Needs the source folder in ORBEARING_SOURCE_DIR. Exit code 77 (skipped) where numpy is missing.
 """
 
@@ -74,6 +75,97 @@ def by_grammar(key):
             power = re.fullmatch(r"(\D+)(\d?)", WORDS[word])
             parts.append(f"{power[1]}-{power[2] or 1}" if divides else WORDS[word])
     return " ".join(parts) or "1"
+
+
+# Powers of length, force and time in units of inputs and results; of all other words: none.
+POWERS = {"m": (1, 0, 0), "N": (0, 1, 0), "Pa": (-2, 1, 0), "W": (1, 1, -1), "kg": (-1, 1, 2), "s": (0, 0, 1), "h": (0, 0, 1), "Hz": (0, 0, -1),
+          "rpm": (0, 0, -1)}
+PREFIXED = {"mm": "m", "um": "m", "kN": "N", "MPa": "Pa", "GPa": "Pa", "kW": "W", "ms": "s", "us": "s"}
+ANY = (1.1, 1.3, 0.8)
+KEEPS_GRAVITY = (1.44, 1.3, 1.2)  # [m] over [s2] stays
+# Standards hold numbers in N, mm and steel; catalogues do not scale. A curve has shares of the pitch beside its values.
+EMPIRICAL = re.compile(r"L10|life|Mrev|rating|capacity|C0?_N$|Cu_N|C_over_P|S0$|static_safety|c_th|curve")
+
+
+def scale_of(unit, scales):
+    """What a number with that unit is multiplied by where lengths, forces and times are."""
+    above, _, below = unit.partition("/")
+    factor = 1.0
+    for words, sign in ((above, 1), (below.strip("()"), -1)):
+        for word in filter(None, re.split(r"[. ]", words)):
+            name, power = re.fullmatch(r"([A-Za-z]+|1)(-?\d*)", word).groups()
+            for scale, exponent in zip(scales, POWERS.get(PREFIXED.get(name, name), (0, 0, 0))):
+                factor *= scale ** (sign * exponent * int(power or 1))
+    return factor
+
+
+def numbers_of(found, path=()):
+    """Numbers of a result, each with its path."""
+    if isinstance(found, (dict, list)):
+        for key, value in found.items() if isinstance(found, dict) else enumerate(found):
+            if key not in ("units", "life_table"):  # which repeats lives
+                yield from numbers_of(value, (*path, key))
+    elif isinstance(found, (int, float)) and not isinstance(found, bool):
+        yield path, found
+
+
+def stated_unit(units, path):
+    """That of the deepest key with one, by itself or with those above; none where no key has one."""
+    keys = [key for key in path if isinstance(key, str)]
+    if "force_by_tilt" in units and keys[-1] == "stiffness":  # three displacements, two tilts
+        return units[("force" if path[-2] < 3 else "moment") + ("_by_place" if path[-1] < 3 else "_by_tilt")]
+    for end in range(len(keys), 0, -1):
+        for name in ("/".join(keys[:end]), keys[end - 1]):
+            if isinstance(units.get(name), str):
+                return units[name]
+    return None
+
+
+class Scaled(unittest.TestCase):
+    """Issue 45, Build 1: computed with units of length, force and time scaled, each result scales as its unit says."""
+
+    CASES = ((ANY, "modes", "lin_parker_1999"), (ANY, "mesh", "mesh_62_62"), (ANY, "mesh", "wind_stage_750kW"), (ANY, "run", "jones_218"),
+             (ANY, "run", "duplex_7020"), (ANY, "stiffness", "jones_218"), (ANY, "run", "reducer_150kW"),
+             (KEEPS_GRAVITY, "run", "scratch_defect", "signal.revolutions=3"))
+
+    def answer(self, command, case, settings):
+        words = [word for setting in settings for word in ("--set", setting)]
+        done = subprocess.run([os.environ["ORBEARING"], command, ROOT / "cases" / case / "case.yaml", *words, "--json"],
+                              capture_output=True, text=True, timeout=300)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return json.loads(done.stdout)
+
+    def scaled(self, case, settings, scales):
+        """The inputs of a case as settings, each multiplied as its unit says."""
+        for row in self.answer("check", case, settings)["inputs"]:
+            factor, value, unit = scale_of(row["unit"], scales), row["value"], row["unit"]
+            if factor != 1.0 and isinstance(value, list):
+                yield f"{row['path']}=[{', '.join(f'{one * factor!r} {unit}' for one in value)}]"
+            elif factor != 1.0:
+                yield f"{row['path']}={value * factor!r} {unit}"
+
+    def test_scales_as_its_unit_says(self):
+        if "ORBEARING" not in os.environ:
+            self.skipTest("ORBEARING is not set")
+        for scales, command, case, *settings in self.CASES:
+            with self.subTest(f"{command} {case}"):
+                here = self.answer(command, case, settings)
+                there = dict(numbers_of(self.answer(command, case, [*settings, *self.scaled(case, settings, scales)])))
+                self.assertGreater(self.compare(here, there, scales), 10)
+
+    def compare(self, here, there, scales):
+        """How many numbers were compared."""
+        stated = [(path, stated_unit(here["units"], path), value) for path, value in numbers_of(here)]
+        stated = [(path, unit, value) for path, unit, value in stated
+                  if unit and "^" not in unit and "," not in unit and not any(EMPIRICAL.search(str(key)) for key in path)]
+        largest = {}
+        for _, unit, value in stated:
+            largest[unit] = max(largest.get(unit, 0.0), abs(value))
+        for path, unit, value in stated:
+            expected = value * scale_of(unit, scales)
+            # 1e-5: searches for fits; the others: zeros that are round-off.
+            self.assertAlmostEqual(there[path], expected, delta=max(1e-5 * abs(expected), 1e-9 * largest[unit], 1e-12), msg=f"{path} [{unit}]")
+        return len(stated)
 
 
 class Units(unittest.TestCase):
