@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <nlohmann/json.hpp>
 
 #include "app/case/field_table.hpp"
 #include "app/case/unused_inputs.hpp"
@@ -50,8 +49,9 @@ std::vector<Row> all_rows(const ResolvedCase& resolved, const std::vector<Derive
     rows.push_back(
         {"sweep." + axis.path, fmt::format("{} values", axis.values.size()), "", "given", axis.written});
   for (const StatedUncertain& one : resolved.uncertain().inputs)
-    rows.push_back({"uncertain." + one.path, one.written, "", "uncertain",
-                    "used by uncertainty and validate alone" + (one.reason.empty() ? "" : "; " + one.reason)});
+    rows.push_back(
+        {"uncertain." + one.path, one.written, "", "uncertain",
+         "used by uncertainty and validate alone" + (one.reason.empty() ? "" : "; " + one.reason)});
   if (const StatedCorrelations& joined = resolved.uncertain().correlations; !joined.written.empty())
     rows.push_back({"uncertain.correlations", joined.written, "", "uncertain", "of the normal scores"});
   for (const Derived& quantity : derived)
@@ -68,61 +68,71 @@ std::string line(const Row& row, const std::array<std::size_t, 4>& widths) {
   return text + "\n";
 }
 
+using described::Record;
+
 // Rows as lists; those of which some columns are left out, with the names of what they have.
-nlohmann::json rows_of_list(const Field& field, const std::vector<double>& list) {
-  const bool some_left_out = has_choices(field);
-  nlohmann::json rows = nlohmann::json::array();
-  for (std::size_t i = 0; i < list.size(); i += field.columns.size()) {
-    nlohmann::json listed = nlohmann::json::array(), named = nlohmann::json::object();
-    for (std::size_t k = 0; k < field.columns.size(); ++k) {
-      const ListColumn& column = field.columns[k];
-      listed.push_back(list[i + k]);
-      if (column.one_of == 0 || list[i + k] != 0.0) named[column_key(column)] = list[i + k];
-    }
-    rows.push_back(some_left_out ? named : listed);
+void describe_rows(Record& record, const Field& field, const std::vector<double>& list) {
+  const std::size_t columns = field.columns.size();
+  std::vector<std::vector<double>> rows;
+  for (std::size_t i = 0; i < list.size(); i += columns)
+    rows.emplace_back(list.begin() + static_cast<std::ptrdiff_t>(i),
+                      list.begin() + static_cast<std::ptrdiff_t>(i + columns));
+  if (!has_choices(field)) {
+    record.array("value", {}, "in SI", {"row", "column"}, rows);
+    return;
   }
-  return rows;
+  record.table("value", "row", "in SI", rows, [&](Record& row, const std::vector<double>& numbers) {
+    for (std::size_t k = 0; k < columns; ++k)
+      if (const ListColumn& column = field.columns[k]; column.one_of == 0 || numbers[k] != 0.0)
+        row.value(column_key(column), {}, "", numbers[k]);
+  });
 }
 
-nlohmann::json value_json(const ResolvedCase& resolved, const Input& input) {
+void describe_value(Record& record, const ResolvedCase& resolved, const Input& input) {
   const auto& [path, field] = input;
+  const auto add = [&](const auto& plain) { record.value("value", "as given", plain); };
   switch (field->kind) {
     case Kind::quantity:
-      return resolved.quantity(path);
+      record.value("value", {}, "in SI", resolved.quantity(path));
+      return;
     case Kind::number:
-      return resolved.number(path);
+      record.value("value", {}, "in SI", resolved.number(path));
+      return;
     case Kind::integer:
-      return resolved.integer(path);
+      return add(resolved.integer(path));
     case Kind::flag:
-      return resolved.flag(path);
+      return add(resolved.flag(path));
     case Kind::list:
-      if (field->element == Kind::text) return resolved.texts(path);
-      if (!field->columns.empty()) return rows_of_list(*field, resolved.list(path));
-      return resolved.list(path);
+      if (field->element == Kind::text) return add(resolved.texts(path));
+      if (!field->columns.empty()) return describe_rows(record, *field, resolved.list(path));
+      record.array("value", {}, "in SI", {"element"}, resolved.list(path));
+      return;
     case Kind::choice:
     case Kind::text:
-      break;
+      return add(resolved.given(path));
   }
-  return resolved.given(path);
 }
 
-nlohmann::json input_json(const ResolvedCase& resolved, const Input& input) {
-  const auto& [path, field] = input;
-  nlohmann::json used_by = nlohmann::json::array(), not_felt_by = nlohmann::json::array();
+std::string si_unit(const Field& field) {
+  return field.dimension.si.empty() ? "1" : std::string(field.dimension.si);
+}
+
+void describe_input(Record& row, const ResolvedCase& resolved, const Input& input) {
+  described::Texts used_by, not_felt_by;
   for (const use::Analysis analysis : analyses_of(resolved)) {
     const UseStatus status = use_status_in_row(resolved, input, analysis);
     if (status == UseStatus::used) used_by.push_back(analysis_name(analysis));
     if (status == UseStatus::unfelt) not_felt_by.push_back(analysis_name(analysis));
   }
-  return {{"path", path},
-          {"used_by", used_by},
-          {"not_felt_by", not_felt_by},
-          {"value", value_json(resolved, input)},
-          {"unit", field->dimension.si.empty() ? "1" : std::string(field->dimension.si)},
-          {"given", resolved.given(path)},
-          {"standing", status(resolved, path)},
-          {"reason", reason(resolved, path)},
-          {"origin", resolved.origin(path)}};
+  row.value("path", "key of the case", input.path);
+  row.value("used_by", "analyses", used_by);
+  row.value("not_felt_by", "analyses", not_felt_by);
+  describe_value(row, resolved, input);
+  row.value("unit", "of the value", si_unit(*input.field));
+  row.value("given", "as the case states it", resolved.given(input.path));
+  row.value("standing", "given or assumed", status(resolved, input.path));
+  row.value("reason", "of what is assumed", reason(resolved, input.path));
+  row.value("origin", "where it stands", resolved.origin(input.path));
 }
 
 // What is given and cannot be felt, analysis by analysis.
@@ -157,21 +167,29 @@ std::string check_table(const ResolvedCase& resolved, const std::vector<Derived>
   return text + unfelt_text(resolved);
 }
 
-nlohmann::json check_json(const ResolvedCase& resolved, const std::vector<Derived>& derived) {
-  nlohmann::json inputs = nlohmann::json::array();
-  for (const Input& input : resolved.inputs())
-    if (resolved.has(input.path)) inputs.push_back(input_json(resolved, input));
-  nlohmann::json quantities = nlohmann::json::array();
-  for (const Derived& quantity : derived)
-    quantities.push_back({{"path", quantity.path},
-                          {"value", quantity.value},
-                          {"unit", quantity.unit},
-                          {"standing", "derived"},
-                          {"meaning", quantity.meaning}});
-  return {{"name", resolved.text("name")},
-          {"model", resolved.choice("model")},
-          {"inputs", inputs},
-          {"derived", quantities}};
+void describe_check(Record& record, const ResolvedCase& resolved, const std::vector<Derived>& derived) {
+  std::vector<Input> inputs = resolved.inputs();
+  std::erase_if(inputs, [&](const Input& input) { return !resolved.has(input.path); });
+  record.value("name", "of the case", resolved.text("name"));
+  record.value("model", "what is computed", resolved.choice("model"));
+  record.table("inputs", "input", "what the case states", inputs,
+               [&](Record& row, const Input& input) { describe_input(row, resolved, input); });
+  record.table("derived", "quantity", "what follows from it", derived, [](Record& row, const Derived& one) {
+    row.value("path", "name", one.path);
+    row.value("value", {}, "in its unit", one.value);
+    row.value("unit", "of the value", one.unit);
+    row.value("standing", "derived", "derived");
+    row.value("meaning", "of the quantity", one.meaning);
+  });
+}
+
+std::map<std::string, std::string> check_units(const ResolvedCase& resolved,
+                                               const std::vector<Derived>& derived) {
+  std::map<std::string, std::string> units;
+  for (const auto& [path, field] : resolved.inputs())
+    if (resolved.has(path) && is_numeric(*field)) units[path] = si_unit(*field);
+  for (const Derived& one : derived) units[one.path] = one.unit;
+  return units;
 }
 
 }  // namespace orbearing::app

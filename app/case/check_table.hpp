@@ -1,20 +1,25 @@
 // What `orbearing check` prints: every input and derived quantity with its value, unit and standing.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "app/case/derived.hpp"
 #include "app/case/resolved_case.hpp"
+#include "mechanics/record.hpp"
 
 namespace orbearing::app {
 
 /// The table as text, one line for each quantity.
 std::string check_table(const ResolvedCase& resolved, const std::vector<Derived>& derived);
 
-/// The same as JSON: `{name, model, inputs: [{path, value, unit, given, standing, reason, origin, used_by,
-/// not_felt_by}], derived: [...]}`; `value` is SI and `unit` its SI unit.
-nlohmann::json check_json(const ResolvedCase& resolved, const std::vector<Derived>& derived);
+/// The same as `{name, model, inputs: [{path, used_by, not_felt_by, value, unit, given, standing, reason,
+/// origin}], derived: [...]}`; of inputs `value` is SI and `unit` its SI unit.
+void describe_check(described::Record& record, const ResolvedCase& resolved,
+                    const std::vector<Derived>& derived);
+/// Units of those values by their paths.
+std::map<std::string, std::string> check_units(const ResolvedCase& resolved,
+                                               const std::vector<Derived>& derived);
 
 }  // namespace orbearing::app

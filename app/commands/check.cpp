@@ -31,8 +31,9 @@ Checked check(const ResolvedCase& resolved) {
     return {pair_quantities(resolved, meshes), meshes.warnings};
   }
   const Analysis* analysis = analysis_of(resolved);
-  const std::vector<Derived> own =
-      analysis != nullptr && analysis->derived != nullptr ? analysis->derived(resolved) : std::vector<Derived>{};
+  const std::vector<Derived> own = analysis != nullptr && analysis->derived != nullptr
+                                       ? analysis->derived(resolved)
+                                       : std::vector<Derived>{};
   if (resolved.model() != planetary_drivetrain) return {own, {}, {}};
   Checked checked{derived_quantities(resolved), gear_warnings(resolved), {}};
   if (resolved.shape().several || resolved.shape().teeth) checked.power = power_table(resolved);
@@ -62,11 +63,14 @@ int check_command(const Options& options) {
   const std::vector<std::string> idle = idle_inputs(resolved);
   checked.warnings.insert(checked.warnings.end(), idle.begin(), idle.end());
   if (options.json) {
-    nlohmann::json object = check_json(resolved, checked.derived);
+    Record record;
+    describe_check(record, resolved, checked.derived);
+    if (checked.power) describe(record, *checked.power);
+    nlohmann::ordered_json object = json_of(record);
     if (!resolved.uncertain().inputs.empty()) object["uncertain"] = uncertain_json(resolved);
     object["warnings"] = checked.warnings;
-    if (checked.power) object.update(json_of(record_of(*checked.power)));
-    print_object(object, options);
+    object["units"] = check_units(resolved, checked.derived);
+    print_result(std::move(object), record, options);
     return 0;
   }
   if (options.quiet) return 0;

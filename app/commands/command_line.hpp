@@ -10,6 +10,7 @@
 
 #include "app/case/resolved_case.hpp"
 #include "app/study/crown/crown_options.hpp"
+#include "mechanics/record.hpp"
 
 namespace orbearing::app {
 
@@ -29,27 +30,29 @@ struct Options {
   bool grid_only = false;                // sweep, merge: no points are added around the peak
   int jobs = 0;                          // 0: one for each core
   bool every_effect = false;             // report: all effects of the motion in time
-  bool data_only = false;                // report: what its page is made of is the result, and no page is drawn
-  bool motion = false;                   // validate: what assumptions are worth in motion, alone
-  int samples = 0;                       // validate: of uncertain inputs, for the bands of measured rows
-  bool gears = false;                    // run: without the dynamics of bearings
-  std::string fmi = "2";                 // fmu: version of the interface
-  std::string model = "bearing";         // fmu: "bearing" or "gearset"
-  std::vector<std::string> varied;       // signals: path=[value, value]
-  double noise = 0.0;                    // signals: root mean square [m/s^2]
-  std::uint64_t seed = 1;                // signals: of the noise
-  std::string bins = "8x8";              // spectrum: of torque and of speed
-  double exponent = 4.0;                 // spectrum: of the life over the torque
+  bool data_only = false;           // report: what its page is made of is the result, and no page is drawn
+  bool motion = false;              // validate: what assumptions are worth in motion, alone
+  int samples = 0;                  // validate: of uncertain inputs, for the bands of measured rows
+  bool gears = false;               // run: without the dynamics of bearings
+  std::string fmi = "2";            // fmu: version of the interface
+  std::string model = "bearing";    // fmu: "bearing" or "gearset"
+  std::vector<std::string> varied;  // signals: path=[value, value]
+  double noise = 0.0;               // signals: root mean square [m/s^2]
+  std::uint64_t seed = 1;           // signals: of the noise
+  std::string bins = "8x8";         // spectrum: of torque and of speed
+  double exponent = 4.0;            // spectrum: of the life over the torque
   CrownOptions crown;
   bool resume = false;
   bool json = false;
   bool quiet = false;
 
-  /// Of a caller in the same process: the case in place of file and settings, and who takes the result and the
-  /// line about points that failed in place of the standard streams.
+  /// Of a caller in the same process: the case in place of file and settings, who takes the result and the
+  /// line about points that failed in place of the standard streams, and who looks at what the result is made
+  /// of.
   std::optional<ResolvedCase> given{};
   std::function<void(const nlohmann::ordered_json& object)> take_result{};
   std::function<void(const std::string& line)> take_failures{};
+  std::function<void(const described::Record& record)> take_record{};
 
   std::string result{};           // sensitivities: its key; empty: the life that results go by
   std::vector<std::string> by{};  // sensitivities: inputs; none: all

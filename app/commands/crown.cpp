@@ -100,6 +100,7 @@ int crown_command(const Options& options) {
     const CrownStudy study = computed(request, options);
     Record record;
     describe(record, study);
+    if (options.take_record) options.take_record(record);
     result = {result_json(resolved, options.crown, noted, study, record), text_of(record), study.failed};
     std::map<std::string, std::string> others;
     if (!options.output.empty()) {

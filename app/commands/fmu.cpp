@@ -51,20 +51,22 @@ struct Outcome {
 
 void present(const ResolvedCase& resolved, const Options& options, const Outcome& outcome) {
   if (options.json) {
-    const nlohmann::ordered_json object{{"case", resolved.text("name")},
-                                        {"file", options.output},
-                                        {"fmi", options.fmi},
-                                        {"model", options.model},
-                                        {"token", outcome.token},
-                                        {"platforms", outcome.platforms},
-                                        {"inputs", outcome.inputs},
-                                        {"outputs", outcome.outputs},
-                                        {"parameters", outcome.parameters},
-                                        {"bytes", outcome.bytes},
-                                        {"assumptions", assumptions_json(resolved)},
-                                        {"warnings", outcome.warnings},
-                                        {"versions", versions_json()}};
-    print_object(object, options);
+    Record record;
+    record.value("case", "name", resolved.text("name"));
+    record.value("file", "that was written", options.output);
+    record.value("fmi", "version of the interface", options.fmi);
+    record.value("model", "what it is of", options.model);
+    record.value("token", "of its variables and program", outcome.token);
+    record.value("platforms", "of its libraries", outcome.platforms);
+    record.value("inputs", "variables", outcome.inputs);
+    record.value("outputs", "variables", outcome.outputs);
+    record.value("parameters", "variables", outcome.parameters);
+    record.value("bytes", "of the file", outcome.bytes);
+    nlohmann::ordered_json object = json_of(record);
+    object["assumptions"] = assumptions_json(resolved);
+    object["warnings"] = outcome.warnings;
+    object["versions"] = versions_json();
+    print_result(std::move(object), record, options);
     return;
   }
   if (options.quiet) return;

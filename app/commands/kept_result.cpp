@@ -98,6 +98,7 @@ int compute_and_keep(const ResolvedCase& resolved, const Options& options, const
   AnalysisResult result = compute();
   const Shown shown = shown_of(resolved, result);
   const nlohmann::ordered_json object = whole_json(resolved, result, shown.json);
+  if (options.take_record) options.take_record(result.record);
   if (!folder.finished().contains(0)) {
     std::map<std::string, std::string> others;
     if (!folder.path().empty()) others = write_files(folder.path(), names, result, object);
@@ -127,6 +128,7 @@ void present_record(const ResolvedCase& resolved, const Record& record,
   object.update(json_of(record));
   object["warnings"] = warnings;
   object["units"] = units_of(record);
+  if (options.take_record) options.take_record(record);
   present_result(object, text_of(record) + more, options);
 }
 

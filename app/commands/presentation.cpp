@@ -33,6 +33,12 @@ void print_object(const nlohmann::ordered_json& object, const Options& options) 
     fmt::print("{}\n", object.dump(2));
 }
 
+void print_result(nlohmann::ordered_json object, const Record& record, const Options& options) {
+  if (options.take_record) options.take_record(record);
+  object["units"].update(units_of(record));
+  print_object(object, options);
+}
+
 void print_warnings(const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings) fmt::print("warning: {}\n", printable(warning));
 }
@@ -84,14 +90,15 @@ int present_sweep(const ResolvedCase& resolved, const SweepOutcome& outcome, con
   if (options.json) {
     nlohmann::ordered_json object =
         sweep_json(outcome, found.peak, assumptions_json(resolved), warnings, versions_json());
+    Record form = sweep_form(found.peak);
     if (resolved.axes().empty()) {
-      const Record power = record_of(power_table(resolved));
-      object.update(json_of(power));
-      object["units"].update(units_of(power));
+      const PowerTable power = power_table(resolved);
+      object.update(json_of(record_of(power)));
+      describe(form, power);
     }
     if (resolved.axes().empty() && outcome.failed == 0 && outcome.header.fidelity == "quasi-static")
       object["stiffness"] = stiffness_of_run(resolved);
-    print_object(object, options);
+    print_result(std::move(object), form, options);
   } else if (!options.quiet) {
     fmt::print("{}{}\n{}{}", lives_text_of(resolved, outcome), sweep_table(outcome.head, outcome.rows),
                life_chart(outcome.head, outcome.rows, found.peak, glyphs_of_locale()),

@@ -7,6 +7,7 @@
 
 #include "app/case/resolved_case.hpp"
 #include "app/commands/command_line.hpp"
+#include "app/results/record_writers.hpp"
 #include "app/results/sweep_run.hpp"
 
 namespace orbearing::app {
@@ -18,6 +19,8 @@ ResolvedCase point_of(const Options& options);
 
 /// A result as JSON: to the caller who takes it, else on standard output.
 void print_object(const nlohmann::ordered_json& object, const Options& options);
+/// The same with the units of the numbers of `record`, which it was made of.
+void print_result(nlohmann::ordered_json object, const Record& record, const Options& options);
 void print_warnings(const std::vector<std::string>& warnings);
 /// Points that failed, in one line: to the caller who takes it, else on standard error.
 void print_failures(const std::string& line, const Options& options);

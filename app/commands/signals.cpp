@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include <array>
 #include <fstream>
 #include <mutex>
 #include <nlohmann/json.hpp>
@@ -36,6 +37,27 @@ std::string grid_text(const Options& options, const std::vector<SignalAxis>& axe
     text += fmt::format("; {}=[{}]", axis.path, fmt::join(axis.values, ", "));
   if (options.noise > 0.0) text += fmt::format("; noise {} m/s2, seed {}", options.noise, options.seed);
   return text;
+}
+
+void describe_signal(Record& labels, std::size_t number, const std::string& file,
+                     const std::vector<Setting>& varied) {
+  labels.value("signal", "number", number);
+  if (!file.empty()) labels.value("file", "of the signal", file);
+  for (const Setting& setting : varied)
+    if (setting.path != "defect.race") labels.value(setting.path, "varied", setting.text);
+}
+
+// Labels as they are described, whether computed now or earlier.
+Record form_of_labels(const ResolvedCase& resolved) {
+  DefectStudy study{.rollers = resolved.model() == described::roller_defect};
+  study.vibration.acceleration = Eigen::Array2Xd::Zero(2, 1);
+  Record record;
+  record.table("signals", "signal", "with what they are labelled", std::array{study},
+               [&](Record& row, const DefectStudy& of) {
+                 describe_signal(row, 0, "signals/00000.csv", {});
+                 describe_labels(row, resolved, of, {});
+               });
+  return record;
 }
 
 class SignalSet {
@@ -88,12 +110,11 @@ class SignalSet {
 
   Json labelled(std::size_t number, const ResolvedCase& changed, const DefectStudy& study,
                 const SignalNoise& noise) const {
-    Json labels{{"signal", number}};
-    if (!folder_.path().empty()) labels["file"] = fmt::format("signals/{:05}.csv", number);
-    for (const Setting& setting : variants_[number].settings)
-      if (setting.path != "defect.race") labels[setting.path] = setting.text;
-    labels.update(signal_labels(changed, study, noise));
-    return labels;
+    Record labels;
+    describe_signal(labels, number, folder_.path().empty() ? "" : fmt::format("signals/{:05}.csv", number),
+                    variants_[number].settings);
+    describe_labels(labels, changed, study, noise);
+    return json_of(labels);
   }
 
   void keep(std::size_t number, const DefectStudy& study) {
@@ -151,15 +172,16 @@ int signals_command(const Options& options) {
   const std::vector<SignalVariant> compared = variants;
   SignalSet set(resolved, options, header, folder, std::move(variants));
   set.compute();
-  for (std::string& text : axes_without_effect(axes, compared, set.labels())) warnings.push_back(std::move(text));
+  for (std::string& text : axes_without_effect(axes, compared, set.labels()))
+    warnings.push_back(std::move(text));
   if (!folder.path().empty()) write_aside_and_rename(folder.path() / "labels.csv", labels_csv(set.labels()));
   if (options.json) {
-    const Json object{{"case", resolved.text("name")},
-                      {"signals", set.labels()},
-                      {"assumptions", assumptions_json(resolved)},
-                      {"warnings", warnings},
-                      {"versions", versions_json()}};
-    print_object(object, options);
+    Json object{{"case", resolved.text("name")},
+                {"signals", set.labels()},
+                {"assumptions", assumptions_json(resolved)},
+                {"warnings", warnings},
+                {"versions", versions_json()}};
+    print_result(std::move(object), form_of_labels(resolved), options);
   } else if (!options.quiet) {
     print_labels(set.labels());
     print_warnings(warnings);

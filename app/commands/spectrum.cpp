@@ -86,8 +86,7 @@ int spectrum_command(const Options& options) {
     nlohmann::ordered_json object = json_of(record);
     object["warnings"] = warnings;
     object["versions"] = versions_json();
-    object["units"] = units_of(record);
-    print_object(object, options);
+    print_result(std::move(object), record, options);
   } else if (!options.quiet) {
     fmt::print("{}", text_of(record));
     print_warnings(warnings);

@@ -9,6 +9,7 @@
 #include "app/case/case_file.hpp"
 #include "app/commands/presentation.hpp"
 #include "app/errors.hpp"
+#include "app/results/record_writers.hpp"
 #include "app/study/published_comparison.hpp"
 #include "app/study/sensitivity.hpp"
 #include "app/study/validation_table.hpp"
@@ -40,15 +41,16 @@ ValidationTable stage_validation() {
       gearset::planet_tangential_load(torque * flow.sets.front().torque.carrier, stage.planets,
                                       centre_distance) /
       bearings_per_planet;  // [N]  a helix adds axial forces and a tilting moment, none in this plane
-  return {.case_name = "nrel_grc_750kW",
-          .rows = {judged({.source = "[Oyague2011], recomputed",
-                           .kind = EvidenceKind::recomputed,
-                           .of = "bearing load",
-                           .quantity = "mean_planet_bearing_load_kN",
-                           .meaning = "mean load of a planet bearing at 325 kN.m on the rotor",
-                           .value = recomputed,
-                           .tolerance = half_a_digit},
-                          1e-3 * load)}};
+  ValidationRow row = judged({.source = "[Oyague2011], recomputed",
+                              .kind = EvidenceKind::recomputed,
+                              .of = "bearing load",
+                              .quantity = "mean_planet_bearing_load_kN",
+                              .meaning = "mean load of a planet bearing at 325 kN.m on the rotor",
+                              .value = recomputed,
+                              .tolerance = half_a_digit},
+                             1e-3 * load);
+  row.unit = "kN";
+  return {.case_name = "nrel_grc_750kW", .rows = {row}};
 }
 
 // Published numbers belong to the case as its file states it.
@@ -56,29 +58,44 @@ void add_changed_inputs(const std::string& file, const std::vector<std::string>&
                         std::vector<std::string>& warnings) {
   if (settings.empty()) return;
   for (const std::string& changed : changed_inputs(read_case(file, settings), read_case(file)))
-    warnings.push_back(fmt::format("{}: --set: {}: published numbers are of the case as its file states it", file, changed));
+    warnings.push_back(
+        fmt::format("{}: --set: {}: published numbers are of the case as its file states it", file, changed));
 }
 
-nlohmann::ordered_json validation_json(const std::vector<ValidationTable>& tables,
-                                       const std::vector<std::string>& warnings) {
-  const ValidationCount count = counted(tables);
-  const auto all = [&tables](nlohmann::ordered_json (*part)(const ValidationTable&)) {
-    nlohmann::ordered_json list = nlohmann::ordered_json::array();
-    for (const ValidationTable& table : tables)
-      for (const nlohmann::ordered_json& entry : part(table)) list.push_back(entry);
-    return list;
-  };
-  return {{"distinct_values", count.published},
-          {"sources", count.sources},
-          {"trends", count.trends},
-          {"fitted_values", count.fitted},
-          {"recomputed_values", count.recomputed},
-          {"remembered_values", count.remembered},
-          {"verdicts", count.verdicts},
-          {"rows", all(rows_json)},
-          {"other_readings", all(other_readings_json)},
-          {"assumptions", all(sensitivities_json)},
-          {"warnings", warnings}};
+void describe_count(Record& record, const ValidationCount& count) {
+  record.value("distinct_values", "that sources print", count.published);
+  record.value("sources", "of them", count.sources);
+  record.value("trends", "among them", count.trends);
+  record.value("fitted_values", "among them, that constants of their case were identified from",
+               count.fitted);
+  record.value("recomputed_values", "that follow from formulas or data of a source", count.recomputed);
+  record.value("remembered_values", "not read", count.remembered);
+  record.child("verdicts", "by kind of evidence", count.verdicts, [](Record& kinds, const auto& of_kinds) {
+    for (const auto& [kind, verdicts] : of_kinds) {
+      std::vector<std::string> names;
+      std::vector<int> values;
+      for (const auto& [verdict, number] : verdicts) {
+        names.push_back(verdict);
+        values.push_back(number);
+      }
+      described::Entry& entry = kinds.array(kind, {}, "values by verdict", {{"verdict", names}}, values);
+      std::get<described::Numbers>(entry.content).kind = described::NumberKind::whole;
+    }
+  });
+}
+
+// With the unit of each compared number.
+void print_validation(const std::vector<ValidationTable>& tables, const std::vector<std::string>& warnings,
+                      const Options& options) {
+  Record record;
+  describe_count(record, counted(tables));
+  describe(record, tables);
+  nlohmann::ordered_json object = json_of(record);
+  object["warnings"] = warnings;
+  for (const ValidationTable& table : tables)
+    for (const ValidationRow& row : table.rows)
+      if (!row.unit.empty()) object["units"][row.published.quantity] = row.unit;
+  print_result(std::move(object), record, options);
 }
 
 // What the command prints for the case with --json.
@@ -87,12 +104,13 @@ nlohmann::ordered_json command_result(const std::string& command, const std::str
   Request request{.command = command, .given = Case(resolved)};
   if (fidelity != Options{}.fidelity) request.options = fmt::format(R"({{"fidelity": "{}"}})", fidelity);
   const Answer found = answer(request);
-  if (found.code != 0) throw ComputationFailed(fmt::format("{}: {}", command, fmt::join(found.failures, "; ")));
+  if (found.code != 0)
+    throw ComputationFailed(fmt::format("{}: {}", command, fmt::join(found.failures, "; ")));
   return nlohmann::ordered_json::parse(found.result);
 }
 
 int validate_motion(const Options& options) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  std::vector<Record> rows;
   for (const std::string& file : case_files(options.cases)) {
     const std::optional<MotionPlan> plan = read_expected(expected_beside(file)).motion;
     if (!plan) continue;
@@ -106,12 +124,16 @@ int validate_motion(const Options& options) {
     };
     const std::vector<ChangeResult> results = results_of(resolved, with_reference(plan->alternatives),
                                                          study_of(resolved, *plan, options.jobs), show);
-    for (const nlohmann::ordered_json& entry : motion_json(name, *plan, results)) list.push_back(entry);
+    for (const ChangeResult& result : results)
+      describe_reading(rows.emplace_back(), name, *plan, results.front(), result);
   }
-  if (list.empty())
+  if (rows.empty())
     throw BadInput(
         "--motion: found no expected.yaml with a block 'motion' beside the cases; required: at least one");
-  if (options.json) print_object(nlohmann::ordered_json{{"motion", list}}, options);
+  Record record;
+  record.table("motion", "reading", "effect of each other reading in motion", rows,
+               [](Record& row, const Record& of) { row = of; });
+  if (options.json) print_result(json_of(record), record, options);
   return 0;
 }
 
@@ -134,7 +156,7 @@ int validate_command(const Options& options) {
   if (options.cases.empty()) add(stage_validation());
   if (text) fmt::print("{}", count_text(tables));
   if (text) print_warnings(warnings);
-  if (options.json) print_object(validation_json(tables, warnings), options);
+  if (options.json) print_validation(tables, warnings, options);
   return 0;
 }
 

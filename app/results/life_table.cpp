@@ -9,6 +9,7 @@
 
 #include "app/results/record_writers.hpp"
 #include "bearing/life/lundberg_palmgren.hpp"
+#include "bearing/life/rating_record.hpp"
 
 namespace orbearing::app {
 
@@ -99,31 +100,12 @@ void describe(Record& record, const BearingLives& lives) {
         .value(life.hours, dimension::hours, life.meaning,
                lives.speed != 0.0 ? bearing::hours(life.value, lives.speed) : kAbsent)
         .detail = true;
-  const auto add = [&](const char* name, const Dimension& of, const char* symbol, const char* meaning,
-                       double value) {
-    described::Entry& entry = record.value(name, of, meaning, value);
-    entry.symbol = symbol;
-    entry.detail = true;
-  };
-  add("C_N", dimension::force, "C", "basic dynamic load rating", standard.dynamic_capacity);
-  add("C0_N", dimension::force, "C0", "basic static load rating", standard.static_capacity);
-  add("Cu_N", dimension::force, "C_u", "fatigue load limit", standard.fatigue_load_limit);
-  add("P_N", dimension::force, "P", "dynamic equivalent load", standard.dynamic_load);
-  add("P0_N", dimension::force, "P0", "static equivalent load", standard.static_load);
-  add("C_over_P", dimension::ratio, "C/P", "basic dynamic load rating over equivalent load",
-      standard.load_ratio());
-  add("S0", dimension::ratio, "S0", "basic static load rating over static equivalent load",
-      standard.static_safety());
-  add("contact_pressure_max_MPa", dimension::pressure, "contact pressure", "largest, after Hertz",
-      lives.pressure);
-  add("kappa", dimension::ratio, "kappa", "viscosity ratio of ISO 281",
-      standard.oil ? standard.oil->viscosity_ratio : kAbsent);
-  add("e_C", dimension::ratio, "e_C", "contamination factor of ISO 281",
-      standard.oil ? standard.oil->contamination_factor : kAbsent);
-  add("a_ISO", dimension::ratio, "a_ISO", "life modification factor of ISO 281, from C_u/P",
-      standard.life_modification);
-  add("a_ISO_r", dimension::ratio, "a_ISO_r", "L10mrh over L10rh at a reliability of 90 %",
-      standard.reference_modification);
+  describe_loads(record, standard);
+  described::Entry& pressure =
+      record.value("contact_pressure_max_MPa", dimension::pressure, "largest, after Hertz", lives.pressure);
+  pressure.symbol = "contact pressure";
+  pressure.detail = true;
+  describe_factors(record, standard);
 }
 
 std::string design_advice(bool oil, rating::RollingElement element) {
@@ -159,12 +141,11 @@ LifeValue value_by_name(const BearingLives& lives) {
 
 void describe(Record& record, const LifeTable& table) {
   using namespace described;
-  constexpr Dimension million_revolutions{"revolutions", "Mrev", "Mrev", ""};
   const auto& [value, words] = table;
   record.table("lives", "rated_life", "of one bearing", life_lines(words), [&](Record& row, const LifeLine& line) {
     row.value("key", "name among the results", line.hours);
     row.value("hours", dimension::hours, "at the speed of the analysis", value(line.hours));
-    row.value("Mrev", million_revolutions, "the same in revolutions", value(line.revolutions));
+    row.value("Mrev", in_million_revolutions, "the same in revolutions", value(line.revolutions));
     row.value("by", "standard or method", line.by);
   });
   record.table("loads", "rating_value", "ratings, loads and factors", load_entries(),

@@ -117,12 +117,9 @@ PointContent point_content(const ManifestHeader& header, std::size_t point,
 void add_location_in_sweep(bool refined, const std::optional<Resonance>& resonance, PointContent& content) {
   content.attributes.emplace_back("refined", refined ? "true" : "false");
   if (!resonance) return;
-  content.attributes.emplace_back("resonance_kind", resonance->kind);
-  content.attributes.emplace_back("resonance_mode", resonance->mode);
-  content.add("resonance_frequency", "Hz", "natural frequency of the gear set at the nearest resonance",
-              resonance->frequency);
-  content.add("resonance_harmonic", "1", "harmonic of the mesh frequency that meets it", resonance->harmonic);
-  content.add("resonance_speed", "rad s-1", "input speed at which it does", resonance->speed);
+  const PointContent own = content_of(record_of(*resonance));
+  content.attributes.insert(content.attributes.end(), own.attributes.begin(), own.attributes.end());
+  content.arrays.insert(content.arrays.end(), own.arrays.begin(), own.arrays.end());
 }
 
 std::string netcdf_bytes(const PointContent& content) {

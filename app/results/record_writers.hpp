@@ -14,6 +14,10 @@ namespace orbearing::app {
 
 using described::Record;
 
+/// Of numbers that are held in the unit in which they are shown.
+inline constexpr described::Dimension in_rpm{"angular speed", "rpm", "rpm", ""};
+inline constexpr described::Dimension in_million_revolutions{"revolutions", "Mrev", "Mrev", ""};
+
 /// All that a result describes.
 template <class Result>
 Record record_of(const Result& result) {
@@ -28,6 +32,11 @@ nlohmann::ordered_json json_of(const Record& record);
 /// by the path: "mesh_force_N/sun/mean".
 nlohmann::ordered_json units_of(const Record& record);
 
+/// JSON Schema of that object: of each value its type, unit, meaning, dimensions and symbol.
+nlohmann::ordered_json schema_of(const Record& record);
+/// Adds what another record of the same kind has besides.
+void extend_schema(nlohmann::ordered_json& schema, const nlohmann::ordered_json& other);
+
 /// The same for terminals: a line for each value, tables, longer lists by their range.
 std::string text_of(const Record& record);
 
@@ -37,7 +46,8 @@ std::string csv_field(const std::string& text);
 /// of a structure its arrays as columns, a line for each element of the largest.
 std::string csv_of(const described::Entry& table);
 
-/// Arrays and single numbers in SI, texts as attributes, those of a table joined; its rows along its dimension.
+/// Arrays and single numbers in SI, texts as attributes, those of a table joined; its rows along its
+/// dimension.
 PointContent content_of(const Record& record);
 
 /// A number [SI] in the customary unit, to the 15 digits that a conversion leaves of it, so that 6000 rpm,

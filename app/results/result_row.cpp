@@ -1,13 +1,12 @@
 #include "app/results/result_row.hpp"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "mechanics/record.hpp"
+#include "app/results/record_writers.hpp"
 
 namespace orbearing::app {
 namespace {
@@ -28,18 +27,10 @@ std::string printable(const std::string& status) {
   return clean;
 }
 
-using described::Record;
-
 // All columns that a point has by itself.
 Record row_of(const PointResult& point) {
   Record record;
   study::describe_row(record, point);
-  return record;
-}
-
-Record row_of(const study::SetResult& set) {
-  Record record;
-  describe(record, set);
   return record;
 }
 
@@ -57,14 +48,10 @@ void add_names(const Record& record, const std::string& prefix, TableHead& head)
   for (const described::Entry& entry : record.entries()) head.names.push_back(prefix + entry.name);
 }
 
-// Text first, then the numbers.
-constexpr std::array resonance_columns = {"resonance_kind", "resonance_mode", "resonance_frequency_Hz",
-                                          "resonance_harmonic", "resonance_speed_rpm"};
-
 void add_set_columns(const std::vector<std::string>& sets, TableHead& head) {
   head.set_place = head.names.size();
   head.names.emplace_back(limiting_set_column);
-  for (const std::string& set : sets) add_names(row_of(study::SetResult{}), "sets." + set + ".", head);
+  for (const std::string& set : sets) add_names(record_of(study::SetResult{}), "sets." + set + ".", head);
 }
 
 }  // namespace
@@ -83,7 +70,7 @@ TableHead table_head(const std::vector<SweptAxis>& axes, const std::vector<std::
   if (!sets.empty()) add_set_columns(sets, head);
   if (!resonances) return head;
   head.first_resonance = head.names.size();
-  head.names.insert(head.names.end(), resonance_columns.begin(), resonance_columns.end());
+  add_names(record_of(Resonance{}), "", head);
   return head;
 }
 
@@ -113,7 +100,7 @@ void add_sets(const PointResult& result, std::size_t sets, ResultRow& row) {
   if (row.ok()) row.limiting_set = result.limiting_set;
   for (std::size_t set = 0; set < sets; ++set) {
     const bool known = row.ok() && set < result.sets.size();
-    add_numbers(row_of(known ? result.sets[set] : study::SetResult{}), known, row);
+    add_numbers(record_of(known ? result.sets[set] : study::SetResult{}), known, row);
   }
 }
 
@@ -131,14 +118,22 @@ ResultRow result_row(const PointResult& result, const std::vector<double>& axis_
 }
 
 void add_resonance(const std::optional<Resonance>& resonance, ResultRow& row) {
-  row.values.insert(row.values.end(), resonance_columns.size(), not_given);
+  add_numbers(record_of(resonance.value_or(Resonance{})), resonance.has_value(), row);
   if (!resonance) return;
   row.resonance_kind = resonance->kind;
   row.resonance_mode = resonance->mode;
-  double* const numbers = row.values.data() + row.values.size() - 3;
-  numbers[0] = in_table_unit(resonance->frequency, 1.0);
-  numbers[1] = resonance->harmonic;
-  numbers[2] = speed_in_rpm(resonance->speed);
+}
+
+void describe(Record& record, const Resonance& resonance) {
+  namespace dimension = described::dimension;
+  record.value("resonance_kind", "of the mode: rotational, translational or planet", resonance.kind);
+  record.value("resonance_mode", "its name in the report", resonance.mode);
+  record.value("resonance_frequency_Hz", dimension::cycles,
+               "natural frequency of the gear set at the nearest resonance", resonance.frequency);
+  record.value("resonance_harmonic", dimension::ratio, "harmonic of the mesh frequency that meets it",
+               resonance.harmonic);
+  record.value("resonance_speed_rpm", dimension::angular_speed, "input speed at which it does",
+               resonance.speed);
 }
 
 bool on_one_line(const TableHead& head, const ResultRow& one, const ResultRow& other) {

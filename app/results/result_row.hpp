@@ -58,6 +58,9 @@ struct Resonance {
   double speed = 0.0;      // [rad/s]  of the driving member
 };
 
+/// Text first, then the numbers.
+void describe(described::Record& record, const Resonance& resonance);
+
 struct ResultRow {
   std::vector<double> values;    // one per name; NaN where there is none (and at the places of text)
   std::string status;            // "ok", "implausible: ..." or the reason of the failure

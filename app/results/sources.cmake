@@ -11,6 +11,7 @@ set(ORBEARING_RESULTS_SOURCES
   results/progress.cpp
   results/record_arrays.cpp
   results/record_json.cpp
+  results/record_schema.cpp
   results/record_text.cpp
   results/result_folder.cpp
   results/result_row.cpp

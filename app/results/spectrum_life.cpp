@@ -187,13 +187,12 @@ void describe_bins(Record& record, const TableHead& head, const std::vector<Numb
 
 void describe_result(Record& record, const ManifestHeader& header, const TableHead& head,
                      const SpectrumResult& result) {
-  constexpr described::Dimension million_revolutions{"revolutions", "Mrev", "Mrev", ""};
   for (const std::size_t i : own_axes(head))
     if (i < result.axis_values.size())
       record.value(head.names[head.first_axis + i], {}, "swept", result.axis_values[i]);
   for (const auto& [name, life] : result.lives)
-    record.value(name, name.ends_with("_Mrev") ? million_revolutions : dimension::hours, "under the spectrum",
-                 life);
+    record.value(name, name.ends_with("_Mrev") ? in_million_revolutions : dimension::hours,
+                 "under the spectrum", life);
   record.value("life_key", "life that results go by", header.life);
   if (!result.limiting_set.empty())
     record.value("limiting_set", "whose bearings live shortest", result.limiting_set);

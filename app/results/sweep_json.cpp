@@ -12,15 +12,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Of the columns of the points.
-Json column_units(const ManifestHeader& header) {
-  Record columns;
-  study::describe_row(columns, {});
-  Json units = units_of(columns);
+// Of the points, with swept values and sets, and of the peak.
+Json units_of_sweep(const ManifestHeader& header, const LifePeak& peak) {
+  Json units = units_of(sweep_form(peak));
   for (const SweptAxis& axis : header.axes) units[axis.column] = axis.units;
-  Record set;
-  describe(set, study::SetResult{});
-  const Json units_of_set = units_of(set);  // outlives its items
+  const Json units_of_set = units_of(record_of(study::SetResult{}));  // outlives its items
   for (const std::string& name : header.sets)
     for (const auto& [column, unit] : units_of_set.items()) units["sets." + name + "." + column] = unit;
   return units;
@@ -30,14 +26,27 @@ Json column_units(const ManifestHeader& header) {
 
 void describe(Record& record, const LifePeak& peak) {
   using namespace described;
-  constexpr Dimension rpm{"angular speed", "rpm", "rpm", ""};
-  record.value("speed_rpm", rpm, "of the best point of the grid", peak.speed_rpm);
+  record.value("speed_rpm", in_rpm, "of the best point of the grid", peak.speed_rpm);
   record.value("life_h", dimension::hours, "there", peak.life_h);
-  record.value("refined_speed_rpm", rpm, "of the best of all points", peak.refined_speed_rpm);
+  record.value("refined_speed_rpm", in_rpm, "of the best of all points", peak.refined_speed_rpm);
   record.value("refined_life_h", dimension::hours, "there", peak.refined_life_h);
   record.value("life_key", "life whose peak it is", peak.life);
-  record.array("between_rpm", rpm, "neighbours of the refined peak", {"side"},
+  record.array("between_rpm", in_rpm, "neighbours of the refined peak", {"side"},
                std::array{peak.lower_rpm, peak.upper_rpm});
+}
+
+Record sweep_form(const LifePeak& peak) {
+  Record record;
+  record.table("points", "point", "operating points", std::array{study::PointResult{}},
+               [](Record& row, const study::PointResult& point) {
+                 study::describe_row(row, point);
+                 row.value(std::string(refined_column), "whether it was added around the peak", false);
+                 row.value(std::string(limiting_set_column), "of several sets, whose bearings live shortest",
+                           point.limiting_set);
+                 describe(row, Resonance{});
+               });
+  record.child("peak", "longest life over speed", peak);
+  return record;
 }
 
 LifePeak grid_peak(const TableHead& head, const std::vector<ResultRow>& rows) {
@@ -55,14 +64,12 @@ Json sweep_json(const SweepOutcome& outcome, const LifePeak& peak, const Json& a
                 const Json& warnings, const Json& versions) {
   Json points = Json::array();
   for (const ResultRow& row : outcome.rows) points.push_back(row_json(outcome.head, row));
-  const Record peak_record = record_of(peak);
-  Json object{{"points", std::move(points)}, {"peak", json_of(peak_record)}};
+  Json object{{"points", std::move(points)}, {"peak", json_of(record_of(peak))}};
   if (!outcome.spectra.empty()) object["spectrum"] = spectrum_json(outcome.header, outcome.spectra);
   object["assumptions"] = assumptions;
   object["warnings"] = warnings;
   object["versions"] = versions;
-  object["units"] = column_units(outcome.header);
-  object["units"].update(units_of(peak_record));
+  object["units"] = units_of_sweep(outcome.header, peak);
   return object;
 }
 

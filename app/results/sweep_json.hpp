@@ -19,7 +19,7 @@ struct LifePeak {
   double refined_life_h = std::numeric_limits<double>::quiet_NaN();
   double lower_rpm = std::numeric_limits<double>::quiet_NaN();  // neighbours of the refined peak, which live
   double upper_rpm = std::numeric_limits<double>::quiet_NaN();  // shorter; NaN beyond an end of the range
-  std::string life{"life_h"};  // column of the life whose peak it is
+  std::string life{"life_h"};                                   // column of the life whose peak it is
 };
 
 void describe(described::Record& record, const LifePeak& peak);
@@ -28,9 +28,12 @@ void describe(described::Record& record, const LifePeak& peak);
 /// point has a life.
 LifePeak grid_peak(const TableHead& head, const std::vector<ResultRow>& rows);
 
+/// The peak and one point that stands for all: rows hold numbers alone.
+described::Record sweep_form(const LifePeak& peak);
+
 /// Object with `points`, `peak`, `spectrum` where the case states one, `assumptions`, `warnings`, `versions`
-/// and `units`, in this order; no number where a value is missing, but null. Assumptions, warnings and versions
-/// are taken as they are.
+/// and `units`, in this order; no number where a value is missing, but null. Assumptions, warnings and
+/// versions are taken as they are.
 nlohmann::ordered_json sweep_json(const SweepOutcome& outcome, const LifePeak& peak,
                                   const nlohmann::ordered_json& assumptions,
                                   const nlohmann::ordered_json& warnings,

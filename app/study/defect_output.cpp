@@ -63,6 +63,21 @@ void describe_turned(Record& record, const DefectStudy& study) {
   });
 }
 
+// Lines that are looked for; of a run-up, whose lines are orders, none.
+void describe_found(Record& record, const DefectStudy& study) {
+  const std::string name = diagnosis::defect_name(study.scratched);
+  const std::vector<diagnosis::NamedPeak>& envelope = study.view.envelope_peaks;
+  const auto add = [&](const char* key, const char* meaning, double frequency) {
+    record.value(key, dimension::cycles, meaning, study.run_up ? described::kAbsent : frequency);
+  };
+  const double peak = peak_frequency(envelope, name);
+  add("defect_peak_Hz", "line of the scratch in the envelope", peak);
+  add("side_band_Hz", "from there to its side band by the shaft",
+      peak_frequency(envelope, name + " + shaft") - peak);
+  add("passage_peak_Hz", "line of the balls that pass, in the spectrum",
+      peak_frequency(study.view.spectrum_peaks, "ball passage"));
+}
+
 void describe_series(Record& record, const DefectStudy& study) {
   const study::RingVibration& vibration = study.vibration;
   describe_time(record, vibration.ball_load.size(), vibration.rate);
@@ -169,6 +184,7 @@ void describe(Record& record, const DefectStudy& study) {
   describe_band(record, study.view, study.run_up);
   describe_lines(record, "spectrum_peaks", "spectrum_orders", "spectrum_peak", study.view.spectrum_peaks,
                  study.run_up);
+  describe_found(record, study);
   describe_levels(record, study);
   if (study.moving) describe_turned(record, study);
   describe_series(record, study);

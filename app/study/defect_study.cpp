@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <limits>
 
 #include "app/case/defect_case.hpp"
 #include "app/errors.hpp"
@@ -27,7 +26,8 @@ void require_few_steps(const ResolvedCase& in, double natural_frequency) {
   constexpr double most = 1e6;  // [Hz]
   if (natural_frequency > most)
     throw BadInput(fmt::format(
-        "{}: bearing.outer_ring_mass: found {}, with which the ring vibrates at {:.3g} Hz on its contacts; required: a "
+        "{}: bearing.outer_ring_mass: found {}, with which the ring vibrates at {:.3g} Hz on its contacts; "
+        "required: a "
         "mass with at most {:.0f} Hz, far above which no ring is rigid",
         in.origin("bearing.outer_ring_mass"), in.given("bearing.outer_ring_mass"), natural_frequency, most));
 }
@@ -41,9 +41,10 @@ bool is_defect(const ResolvedCase& resolved) {
 void require_wide_scratch(const ResolvedCase& in) {
   constexpr double least = 1e-6;  // [m]
   if (!in.has("defect.width") || in.quantity("defect.width") >= least) return;
-  throw BadInput(fmt::format("{}: defect.width: found '{}'; required: at least 1 um, below which an element sinks in by less "
-                             "than the size of an atom",
-                             in.origin("defect.width"), in.given("defect.width")));
+  throw BadInput(fmt::format(
+      "{}: defect.width: found '{}'; required: at least 1 um, below which an element sinks in by less "
+      "than the size of an atom",
+      in.origin("defect.width"), in.given("defect.width")));
 }
 
 DefectStudy defect_study(const ResolvedCase& in, DefectRung rung, const std::function<void(double)>& progress,
@@ -62,9 +63,10 @@ DefectStudy defect_study(const ResolvedCase& in, DefectRung rung, const std::fun
   require_few_steps(in, study.at_rest.natural_frequency);
   study.rollers = scratched.bearing.has_rollers();
   study.moving = rung == DefectRung::all;
-  study.vibration = study.moving ? study::sample_vibration(scratched, scratched_motion_of(in),
-                                                           scratched_length_error_of(in), sampling_of(in), progress)
-                                 : study::sample_vibration(scratched, sampling_of(in));
+  study.vibration = study.moving
+                        ? study::sample_vibration(scratched, scratched_motion_of(in),
+                                                  scratched_length_error_of(in), sampling_of(in), progress)
+                        : study::sample_vibration(scratched, sampling_of(in));
   if (!study.vibration.report.completed)
     throw ComputationFailed(in.text("name") + ": " + study.vibration.report.message);
   if (disturb) disturb(study.vibration);
@@ -73,7 +75,8 @@ DefectStudy defect_study(const ResolvedCase& in, DefectRung rung, const std::fun
   if (study.run_up)
     study.turned = diagnosis::slower(study.passing, study.vibration.shaft_speed / scratched.shaft_speed);
   if (study.moving)
-    study.turned = diagnosis::as_turned(study.turned, scratched.bearing.element_count(), study.vibration.cage_speed);
+    study.turned =
+        diagnosis::as_turned(study.turned, scratched.bearing.element_count(), study.vibration.cage_speed);
   study.view = diagnosis::bearing_view(study.vibration.acceleration.row(0).transpose(),
                                        {.rate = study.vibration.rate,
                                         .band = stated_band_of(in),
@@ -82,20 +85,6 @@ DefectStudy defect_study(const ResolvedCase& in, DefectRung rung, const std::fun
                                        study.passing, study.turned);
   warn(in, study);
   return study;
-}
-
-double defect_property(const DefectStudy& study, const std::string& quantity) {
-  const double nothing = std::numeric_limits<double>::quiet_NaN();
-  const std::vector<diagnosis::NamedPeak>& peaks = study.view.envelope_peaks;
-  const std::string name = diagnosis::defect_name(study.scratched);
-  if (quantity == "shaft_Hz") return study.passing.shaft;
-  if (quantity == "cage_Hz") return study.passing.cage;
-  if (quantity == "defect_Hz") return study.defect_frequency.value_or(nothing);
-  if (quantity == "defect_peak_Hz") return peak_frequency(peaks, name);
-  if (quantity == "side_band_Hz")
-    return peak_frequency(peaks, name + " + shaft") - peak_frequency(peaks, name);
-  if (quantity == "passage_peak_Hz") return peak_frequency(study.view.spectrum_peaks, "ball passage");
-  return nothing;
 }
 
 std::vector<Derived> defect_quantities(const ResolvedCase& in) {

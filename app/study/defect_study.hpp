@@ -17,9 +17,9 @@ namespace orbearing::app {
 
 struct DefectStudy {
   bearing::defect::Scratched scratched = bearing::defect::Scratched::none;
-  bool moving = false;                         // all bodies, balls and cage too
-  bool rollers = false;                        // in place of balls
-  bool run_up = false;                         // spectra are over orders of the shaft
+  bool moving = false;                          // all bodies, balls and cage too
+  bool rollers = false;                         // in place of balls
+  bool run_up = false;                          // spectra are over orders of the shaft
   bearing::defect::PassingFrequencies passing;  // at pure rolling, at the end of a run-up
   bearing::defect::PassingFrequencies
       turned;  // means, as the cage turned: those of pure rolling unless moving
@@ -39,8 +39,8 @@ bool is_defect(const ResolvedCase& resolved);
 /// How much of the bearing moves: the outer ring alone on balls without mass, or all of it.
 enum class DefectRung { ring, all };
 
-/// Throws BadInput where a scratch is so narrow that an element sinks into it by less than the size of an atom: its
-/// signal would take hours of steps.
+/// Throws BadInput where a scratch is so narrow that an element sinks into it by less than the size of an
+/// atom: its signal would take hours of steps.
 void require_wide_scratch(const ResolvedCase& in);
 
 /// `progress` gets the share done, if any; of the ring alone it is not asked. `disturb` may add to what the
@@ -49,10 +49,6 @@ void require_wide_scratch(const ResolvedCase& in);
 DefectStudy defect_study(const ResolvedCase& resolved, DefectRung rung = DefectRung::ring,
                          const std::function<void(double)>& progress = {},
                          const std::function<void(study::RingVibration&)>& disturb = {});
-
-/// A number by its name in the validation table: "shaft_Hz", "cage_Hz", "defect_Hz", "defect_peak_Hz",
-/// "side_band_Hz", "passage_peak_Hz"; NaN for a name that is not known or a peak that is not there.
-double defect_property(const DefectStudy& study, const std::string& quantity);
 
 /// What follows from the inputs, for `orbearing check`.
 std::vector<Derived> defect_quantities(const ResolvedCase& resolved);

@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "app/case/defect_case.hpp"
@@ -89,20 +88,6 @@ PlanetDefectStudy planet_defect_study(const ResolvedCase& in, const std::functio
   return study;
 }
 
-double planet_defect_property(const PlanetDefectStudy& study, const std::string& quantity) {
-  const std::string name = study.scratched.empty() ? "" : diagnosis::defect_name(study.scratched.front());
-  if (quantity == "cage_Hz") return study.rolling.bearing.cage;
-  const std::vector<diagnosis::NamedPeak>&carrier = study.carrier.envelope_peaks,
-        &housing = study.housing.envelope_peaks;
-  if (quantity == "defect_peak_Hz") return peak_frequency(carrier, name);
-  if (quantity == "planet_band_Hz")
-    return peak_frequency(carrier, name + " + planet") - peak_frequency(carrier, name);
-  if (quantity == "carrier_band_Hz")
-    return peak_frequency(housing, name + " + carrier") - peak_frequency(housing, name);
-  if (quantity == "mesh_on_housing_Hz") return peak_frequency(study.housing.spectrum_peaks, "mesh + carrier");
-  return std::numeric_limits<double>::quiet_NaN();
-}
-
 namespace {
 
 using described::Record;
@@ -159,6 +144,24 @@ void describe_spectra(Record& record, const Instrument& instrument) {
       "amplitude of the envelope, Hann window");
 }
 
+// Lines that are looked for; of a run-up, whose lines are orders, none.
+void describe_lines(Record& record, const PlanetDefectStudy& study) {
+  const std::string name = study.scratched.empty() ? "" : diagnosis::defect_name(study.scratched.front());
+  const auto add = [&](const char* key, const char* meaning, const std::vector<diagnosis::NamedPeak>& peaks,
+                       const std::string& line, const std::string& from = "") {
+    const double frequency = peak_frequency(peaks, line) - (from.empty() ? 0.0 : peak_frequency(peaks, from));
+    record.value(key, dimension::cycles, meaning, study.run_up ? described::kAbsent : frequency);
+  };
+  const auto& carrier = study.carrier.envelope_peaks;
+  const auto& housing = study.housing.envelope_peaks;
+  add("defect_peak_Hz", "line of the scratch in the envelope in the carrier's frame", carrier, name);
+  add("planet_band_Hz", "from there to its side band by the planet", carrier, name + " + planet", name);
+  add("carrier_band_Hz", "from it to its side band by the carrier, on the housing", housing,
+      name + " + carrier", name);
+  add("mesh_on_housing_Hz", "side band of the teeth by the carrier, on the housing",
+      study.housing.spectrum_peaks, "mesh + carrier");
+}
+
 void describe_series(Record& record, const PlanetDefectStudy& study) {
   const study::PlanetVibration& motion = study.vibration;
   const auto along_time = [&](const char* name, const described::Dimension& of, const char* meaning,
@@ -194,6 +197,7 @@ void describe(Record& record, const PlanetDefectStudy& study) {
   for (const Instrument& one : instruments) record.child(one.key, one.meaning, one, describe_instrument);
   record.value("contact_load_max_N", dimension::force, "largest load of a roller",
                study.vibration.largest_load);
+  describe_lines(record, study);
   describe_series(record, study);
   for (const Instrument& one : instruments) describe_spectra(record, one);
 }

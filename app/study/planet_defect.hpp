@@ -24,18 +24,14 @@ struct PlanetDefectStudy {
   study::PlanetVibration vibration;
   /// Envelopes are those of the signal less the lines of the teeth, but in a run-up, whose orders are the
   /// carrier's.
-  diagnosis::InstrumentView carrier;  // damaged planet along the middle of its load zone, relative to its pin [m/s^2]
+  diagnosis::InstrumentView
+      carrier;  // damaged planet along the middle of its load zone, relative to its pin [m/s^2]
   diagnosis::InstrumentView housing;  // ring gear's force on the housing as an instrument feels it [N]
 };
 
 /// `progress` gets the share done, if any. Throws ComputationFailed where the motion cannot be followed.
 PlanetDefectStudy planet_defect_study(const ResolvedCase& resolved,
                                       const std::function<void(double)>& progress = {});
-
-/// A number by its name in the validation table: "cage_Hz", "defect_peak_Hz" and "planet_band_Hz" of the
-/// envelope in the carrier's frame, "carrier_band_Hz" of that on the housing, "mesh_on_housing_Hz"; NaN for
-/// any other, or for a peak that is not there.
-double planet_defect_property(const PlanetDefectStudy& study, const std::string& quantity);
 
 void describe(described::Record& record, const PlanetDefectStudy& study);
 

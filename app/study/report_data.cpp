@@ -15,8 +15,8 @@
 #include "app/study/fidelity.hpp"
 #include "app/study/gear_report.hpp"
 #include "app/study/life_peak.hpp"
-#include "app/study/missing_points.hpp"
 #include "app/study/lives_of_sweep.hpp"
+#include "app/study/missing_points.hpp"
 #include "app/study/named_change.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/study/published_comparison.hpp"
@@ -49,7 +49,8 @@ Json one_way_curve(const ChangeResult& one_way, const std::vector<double>& speed
   Json curve{{"speed_rpm", speeds_rpm}, {"life_h", Json::array()}, {"outer_load_rms_N", Json::array()}};
   for (const study::PointResult& point : one_way.points) {
     curve["life_h"].push_back(number_or_null(life_of(point)));
-    curve["outer_load_rms_N"].push_back(is_computed(point.status) ? number_or_null(point.outer.load_rms) : Json());
+    curve["outer_load_rms_N"].push_back(is_computed(point.status) ? number_or_null(point.outer.load_rms)
+                                                                  : Json());
   }
   return curve;
 }
@@ -359,9 +360,9 @@ nlohmann::ordered_json report_data(const ResolvedCase& resolved, const Manifest&
   data["polar"] = polar(drivetrain, geometry, shown_speeds(grid));
   data["drawing"] = drawing(drivetrain, geometry, property(grid, "peak_speed_rpm"));
   data["ablation"] = effect_curves(slice.at, shown, fine);
-  data["validation"] = rows_json(published.table);
+  data["validation"] = json_of(record_of(std::vector{published.table})).at("rows");
   add_numbers_of_sweep(outcome, missing.none(), data["validation"]);
-  data["sensitivities"] = sensitivities_json(table);
+  data["sensitivities"] = json_of(record_of(std::vector{table})).at("assumptions");
   if (has_gear_report(slice.at)) data["gears"] = gear_report(slice.at, grid.speed_rpm);
   data["dynamic"] = nullptr;
   const study::Fidelity fidelity = fidelity_of(outcome.header.fidelity);

@@ -5,17 +5,16 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
-#include <map>
-#include <nlohmann/json.hpp>
 
 #include "app/errors.hpp"
-#include "app/results/json_number.hpp"
+#include "app/results/record_writers.hpp"
 #include "app/results/result_row.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/units.hpp"
 
 namespace orbearing::app {
+
+namespace dimension = described::dimension;
 
 namespace {
 
@@ -29,12 +28,12 @@ double speed_of_smallest(const LifeCurve& curve, const std::vector<double>& valu
       .speed_rpm[static_cast<std::size_t>(std::min_element(values.begin(), values.end()) - values.begin())];
 }
 
-double rises_then_falls(const LifeCurve& curve) {
+bool rises_then_falls(const LifeCurve& curve) {
   const auto peak = std::max_element(curve.life_h.begin(), curve.life_h.end());
   const bool inside = peak != curve.life_h.begin() && peak != curve.life_h.end() - 1;
   const bool one_peak = std::is_sorted(curve.life_h.begin(), peak) &&
                         std::is_sorted(peak, curve.life_h.end(), std::greater<>());
-  return inside && one_peak ? 1.0 : 0.0;
+  return inside && one_peak;
 }
 
 std::string life_cell(double life) {
@@ -66,16 +65,22 @@ LifeCurve life_curve(const ResolvedCase& resolved) {
   return life_curve(results_of(resolved, with_reference({}), {}).front());
 }
 
-double property(const LifeCurve& curve, const std::string& quantity) {
-  static const std::map<std::string, std::function<double(const LifeCurve&)>> known{
-      {"peak_speed_rpm", [](const LifeCurve& c) { return speed_of_largest(c, c.life_h); }},
-      {"peak_life_h", [](const LifeCurve& c) { return *std::max_element(c.life_h.begin(), c.life_h.end()); }},
-      {"least_load_speed_rpm", [](const LifeCurve& c) { return speed_of_smallest(c, c.roller_load_rms); }},
-      {"shortest_life_speed_rpm", [](const LifeCurve& c) { return speed_of_smallest(c, c.life_h); }},
-      {"life_rises_then_falls", rises_then_falls},
+void describe(described::Record& record, const LifeCurve& curve) {
+  const auto speed = [&](const char* name, const char* meaning, double rpm) {
+    record.value(name, in_rpm, meaning, rpm);
   };
-  const auto found = known.find(quantity);
-  return found == known.end() ? std::numeric_limits<double>::quiet_NaN() : found->second(curve);
+  speed("peak_speed_rpm", "of the longest life on the grid", speed_of_largest(curve, curve.life_h));
+  record.value("peak_life_h", dimension::hours, "longest on the grid", std::ranges::max(curve.life_h));
+  speed("least_load_speed_rpm", "of the least roller loads", speed_of_smallest(curve, curve.roller_load_rms));
+  speed("shortest_life_speed_rpm", "of the shortest life", speed_of_smallest(curve, curve.life_h));
+  record.value("life_rises_then_falls", "whether life has one maximum over speed", rises_then_falls(curve));
+}
+
+double property(const LifeCurve& curve, const std::string& quantity) {
+  const Record record = record_of(curve);
+  const auto found = std::ranges::find(record.entries(), quantity, &described::Entry::name);
+  return found == record.entries().end() ? described::kAbsent
+                                         : std::get<described::Numbers>(found->content).values.front();
 }
 
 std::vector<Sensitivity> sensitivities(const std::vector<ChangeResult>& results) {
@@ -95,8 +100,7 @@ void put_derivatives(const ResolvedCase& resolved, double peak_rpm, int jobs, st
   DerivativeOptions options{.jobs = jobs};
   for (const Sensitivity& one : all) options.paths.push_back(one.change.group);
   if (options.paths.empty()) return;
-  const ResolvedCase at_peak =
-      resolved.without_sweep().with({input_speed(peak_rpm)});
+  const ResolvedCase at_peak = resolved.without_sweep().with({input_speed(peak_rpm)});
   const ScalarResult life = scalar_result(at_peak);
   const Derivatives found = derivatives(at_peak, life, value_here(at_peak, life), options);
   for (Sensitivity& one : all)
@@ -129,25 +133,24 @@ std::string motion_line(const MotionPlan& plan, const ChangeResult& reference, c
                             result.change.name);
 }
 
-nlohmann::ordered_json motion_json(const std::string& case_name, const MotionPlan& plan,
-                                   const std::vector<ChangeResult>& results) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const ChangeResult& result : results) {
-    nlohmann::ordered_json points = nlohmann::ordered_json::array();
-    for (std::size_t i = 0; i < result.points.size(); ++i)
-      points.push_back({{"speed_rpm", plan.speed_rpm[i]},
-                        {"life_h", number_or_null(life_of(result.points[i]))},
-                        {"status", result.points[i].status}});
-    list.push_back({{"case", case_name},
-                    {"fidelity", plan.fidelity},
-                    {"assumption", result.change.group},
-                    {"reading", result.change.name},
-                    {"settings", result.change.settings},
-                    {"points", points},
-                    {"best_speed_rpm", plan.speed_rpm[best_point(result)]},
-                    {"worth_h", number_or_null(gain_at_best(results.front(), result))}});
-  }
-  return list;
+void describe_reading(described::Record& row, const std::string& case_name, const MotionPlan& plan,
+                      const ChangeResult& reference, const ChangeResult& result) {
+  row.value("case", "name", case_name);
+  row.value("fidelity", "of the motion", plan.fidelity);
+  row.value("assumption", "key of the case", result.change.group);
+  row.value("reading", "how else it may be read", result.change.name);
+  row.value("settings", "of the case", result.change.settings);
+  std::vector<std::pair<double, const study::PointResult*>> points;
+  for (std::size_t i = 0; i < result.points.size(); ++i)
+    points.emplace_back(plan.speed_rpm[i], &result.points[i]);
+  row.table("points", "point", "lives over speed", points, [](described::Record& point, const auto& one) {
+    point.value("speed_rpm", in_rpm, "of the driving member", one.first);
+    point.value("life_h", dimension::hours, "of one bearing", life_of(*one.second));
+    point.value("status", "ok, or why the point failed", one.second->status);
+  });
+  row.value("best_speed_rpm", in_rpm, "of the longest life", plan.speed_rpm[best_point(result)]);
+  row.value("worth_h", dimension::hours, "change of life at the best speed of the case as it stands",
+            gain_at_best(reference, result));
 }
 
 }  // namespace orbearing::app

@@ -2,7 +2,6 @@
 // and for those that only motion feels at a few speeds in time.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +10,7 @@
 #include "app/study/derivatives.hpp"
 #include "app/study/expected_file.hpp"
 #include "app/study/named_change.hpp"
+#include "mechanics/record.hpp"
 
 namespace orbearing::app {
 
@@ -28,7 +28,9 @@ LifeCurve life_curve(const ChangeResult& result);
 /// it has none.
 LifeCurve life_curve(const ResolvedCase& resolved);
 
-/// A named property of a curve, such as "peak_life_h"; NaN for a name that is not known.
+/// Its longest and shortest life, least load and shape.
+void describe(described::Record& record, const LifeCurve& curve);
+/// A number of those by its name, such as "peak_life_h"; NaN for a name that is not known.
 double property(const LifeCurve& curve, const std::string& quantity);
 
 /// What one change does to the peak.
@@ -38,8 +40,8 @@ struct Sensitivity {
   double peak_speed_rpm = 0.0;
   double peak_life_h = 0.0;
   double difference_h = 0.0;  // [h]  peak life under the change less that of the case as it stands
-  /// By the number that is read otherwise, where it is one and the life is smooth in it, of the case as it stands at its
-  /// peak. Left out until put_derivatives().
+  /// By the number that is read otherwise, where it is one and the life is smooth in it, of the case as it
+  /// stands at its peak. Left out until put_derivatives().
   std::optional<Derivative> derivative{};
 };
 
@@ -56,8 +58,8 @@ ChangeStudy study_of(const ResolvedCase& resolved, const MotionPlan& plan, int j
 /// and the difference at the best speed of `reference`, the case as it stands.
 std::string motion_heading(const std::string& case_name, const MotionPlan& plan);
 std::string motion_line(const MotionPlan& plan, const ChangeResult& reference, const ChangeResult& result);
-/// @param results the case as it stands first
-nlohmann::ordered_json motion_json(const std::string& case_name, const MotionPlan& plan,
-                                   const std::vector<ChangeResult>& results);
+/// One reading of a plan as a row of a table.
+void describe_reading(described::Record& row, const std::string& case_name, const MotionPlan& plan,
+                      const ChangeResult& reference, const ChangeResult& result);
 
 }  // namespace orbearing::app

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "app/errors.hpp"
+#include "app/study/defect_output.hpp"
 #include "app/units.hpp"
 
 namespace orbearing::app {
@@ -122,36 +123,41 @@ void add_noise(const SignalNoise& noise, std::size_t number, study::RingVibratio
   for (double& value : vibration.acceleration.reshaped()) value += normal(chance);
 }
 
-nlohmann::ordered_json signal_labels(const ResolvedCase& in, const DefectStudy& study,
-                                     const SignalNoise& noise) {
-  const bool scratched = study.scratched != bearing::defect::Scratched::none;
-  const Eigen::ArrayXd signal = study.vibration.acceleration.row(0).transpose();
+void describe_labels(described::Record& record, const ResolvedCase& in, const DefectStudy& study,
+                     const SignalNoise& noise) {
+  namespace dimension = described::dimension;
   const auto of_scratch = [&](const char* path) {
-    return scratched ? nlohmann::ordered_json(1e3 * in.quantity(path)) : nlohmann::ordered_json(nullptr);
+    return study.scratched != bearing::defect::Scratched::none ? in.quantity(path) : described::kAbsent;
   };
+  const auto frequency = [&](const char* name, const char* meaning, const std::optional<double>& value) {
+    record.value(name, dimension::cycles, meaning, value);
+  };
+  const Eigen::ArrayXd signal = study.vibration.acceleration.row(0).transpose();
   // Means of a run-up; orders keep.
   const double slower_by = study.turned.shaft / study.passing.shaft;
-  const auto of_defect = [&](double factor) {
-    return study.defect_frequency ? nlohmann::ordered_json(factor * *study.defect_frequency)
-                                  : nlohmann::ordered_json(nullptr);
-  };
-  return {{"defect", in.choice("defect.race")},
-          {"width_mm", of_scratch("defect.width")},
-          {"depth_mm", of_scratch("defect.depth")},
-          {"shaft_Hz", study.turned.shaft},
-          {"run_up_from", in.number("signal.run_up_from")},
-          {"load_N", in.quantity("load.radial")},
-          {"cage_Hz", study.turned.cage},
-          {"outer_pass_Hz", study.turned.outer_pass},
-          {"inner_pass_Hz", study.turned.inner_pass},
-          {study.rollers ? "roller_pass_Hz" : "ball_pass_Hz", study.turned.element_pass},
-          {"defect_Hz", of_defect(slower_by)},
-          {"defect_order", of_defect(1.0 / study.passing.shaft)},
-          {"sampling_rate_Hz", study.vibration.rate},
-          {"samples", signal.size()},
-          {"rms_m_s2", std::sqrt((signal - signal.mean()).square().mean())},
-          {"max_m_s2", signal.abs().maxCoeff()},
-          {"noise_m_s2", noise.rms}};
+  const double met = study.defect_frequency.value_or(described::kAbsent);
+  record.value("defect", "race or element with the scratch", in.choice("defect.race"));
+  record.value("width_mm", dimension::length, "of the scratch along the race", of_scratch("defect.width"));
+  record.value("depth_mm", dimension::length, "of the scratch", of_scratch("defect.depth"));
+  frequency("shaft_Hz", "of the shaft, mean of a run-up", study.turned.shaft);
+  record.value("run_up_from", dimension::ratio, "speed at which a run-up begins, over that of its end",
+               in.number("signal.run_up_from"));
+  record.value("load_N", dimension::force, "radial", in.quantity("load.radial"));
+  frequency("cage_Hz", "of the cage", study.turned.cage);
+  frequency("outer_pass_Hz", "elements over the outer race", study.turned.outer_pass);
+  frequency("inner_pass_Hz", "elements over the inner race", study.turned.inner_pass);
+  frequency(study.rollers ? "roller_pass_Hz" : "ball_pass_Hz", "a place of an element over either race",
+            study.turned.element_pass);
+  frequency("defect_Hz", "how often a scratch is met", slower_by * met);
+  record.value("defect_order", dimension::ratio, "the same in a turn of the shaft",
+               met / study.passing.shaft);
+  frequency("sampling_rate_Hz", "samples a second", study.vibration.rate);
+  record.value("samples", "of the signal", signal.size());
+  record.value("rms_m_s2", dimension::acceleration, "root mean square of the outer ring along the load",
+               root_mean_square(signal));
+  record.value("max_m_s2", dimension::acceleration, "largest magnitude", signal.abs().maxCoeff());
+  record.value("noise_m_s2", dimension::acceleration, "root mean square of the instrument's noise",
+               noise.rms);
 }
 
 std::string labels_csv(const std::vector<nlohmann::ordered_json>& labels) {

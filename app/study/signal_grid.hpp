@@ -45,8 +45,8 @@ std::vector<std::string> axes_without_effect(const std::vector<SignalAxis>& axes
 void add_noise(const SignalNoise& noise, std::size_t number, study::RingVibration& vibration);
 
 /// What a diagnosis would be trained with: what is scratched, speed, load, size, frequencies, level.
-nlohmann::ordered_json signal_labels(const ResolvedCase& resolved, const DefectStudy& study,
-                                     const SignalNoise& noise);
+void describe_labels(described::Record& record, const ResolvedCase& resolved, const DefectStudy& study,
+                     const SignalNoise& noise);
 
 /// Labels as rows of text, their names first.
 std::string labels_csv(const std::vector<nlohmann::ordered_json>& labels);

@@ -16,11 +16,12 @@
 #include "app/case/defect_case.hpp"
 #include "app/case/uncertain_case.hpp"
 #include "app/errors.hpp"
-#include "app/study/defect_study.hpp"
-#include "app/study/planet_defect.hpp"
+#include "app/results/record_writers.hpp"
 #include "app/study/uncertain_samples.hpp"
 
 namespace orbearing::app {
+
+namespace dimension = described::dimension;
 
 namespace {
 
@@ -46,40 +47,68 @@ std::string key_with_reading(const ValidationRow& row) {
   return row.reading.empty() ? quantity : quantity + " | " + row.reading;
 }
 
-nlohmann::ordered_json number(const std::optional<double>& value) {
-  return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
+void describe_ends(Record& record, const ValidationBand& band) {
+  record.value("low_90", {}, "lower end of the middle 90 %", band.low_90);
+  record.value("low_50", {}, "lower end of the middle 50 %", band.low_50);
+  record.value("high_50", {}, "upper end of the middle 50 %", band.high_50);
+  record.value("high_90", {}, "upper end of the middle 90 %", band.high_90);
+  record.value("samples", "that gave a number", band.samples);
+  record.value("lost", "samples that gave none", band.lost);
 }
 
-nlohmann::ordered_json band_json(const std::optional<ValidationBand>& band) {
-  if (!band) return nullptr;
-  return {{"low_90", band->low_90},   {"low_50", band->low_50},   {"high_50", band->high_50},
-          {"high_90", band->high_90}, {"samples", band->samples}, {"lost", band->lost}};
+/// A row, with the table that it is of.
+template <class Row>
+using RowOf = std::pair<const ValidationTable*, const Row*>;
+
+template <class Row>
+std::vector<RowOf<Row>> rows_of_all(const std::vector<ValidationTable>& tables,
+                                    std::vector<Row> ValidationTable::*rows) {
+  std::vector<RowOf<Row>> found;
+  for (const ValidationTable& table : tables)
+    for (const Row& row : table.*rows) found.emplace_back(&table, &row);
+  return found;
 }
 
-nlohmann::ordered_json comparisons_json(const std::string& case_name,
-                                        const std::vector<ValidationRow>& rows) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const ValidationRow& row : rows) {
-    const PublishedValue& published = row.published;
-    list.push_back({{"source", published.source},
-                    {"quantity", published.quantity},
-                    {"published", number(published.value)},
-                    {"ours", number(row.ours)},
-                    {"deviation", number(row.deviation)},
-                    {"tolerance", published.tolerance},
-                    {"verdict", row.verdict},
-                    {"case", case_name},
-                    {"reading", row.reading},
-                    {"evidence", evidence_name(published.kind)},
-                    {"of", published.of},
-                    {"meaning", published.meaning},
-                    {"scatter", number(published.scatter)},
-                    {"band", band_json(row.band)},
-                    {"why", published.why},
-                    {"memory", published.memory},
-                    {"fitted", published.fitted}});
-  }
-  return list;
+void describe_comparison(Record& record, const RowOf<ValidationRow>& one) {
+  const auto& [table, row] = one;
+  const PublishedValue& published = row->published;
+  record.value("source", "of the published number", published.source);
+  record.value("quantity", "its name in units, which may be COMMAND:/json/pointer", published.quantity);
+  record.value("published", {}, "number that the source prints", published.value);
+  record.value("ours", {}, "the same by this program", row->ours);
+  record.value("deviation", dimension::ratio, "ours over published, less 1", row->deviation);
+  record.value("tolerance", dimension::ratio, "largest deviation that is reproduced", published.tolerance);
+  record.value("verdict", "reproduced, trend, missed or input missing", row->verdict);
+  record.value("case", "name", table->case_name);
+  record.value("reading", "settings; empty: the case as it stands", row->reading);
+  record.value("evidence", "kind of the source", evidence_name(published.kind));
+  record.value("of", "class of the quantity", published.of);
+  record.value("meaning", "of the number", published.meaning);
+  record.value("scatter", dimension::ratio, "standard deviation of the measurement", published.scatter);
+  record.child("band", "of ours, by the uncertain inputs of the case", row->band, describe_ends);
+  record.value("why", "it is missed", published.why);
+  record.value("memory", "whether it is remembered, not read", published.memory);
+  record.value("fitted", "whether constants of the case were identified from it", published.fitted);
+}
+
+void describe_assumption(Record& record, const RowOf<Sensitivity>& one) {
+  const auto& [table, row] = one;
+  const std::optional<Derivative>& by = row->derivative;
+  record.value("case", "name", table->case_name);
+  record.value("assumption", "key of the case", row->change.group);
+  record.value("reading", "how else it may be read", row->change.name);
+  record.value("settings", "of the case", row->change.settings);
+  record.value("peak_speed_rpm", in_rpm, "of the longest life under the other reading", row->peak_speed_rpm);
+  record.value("peak_life_h", dimension::hours, "longest life under it", row->peak_life_h);
+  record.value("worth_h", dimension::hours, "change of the longest life", row->difference_h);
+  record.value("derivative_h_per_unit", {}, "of the life by the assumed number",
+               by ? by->derivative : described::kAbsent);
+  if (by)
+    record.value("unit", "of that number", by->unit);
+  else
+    record.nothing("unit", "of that number");
+  record.value("elasticity", dimension::ratio, "d ln(life) / d ln(number)",
+               by ? by->elasticity : std::nullopt);
 }
 
 // Whether the value is compared again under the other readings of the case.
@@ -134,36 +163,33 @@ std::string reading_of(const std::vector<std::string>& settings) {
 
 using Rows = std::vector<const PublishedValue*>;
 
-// Our numbers for rows of one and the same variant of a case. Throws BadInput and ComputationFailed.
-using ValuesOf = std::function<std::vector<double>(const ResolvedCase& variant, const Rows& rows)>;
+struct OurNumber {
+  double value = described::kAbsent;
+  std::string unit{};
+};
 
-// Numbers that one study of the case answers all at once.
-template <typename StudyOf, typename Property>
-ValuesOf of_study(const StudyOf& study_of, const Property& property_of) {
-  return [study_of, property_of](const ResolvedCase& variant, const Rows& rows) {
-    const auto study = study_of(variant);
-    std::vector<double> values;
-    for (const PublishedValue* row : rows) values.push_back(property_of(study, row->quantity));
-    return values;
-  };
-}
+// Our numbers for rows of one and the same variant of a case. Throws BadInput and ComputationFailed.
+using ValuesOf = std::function<std::vector<OurNumber>(const ResolvedCase& variant, const Rows& rows)>;
 
 bool has_life_curve(const ResolvedCase& resolved) {
   return resolved.model() == planetary_drivetrain && !is_planet_defect(resolved) && resolved.shape().teeth;
 }
 
-// Numbers by name.
+// Numbers of the life curve by name.
 ValuesOf named_values(const ResolvedCase& resolved) {
-  if (is_defect(resolved))
-    return of_study([](const ResolvedCase& in) { return defect_study(in); }, defect_property);
-  if (!is_planet_defect(resolved) && !has_life_curve(resolved))
+  if (!has_life_curve(resolved))
     throw BadInput(
         resolved.origin("model") + ": model: found " + resolved.choice("model") +
-        "; quantities by name are those of planetary-drivetrain with teeth or raceway-defect; required: one "
-        "of these models, or quantities such as run:/json/pointer");
-  if (is_planet_defect(resolved))
-    return of_study([](const ResolvedCase& in) { return planet_defect_study(in); }, planet_defect_property);
-  return of_study([](const ResolvedCase& in) { return life_curve(in); }, property);
+        "; quantities by name are those of planetary-drivetrain with teeth; required: this model, or "
+        "quantities such as run:/json/pointer");
+  return [](const ResolvedCase& variant, const Rows& rows) {
+    const LifeCurve curve = life_curve(variant);
+    const nlohmann::ordered_json units = units_of(record_of(curve));
+    std::vector<OurNumber> values;
+    for (const PublishedValue* row : rows)
+      values.push_back({property(curve, row->quantity), units.value(row->quantity, "")});
+    return values;
+  };
 }
 
 double number_at(const nlohmann::ordered_json& object, const std::string& quantity,
@@ -182,18 +208,34 @@ double number_at(const nlohmann::ordered_json& object, const std::string& quanti
       fmt::format("expected.yaml: quantity: {} is {}; required: a number", quantity, found.type_name()));
 }
 
+// The unit of the number there: by a key or by the path, both without the numbers of rows.
+std::string unit_at(const nlohmann::ordered_json& units, const std::string& pointer) {
+  std::string path, unit;
+  for (std::size_t begin = 1, end = 0; end != std::string::npos; begin = end + 1) {
+    end = pointer.find('/', begin);
+    const std::string key = pointer.substr(begin, end - begin);
+    if (key.find_first_not_of("0123456789") == std::string::npos) continue;
+    path += (path.empty() ? "" : "/") + key;
+    for (const std::string& name : {key, path})
+      if (const auto found = units.find(name); found != units.end() && found->is_string()) unit = *found;
+  }
+  return unit;
+}
+
 // Numbers by pointers into what a command prints.
 ValuesOf pointed_values(const ResultOf& result_of) {
   return [result_of](const ResolvedCase& variant, const Rows& rows) {
     std::map<std::pair<std::string, std::string>, nlohmann::ordered_json> results;
-    std::vector<double> values;
+    std::vector<OurNumber> values;
     for (const PublishedValue* row : rows) {
       const ResultPointer at = *result_pointer(row->quantity);
       const std::pair key{at.command, row->fidelity};
       auto result = results.find(key);
       if (result == results.end())
         result = results.emplace(key, result_of(at.command, row->fidelity, variant)).first;
-      values.push_back(number_at(result->second, row->quantity, at.pointer));
+      values.push_back(
+          {number_at(result->second, row->quantity, at.pointer),
+           unit_at(result->second.value("units", nlohmann::ordered_json::object()), at.pointer)});
     }
     return values;
   };
@@ -235,14 +277,15 @@ std::vector<std::vector<double>> sampled_values(const ResolvedCase& variant, con
   std::vector<std::vector<double>> sampled(rows.size());
   for (const std::vector<double>& sample : uncertain_samples(uncertain, options.samples, options.seed)) {
     std::vector<Setting> settings;
-    for (std::size_t i = 0; i < sample.size(); ++i) settings.push_back({uncertain.inputs[i].path, "", sample[i]});
-    std::vector<double> values(rows.size(), std::numeric_limits<double>::quiet_NaN());
+    for (std::size_t i = 0; i < sample.size(); ++i)
+      settings.push_back({uncertain.inputs[i].path, "", sample[i]});
+    std::vector<OurNumber> values(rows.size());
     try {
       values = values_of(variant.with(settings), rows);
     } catch (const BadInput&) {
     } catch (const ComputationFailed&) {
     }
-    for (std::size_t i = 0; i < rows.size(); ++i) sampled[i].push_back(values[i]);
+    for (std::size_t i = 0; i < rows.size(); ++i) sampled[i].push_back(values[i].value);
   }
   return sampled;
 }
@@ -316,9 +359,12 @@ class RowsOfCase {
                const ValuesOf& values_of) {
     const std::string reading = reading_of(variant.settings);
     try {
-      const std::vector<double> values = values_of(changed, rows);
-      for (std::size_t i = 0; i < rows.size(); ++i)
-        rows_.emplace(rows[i], judged(*rows[i], values[i], reading));
+      const std::vector<OurNumber> values = values_of(changed, rows);
+      for (std::size_t i = 0; i < rows.size(); ++i) {
+        ValidationRow row = judged(*rows[i], values[i].value, reading);
+        row.unit = values[i].unit;
+        rows_.emplace(rows[i], std::move(row));
+      }
     } catch (const ComputationFailed& error) {
       for (const PublishedValue* row : rows) rows_.emplace(row, failed(*row, reading, error.what()));
       return;
@@ -339,7 +385,8 @@ void put_other_readings(const ResolvedCase& resolved, const ExpectedFile& expect
   const std::vector<ChangeResult> results =
       results_of(resolved, with_reference(expected.alternatives), {.jobs = jobs});
   table.sensitivities = sensitivities(results);
-  put_derivatives(resolved, property(life_curve(results.front()), "peak_speed_rpm"), jobs, table.sensitivities);
+  put_derivatives(resolved, property(life_curve(results.front()), "peak_speed_rpm"), jobs,
+                  table.sensitivities);
   for (const Sensitivity& one : table.sensitivities)
     for (const PublishedValue& published : expected.published)
       if (has_other_readings(published))
@@ -432,29 +479,13 @@ std::string count_text(const std::vector<ValidationTable>& tables) {
                             count.comparisons_under_other_readings);
 }
 
-nlohmann::ordered_json rows_json(const ValidationTable& table) {
-  return comparisons_json(table.case_name, table.rows);
-}
-
-nlohmann::ordered_json other_readings_json(const ValidationTable& table) {
-  return comparisons_json(table.case_name, table.other_readings);
-}
-nlohmann::ordered_json sensitivities_json(const ValidationTable& table) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const Sensitivity& one : table.sensitivities) {
-    const std::optional<Derivative>& by = one.derivative;
-    list.push_back({{"case", table.case_name},
-                    {"assumption", one.change.group},
-                    {"reading", one.change.name},
-                    {"settings", one.change.settings},
-                    {"peak_speed_rpm", one.peak_speed_rpm},
-                    {"peak_life_h", one.peak_life_h},
-                    {"worth_h", one.difference_h},
-                    {"derivative_h_per_unit", by ? nlohmann::ordered_json(by->derivative) : nullptr},
-                    {"unit", by ? nlohmann::ordered_json(by->unit) : nullptr},
-                    {"elasticity", by && by->elasticity ? nlohmann::ordered_json(*by->elasticity) : nullptr}});
-  }
-  return list;
+void describe(Record& record, const std::vector<ValidationTable>& tables) {
+  record.table("rows", "row", "published numbers beside ours", rows_of_all(tables, &ValidationTable::rows),
+               describe_comparison);
+  record.table("other_readings", "other_reading", "the same under other readings of the cases",
+               rows_of_all(tables, &ValidationTable::other_readings), describe_comparison);
+  record.table("assumptions", "assumption", "effect of each other reading",
+               rows_of_all(tables, &ValidationTable::sensitivities), describe_assumption);
 }
 
 std::string validation_text(const ValidationTable& table) {

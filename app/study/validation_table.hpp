@@ -26,6 +26,7 @@ struct ValidationRow {
   std::string reading;  // settings of the case; empty: the case as it stands
   std::optional<double> ours;
   std::optional<double> deviation;
+  std::string unit{};   // of the numbers; empty: not known
   std::string verdict;  // reproduced, trend, missed, input missing
   std::optional<ValidationBand> band{};
 
@@ -40,12 +41,14 @@ struct ValidationTable {
   std::vector<Sensitivity> sensitivities;
 };
 
-/// How many values were compared, however many rows and cases they stand in: rows of one source, one value and one set of
-/// settings are one. Values that are remembered, and formulas and what we recompute, are none of the published ones.
+/// How many values were compared, however many rows and cases they stand in: rows of one source, one value
+/// and one set of settings are one. Values that are remembered, and formulas and what we recompute, are none
+/// of the published ones.
 struct ValidationCount {
-  std::map<std::string, std::map<std::string, int>> verdicts;  // of values read, by kind of evidence and verdict
-  int published = 0;                                           // numbers and trends that a source prints
-  int trends = 0;                                              // among them
+  std::map<std::string, std::map<std::string, int>>
+      verdicts;        // of values read, by kind of evidence and verdict
+  int published = 0;   // numbers and trends that a source prints
+  int trends = 0;      // among them
   int fitted = 0;      // among them: from which constants of their case were identified
   int recomputed = 0;  // numbers that follow from a source's formulas or data
   int remembered = 0;
@@ -58,9 +61,9 @@ using ResultOf = std::function<nlohmann::ordered_json(const std::string& command
                                                       const ResolvedCase& resolved)>;
 
 struct ValidationOptions {
-  int jobs = 0;  // threads for the other readings; 0: one for each core
+  int jobs = 0;          // threads for the other readings; 0: one for each core
   ResultOf result_of{};  // none: rows of the quantity COMMAND:/json/pointer are left out
-  int samples = 0;  // of the uncertain inputs, for the bands of rows that somebody measured; 0: no bands
+  int samples = 0;       // of the uncertain inputs, for the bands of rows that somebody measured; 0: no bands
   std::uint64_t seed = 1;
 };
 
@@ -74,9 +77,8 @@ ValidationTable validation_table_of(const ResolvedCase& resolved, const Expected
 ValidationCount counted(const std::vector<ValidationTable>& tables);
 std::string count_text(const std::vector<ValidationTable>& tables);
 
-nlohmann::ordered_json rows_json(const ValidationTable& table);
-nlohmann::ordered_json other_readings_json(const ValidationTable& table);
-nlohmann::ordered_json sensitivities_json(const ValidationTable& table);
+/// `rows`, `other_readings` and `assumptions`.
+void describe(described::Record& record, const std::vector<ValidationTable>& tables);
 std::string validation_text(const ValidationTable& table);
 
 }  // namespace orbearing::app

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "bearing/life/basic_life.hpp"
+#include "bearing/life/rating_record.hpp"
 #include "coupling/study/operating_point.hpp"
 #include "mechanics/record.hpp"
 
@@ -11,7 +12,6 @@ namespace orbearing::study {
 
 namespace {
 
-using bearing::rating::RatedHours;
 using described::kAbsent;
 using described::Record;
 namespace dimension = described::dimension;
@@ -26,23 +26,6 @@ struct NamedRace {
 template <class Result>
 std::array<NamedRace, 2> races_of(const Result& result) {
   return {{{"inner", &result.inner}, {"outer", &result.outer}}};
-}
-
-struct RatedLife {
-  const char* name;
-  const char* meaning;
-  double RatedHours::*hours;
-};
-constexpr std::array<RatedLife, 4> kRatedLives{
-    {{"L10h", "basic rating life of ISO 281", &RatedHours::basic},
-     {"L10rh", "basic reference rating life of ISO/TS 16281", &RatedHours::reference},
-     {"L10mh", "modified rating life of ISO 281: a_1 a_ISO L10h", &RatedHours::modified},
-     {"L10mrh", "modified reference rating life of ISO/TS 16281, a_ISO lamina by lamina",
-      &RatedHours::modified_reference}}};
-
-void describe_rated_hours(Record& record, const RatedHours& hours) {
-  for (const RatedLife& life : kRatedLives)
-    record.value(life.name, dimension::hours, life.meaning, hours.*life.hours);
 }
 
 void describe_loads_and_lives(Record& record, const PointResult& point) {
@@ -105,8 +88,8 @@ void describe_ratings(Record& record, const PointResult& point) {
   const bearing::rating::RatingLives& lives = point.rating.lives;
   record.value("life_Mrev", dimension::revolutions, "fatigue life of one bearing, in revolutions", point.life)
       .variable = "life_revolutions";
-  describe_rated_hours(record, point.rating.hours);
-  for (const RatedLife& life : kRatedLives)
+  describe(record, point.rating.hours);
+  for (const bearing::rating::RatedLife& life : bearing::rating::kRatedLives)
     record.value(std::string("system_") + life.name, dimension::hours,
                  std::string(life.name) + " of all planet bearings together",
                  point.rating.system_hours.*life.hours);
@@ -122,25 +105,8 @@ void describe_ratings(Record& record, const PointResult& point) {
               lives.modified_reference.inner);
   revolutions("outer_L10m_Mrev", "modified reference rating life of ISO/TS 16281 of the outer race",
               lives.modified_reference.outer);
-  record.value("C_N", dimension::force, "basic dynamic load rating", lives.dynamic_capacity);
-  record.value("C0_N", dimension::force, "basic static load rating", lives.static_capacity);
-  record.value("Cu_N", dimension::force, "fatigue load limit", lives.fatigue_load_limit);
-  record.value("P_N", dimension::force, "dynamic equivalent load of one bearing", lives.dynamic_load);
-  record.value("P0_N", dimension::force, "static equivalent load of the most loaded bearing",
-               lives.static_load);
-  record.value("C_over_P", dimension::ratio, "basic dynamic load rating over equivalent load",
-               lives.load_ratio());
-  record.value("S0", dimension::ratio, "basic static load rating over static equivalent load",
-               lives.static_safety());
-  record.value("kappa", dimension::ratio, "viscosity ratio of ISO 281",
-               lives.oil ? lives.oil->viscosity_ratio : kAbsent);
-  record.value("e_C", dimension::ratio, "contamination factor of ISO 281",
-               lives.oil ? lives.oil->contamination_factor : kAbsent);
-  record.value("a_ISO", dimension::ratio, "life modification factor of ISO 281, from C_u/P",
-               lives.life_modification);
-  record.value("a_ISO_r", dimension::ratio,
-               "L10mrh over L10rh at a reliability of 90 %: life modification factor lamina by lamina",
-               lives.reference_modification);
+  describe_loads(record, lives);
+  describe_factors(record, lives);
   const double allowed = bearing::rating::static_pressure(bearing::rating::RollingElement::roller);
   record.value("static_safety", dimension::ratio,
                "S_0 of ISO 76: static capacity over load, by the largest pressure and 4000 MPa",
@@ -327,7 +293,7 @@ void describe(Record& row, const SeatResult& seat) {
   row.value("load", dimension::force, "load of the rollers on the bore", seat.load);
   describe_direction(row, "tilt", dimension::angle, "tilt of the bore against the pin", seat.tilt);
   row.value("life", dimension::hours, "fatigue life of one bearing", seat.life_hours);
-  describe_rated_hours(row, seat.rated_hours);
+  describe(row, seat.rated_hours);
 }
 
 void describe(Record& row, const PlanetResult& planet) {
@@ -336,7 +302,7 @@ void describe(Record& row, const PlanetResult& planet) {
   row.value("bearing_load", dimension::force,
             "load of the rollers on the bore of one bearing of a planet, mean over time", planet.load);
   row.value("life", dimension::hours, "fatigue life of one bearing of a planet", planet.life_hours);
-  describe_rated_hours(row, planet.rated_hours);
+  describe(row, planet.rated_hours);
 }
 
 // One orbit of the rollers.
@@ -424,7 +390,7 @@ void describe(Record& record, const SetResult& set) {
     record.value(race + "_load_max_N", dimension::force,
                  "largest load of one roller on the " + race + " race", of->load_max);
   record.value("life_h", dimension::hours, "fatigue life of one bearing", set.life_hours);
-  describe_rated_hours(record, set.rating.hours);
+  describe(record, set.rating.hours);
 }
 
 }  // namespace orbearing::study

@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "bearing/life/rating_record.hpp"
+
 namespace orbearing::app {
 
 namespace {
@@ -14,24 +16,6 @@ using namespace study::crowning;
 
 using described::Record;
 namespace dimension = described::dimension;
-
-// Of one bearing, by the standards.
-struct RatedLife {
-  const char* name;
-  const char* meaning;
-  double bearing::rating::RatedHours::*hours;
-};
-constexpr std::array<RatedLife, 4> rated_lives{
-    {{"L10h", "life of one bearing by ISO 281", &bearing::rating::RatedHours::basic},
-     {"L10rh", "life of one bearing by ISO/TS 16281", &bearing::rating::RatedHours::reference},
-     {"L10mh", "life of one bearing by ISO 281, with a_ISO", &bearing::rating::RatedHours::modified},
-     {"L10mrh", "life of one bearing by ISO/TS 16281, with a_ISO of each lamina",
-      &bearing::rating::RatedHours::modified_reference}}};
-
-void describe_hours(Record& record, const bearing::rating::RatedHours& hours) {
-  for (const RatedLife& life : rated_lives)
-    record.value(life.name, dimension::hours, life.meaning, hours.*life.hours);
-}
 
 void describe_pressure(Record& record, double peak, double edge_ratio) {
   record.value("peak_pressure_MPa", dimension::pressure,
@@ -48,7 +32,7 @@ void describe_point(Record& row, const CrownPoint& point, const std::string& pro
   describe_pressure(row, ok ? point.pressure.peak : described::kAbsent,
                     ok ? point.pressure.edge_ratio : described::kAbsent);
   row.value("profile", "kind", profile);
-  describe_hours(row, point.rated_hours);
+  describe(row, point.rated_hours);
   row.value("status", "ok, or why there is no balance", point.status);
 }
 
@@ -59,7 +43,7 @@ void describe_design(Record& record, const CrownDesign& design, LifeMeasure meas
   describe_pressure(record, design.peak_pressure, design.edge_ratio);
   record.value(measure == LifeMeasure::iso16281 ? "lundberg_palmgren_life_h" : "iso16281_life_h",
                dimension::hours, "by the measure that is not optimised", design.other_life_hours);
-  describe_hours(record, design.rated_hours);
+  describe(record, design.rated_hours);
   record.value("half_space_life_h", dimension::hours, "from half-space pressures",
                design.pressure_life_hours);
   if (std::isfinite(design.untilted_life_hours)) {
@@ -217,7 +201,7 @@ void describe_grid(Record& record, const CrownStudy& study) {
   add("largest_tilt", dimension::angle, "largest tilt of a bore on its pin, computed or stated",
       [](const CrownPoint& p) { return p.largest_tilt; });
   add("life", dimension::hours, "life of one bearing", [](const CrownPoint& p) { return p.life_hours; });
-  for (const RatedLife& life : rated_lives)
+  for (const bearing::rating::RatedLife& life : bearing::rating::kRatedLives)
     add(life.name, dimension::hours, life.meaning,
         [&](const CrownPoint& p) { return p.rated_hours.*life.hours; });
   add("peak_pressure", dimension::stress,

@@ -7,6 +7,7 @@
 #include "app/case/check_table.hpp"
 #include "app/case/resolved_writer.hpp"
 #include "app/case/schema.hpp"
+#include "app/results/record_writers.hpp"
 #include "tests/unit/app_case/small_case.hpp"
 
 namespace orbearing::app::output_test {
@@ -64,10 +65,12 @@ TEST(CheckTable, TellsGivenAssumedAndDerived) {
 }
 
 TEST(CheckTable, GivesJsonInSi) {
-  const nlohmann::json json = check_json(shipped(), {{"a.b", 2.0, "mm", "c"}});
+  Record record;
+  describe_check(record, shipped(), {{"a.b", 2.0, "mm", "c"}});
+  const nlohmann::ordered_json json = json_of(record);
   EXPECT_EQ(json["name"], "reducer_150kW");
   EXPECT_EQ(json["derived"][0]["value"], 2.0);
-  for (const nlohmann::json& input : json["inputs"]) {
+  for (const nlohmann::ordered_json& input : json["inputs"]) {
     if (input["path"] != "gearset.module") continue;
     EXPECT_EQ(input["value"], 3e-3);
     EXPECT_EQ(input["unit"], "m");

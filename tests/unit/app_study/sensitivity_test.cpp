@@ -41,6 +41,12 @@ std::vector<ChangeResult> computed(std::vector<std::string>& lines, int jobs = 1
                     });
 }
 
+nlohmann::ordered_json row(const std::vector<ChangeResult>& results, std::size_t reading) {
+  Record record;
+  describe_reading(record, "case", small_plan(), results.front(), results[reading]);
+  return json_of(record);
+}
+
 TEST(SensitivityInMotion, IsTheChangeAtTheBestSpeedOfTheCaseAsItStands) {
   std::vector<std::string> lines;
   const std::vector<ChangeResult> results = computed(lines);
@@ -49,10 +55,9 @@ TEST(SensitivityInMotion, IsTheChangeAtTheBestSpeedOfTheCaseAsItStands) {
   EXPECT_NEAR(life_of(results[0].points[1]), 500.0, 1e-6);
   EXPECT_NEAR(life_of(results[1].points[1]), 1000.0, 1e-6);
   EXPECT_EQ(best_point(results[1]), 1U);
-  const auto json = motion_json("case", small_plan(), results);
-  EXPECT_EQ(json[1]["best_speed_rpm"], 2000.0);
-  EXPECT_NEAR(json[1]["worth_h"].get<double>(), 500.0, 1e-6);
-  EXPECT_EQ(json[0]["settings"].size(), 0U);
+  EXPECT_EQ(row(results, 1)["best_speed_rpm"], 2000.0);
+  EXPECT_NEAR(row(results, 1)["worth_h"].get<double>(), 500.0, 1e-6);
+  EXPECT_EQ(row(results, 0)["settings"].size(), 0U);
 }
 
 TEST(SensitivityInMotion, TellsEachChangeInItsOrderWhenItIsDone) {
@@ -71,7 +76,7 @@ TEST(SensitivityInMotion, KeepsPointsThatFailApart) {
   EXPECT_TRUE(std::isnan(life_of(results[0].points[2])));
   EXPECT_EQ(results[0].points[2].status, "no balance");
   EXPECT_THAT(lines[0], HasSubstr("failed"));
-  EXPECT_TRUE(motion_json("case", small_plan(), results)[0]["points"][2]["life_h"].is_null());
+  EXPECT_TRUE(row(results, 0)["points"][2]["life_h"].is_null());
 }
 
 TEST(MotionPlan, OfTheReducerIsRead) {
