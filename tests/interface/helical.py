@@ -89,10 +89,10 @@ class Helical(unittest.TestCase):
     def test_other_commands(self):
         with tempfile.TemporaryDirectory() as folder:
             work = pathlib.Path(folder)
-            self.assertEqual(run("crown", REDUCER, "-o", work / "crown", "--set", HELIX, "--set", "bearing.laminae=20",
-                                 "--quiet").returncode, 0)
-            self.assertEqual(run("stiffness", REDUCER, "-o", work / "k", "--set", HELIX, "--quiet").returncode, 0)
-            self.assertEqual(run("sweep", REDUCER, "-o", work / "s", "--set", HELIX, "--grid-only", "--quiet").returncode, 0)
+            self.assertEqual(run("crown", REDUCER, "-o", work / "crown", *settings((HELIX, "bearing.laminae=20")), "--drops", "4 um",
+                                 "--starts", "1", "--quiet").returncode, 0)
+            self.assertEqual(run("stiffness", REDUCER, "-o", work / "k", *settings((HELIX, "sweep.input.speed=[6000 rpm]")), "--quiet").returncode, 0)
+            self.assertEqual(run("sweep", REDUCER, "-o", work / "s", *settings((HELIX, "sweep.input.speed=[6000 rpm]")), "--quiet").returncode, 0)
             self.assertEqual(run("report", work / "s", "--quiet").returncode, 0)
             for model in ("bearing", "gearset"):
                 made = run("fmu", REDUCER, "-o", work / f"{model}.fmu", "--model", model, "--set", HELIX, "--json")

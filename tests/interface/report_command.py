@@ -17,9 +17,10 @@ except ImportError:
     print("skipped: matplotlib is missing")
     sys.exit(77)
 
+from program import BRIEF_GEARS, settings
 from sweep_runs import CASE, PROGRAM, run, snapshot, sweep
 
-SHORT = "sweep.input.speed={from: 4000 rpm, to: 8000 rpm, step: 2000 rpm}"
+SHORT = "sweep.input.speed=[6000 rpm, 8000 rpm]"
 
 
 def report(folder, *before, **variables):
@@ -36,7 +37,7 @@ class ReportCommand(unittest.TestCase):
 
     def swept(self, name):
         folder = self.root / name
-        result = sweep(folder, grid=SHORT)
+        result = sweep(folder, *settings(BRIEF_GEARS), grid=SHORT)
         self.assertEqual(result.returncode, 0, result.stderr)
         return folder
 
