@@ -5,16 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/case/case_errors.hpp"
 #include "app/case/uneven_planets.hpp"
 
 namespace orbearing::app {
 
 namespace {
-
-void add_error(const ResolvedCase& resolved, const std::string& path, std::string found, std::string required,
-               std::vector<Mistake>& mistakes) {
-  mistakes.push_back({resolved.location(path), path, {std::move(found), std::move(required)}});
-}
 
 // A wave needs its order and its amplitude; phases may be left out altogether.
 void check_form(const ResolvedCase& resolved, const std::string& block, std::vector<Mistake>& mistakes) {
@@ -23,15 +19,15 @@ void check_form(const ResolvedCase& resolved, const std::string& block, std::vec
   if (!has_order && !has_amplitude && !resolved.has(phase)) return;
   if (!has_order || !has_amplitude) {
     const std::string present = has_order ? order : has_amplitude ? amplitude : phase;
-    add_error(resolved, present, "waves without " + std::string(has_order ? "amplitude" : "order"),
-              "orders and amplitudes in lists of equal length are required", mistakes);
+    add_error_at(resolved, present, "waves without " + std::string(has_order ? "amplitude" : "order"),
+                 "orders and amplitudes in lists of equal length are required", mistakes);
     return;
   }
   const std::size_t waves = resolved.list(order).size();
   for (const std::string& other : {amplitude, phase})
     if (resolved.has(other) && resolved.list(other).size() != waves)
-      add_error(resolved, other, fmt::format("{} values for {} waves", resolved.list(other).size(), waves),
-                "as many values as orders are required", mistakes);
+      add_error_at(resolved, other, fmt::format("{} values for {} waves", resolved.list(other).size(), waves),
+                   "as many values as orders are required", mistakes);
 }
 
 // How planets share a load follows from springs of the gears that know no rim; a rim rests on rollers that
@@ -40,18 +36,19 @@ void check_rim(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
   const std::string rim = "gearset.planet_rim";
   if (!resolved.has(rim) || resolved.choice(rim) != "elastic") return;
   if (!resolved.has("bearing.rollers"))
-    add_error(resolved, rim, "elastic without a bearing", "rollers on which the rim rests are required",
-              mistakes);
+    add_error_at(resolved, rim, "elastic without a bearing", "rollers on which the rim rests are required",
+                 mistakes);
   if (const char* spring = "gearset.dynamics.planet.bearing_stiffness"; resolved.has(spring))
-    add_error(resolved, rim, fmt::format("elastic beside {}", spring),
-              "no stiffness of the bearings is required, which follows from their rollers", mistakes);
+    add_error_at(resolved, rim, fmt::format("elastic beside {}", spring),
+                 "no stiffness of the bearings is required, which follows from their rollers", mistakes);
   if (const char* helix = "gearset.helix_angle"; resolved.has(helix) && resolved.quantity(helix) != 0.0)
-    add_error(resolved, rim, fmt::format("elastic beside {}", helix),
-              "rigid is required beside helical teeth: an elastic rim is computed in the plane of spur gears",
-              mistakes);
+    add_error_at(
+        resolved, rim, fmt::format("elastic beside {}", helix),
+        "rigid is required beside helical teeth: an elastic rim is computed in the plane of spur gears",
+        mistakes);
   if (const std::string uneven = uneven_planets_by(resolved); !uneven.empty())
-    add_error(resolved, rim, fmt::format("elastic beside {}", uneven),
-              "rigid is required where planets carry unlike loads", mistakes);
+    add_error_at(resolved, rim, fmt::format("elastic beside {}", uneven),
+                 "rigid is required where planets carry unlike loads", mistakes);
 }
 
 // Teeth under load push only, and follow from their form.
@@ -59,18 +56,12 @@ void check_tooth_contact(const ResolvedCase& resolved, std::vector<Mistake>& mis
   const std::string contact = "gearset.tooth_contact", separation = "gearset.dynamics.separation";
   if (!resolved.has(contact) || resolved.choice(contact) != "loaded") return;
   if (resolved.has(separation) && !resolved.flag(separation))
-    add_error(resolved, contact, fmt::format("loaded beside {}: false", separation),
-              "teeth that push only are required", mistakes);
+    add_error_at(resolved, contact, fmt::format("loaded beside {}: false", separation),
+                 "teeth that push only are required", mistakes);
   for (const char* stated : {"gearset.dynamics.mesh_stiffness.sun", "gearset.dynamics.mesh_stiffness.ring"})
     if (resolved.has(stated))
-      add_error(resolved, contact, fmt::format("loaded beside {}", stated),
-                "no stated mesh stiffness is required, which follows from the teeth", mistakes);
-}
-
-bool is_anywhere_nonzero(const ResolvedCase& resolved, const char* list) {
-  if (!resolved.has(list)) return false;
-  const std::vector<double> values = resolved.list(list);
-  return std::any_of(values.begin(), values.end(), [](double value) { return value != 0.0; });
+      add_error_at(resolved, contact, fmt::format("loaded beside {}", stated),
+                   "no stated mesh stiffness is required, which follows from the teeth", mistakes);
 }
 
 // A planet that finds its tilt: laminae feel it, one rigid rim and planets that carry alike are what it is
@@ -80,7 +71,7 @@ void check_tilt(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
   if (!resolved.has(state) || resolved.choice(state) != "computed" || !resolved.has("bearing.per_planet"))
     return;
   const auto need = [&](bool holds, const std::string& found, const std::string& required) {
-    if (!holds) add_error(resolved, state, "computed " + found, required, mistakes);
+    if (!holds) add_error_at(resolved, state, "computed " + found, required, mistakes);
   };
   need(resolved.has("bearing.laminae"), "without bearing.laminae",
        "a number of laminae, which feel the tilt, is required");
@@ -95,8 +86,9 @@ void check_tilt(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
   const auto bearings = static_cast<std::size_t>(resolved.integer("bearing.per_planet"));
   for (const char* list : {"bearing.axial_places", "bearing.clearance_differences"})
     if (resolved.has(list) && resolved.list(list).size() != bearings)
-      add_error(resolved, list, fmt::format("{} values", resolved.list(list).size()),
-                fmt::format("one for each of the {} bearings of a planet is required", bearings), mistakes);
+      add_error_at(resolved, list, fmt::format("{} values", resolved.list(list).size()),
+                   fmt::format("one for each of the {} bearings of a planet is required", bearings),
+                   mistakes);
 }
 
 // Bearings lie side by side within the face, which lies within the supports of the pin.
@@ -108,12 +100,12 @@ void check_positions(const ResolvedCase& resolved, std::vector<Mistake>& mistake
   const double face = resolved.quantity("gearset.face_width");
   const std::string twist = "support.carrier_twist_stiffness", ends = "support.pin_ends";
   if (resolved.has(twist) && resolved.choice(ends) == "one")
-    add_error(resolved, twist, resolved.given(twist) + " beside support.pin_ends: one",
-              "pins between two walls are required, of which one twists against the other", mistakes);
+    add_error_at(resolved, twist, resolved.given(twist) + " beside support.pin_ends: one",
+                 "pins between two walls are required, of which one twists against the other", mistakes);
   if (resolved.has(span) && resolved.quantity(span) < face)
-    add_error(resolved, span,
-              resolved.given(span) + " beside a face of " + resolved.given("gearset.face_width"),
-              "at least the face, beyond which its supports lie, is required", mistakes);
+    add_error_at(resolved, span,
+                 resolved.given(span) + " beside a face of " + resolved.given("gearset.face_width"),
+                 "at least the face, beyond which its supports lie, is required", mistakes);
   if (!resolved.has(positions) || !resolved.has("bearing.width")) return;
   const double width = resolved.quantity("bearing.width");
   std::vector<double> sorted = resolved.list(positions);
@@ -123,7 +115,7 @@ void check_positions(const ResolvedCase& resolved, std::vector<Mistake>& mistake
     const bool within = std::abs(sorted[k]) + 0.5 * width <= 0.5 * face + round_off;
     const bool apart = k == 0 || sorted[k] - sorted[k - 1] >= width - round_off;
     if (within && apart) continue;
-    add_error(
+    add_error_at(
         resolved, positions,
         within ? "bearings that reach into each other" : "a bearing that reaches beyond the face",
         fmt::format(
@@ -148,10 +140,10 @@ void check_refinements(const ResolvedCase& resolved, std::vector<Mistake>& mista
   if (!resolved.has(deviations) || !resolved.has("bearing.rollers")) return;
   const std::size_t given = resolved.list(deviations).size();
   if (given > static_cast<std::size_t>(resolved.integer("bearing.rollers")))
-    add_error(resolved, deviations, fmt::format("{} values", given),
-              fmt::format("at most one for each of the {} rollers is required",
-                          resolved.integer("bearing.rollers")),
-              mistakes);
+    add_error_at(resolved, deviations, fmt::format("{} values", given),
+                 fmt::format("at most one for each of the {} rollers is required",
+                             resolved.integer("bearing.rollers")),
+                 mistakes);
 }
 
 }  // namespace orbearing::app

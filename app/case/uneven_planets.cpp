@@ -19,12 +19,15 @@ bool is_uneven(const ResolvedCase& in, const std::string& positions) {
 
 }  // namespace
 
+bool is_anywhere_nonzero(const ResolvedCase& resolved, std::string_view path) {
+  if (!resolved.has(path)) return false;
+  const std::vector<double>& values = resolved.list(path);
+  return std::any_of(values.begin(), values.end(), [](double value) { return value != 0.0; });
+}
+
 std::string uneven_planets_by(const ResolvedCase& resolved) {
-  for (const char* pins : {"gearset.dynamics.pin_error.radial", "gearset.dynamics.pin_error.tangential"}) {
-    if (!resolved.has(pins)) continue;
-    const std::vector<double>& errors = resolved.list(pins);
-    if (std::any_of(errors.begin(), errors.end(), [](double error) { return error != 0.0; })) return pins;
-  }
+  for (const char* pins : {"gearset.dynamics.pin_error.radial", "gearset.dynamics.pin_error.tangential"})
+    if (is_anywhere_nonzero(resolved, pins)) return pins;
   const char* positions = "gearset.planet_angles";
   for (const char* needed : {positions, "gearset.planets"})
     if (!resolved.has(needed)) return "";
