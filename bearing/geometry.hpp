@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bearing/parameters.hpp"
-#include "bearing/profile/design.hpp"
+#include "bearing/profile/profile.hpp"
 
 namespace orbearing::bearing {
 

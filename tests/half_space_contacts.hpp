@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include "bearing/pressure/of_bearing.hpp"
 #include "bearing/pressure/strip_contact.hpp"
 #include "mechanics/constants.hpp"
 #include "tests/reference/surface_contact.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "bearing/profile/design.hpp"
+#include "bearing/profile/profile.hpp"
 #include "tests/random_bearings.hpp"
 
 namespace orbearing::bearing {

@@ -14,9 +14,8 @@
 #include "app/case/field_table.hpp"
 #include "app/case/substitute.hpp"
 #include "app/units.hpp"
-#include "bearing/catalogue/clearance_class.hpp"
-#include "bearing/catalogue/inference.hpp"
-#include "bearing/catalogue/seat_class.hpp"
+#include "bearing/catalogue/classes.hpp"
+#include "bearing/catalogue/entries.hpp"
 #include "bearing/default_design.hpp"
 #include "mechanics/constants.hpp"
 

@@ -9,7 +9,7 @@
 #include "app/case/field.hpp"
 #include "app/case/mistake.hpp"
 #include "app/case/resolved_case.hpp"
-#include "bearing/catalogue/clearance_class.hpp"
+#include "bearing/catalogue/classes.hpp"
 
 namespace orbearing::app {
 

@@ -8,9 +8,8 @@
 
 #include "app/case/field_table.hpp"
 #include "app/case/given_by.hpp"
-#include "bearing/catalogue/clearance_class.hpp"
-#include "bearing/catalogue/inference.hpp"
-#include "bearing/catalogue/seat_class.hpp"
+#include "bearing/catalogue/classes.hpp"
+#include "bearing/catalogue/entries.hpp"
 
 namespace orbearing::app {
 

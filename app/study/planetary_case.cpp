@@ -10,7 +10,7 @@
 #include "app/case/arrangement_case.hpp"
 #include "app/study/gear_case.hpp"
 #include "app/units.hpp"
-#include "bearing/profile/design.hpp"
+#include "bearing/profile/profile.hpp"
 #include "coupling/study/tilting_planet.hpp"
 #include "gearset/drivetrain/power_flow.hpp"
 #include "gearset/planet_angles.hpp"

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "bearing/carrier_frame.hpp"
-#include "bearing/contact/published_film.hpp"
+#include "bearing/contact/race_contact.hpp"
 #include "bearing/contact/race_form.hpp"
 #include "bearing/equilibrium/elastic_waves.hpp"
 #include "bearing/equilibrium/lamina_bearing.hpp"

@@ -8,7 +8,7 @@
 
 #include <Eigen/Core>
 
-#include "bearing/contact/film.hpp"
+#include "bearing/contact/race_contact.hpp"
 #include "bearing/contact/lamina_contact.hpp"
 
 namespace orbearing::bearing::laminae {

@@ -13,17 +13,90 @@
 
 #include "bearing/carrier_frame.hpp"
 #include "bearing/contact/lamina_races.hpp"
+#include "bearing/elastic_race.hpp"
 #include "bearing/equilibrium/quasi_static.hpp"
 #include "bearing/motion/cage_guidance.hpp"
-#include "bearing/motion/driving.hpp"
 #include "bearing/motion/layout.hpp"
 #include "bearing/motion/oil_drag.hpp"
 #include "bearing/motion/parameters.hpp"
-#include "bearing/motion/pin_support.hpp"
-#include "bearing/motion/race_model.hpp"
-#include "bearing/motion/rim.hpp"
+#include "bearing/motion/vectorised/constants.hpp"
+#include "bearing/plane.hpp"
 
 namespace orbearing::bearing::motion {
+
+// Speeds that change in time: a run-up in which all speeds keep their ratios. Angles integrate in closed
+// form, so that the state needs no more variables.
+//
+//   s = 1 + ramp t,   speed = s * speed(0),   angle = speed(0) * (t + ramp t^2 / 2),   W' = ramp W(0)
+//
+
+/// All speeds at `time` [s] over those at t = 0: s.
+inline double speed_ratio(const Driving& driving, double time) {
+  return 1.0 + driving.ramp * time;
+}
+
+/// Forces of the meshes at `time` [s] over those at t = 0: they pass constant power.
+inline double mesh_ratio(const Driving& driving, double time) {
+  return 1.0 / speed_ratio(driving, time);
+}
+
+/// Time [s] in which the speeds of t = 0 would give the angles turned by `time` [s].
+inline double equivalent_time(const Driving& driving, double time) {
+  return time + 0.5 * driving.ramp * time * time;
+}
+
+// From what the user states to the laws of one race, and those laws for plain numbers where no motion asks
+// for them.
+
+/// One race with its laws, fixed for a run.
+struct RaceModel : vectorised::RaceLaws {
+  std::vector<RaceHarmonic> form;  // none: round
+  std::vector<RaceScratch> scratches = {};
+};
+
+/// Laws of `race`. `point` gives the film that is subtracted where the source's printed approach is asked
+/// for.
+RaceModel race_model(const Bearing& bearing, const BearingGeometry& geometry, const OperatingPoint& point,
+                     Race race, const DynamicsParameters& parameters);
+
+/// |rolling| [m/s], rounded at zero over `scale` [m/s] so that film and resistance have a slope there.
+double entrainment_speed(double rolling, double scale);
+
+/// Load [N] of a straight contact at the approach [m] of its rigid bodies and the entrainment speed [m/s] >
+/// 0, without damping: the elastic contact in series with its film, where that adds to the approach.
+double race_load(const vectorised::RaceLaws& race, double approach, double entrainment);
+/// Energy stored in a straight contact [J] at its elastic approach [m]: the work of the load from first touch
+/// at constant entrainment speed.
+double race_energy(const vectorised::RaceLaws& race, double elastic_approach, double entrainment);
+/// d(energy)/d(entrainment speed) [J s/m] at constant approach of the rigid bodies: what a change of the film
+/// does as work.
+double race_energy_slope(const vectorised::RaceLaws& race, double elastic_approach, double entrainment);
+
+// The waves of an elastic outer race as bodies of the motion, equation (16) of bearing/motion/README.md.
+
+/// `race` without the waves of a higher order than those that move.
+ElasticRace moving_waves(ElasticRace race, const RimParameters& parameters);
+
+/// In the order of equilibrium/elastic_waves.hpp; none for a rigid race. Throws std::invalid_argument, with
+/// what was found and what is required, where a wave has no mass.
+std::vector<vectorised::RimWave> rim_waves(const ElasticRace& race, const RimParameters& parameters);
+
+// Spring and damper between the pin ring and the carrier.
+
+/// Support of the pin ring, alike in all directions.
+struct PinSupport {
+  double stiffness = 0.0;  // [N/m]
+  double damping = 0.0;    // [N s/m]
+
+  /// Force on the pin ring [N] at its displacement [m] and velocity [m/s].
+  Vector2 force(const Vector2& position, const Vector2& velocity) const {
+    return -stiffness * position - damping * velocity;
+  }
+  /// Stored energy [J].
+  double energy(const Vector2& position) const { return 0.5 * stiffness * position.squaredNorm(); }
+  /// Dissipated power [W].
+  double power(const Vector2& velocity) const { return damping * velocity.squaredNorm(); }
+};
 
 /// Mass and inertia of one body.
 struct BodyInertia {

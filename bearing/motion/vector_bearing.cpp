@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "bearing/motion/vectorised/engines.hpp"
+#include "bearing/motion/vectorised/engine.hpp"
 
 namespace orbearing::bearing::vectorised {
 

@@ -60,4 +60,37 @@ struct RollerContactMap {
   Eigen::ArrayXXd pressure;  // [Pa]  (elements of the length, rows)
 };
 
+// Elements along the roller, finer towards the ends.
+
+/// Elements of the length, from -l/2 to l/2, symmetric to the middle.
+struct LengthGrid {
+  Eigen::ArrayXd edge;    // [m]  (elements + 1)
+  Eigen::ArrayXd middle;  // [m]
+  Eigen::ArrayXd size;    // [m]
+};
+
+/// `elements` of them at x = l/2 [(1 - g) s + g sin(pi s/2)], s even from -1 to 1. With `grading` g = 0 all
+/// are equal; the default makes those at the ends about a twelfth of those in the middle.
+LengthGrid graded_grid(double length, int elements, double grading = 0.92);
+
+/// Means of `relief` over the elements [m], by Gauss' rule with five points.
+Eigen::ArrayXd mean_relief(const LengthGrid& grid, const Relief& relief);
+
+// Constants of two elastic half-spaces in contact, one or both of which may end.
+
+/// E* [Pa]: 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2. [Johnson1985]
+double contact_modulus(const HalfSpaceContact& contact);
+
+/// Factor psi [-] of the mirrored pressure of one body: 0 continuing, 1 mirrored, and for a corrected end
+/// 1.29 - (0.08 - 0.5 nu)/(1 - nu), which makes up for the normal stress that the mirrored pressure leaves
+/// on the end. [Guilbault2011]
+double mirror_factor(EndSurface ends, double poisson_ratio);
+
+/// Factor [-] of the mirrored pressure in the sum of both bodies' displacements: their factors weighted by
+/// their compliances.
+double mirror_factor(const HalfSpaceContact& contact);
+
+/// Throws std::invalid_argument where `contact` has no meaning.
+void require_sound(const HalfSpaceContact& contact);
+
 }  // namespace orbearing::bearing::half_space

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "bearing/pressure/contact.hpp"
-#include "bearing/pressure/length_grid.hpp"
 
 namespace orbearing::bearing::half_space {
 

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "bearing/pressure/elasticity.hpp"
+#include "bearing/pressure/contact.hpp"
 #include "bearing/pressure/pressure_measures.hpp"
 #include "mechanics/cancellation.hpp"
 #include "mechanics/checks.hpp"

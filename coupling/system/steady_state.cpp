@@ -6,7 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "bearing/motion/driving.hpp"
+#include "bearing/motion/model.hpp"
 #include "bearing/motion/initial_state.hpp"
 #include "coupling/system/free_bearing.hpp"
 #include "coupling/system/motion_progress.hpp"

@@ -1,7 +1,7 @@
 // Races that are not round and unequal rollers, where another description of the same bearing is known.
 #include <gtest/gtest.h>
 
-#include "bearing/contact/published_film.hpp"
+#include "bearing/contact/race_contact.hpp"
 #include "bearing/contact/race_form.hpp"
 #include "bearing/motion/snapshot.hpp"
 #include "tests/messages.hpp"

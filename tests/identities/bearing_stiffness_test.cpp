@@ -12,7 +12,7 @@
 #include "bearing/equilibrium/lamina_stiffness.hpp"
 #include "bearing/equilibrium/ring_axes.hpp"
 #include "bearing/equilibrium/static_bearing.hpp"
-#include "bearing/profile/design.hpp"
+#include "bearing/profile/profile.hpp"
 #include "mechanics/constants.hpp"
 
 namespace orbearing::bearing::equilibrium::bearing_stiffness_test {

@@ -1,7 +1,7 @@
 // Speeds that change in time: loads, angles and the motion that follows.
 #include <gtest/gtest.h>
 
-#include "bearing/motion/driving.hpp"
+#include "bearing/motion/model.hpp"
 #include "bearing/motion/model_constants.hpp"
 #include "coupling/system/steady_state.hpp"
 #include "tests/messages.hpp"

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <random>
 
-#include "bearing/pressure/elasticity.hpp"
+#include "bearing/pressure/contact.hpp"
 #include "mechanics/constants.hpp"
 #include "tests/half_space_contacts.hpp"
 

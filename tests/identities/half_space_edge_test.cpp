@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "bearing/pressure/elasticity.hpp"
+#include "bearing/pressure/contact.hpp"
 #include "bearing/pressure/pressure_measures.hpp"
 #include "mechanics/constants.hpp"
 #include "tests/half_space_contacts.hpp"

@@ -7,7 +7,7 @@
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
 
-#include "bearing/pressure/elasticity.hpp"
+#include "bearing/pressure/contact.hpp"
 #include "mechanics/constants.hpp"
 #include "tests/half_space_contacts.hpp"
 

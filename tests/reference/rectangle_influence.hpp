@@ -4,7 +4,7 @@
 #include <Eigen/Dense>
 #include <vector>
 
-#include "bearing/pressure/length_grid.hpp"
+#include "bearing/pressure/contact.hpp"
 
 namespace orbearing::bearing::half_space {
 

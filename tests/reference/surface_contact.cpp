@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "bearing/pressure/elasticity.hpp"
+#include "bearing/pressure/contact.hpp"
 #include "bearing/pressure/pressure_measures.hpp"
 #include "bearing/pressure/strip_contact.hpp"
 #include "tests/reference/conjugate_gradients.hpp"

@@ -6,7 +6,7 @@
 
 #include "app/study/crown/crown_study.hpp"
 #include "app/units.hpp"
-#include "bearing/profile/design.hpp"
+#include "bearing/profile/profile.hpp"
 
 namespace orbearing::app {
 

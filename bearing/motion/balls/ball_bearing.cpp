@@ -5,7 +5,7 @@
 
 #include "bearing/equilibrium/static_bearing.hpp"
 #include "bearing/geometry.hpp"
-#include "bearing/motion/balls/land.hpp"
+#include "bearing/motion/balls/bodies.hpp"
 #include "bearing/motion/balls/mixture.hpp"
 #include "bearing/motion/balls/pocket_contact.hpp"
 #include "bearing/motion/balls/race_contact.hpp"

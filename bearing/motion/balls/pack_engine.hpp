@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bearing/motion/balls/engine.hpp"
-#include "bearing/motion/balls/land.hpp"
+#include "bearing/motion/balls/bodies.hpp"
 #include "bearing/motion/balls/pocket_contact.hpp"
 #include "bearing/motion/balls/race_contact.hpp"
 #include "mechanics/packs/aligned_array.hpp"

@@ -7,7 +7,7 @@
 //            +--------------> along the pitch circle
 //
 // Before they touch, oil may keep them apart (Eqs. (19) and (23) of [Chen2026], whose integrals over the film
-// have the closed forms of bearing/contact/rigid_point_film.hpp): on the side that is nearer and on the one
+// have the closed forms of bearing/contact/squeeze_film.hpp): on the side that is nearer and on the one
 // opposite, so that a ball in the middle is held by squeeze alone.
 #pragma once
 

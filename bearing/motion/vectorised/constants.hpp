@@ -6,7 +6,7 @@
 #include "bearing/contact/land_law.hpp"
 #include "bearing/contact/pocket_law.hpp"
 #include "bearing/contact/squeeze_film.hpp"
-#include "bearing/contact/surface_scratch.hpp"
+#include "bearing/contact/scratch_law.hpp"
 #include "bearing/inertial_frame.hpp"
 #include "bearing/race_harmonic.hpp"
 

@@ -133,4 +133,10 @@ class Engine {
   virtual void complete(const double* rhs, const double (&rate)[3], double* k) const = 0;
 };
 
+// Makers of engines for each instruction set; each stands in its own file with its own compiler options.
+
+Engine* baseline_engine(const Constants& constants, const RollerConstants& rollers);
+Engine* avx2_engine(const Constants& constants, const RollerConstants& rollers);
+Engine* avx512_engine(const Constants& constants, const RollerConstants& rollers);
+
 }  // namespace orbearing::bearing::vectorised

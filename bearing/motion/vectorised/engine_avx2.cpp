@@ -3,8 +3,8 @@
 
 #ifdef ORBEARING_HAS_AVX2
 #define ORBEARING_PACKS packs_avx2
-#include "bearing/motion/vectorised/engines.hpp"
-#include "bearing/motion/vectorised/pack_open.hpp"
+#include "bearing/motion/vectorised/engine.hpp"
+#include "bearing/motion/vectorised/pack_solve.hpp"
 
 namespace orbearing::bearing::vectorised {
 

@@ -1,7 +1,7 @@
 // The engine for one instruction set: the same source as the others, compiled with their own options.
 #define ORBEARING_PACKS packs_baseline
-#include "bearing/motion/vectorised/engines.hpp"
-#include "bearing/motion/vectorised/pack_open.hpp"
+#include "bearing/motion/vectorised/engine.hpp"
+#include "bearing/motion/vectorised/pack_solve.hpp"
 
 namespace orbearing::bearing::vectorised {
 

@@ -12,7 +12,7 @@
 // their turning adds is the caller's (ContactSlopes).
 #pragma once
 
-#include "bearing/motion/vectorised/lamina_load.hpp"
+#include "bearing/motion/vectorised/race_load.hpp"
 #include "bearing/motion/vectorised/race_form.hpp"
 
 namespace orbearing::bearing::vectorised::ORBEARING_PACKS {

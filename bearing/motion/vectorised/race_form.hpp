@@ -9,7 +9,7 @@
 // is as well, but turns with the roller, which then takes the moment.
 #pragma once
 
-#include "bearing/motion/vectorised/race_pair.hpp"
+#include "bearing/motion/vectorised/race_load.hpp"
 #include "mechanics/packs/elementary.hpp"
 
 namespace orbearing::bearing::vectorised::ORBEARING_PACKS {

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "bearing/geometry.hpp"
-#include "bearing/profile/design.hpp"
+#include "bearing/profile/profile.hpp"
 
 namespace orbearing::study::crowning {
 

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "bearing/parameters.hpp"
-#include "bearing/profile/design.hpp"
 #include "bearing/profile/profile.hpp"
 
 namespace orbearing::study::crowning {

@@ -1,6 +1,6 @@
 #include "coupling/study/crowning/roller_pressure.hpp"
 
-#include "bearing/pressure/of_bearing.hpp"
+#include "bearing/pressure/strip_contact.hpp"
 
 namespace orbearing::study::crowning {
 

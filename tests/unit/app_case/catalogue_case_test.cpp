@@ -10,7 +10,7 @@
 #include "app/case/resolved_writer.hpp"
 #include "app/case/unused_inputs.hpp"
 #include "app/study/planetary_case.hpp"
-#include "bearing/catalogue/inference.hpp"
+#include "bearing/catalogue/entries.hpp"
 #include "bearing/default_design.hpp"
 #include "tests/unit/app_case/small_case.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "app/study/computable.hpp"
 #include "app/study/planetary_case.hpp"
-#include "bearing/profile/design.hpp"
+#include "bearing/profile/profile.hpp"
 #include "tests/unit/app_case/small_case.hpp"
 
 namespace orbearing::app::profile_case_test {

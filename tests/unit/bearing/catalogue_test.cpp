@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "bearing/catalogue/clearance_class.hpp"
-#include "bearing/catalogue/inference.hpp"
+#include "bearing/catalogue/classes.hpp"
+#include "bearing/catalogue/entries.hpp"
 #include "bearing/life/ball_capacity.hpp"
 #include "tests/messages.hpp"
 

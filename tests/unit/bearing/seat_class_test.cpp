@@ -1,6 +1,6 @@
 // Seats by tolerance classes. Issue 16, Build 8: a bearing as it is bought sits on a seat as it is drawn.
 // Values of [ISO286] as they stand in every table of fits, from memory.
-#include "bearing/catalogue/seat_class.hpp"
+#include "bearing/catalogue/classes.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include <random>
 
 #define ORBEARING_PACKS film_law_test_packs
-#include "bearing/contact/film.hpp"
+#include "bearing/contact/race_contact.hpp"
 #include "bearing/motion/vectorised/race_load.hpp"
 #include "tests/unit/motion/reducer_bearing.hpp"
 

@@ -1,4 +1,4 @@
-#include "bearing/contact/film.hpp"
+#include "bearing/contact/race_contact.hpp"
 
 #include <gtest/gtest.h>
 

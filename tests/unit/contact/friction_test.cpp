@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "bearing/motion/race_model.hpp"
+#include "bearing/motion/model.hpp"
 #include "tests/unit/motion/reducer_bearing.hpp"
 
 namespace orbearing::bearing::friction_test {

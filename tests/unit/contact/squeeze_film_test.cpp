@@ -7,7 +7,6 @@
 #include <cmath>
 #include <random>
 
-#include "bearing/contact/film.hpp"
 #include "bearing/contact/race_contact.hpp"
 #include "tests/unit/motion/reducer_bearing.hpp"
 

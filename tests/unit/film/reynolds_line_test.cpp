@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "bearing/contact/film.hpp"
+#include "bearing/contact/race_contact.hpp"
 #include "bearing/contact/friction.hpp"
 #include "bearing/film/reynolds/line.hpp"
 

@@ -1,4 +1,4 @@
-#include "bearing/motion/race_model.hpp"
+#include "bearing/motion/model.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Issue 19, Build 6: which waves of a race that bends move.
-#include "bearing/motion/rim.hpp"
+#include "bearing/motion/model.hpp"
 
 #include <gtest/gtest.h>
 

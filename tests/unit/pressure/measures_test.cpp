@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "bearing/pressure/elasticity.hpp"
+#include "bearing/pressure/contact.hpp"
 #include "bearing/pressure/pressure_measures.hpp"
 #include "tests/messages.hpp"
 #include "tests/half_space_contacts.hpp"

@@ -1,4 +1,4 @@
-#include "bearing/pressure/strip_kernel.hpp"
+#include "bearing/pressure/strip_influence.hpp"
 #include "mechanics/constants.hpp"
 
 #include <gtest/gtest.h>

@@ -6,7 +6,6 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "bearing/profile/design.hpp"
 
 namespace orbearing::bearing::profile::profile_test {
 namespace {
