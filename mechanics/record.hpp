@@ -87,6 +87,7 @@ struct Entry {
   std::string meaning;
   Content content;
   std::string symbol{};                   // of the standard that has one
+  std::string former{};                   // a key that JSON keeps as well through 1.x
   std::optional<std::string> variable{};  // in files of arrays; none: `name` less its unit
   bool in_files_alone = false;            // what is too long to print
   bool detail = false;                    // what text leaves out

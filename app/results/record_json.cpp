@@ -73,6 +73,7 @@ void add_units(const Record& record, const std::string& above, std::vector<UnitO
     const auto* numbers = std::get_if<described::Numbers>(&entry.content);
     if (numbers == nullptr || entry.dimension.customary.empty()) continue;
     if (!entry.name.empty()) units.push_back({path, entry.name, entry.dimension.customary});
+    if (!entry.former.empty()) units.push_back({above + entry.former, entry.former, entry.dimension.customary});
     if (entry.name.empty())
       for (const std::string& label : numbers->along.back().labels)
         units.push_back({above + label, label, entry.dimension.customary});
@@ -93,6 +94,7 @@ Json json_of(const Record& record) {
       object.update(content_json(entry));
     else
       object[entry.name] = content_json(entry);
+    if (!entry.former.empty()) object[entry.former] = object[entry.name];
   }
   return object;
 }

@@ -55,6 +55,7 @@ Json schema_of(const Record& record) {
     if (entry.in_files_alone) continue;
     if (!entry.name.empty()) {
       properties[entry.name] = entry_schema(entry);
+      if (!entry.former.empty()) properties[entry.former] = properties[entry.name];
       continue;
     }
     const described::Along& last = std::get<described::Numbers>(entry.content).along.back();

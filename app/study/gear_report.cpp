@@ -197,7 +197,7 @@ Json runs_json(const std::vector<SpeedPoint>& points, const std::vector<double>&
       const Json& acceleration = run["planet_acceleration_m_per_s2"];
       row["acceleration_m_per_s2"] = {{"x", acceleration["x"]}, {"y", acceleration["y"]}};
       row["load_sharing"] = run["load_sharing"];
-      row["parted_share"] = run["share_of_time_with_parted_teeth"];
+      row["separated_fraction"] = run["separated_fraction"];
     }
     list.push_back(std::move(row));
   }

@@ -149,8 +149,9 @@ void describe_reading(described::Record& row, const std::string& case_name, cons
     point.value("status", "ok, or why the point failed", one.second->status);
   });
   row.value("best_speed_rpm", in_rpm, "of the longest life", plan.speed_rpm[best_point(result)]);
-  row.value("worth_h", dimension::hours, "change of life at the best speed of the case as it stands",
-            gain_at_best(reference, result));
+  row.value("life_change_h", dimension::hours, "change of life at the best speed of the case as it stands",
+            gain_at_best(reference, result))
+      .former = "worth_h";
 }
 
 }  // namespace orbearing::app

@@ -100,7 +100,8 @@ void describe_assumption(Record& record, const RowOf<Sensitivity>& one) {
   record.value("settings", "of the case", row->change.settings);
   record.value("peak_speed_rpm", in_rpm, "of the longest life under the other reading", row->peak_speed_rpm);
   record.value("peak_life_h", dimension::hours, "longest life under it", row->peak_life_h);
-  record.value("worth_h", dimension::hours, "change of the longest life", row->difference_h);
+  record.value("life_change_h", dimension::hours, "change of the longest life", row->difference_h).former =
+      "worth_h";
   record.value("derivative_h_per_unit", {}, "of the life by the assumed number",
                by ? by->derivative : described::kAbsent);
   if (by)

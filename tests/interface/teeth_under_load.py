@@ -84,7 +84,8 @@ class TeethUnderLoad(unittest.TestCase):
         heavy, light = (1e3 * run["planet_acceleration_m_per_s2"]["x"]["rms"] / power for run, power in zip(shaken, (1, 150e3)))
         self.assertAlmostEqual(light / heavy, 1.0, delta=0.03)
         for result in shaken:
-            self.assertEqual(result["share_of_time_with_parted_teeth"], shaken[0]["share_of_time_with_parted_teeth"])
+            self.assertEqual(result["separated_fraction"], result["share_of_time_with_parted_teeth"])  # the former key
+            self.assertEqual(result["separated_fraction"], shaken[0]["separated_fraction"])
 
 
 if __name__ == "__main__":

@@ -1,0 +1,53 @@
+"""Sizes of the sources without tests, each at most its limit.
+
+A later capability raises a limit by the lines that it declares, with its reason, in the same commit.
+"""
+import os
+import pathlib
+import re
+import sys
+
+ROOT = pathlib.Path(os.environ.get("ORBEARING_SOURCE_DIR", pathlib.Path(__file__).parents[2]))
+LIBRARY = ("mechanics", "gearset", "bearing", "coupling", "include", "app", "python/bindings")
+KINDS = {".hpp", ".cpp", ".inl", ".ipp", ".in"}
+LIMITS = {"lines": 82_000, "lines of app": 29_000, "types": 1_100, "headers": 400, "headers with a single includer, %": 20.0}
+TYPE = re.compile(r"^[ \t]*(?:template <[^;{]*>\s*)?(?:struct|class|enum class|union)(?: \[\[\w+\]\])?(?: alignas\([^)]*\))?"
+                  r" \w+(?: final)?(?: : [^;{]*)?\s*\{", re.MULTILINE)
+INCLUDE = re.compile(r'^#include "([^"]+)"', re.MULTILINE)
+
+
+def sources():
+    """Text of each source by its path from the root."""
+    files = (file for folder in LIBRARY for file in (ROOT / folder).rglob("*") if file.suffix in KINDS)
+    return {file.relative_to(ROOT).as_posix(): file.read_text(encoding="utf-8") for file in files}
+
+
+def measured(texts):
+    """The sizes that LIMITS names."""
+    headers = {path for path in texts if path.endswith(".hpp")}
+    includers = {path: set() for path in headers}
+    for path, text in texts.items():
+        for name in INCLUDE.findall(text):
+            header = name if name in headers else f"include/{name}"
+            if header in headers and path.removesuffix(".cpp") != header.removesuffix(".hpp"):
+                includers[header].add(path)
+    single = [header for header, users in includers.items() if len(users) == 1]
+    lines = {path: text.count("\n") for path, text in texts.items()}
+    return {
+        "lines": sum(lines.values()),
+        "lines of app": sum(count for path, count in lines.items() if path.startswith("app/")),
+        "types": sum(len(TYPE.findall(text)) for text in texts.values()),
+        "headers": len(headers),
+        "headers with a single includer, %": round(100.0 * len(single) / len(headers), 1),
+    }
+
+
+def main():
+    sizes = measured(sources())
+    for name, limit in LIMITS.items():
+        print(f"{name}: {sizes[name]:,} of {limit:,}")
+    return any(sizes[name] > limit for name, limit in LIMITS.items())
+
+
+if __name__ == "__main__":
+    sys.exit(main())
