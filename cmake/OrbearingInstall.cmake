@@ -7,18 +7,17 @@ set(orbearing_data_dir "${CMAKE_INSTALL_DATADIR}/orbearing")
 if(TARGET orbearing_library)
   install(TARGETS orbearing_library EXPORT OrbearingTargets LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}")
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/orbearing" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
+  install(EXPORT OrbearingTargets NAMESPACE orbearing:: DESTINATION "${orbearing_package_dir}")
+  configure_package_config_file(
+    "${CMAKE_CURRENT_LIST_DIR}/OrbearingConfig.cmake.in" "${PROJECT_BINARY_DIR}/OrbearingConfig.cmake"
+    INSTALL_DESTINATION "${orbearing_package_dir}")
+  # Below 1.0 a minor version may change an interface.
+  write_basic_package_version_file("${PROJECT_BINARY_DIR}/OrbearingConfigVersion.cmake"
+    COMPATIBILITY SameMinorVersion)
+  install(FILES "${PROJECT_BINARY_DIR}/OrbearingConfig.cmake"
+                "${PROJECT_BINARY_DIR}/OrbearingConfigVersion.cmake"
+          DESTINATION "${orbearing_package_dir}")
 endif()
-
-install(EXPORT OrbearingTargets NAMESPACE orbearing:: DESTINATION "${orbearing_package_dir}")
-configure_package_config_file(
-  "${CMAKE_CURRENT_LIST_DIR}/OrbearingConfig.cmake.in" "${PROJECT_BINARY_DIR}/OrbearingConfig.cmake"
-  INSTALL_DESTINATION "${orbearing_package_dir}")
-# Below 1.0 a minor version may change an interface.
-write_basic_package_version_file("${PROJECT_BINARY_DIR}/OrbearingConfigVersion.cmake"
-  COMPATIBILITY SameMinorVersion)
-install(FILES "${PROJECT_BINARY_DIR}/OrbearingConfig.cmake"
-              "${PROJECT_BINARY_DIR}/OrbearingConfigVersion.cmake"
-        DESTINATION "${orbearing_package_dir}")
 
 if(TARGET orbearing)
   install(TARGETS orbearing RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")

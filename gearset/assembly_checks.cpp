@@ -4,7 +4,7 @@
 #include <string>
 
 #include "gearset/checks.hpp"
-#include "gearset/message.hpp"
+#include "gearset/warning.hpp"
 #include "gearset/planet_angles.hpp"
 #include "mechanics/constants.hpp"
 

@@ -5,7 +5,7 @@
 
 #include "gearset/checks.hpp"
 #include "gearset/involute.hpp"
-#include "gearset/message.hpp"
+#include "gearset/warning.hpp"
 #include "gearset/tooth_warnings.hpp"
 #include "mechanics/constants.hpp"
 

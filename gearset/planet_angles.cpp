@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "gearset/message.hpp"
+#include "gearset/warning.hpp"
 #include "mechanics/constants.hpp"
 
 namespace orbearing::gearset {

@@ -3,7 +3,7 @@
 
 #include "gearset/checks.hpp"
 #include "gearset/involute.hpp"
-#include "gearset/message.hpp"
+#include "gearset/warning.hpp"
 #include "gearset/tooth_warnings.hpp"
 
 namespace orbearing::gearset {

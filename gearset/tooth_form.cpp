@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 #include "gearset/involute.hpp"
-#include "gearset/root.hpp"
 #include "mechanics/constants.hpp"
 
 namespace orbearing::gearset {

@@ -1,7 +1,7 @@
 #include "gearset/tooth_warnings.hpp"
 
 #include "gearset/involute.hpp"
-#include "gearset/message.hpp"
+#include "gearset/warning.hpp"
 
 namespace orbearing::gearset {
 

@@ -7,7 +7,6 @@
 #include "coupling/cosim/planetary_coupling.hpp"
 #include "coupling/study/bearing_tangent.hpp"
 #include "coupling/study/gear_model.hpp"
-#include "gearset/mesh/mesh_phase.hpp"
 #include "gearset/mesh/planetary_meshes.hpp"
 #include "tests/reducer.hpp"
 

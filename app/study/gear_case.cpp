@@ -7,7 +7,7 @@
 #include "app/study/mesh_study.hpp"
 #include "coupling/study/bearing_tangent.hpp"
 #include "coupling/study/planet_stiffness.hpp"
-#include "gearset/mesh/loaded/set_teeth.hpp"
+#include "gearset/mesh/loaded/tooth_pairs.hpp"
 
 namespace orbearing::app {
 

@@ -16,7 +16,7 @@
 #include "app/study/drivetrain_case.hpp"
 #include "app/units.hpp"
 #include "gearset/checks.hpp"
-#include "gearset/mesh/loaded/set_teeth.hpp"
+#include "gearset/mesh/loaded/tooth_pairs.hpp"
 #include "gearset/planet_body.hpp"
 
 namespace orbearing::app {

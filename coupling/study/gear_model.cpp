@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "gearset/dynamics/bodies.hpp"
-#include "gearset/mesh/loaded/set_teeth.hpp"
+#include "gearset/mesh/loaded/tooth_pairs.hpp"
 #include "gearset/planet_angles.hpp"
 #include "mechanics/constants.hpp"
 

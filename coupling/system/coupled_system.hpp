@@ -10,7 +10,6 @@
 #include "coupling/system/coupled_model.hpp"
 #include "coupling/system/driven_system.hpp"
 #include "coupling/system/stage_reactions.hpp"
-#include "gearset/dynamics/slopes.hpp"
 #include "gearset/dynamics/stage_matrix.hpp"
 
 namespace orbearing::system {

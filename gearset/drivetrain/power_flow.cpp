@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "gearset/drivetrain/arrangement_checks.hpp"
-#include "gearset/drivetrain/arrangement_problem_text.hpp"
+#include "gearset/drivetrain/arrangement.hpp"
 #include "gearset/drivetrain/conditions.hpp"
 
 namespace orbearing::gearset {

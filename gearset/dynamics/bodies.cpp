@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "gearset/message.hpp"
+#include "gearset/warning.hpp"
 #include "gearset/planet_body.hpp"
 #include "mechanics/constants.hpp"
 

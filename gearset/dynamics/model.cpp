@@ -12,6 +12,58 @@
 
 namespace orbearing::gearset::dynamics {
 
+std::vector<std::string> variable_names(const SetLayout& layout) {
+  std::vector<std::string> bodies{"sun", "ring", "carrier"};
+  for (Eigen::Index n = 1; n <= layout.planets; ++n) bodies.push_back("planet_" + std::to_string(n));
+  std::vector<std::string> names;
+  for (const std::string& body : bodies)
+    for (const char* variable : {"_x [m]", "_y [m]", "_u [m]"}) names.push_back(body + variable);
+  for (const std::string& body : bodies)
+    for (const char* variable : {"_x_speed [m/s]", "_y_speed [m/s]", "_u_speed [m/s]"})
+      names.push_back(body + variable);
+  return names;
+}
+
+namespace {
+
+// The back flank is the mirror image of the driving one: the pressure angle and the approach change sign.
+struct Line {
+  double sign;            // [-]
+  double pressure_angle;  // [rad]
+};
+
+Line line_of(Flank flank, double pressure_angle) {
+  return flank == Flank::driving ? Line{1.0, pressure_angle} : Line{-1.0, -pressure_angle};
+}
+
+}  // namespace
+
+DeflectionVector sun_mesh_deflection(double planet_angle, double pressure_angle, Flank flank) {
+  const auto [sign, alpha] = line_of(flank, pressure_angle);
+  const double psi = planet_angle - alpha;
+  return {sign * Eigen::Vector3d(-std::sin(psi), std::cos(psi), 1.0),
+          sign * Eigen::Vector3d(-std::sin(alpha), -std::cos(alpha), 1.0)};
+}
+
+DeflectionVector ring_mesh_deflection(double planet_angle, double pressure_angle, Flank flank) {
+  const auto [sign, alpha] = line_of(flank, pressure_angle);
+  const double psi = planet_angle + alpha;
+  return {sign * Eigen::Vector3d(-std::sin(psi), std::cos(psi), 1.0),
+          sign * Eigen::Vector3d(std::sin(alpha), -std::cos(alpha), -1.0)};
+}
+
+DeflectionVector radial_bearing_deflection(double planet_angle) {
+  return {{std::cos(planet_angle), std::sin(planet_angle), 0.0}, {-1.0, 0.0, 0.0}};
+}
+
+DeflectionVector tangential_bearing_deflection(double planet_angle) {
+  return {{-std::sin(planet_angle), std::cos(planet_angle), 1.0}, {0.0, -1.0, 0.0}};
+}
+
+DeflectionVector planet_rotation(double carrier_radius, double planet_radius) {
+  return {{0.0, 0.0, -1.0 / carrier_radius}, {0.0, 0.0, 1.0 / planet_radius}};
+}
+
 namespace {
 
 using constants::two_pi;

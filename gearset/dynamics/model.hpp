@@ -1,13 +1,81 @@
 // The planetary set with all constants of a run: bodies, deflection vectors, phases, speeds over time.
 #pragma once
 
+#include <Eigen/Core>
+#include <string>
 #include <vector>
 
-#include "gearset/dynamics/deflection.hpp"
-#include "gearset/dynamics/layout.hpp"
 #include "gearset/dynamics/parameters.hpp"
+#include "gearset/parameters.hpp"
 
 namespace orbearing::gearset::dynamics {
+
+// Where each variable of the planetary set stands in the flat state, and what it is called. No other file
+// knows.
+//
+//   positions [ sun x y u | ring x y u | carrier x y u | planet 1 x y u | ... ], then the same as velocities
+//
+
+/// Order of the state of a set with `planets` planets.
+struct SetLayout {
+  Eigen::Index planets = 0;
+
+  Eigen::Index bodies() const { return 3 + planets; }
+  Eigen::Index freedoms() const { return 3 * bodies(); }
+  Eigen::Index size() const { return 2 * freedoms(); }
+
+  /// First of the three indices of a body among the positions.
+  static constexpr Eigen::Index sun() { return 0; }
+  static constexpr Eigen::Index ring() { return 3; }
+  static constexpr Eigen::Index carrier() { return 6; }
+  static constexpr Eigen::Index central(Member member) {
+    return member == Member::sun ? sun() : member == Member::ring ? ring() : carrier();
+  }
+  static constexpr Eigen::Index planet(Eigen::Index n) { return 9 + 3 * n; }
+};
+
+/// Name and unit of each variable in the order of the state, e.g. "planet_3_y [m]"; planets count from 1.
+std::vector<std::string> variable_names(const SetLayout& layout);
+
+// How far teeth and bearings are pressed together, as linear functions of two bodies' positions.
+
+/// Coefficients of (x, y, u) of a central member and of a planet in one deflection [-].
+struct DeflectionVector {
+  Eigen::Vector3d central = Eigen::Vector3d::Zero();
+  Eigen::Vector3d planet = Eigen::Vector3d::Zero();
+
+  double of(const Eigen::Ref<const Eigen::VectorXd>& q, Eigen::Index central_index,
+            Eigen::Index planet_index) const {
+    return along(central, q.data() + central_index) + along(planet, q.data() + planet_index);
+  }
+
+ private:
+  // Asked a hundred times for one right-hand side. Eigen's product of three is a call of its own in a large
+  // batch.
+  static double along(const Eigen::Vector3d& direction, const double* q) {
+    return direction[0] * q[0] + direction[1] * q[1] + direction[2] * q[2];
+  }
+};
+
+/// Which flanks touch: `driving` where a positive torque on the sun presses them together.
+enum class Flank { driving, back };
+
+/// Approach of sun and planet along the line of action. Eq. (1) of gearset/dynamics/README.md.
+/// @param planet_angle   [rad] of the planet from the x axis
+/// @param pressure_angle [rad]
+DeflectionVector sun_mesh_deflection(double planet_angle, double pressure_angle, Flank flank);
+
+/// Approach of ring and planet. Eq. (2).
+DeflectionVector ring_mesh_deflection(double planet_angle, double pressure_angle, Flank flank);
+
+/// Distance of the pin from the planet's axis, outward and in the sense of rotation: the deflection of the
+/// planet's bearing. Eqs. (3) and (4).
+DeflectionVector radial_bearing_deflection(double planet_angle);
+DeflectionVector tangential_bearing_deflection(double planet_angle);
+
+/// Rotation [rad] of the planet relative to the carrier, counterclockwise: coefficients in [1/m]. Eq. (15).
+/// @param carrier_radius, planet_radius [m] of their u
+DeflectionVector planet_rotation(double carrier_radius, double planet_radius);
 
 enum class MeshKind { sun, ring };
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "gearset/dynamics/slopes.hpp"
+#include "gearset/dynamics/stage_matrix.hpp"
 #include "mechanics/linear_algebra.hpp"
 
 namespace orbearing::gearset::dynamics {

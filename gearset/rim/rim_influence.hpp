@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 
 #include "gearset/mean_loads.hpp"
-#include "gearset/rim/sector_mesh.hpp"
+#include "gearset/rim/sector_body.hpp"
 #include "gearset/working_geometry.hpp"
 #include "mechanics/material.hpp"
 

@@ -8,7 +8,7 @@
 #include "gearset/dynamics/equations.hpp"
 #include "gearset/dynamics/matrices.hpp"
 #include "gearset/dynamics/modes.hpp"
-#include "gearset/dynamics/slopes.hpp"
+#include "gearset/dynamics/stage_matrix.hpp"
 #include "tests/gear_sets.hpp"
 
 namespace orbearing::gearset::dynamics::gear_dynamics_forces_test {

@@ -10,7 +10,7 @@
 #include "gearset/checks.hpp"
 #include "gearset/dynamics/mode_kind.hpp"
 #include "gearset/dynamics/modes.hpp"
-#include "gearset/mesh/mesh_phase.hpp"
+#include "gearset/mesh/planetary_meshes.hpp"
 #include "gearset/planet_angles.hpp"
 #include "mechanics/constants.hpp"
 #include "tests/coupled_reducer.hpp"

@@ -25,3 +25,7 @@ if(program)
   run("${program}" --help)
   run("${program}" check "${WORK}/moved/share/orbearing/cases/reducer_150kW/case.yaml")
 endif()
+
+# The libraries without the program can be configured, too (tools/mutation --libraries).
+run("${CMAKE_COMMAND}" -S "${CMAKE_CURRENT_LIST_DIR}/../.." -B "${WORK}/libraries" -G Ninja
+    "-DCMAKE_CXX_COMPILER=${COMPILER}" -DORBEARING_BUILD_APP=OFF -DORBEARING_BUILD_TESTS=OFF)

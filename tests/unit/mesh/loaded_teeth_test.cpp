@@ -6,7 +6,7 @@
 #include <random>
 
 #include "gearset/involute.hpp"
-#include "gearset/mesh/loaded/set_teeth.hpp"
+#include "gearset/mesh/loaded/tooth_pairs.hpp"
 #include "gearset/mesh/loaded/transmission_error.hpp"
 #include "tests/unit/mesh/example_gears.hpp"
 

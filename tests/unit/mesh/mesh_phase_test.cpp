@@ -1,4 +1,4 @@
-#include "gearset/mesh/mesh_phase.hpp"
+#include "gearset/mesh/planetary_meshes.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "gearset/mesh/tooth_beam.hpp"
+#include "gearset/mesh/mesh_gear.hpp"
 
 #include <gtest/gtest.h>
 
