@@ -326,6 +326,7 @@ void add_commands(CommandTable table) {
       ->check(CLI::Range(1, 4096));
   CLI::App& report = table.add("report", "write DIR/report.html", report_command);
   report.add_flag("--data-only", options.data_only, "what the page is made of, and no page")->group("");
+  report.add_option("--bearing-points", options.bearing_points, "points that the page asks for")->group("");
   add_settings(report, options);
   report.add_option("DIR", options.folders, "folder of a sweep")->required()->expected(1);
   report

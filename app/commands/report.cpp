@@ -15,7 +15,6 @@
 #include "app/results/result_folder.hpp"
 #include "app/study/analysis.hpp"
 #include "app/study/ball_study.hpp"
-#include "app/study/branches.hpp"
 #include "app/study/crown/crown_figures.hpp"
 #include "app/study/crown/crown_files.hpp"
 #include "app/study/defect_study.hpp"
@@ -40,10 +39,13 @@ void write_data(const fs::path& file, const nlohmann::ordered_json& data) {
 }
 
 // Numbers whose page could not be drawn are taken back.
-void draw_page(const fs::path& folder) {
-  const int code = run_python("orbearing.report", {folder.string()});
-  if (code == 0) return;
+void draw_page(const fs::path& folder, const Options& options) {
   std::error_code ignored;
+  std::vector<std::string> words{folder.string(), "--program", fs::read_symlink("/proc/self/exe", ignored)};
+  if (options.every_effect) words.push_back("--every-effect");
+  if (options.quiet) words.push_back("--quiet");
+  const int code = run_python("orbearing.report", words);
+  if (code == 0) return;
   fs::remove(folder / data_name, ignored);
   throw ComputationFailed((folder / page_name).string() + ": was not drawn; " +
                           (code == not_started
@@ -74,7 +76,7 @@ nlohmann::ordered_json sweep_data(const ResolvedCase& resolved, const Manifest& 
     branches.push_back({options.other, read_results(options.other)});
     require_two_branches(branches.front(), branches.back());
   }
-  nlohmann::ordered_json data = report_data(resolved, manifest, options.every_effect, !options.quiet);
+  nlohmann::ordered_json data = report_data(resolved, manifest);
   data["branches"] = branches_json(resolved, branches);
   return data;
 }
@@ -108,6 +110,12 @@ void require_results(const fs::path& folder, const ResolvedCase& resolved, const
 
 int report_of(const Options& options) {
   const fs::path folder = options.folders.front();
+  if (!options.bearing_points.empty()) {
+    print_object(bearing_points(read_case((folder / "case.resolved.yaml").string()),
+                                nlohmann::ordered_json::parse(options.bearing_points), !options.quiet),
+                 options);
+    return 0;
+  }
   const Manifest manifest = read_results(folder);
   require_writable(folder);
   const FolderLock lock(folder);
@@ -139,7 +147,7 @@ int report_of(const Options& options) {
     return 0;
   }
   write_data(folder / data_name, data);
-  draw_page(folder);
+  draw_page(folder, options);
   if (options.json)
     print_object(nlohmann::ordered_json{{"report", page.string()}}, options);
   else if (!options.quiet)

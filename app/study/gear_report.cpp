@@ -1,4 +1,4 @@
-#include "app/study/gear_report.hpp"
+#include "app/study/report_data.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <nlohmann/json_fwd.hpp>
 #include <set>
 
 #include "app/results/record_writers.hpp"

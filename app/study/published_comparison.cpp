@@ -10,8 +10,6 @@
 
 #include "app/case/case_file.hpp"
 #include "app/case/field_table.hpp"
-#include "app/results/json_number.hpp"
-#include "app/study/speed_slice.hpp"
 #include "app/study/sweep_study.hpp"
 
 namespace orbearing::app {
@@ -19,6 +17,17 @@ namespace orbearing::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+// The value of the axis nearest to the case's own.
+Setting nearest(const ResolvedCase& resolved, const SweepAxis& axis) {
+  if (!resolved.has(axis.path)) return axis.setting(0);
+  const double own = resolved.value(axis.path).number;
+  const auto best =
+      std::min_element(axis.numbers.begin(), axis.numbers.end(), [&](double one, double other) {
+        return std::abs(one - own) < std::abs(other - own);
+      });
+  return axis.setting(static_cast<std::size_t>(best - axis.numbers.begin()));
+}
 
 // They name the case or choose its operating points.
 bool chooses_operating_points(const std::string& path) {
@@ -55,16 +64,32 @@ const ResultRow* row_at(const SweepOutcome& outcome, const Json& columns, double
 
 Json our_life(const SweepOutcome& outcome, const SpeedSlice& slice, double rpm) {
   if (const ResultRow* row = row_at(outcome, slice.columns, rpm))
-    return {{"ours_h", number_or_null(value_of(outcome.head, *row, "life_h"))}, {"ours_by", "point of the sweep"}};
+    return {{"ours_h", value_of(outcome.head, *row, "life_h")}, {"ours_by", "point of the sweep"}};
   if (outcome.header.fidelity != "quasi-static") return {{"ours_h", nullptr}, {"ours_by", ""}};
   const study::PointResult point = compute_point(slice.at.without_sweep(), {input_speed(rpm)},
                                                  study::Fidelity::quasi_static);
   const bool known = point.status == "ok";
-  return {{"ours_h", known ? number_or_null(point.life_hours) : Json(nullptr)},
+  return {{"ours_h", known ? Json(point.life_hours) : Json(nullptr)},
           {"ours_by", "computed for this comparison"}};
 }
 
 }  // namespace
+
+SpeedSlice speed_slice(const ResolvedCase& resolved) {
+  const std::vector<SweepAxis>& axes = resolved.axes();
+  const bool speed_swept =
+      std::any_of(axes.begin(), axes.end(), [](const SweepAxis& axis) { return axis.path == kSpeedPath; });
+  if (!speed_swept || axes.size() < 2) return {resolved, {}, nullptr};
+  std::vector<Setting> settings;
+  for (const SweepAxis& axis : axes)
+    if (axis.path != kSpeedPath) settings.push_back(nearest(resolved, axis));
+  SpeedSlice slice{resolved.with(settings), {}, Json::object()};
+  for (const Setting& one : settings) {
+    slice.settings.push_back(one.path + "=" + one.text);
+    slice.columns[axis_column(one.path).column] = axis_value(slice.at, one.path);
+  }
+  return slice;
+}
 
 std::vector<std::string> changed_inputs(const ResolvedCase& resolved, const ResolvedCase& shipped) {
   std::vector<std::string> changed;

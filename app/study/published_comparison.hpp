@@ -1,7 +1,7 @@
 // What a report may compare with published numbers: the case as published, at speeds that were computed.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -10,6 +10,16 @@
 #include "app/study/validation_table.hpp"
 
 namespace orbearing::app {
+
+/// The one line of speeds of a sweep with several axes that plots over speed show.
+struct SpeedSlice {
+  ResolvedCase at;                    // the case with the other axes at that place
+  std::vector<std::string> settings;  // which puts it there, as with --set
+  nlohmann::ordered_json columns;     // column of the table -> value, one for each other axis; null without any
+};
+
+/// The line nearest to the case's own values; the case itself where speed is not swept or nothing else is.
+SpeedSlice speed_slice(const ResolvedCase& resolved);
 
 /// Published numbers of the shipped case of the same name. They belong to it: of a case whose inputs differ there is
 /// nothing to compare, and `changed` names what differs, "input.power: 75 kW (published: 150 kW)".

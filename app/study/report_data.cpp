@@ -1,60 +1,35 @@
 #include "app/study/report_data.hpp"
 
 #include <fmt/format.h>
-#include <Eigen/Core>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <nlohmann/json_fwd.hpp>
-#include <string>
-#include <vector>
 
-#include "app/results/json_number.hpp"
+#include "app/errors.hpp"
 #include "app/results/progress.hpp"
-#include "app/study/effects.hpp"
+#include "app/results/record_writers.hpp"
+#include "app/results/row_text.hpp"
 #include "app/study/fidelity.hpp"
-#include "app/study/gear_report.hpp"
 #include "app/study/life_peak.hpp"
 #include "app/study/lives_of_sweep.hpp"
-#include "app/study/missing_points.hpp"
-#include "app/study/named_change.hpp"
+#include "app/study/peak_refinement.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/study/published_comparison.hpp"
-#include "app/study/speed_slice.hpp"
 #include "app/study/sweep_study.hpp"
 #include "app/study/sweep_warnings.hpp"
-#include "app/study/validation_table.hpp"
 #include "app/units.hpp"
-#include "coupling/study/drivetrain.hpp"
 #include "coupling/study/scheme_convergence.hpp"
 
 namespace orbearing::app {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = nlohmann::ordered_json;  // which writes null for numbers that are not finite
 
-std::string how(const cosim::CoupledOptions& exchange, const std::string& fidelity) {
-  if (fidelity_of(fidelity) == study::Fidelity::monolithic)
-    return "gears and all bearings as one system of equations";
-  const char* order = exchange.order == cosim::ExchangeOrder::jacobi ? "Jacobi" : "Gauss-Seidel";
-  return fmt::format("co-simulated, {} exchange of degree {} in windows of at most {:.3g} \u00b5s{}", order,
-                     exchange.extrapolation, per_micro * exchange.window,
-                     exchange.iteration.most_passes > 1
-                         ? fmt::format(", each repeated up to {} times", exchange.iteration.most_passes)
-                         : "");
-}
-
-Json one_way_curve(const ChangeResult& one_way, const std::vector<double>& speeds_rpm) {
-  Json curve{{"speed_rpm", speeds_rpm}, {"life_h", Json::array()}, {"outer_load_rms_N", Json::array()}};
-  for (const study::PointResult& point : one_way.points) {
-    curve["life_h"].push_back(number_or_null(life_of(point)));
-    curve["outer_load_rms_N"].push_back(is_computed(point.status) ? number_or_null(point.outer.load_rms)
-                                                                  : Json());
-  }
-  return curve;
-}
-
+// Errors, orders and stability limits of the schemes of exchange at the drivetrain's own speed.
 Json convergence(const study::PlanetaryDrivetrain& drivetrain) {
   const study::SchemeConvergence found =
       study::scheme_convergence(drivetrain, study::derive(drivetrain), study::common_schemes());
@@ -65,117 +40,31 @@ Json convergence(const study::PlanetaryDrivetrain& drivetrain) {
   for (const study::SchemeError& error : found.errors)
     object["rows"].push_back({{"scheme", error.scheme},
                               {"window_us", per_micro * error.window},
-                              {"force_error", number_or_null(error.force_error)},
-                              {"energy_residual", number_or_null(error.energy_residual)}});
+                              {"force_error", error.force_error},
+                              {"energy_residual", error.energy_residual}});
   for (const study::SchemeOrder& order : found.orders)
     object["orders"].push_back({{"scheme", order.scheme},
                                 {"expected", order.expected},
-                                {"measured", number_or_null(order.measured)},
-                                {"stability_limit_us", number_or_null(per_micro * order.stability_limit)}});
+                                {"measured", order.measured},
+                                {"stability_limit_us", per_micro * order.stability_limit}});
   return object;
 }
 
-// Keys: `how` (the exchange in words), `one_way` (speeds and lives of the bearing that the gears drive
-// without feeling it, at the speeds of the sweep) and `convergence` (errors, orders and stability limits of
-// the schemes at the drivetrain's own speed).
-Json coupled_report(const study::PlanetaryDrivetrain& drivetrain, const std::vector<double>& speeds_rpm,
-                    const ChangeResult& one_way, const std::string& fidelity) {
-  return {{"how", how(drivetrain.exchange, fidelity)},
-          {"one_way", one_way_curve(one_way, speeds_rpm)},
-          // One system exchanges nothing.
-          {"convergence",
-           fidelity_of(fidelity) == study::Fidelity::monolithic ? Json(nullptr) : convergence(drivetrain)}};
-}
-
-using Json = nlohmann::ordered_json;
-constexpr int kFinePoints = 221;
-
-Json scaled(const std::vector<double>& values, double factor) {
-  Json list = Json::array();
-  for (const double value : values) list.push_back(value * factor);
-  return list;
-}
-
-std::vector<double> fine_speeds(const LifeCurve& grid) {
-  const auto [low, high] = std::minmax_element(grid.speed_rpm.begin(), grid.speed_rpm.end());
-  const Eigen::ArrayXd speeds = Eigen::ArrayXd::LinSpaced(kFinePoints, *low / kRpm, *high / kRpm);
-  return {speeds.begin(), speeds.end()};
-}
-
-study::PointResult point_at(study::PlanetaryDrivetrain drivetrain, study::DrivetrainGeometry geometry,
-                            double speed) {
-  study::turn_at(speed, drivetrain, geometry);
-  return study::evaluate(drivetrain, geometry);
-}
-
-Json fine_curve(const study::PlanetaryDrivetrain& drivetrain, const study::DrivetrainGeometry& geometry,
-                const std::vector<double>& speeds) {
-  Json curve{{"speed_rpm", scaled(speeds, kRpm)}};
-  for (const double speed : speeds) {
-    const study::PointResult point = point_at(drivetrain, geometry, speed);
-    curve["life_h"].push_back(point.life_hours);
-    curve["planet_load_N"].push_back(point.planet_load);
-    curve["tangential_load_N"].push_back(point.tangential_load);
-    curve["radial_mesh_load_N"].push_back(point.radial_mesh_load);
-    curve["centrifugal_load_N"].push_back(point.centrifugal_load);
-  }
-  return curve;
-}
-
-// Speeds of the sweep nearest to the lowest, the best and the highest: what the polar plots show. `peak`: the
-// best by another model too, where it is a number.
-std::vector<double> shown_speeds(const LifeCurve& grid, double peak = std::nan("")) {
-  const auto [low, high] = std::minmax_element(grid.speed_rpm.begin(), grid.speed_rpm.end());
-  std::vector<double> speeds{*low, property(grid, "peak_speed_rpm"), *high};
-  if (std::isfinite(peak)) speeds.push_back(peak);
-  std::sort(speeds.begin(), speeds.end());
-  speeds.erase(std::unique(speeds.begin(), speeds.end()), speeds.end());
-  return speeds;
-}
-
-double best_speed_rpm(const LifePeak& peak) {
-  return std::isfinite(peak.refined_speed_rpm) ? peak.refined_speed_rpm : peak.speed_rpm;
-}
-
-Json polar(const study::PlanetaryDrivetrain& drivetrain, const study::DrivetrainGeometry& geometry,
-           const std::vector<double>& speeds_rpm) {
-  Json list = Json::array();
-  for (const double rpm : speeds_rpm) {
-    const study::PointResult point = point_at(drivetrain, geometry, rpm / kRpm);
-    list.push_back({{"speed_rpm", rpm},
-                    {"angle_deg", scaled(point.distribution.angle, kDegree)},
-                    {"inner_load_N", point.distribution.inner_load},
-                    {"outer_load_N", point.distribution.outer_load},
-                    {"planet_load_x_N", point.radial_mesh_load + point.centrifugal_load},
-                    {"planet_load_y_N", point.tangential_load}});
-  }
-  return list;
-}
-
-Json drawing(const study::PlanetaryDrivetrain& drivetrain, const study::DrivetrainGeometry& geometry,
-             double rpm) {
+// The bearing to scale.
+Json drawing(const study::PlanetaryDrivetrain& drivetrain, const study::DrivetrainGeometry& geometry) {
   const bearing::Bearing& b = drivetrain.bearing;
-  const study::PointResult point = point_at(drivetrain, geometry, rpm / kRpm);
-  const auto of_cage = [&](double length) { return b.has_cage() ? Json(length) : Json(); };
-  Json drawn{{"speed_rpm", rpm},
-             {"inner_raceway_diameter_mm", 2e3 * geometry.bearing.inner_radius},
-             {"outer_raceway_diameter_mm", 2e3 * geometry.bearing.outer_radius},
-             {"roller_diameter_mm", 1e3 * b.rollers().diameter},
-             {"pitch_diameter_mm", 1e3 * b.pitch_diameter},
-             {"rollers", b.rollers().count},
-             {"cage_inner_mm", of_cage(1e3 * b.cage.inner_diameter)},
-             {"cage_outer_mm", of_cage(1e3 * b.cage.outer_diameter)},
-             {"bore_mm", 1e3 * b.inner.seat_diameter},
-             {"outside_mm", 1e3 * b.outer.seat_diameter},
-             {"guide_land_mm", of_cage(1e3 * drivetrain.dynamics.cage.guide_diameter)},
-             {"clearance_um", 1e6 * b.radial_clearance}};
-  const std::size_t stride = static_cast<std::size_t>(drivetrain.cage_positions);
-  for (std::size_t position = 0; position < point.distribution.angle.size(); position += stride) {
-    drawn["roller_angle_deg"].push_back(kDegree * point.distribution.angle[position]);
-    drawn["inner_load_N"].push_back(point.distribution.inner_load[position]);
-    drawn["outer_load_N"].push_back(point.distribution.outer_load[position]);
-  }
-  return drawn;
+  const auto of_cage = [&](double length) { return b.has_cage() ? Json(1e3 * length) : Json(); };
+  return {{"inner_raceway_diameter_mm", 2e3 * geometry.bearing.inner_radius},
+          {"outer_raceway_diameter_mm", 2e3 * geometry.bearing.outer_radius},
+          {"roller_diameter_mm", 1e3 * b.rollers().diameter},
+          {"pitch_diameter_mm", 1e3 * b.pitch_diameter},
+          {"rollers", b.rollers().count},
+          {"cage_inner_mm", of_cage(b.cage.inner_diameter)},
+          {"cage_outer_mm", of_cage(b.cage.outer_diameter)},
+          {"bore_mm", 1e3 * b.inner.seat_diameter},
+          {"outside_mm", 1e3 * b.outer.seat_diameter},
+          {"guide_land_mm", of_cage(drivetrain.dynamics.cage.guide_diameter)},
+          {"clearance_um", 1e6 * b.radial_clearance}};
 }
 
 // Speeds at pure rolling relative to the carrier, as multiples of the input speed: what slip is measured
@@ -203,94 +92,17 @@ const study::NamedSet& set_named(const std::vector<study::NamedSet>& sets, const
                        [&](const study::NamedSet& set) { return set.name == name; });
 }
 
-// Of the bearing shown, on the gears as the case states them: an effect is switched in the bearing alone.
-ChangeStudy of_one_bearing(const study::NamedSet& shown, const std::vector<double>& speeds,
-                           study::Fidelity fidelity) {
-  return {.speed = speeds,
-          .fidelity = fidelity,
-          .evaluate = [name = shown.name, gears = shown.drivetrain.gear_set](
-                          const std::vector<study::NamedSet>& sets, study::Fidelity level) {
-            study::NamedSet one = set_named(sets, name);
-            one.drivetrain.gear_set = gears;
-            return study::evaluate(one.drivetrain, one.geometry, level);
-          }};
-}
-
-std::vector<double> radians_per_second(const std::vector<double>& speeds_rpm) {
-  std::vector<double> speeds;
-  for (const double rpm : speeds_rpm) speeds.push_back(rpm / kRpm);
-  return speeds;
-}
-
-Json effect_curves(const ResolvedCase& resolved, const study::NamedSet& shown,
-                   const std::vector<double>& speeds) {
-  Json list = Json::array();
-  for (const ChangeResult& result :
-       results_of(resolved, effects_at_rest(resolved, shown.name),
-                  of_one_bearing(shown, speeds, study::Fidelity::quasi_static))) {
-    const std::size_t best = best_point(result);
-    list.push_back({{"name", result.change.name},
-                    {"group", result.change.group},
-                    {"speed_rpm", scaled(speeds, kRpm)},
-                    {"life_h", Json::array()},
-                    {"peak_speed_rpm", kRpm * speeds[best]},
-                    {"peak_life_h", number_or_null(life_of(result.points[best]))}});
-    for (const study::PointResult& point : result.points)
-      list.back()["life_h"].push_back(number_or_null(life_of(point)));
-  }
-  return list;
-}
-
-Json effects_in_time(const ResolvedCase& resolved, const study::NamedSet& shown,
-                     const std::vector<double>& speeds_rpm, bool every_effect, bool progress) {
-  const std::vector<NamedChange> effects = effects_in_motion(resolved, every_effect, shown.name);
-  Progress bar(0, effects.size() * speeds_rpm.size(), progress, "effects: ");
-  const std::vector<ChangeResult> results = results_of(
-      resolved, effects, of_one_bearing(shown, radians_per_second(speeds_rpm), study::Fidelity::dynamic),
-      [&](const std::vector<ChangeResult>&, std::size_t done) { bar.show(done * speeds_rpm.size()); });
-  Json list = Json::array();
-  for (const ChangeResult& result : results) {
-    list.push_back({{"name", result.change.name}, {"group", result.change.group}, {"points", Json::array()}});
-    Json& row = list.back()["points"];
-    for (std::size_t i = 0; i < result.points.size(); ++i) {
-      const study::PointResult& point = result.points[i];
-      row.push_back({{"speed_rpm", speeds_rpm[i]}, {"status", point.status}});
-      if (!point.dynamic) continue;
-      row.back().update(
-          {{"life_h", point.life_hours},
-           {"cage_slip", point.caged ? Json(point.cage_slip) : Json()},
-           {"orbit_slip", point.dynamic->orbit_slip ? Json(*point.dynamic->orbit_slip) : Json()},
-           {"roller_slip", point.dynamic->roller_slip},
-           {"power_loss_W", point.dynamic->loss.total()},
-           {"inner_load_rms_N", point.inner.load_rms},
-           {"outer_load_rms_N", point.outer.load_rms},
-           {"steady", point.dynamic->steady}});
-    }
-  }
-  return list;
-}
-
-// The bearing that the gears drive, at the speeds of the sweep.
-ChangeResult one_way(const ResolvedCase& resolved, const study::NamedSet& shown,
-                     const std::vector<double>& speeds_rpm) {
-  return results_of(resolved, with_reference({}),
-                    of_one_bearing(shown, radians_per_second(speeds_rpm), study::Fidelity::dynamic))
-      .front();
-}
-
-// Each assumption with what its first other reading is worth, where the project knows one.
-Json assumptions_with_sensitivity(const ResolvedCase& resolved, const std::vector<Sensitivity>& all) {
-  Json list = assumptions_json(resolved);
-  for (Json& entry : list) {
-    entry["worth_h"] = nullptr;
-    entry["worth_text"] = "";
-    for (const Sensitivity& one : all) {
-      if (one.change.group != entry["key"] || !entry["worth_h"].is_null()) continue;
-      entry["worth_h"] = one.difference_h;
-      entry["worth_text"] = one.change.name;
-    }
-  }
-  return list;
+Json point_json(const study::PointResult& point, bool loads) {
+  if (!is_computed(point.status)) return {{"status", point.status}};
+  Record row;
+  study::describe_row(row, point);
+  Json json = json_of(row);
+  if (!loads) return json;
+  const study::LoadDistribution& by_place = point.distribution;
+  for (const double angle : by_place.angle) json["angle_deg"].push_back(kDegree * angle);
+  json["inner_load_N"] = by_place.inner_load;
+  json["outer_load_N"] = by_place.outer_load;
+  return json;
 }
 
 // Life and load over speed as the sweep itself computed them.
@@ -313,9 +125,8 @@ void add_numbers_of_sweep(const SweepOutcome& outcome, bool whole, Json& rows) {
   const LifeCurve curve = swept_curve(outcome);
   for (Json& row : rows) {
     row["of_sweep"] = nullptr;
-    if (curve.life_h.empty() || row["reading"] != "") continue;
-    const double value = property(curve, row["quantity"].get<std::string>());
-    if (std::isfinite(value)) row["of_sweep"] = value;
+    if (!curve.life_h.empty() && row["reading"] == "")
+      row["of_sweep"] = property(curve, row["quantity"].get<std::string>());
   }
 }
 
@@ -326,24 +137,42 @@ study::NamedSet shown_set(const ResolvedCase& resolved, const LifeCurve& grid) {
   return set_named(sets, study::evaluate(study::at_speed(sets, speed)).limiting_set);
 }
 
+// Rows as a refinement takes them: the grid's in their order, then those that were added.
+bool wants_more(const ManifestHeader& header, const Manifest& manifest, const Refinement& refinement) {
+  std::vector<ResultRow> rows;
+  for (const auto& [point, entry] : manifest.entries)
+    if (point < header.grid() || point >= header.points) rows.push_back(entry.row);
+  return !refinement.next(head_of(header), rows).empty();
+}
+
+std::string name_of(const Manifest& manifest) {
+  return manifest.header->continued ? to_string(*manifest.header->continued) : "own start";
+}
+
+Json rows_of(const Manifest& manifest) {
+  const TableHead head = head_of(*manifest.header);
+  Json rows = Json::array();
+  // Points that only one of two sweeps added to their common grid have nothing beside them.
+  for (const auto& [index, entry] : manifest.entries)
+    if (index < manifest.header->grid()) rows.push_back(row_json(head, entry.row));
+  return rows;
+}
+
 }  // namespace
 
-nlohmann::ordered_json report_data(const ResolvedCase& resolved, const Manifest& manifest, bool every_effect,
-                                   bool progress) {
+nlohmann::ordered_json report_data(const ResolvedCase& resolved, const Manifest& manifest) {
   const SpeedSlice slice = speed_slice(resolved);
   const LifeCurve grid = life_curve(slice.at);
-  const study::NamedSet shown = shown_set(slice.at, grid);
-  const auto& [set, drivetrain, geometry] = shown;
+  const auto& [set, drivetrain, geometry] = shown_set(slice.at, grid);
   const SweepOutcome outcome = outcome_of(*manifest.header, manifest.entries);
   const FoundPeak found = find_peak(outcome);
-  const std::vector<double> fine = fine_speeds(grid);
   const MissingPoints missing = missing_points(resolved, manifest);
   const PublishedComparison published = published_comparison(slice.at);
   // What assumptions are worth in this case, as it is.
   ExpectedFile readings = read_expected(shipped_expected(resolved.text("name")));
   readings.published.clear();
   const ValidationTable table = validation_table_of(resolved, readings);
-  Json data = sweep_json(outcome, found.peak, assumptions_with_sensitivity(resolved, table.sensitivities),
+  Json data = sweep_json(outcome, found.peak, assumptions_json(resolved),
                          sweep_warnings(resolved, outcome, found), versions_json());
   data["case"] = {{"name", set.empty() ? resolved.text("name") : resolved.text("name") + ", set " + set},
                   {"source", resolved.text("source")},
@@ -356,27 +185,121 @@ nlohmann::ordered_json report_data(const ResolvedCase& resolved, const Manifest&
   data["kinematics"] = kinematics(drivetrain, geometry);
   data["published"] = published_points(published.table.rows, outcome, resolved);
   data["changed_inputs"] = published.changed;
-  data["fine"] = fine_curve(drivetrain, geometry, fine);
-  data["polar"] = polar(drivetrain, geometry, shown_speeds(grid));
-  data["drawing"] = drawing(drivetrain, geometry, property(grid, "peak_speed_rpm"));
-  data["ablation"] = effect_curves(slice.at, shown, fine);
+  data["drawing"] = drawing(drivetrain, geometry);
   data["validation"] = json_of(record_of(std::vector{published.table})).at("rows");
   add_numbers_of_sweep(outcome, missing.none(), data["validation"]);
   data["sensitivities"] = json_of(record_of(std::vector{table})).at("assumptions");
   if (has_gear_report(slice.at)) data["gears"] = gear_report(slice.at, grid.speed_rpm);
-  data["dynamic"] = nullptr;
-  const study::Fidelity fidelity = fidelity_of(outcome.header.fidelity);
-  if (in_time(fidelity))
-    data["dynamic"] = {
-        {"ablation", is_coupled(fidelity)
-                         ? Json::array()
-                         : effects_in_time(slice.at, shown, shown_speeds(grid), every_effect, progress)},
-        {"quasi_static",
-         {{"polar", polar(drivetrain, geometry, shown_speeds(grid, best_speed_rpm(found.peak)))}}}};
-  if (is_coupled(fidelity))
-    data["coupled"] = coupled_report(drivetrain, grid.speed_rpm, one_way(slice.at, shown, grid.speed_rpm),
-                                     outcome.header.fidelity);
+  if (fidelity_of(outcome.header.fidelity) == study::Fidelity::co_simulated)
+    data["coupled"]["convergence"] = convergence(drivetrain);
+  data["shown"] = {{"set", set},
+                   {"settings", slice.settings},
+                   {"speeds_rpm", grid.speed_rpm},
+                   {"peak_speed_rpm", property(grid, "peak_speed_rpm")}};
   return data;
+}
+
+nlohmann::ordered_json bearing_points(const ResolvedCase& resolved, const Json& wanted, bool progress) {
+  const ResolvedCase at = with_settings(resolved, wanted.at("settings"));
+  const std::string set = wanted.at("set");
+  const auto gears = set_named(bearing_sets(at), set).drivetrain.gear_set;
+  const ChangeStudy study{.speed = wanted.at("speeds"),
+                          .fidelity = fidelity_of(wanted.at("fidelity")),
+                          .evaluate = [&](const std::vector<study::NamedSet>& sets, study::Fidelity level) {
+                            study::NamedSet one = set_named(sets, set);
+                            one.drivetrain.gear_set = gears;
+                            return study::evaluate(one.drivetrain, one.geometry, level);
+                          }};
+  Json lists = Json::array();
+  std::vector<NamedChange> changes;
+  for (const Json& settings : wanted.at("changes")) {
+    const NamedChange change{"", std::to_string(lists.size()), settings};
+    lists.push_back(nullptr);
+    if (fits(at, change)) changes.push_back(change);
+  }
+  Progress bar(0, changes.size() * study.speed.size(), progress, "effects: ");
+  const std::vector<ChangeResult> results =
+      results_of(at, changes, study, [&](const std::vector<ChangeResult>&, std::size_t done) {
+        bar.show(done * study.speed.size());
+      });
+  for (const ChangeResult& result : results) {
+    Json& list = lists[std::stoul(result.change.group)] = Json::array();
+    for (const study::PointResult& point : result.points)
+      list.push_back(point_json(point, wanted.at("loads")));
+  }
+  return lists;
+}
+
+MissingPoints missing_points(const ResolvedCase& resolved, const Manifest& manifest) {
+  const ManifestHeader& header = *manifest.header;
+  SweepRequest request = sweep_request(resolved, header.fidelity);
+  MissingPoints missing{.of = request.points.size()};
+  for (std::size_t point = 0; point < request.points.size(); ++point) {
+    if (manifest.entries.contains(point)) continue;
+    const std::string& label = request.points[point].label;
+    missing.labels.push_back(label.empty() ? "the operating point" : label);
+  }
+  if (!missing.labels.empty() || !header.refined || header.shard) return missing;
+  refine_peak_of(resolved, request);
+  missing.peak_unfinished = request.refinement && wants_more(header, manifest, *request.refinement);
+  return missing;
+}
+
+std::string missing_text(const MissingPoints& missing, const Manifest& manifest) {
+  if (missing.none()) return "";
+  const std::optional<Shard>& shard = manifest.header->shard;
+  if (missing.peak_unfinished)
+    return "the sweep was interrupted while its peak was refined: the speed of the longest life is that of the points so "
+           "far; go on with --resume";
+  constexpr std::size_t most_named = 12;
+  std::vector<std::string> named(missing.labels.begin(),
+                                 missing.labels.begin() + static_cast<std::ptrdiff_t>(
+                                                              std::min(most_named, missing.labels.size())));
+  if (named.size() < missing.labels.size())
+    named.push_back(fmt::format("and {} more", missing.labels.size() - named.size()));
+  return fmt::format("{} of {} points of the sweep are missing{}: {}; {}", missing.labels.size(), missing.of,
+                     shard ? fmt::format(" (this is shard {})", to_string(*shard)) : "", fmt::join(named, "; "),
+                     shard ? "merge the shards, then report on the merged folder" : "go on with --resume");
+}
+
+nlohmann::ordered_json missing_json(const MissingPoints& missing, const Manifest& manifest) {
+  if (missing.none()) return nullptr;
+  const std::optional<Shard>& shard = manifest.header->shard;
+  return {{"of", missing.of},
+          {"found", missing.of - missing.labels.size()},
+          {"shard", shard ? nlohmann::ordered_json(to_string(*shard)) : nlohmann::ordered_json(nullptr)},
+          {"points", missing.labels},
+          {"peak_unfinished", missing.peak_unfinished},
+          {"text", missing_text(missing, manifest)}};
+}
+
+void require_two_branches(const Branch& one, const Branch& other) {
+  std::vector<std::string> messages;
+  ManifestHeader alike = *other.manifest.header;
+  alike.continued = one.manifest.header->continued;
+  alike.refined = one.manifest.header->refined;
+  for (const std::string& line : differences(alike, *one.manifest.header))
+    messages.push_back(
+        fmt::format("--with: {}: {}, as in {}", other.folder.string(), line, one.folder.string()));
+  if (one.manifest.header->fidelity != "dynamic")
+    messages.push_back(
+        fmt::format("--with: {}: fidelity '{}' was found; dynamic is required, which alone has branches",
+                    one.folder.string(), one.manifest.header->fidelity));
+  if (other.manifest.header->continued == one.manifest.header->continued)
+    messages.push_back(
+        fmt::format("--with: {}: direction of --continue '{}' was found, as in {}; another is required",
+                    other.folder.string(), name_of(other.manifest), one.folder.string()));
+  if (!messages.empty()) throw BadInput(messages);
+}
+
+Json branches_json(const ResolvedCase& resolved, const std::vector<Branch>& branches) {
+  if (std::none_of(branches.begin(), branches.end(),
+                   [](const Branch& branch) { return branch.manifest.header->continued.has_value(); }))
+    return nullptr;
+  Json runs = Json::array();
+  for (const Branch& branch : branches)
+    runs.push_back({{"name", name_of(branch.manifest)}, {"points", rows_of(branch.manifest)}});
+  return {{"load_drift", resolved.number("simulation.load_drift")}, {"runs", runs}};
 }
 
 }  // namespace orbearing::app

@@ -1,17 +1,66 @@
-// report.json: all that the report's pictures need beyond the results themselves.
+// report.json: what the page of a sweep shows besides the points themselves. What only the pictures need (fine curves,
+// loads by place, single effects) the page asks for by itself (python/orbearing/report_data.py).
 #pragma once
 
+#include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
 #include "app/case/resolved_case.hpp"
 #include "app/results/manifest.hpp"
 
 namespace orbearing::app {
 
-/// What the page is made of, for a sweep whose rows stand in `manifest`. `every_effect`: a dynamic sweep is
-/// asked what each single effect is worth, not only the chief ones. `progress`: of that on standard error.
-nlohmann::ordered_json report_data(const ResolvedCase& resolved, const Manifest& manifest, bool every_effect,
-                                   bool progress);
+/// Of a sweep whose rows stand in `manifest`. `shown` says of which bearing and at which speeds pictures are to
+/// be, as bearing_points() takes it.
+nlohmann::ordered_json report_data(const ResolvedCase& resolved, const Manifest& manifest);
+
+/// Operating points of one bearing under changes of the case, on the gears as the case states them: a change is
+/// made in the bearing alone. `wanted` holds `settings` of the case, `set` (empty: the only one), `changes`, each a
+/// list of settings, `speeds` [rad/s], `fidelity` and `loads` (whether by place). A list of points for each change;
+/// null for one that does not fit the case.
+nlohmann::ordered_json bearing_points(const ResolvedCase& resolved, const nlohmann::ordered_json& wanted,
+                                      bool progress);
+
+/// Whether a case is one of a planetary set whose gears have teeth.
+bool has_gear_report(const ResolvedCase& resolved);
+
+/// Teeth, meshes, modes and motion of the gears over the speeds of a sweep [rpm]; the gears alone run in time at
+/// these and at speeds between.
+nlohmann::ordered_json gear_report(const ResolvedCase& resolved, std::vector<double> speeds_rpm);
+
+/// What a folder of results lacks of its sweep: points that a shard leaves to others or that were not computed
+/// yet.
+struct MissingPoints {
+  std::size_t of = 0;               // points of grid and spectrum of the whole sweep
+  std::vector<std::string> labels;  // "input.speed = 6000 rpm", of each that is missing
+  bool peak_unfinished = false;     // the grid is whole, and points that refine its peak are missing
+
+  bool none() const { return labels.empty() && !peak_unfinished; }
+};
+
+/// Of the results of a sweep or of one point. Reads `manifest` alone, and computes nothing.
+MissingPoints missing_points(const ResolvedCase& resolved, const Manifest& manifest);
+
+/// In a sentence with what to do; empty where nothing is missing.
+std::string missing_text(const MissingPoints& missing, const Manifest& manifest);
+
+/// {of, found, shard, points, peak_unfinished, text}; null where nothing is missing.
+nlohmann::ordered_json missing_json(const MissingPoints& missing, const Manifest& manifest);
+
+/// A dynamic sweep and the folder it stands in: a branch of steady states over speed.
+struct Branch {
+  std::filesystem::path folder;
+  Manifest manifest;
+};
+
+/// Throws BadInput, with every reason, unless both are dynamic sweeps of one case that differ in the
+/// direction of --continue and in nothing else.
+void require_two_branches(const Branch& one, const Branch& other);
+
+/// `load_drift` (rms loads that differ by less are one state) and `runs`: `name` ("up", "down" or "own
+/// start") and `points`, the rows of the sweep. Null where no sweep of `branches` is continued.
+nlohmann::ordered_json branches_json(const ResolvedCase& resolved, const std::vector<Branch>& branches);
 
 }  // namespace orbearing::app

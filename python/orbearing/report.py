@@ -1,5 +1,7 @@
 """`python3 -m orbearing.report DIR`: DIR/report.json becomes DIR/report.html, one self-contained page.
 
+What the program wrote of a sweep is completed by what only pictures show, for which it is asked again.
+
 Of a dynamic result each point gets a page that plays its motion, DIR/animations/*.html; the report names them.
 
 Exit codes as of the command line: 0 done, 1 the page could not be made, 2 bad input or usage.
@@ -7,35 +9,37 @@ Exit codes as of the command line: 0 done, 1 the page could not be made, 2 bad i
 
 from __future__ import annotations
 
+import argparse
+import json
 import os
 import sys
 import tempfile
 from pathlib import Path
 
-from orbearing.errors import CaseError
-
-USAGE = "usage: python3 -m orbearing.report DIR"
-
+from orbearing.errors import CaseError, ComputationError
 
 def build(folder: Path) -> str:
     """The page of a result folder as text; the same results give the same bytes."""
     return build_all(folder)["report.html"]
 
 
-def build_all(folder: Path) -> dict[str, str]:
+def build_all(folder: Path, program: str = "", every_effect: bool = False, quiet: bool = True) -> dict[str, str]:
     """Every page by its name below the result folder; the report itself comes last."""
-    from orbearing import animation, ball_page, crown_page, defect_page, style
+    from orbearing import animation, ball_page, crown_page, defect_page, report_data, style
     from orbearing.page import page
-    from orbearing.result_folder import read_report
+    from orbearing.result_folder import Report, read_report
 
-    report = read_report(folder)
+    report, data = read_report(folder), {}
+    if "shown" in report.content:
+        report = Report(report_data.complete(report.content, report_data.Program(folder, program, quiet), every_effect), folder)
+        data["report.json"] = json.dumps(report.content, indent=1, ensure_ascii=False) + "\n"
     blocks = blocks_of(report)
     with style.context():
         for kind, draw in (("crown", crown_page.page), ("defect", defect_page.page), ("balls", ball_page.page)):
             if report.record(kind):
                 return {"report.html": draw(report, blocks)}
         pages = dict(animation.pages(report.along_speed()))
-        return {**pages, "report.html": page(report, blocks, tuple(pages))}
+        return {**data, **pages, "report.html": page(report, blocks, tuple(pages))}
 
 
 def blocks_of(report) -> list:
@@ -92,18 +96,27 @@ def _write_aside(path: Path, text: str, aside: dict[Path, Path]) -> None:
 
 def main(arguments: list[str]) -> int:
     """Make the page; messages go to standard error."""
-    if len(arguments) != 1 or arguments[0].startswith("-"):
-        print(USAGE, file=sys.stderr)
-        return 0 if arguments in (["-h"], ["--help"]) else 2
-    folder = Path(arguments[0])
+    parser = argparse.ArgumentParser(prog="python3 -m orbearing.report", description="DIR/report.json becomes DIR/report.html.")
+    parser.add_argument("folder", metavar="DIR", type=Path)
+    parser.add_argument("--program", default="", help=argparse.SUPPRESS)
+    parser.add_argument("--every-effect", action="store_true", help=argparse.SUPPRESS)
+    parser.add_argument("--quiet", action="store_true", help=argparse.SUPPRESS)
     try:
-        write_all(folder, build_all(folder))
+        options = parser.parse_args(arguments)
+    except SystemExit as end:
+        return int(end.code or 0)
+    folder = options.folder
+    try:
+        write_all(folder, build_all(folder, options.program, options.every_effect, options.quiet))
     except ImportError as error:
         print(f"report: {error}; numpy and matplotlib are required; on Debian install python3-matplotlib", file=sys.stderr)
         return 1
     except CaseError as error:
         print(f"report: {error}", file=sys.stderr)
         return 2
+    except (ComputationError, KeyboardInterrupt) as error:
+        print(f"report: {error}", file=sys.stderr)
+        return 1
     except OSError as error:
         print(f"{folder}: report.html cannot be written ({error.strerror}); free space and write permission are required",
               file=sys.stderr)

@@ -149,13 +149,14 @@ class Result(Mapping):
 
     def figures(self) -> dict[str, "FigureBlock"]:
         """The figures of the report by name, each with its pictures (SVG), caption and numbers; notebooks show them."""
-        from orbearing import _core
+        from orbearing import _core, report_data
         from orbearing.report import blocks_of
         from orbearing.result_folder import Report
 
         with self._written() as folder:
             text, _ = _core.compute(None, "report", {"folders": [folder], "data_only": True})
-            return {block.slug: block for block in blocks_of(Report(json.loads(text), Path(folder)))}
+            content = report_data.complete(json.loads(text), report_data.Program(Path(folder)))
+            return {block.slug: block for block in blocks_of(Report(content, Path(folder)))}
 
     @contextlib.contextmanager
     def _written(self):

@@ -1,6 +1,6 @@
 // Branches, the line of speeds that is shown, and points that start from a given state, on the shipped
 // reducer.
-#include "app/study/branches.hpp"
+#include "app/study/report_data.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include "app/case/case_file.hpp"
 #include "app/errors.hpp"
 #include "app/study/planetary_case.hpp"
-#include "app/study/speed_slice.hpp"
+#include "app/study/published_comparison.hpp"
 #include "coupling/study/operating_point.hpp"
 
 namespace orbearing::app::branches_test {

@@ -1,0 +1,157 @@
+"""What a page shows of a sweep besides its points: fine curves, loads by place, single effects. The program computes them from the case of the folder."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+from pathlib import Path
+
+import numpy as np
+
+from orbearing import effects
+from orbearing.blocks import is_number
+from orbearing.errors import CaseError
+from orbearing.result_folder import record, records
+from orbearing.terminal import StatusLine
+
+FINE_POINTS = 221
+RPM = 30.0 / np.pi  # of 1 rad/s
+FINE = ("life_h", "planet_load_N", "tangential_load_N", "radial_mesh_load_N", "centrifugal_load_N")
+IN_MOTION = ("life_h", "cage_slip", "orbit_slip", "roller_slip", "power_loss_W", "inner_load_rms_N", "outer_load_rms_N")
+COUPLED = ("co-simulated", "monolithic")
+
+
+class Program:
+    """The program with the case of a result folder: its compiled part in this process, else a process of its own."""
+
+    def __init__(self, folder: Path, path: str = "", quiet: bool = True):
+        self._folder, self._path, self._quiet = folder, path, quiet
+
+    def inputs(self) -> effects.Inputs:
+        """All inputs by their paths."""
+        return {row["path"]: row for row in self._ask("check", self._folder / "case.resolved.yaml")["inputs"]}
+
+    def points(self, **wanted) -> list:
+        """Points of the bearing, as `--bearing-points` of the command report takes them."""
+        return self._ask("report", self._folder, bearing_points=json.dumps(wanted))
+
+    def _ask(self, command: str, what: Path, **options):
+        try:
+            from orbearing import _core
+        except ImportError:
+            words = [f"--{name.replace('_', '-')}={value}" for name, value in options.items()]
+            done = subprocess.run([self._path, command, str(what), "--json", *words], stdout=subprocess.PIPE, text=True, check=False)
+            if done.returncode:
+                raise CaseError(f"{what}: {command} failed; the message above says why") from None
+            return json.loads(done.stdout)
+        line = StatusLine(not self._quiet)
+
+        def show(done: int, all_points: int, doing: str) -> None:
+            if line.is_due:
+                line.show(f"{doing}{done} of {all_points} points done")
+
+        try:
+            return json.loads(_core.compute(None, command, {"folders": [str(what)], **options}, show)[0])
+        finally:
+            line.end()
+
+
+class _Bearing:
+    """The bearing that is shown, at speeds and under changes."""
+
+    def __init__(self, program: Program, shown: dict):
+        self._program, self._shown = program, shown
+
+    def points(self, speeds_rpm, changes=((),), fidelity: str = "quasi-static", loads: bool = False) -> list:
+        return self._program.points(settings=self._shown["settings"], set=self._shown["set"], changes=[list(settings) for settings in changes],
+                                    speeds=[float(speed) / RPM for speed in speeds_rpm], fidelity=fidelity, loads=loads)
+
+    def under(self, changes: list[effects.Change], speeds_rpm, fidelity: str = "quasi-static") -> list[tuple[effects.Change, list[dict]]]:
+        """Points of each change that fits the case."""
+        found = self.points(speeds_rpm, [change.settings for change in changes], fidelity)
+        return [(change, points) for change, points in zip(changes, found) if points is not None]
+
+
+def complete(content: dict, program: Program, every_effect: bool = False) -> dict:
+    """The content of report.json with all that its pictures draw. `every_effect`: of motion in time all effects, not only the chief ones."""
+    shown = content.get("shown")
+    if not isinstance(shown, dict):
+        return content
+    content = {key: value for key, value in content.items() if key != "shown"}
+    bearing, grid, fidelity = _Bearing(program, shown), shown["speeds_rpm"], content["fidelity"]
+    speeds = sorted({min(grid), shown["peak_speed_rpm"], max(grid)})
+    inputs = program.inputs()
+    fine = np.linspace(min(grid), max(grid), FINE_POINTS)
+    at_rest = bearing.under(effects.at_rest(inputs, shown["set"]), fine)
+    _add_effects_of_assumptions(content)
+    content["fine"] = {"speed_rpm": fine.tolist(), **{name: _column(at_rest[0][1], name) for name in FINE}}
+    content["polar"] = _polar(bearing, speeds)
+    content["drawing"] |= _loads_of_rollers(_polar(bearing, [shown["peak_speed_rpm"]])[0], content["drawing"]["rollers"])
+    content["ablation"] = [_curve(change, points, fine) for change, points in at_rest]
+    content["dynamic"] = None
+    if fidelity in ("dynamic", *COUPLED):
+        peak = record(content.get("peak"))
+        best = next((speed for speed in (peak.get("refined_speed_rpm"), peak.get("speed_rpm")) if is_number(speed)), None)
+        changes = [] if fidelity in COUPLED else bearing.under(effects.in_motion(inputs, every_effect, shown["set"]), speeds, "dynamic")
+        content["dynamic"] = {"ablation": [_motion(change, points, speeds) for change, points in changes],
+                              "quasi_static": {"polar": _polar(bearing, sorted({*speeds, *([best] if best else [])}))}}
+    if fidelity in COUPLED:
+        one_way = bearing.points(grid, fidelity="dynamic")[0]
+        content["coupled"] = {"how": how(inputs, fidelity),
+                              "one_way": {"speed_rpm": grid, **{name: _column(one_way, name) for name in ("life_h", "outer_load_rms_N")}},
+                              "convergence": record(content.get("coupled")).get("convergence")}
+    return content
+
+
+def how(inputs: effects.Inputs, fidelity: str) -> str:
+    """How gears and bearings act on each other, in words."""
+    if fidelity == "monolithic":
+        return "gears and all bearings as one system of equations"
+    order, degree, window, passes = (inputs[f"simulation.exchange.{name}"]["value"] for name in ("order", "extrapolation", "window", "passes"))
+    repeated = f", each repeated up to {passes:.0f} times" if passes > 1 else ""
+    return (f"co-simulated, {order.title()} exchange of degree {degree:.0f} in windows of at most {1e6 * window:.3g} µs{repeated}")
+
+
+def _column(points: list[dict], name: str) -> list:
+    return [point.get(name) for point in points]
+
+
+def _polar(bearing: _Bearing, speeds_rpm: list[float]) -> list[dict]:
+    """Loads of the rollers by place."""
+    found = []
+    for speed, point in zip(speeds_rpm, bearing.points(speeds_rpm, loads=True)[0]):
+        radial = [point.get(name) for name in ("radial_mesh_load_N", "centrifugal_load_N")]
+        found.append({"speed_rpm": speed, **{name: point.get(name, []) for name in ("angle_deg", "inner_load_N", "outer_load_N")},
+                      "planet_load_x_N": sum(radial) if all(map(is_number, radial)) else None, "planet_load_y_N": point.get("tangential_load_N")})
+    return found
+
+
+def _loads_of_rollers(polar: dict, rollers: int) -> dict:
+    """Of the many angles at which the cage was looked at, the first."""
+    stride = max(1, len(polar["angle_deg"]) // rollers)
+    return {"speed_rpm": polar["speed_rpm"], "roller_angle_deg": polar["angle_deg"][::stride], "inner_load_N": polar["inner_load_N"][::stride],
+            "outer_load_N": polar["outer_load_N"][::stride]}
+
+
+def _curve(change: effects.Change, points: list[dict], speeds_rpm: np.ndarray) -> dict:
+    lives = _column(points, "life_h")
+    best = max(range(len(lives)), key=lambda i: lives[i] if is_number(lives[i]) else -np.inf)
+    return {"name": change.name, "group": change.group, "speed_rpm": speeds_rpm.tolist(), "life_h": lives, "peak_speed_rpm": float(speeds_rpm[best]),
+            "peak_life_h": lives[best]}
+
+
+def _motion(change: effects.Change, points: list[dict], speeds_rpm: list[float]) -> dict:
+    rows = []
+    for speed, point in zip(speeds_rpm, points):
+        rows.append({"speed_rpm": speed, "status": point["status"]})
+        if "life_h" in point:
+            rows[-1] |= {**{name: point.get(name) for name in IN_MOTION}, "steady": bool(point.get("steady"))}
+    return {"name": change.name, "group": change.group, "points": rows}
+
+
+def _add_effects_of_assumptions(content: dict) -> None:
+    """To each assumption the effect of its first other reading, where the project knows one."""
+    for entry in records(content.get("assumptions")):
+        first = next((row for row in records(content.get("sensitivities"))
+                      if row.get("assumption") == entry.get("key") and row.get("worth_h") is not None), {})
+        entry |= {"worth_h": first.get("worth_h"), "worth_text": first.get("reading", "")}
