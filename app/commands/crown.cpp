@@ -14,8 +14,7 @@
 #include "app/results/progress.hpp"
 #include "app/results/record_writers.hpp"
 #include "app/results/result_folder.hpp"
-#include "app/study/crown/crown_files.hpp"
-#include "app/study/crown/crown_output.hpp"
+#include "app/study/crown/crown_study.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/study/sweep_study.hpp"
 

@@ -8,7 +8,6 @@
 #include "app/commands/presentation.hpp"
 #include "app/errors.hpp"
 #include "app/results/durable_file.hpp"
-#include "app/study/fmu_file.hpp"
 #include "app/study/fmu_model.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/study/sweep_study.hpp"

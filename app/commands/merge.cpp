@@ -1,7 +1,7 @@
 #include "app/case/case_file.hpp"
 #include "app/commands/presentation.hpp"
 #include "app/errors.hpp"
-#include "app/study/peak_refinement.hpp"
+#include "app/study/life_peak.hpp"
 #include "app/study/sweep_study.hpp"
 #include "app/version.hpp"
 

@@ -2,7 +2,7 @@
 #include "app/commands/kept_result.hpp"
 #include "app/commands/presentation.hpp"
 #include "app/results/terminal_chart.hpp"
-#include "app/study/mesh_output.hpp"
+#include "app/study/mesh_study.hpp"
 #include "app/study/plausibility.hpp"
 
 namespace orbearing::app {

@@ -9,7 +9,6 @@
 #include "app/errors.hpp"
 #include "app/study/duplex_study.hpp"
 #include "app/study/gear_case.hpp"
-#include "app/study/gear_output.hpp"
 
 namespace orbearing::app {
 

@@ -1,7 +1,7 @@
 #include "app/commands/kept_result.hpp"
 #include "app/commands/presentation.hpp"
 #include "app/errors.hpp"
-#include "app/study/computable.hpp"
+#include "app/study/fidelity.hpp"
 #include "app/study/sweep_study.hpp"
 
 namespace orbearing::app {

@@ -6,7 +6,6 @@
 #include "app/commands/kept_result.hpp"
 #include "app/commands/presentation.hpp"
 #include "app/errors.hpp"
-#include "app/study/stiffness_output.hpp"
 #include "app/study/stiffness_study.hpp"
 
 namespace orbearing::app {

@@ -7,7 +7,6 @@
 #include <mutex>
 
 #include "app/case/field_table.hpp"
-#include "app/study/computable.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/study/plausibility.hpp"

@@ -10,7 +10,6 @@
 
 #include "app/checksum.hpp"
 #include "app/errors.hpp"
-#include "app/results/row_text.hpp"
 
 namespace orbearing::app {
 namespace {

@@ -11,7 +11,6 @@
 #include <memory>
 
 #include "app/errors.hpp"
-#include "app/results/record_writers.hpp"
 
 namespace orbearing::app {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/results/manifest.hpp"
-#include "app/results/point_content.hpp"
+#include "app/results/record_writers.hpp"
 #include "coupling/study/operating_point.hpp"
 
 namespace orbearing::app {

@@ -9,7 +9,7 @@
 
 #include "app/checksum.hpp"
 #include "app/errors.hpp"
-#include "app/results/row_text.hpp"
+#include "app/results/result_row.hpp"
 #include "app/results/spectrum_life.hpp"
 
 namespace orbearing::app {
@@ -105,10 +105,6 @@ void remove_leftovers(const fs::path& folder) {
 void write_where_unlike(const fs::path& file, const std::string& content) {
   if (!fs::exists(file) || read_file(file) != content) write_aside_and_rename(file, content);
 }
-
-}  // namespace
-
-namespace {
 
 std::string fault_of_file(const fs::path& file, const std::string& sum) {
   std::error_code error;

@@ -3,15 +3,25 @@
 
 #include <cstddef>
 #include <limits>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "app/results/point_status.hpp"
 #include "coupling/study/operating_point.hpp"
 
 namespace orbearing::app {
+
+// What the status of a point says: "ok"; "implausible: ..." of one whose values are there and cannot be those of a
+// machine; else why it failed.
+
+inline constexpr std::string_view kImplausible = "implausible: ";
+
+/// Whether the point was computed and has values.
+inline bool is_computed(std::string_view status) {
+  return status == "ok" || status.starts_with(kImplausible);
+}
 
 /// The value of a column that has none.
 inline constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
@@ -93,5 +103,20 @@ double in_table_unit(double value, double per_unit);
 
 /// A speed [rad/s] as the columns of speeds [rpm] show it.
 double speed_in_rpm(double speed);
+
+// Rows as text: lines of sweep.csv, JSON objects. Numbers are the shortest that read back to the same bits.
+
+/// Lines of RFC 4180, ended by "\n". A missing value is an empty field.
+std::string csv_head(const TableHead& head);
+std::string csv_line(const TableHead& head, const ResultRow& row);
+
+/// The row as part of a record; a missing value is absent.
+void describe_row(described::Record& record, const TableHead& head, const ResultRow& row);
+
+/// Object with a key per column; a missing value is null.
+nlohmann::ordered_json row_json(const TableHead& head, const ResultRow& row);
+
+/// The row that `row_json` wrote. Throws nlohmann::json::exception where a key is missing or of another type.
+ResultRow row_from_json(const TableHead& head, const nlohmann::ordered_json& object);
 
 }  // namespace orbearing::app

@@ -1,7 +1,5 @@
 # Sources of app/results, relative to app/. They need netcdf, fmt, nlohmann_json and, through coupling, TBB.
 set(ORBEARING_RESULTS_SOURCES
-  results/canvas.cpp
-  results/continuation_paths.cpp
   results/durable_file.cpp
   results/interruption.cpp
   results/life_table.cpp
@@ -15,9 +13,6 @@ set(ORBEARING_RESULTS_SOURCES
   results/record_text.cpp
   results/result_folder.cpp
   results/result_row.cpp
-  results/row_text.cpp
   results/spectrum_life.cpp
-  results/sweep_json.cpp
   results/sweep_run.cpp
-  results/terminal_chart.cpp
-  results/terminal_table.cpp)
+  results/terminal_chart.cpp)

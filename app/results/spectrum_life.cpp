@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/results/record_writers.hpp"
-#include "app/results/row_text.hpp"
+#include "app/results/result_row.hpp"
 #include "app/units.hpp"
 #include "bearing/life/basic_life.hpp"
 

@@ -5,18 +5,33 @@
 #include <filesystem>
 #include <functional>
 #include <limits>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "app/case/setting.hpp"
 #include "app/results/manifest.hpp"
 #include "app/results/result_folder.hpp"
 #include "app/results/result_row.hpp"
 #include "app/results/spectrum_life.hpp"
-#include "app/results/sweep_point.hpp"
+#include "mechanics/record.hpp"
 
 namespace orbearing::app {
+
+/// One point of a sweep before it is computed.
+struct SweepPoint {
+  std::string label;  // for messages: "input.speed = 6000 rpm"
+  double input_speed = std::numeric_limits<double>::quiet_NaN();  // [rad/s]  kept in the row of a failed point
+  std::vector<double> axis_values;                                // one per header.axes, in the axis' unit
+  std::vector<Setting> settings{};                                // that make the case's operating point
+};
+
+/// The paths of a continued sweep: points that differ in speed alone, in the order in which they follow each other.
+/// Numbers of the points, one path for each combination of the other axes' values, in the order of the points that
+/// begin them; along a path the speed rises (up) or falls (down).
+std::vector<std::vector<std::size_t>> continuation_paths(const std::vector<SweepPoint>& points, Direction direction);
 
 /// Points that a sweep adds to its grid until its peak is known.
 struct Refinement {
@@ -78,5 +93,36 @@ SweepOutcome outcome_of(const ManifestHeader& header, const std::map<std::size_t
 /// points that refine the peak: `run_sweep` with `resume` adds them. `grid_only`: the result is one without.
 SweepOutcome merge_shards(const std::vector<std::filesystem::path>& shards,
                           const std::filesystem::path& folder, bool grid_only = false);
+
+// The sweep as one JSON object, and the peak of its life.
+
+/// Longest life over speed: the best point of the grid, and the best of all where points were added around
+/// it. Every number is that of a point that was computed; NaN where there is none.
+struct LifePeak {
+  double speed_rpm = std::numeric_limits<double>::quiet_NaN();
+  double life_h = std::numeric_limits<double>::quiet_NaN();
+  double refined_speed_rpm = std::numeric_limits<double>::quiet_NaN();
+  double refined_life_h = std::numeric_limits<double>::quiet_NaN();
+  double lower_rpm = std::numeric_limits<double>::quiet_NaN();  // neighbours of the refined peak, which live
+  double upper_rpm = std::numeric_limits<double>::quiet_NaN();  // shorter; NaN beyond an end of the range
+  std::string life{"life_h"};                                   // column of the life whose peak it is
+};
+
+void describe(described::Record& record, const LifePeak& peak);
+
+/// Best row of the grid, those added to it left out; the refined values are left for the caller. NaN where no
+/// point has a life.
+LifePeak grid_peak(const TableHead& head, const std::vector<ResultRow>& rows);
+
+/// The peak and one point that stands for all: rows hold numbers alone.
+described::Record sweep_form(const LifePeak& peak);
+
+/// Object with `points`, `peak`, `spectrum` where the case states one, `assumptions`, `warnings`, `versions`
+/// and `units`, in this order; no number where a value is missing, but null. Assumptions, warnings and
+/// versions are taken as they are.
+nlohmann::ordered_json sweep_json(const SweepOutcome& outcome, const LifePeak& peak,
+                                  const nlohmann::ordered_json& assumptions,
+                                  const nlohmann::ordered_json& warnings,
+                                  const nlohmann::ordered_json& versions);
 
 }  // namespace orbearing::app

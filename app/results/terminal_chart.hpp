@@ -1,13 +1,49 @@
 // A small chart of life over speed, for terminals.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
-#include "app/results/canvas.hpp"
-#include "app/results/sweep_json.hpp"
+#include "app/results/result_row.hpp"
+#include "app/results/sweep_run.hpp"
 
 namespace orbearing::app {
+
+// A drawing made of characters, for terminals.
+
+enum class Glyphs { braille, ascii };
+
+/// Dots on a grid, counted from the lower left corner; a braille character holds 2 by 4 of them.
+class Canvas {
+ public:
+  Canvas(int columns, int lines, Glyphs glyphs);
+
+  int width() const { return columns_ * dots_across(); }  // [dots]
+  int height() const { return lines_ * dots_up(); }       // [dots]
+
+  /// Places outside are left out.
+  void dot(int x, int y);
+  void line(int x0, int y0, int x1, int y1);
+  /// A character in place of the dots around (x, y); drawn over everything.
+  void mark(int x, int y, const std::string& character);
+
+  /// Lines from the top down.
+  std::vector<std::string> lines() const;
+
+ private:
+  int dots_across() const { return glyphs_ == Glyphs::braille ? 2 : 1; }
+  int dots_up() const { return glyphs_ == Glyphs::braille ? 4 : 1; }
+  bool holds(int x, int y) const { return x >= 0 && x < width() && y >= 0 && y < height(); }
+  std::size_t cell(int x, int y) const;
+  std::string text(std::size_t cell) const;
+
+  int columns_;
+  int lines_;
+  Glyphs glyphs_;
+  std::vector<unsigned> dots_;      // (cells)  bits of the dots set
+  std::vector<std::string> marks_;  // (cells)  empty: none
+};
 
 /// Braille where the locale's character set is UTF-8 (LC_ALL, LC_CTYPE, LANG, in this order).
 Glyphs glyphs_of_locale();
@@ -19,5 +55,12 @@ std::string life_chart(const TableHead& head, const std::vector<ResultRow>& rows
 
 /// "longest life: 47300 h at 6120 rpm; of the grid's points 47100 h at 6000 rpm"
 std::string peak_line(const LifePeak& peak);
+
+// The main columns of a sweep, for terminals.
+
+/// Speed, planet load, largest roller loads, lives and the swept axes, aligned; a failed point shows its
+/// status, and says whether the point was added to the grid. Of a long sweep every so many-th row of the grid
+/// and the longest life, which a last line then says.
+std::string sweep_table(const TableHead& head, const std::vector<ResultRow>& rows);
 
 }  // namespace orbearing::app

@@ -5,13 +5,10 @@
 #include "app/case/defect_case.hpp"
 #include "app/errors.hpp"
 #include "app/study/ball_study.hpp"
-#include "app/study/defect_output.hpp"
 #include "app/study/duplex_study.hpp"
 #include "app/study/film_study.hpp"
 #include "app/study/gear_case.hpp"
-#include "app/study/gear_output.hpp"
 #include "app/study/planet_defect.hpp"
-#include "app/study/static_ratings.hpp"
 #include "app/study/static_study.hpp"
 #include "app/units.hpp"
 

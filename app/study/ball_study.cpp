@@ -8,7 +8,7 @@
 #include "app/case/ball_case.hpp"
 #include "app/case/static_case.hpp"
 #include "app/errors.hpp"
-#include "app/study/static_ratings.hpp"
+#include "app/study/static_study.hpp"
 #include "bearing/contact/point_contact.hpp"
 #include "bearing/equilibrium/balls.hpp"
 #include "bearing/equilibrium/static_bearing.hpp"

@@ -199,10 +199,6 @@ PairPoint balanced(const ResolvedCase& in) {
   return point;
 }
 
-}  // namespace
-
-namespace {
-
 using described::each;
 using described::Record;
 namespace dimension = described::dimension;

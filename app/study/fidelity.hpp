@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/case/resolved_case.hpp"
 #include "coupling/study/operating_point.hpp"
 
 namespace orbearing::app {
@@ -23,5 +24,10 @@ inline bool in_time(study::Fidelity fidelity) {
 inline bool is_coupled(study::Fidelity fidelity) {
   return fidelity == study::Fidelity::co_simulated || fidelity == study::Fidelity::monolithic;
 }
+
+// What of a case a computation can take.
+
+/// Throws BadInput where the case holds what `fidelity` ought to compute and cannot, or what a sweep cannot.
+void require_computable(const ResolvedCase& resolved, const std::string& fidelity, bool sweep);
 
 }  // namespace orbearing::app

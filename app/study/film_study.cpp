@@ -1,10 +1,17 @@
 #include "app/study/film_study.hpp"
 
+#include <array>
+#include <cmath>
 #include <fmt/format.h>
-
-#include <string>
+#include <fmt/ranges.h>
+#include <limits>
+#include <map>
 
 #include "app/case/described_case.hpp"
+#include "app/case/static_case.hpp"
+#include "app/results/result_row.hpp"
+#include "app/units.hpp"
+#include "bearing/equilibrium/static_bearing.hpp"
 
 namespace orbearing::app {
 
@@ -144,6 +151,203 @@ void describe(Record& record, const FilmStudy& study) {
     if (!point.lost() && point.solution) add("film_map_", *point.solution);
     if (!point.lost() && point.line) add("film_line_", *point.line);
   }
+}
+
+namespace {
+
+namespace balance = bearing::equilibrium;
+using bearing::Race;
+
+constexpr double kMissing = described::kAbsent;
+constexpr std::array<Race, 2> both_races{Race::inner, Race::outer};
+
+const char* race_name(Race race) {
+  return race == Race::inner ? "inner" : "outer";
+}
+
+bearing::film::ContactMotion contact_motion(const balance::RingState& state, Race race, Eigen::Index ball) {
+  const bool inner = race == Race::inner;
+  return {.load = (inner ? state.contact_load : state.outer_load)[ball],
+          .rolling = std::abs((inner ? state.inner_rolling : state.outer_rolling)[ball]),
+          .spin = std::abs((inner ? state.inner_spin : state.outer_spin)[ball])};
+}
+
+// One balance of the table, with film or without.
+class SpeedRow {
+ public:
+  SpeedRow(const bearing::Bearing& bearing, const balance::RowMotion& motion)
+      : bearing_(bearing), motion_(motion) {}
+
+  // Columns are made beside their values, so that they cannot part.
+  void add(const std::optional<balance::RingState>& state, std::vector<SpeedTable::Column>& columns,
+           std::vector<double>& values) const {
+    const std::string kind = motion_.film ? "film_" : "hertz_",
+                      with = motion_.film ? "with film" : "after Hertz";
+    const auto put = [&](const std::string& name, const char* units, const std::string& meaning,
+                         double value) {
+      columns.push_back({kind + name, units, meaning + ", " + with});
+      values.push_back(value);
+    };
+    const auto of_state = [&](double value) { return state ? value : kMissing; };
+    put("axial_um", "um", "axial displacement", of_state(state ? 1e6 * state->axial : 0.0));
+    put("radial_um", "um", "displacement along the radial load", of_state(state ? 1e6 * state->radial : 0.0));
+    for (const Race race : both_races) put_contact(state, race, put);
+  }
+
+ private:
+  template <class Put>
+  void put_contact(const std::optional<balance::RingState>& state, Race race, const Put& put) const {
+    const std::string name = race_name(race), where = " on the " + name + " race";
+    double load = kMissing, angle = kMissing, approach = kMissing;
+    FilmPoint film;
+    film.motion = {kMissing, kMissing, kMissing};
+    film.films = {kMissing, kMissing, kMissing, kMissing, kMissing};
+    if (state) {
+      Eigen::Index ball = 0;
+      state->contact_load.maxCoeff(&ball);
+      const bool unlike = state->outer_load.size() > 0 && race == Race::outer;
+      load = (unlike ? state->outer_load : state->contact_load)[ball];
+      angle = (unlike ? state->outer_angle : state->contact_angle)[ball];
+      approach = std::pow(load / balance::BallRow(bearing_).contact(race).constant, 2.0 / 3.0);
+      if (motion_.film && state->inner_rolling.size() > 0) {
+        film.motion = contact_motion(*state, race, ball);
+        film.films = spin_films(bearing::film::ball_contact(bearing_, race), *motion_.film, film.motion);
+        approach = film.films.rigid;
+      }
+    }
+    put(name + "_load_N", "N", "load" + where, load);
+    put(name + "_contact_angle_deg", "degree", "contact angle" + where, kDegree * angle);
+    put(name + "_approach_um", "um", "approach of the bodies" + where, 1e6 * approach);
+    if (!motion_.film) return;
+    put(name + "_rolling_speed_m_s", "m s-1", "rolling speed" + where, film.motion.rolling);
+    put(name + "_spin_rad_s", "rad s-1", "spin" + where, film.motion.spin);
+    put(name + "_h_c_um", "um", "central film" + where, 1e6 * film.films.central);
+    put(name + "_h_min_um", "um", "least film" + where, 1e6 * film.films.least);
+    put(name + "_h_c_HamrockDowson_um", "um", "central film without spin" + where,
+        1e6 * film.films.central_hamrock_dowson);
+    put(name + "_h_min_HamrockDowson_um", "um", "least film without spin" + where,
+        1e6 * film.films.least_hamrock_dowson);
+  }
+
+  const bearing::Bearing& bearing_;
+  const balance::RowMotion& motion_;
+};
+
+// Where a parabola through the largest value and its neighbours is highest; none at an end.
+std::optional<double> highest_at(const SpeedTable& table, const std::string& name) {
+  std::size_t column = 0;
+  while (column < table.columns.size() && table.columns[column].name != name) ++column;
+  if (column == table.columns.size()) return std::nullopt;
+  const auto value = [&](std::size_t row) { return table.rows[row][column]; };
+  std::size_t best = 0;
+  for (std::size_t row = 1; row < table.rows.size(); ++row)
+    if (value(row) > value(best) || std::isnan(value(best))) best = row;
+  if (best == 0 || best + 1 == table.rows.size()) return std::nullopt;
+  const double x0 = table.rows[best - 1][0], x1 = table.rows[best][0], x2 = table.rows[best + 1][0];
+  const double left = (value(best) - value(best - 1)) / (x1 - x0),
+               right = (value(best + 1) - value(best)) / (x2 - x1);
+  const double bend = (right - left) / (x2 - x0);
+  if (!(bend < 0.0)) return std::nullopt;
+  return (0.5 * (x0 + x1) - left / (2.0 * bend)) / kRpm;
+}
+
+std::optional<balance::RingState> balanced(const bearing::Bearing& bearing, const balance::RowMotion& motion,
+                                           const balance::RingLoad& load, double speed, SpeedTable& table) {
+  balance::RingState state = balance::balance_bearing(bearing, motion, load);
+  if (state.report.converged) return state;
+  table.warnings.push_back(
+      fmt::format("operation.speeds: {:.6g} rpm: {}", speed_in_rpm(speed), state.report.message));
+  return std::nullopt;
+}
+
+void add_row(const bearing::Bearing& bearing, balance::RowMotion motion, const balance::RingLoad& load,
+             double speed, SpeedTable& table, std::vector<double>& beyond) {
+  motion.speeds.inner = speed;
+  table.columns = {{"speed_rpm", "rpm", "of the inner ring"}};
+  std::vector<double> values{speed_in_rpm(speed)};
+  balance::RowMotion dry = motion;
+  dry.film.reset();
+  SpeedRow(bearing, dry).add(balanced(bearing, dry, load, speed, table), table.columns, values);
+  if (motion.film) {
+    const std::optional<balance::RingState> state = balanced(bearing, motion, load, speed, table);
+    SpeedRow(bearing, motion).add(state, table.columns, values);
+    if (state && !film_warnings(bearing, ball_films(bearing, *motion.film, *state)).empty())
+      beyond.push_back(speed_in_rpm(speed));
+  }
+  table.rows.push_back(std::move(values));
+}
+
+}  // namespace
+
+std::vector<BallFilm> ball_films(const bearing::Bearing& bearing, const bearing::Lubricant& oil,
+                                 const balance::RingState& state) {
+  std::vector<BallFilm> films;
+  for (const Race race : both_races) {
+    const bearing::film::EllipticalContact contact = bearing::film::ball_contact(bearing, race);
+    for (Eigen::Index ball = 0; ball < state.inner_rolling.size(); ++ball) {
+      const bearing::film::ContactMotion motion = contact_motion(state, race, ball);
+      if (!(motion.load > 0.0)) continue;
+      films.push_back({ball, race, {motion, spin_films(contact, oil, motion)}});
+    }
+  }
+  return films;
+}
+
+std::vector<std::string> film_warnings(const bearing::Bearing& bearing, const std::vector<BallFilm>& films) {
+  std::vector<std::string> warnings;
+  std::map<std::string, std::size_t> known;  // by race and quantity
+  std::map<std::string, int> others;
+  for (const BallFilm& film : films) {
+    const std::string race = race_name(film.race);
+    for (const std::string& what :
+         outside_of_range(bearing::film::ball_contact(bearing, film.race), film.point.motion)) {
+      const std::string key = race + what.substr(0, what.find(" is "));
+      if (known.emplace(key, warnings.size()).second)
+        warnings.push_back(fmt::format("film: on the {} race the {}", race, what));
+      else
+        ++others[key];
+    }
+  }
+  for (const auto& [key, index] : known)
+    if (others[key] > 0) warnings[index] += fmt::format("; so on {} more balls", others[key]);
+  return warnings;
+}
+
+void describe(described::Record& row, const BallFilm& film) {
+  row.value("ball", "counted from 0", film.ball);
+  row.value("race", "inner or outer", race_name(film.race));
+  describe(row, film.point);
+}
+
+std::optional<SpeedTable> speed_table(const ResolvedCase& in) {
+  if (!in.has("operation.speeds")) return std::nullopt;
+  const bearing::Bearing bearing = bearing_of(in);
+  const balance::RowMotion motion = row_motion_of(in);
+  const balance::RingLoad load = ring_load_of(in);
+  SpeedTable table;
+  std::vector<double> beyond;
+  for (const double speed : in.list("operation.speeds")) add_row(bearing, motion, load, speed, table, beyond);
+  if (!beyond.empty())
+    table.warnings.push_back(
+        fmt::format("operation.speeds: the film at {:.6g} rpm lies outside of the ranges of its regressions",
+                    fmt::join(beyond, ", ")));
+  table.inner_rotating = highest_at(table, "film_inner_h_min_um");
+  table.outer_rotating = highest_at(table, "film_outer_h_min_um");
+  return table;
+}
+
+void describe(described::Record& record, const SpeedTable& table) {
+  record.table("over_speed", "speed", "the most loaded ball at operation.speeds", table.rows,
+               [&](described::Record& row, const std::vector<double>& values) {
+                 for (std::size_t i = 0; i < values.size(); ++i) {
+                   const auto& [name, units, meaning] =
+                       table.columns[i];  // values are in the unit of the name
+                   row.value(name, {"", units, units, ""}, meaning, values[i]).variable = name;
+                 }
+               });
+  record.array("least_film_turns_at_rpm", described::dimension::angular_speed,
+               "speed of the largest least film", {{"race", {"inner", "outer"}}},
+               std::array{table.inner_rotating.value_or(kMissing), table.outer_rotating.value_or(kMissing)});
 }
 
 }  // namespace orbearing::app

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/case/resolved_case.hpp"
+#include "bearing/equilibrium/ring_balance.hpp"
 #include "bearing/film/film_choice.hpp"
 #include "mechanics/record.hpp"
 
@@ -45,5 +46,44 @@ void describe(described::Record& record, const FilmStudy& study);
 bool is_spin_film(const ResolvedCase& resolved);
 
 FilmStudy film_study(const ResolvedCase& resolved);
+
+// Films under the balls of a bearing in balance, and its balance over speed, with films and with Hertz's law.
+
+/// Of one ball on one race.
+struct BallFilm {
+  Eigen::Index ball = 0;
+  bearing::Race race = bearing::Race::inner;
+  FilmPoint point;  // sizes of speed and spin, whatever their sense
+};
+
+void describe(described::Record& row, const BallFilm& film);
+
+/// Of all loaded balls of a state whose rings turn, inner race first; empty for one at rest.
+std::vector<BallFilm> ball_films(const bearing::Bearing& bearing, const bearing::Lubricant& oil,
+                                 const bearing::equilibrium::RingState& state);
+
+/// What of them lies outside of the ranges of the regressions, one line for each race and quantity.
+std::vector<std::string> film_warnings(const bearing::Bearing& bearing, const std::vector<BallFilm>& films);
+
+/// The ball with the largest load on the inner race, over the speed of the inner ring.
+struct SpeedTable {
+  struct Column {
+    std::string name;  // with its unit
+    const char* units;
+    std::string meaning;
+  };
+  std::vector<Column> columns;
+  std::vector<std::vector<double>> rows;  // (speeds, columns)  not a number where there is none
+  std::optional<double>
+      inner_rotating;  // [rad/s]  speed of the largest least film, none where the table ends first
+  std::optional<double> outer_rotating;
+  std::vector<std::string> warnings;
+};
+
+void describe(described::Record& record, const SpeedTable& table);
+
+/// At `operation.speeds`; none where the case has none. With film and without where `film.enabled` says so.
+/// A speed at which no balance is found has no numbers, and a warning.
+std::optional<SpeedTable> speed_table(const ResolvedCase& resolved);
 
 }  // namespace orbearing::app

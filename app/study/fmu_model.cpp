@@ -1,9 +1,19 @@
 #include "app/study/fmu_model.hpp"
 
+#include <array>
+#include <cstdio>
+#include <fmt/core.h>
+
 #include "app/errors.hpp"
+#include "app/license.hpp"
+#include "app/resources.hpp"
+#include "app/results/durable_file.hpp"
 #include "app/study/gear_case.hpp"
 #include "app/study/planetary_case.hpp"
+#include "coupling/fmu/export/archive.hpp"
 #include "coupling/fmu/model.hpp"
+#include "coupling/fmu/model_file.hpp"
+#include "coupling/fmu/variable_table.hpp"
 #include "coupling/study/driven_setups.hpp"
 #include "coupling/system/driven_bearing.hpp"
 
@@ -80,6 +90,134 @@ fmu::NumberTable gear_numbers(const ResolvedCase& in) {
   system::DrivenGearsSetup setup = gears_setup(in);
   setup.start_force = start_forces(setup);
   return fmu::numbers_of(setup);
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// "build/release/bin/orbearing" or "<prefix>/bin/orbearing": the libraries stand beside bin in both.
+fs::path libraries_folder() {
+  return resources().folder / "lib" / "orbearing" / "fmu";
+}
+
+struct Platform {
+  const char* folder;  // beside the program, and in FMI 2.0
+  const char* fmi3;    // in FMI 3.0
+  const char* ending;
+  const char* remedy;
+};
+
+constexpr Platform kPlatforms[] = {
+    {"linux64", "x86_64-linux", ".so", "build the target orbearing_fmu_linux64"},
+    {"win64", "x86_64-windows", ".dll", "a build with ORBEARING_BUILD_WIN64=ON"}};
+
+std::string quoted_for_shell(const std::string& text) {
+  std::string out = "'";
+  for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return out + "'";
+}
+
+struct Ended {
+  bool well = false;
+  std::string last_line;
+};
+
+Ended run_program(const fs::path& program) {
+  FILE* output = popen((quoted_for_shell(program.string()) + " 2>&1").c_str(), "r");
+  if (output == nullptr) return {false, "it could not be started"};
+  Ended ended;
+  std::array<char, 4096> line;
+  while (fgets(line.data(), line.size(), output) != nullptr) ended.last_line = line.data();
+  ended.well = pclose(output) == 0;
+  while (ended.last_line.ends_with('\n')) ended.last_line.pop_back();
+  return ended;
+}
+
+// Where a library is missing and the means to build it stand beside, it is built. Gives why there is none.
+std::string build_missing(const Platform& platform, const fs::path& library, bool quiet) {
+  const fs::path recipe = libraries_folder() / (std::string("build_") + platform.folder);
+  if (!fs::exists(recipe))
+    return fmt::format("found no file {}; required: {}", library.string(), platform.remedy);
+  if (!quiet)
+    fmt::print(stderr, "fmu: building the library for {}, this once (a minute or less) ...\n",
+               platform.folder);
+  const Ended ended = run_program(recipe);
+  if (!ended.well) return ended.last_line;
+  return fs::exists(library) ? "" : "found no file " + library.string() + " after its build";
+}
+
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text)
+    if (c == '&')
+      out += "&amp;";
+    else if (c == '<')
+      out += "&lt;";
+    else
+      out += c;
+  return out;
+}
+
+constexpr const char* kPage = R"(<!DOCTYPE html>
+<html lang="en"><head><meta charset="utf-8"><title>{0}</title></head><body>
+<h1>{0}</h1>
+<p>{1}. Made by Orbearing {2} for co-simulation.</p>
+{4}<p>Axes x and y turn with the carrier: x outward, y in the sense of carrier rotation. Forces and moments are those
+on the planet; reverse them on the carrier. The planet's inertia is not in the bearing, pin ring and pin support
+are. All communication steps greater than 0 are legal; inside a step a displacement goes on with the velocity given
+beside it, unless its own derivative by time was set, and it stands there afterwards until it is set again. A step
+over which the inputs leave what the model can follow is discarded; the log then says &quot;step too long&quot; and which
+length would be accepted.</p>
+<table><tr><th>name</th><th>unit</th><th>meaning</th></tr>
+{3}</table></body></html>
+)";
+
+constexpr const char* kStart = R"(<p>The bearing begins in balance under <code>start_load</code>, the load of the planet
+on it, by default that of the case at its operating point: until somebody sets <code>planet.displacement</code>, it is the place
+where the bearing carries that load, and the outputs <code>planet.start_displacement</code> say where that is under the parameters
+and speeds that were set. Begin with the planet there, and nothing has to settle but the rollers.</p>
+)";
+
+std::string page(const fmu::NumberTable& numbers, const std::string& name) {
+  const fmu::ModelFacts facts = fmu::facts_of(numbers);
+  std::string rows;
+  for (const fmu::Variable& one : fmu::variables_of(facts))
+    rows +=
+        fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td></tr>\n", one.name, one.unit, escaped(one.meaning));
+  return fmt::format(fmt::runtime(kPage), escaped(name), facts.meaning, fmu::program_version(), rows,
+                     numbers.model == "bearing" ? kStart : "");
+}
+
+}  // namespace
+
+FmuLibraries fmu_libraries(const fmu::NumberTable& numbers, fmu::Interface interface, bool quiet) {
+  FmuLibraries libraries;
+  for (const Platform& platform : kPlatforms) {
+    const fs::path file = libraries_folder() / platform.folder / (std::string("orbearing") + platform.ending);
+    const std::string missing = fs::exists(file) ? "" : build_missing(platform, file, quiet);
+    if (!missing.empty()) {
+      libraries.missing.push_back(fmt::format("no library for {}: {}", platform.folder, missing));
+      continue;
+    }
+    libraries.found.push_back({interface == fmu::Interface::fmi3 ? platform.fmi3 : platform.folder,
+                               fmu::model_identifier(numbers) + platform.ending, read_file(file)});
+  }
+  if (libraries.found.empty()) throw ComputationFailed("fmu: " + libraries.missing.front());
+  for (std::string& line : libraries.missing)
+    line = fmt::format("only {} is inside: {}", libraries.found.front().platform, line);
+  return libraries;
+}
+
+std::string fmu_content(const fmu::NumberTable& numbers, const fmu::DescriptionOptions& options,
+                        const std::vector<FmuLibrary>& libraries) {
+  std::vector<fmu::ArchiveFile> files{{"modelDescription.xml", fmu::model_description(numbers, options)},
+                                      {std::string("resources/") + fmu::kModelFile, fmu::text_of(numbers)},
+                                      {"documentation/index.html", page(numbers, options.name)},
+                                      {"documentation/licenses/license.txt", license_text}};
+  for (const FmuLibrary& library : libraries)
+    files.push_back({"binaries/" + library.platform + "/" + library.file, library.content});
+  return fmu::archive_of(files);
 }
 
 }  // namespace orbearing::app

@@ -1,7 +1,12 @@
 // From a resolved case to the numbers of an FMU.
 #pragma once
 
+#include <filesystem>
+#include <string>
+#include <vector>
+
 #include "app/case/resolved_case.hpp"
+#include "coupling/fmu/export/description.hpp"
 #include "coupling/fmu/number_table.hpp"
 
 namespace orbearing::app {
@@ -14,5 +19,28 @@ fmu::NumberTable bearing_numbers(const ResolvedCase& resolved);
 /// The gear set with its planet bearings left out; at the start they hold the mean loads of the case. Throws
 /// BadInput for a case of another model, of several sets or without teeth.
 fmu::NumberTable gear_numbers(const ResolvedCase& resolved);
+
+// An FMU as a file: what is packed, and where the libraries inside it come from.
+
+/// The library of one platform, as it was built beside the program.
+struct FmuLibrary {
+  std::string platform;  // folder inside the FMU
+  std::string file;      // name inside the FMU
+  std::string content;
+};
+
+/// Libraries found beside the program, and what is missing.
+struct FmuLibraries {
+  std::vector<FmuLibrary> found;
+  std::vector<std::string> missing;  // one line for each, with the remedy
+};
+
+/// Builds a library that is missing where a program build_<platform> stands beside the others, and says so on
+/// standard error unless `quiet`. Throws ComputationFailed where there is none at all.
+FmuLibraries fmu_libraries(const fmu::NumberTable& numbers, fmu::Interface interface, bool quiet);
+
+/// The archive's bytes.
+std::string fmu_content(const fmu::NumberTable& numbers, const fmu::DescriptionOptions& options,
+                        const std::vector<FmuLibrary>& libraries);
 
 }  // namespace orbearing::app

@@ -11,10 +11,9 @@
 
 #include "app/results/record_writers.hpp"
 #include "app/study/gear_case.hpp"
-#include "app/study/gear_output.hpp"
 #include "app/study/mesh_study.hpp"
 #include "app/study/planetary_case.hpp"
-#include "app/study/resonance.hpp"
+#include "app/study/resonance_lines.hpp"
 #include "app/units.hpp"
 #include "coupling/study/parallel.hpp"
 #include "gearset/mesh/planetary_meshes.hpp"
@@ -29,20 +28,6 @@ using Json = nlohmann::ordered_json;
 using Eigen::Vector2d;
 constexpr double kMillimetre = 1000.0;  // per m
 constexpr int kFlankPoints = 40;
-
-// Where a gear's axis stands and which way its teeth point along the line of centres.
-struct Axis {
-  double centre = 0.0;  // [m]
-  double sense = 1.0;
-};
-
-// Angle and radius of a point, seen from a gear's axis.
-double angle_of(const Axis& axis, const Vector2d& point) {
-  return std::atan2(point.x(), axis.sense * (point.y() - axis.centre));
-}
-double radius_of(const Axis& axis, const Vector2d& point) {
-  return std::hypot(point.x(), point.y() - axis.centre);
-}
 
 Json flank(const gearset::ExternalTooth& tooth) {
   Json drawn;
@@ -63,70 +48,47 @@ Json flank(const gearset::RingTooth& tooth) {
   return drawn;
 }
 
-// `side`: -1 for the tooth left of the contact, +1 for the one on its right.
+// A tooth by its flank from root to tip and by the involute that it follows.
 template <typename Tooth>
-Json gear_json(const char* name, const Tooth& tooth, const Axis& axis, const Vector2d& contact, double side) {
-  const double half = half_thickness_angle(tooth, radius_of(axis, contact));
+Json gear_json(const char* name, const Tooth& tooth) {
   Json drawn{{"name", name},
              {"teeth", tooth.teeth},
-             {"centre_y_mm", kMillimetre * axis.centre},
-             {"sense", axis.sense},
-             {"axis_deg", kDegree * (angle_of(axis, contact) + side * half)},
              {"base_radius_mm", kMillimetre * tooth.base_radius},
+             {"base_half_angle_deg", kDegree * base_half_angle(tooth)},
              {"module_mm", kMillimetre * tooth.module}};
   drawn.update(flank(tooth));
   return drawn;
 }
 
-Json pair_json(const char* name, double pressure_angle, const Vector2d& contact, const Json& gears) {
+// Gears that mesh; on the line of action the pitch point as the page draws them, and where the teeth touch there.
+Json pair_json(const char* name, double pressure_angle, double contact, const Json& gears) {
   return {{"mesh", name},
           {"working_pressure_angle_deg", kDegree * pressure_angle},
-          {"contact_x_mm", kMillimetre * contact.x()},
-          {"contact_y_mm", kMillimetre * contact.y()},
+          {"contact_from_pitch_point_mm", kMillimetre * contact},
           {"gears", gears}};
 }
 
-// The force of the tooth on the left: to the right and, as teeth grow thinner outward, outward.
-Vector2d force_direction(double pressure_angle) {
-  return {std::cos(pressure_angle), std::sin(pressure_angle)};
-}
-
-// Sun and planet, ring and planet, each touching at its pitch point (at the nearest place of contact where
-// the teeth do not reach it). Lengths in mm from the pitch point, y along the line of centres towards the
-// second axis (sun mesh) or away from both (ring mesh); the tooth on the left pushes to the right.
-//
-//     centre_y, sense   a point at radius R, angle phi from the line of centres is (R sin phi, centre_y +
-//     sense R cos phi) axis_deg          phi of the axis of symmetry of the touching tooth radius_mm,
-//     half_angle_deg   its flank from root to tip
+// Sun and planet, planet and ring, each touching at its pitch point (at the nearest place of contact where the teeth
+// do not reach it).
 Json tooth_pairs_json(const gearset::WorkingGeometry& geometry, const gearset::PlanetaryMeshes& meshes) {
-  const double base = geometry.planet.base_radius, distance = geometry.centre_distance;
+  const double base = geometry.planet.base_radius;
   const double sun_angle = geometry.sun_mesh.working_pressure_angle,
                ring_angle = geometry.ring_mesh.working_pressure_angle;
-  const Axis sun{-geometry.sun.base_radius / std::cos(sun_angle), 1.0};
-  const Axis above{sun.centre + distance, -1.0};
-  const Vector2d in_sun =
-      (base * std::tan(sun_angle) - gearset::pitch_point(meshes.sun_gears)) * force_direction(sun_angle);
-  const Axis below{-base / std::cos(ring_angle), 1.0};
-  const Axis ring{below.centre - distance, 1.0};
-  const Vector2d in_ring =
-      (gearset::pitch_point(meshes.ring_gears) - base * std::tan(ring_angle)) * force_direction(ring_angle);
-  return Json::array({pair_json("sun and planet", sun_angle, in_sun,
-                                Json::array({gear_json("sun", geometry.sun, sun, in_sun, -1.0),
-                                             gear_json("planet", geometry.planet, above, in_sun, 1.0)})),
-                      pair_json("planet and ring", ring_angle, in_ring,
-                                Json::array({gear_json("planet", geometry.planet, below, in_ring, -1.0),
-                                             gear_json("ring", geometry.ring, ring, in_ring, 1.0)}))});
+  const Json planet = gear_json("planet", geometry.planet);
+  return {pair_json("sun and planet", sun_angle,
+                    base * std::tan(sun_angle) - gearset::pitch_point(meshes.sun_gears),
+                    {gear_json("sun", geometry.sun), planet}),
+          pair_json("planet and ring", ring_angle,
+                    gearset::pitch_point(meshes.ring_gears) - base * std::tan(ring_angle),
+                    {planet, gear_json("ring", geometry.ring)})};
 }
 
-using Json = nlohmann::ordered_json;
-using constants::two_pi;
 using gearset::dynamics::Mode;
 using gearset::dynamics::ModeKind;
 using gearset::dynamics::SetModel;
 constexpr std::size_t kFewestRuns = 45;  // a resonance is narrower than a usual step of the sweep
 constexpr int kShapesOfKind = 2;
 constexpr long kSpectrumPeriods = 32;  // of the series: lines 1/32 of an order apart
-constexpr int kSpectrumOrders = 8;
 constexpr double kStill = 1e-3;  // of the largest frequency: a mode below is a free rotation
 
 // The speeds of the sweep with as many in equal steps between as make kFewestRuns.
@@ -182,43 +144,26 @@ std::vector<SpeedPoint> computed_points(const ResolvedCase& resolved, const std:
   return points;
 }
 
-Json runs_json(const std::vector<SpeedPoint>& points, const std::vector<double>& swept) {
-  Json list = Json::array();
-  for (const SpeedPoint& point : points) {
-    Json row{{"speed_rpm", point.rpm},
-             {"swept", std::find(swept.begin(), swept.end(), point.rpm) != swept.end()},
-             {"status", point.status}};
-    if (point.run.completed) {
-      Record record;
-      describe_gear_run(record, point.run);
-      const Json run = json_of(record);
-      row["steady"] = point.run.steady;
-      const Json& acceleration = run["planet_acceleration_m_per_s2"];
-      row["acceleration_m_per_s2"] = {{"x", acceleration["x"]}, {"y", acceleration["y"]}};
-      row["load_sharing"] = run["load_sharing"];
-      row["separated_fraction"] = run["separated_fraction"];
-    }
-    list.push_back(std::move(row));
-  }
-  return list;
+// Modes in the carrier's frame, and what the run of the gears alone gives.
+Json speed_json(const SpeedPoint& point) {
+  Json row{{"speed_rpm", point.rpm},
+           {"status", point.status},
+           {"mesh_frequency_Hz", point.modes.mesh_frequency},
+           {"modes", Json::array()}};
+  for (const diagnosis::NamedFrequency& mode : point.modes.modes)
+    row["modes"].push_back(
+        {{"name", mode.name}, {"kind", mode.kind}, {"rank", mode.rank}, {"frequency_Hz", mode.frequency}});
+  if (!point.run.completed) return row;
+  Record record;
+  describe_gear_run(record, point.run);
+  row["run"] = json_of(record);
+  return row;
 }
 
-// Frequencies of each single mode over speed, gathered by kind and rank.
-Json campbell(const std::vector<SpeedPoint>& points) {
-  Json result{{"speed_rpm", Json::array()}, {"mesh_frequency_Hz", Json::array()}};
-  std::map<std::pair<ModeKind, int>, Json> lines;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    result["speed_rpm"].push_back(points[i].rpm);
-    result["mesh_frequency_Hz"].push_back(points[i].modes.mesh_frequency);
-    for (const diagnosis::NamedFrequency& mode : points[i].modes.modes) {
-      Json& line = lines[{mode.kind, mode.rank}];
-      if (line.is_null()) line = {{"name", mode.name}, {"frequency_Hz", Json(points.size(), nullptr)}};
-      line["frequency_Hz"][i] = mode.frequency;
-    }
-  }
-  result["modes"] = Json::array();
-  for (auto& [position, line] : lines) result["modes"].push_back(std::move(line));
-  return result;
+Json speeds_json(const std::vector<SpeedPoint>& points) {
+  Json list = Json::array();
+  for (const SpeedPoint& point : points) list.push_back(speed_json(point));
+  return list;
 }
 
 Json meetings_json(const ResolvedCase& resolved, const std::vector<SpeedPoint>& points,
@@ -269,26 +214,16 @@ Json mode_shapes(const SetModel& model) {
           {"modes", shapes}};
 }
 
-// Amplitudes of the tangential load on the first planet over orders of the mesh frequency.
-Json spectrum(const ResolvedCase& resolved, double rpm) {
+// The tangential load on the first planet over so many periods of the mesh.
+Json load_series(const ResolvedCase& resolved, double rpm) {
   const SpeedPoint point = computed_point(resolved, rpm, kSpectrumPeriods);
-  if (!point.run.completed) return {{"speed_rpm", rpm}, {"status", point.status}};
-  const study::GearSeries& series = point.run.series;
-  const double mean = series.tangential_force.row(0).mean();
-  const Eigen::ArrayXd load = series.tangential_force.row(0).transpose() - mean;
-  const auto samples = static_cast<double>(load.size());
-  const long periods = std::min(kSpectrumPeriods, gear_run_options(resolved).observed_periods);
-  const Eigen::ArrayXd angle =
-      two_pi * point.modes.mesh_frequency / static_cast<double>(periods) * (series.time - series.time[0]);
   Json result{
       {"speed_rpm", rpm}, {"status", point.status}, {"mesh_frequency_Hz", point.modes.mesh_frequency}};
-  result["mean_N"] = mean;
-  for (long line = 1; line <= kSpectrumOrders * periods; ++line) {
-    const Eigen::ArrayXd turned = static_cast<double>(line) * angle;
-    result["order"].push_back(double(line) / double(periods));
-    result["amplitude_N"].push_back(2.0 / samples *
-                                    std::hypot((load * turned.cos()).sum(), (load * turned.sin()).sum()));
-  }
+  if (!point.run.completed) return result;
+  result["periods"] = std::min(kSpectrumPeriods, gear_run_options(resolved).observed_periods);
+  const study::GearSeries& series = point.run.series;
+  result["time_s"] = std::vector<double>(series.time.begin(), series.time.end());
+  for (const double load : series.tangential_force.row(0)) result["load_N"].push_back(load);
   return result;
 }
 
@@ -319,10 +254,10 @@ nlohmann::ordered_json gear_report(const ResolvedCase& resolved, std::vector<dou
   return {{"tooth_pairs", tooth_pairs_json(gearset::working_geometry(set), planetary_meshes_of(at_middle))},
           {"meshes", one_of_each_kind(mesh_study(at_middle))},
           {"mode_shapes", mode_shapes(gear_model_of(at_middle))},
-          {"campbell", campbell(points)},
           {"meetings", meetings_json(fixed, points, set)},
-          {"runs", runs_json(points, speeds_rpm)},
-          {"spectrum", spectrum(fixed, middle)}};
+          {"swept_rpm", speeds_rpm},
+          {"speeds", speeds_json(points)},
+          {"load_series", load_series(fixed, middle)}};
 }
 
 }  // namespace orbearing::app

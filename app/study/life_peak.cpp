@@ -1,12 +1,156 @@
 #include "app/study/life_peak.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <fmt/format.h>
+#include <limits>
+#include <memory>
+#include <nlohmann/json.hpp>
 
+#include "app/results/life_table.hpp"
+#include "app/results/record_writers.hpp"
+#include "app/results/result_row.hpp"
 #include "app/study/fidelity.hpp"
+#include "app/study/resonance_lines.hpp"
+#include "app/study/sweep_study.hpp"
 
 namespace orbearing::app {
+
+namespace {
+
+constexpr double kMotionResolution = 10.0;      // [rpm]
+constexpr double kQuasiStaticResolution = 2.0;  // [rpm]
+constexpr double kMotionShare = 1.0 / 200.0;    // of the speed, below 2000 rpm
+constexpr double kQuasiStaticShare = 1.0 / 1000.0;
+// A resonance of damping ratio 0.02 or more dips over 4 % of its speed at least: steps of a fortieth of the
+// speed cannot miss what stands between two dips.
+constexpr double kScanStep = 1.0 / 40.0;
+// Between two computed speeds life rises by no more than this power of speed: L10 in hours grows with v^(7/3)
+// where the load falls as 1 / v; the flanks of dips are steeper, but short.
+constexpr double kSteepestRise = 3.5;
+// A resonance this near to a computed point [of its speed] is seen already.
+constexpr double kSeen = 1.0 / 80.0;
+// A hill whose parabola would top the best point by less is no rival: single points in motion scatter by
+// more.
+constexpr double kRival = 1e-3;
+// Nor is one, in motion, whose neighbours stand nearer than this [of its speed]: no parabola is left to see.
+constexpr double kRivalStep = 1.0 / 160.0;
+
+using SpeedAxis = std::vector<LivedSpeed>;
+
+struct SpeedGap {
+  const LivedSpeed& low;
+  const LivedSpeed& high;
+  double width() const { return high.rpm - low.rpm; }
+  double middle() const { return 0.5 * (low.rpm + high.rpm); }
+};
+
+SpeedGap gap_above(const SpeedAxis& axis, std::size_t i) {
+  return {axis[i], axis[i + 1]};
+}
+
+// Speeds are asked for in few digits, so that the case that a user writes for one is that very point.
+double short_speed(double rpm, double resolution) {
+  const int digits = std::max(0, static_cast<int>(-std::floor(std::log10(0.5 * resolution))));
+  const double parts = std::pow(10.0, digits);  // whole: the quotient is the double nearest to the few digits
+  return std::round(rpm * parts) / parts;
+}
+
+// Splits a gap unless rounding leaves it no middle.
+void halve(const SpeedGap& gap, const PeakSearch& search, std::vector<double>& speeds) {
+  const double middle = short_speed(gap.middle(), peak_resolution(gap.middle(), search.in_motion));
+  if (middle > gap.low.rpm && middle < gap.high.rpm) speeds.push_back(middle);
+}
+
+std::size_t best_position(const SpeedAxis& axis) {
+  const auto shorter = [](const LivedSpeed& one, const LivedSpeed& other) {
+    return one.life_h < other.life_h;
+  };
+  return static_cast<std::size_t>(std::max_element(axis.begin(), axis.end(), shorter) - axis.begin());
+}
+
+std::vector<double> unseen_resonances(const SpeedAxis& axis, const PeakSearch& search) {
+  std::vector<double> speeds;
+  std::vector<double> resonances = search.resonances_rpm;
+  std::sort(resonances.begin(), resonances.end());
+  const auto seen = [&](double rpm) {
+    const auto near = [&](double other) { return std::abs(other - rpm) <= kSeen * rpm; };
+    return std::any_of(axis.begin(), axis.end(), [&](const LivedSpeed& point) { return near(point.rpm); }) ||
+           std::any_of(speeds.begin(), speeds.end(), near);
+  };
+  for (const double rpm : resonances)
+    if (rpm > axis.front().rpm && rpm < axis.back().rpm && !seen(rpm))
+      speeds.push_back(short_speed(rpm, peak_resolution(rpm, true)));
+  return speeds;
+}
+
+// Gaps in which life could rise above the best: as far as the steepest rise from their higher end goes.
+std::vector<double> unseen_stretches(const SpeedAxis& axis, const PeakSearch& search) {
+  std::vector<double> speeds;
+  const double best = axis[best_position(axis)].life_h;
+  for (std::size_t i = 0; i + 1 < axis.size(); ++i) {
+    const SpeedGap gap = gap_above(axis, i);
+    const double share = gap.width() / gap.middle();
+    const double higher = std::max(gap.low.life_h, gap.high.life_h);
+    if (share > kScanStep && higher * (1.0 + kSteepestRise * share) >= best) halve(gap, search, speeds);
+  }
+  return speeds;
+}
+
+// Logarithm of the life at the top of the parabola through a point and its neighbours.
+double log_top(const LivedSpeed& low, const LivedSpeed& middle, const LivedSpeed& high) {
+  const double left = low.rpm - middle.rpm, right = high.rpm - middle.rpm;
+  const double fall_left = std::log(low.life_h / middle.life_h),
+               fall_right = std::log(high.life_h / middle.life_h);
+  const double curvature = (fall_right / right - fall_left / left) / (right - left);
+  const double slope = fall_left / left - curvature * left;
+  const double rise = curvature < 0.0 ? -slope * slope / (4.0 * curvature) : 0.0;
+  return std::log(middle.life_h) + rise;
+}
+
+bool is_rival(const SpeedAxis& axis, std::size_t i, double best) {
+  const LivedSpeed &low = axis[i - 1], &middle = axis[i], &high = axis[i + 1];
+  if (!(low.life_h > 0.0 && high.life_h > 0.0)) return false;
+  if (middle.life_h < low.life_h || middle.life_h < high.life_h) return false;
+  return log_top(low, middle, high) > std::log(best) + kRival;
+}
+
+// Both gaps beside the best point, and beside each other hill whose top may be higher.
+std::vector<double> beside_hills(const SpeedAxis& axis, const PeakSearch& search) {
+  const std::size_t best = best_position(axis);
+  // Widths [rpm] to which the gaps are to be brought.
+  std::vector<double> wanted(axis.size() - 1, std::numeric_limits<double>::infinity());
+  for (std::size_t i = 0; i < axis.size(); ++i) {
+    const bool inside = i > 0 && i + 1 < axis.size();
+    if (i != best && !(inside && is_rival(axis, i, axis[best].life_h))) continue;
+    const double resolution = peak_resolution(axis[i].rpm, search.in_motion);
+    const double width =
+        i != best && search.in_motion ? std::max(resolution, kRivalStep * axis[i].rpm) : resolution;
+    if (i > 0) wanted[i - 1] = std::min(wanted[i - 1], width);
+    if (inside || i == 0) wanted[i] = std::min(wanted[i], width);
+  }
+  std::vector<double> speeds;
+  for (std::size_t i = 0; i < wanted.size(); ++i)
+    if (gap_above(axis, i).width() > wanted[i]) halve(gap_above(axis, i), search, speeds);
+  return speeds;
+}
+
+}  // namespace
+
+double peak_resolution(double rpm, bool in_motion) {
+  return in_motion ? std::min(kMotionResolution, kMotionShare * rpm)
+                   : std::min(kQuasiStaticResolution, kQuasiStaticShare * rpm);
+}
+
+std::vector<double> next_speeds(const std::vector<LivedSpeed>& done, const PeakSearch& search) {
+  if (done.size() < 2 || !(done[best_position(done)].life_h > 0.0)) return {};
+  std::vector<double> speeds;
+  if (search.in_motion) speeds = unseen_resonances(done, search);
+  if (search.in_motion && speeds.empty()) speeds = unseen_stretches(done, search);
+  if (speeds.empty()) speeds = beside_hills(done, search);
+  return speeds;
+}
 
 namespace {
 
@@ -105,6 +249,106 @@ FoundPeak find_peak(const SweepOutcome& outcome) {
   warn_of_neighbours(line, in_time(fidelity_of(header.fidelity)), found.warnings);
   warn_of_other_lines(outcome, *best, found.warnings);
   return found;
+}
+
+namespace {
+
+// The only row, or that with the longest of the lives that results go by; null where there is none.
+const ResultRow* shown_row(const SweepOutcome& outcome) {
+  const ResultRow* shown = nullptr;
+  double longest = 0.0;
+  for (const ResultRow& row : outcome.rows) {
+    const double life = life_to_go_by(outcome.head, row);
+    if (!row.ok() || !std::isfinite(life) || life <= longest) continue;
+    longest = life;
+    shown = &row;
+  }
+  return shown;
+}
+
+LifeWords words_of(const ResolvedCase& in) {
+  return {bearing::rating::RollingElement::roller,
+          in.has("life.reduction_factor") ? in.number("life.reduction_factor") : 0.0};
+}
+
+LifeTable table_at(const SweepOutcome& outcome, const ResultRow& row, const ResolvedCase& in) {
+  return {[&](const std::string& name) { return value_of(outcome.head, row, name); }, words_of(in)};
+}
+
+}  // namespace
+
+std::string lives_text_of(const ResolvedCase& resolved, const SweepOutcome& outcome) {
+  const ResultRow* row = shown_row(outcome);
+  if (row == nullptr) return "";
+  const std::string table = lives_text(table_at(outcome, *row, resolved));
+  if (outcome.rows.size() == 1) return table + "\n";
+  return fmt::format("at {:.6g} rpm, where {} is longest:\n{}\n",
+                     value_of(outcome.head, *row, "input_speed_rpm"), outcome.head.life, table);
+}
+
+nlohmann::ordered_json lives_record_of(const ResolvedCase& resolved, const SweepOutcome& outcome) {
+  const ResultRow* row = shown_row(outcome);
+  if (row == nullptr) return nullptr;
+  Record record;
+  describe(record, table_at(outcome, *row, resolved));
+  record.value("speed_rpm", {}, "of the point", value_of(outcome.head, *row, "input_speed_rpm"));
+  record.value("life_key", "life that results go by", outcome.head.life);
+  return json_of(record);
+}
+
+namespace {
+
+// Beyond so many added points a search is given up; the result says how well the peak is known then. No curve
+// that was seen needed a quarter of them.
+constexpr std::size_t kMostAdded = 400;
+
+// Number of the grid's point with the longest life; none where no point has one.
+std::optional<std::size_t> best_of_grid(const TableHead& head, const std::vector<ResultRow>& rows,
+                                        std::size_t points) {
+  std::optional<std::size_t> best;
+  double longest = 0.0;
+  for (std::size_t point = 0; point < points; ++point) {
+    const double life = life_to_go_by(head, rows[point]);
+    if (!(life > longest)) continue;
+    longest = life;
+    best = point;
+  }
+  return best;
+}
+
+PeakSearch search_on_line(bool in_motion, const std::vector<Resonance>& resonances) {
+  PeakSearch search{.in_motion = in_motion};
+  for (const Resonance& resonance : resonances)
+    search.resonances_rpm.push_back(speed_in_rpm(resonance.speed));
+  return search;
+}
+
+}  // namespace
+
+void refine_peak_of(const ResolvedCase& resolved, SweepRequest& request) {
+  const std::vector<double> speeds = speeds_rpm(resolved);
+  const auto [low, high] = std::minmax_element(speeds.begin(), speeds.end());
+  if (*low == *high) return;
+  const study::Fidelity fidelity = fidelity_of(request.header.fidelity);
+  const bool dips = request.header.resonances;
+  const auto lines = dips ? std::make_shared<LinesOfResonances>(resolved) : nullptr;
+  request.header.refined = true;
+  request.refinement =
+      Refinement{[resolved, lines, fidelity, points = request.header.grid()](
+                     const TableHead& head, const std::vector<ResultRow>& rows) {
+                   std::vector<SweepPoint> added;
+                   const std::optional<std::size_t> best = best_of_grid(head, rows, points);
+                   if (!best || rows.size() - points >= kMostAdded) return added;
+                   const std::vector<Setting> line = sweep_point(resolved, *best);
+                   const PeakSearch search =
+                       search_on_line(in_time(fidelity), lines ? lines->of(line) : std::vector<Resonance>{});
+                   for (const double rpm : next_speeds(line_through(head, rows, rows[*best]), search))
+                     added.push_back(point_at_rpm(resolved, line, rpm));
+                   return added;
+                 },
+                 [resolved, fidelity](const SweepPoint& point) {
+                   return compute_point(resolved, point.settings, fidelity);
+                 }};
 }
 
 }  // namespace orbearing::app

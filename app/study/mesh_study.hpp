@@ -8,6 +8,7 @@
 
 #include "app/case/check_table.hpp"
 #include "app/case/resolved_case.hpp"
+#include "app/results/terminal_chart.hpp"
 #include "coupling/study/drivetrain.hpp"
 #include "gearset/mean_loads.hpp"
 #include "gearset/mesh/iso6336.hpp"
@@ -65,5 +66,13 @@ gearset::PlanetaryMeshes planetary_meshes_of(const ResolvedCase& resolved,
 
 /// What follows from the inputs of a gear-pair, for `orbearing check`.
 std::vector<Derived> pair_quantities(const ResolvedCase& resolved, const MeshStudy& study);
+
+// Charts of the meshes of a case, for terminals.
+
+/// A chart of each kind of mesh.
+std::string mesh_charts(const MeshStudy& study, Glyphs glyphs);
+
+/// Stiffness over the mesh period, from zero on.
+std::string mesh_chart(const gearset::MeshStiffness& mesh, const std::string& title, Glyphs glyphs);
 
 }  // namespace orbearing::app

@@ -2,16 +2,11 @@
 
 #include <Eigen/Core>
 #include <cmath>
-#include <vector>
 
 #include "app/case/defect_case.hpp"
 #include "app/case/described_case.hpp"
-#include "app/case/resolved_case.hpp"
 #include "app/errors.hpp"
-#include "app/study/defect_output.hpp"
-#include "app/study/defect_study.hpp"
 #include "app/study/planetary_case.hpp"
-#include "coupling/study/planet_scratch.hpp"
 
 namespace orbearing::app {
 

@@ -8,7 +8,6 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "app/results/point_status.hpp"
 #include "app/study/drivetrain_case.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/units.hpp"

@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "app/case/case_file.hpp"
 #include "app/case/field_table.hpp"

@@ -26,8 +26,9 @@ nlohmann::ordered_json bearing_points(const ResolvedCase& resolved, const nlohma
 /// Whether a case is one of a planetary set whose gears have teeth.
 bool has_gear_report(const ResolvedCase& resolved);
 
-/// Teeth, meshes, modes and motion of the gears over the speeds of a sweep [rpm]; the gears alone run in time at
-/// these and at speeds between.
+/// Teeth, meshes, modes and motion of the gears over the speeds of a sweep [rpm], of which the page makes its pictures
+/// (python/orbearing/gear_data.py). The gears alone run in time at these and at speeds between; a run that fails says
+/// why in its `status`.
 nlohmann::ordered_json gear_report(const ResolvedCase& resolved, std::vector<double> speeds_rpm);
 
 /// What a folder of results lacks of its sweep: points that a shard leaves to others or that were not computed

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "app/case/resolved_case.hpp"
-#include "app/results/sweep_json.hpp"
 #include "app/results/sweep_run.hpp"
 
 namespace orbearing::app {

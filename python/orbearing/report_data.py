@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from orbearing import effects
+from orbearing import effects, gear_data
 from orbearing.blocks import is_number
 from orbearing.errors import CaseError
 from orbearing.result_folder import record, records
@@ -86,6 +86,8 @@ def complete(content: dict, program: Program, every_effect: bool = False) -> dic
     _add_effects_of_assumptions(content)
     content["fine"] = {"speed_rpm": fine.tolist(), **{name: _column(at_rest[0][1], name) for name in FINE}}
     content["polar"] = _polar(bearing, speeds)
+    if "gears" in content:
+        content["gears"] = gear_data.arranged(content["gears"])
     content["drawing"] |= _loads_of_rollers(_polar(bearing, [shown["peak_speed_rpm"]])[0], content["drawing"]["rollers"])
     content["ablation"] = [_curve(change, points, fine) for change, points in at_rest]
     content["dynamic"] = None
@@ -153,5 +155,5 @@ def _add_effects_of_assumptions(content: dict) -> None:
     """To each assumption the effect of its first other reading, where the project knows one."""
     for entry in records(content.get("assumptions")):
         first = next((row for row in records(content.get("sensitivities"))
-                      if row.get("assumption") == entry.get("key") and row.get("worth_h") is not None), {})
-        entry |= {"worth_h": first.get("worth_h"), "worth_text": first.get("reading", "")}
+                      if row.get("assumption") == entry.get("key") and row.get("life_change_h") is not None), {})
+        entry |= {"worth_h": first.get("life_change_h"), "worth_text": first.get("reading", "")}

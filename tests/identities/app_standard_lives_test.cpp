@@ -7,7 +7,7 @@
 
 #include "app/case/case_file.hpp"
 #include "app/case/static_case.hpp"
-#include "app/study/peak_refinement.hpp"
+#include "app/study/life_peak.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/study/rated_oil.hpp"
 #include "app/study/static_study.hpp"

@@ -1,10 +1,9 @@
-#include "app/study/crown/crown_figures.hpp"
+#include "app/study/crown/crown_study.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app/study/crown/crown_study.hpp"
 #include "app/units.hpp"
 #include "bearing/profile/profile.hpp"
 

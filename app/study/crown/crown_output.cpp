@@ -1,4 +1,4 @@
-#include "app/study/crown/crown_output.hpp"
+#include "app/study/crown/crown_study.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

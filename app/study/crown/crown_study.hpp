@@ -1,6 +1,8 @@
 // The crowning study of a case: grid, optimum, what it is compared with.
 #pragma once
 
+#include <filesystem>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +11,7 @@
 #include "coupling/study/crowning/crown_grid.hpp"
 #include "coupling/study/crowning/duty_record.hpp"
 #include "coupling/study/crowning/half_space_search.hpp"
+#include "mechanics/record.hpp"
 
 namespace orbearing::app {
 
@@ -64,6 +67,9 @@ struct CrownStudy {
 /// ComputationFailed where no crown could be found at all.
 CrownStudy crown_study(const CrownRequest& request, int jobs, const study::crowning::Progressed& progressed);
 
+/// `points`, `optimum`, `straight` and what stands beside them; nothing where a point failed.
+void describe(described::Record& record, const CrownStudy& study);
+
 /// Points of the grid.
 std::size_t grid_size(const CrownRequest& request);
 
@@ -71,5 +77,30 @@ std::size_t grid_size(const CrownRequest& request);
 study::crowning::CrownProblem problem_of(const CrownRequest& request);
 study::crowning::ProfileFamily family_in(const study::crowning::CrownProblem& problem,
                                          const std::string& name);
+
+// crown.json in the folder of a crowning study: its result, kept for --resume and for the report.
+
+inline constexpr const char* crown_file_name = "crown.json";
+
+/// What the command prints, either way.
+struct CrownResult {
+  nlohmann::ordered_json object;
+  std::string text;
+  int failed = 0;  // points without balance
+};
+
+void write_crown(const std::filesystem::path& folder, const CrownResult& result);
+
+/// Throws BadInput where the file is missing or is not what this program writes.
+CrownResult read_crown(const std::filesystem::path& folder);
+
+/// Whether `folder` holds a crowning study.
+bool holds_crown(const std::filesystem::path& folder);
+
+/// What pictures show beyond the result, which the command printed as JSON: `profiles` (to scale), `pressure` (curves
+/// along the roller, each profile with and without tilt), `zone` (pressure over the load zone), `map` (life over drop
+/// and tilt), `fronts` (life against pressure, each kind of profile), `speeds` (life over input speed).
+nlohmann::ordered_json crown_figures(const ResolvedCase& resolved, const CrownRequest& request,
+                                     const nlohmann::ordered_json& result);
 
 }  // namespace orbearing::app

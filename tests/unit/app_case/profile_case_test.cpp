@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "app/study/computable.hpp"
+#include "app/study/fidelity.hpp"
 #include "app/study/planetary_case.hpp"
 #include "bearing/profile/profile.hpp"
 #include "tests/unit/app_case/small_case.hpp"

@@ -1,4 +1,4 @@
-#include "app/study/computable.hpp"
+#include "app/study/fidelity.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,11 +1,10 @@
-#include "app/study/crown/quantity_list.hpp"
+#include "app/study/crown/crown_options.hpp"
 
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
 
 #include "app/case/case_file.hpp"
-#include "app/study/crown/crown_options.hpp"
 
 namespace orbearing::app::quantity_list_test {
 namespace {

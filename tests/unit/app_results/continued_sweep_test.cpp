@@ -6,7 +6,7 @@
 #include <csignal>
 
 #include "app/errors.hpp"
-#include "app/results/continuation_paths.hpp"
+#include "app/results/sweep_run.hpp"
 #include "app/results/interruption.hpp"
 #include "app/results/point_file.hpp"
 #include "app/results/record_writers.hpp"

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "app/errors.hpp"
-#include "app/results/row_text.hpp"
+#include "app/results/result_row.hpp"
 #include "tests/unit/app_results/fake_sweep.hpp"
 
 namespace orbearing::app::manifest_test {

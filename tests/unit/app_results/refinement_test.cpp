@@ -10,8 +10,8 @@
 
 #include "app/errors.hpp"
 #include "app/results/interruption.hpp"
-#include "app/results/row_text.hpp"
-#include "app/results/sweep_json.hpp"
+#include "app/results/result_row.hpp"
+#include "app/results/sweep_run.hpp"
 #include "tests/unit/app_results/fake_sweep.hpp"
 
 namespace orbearing::app::refinement_test {

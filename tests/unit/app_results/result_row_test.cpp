@@ -8,7 +8,6 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "app/results/row_text.hpp"
 #include "tests/unit/app_results/fake_sweep.hpp"
 
 namespace orbearing::app::result_row_test {

@@ -10,7 +10,6 @@
 
 #include "app/errors.hpp"
 #include "app/results/interruption.hpp"
-#include "app/results/sweep_json.hpp"
 #include "mechanics/cancellation.hpp"
 #include "tests/unit/app_results/fake_sweep.hpp"
 

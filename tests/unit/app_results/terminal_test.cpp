@@ -8,7 +8,6 @@
 
 #include "app/results/progress.hpp"
 #include "app/results/terminal_chart.hpp"
-#include "app/results/terminal_table.hpp"
 #include "tests/unit/app_results/fake_sweep.hpp"
 
 namespace orbearing::app::terminal_test {

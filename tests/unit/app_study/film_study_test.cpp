@@ -7,7 +7,6 @@
 #include "app/case/case_file.hpp"
 #include "app/errors.hpp"
 #include "app/results/record_writers.hpp"
-#include "app/study/ball_films.hpp"
 #include "app/study/film_study.hpp"
 #include "app/study/static_study.hpp"
 

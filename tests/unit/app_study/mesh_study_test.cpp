@@ -1,5 +1,4 @@
 #include "app/study/mesh_study.hpp"
-#include "app/study/mesh_output.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,8 +7,6 @@
 #include "app/case/case_file.hpp"
 #include "app/errors.hpp"
 #include "app/results/record_writers.hpp"
-#include "app/study/mesh_output.hpp"
-#include "app/study/mesh_study.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/study/validation_table.hpp"
 #include "tests/unit/app_case/small_case.hpp"

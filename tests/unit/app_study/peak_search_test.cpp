@@ -1,5 +1,5 @@
 // The search for the peak of life on made-up curves: what it adds, and what it must not miss.
-#include "app/study/peak_search.hpp"
+#include "app/study/life_peak.hpp"
 
 #include <gtest/gtest.h>
 

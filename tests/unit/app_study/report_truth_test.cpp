@@ -13,7 +13,7 @@
 #include "app/study/fidelity.hpp"
 #include "app/study/published_comparison.hpp"
 #include "app/study/report_data.hpp"
-#include "app/study/resonance.hpp"
+#include "app/study/resonance_lines.hpp"
 #include "app/study/sweep_study.hpp"
 #include "app/units.hpp"
 #include "gearset/working_geometry.hpp"

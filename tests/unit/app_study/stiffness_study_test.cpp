@@ -7,7 +7,6 @@
 #include "app/case/case_file.hpp"
 #include "app/results/record_writers.hpp"
 #include "app/study/static_study.hpp"
-#include "app/study/stiffness_output.hpp"
 #include "app/study/stiffness_study.hpp"
 
 namespace orbearing::app::stiffness_study_test {

@@ -1,5 +1,5 @@
 // Issue 19, Build 1: samples of uncertain inputs against the quantiles and moments of their distributions.
-#include "app/study/uncertain_samples.hpp"
+#include "app/study/validation_table.hpp"
 
 #include <gtest/gtest.h>
 

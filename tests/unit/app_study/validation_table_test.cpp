@@ -11,7 +11,7 @@
 
 #include "app/case/case_file.hpp"
 #include "app/errors.hpp"
-#include "app/study/gear_output.hpp"
+#include "app/study/gear_case.hpp"
 #include "tests/gear_sets.hpp"
 #include "tests/unit/app_case/small_case.hpp"
 
