@@ -16,7 +16,7 @@
 #include "app/commands/python_part.hpp"
 #include "app/errors.hpp"
 #include "app/results/durable_file.hpp"
-#include "app/results/interruption.hpp"
+#include "app/results/progress.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/version.hpp"
 #include "mechanics/cancellation.hpp"

@@ -6,7 +6,6 @@
 
 #include "app/case/case_file.hpp"
 #include "app/case/printable.hpp"
-#include "app/results/record_writers.hpp"
 #include "app/results/terminal_chart.hpp"
 #include "app/study/life_peak.hpp"
 #include "app/study/power_table.hpp"

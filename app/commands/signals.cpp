@@ -35,9 +35,7 @@ struct SignalAxis {
 };
 
 // One signal of the grid, by what it differs in from the case.
-struct SignalVariant {
-  std::vector<Setting> settings;
-};
+using SignalVariant = std::vector<Setting>;
 
 // Noise of the instrument, added to the acceleration along the load and across it.
 struct SignalNoise {
@@ -116,7 +114,7 @@ std::vector<SignalVariant> signal_variants(const ResolvedCase& resolved,
     }
     if (race == "none" && !first_of_defect) continue;
     (void)resolved.with(settings);  // refuses what cannot be, before the first is computed
-    variants.push_back({std::move(settings)});
+    variants.push_back(std::move(settings));
   }
   return variants;
 }
@@ -130,7 +128,7 @@ std::vector<std::string> axes_without_effect(const std::vector<SignalAxis>& axes
     std::map<std::vector<Setting>, std::size_t> first;  // by what they have in common
     std::size_t compared = 0, unlike = 0;
     for (std::size_t i = 0; i < variants.size(); ++i) {
-      std::vector<Setting> others = variants[i].settings;
+      std::vector<Setting> others = variants[i];
       std::erase_if(others, [&](const Setting& setting) { return setting.path == axis.path; });
       const auto [found, is_first] = first.try_emplace(std::move(others), i);
       if (is_first) continue;
@@ -271,7 +269,7 @@ class SignalSet {
     std::mutex one_writer;
     const auto one = [&](std::size_t location) {
       const std::size_t number = missing[location];
-      const ResolvedCase changed = resolved_.with(variants_[number].settings);
+      const ResolvedCase changed = resolved_.with(variants_[number]);
       const SignalNoise noise{options_.noise, options_.seed};
       const DefectStudy study = defect_study(
           changed, rung(), {}, [&](study::RingVibration& vibration) { add_noise(noise, number, vibration); });
@@ -298,7 +296,7 @@ class SignalSet {
                 const SignalNoise& noise) const {
     Record labels;
     describe_signal(labels, number, folder_.path().empty() ? "" : fmt::format("signals/{:05}.csv", number),
-                    variants_[number].settings);
+                    variants_[number]);
     describe_labels(labels, changed, study, noise);
     return json_of(labels);
   }

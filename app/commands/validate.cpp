@@ -10,7 +10,7 @@
 #include "app/commands/presentation.hpp"
 #include "app/errors.hpp"
 #include "app/results/record_writers.hpp"
-#include "app/study/published_comparison.hpp"
+#include "app/study/report_data.hpp"
 #include "app/study/sensitivity.hpp"
 #include "app/study/validation_table.hpp"
 #include "gearset/drivetrain/power_flow.hpp"

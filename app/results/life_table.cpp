@@ -73,6 +73,25 @@ bool has_modified(const LifeValue& value) {
   return !std::isnan(value("L10mr_Mrev")) || !std::isnan(value("L10mrh"));
 }
 
+// By which life to design, and why the lives differ. `oil`: there are lives with a_ISO.
+std::string design_advice(bool oil, rating::RollingElement element) {
+  const bool balls = element == rating::RollingElement::ball;
+  const std::string includes = balls ? "clearance, tilt and the load of each ball"
+                                     : "clearance, tilt, profile and the load of each lamina";
+  std::string differ = fmt::format("The lives differ: {} P of a bearing without clearance and tilt.",
+                                   oil ? "L10h and L10mh take" : "L10h takes");
+  if (oil) differ += " L10h, L10rh and life_h do not include the oil.";
+  if (!balls) differ += " life_h falls with the power 4 of the load, L10h with 10/3.";
+  if (oil)
+    return fmt::format("Design by L10mrh: it includes {}, the oil film and its cleanliness.\n{}\n", includes,
+                       differ);
+  return fmt::format(
+      "Design by L10rh: it includes {}. State lubricant.grade, lubricant.temperature and life.cleanliness to "
+      "get "
+      "L10mrh.\n{}\n",
+      includes, differ);
+}
+
 }  // namespace
 
 void describe(Record& record, const BearingLives& lives) {
@@ -106,24 +125,6 @@ void describe(Record& record, const BearingLives& lives) {
   pressure.symbol = "contact pressure";
   pressure.detail = true;
   describe_factors(record, standard);
-}
-
-std::string design_advice(bool oil, rating::RollingElement element) {
-  const bool balls = element == rating::RollingElement::ball;
-  const std::string includes = balls ? "clearance, tilt and the load of each ball"
-                                     : "clearance, tilt, profile and the load of each lamina";
-  std::string differ = fmt::format("The lives differ: {} P of a bearing without clearance and tilt.",
-                                   oil ? "L10h and L10mh take" : "L10h takes");
-  if (oil) differ += " L10h, L10rh and life_h do not include the oil.";
-  if (!balls) differ += " life_h falls with the power 4 of the load, L10h with 10/3.";
-  if (oil)
-    return fmt::format("Design by L10mrh: it includes {}, the oil film and its cleanliness.\n{}\n", includes,
-                       differ);
-  return fmt::format(
-      "Design by L10rh: it includes {}. State lubricant.grade, lubricant.temperature and life.cleanliness to "
-      "get "
-      "L10mrh.\n{}\n",
-      includes, differ);
 }
 
 LifeValue value_by_name(const BearingLives& lives) {

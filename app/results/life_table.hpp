@@ -41,7 +41,4 @@ void describe(described::Record& record, const LifeTable& table);
 /// For terminals, where it stands first.
 std::string lives_text(const LifeTable& table);
 
-/// By which life to design, and why the lives differ. `oil`: there are lives with a_ISO.
-std::string design_advice(bool oil, bearing::rating::RollingElement element);
-
 }  // namespace orbearing::app

@@ -1,13 +1,18 @@
 #include "app/results/progress.hpp"
 
-#include <fmt/format.h>
-#include <unistd.h>
-
+#include <array>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
+#include <fmt/format.h>
+#include <mutex>
+#include <unistd.h>
 #include <utility>
 
+#include "mechanics/cancellation.hpp"
+
 namespace orbearing::app {
+
 namespace {
 
 constexpr std::chrono::milliseconds least_pause{100};
@@ -78,6 +83,37 @@ void Progress::print(const std::string& behind) {
   const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
   fmt::print(stderr, "{}{}{}{}", wiped_line, doing_, progress_text(done_, kept_, all_, seconds), behind);
   std::fflush(stderr);
+}
+
+namespace {
+
+constexpr std::array<int, 2> signals = {SIGINT, SIGTERM};
+
+std::mutex counting;
+int living = 0;
+std::array<struct sigaction, signals.size()> former;
+
+}  // namespace
+
+Interruption::Interruption() {
+  const std::scoped_lock lock(counting);
+  if (living++ > 0) return;
+  clear_stop();
+  for (std::size_t i = 0; i < signals.size(); ++i) {
+    struct sigaction action {};
+    action.sa_handler = [](int) { request_stop(); };
+    action.sa_flags = static_cast<int>(SA_RESTART | SA_RESETHAND);
+    sigaction(signals[i], nullptr, &former[i]);
+    // A parent that ignores SIGINT, as nohup and shells do for work in the background, is respected.
+    if (former[i].sa_handler != SIG_IGN) sigaction(signals[i], &action, nullptr);
+  }
+}
+
+Interruption::~Interruption() {
+  const std::scoped_lock lock(counting);
+  if (--living > 0) return;
+  clear_stop();
+  for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &former[i], nullptr);
 }
 
 }  // namespace orbearing::app

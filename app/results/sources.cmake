@@ -1,7 +1,6 @@
 # Sources of app/results, relative to app/. They need netcdf, fmt, nlohmann_json and, through coupling, TBB.
 set(ORBEARING_RESULTS_SOURCES
   results/durable_file.cpp
-  results/interruption.cpp
   results/life_table.cpp
   results/manifest.cpp
   results/merge.cpp

@@ -7,7 +7,6 @@
 #include <exception>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <utility>
 
 #include "app/errors.hpp"
 #include "app/results/point_file.hpp"

@@ -53,9 +53,6 @@ Glyphs glyphs_of_locale();
 std::string life_chart(const TableHead& head, const std::vector<ResultRow>& rows, const LifePeak& peak,
                        Glyphs glyphs);
 
-/// "longest life: 47300 h at 6120 rpm; of the grid's points 47100 h at 6000 rpm"
-std::string peak_line(const LifePeak& peak);
-
 // The main columns of a sweep, for terminals.
 
 /// Speed, planet load, largest roller loads, lives and the swept axes, aligned; a failed point shows its

@@ -8,7 +8,6 @@
 #include "app/study/duplex_study.hpp"
 #include "app/study/film_study.hpp"
 #include "app/study/gear_case.hpp"
-#include "app/study/planet_defect.hpp"
 #include "app/study/static_study.hpp"
 #include "app/units.hpp"
 

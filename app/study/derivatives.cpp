@@ -18,7 +18,7 @@
 #include "app/study/ball_study.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/study/planetary_case.hpp"
-#include "app/study/rated_oil.hpp"
+#include "app/study/drivetrain_case.hpp"
 #include "app/study/static_study.hpp"
 #include "coupling/study/multi_stage.hpp"
 #include "coupling/study/parallel.hpp"

@@ -26,8 +26,8 @@ constexpr std::array kRowKeys{"source", "kind",    "of",       "quantity", "mean
 
 EvidenceKind kind_of(const YAML::Node& node) {
   const auto name = node["kind"].as<std::string>("");
-  for (const EvidenceKind kind : kEvidenceKinds)
-    if (name == evidence_name(kind)) return kind;
+  for (const auto& kind : names_of(EvidenceKind{}))
+    if (name == kind.text) return kind.value;
   throw YAML::Exception(node["kind"] ? node["kind"].Mark() : node.Mark(), "kind: found '" + name + "'");
 }
 
@@ -145,22 +145,6 @@ std::array<fs::path, 2> folders_of_cases() {
 }
 
 }  // namespace
-
-const char* evidence_name(EvidenceKind kind) {
-  switch (kind) {
-    case EvidenceKind::measurement:
-      return "measurement";
-    case EvidenceKind::program:
-      return "program";
-    case EvidenceKind::worked_example:
-      return "worked-example";
-    case EvidenceKind::closed_form:
-      return "closed-form";
-    case EvidenceKind::recomputed:
-      return "recomputed";
-  }
-  return "";
-}
 
 bool counts(EvidenceKind kind) {
   return kind != EvidenceKind::closed_form && kind != EvidenceKind::recomputed;

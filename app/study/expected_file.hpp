@@ -1,12 +1,12 @@
 // expected.yaml beside a case: published numbers, and other readings of what the source leaves open.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/study/named_change.hpp"
+#include "mechanics/described.hpp"
 
 namespace orbearing::app {
 
@@ -19,13 +19,14 @@ enum class EvidenceKind {
   recomputed,      // from the source's formulas and data, by scripts independent of this project
 };
 
-/// In the order in which they are listed.
-inline constexpr std::array kEvidenceKinds{EvidenceKind::measurement, EvidenceKind::program,
-                                           EvidenceKind::worked_example, EvidenceKind::closed_form,
-                                           EvidenceKind::recomputed};
-
-/// As expected.yaml writes it: "worked-example".
-const char* evidence_name(EvidenceKind kind);
+/// As expected.yaml writes them, in the order in which they are listed.
+constexpr described::Names<EvidenceKind, 5> names_of(EvidenceKind) {
+  return {{{EvidenceKind::measurement, "measurement"},
+           {EvidenceKind::program, "program"},
+           {EvidenceKind::worked_example, "worked-example"},
+           {EvidenceKind::closed_form, "closed-form"},
+           {EvidenceKind::recomputed, "recomputed"}}};
+}
 
 /// Whether numbers of this kind count as values of others: a formula and what we recompute do not.
 bool counts(EvidenceKind kind);

@@ -1,10 +1,8 @@
 #include "app/study/fidelity.hpp"
 
 #include <algorithm>
-#include <fmt/core.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <map>
 
 #include "app/case/unused_inputs.hpp"
 #include "app/errors.hpp"
@@ -17,15 +15,11 @@ const std::vector<std::string>& fidelity_names() {
 }
 
 study::Fidelity fidelity_of(const std::string& name) {
-  using study::Fidelity;
-  static const std::map<std::string, Fidelity> rungs{{"quasi-static", Fidelity::quasi_static},
-                                                     {"dynamic", Fidelity::dynamic},
-                                                     {"co-simulated", Fidelity::co_simulated},
-                                                     {"monolithic", Fidelity::monolithic}};
-  const auto found = rungs.find(name);
-  if (found == rungs.end())
-    throw BadInput(fmt::format("fidelity: found '{}'; required: {}", name, fmt::join(fidelity_names(), ", ")));
-  return found->second;
+  const std::vector<std::string>& names = fidelity_names();  // in the order of the rungs
+  const auto found = std::ranges::find(names, name);
+  if (found == names.end())
+    throw BadInput(fmt::format("fidelity: found '{}'; required: {}", name, fmt::join(names, ", ")));
+  return static_cast<study::Fidelity>(found - names.begin());
 }
 
 namespace {

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 
 #include "app/results/record_writers.hpp"
 #include "app/study/gear_case.hpp"
@@ -125,22 +124,13 @@ SpeedPoint computed_point(const ResolvedCase& resolved, double rpm, long series_
 
 std::vector<SpeedPoint> computed_points(const ResolvedCase& resolved, const std::vector<double>& rpm) {
   std::vector<SpeedPoint> points(rpm.size());
-  std::vector<std::size_t> indices(rpm.size());
-  for (std::size_t i = 0; i < rpm.size(); ++i) {
-    indices[i] = i;
-    points[i].rpm = rpm[i];
-  }
-  study::compute_points(
-      indices, 0,
-      [&](std::size_t i) {
-        points[i] = computed_point(resolved, rpm[i], study::GearRunOptions{}.series_periods);
-        return study::PointResult{};
-      },
-      [&](const std::vector<study::ComputedPoint>& done) {
-        for (const study::ComputedPoint& one : done)
-          if (!one.result.status.empty() && one.result.status != study::PointResult{}.status)
-            points[one.index].status = one.result.status;
-      });
+  study::in_parallel(rpm.size(), 0, [&](std::size_t i) {
+    try {
+      points[i] = computed_point(resolved, rpm[i], study::GearRunOptions{}.series_periods);
+    } catch (const std::exception& error) {
+      points[i] = {.rpm = rpm[i], .status = error.what()};
+    }
+  });
   return points;
 }
 
@@ -158,12 +148,6 @@ Json speed_json(const SpeedPoint& point) {
   describe_gear_run(record, point.run);
   row["run"] = json_of(record);
   return row;
-}
-
-Json speeds_json(const std::vector<SpeedPoint>& points) {
-  Json list = Json::array();
-  for (const SpeedPoint& point : points) list.push_back(speed_json(point));
-  return list;
 }
 
 Json meetings_json(const ResolvedCase& resolved, const std::vector<SpeedPoint>& points,
@@ -227,17 +211,6 @@ Json load_series(const ResolvedCase& resolved, double rpm) {
   return result;
 }
 
-// Meshes of a kind differ in their phase only.
-Json one_of_each_kind(const MeshStudy& study) {
-  MeshStudy few;
-  std::set<std::string> seen;
-  for (const NamedMesh& mesh : study.meshes)
-    if (seen.insert(mesh.first).second) few.meshes.push_back(mesh);
-  Record record;
-  describe(record, few);
-  return json_of(record).at("meshes");
-}
-
 }  // namespace
 
 bool has_gear_report(const ResolvedCase& resolved) {
@@ -251,12 +224,14 @@ nlohmann::ordered_json gear_report(const ResolvedCase& resolved, std::vector<dou
   const ResolvedCase at_middle = fixed.with({input_speed(middle)});
   const gearset::PlanetarySet set = drivetrain_of(at_middle).set;
   const std::vector<SpeedPoint> points = computed_points(fixed, with_speeds_between(speeds_rpm));
+  Json speeds = Json::array();
+  for (const SpeedPoint& point : points) speeds.push_back(speed_json(point));
   return {{"tooth_pairs", tooth_pairs_json(gearset::working_geometry(set), planetary_meshes_of(at_middle))},
-          {"meshes", one_of_each_kind(mesh_study(at_middle))},
+          {"meshes", json_of(record_of(mesh_study(at_middle))).at("meshes")},
           {"mode_shapes", mode_shapes(gear_model_of(at_middle))},
           {"meetings", meetings_json(fixed, points, set)},
           {"swept_rpm", speeds_rpm},
-          {"speeds", speeds_json(points)},
+          {"speeds", speeds},
           {"load_series", load_series(fixed, middle)}};
 }
 

@@ -216,8 +216,7 @@ void warn_of_other_lines(const SweepOutcome& outcome, const ResultRow& best,
                        position);
 }
 
-}  // namespace
-
+// The rows that differ from `row` in speed alone, ascending in speed; those that failed have no life.
 std::vector<LivedSpeed> line_through(const TableHead& head, const std::vector<ResultRow>& rows,
                                      const ResultRow& row) {
   SpeedLine line;
@@ -230,6 +229,8 @@ std::vector<LivedSpeed> line_through(const TableHead& head, const std::vector<Re
                    [](const LivedSpeed& one, const LivedSpeed& other) { return one.rpm < other.rpm; });
   return line;
 }
+
+}  // namespace
 
 FoundPeak find_peak(const SweepOutcome& outcome) {
   FoundPeak found{.peak = grid_peak(outcome.head, outcome.rows)};

@@ -36,10 +36,6 @@ double peak_resolution(double rpm, bool in_motion);
 /// could rise above it (docs/peak.md). Depends on its arguments alone; never leaves the range of `done`.
 std::vector<double> next_speeds(const std::vector<LivedSpeed>& done, const PeakSearch& search);
 
-/// The rows that differ from `row` in speed alone, ascending in speed; those that failed have no life.
-std::vector<LivedSpeed> line_through(const TableHead& head, const std::vector<ResultRow>& rows,
-                                     const ResultRow& row);
-
 /// Peak of life on the grid and, where it was refined, of all points on the line of speeds through the grid's
 /// best; with what must be said of it: that it stands at an end of the range, beside a failed point, or is
 /// not as well known as it should be.

@@ -72,7 +72,4 @@ std::vector<Derived> pair_quantities(const ResolvedCase& resolved, const MeshStu
 /// A chart of each kind of mesh.
 std::string mesh_charts(const MeshStudy& study, Glyphs glyphs);
 
-/// Stiffness over the mesh period, from zero on.
-std::string mesh_chart(const gearset::MeshStiffness& mesh, const std::string& title, Glyphs glyphs);
-
 }  // namespace orbearing::app

@@ -1,4 +1,4 @@
-#include "app/study/planet_defect.hpp"
+#include "app/study/defect_study.hpp"
 
 #include <Eigen/Core>
 #include <cmath>

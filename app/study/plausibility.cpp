@@ -56,34 +56,81 @@ void add_single_speed(const ResolvedCase& in, std::vector<Observation>& found) {
   found.push_back({"n_dm", kMillimetresPerMinute * turn * in.quantity("bearing.pitch_diameter")});
 }
 
+// All that is judged.
+const std::vector<PlausibleRange>& plausible_ranges() {
+  static const std::vector<PlausibleRange> ranges{
+      // Hardened steel: hardness 700 HV is 6900 MPa, [ISO76] takes 4000 MPa for a permanent mark of D/10,000.
+      {{{"contact_pressure_max_MPa", "pressure_max_MPa"}, "contact", "pressure", "MPa"},
+       {-kNone, ""},
+       {kStaticPressureMPa, "where rollers yield and elastic contact and life have no meaning"},
+       {-kNone, 10000.0, "above the hardness of bearing steel, where no elastic contact exists"}},
+      // [ISO281] gives a_ISO from 0.1 on and takes 4 for all above.
+      {{{"kappa"}, "life", "kappa", ""},
+       {rating::kLeastViscosityRatio, "where ISO 281 gives no a_ISO and no modified life"},
+       {50.0, "an oil far thicker than lubrication needs: check its viscosity and its unit"},
+       {1e-4, 1e4, "check viscosity, temperature, speed and their units"}},
+      // [ISO281] holds for P up to 0.5 C; makers' catalogues ask for a load of 0.01 C (balls) to 0.02 C (rollers).
+      {{{"C_over_P"}, "life", "C/P", ""},
+       {2.0, "a load above the half of C, for which ISO 281 gives no life"},
+       {100.0, kSkidding},
+       {0.2, kNone, "the load is several times the rating C"}},
+      // A turbine runs 1.8e5 h in 20 years; a test of a bearing some hours.
+      {{{"life_h", "L10h", "L10rh", "L10mh", "L10mrh"}, "life", "life", "h"},
+       {1.0, "which no machine is built for: check load, speed and their units"},
+       {1e7, "over a thousand years: check load, speed and their units"},
+       {1e-3, 1e12, "check power, speed and their units"}},
+      // A molecule of oil is about 1 nm long; films of rolling contacts are 0.01 to 5 um.
+      {{{"film_inner_um", "film_outer_um", "h_min_um"}, "film", "least film", "um"},
+       {1e-3, "thinner than a molecule of oil"},
+       {50.0, "far thicker than films of rolling contacts: check viscosity, speed and load"},
+       {-kNone, 1e4, "check viscosity, speed, load and their units"}},
+      // Lubrication by grease to 0.5e6, by oil jets to 1.5e6; main bearings of aero engines 2.5e6 to 3e6 mm rpm.
+      {{{"n_dm"}, "operation", "speed n d_m", "mm rpm"},
+       {-kNone, ""},
+       {1.5e6, "beyond usual lubrication of rolling bearings"},
+       {-kNone, 6e6, "twice that of main bearings of aero engines"}},
+      // Turbo gears to 200 m/s; above some 400 m/s a steel ring bursts by its own speed.
+      {{{"pitch_line_speed_m_s"}, "operation", "pitch line speed against the carrier", "m/s"},
+       {-kNone, ""},
+       {200.0, "beyond usual turbo gears"},
+       {-kNone, 400.0, "the speed at which a steel ring bursts"}},
+      // Torque per module cubed, freed of face width and tooth number: F_n/(b m). The root stress is 4 to 5 times it;
+      // case-hardened teeth bear some 100 to 250 MPa for good.
+      {{{"unit_load_MPa"}, "gearset", "tooth force over face width and module", "MPa"},
+       {1e-3, "teeth that carry next to nothing: check power, speed and their units"},
+       {400.0, "more than teeth of hardened steel bear: check power, speed, module and face width"},
+       {-kNone, 2000.0, "a root stress of some 9000 MPa, above the strength of any steel"}}};
+  return ranges;
+}
+
 const PlausibleRange* range_of(const std::string& key) {
   const std::vector<PlausibleRange>& ranges = plausible_ranges();
   const auto found = std::find_if(ranges.begin(), ranges.end(), [&](const PlausibleRange& range) {
-    return std::find(range.keys.begin(), range.keys.end(), key) != range.keys.end();
+    return std::find(range.of.keys.begin(), range.of.keys.end(), key) != range.of.keys.end();
   });
   return found == ranges.end() ? nullptr : &*found;
 }
 
 std::string with_unit(double value, const PlausibleRange& range) {
-  return range.unit.empty() ? fmt::format("{:g}", value) : fmt::format("{:g} {}", value, range.unit);
+  return range.of.unit.empty() ? fmt::format("{:g}", value) : fmt::format("{:g} {}", value, range.of.unit);
 }
 
 // Empty for a usual value.
 std::string rare_text(const PlausibleRange& range, double value) {
-  if (value < range.rare_least)
-    return fmt::format("{}: {} below {}, {}", range.subject, range.name, with_unit(range.rare_least, range),
-                       range.rare_low);
-  if (value > range.rare_most)
-    return fmt::format("{}: {} above {}, {}", range.subject, range.name, with_unit(range.rare_most, range),
-                       range.rare_high);
+  if (value < range.rare_low.value)
+    return fmt::format("{}: {} below {}, {}", range.of.block, range.of.name, with_unit(range.rare_low.value, range),
+                       range.rare_low.why);
+  if (value > range.rare_high.value)
+    return fmt::format("{}: {} above {}, {}", range.of.block, range.of.name, with_unit(range.rare_high.value, range),
+                       range.rare_high.why);
   return "";
 }
 
 std::string implausible_text(const PlausibleRange& range, double value) {
-  if (value >= range.least && value <= range.most) return "";
-  const bool low = value < range.least;
-  return fmt::format("{}{} {} ({} {}: {})", kImplausible, range.name, with_unit(value, range),
-                     low ? "at least" : "at most", with_unit(low ? range.least : range.most, range), range.reason);
+  if (value >= range.outer.least && value <= range.outer.most) return "";
+  const bool low = value < range.outer.least;
+  return fmt::format("{}{} {} ({} {}: {})", kImplausible, range.of.name, with_unit(value, range),
+                     low ? "at least" : "at most", with_unit(low ? range.outer.least : range.outer.most, range), range.outer.reason);
 }
 
 void collect(const nlohmann::ordered_json& value, const std::string& key, std::vector<Observation>& found) {
@@ -93,108 +140,6 @@ void collect(const nlohmann::ordered_json& value, const std::string& key, std::v
 }
 
 }  // namespace
-
-const std::vector<PlausibleRange>& plausible_ranges() {
-  static const std::vector<PlausibleRange> ranges{
-      // Hardened steel: hardness 700 HV is 6900 MPa, [ISO76] takes 4000 MPa for a permanent mark of D/10,000.
-      {{"contact_pressure_max_MPa", "pressure_max_MPa"},
-       "contact",
-       "pressure",
-       "MPa",
-       -kNone,
-       "",
-       kStaticPressureMPa,
-       "where rollers yield and elastic contact and life have no meaning",
-       -kNone,
-       10000.0,
-       "above the hardness of bearing steel, where no elastic contact exists"},
-      // [ISO281] gives a_ISO from 0.1 on and takes 4 for all above.
-      {{"kappa"},
-       "life",
-       "kappa",
-       "",
-       rating::kLeastViscosityRatio,
-       "where ISO 281 gives no a_ISO and no modified life",
-       50.0,
-       "an oil far thicker than lubrication needs: check its viscosity and its unit",
-       1e-4,
-       1e4,
-       "check viscosity, temperature, speed and their units"},
-      // [ISO281] holds for P up to 0.5 C; makers' catalogues ask for a load of 0.01 C (balls) to 0.02 C (rollers).
-      {{"C_over_P"},
-       "life",
-       "C/P",
-       "",
-       2.0,
-       "a load above the half of C, for which ISO 281 gives no life",
-       100.0,
-       kSkidding,
-       0.2,
-       kNone,
-       "the load is several times the rating C"},
-      // A turbine runs 1.8e5 h in 20 years; a test of a bearing some hours.
-      {{"life_h", "L10h", "L10rh", "L10mh", "L10mrh"},
-       "life",
-       "life",
-       "h",
-       1.0,
-       "which no machine is built for: check load, speed and their units",
-       1e7,
-       "over a thousand years: check load, speed and their units",
-       1e-3,
-       1e12,
-       "check power, speed and their units"},
-      // A molecule of oil is about 1 nm long; films of rolling contacts are 0.01 to 5 um.
-      {{"film_inner_um", "film_outer_um", "h_min_um"},
-       "film",
-       "least film",
-       "um",
-       1e-3,
-       "thinner than a molecule of oil",
-       50.0,
-       "far thicker than films of rolling contacts: check viscosity, speed and load",
-       -kNone,
-       1e4,
-       "check viscosity, speed, load and their units"},
-      // Lubrication by grease to 0.5e6, by oil jets to 1.5e6; main bearings of aero engines 2.5e6 to 3e6 mm rpm.
-      {{"n_dm"},
-       "operation",
-       "speed n d_m",
-       "mm rpm",
-       -kNone,
-       "",
-       1.5e6,
-       "beyond usual lubrication of rolling bearings",
-       -kNone,
-       6e6,
-       "twice that of main bearings of aero engines"},
-      // Turbo gears to 200 m/s; above some 400 m/s a steel ring bursts by its own speed.
-      {{"pitch_line_speed_m_s"},
-       "operation",
-       "pitch line speed against the carrier",
-       "m/s",
-       -kNone,
-       "",
-       200.0,
-       "beyond usual turbo gears",
-       -kNone,
-       400.0,
-       "the speed at which a steel ring bursts"},
-      // Torque per module cubed, freed of face width and tooth number: F_n/(b m). The root stress is 4 to 5 times it;
-      // case-hardened teeth bear some 100 to 250 MPa for good.
-      {{"unit_load_MPa"},
-       "gearset",
-       "tooth force over face width and module",
-       "MPa",
-       1e-3,
-       "teeth that carry next to nothing: check power, speed and their units",
-       400.0,
-       "more than teeth of hardened steel bear: check power, speed, module and face width",
-       -kNone,
-       2000.0,
-       "a root stress of some 9000 MPa, above the strength of any steel"}};
-  return ranges;
-}
 
 Judgement judge(const std::vector<Observation>& observed) {
   Judgement judgement;
@@ -237,7 +182,7 @@ study::PointResult judged(study::PointResult result, const std::vector<study::Na
   std::vector<Observation> observed;
   for (const study::NamedSet& set : sets) add_motion(set, observed);
   for (const PlausibleRange& range : plausible_ranges())
-    for (const std::string& key : range.keys) observed.push_back({key, value_of(head, row, key)});
+    for (const std::string& key : range.of.keys) observed.push_back({key, value_of(head, row, key)});
   result.status = judge(observed).status;
   return result;
 }
@@ -251,10 +196,10 @@ std::vector<std::string> rare_values(const TableHead& head, const std::vector<co
       for (const ResultRow* row : rows) {
         const auto rare = [&](const std::string& key) {
           const double value = value_of(head, *row, key);
-          return low ? value < range.rare_least : value > range.rare_most;
+          return low ? value < range.rare_low.value : value > range.rare_high.value;
         };
-        const auto key = std::find_if(range.keys.begin(), range.keys.end(), rare);
-        if (key == range.keys.end() || count++ > 0) continue;
+        const auto key = std::find_if(range.of.keys.begin(), range.of.keys.end(), rare);
+        if (key == range.of.keys.end() || count++ > 0) continue;
         text = rare_text(range, value_of(head, *row, *key));
         first = fmt::format("{:g} rpm", value_of(head, *row, "input_speed_rpm"));
       }

@@ -17,21 +17,22 @@ namespace orbearing::app {
 
 /// Bounds of one quantity, in its unit; infinite where there is none.
 struct PlausibleRange {
-  std::vector<std::string> keys;  // of --json and columns of sweep.csv, all in this unit
-  std::string subject;            // what a warning begins with: the block of the case to look at
-  std::string name;
-  std::string unit;
-  double rare_least;
-  std::string rare_low;  // why a smaller value is rare
-  double rare_most;
-  std::string rare_high;
-  double least;
-  double most;
-  std::string reason;  // of the outer bounds
+  struct {
+    std::vector<std::string> keys;  // of --json and columns of sweep.csv, all in this unit
+    std::string block;              // what a warning begins with: the block of the case to look at
+    std::string name;
+    std::string unit;
+  } of;
+  struct Bound {
+    double value;
+    std::string why;  // a value beyond is rare
+  } rare_low, rare_high;
+  struct {
+    double least;
+    double most;
+    std::string reason;
+  } outer;
 };
-
-/// All that is judged.
-const std::vector<PlausibleRange>& plausible_ranges();
 
 /// A value found, by its key.
 struct Observation {

@@ -17,12 +17,6 @@ diagnosis::ModesAtSpeed modes_at_rpm(const ResolvedCase& resolved, double rpm) {
           diagnosis::named_frequencies(modes_at_speed(model), model.parameters.planets)};
 }
 
-bool has_resonances(const ResolvedCase& resolved) {
-  const CaseShape& shape = resolved.shape();
-  return resolved.model() == planetary_drivetrain && !shape.several && shape.teeth && shape.bearing &&
-         resolved.flag("gearset.mesh_variation");
-}
-
 std::vector<Resonance> resonances(const ResolvedCase& resolved, double lowest_rpm, double highest_rpm) {
   const gearset::PlanetarySet set = drivetrain_of(resolved).set;
   const auto modes_at = [&](double speed) { return modes_at_rpm(resolved, speed * kRpm); };
@@ -51,6 +45,14 @@ namespace {
 std::vector<Setting> other_settings(std::vector<Setting> settings) {
   std::erase_if(settings, [](const Setting& setting) { return setting.path == kSpeedPath; });
   return settings;
+}
+
+// Whether the motion of a case's bearings feels resonances of its gears: one set with bearings, whose meshes
+// vary. Several sets have no gear dynamics yet.
+bool has_resonances(const ResolvedCase& resolved) {
+  const CaseShape& shape = resolved.shape();
+  return resolved.model() == planetary_drivetrain && !shape.several && shape.teeth && shape.bearing &&
+         resolved.flag("gearset.mesh_variation");
 }
 
 }  // namespace

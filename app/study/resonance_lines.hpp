@@ -17,10 +17,6 @@ namespace orbearing::app {
 /// The modes of a case of one set with teeth, in the carrier's frame at that speed [rpm].
 diagnosis::ModesAtSpeed modes_at_rpm(const ResolvedCase& resolved, double rpm);
 
-/// Whether the motion of a case's bearings feels resonances of its gears: one set with bearings, whose meshes
-/// vary. Several sets have no gear dynamics yet.
-bool has_resonances(const ResolvedCase& resolved);
-
 /// Resonances that the meshes excite between two speeds [rpm] and half as much beyond, ascending. Found by
 /// the modes at fixed speeds, of which those are left out at which the bearings find no balance. The case
 /// without its sweep.

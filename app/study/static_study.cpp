@@ -8,7 +8,7 @@
 
 #include "app/case/static_case.hpp"
 #include "app/errors.hpp"
-#include "app/study/rated_oil.hpp"
+#include "app/study/drivetrain_case.hpp"
 #include "app/units.hpp"
 #include "bearing/contact/line_law.hpp"
 #include "bearing/equilibrium/balls.hpp"
@@ -330,6 +330,9 @@ rating::RatingCondition rating_condition_of(const ResolvedCase& in, const bearin
           .reliability_factor = rating::reliability_factor(in.number("life.reliability"))};
 }
 
+namespace {
+
+// Puts all lives into a study whose loads and ratings are known, and warns where the standard's ranges are left.
 void rate(const ResolvedCase& in, const bearing::Bearing& bearing, StaticStudy& study) {
   study.speed = relative_speed(in);
   if (bearing.has_rollers()) study.reduction_factor = in.number("life.reduction_factor");
@@ -339,8 +342,6 @@ void rate(const ResolvedCase& in, const bearing::Bearing& bearing, StaticStudy& 
   study.lundberg_palmgren = lundberg_palmgren(bearing, study);
   warn(in, study);
 }
-
-namespace {
 
 // Lives that need the load on the bearing alone; none where P is not known or the oil is too thin for a_ISO.
 void add_lives_by_load(const ResolvedCase& in, const bearing::Bearing& bearing, std::vector<Derived>& rows) {
@@ -410,50 +411,6 @@ double resultant(double along, double across, bool mirrored) {
   return mirrored ? along : std::hypot(along, across);
 }
 
-}  // namespace
-
-bool is_static_bearing(const ResolvedCase& resolved) {
-  return resolved.model() == roller_bearing || resolved.model() == ball_bearing;
-}
-
-StaticStudy static_study(const ResolvedCase& in) {
-  if (!is_static_bearing(in))
-    throw BadInput(in.origin("model") + ": model: found " + in.choice("model") +
-                   "; required: roller-bearing or ball-bearing");
-  const bearing::Bearing bearing = bearing_of(in);
-  const equilibrium::RingLoad load = ring_load_of(in);
-  const equilibrium::RowMotion motion = row_motion_of(in);
-  const equilibrium::RingState state = equilibrium::balance_bearing(bearing, motion, load);
-  require_balance(in, state.report);
-  const bool mirrored = load.moment_across == 0.0 && bearing.first_element == 0.0;
-  StaticStudy study{.model = in.choice("model"),
-                    .radial = resultant(state.radial, state.lateral, mirrored),
-                    .axial = state.axial,
-                    .tilt = resultant(state.tilt, state.lateral_tilt, mirrored),
-                    .moment = state.moment,
-                    .contact_load = state.contact_load,
-                    .contact_angle = state.contact_angle,
-                    .outer_load = state.outer_load,
-                    .outer_angle = state.outer_angle,
-                    .friction = state.friction,
-                    .stiffness = equilibrium::stiffness_by_axes(state),
-                    .lamina_load = state.lamina_load,
-                    .largest_pressure = state.largest_pressure};
-  study.ratings = rating::ratings_of(bearing, stated_ratings_of(in));
-  study.steps = static_steps(bearing, study.ratings, state);
-  rate(in, bearing, study);
-  if (motion.film && state.inner_rolling.size() > 0) {
-    study.films = ball_films(bearing, *motion.film, state);
-    for (const std::string& warning : film_warnings(bearing, *study.films)) study.warnings.push_back(warning);
-  }
-  study.over_speed = speed_table(in);
-  if (study.over_speed)
-    for (const std::string& warning : study.over_speed->warnings) study.warnings.push_back(warning);
-  return study;
-}
-
-namespace {
-
 struct StepsOf {
   const bearing::Bearing& bearing;
   const rating::Ratings& ratings;
@@ -500,8 +457,8 @@ struct StepsOf {
   }
 };
 
-}  // namespace
-
+// Of a state that a search without motion of the balls has found; none where balls turn, whose races bear
+// unlike loads.
 std::optional<StaticSteps> static_steps(const bearing::Bearing& bearing, const rating::Ratings& ratings,
                                         const equilibrium::RingState& state) {
   if (state.outer_load.size() > 0) return {};
@@ -516,6 +473,48 @@ std::optional<StaticSteps> static_steps(const bearing::Bearing& bearing, const r
                     .approach = Eigen::ArrayXd::Zero(bearing.element_count())};
   std::visit(StepsOf{bearing, ratings, state, steps}, equilibrium::row_of(bearing));
   return steps;
+}
+
+}  // namespace
+
+bool is_static_bearing(const ResolvedCase& resolved) {
+  return resolved.model() == roller_bearing || resolved.model() == ball_bearing;
+}
+
+StaticStudy static_study(const ResolvedCase& in) {
+  if (!is_static_bearing(in))
+    throw BadInput(in.origin("model") + ": model: found " + in.choice("model") +
+                   "; required: roller-bearing or ball-bearing");
+  const bearing::Bearing bearing = bearing_of(in);
+  const equilibrium::RingLoad load = ring_load_of(in);
+  const equilibrium::RowMotion motion = row_motion_of(in);
+  const equilibrium::RingState state = equilibrium::balance_bearing(bearing, motion, load);
+  require_balance(in, state.report);
+  const bool mirrored = load.moment_across == 0.0 && bearing.first_element == 0.0;
+  StaticStudy study{.model = in.choice("model"),
+                    .radial = resultant(state.radial, state.lateral, mirrored),
+                    .axial = state.axial,
+                    .tilt = resultant(state.tilt, state.lateral_tilt, mirrored),
+                    .moment = state.moment,
+                    .contact_load = state.contact_load,
+                    .contact_angle = state.contact_angle,
+                    .outer_load = state.outer_load,
+                    .outer_angle = state.outer_angle,
+                    .friction = state.friction,
+                    .stiffness = equilibrium::stiffness_by_axes(state),
+                    .lamina_load = state.lamina_load,
+                    .largest_pressure = state.largest_pressure};
+  study.ratings = rating::ratings_of(bearing, stated_ratings_of(in));
+  study.steps = static_steps(bearing, study.ratings, state);
+  rate(in, bearing, study);
+  if (motion.film && state.inner_rolling.size() > 0) {
+    study.films = ball_films(bearing, *motion.film, state);
+    for (const std::string& warning : film_warnings(bearing, *study.films)) study.warnings.push_back(warning);
+  }
+  study.over_speed = speed_table(in);
+  if (study.over_speed)
+    for (const std::string& warning : study.over_speed->warnings) study.warnings.push_back(warning);
+  return study;
 }
 
 }  // namespace orbearing::app

@@ -58,12 +58,6 @@ struct StaticSteps {
   std::optional<BallSteps> balls;
 };
 
-/// Of a state that a search without motion of the balls has found; none where balls turn, whose races bear
-/// unlike loads.
-std::optional<StaticSteps> static_steps(const bearing::Bearing& bearing,
-                                        const bearing::rating::Ratings& ratings,
-                                        const bearing::equilibrium::RingState& state);
-
 void describe(described::Record& record, const RollerSteps& rollers);
 void describe(described::Record& record, const BallSteps& balls);
 void describe(described::Record& record, const StaticSteps& steps);
@@ -108,9 +102,6 @@ double largest_load(const StaticStudy& study);
 /// P, P_0, oil and a_1 of a single bearing, at rest or in time. Throws BadInput where kappa is below the range of
 /// a_ISO.
 bearing::rating::RatingCondition rating_condition_of(const ResolvedCase& resolved, const bearing::Bearing& bearing);
-
-/// Puts all lives into a study whose loads and ratings are known, and warns where the standard's ranges are left.
-void rate(const ResolvedCase& resolved, const bearing::Bearing& bearing, StaticStudy& study);
 
 /// What follows from the inputs, for `orbearing check`.
 std::vector<Derived> static_quantities(const ResolvedCase& resolved);

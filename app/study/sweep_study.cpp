@@ -16,7 +16,7 @@
 #include "app/study/fidelity.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/study/plausibility.hpp"
-#include "app/study/rated_oil.hpp"
+#include "app/study/drivetrain_case.hpp"
 #include "app/study/resonance_lines.hpp"
 #include "app/version.hpp"
 

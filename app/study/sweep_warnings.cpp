@@ -10,7 +10,7 @@
 #include "app/study/fidelity.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/study/plausibility.hpp"
-#include "app/study/rated_oil.hpp"
+#include "app/study/drivetrain_case.hpp"
 #include "bearing/life/rating_lives.hpp"
 #include "coupling/study/one_way.hpp"
 

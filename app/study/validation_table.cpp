@@ -143,7 +143,7 @@ void describe_comparison(Record& record, const RowOf<ValidationRow>& one) {
   record.value("verdict", "reproduced, trend, missed or input missing", row->verdict);
   record.value("case", "name", table->case_name);
   record.value("reading", "settings; empty: the case as it stands", row->reading);
-  record.value("evidence", "kind of the source", evidence_name(published.kind));
+  record.value("evidence", "kind of the source", described::text_of(published.kind));
   record.value("of", "class of the quantity", published.of);
   record.value("meaning", "of the number", published.meaning);
   record.value("scatter", dimension::ratio, "standard deviation of the measurement", published.scatter);
@@ -506,7 +506,7 @@ ValidationCount counted(const std::vector<ValidationTable>& tables) {
         ++count.remembered;
         continue;
       }
-      ++count.verdicts[evidence_name(published.kind)][row.verdict];
+      ++count.verdicts[std::string(described::text_of(published.kind))][row.verdict];
       ++(counts(published.kind) ? count.published : count.recomputed);
       if (!counts(published.kind)) continue;
       count.trends += row.is_trend() ? 1 : 0;
@@ -524,8 +524,8 @@ std::string count_text(const std::vector<ValidationTable>& tables) {
       "\n{} distinct published values from {} sources ({} of them trends, {} that constants of their case "
       "were identified from)\n",
       count.published, count.sources, count.trends, count.fitted);
-  for (const EvidenceKind kind : kEvidenceKinds) {
-    const auto verdicts = count.verdicts.find(evidence_name(kind));
+  for (const auto& [kind, name] : names_of(EvidenceKind{})) {
+    const auto verdicts = count.verdicts.find(std::string(name));
     if (verdicts == count.verdicts.end()) continue;
     int all = 0;
     std::vector<std::string> parts;
@@ -533,7 +533,7 @@ std::string count_text(const std::vector<ValidationTable>& tables) {
       all += values;
       parts.push_back(fmt::format("{} {}", values, verdict));
     }
-    text += fmt::format("  {:<15} {:>4}: {}{}\n", evidence_name(kind), all, fmt::join(parts, ", "),
+    text += fmt::format("  {:<15} {:>4}: {}{}\n", name, all, fmt::join(parts, ", "),
                         counts(kind) ? "" : "; not counted");
   }
   if (count.remembered > 0)
@@ -553,13 +553,13 @@ void describe(Record& record, const std::vector<ValidationTable>& tables) {
 
 std::string validation_text(const ValidationTable& table) {
   std::string text = fmt::format("{}\n", table.case_name);
-  for (const EvidenceKind kind : kEvidenceKinds) {
+  for (const auto& [kind, name] : names_of(EvidenceKind{})) {
     bool first = true;
     for (const ValidationRow& row : table.rows) {
       const PublishedValue& published = row.published;
       if (published.kind != kind) continue;
       if (std::exchange(first, false))
-        text += fmt::format("{:<24} {:>10} {:>10} {:>10} {:>10}  {:<13}  {}\n", evidence_name(kind),
+        text += fmt::format("{:<24} {:>10} {:>10} {:>10} {:>10}  {:<13}  {}\n", name,
                             "published", "ours", "deviation", "tolerance", "verdict", "quantity");
       text += fmt::format("{:<24} {:>10} {:>10} {:>10} {:>10.3g}  {:<13}  {}{}\n", published.source,
                           cell(published.value), cell(row.ours), deviation_cell(row.deviation),

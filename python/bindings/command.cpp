@@ -2,7 +2,7 @@
 #include <pybind11/stl.h>
 
 #include "app/commands/command_line.hpp"
-#include "app/results/interruption.hpp"
+#include "app/results/progress.hpp"
 #include "orbearing/request.hpp"
 #include "python/bindings/bindings.hpp"
 

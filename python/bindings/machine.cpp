@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "app/results/interruption.hpp"
+#include "app/results/progress.hpp"
 #include "orbearing/participant.hpp"
 #include "python/bindings/bindings.hpp"
 

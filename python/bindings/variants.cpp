@@ -6,7 +6,7 @@
 #include <chrono>
 #include <functional>
 
-#include "app/results/interruption.hpp"
+#include "app/results/progress.hpp"
 #include "orbearing/sweep.hpp"
 #include "python/bindings/bindings.hpp"
 

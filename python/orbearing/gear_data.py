@@ -13,8 +13,16 @@ def arranged(gears: dict) -> dict:
     """`gears` of report.json."""
     speeds = records(gears.get("speeds"))
     return {"tooth_pairs": [_placed(pair, number == 0) for number, pair in enumerate(records(gears.get("tooth_pairs")))],
-            "meshes": gears.get("meshes"), "mode_shapes": gears.get("mode_shapes"), "campbell": _campbell(speeds), "meetings": gears.get("meetings"),
+            "meshes": _one_of_each_kind(records(gears.get("meshes"))), "mode_shapes": gears.get("mode_shapes"), "campbell": _campbell(speeds), "meetings": gears.get("meetings"),
             "runs": [_run(row, gears["swept_rpm"]) for row in speeds], "spectrum": _spectrum(record(gears.get("load_series")))}
+
+
+def _one_of_each_kind(meshes: list[dict]) -> list[dict]:
+    """Those of the first planet: meshes of a kind differ in their phase only."""
+    first: dict[str, dict] = {}
+    for mesh in meshes:
+        first.setdefault(mesh["name"].rsplit(" ", 1)[0], mesh)
+    return list(first.values())
 
 
 def _placed(pair: dict, external: bool) -> dict:
@@ -59,7 +67,7 @@ def _run(row: dict, swept: list[float]) -> dict:
     found = {"speed_rpm": row["speed_rpm"], "swept": row["speed_rpm"] in swept, "status": row["status"]}
     if run := record(row.get("run")):
         found |= {"steady": run["steady"], "acceleration_m_per_s2": {axis: run["planet_acceleration_m_per_s2"][axis] for axis in ("x", "y")},
-                  "load_sharing": run["load_sharing"], "parted_share": run["share_of_time_with_parted_teeth"]}
+                  "load_sharing": run["load_sharing"], "parted_share": run["separated_fraction"]}
     return found
 
 

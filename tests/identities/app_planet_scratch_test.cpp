@@ -11,7 +11,7 @@
 #include <string>
 
 #include "app/case/case_file.hpp"
-#include "app/study/planet_defect.hpp"
+#include "app/study/defect_study.hpp"
 #include "coupling/cosim/planetary_coupling.hpp"
 #include "coupling/study/driven_setups.hpp"
 #include "tests/coupled_reducer.hpp"

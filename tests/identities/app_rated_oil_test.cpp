@@ -8,7 +8,7 @@
 #include "app/case/unused_inputs.hpp"
 #include "app/study/crown/crown_study.hpp"
 #include "app/study/planetary_case.hpp"
-#include "app/study/rated_oil.hpp"
+#include "app/study/drivetrain_case.hpp"
 #include "bearing/life/life_modification.hpp"
 #include "coupling/study/crowning/crown_grid.hpp"
 #include "coupling/study/multi_stage.hpp"

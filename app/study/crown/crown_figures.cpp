@@ -58,15 +58,11 @@ std::vector<double> even(double from, double to, int count) {
   return values;
 }
 
-std::vector<double> scaled(const std::vector<double>& values, double factor) {
-  std::vector<double> out = values;
+template <class Values>
+std::vector<double> scaled(const Values& values, double factor) {
+  std::vector<double> out(values.begin(), values.end());
   for (double& value : out) value *= factor;
   return out;
-}
-
-std::vector<double> scaled(const Eigen::ArrayXd& values, double factor) {
-  const Eigen::ArrayXd out = values * factor;
-  return {out.begin(), out.end()};
 }
 
 ordered_json drawn_profile(const Named& profile, double length) {
@@ -88,11 +84,9 @@ std::vector<Named> all_kinds(const Stage& stage) {
 
 // The duty whose bore load is greatest: where pressures are read.
 std::size_t heaviest(const CrownProblem& problem) {
-  std::size_t heaviest = 0;
-  for (std::size_t duty = 1; duty < problem.duties.size(); ++duty)
-    if (problem.duties[duty].point.bore_load.norm() > problem.duties[heaviest].point.bore_load.norm())
-      heaviest = duty;
-  return heaviest;
+  const auto found = std::ranges::max_element(
+      problem.duties, {}, [](const Duty& duty) { return duty.point.bore_load.norm(); });
+  return static_cast<std::size_t>(found - problem.duties.begin());
 }
 
 // What is stated; null where it is computed.
@@ -168,10 +162,7 @@ ordered_json zones(const Stage& stage) {
 
 ordered_json rows_of(const Eigen::ArrayXXd& values) {
   ordered_json rows = ordered_json::array();
-  for (Eigen::Index i = 0; i < values.rows(); ++i) {
-    const Eigen::ArrayXd row = values.row(i);
-    rows.push_back(std::vector<double>(row.begin(), row.end()));
-  }
+  for (const auto row : values.rowwise()) rows.push_back(std::vector<double>(row.begin(), row.end()));
   return rows;
 }
 
@@ -244,14 +235,13 @@ ordered_json speed_curves(const Stage& stage, const std::vector<double>& speeds)
 ordered_json crown_figures(const ResolvedCase& resolved, const CrownRequest& request,
                            const ordered_json& result) {
   const Stage stage = stage_of(request, result);
+  const bearing::CylindricalRollers& rollers = stage.problem.bearing.rollers();
   ordered_json profiles = ordered_json::array();
-  for (const Named& profile : stage.chief)
-    profiles.push_back(drawn_profile(profile, stage.problem.bearing.rollers().length));
+  for (const Named& profile : stage.chief) profiles.push_back(drawn_profile(profile, rollers.length));
   for (const Named& profile : all_kinds(stage))
-    if (profile.name != "straight")
-      profiles.push_back(drawn_profile(profile, stage.problem.bearing.rollers().length));
-  return {{"roller_length_mm", 1e3 * stage.problem.bearing.rollers().length},
-          {"roller_diameter_mm", 1e3 * stage.problem.bearing.rollers().diameter},
+    if (profile.name != "straight") profiles.push_back(drawn_profile(profile, rollers.length));
+  return {{"roller_length_mm", 1e3 * rollers.length},
+          {"roller_diameter_mm", 1e3 * rollers.diameter},
           {"profiles", profiles},
           {"pressure_speed_rpm", kRpm * stage.problem.duties[heaviest(stage.problem)].speed},
           {"pressure", pressure_curves(stage)},

@@ -21,6 +21,16 @@ namespace {
 constexpr double kMostSteps = 1000.0;
 constexpr double kWhole = 1e-9;  // of a step, by which a range may miss its end
 
+// One quantity [dimension.si]; 0 where it is wrong.
+double option_quantity(const std::string& option, const std::string& text, const Dimension& dimension,
+                       std::vector<std::string>& mistakes) {
+  const Reading<double> reading = read_quantity(text, dimension);
+  if (reading.value) return *reading.value;
+  mistakes.push_back(fmt::format("{}: found {}: {}; required: {} with its unit, for instance \"{}\"", option,
+                                 quote(text), reading.fault, dimension.name, dimension.example));
+  return 0.0;
+}
+
 void append_range(const std::string& option, const std::string& text, const Dimension& dimension,
                   std::vector<double>& values, std::vector<std::string>& mistakes) {
   const std::vector<std::string> parts = parts_of(text, ':');
@@ -52,15 +62,6 @@ std::vector<std::string> parts_of(const std::string& text, char separator) {
     if (to == std::string::npos) return parts;
     from = to + 1;
   }
-}
-
-double option_quantity(const std::string& option, const std::string& text, const Dimension& dimension,
-                       std::vector<std::string>& mistakes) {
-  const Reading<double> reading = read_quantity(text, dimension);
-  if (reading.value) return *reading.value;
-  mistakes.push_back(fmt::format("{}: found {}: {}; required: {} with its unit, for instance \"{}\"", option,
-                                 quote(text), reading.fault, dimension.name, dimension.example));
-  return 0.0;
 }
 
 std::vector<double> quantity_list(const std::string& option, const std::string& text, const Dimension& dimension,

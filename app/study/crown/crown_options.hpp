@@ -27,10 +27,6 @@ struct ListRange {
 std::vector<double> quantity_list(const std::string& option, const std::string& text, const Dimension& dimension,
                                   const ListRange& range, std::vector<std::string>& mistakes);
 
-/// One quantity [dimension.si]; 0 where it is wrong.
-double option_quantity(const std::string& option, const std::string& text, const Dimension& dimension,
-                       std::vector<std::string>& mistakes);
-
 /// Options as typed; empty: the default.
 struct CrownOptions {
   std::string profiles;        // --profile         "iso16281, circular"

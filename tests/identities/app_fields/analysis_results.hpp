@@ -21,7 +21,6 @@
 #include "app/study/fmu_model.hpp"
 #include "app/study/gear_case.hpp"
 #include "app/study/mesh_study.hpp"
-#include "app/study/planet_defect.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/study/static_study.hpp"
 #include "app/study/stiffness_study.hpp"

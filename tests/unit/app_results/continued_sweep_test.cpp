@@ -7,7 +7,7 @@
 
 #include "app/errors.hpp"
 #include "app/results/sweep_run.hpp"
-#include "app/results/interruption.hpp"
+#include "app/results/progress.hpp"
 #include "app/results/point_file.hpp"
 #include "app/results/record_writers.hpp"
 #include "tests/unit/app_results/fake_sweep.hpp"

@@ -7,7 +7,7 @@
 #include <csignal>
 
 #include "app/errors.hpp"
-#include "app/results/interruption.hpp"
+#include "app/results/progress.hpp"
 #include "tests/unit/app_results/fake_sweep.hpp"
 
 namespace orbearing::app::durable_file_test {

@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "app/errors.hpp"
-#include "app/results/interruption.hpp"
+#include "app/results/progress.hpp"
 #include "app/results/result_row.hpp"
 #include "app/results/sweep_run.hpp"
 #include "tests/unit/app_results/fake_sweep.hpp"

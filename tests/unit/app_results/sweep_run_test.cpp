@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/errors.hpp"
-#include "app/results/interruption.hpp"
+#include "app/results/progress.hpp"
 #include "mechanics/cancellation.hpp"
 #include "tests/unit/app_results/fake_sweep.hpp"
 

@@ -9,7 +9,6 @@
 #include "app/case/case_file.hpp"
 #include "app/errors.hpp"
 #include "app/study/planetary_case.hpp"
-#include "app/study/published_comparison.hpp"
 #include "coupling/study/operating_point.hpp"
 
 namespace orbearing::app::branches_test {

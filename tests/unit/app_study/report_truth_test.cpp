@@ -11,7 +11,6 @@
 #include "app/case/set_case.hpp"
 #include "app/errors.hpp"
 #include "app/study/fidelity.hpp"
-#include "app/study/published_comparison.hpp"
 #include "app/study/report_data.hpp"
 #include "app/study/resonance_lines.hpp"
 #include "app/study/sweep_study.hpp"
