@@ -40,9 +40,9 @@ class Program:
             from orbearing import _core
         except ImportError:
             words = [f"--{name.replace('_', '-')}={value}" for name, value in options.items()]
-            done = subprocess.run([self._path, command, str(what), "--json", *words], stdout=subprocess.PIPE, text=True, check=False)
+            done = subprocess.run([self._path, command, str(what), "--json", *words], capture_output=True, text=True, check=False)
             if done.returncode:
-                raise CaseError(f"{what}: {command} failed; the message above says why") from None
+                raise CaseError(done.stderr.strip()) from None
             return json.loads(done.stdout)
         line = StatusLine(not self._quiet)
 
