@@ -19,6 +19,7 @@ from pathlib import Path
 import numpy as np
 
 from orbearing.errors import CaseError
+from orbearing.units import units_in
 
 COLUMNS = {"time": {"time_s": 1.0, "time_h": 3600.0}, "speed": {"speed_rpm": 1.0}, "load": {"load_N": 1.0, "load_kN": 1e3}}
 MOST_SAMPLES = 20000  # even ones, that are clustered
@@ -122,7 +123,8 @@ def main(arguments: list[str]) -> int:
         print(f"conditions: {error}; SciPy is required; on Debian install python3-scipy", file=sys.stderr)
         return 1
     if options.json:
-        print(json.dumps({"conditions": [asdict(condition) for condition in found]}, indent=2))
+        rows = [asdict(condition) for condition in found]
+        print(json.dumps({"conditions": rows, "units": units_in(rows)}, indent=2))
     else:
         print(f"{'speed [rpm]':>12} {'load [N]':>12} {'equivalent [N]':>15} {'share':>8}")
         for one in found:

@@ -28,6 +28,15 @@ def units_of(name: str) -> str:
     return _UNITS[max(fitting, key=len)] if fitting else PLAIN
 
 
+def units_in(content: Any) -> dict[str, str]:
+    """{name: unit} of all names within a JSON object whose ends state a unit: its `units`."""
+    rows = content.values() if isinstance(content, Mapping) else content if isinstance(content, (list, tuple)) else ()
+    found = {name: units_of(name) for name in content if units_of(name) != PLAIN} if isinstance(content, Mapping) else {}
+    for row in rows:
+        found.update(units_in(row))
+    return found
+
+
 _NAMES = {"Mrev": "megarevolution", "deg": "degree"}
 
 

@@ -81,6 +81,7 @@ class Study(unittest.TestCase):
         self.assertEqual(found["dimensions"][-1], {"name": "input.speed", "length": 12})
         self.assertEqual(found["variants"][0]["peak_life_h"], float(self.stored.peak_life_h[0, 0]))
         self.assertEqual([p["unit"] for p in found["parameters"]], ["um", None, "rpm"])
+        self.assertEqual([found["units"][key] for key in ("input.speed", "peak_speed_rpm", "peak_life_h")], ["rpm", "rpm", "h"])
         alone = run(*VARY, "--json")
         self.assertEqual(json.loads(alone.stdout), found, "without a folder the same")
 

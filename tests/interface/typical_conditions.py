@@ -63,6 +63,7 @@ class Command(unittest.TestCase):
         result = call("time_h,speed_rpm,load_kN\n" + rows, "--conditions", "2", "--json")
         self.assertEqual(result.returncode, 0, result.stderr)
         found = json.loads(result.stdout)["conditions"]
+        self.assertEqual(json.loads(result.stdout)["units"], {"speed_rpm": "rpm", "load_N": "N", "equivalent_load_N": "N"})
         self.assertEqual([(one["speed_rpm"], one["load_N"]) for one in found], [(1000, 1000), (2000, 500)])
         self.assertAlmostEqual(found[0]["share"], 2 / 3)
 

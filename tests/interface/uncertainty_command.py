@@ -56,6 +56,8 @@ class Command(unittest.TestCase):
                          sorted(["uncertainty.json", "uncertainty.journal", "samples.nc", "uncertainty.html", "case.resolved.yaml",
                                  *(f"{name}.{ending}" for name in ("life_band", "peak", "indices") for ending in ("svg", "png"))]))
         self.assertIn("measure", self.done.stdout)
+        units = json.loads((self.folder / "uncertainty.json").read_text())["units"]
+        self.assertEqual((units["speed_rpm"], units["life_at_the_case_h"]), ("rpm", "h"))
         page = (self.folder / "uncertainty.html").read_text()
         self.assertIn("so: said", page)
         self.assertNotIn("http", page.replace("http://www.w3.org", ""))

@@ -13,6 +13,7 @@ from orbearing.studies.dataset import content_of, in_rpm, peaks, to_xarray
 from orbearing.studies.design import SPEED, Design
 from orbearing.studies.folder import read_folder
 from orbearing.studies.table import DONE, LIFE, NOT_COMPUTED, ResultTable
+from orbearing.units import units_in
 
 
 @dataclass(frozen=True)
@@ -121,4 +122,5 @@ def json_of(result: StudyResult) -> str:
                "points": result.points, "failed_points": result.failed, "missing_points": result.missing, "failures": result.failures(),
                "variants": result.variants(), "assumptions": json.loads(result.attributes.get("assumptions", "[]")), "warnings": result.warnings,
                "versions": {"orbearing": result.header["program_version"], "instruction_set": result.header["instruction_set"]}}
+    content["units"] = {p.path: p.unit for p in result.design.parameters if p.unit} | units_in(content["variants"])
     return json.dumps(content, indent=2, allow_nan=False)

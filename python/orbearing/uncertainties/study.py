@@ -14,6 +14,7 @@ from orbearing.uncertainties.lives import RPM, SPEED, Evaluate, Peaks, refined_p
 from orbearing.uncertainties.result import UncertaintyResult
 from orbearing.uncertainties.settings import Settings
 from orbearing.uncertainties.store import Store, header_of
+from orbearing.units import units_in
 
 PERCENTILES = (5, 25, 50, 75, 95)
 LEAST_PREDICTIVITY = 0.5
@@ -151,6 +152,7 @@ class Study:
             "motion": self._motion(point),
         }
         record = _finite(record)
+        record["units"] = units_in(record)
         record["warnings"] = self._warnings(record, point)
         return UncertaintyResult(record, self.inputs, point["values"], point["lives"], self.speeds_rpm, curve_values[1:], curves,
                                  peaks)
