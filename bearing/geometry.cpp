@@ -13,12 +13,22 @@ double ring_volume(double inner_diameter, double outer_diameter, double width) {
   return 0.25 * pi * (outer_diameter * outer_diameter - inner_diameter * inner_diameter) * width;
 }
 
+// Whether a race is cut into pin or planet: its diameter is that of the seat but for round-off.
+bool without_ring(double seat_diameter, double race_diameter) {
+  constexpr double round_off = 1e-6;
+  return std::abs(seat_diameter - race_diameter) < round_off * race_diameter;
+}
+
 // Of the inner ring; where rollers run on the pin itself, of the pin beneath the race, for that is what moves there.
 double pin_volume(const Bearing& bearing, double race_diameter) {
-  constexpr double round_off = 1e-6;
   const double bore = bearing.inner.seat_diameter;
-  const bool is_pin = std::abs(bore - race_diameter) < round_off * race_diameter;
-  return ring_volume(is_pin ? 0.0 : bore, race_diameter, bearing.width);
+  return ring_volume(without_ring(bore, race_diameter) ? 0.0 : bore, race_diameter, bearing.width);
+}
+
+// Of the outer ring: none where rollers run in the planet's bore.
+double outer_volume(const Bearing& bearing, double race_diameter) {
+  const double outside = bearing.outer.seat_diameter;
+  return without_ring(outside, race_diameter) ? 0.0 : ring_volume(race_diameter, outside, bearing.width);
 }
 
 // Each pocket is cut through the whole height of the cage, over a roller's length and diameter or a ball's
@@ -77,8 +87,7 @@ BearingGeometry geometry_of(const Bearing& bearing) {
         add_cage(cage, pockets_volume(elements, 0.5 * (cage.outer_diameter - cage.inner_diameter)), geometry);
       },
       bearing.elements);
-  geometry.outer_ring_mass =
-      density * ring_volume(2.0 * geometry.outer_radius, bearing.outer.seat_diameter, bearing.width);
+  geometry.outer_ring_mass = density * outer_volume(bearing, 2.0 * geometry.outer_radius);
   geometry.inner_ring_mass = density * pin_volume(bearing, 2.0 * geometry.inner_radius);
   return geometry;
 }

@@ -17,7 +17,7 @@ struct BearingGeometry {
   double element_inertia = 0.0;  // [kg m^2]  about its own axis
   double cage_mass = 0.0;        // [kg]      ring less pockets
   double cage_inertia = 0.0;     // [kg m^2]  about its axis
-  double outer_ring_mass = 0.0;  // [kg]      between race and outside diameter; no grooves taken off
+  double outer_ring_mass = 0.0;  // [kg]      between race and outside diameter; 0 without a ring
   double inner_ring_mass = 0.0;  // [kg]      between bore and race; without a ring, of the pin
 };
 

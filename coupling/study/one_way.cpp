@@ -19,13 +19,12 @@ AffineBearing times(double factor, const AffineBearing& law) {
   return {factor * law.force, factor * law.stiffness, factor * law.damping};
 }
 
-// With its own outer ring for a bore: the planet's body stays with the gears. The support keeps its damper,
-// which is stated as a ratio of what moves.
+// With its own outer ring, where it has one, for a bore: the planet's body stays with the gears. The support keeps
+// its damper, which is stated as a ratio of what moves.
 bearing::motion::DynamicsParameters on_its_ring(const DrivetrainGeometry& geometry,
                                                 bearing::motion::DynamicsParameters parameters) {
-  constexpr double no_ring = 1e-6;  // of the planet: rollers run in its bore, and round-off is left between
   const double pin = geometry.bearing.inner_ring_mass, ring = geometry.bearing.outer_ring_mass;
-  if (ring <= no_ring * parameters.bore_mass) return parameters;
+  if (ring == 0.0) return parameters;
   parameters.support.damping_ratio *= std::sqrt((parameters.bore_mass + pin) / (ring + pin));
   parameters.bore_mass = ring;
   return parameters;
