@@ -4,6 +4,7 @@
 // arrays, "-" in text.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -53,6 +54,13 @@ Record record_of(const Result& result) {
   Record record;
   describe(record, result);
   return record;
+}
+
+/// The single number of that name, as it is held; absent where there is none.
+inline double number_in(const Record& record, std::string_view name) {
+  const auto found = std::ranges::find(record.entries(), name, &described::Entry::name);
+  return found == record.entries().end() ? described::kAbsent
+                                         : std::get<described::Numbers>(found->content).values.front();
 }
 
 /// Numbers in their customary units. What is for files alone is left out.

@@ -9,6 +9,7 @@
 
 #include "app/case/described_case.hpp"
 #include "app/case/static_case.hpp"
+#include "app/results/record_writers.hpp"
 #include "app/results/result_row.hpp"
 #include "app/units.hpp"
 #include "bearing/equilibrium/static_bearing.hpp"
@@ -178,15 +179,12 @@ class SpeedRow {
   SpeedRow(const bearing::Bearing& bearing, const balance::RowMotion& motion)
       : bearing_(bearing), motion_(motion) {}
 
-  // Columns are made beside their values, so that they cannot part.
-  void add(const std::optional<balance::RingState>& state, std::vector<SpeedTable::Column>& columns,
-           std::vector<double>& values) const {
+  void describe(const std::optional<balance::RingState>& state, Record& row) const {
     const std::string kind = motion_.film ? "film_" : "hertz_",
                       with = motion_.film ? "with film" : "after Hertz";
     const auto put = [&](const std::string& name, const char* units, const std::string& meaning,
                          double value) {
-      columns.push_back({kind + name, units, meaning + ", " + with});
-      values.push_back(value);
+      row.value(kind + name, {"", units, units, ""}, meaning + ", " + with, value).variable = kind + name;
     };
     const auto of_state = [&](double value) { return state ? value : kMissing; };
     put("axial_um", "um", "axial displacement", of_state(state ? 1e6 * state->axial : 0.0));
@@ -235,15 +233,13 @@ class SpeedRow {
 
 // Where a parabola through the largest value and its neighbours is highest; none at an end.
 std::optional<double> highest_at(const SpeedTable& table, const std::string& name) {
-  std::size_t column = 0;
-  while (column < table.columns.size() && table.columns[column].name != name) ++column;
-  if (column == table.columns.size()) return std::nullopt;
-  const auto value = [&](std::size_t row) { return table.rows[row][column]; };
+  const auto value = [&](std::size_t row) { return number_in(table.rows[row], name); };
+  const auto speed = [&](std::size_t row) { return number_in(table.rows[row], "speed_rpm"); };
   std::size_t best = 0;
   for (std::size_t row = 1; row < table.rows.size(); ++row)
     if (value(row) > value(best) || std::isnan(value(best))) best = row;
   if (best == 0 || best + 1 == table.rows.size()) return std::nullopt;
-  const double x0 = table.rows[best - 1][0], x1 = table.rows[best][0], x2 = table.rows[best + 1][0];
+  const double x0 = speed(best - 1), x1 = speed(best), x2 = speed(best + 1);
   const double left = (value(best) - value(best - 1)) / (x1 - x0),
                right = (value(best + 1) - value(best)) / (x2 - x1);
   const double bend = (right - left) / (x2 - x0);
@@ -263,18 +259,17 @@ std::optional<balance::RingState> balanced(const bearing::Bearing& bearing, cons
 void add_row(const bearing::Bearing& bearing, balance::RowMotion motion, const balance::RingLoad& load,
              double speed, SpeedTable& table, std::vector<double>& beyond) {
   motion.speeds.inner = speed;
-  table.columns = {{"speed_rpm", "rpm", "of the inner ring"}};
-  std::vector<double> values{speed_in_rpm(speed)};
+  Record& row = table.rows.emplace_back();
+  row.value("speed_rpm", {"", "rpm", "rpm", ""}, "of the inner ring", speed_in_rpm(speed)).variable = "speed_rpm";
   balance::RowMotion dry = motion;
   dry.film.reset();
-  SpeedRow(bearing, dry).add(balanced(bearing, dry, load, speed, table), table.columns, values);
+  SpeedRow(bearing, dry).describe(balanced(bearing, dry, load, speed, table), row);
   if (motion.film) {
     const std::optional<balance::RingState> state = balanced(bearing, motion, load, speed, table);
-    SpeedRow(bearing, motion).add(state, table.columns, values);
+    SpeedRow(bearing, motion).describe(state, row);
     if (state && !film_warnings(bearing, ball_films(bearing, *motion.film, *state)).empty())
       beyond.push_back(speed_in_rpm(speed));
   }
-  table.rows.push_back(std::move(values));
 }
 
 }  // namespace
@@ -338,13 +333,7 @@ std::optional<SpeedTable> speed_table(const ResolvedCase& in) {
 
 void describe(described::Record& record, const SpeedTable& table) {
   record.table("over_speed", "speed", "the most loaded ball at operation.speeds", table.rows,
-               [&](described::Record& row, const std::vector<double>& values) {
-                 for (std::size_t i = 0; i < values.size(); ++i) {
-                   const auto& [name, units, meaning] =
-                       table.columns[i];  // values are in the unit of the name
-                   row.value(name, {"", units, units, ""}, meaning, values[i]).variable = name;
-                 }
-               });
+               [](described::Record& row, const described::Record& of) { row = of; });
   record.array("least_film_turns_at_rpm", described::dimension::angular_speed,
                "speed of the largest least film", {{"race", {"inner", "outer"}}},
                std::array{table.inner_rotating.value_or(kMissing), table.outer_rotating.value_or(kMissing)});

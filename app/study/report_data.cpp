@@ -156,8 +156,7 @@ using Json = nlohmann::ordered_json;  // which writes null for numbers that are 
 
 // Errors, orders and stability limits of the schemes of exchange at the drivetrain's own speed.
 Json convergence(const study::PlanetaryDrivetrain& drivetrain) {
-  const study::SchemeConvergence found =
-      study::scheme_convergence(drivetrain, study::derive(drivetrain), study::common_schemes());
+  const study::SchemeConvergence found = study::scheme_convergence(drivetrain, study::derive(drivetrain));
   Json object{{"path_ms", per_milli * found.path},
               {"speed_rpm", kRpm * drivetrain.drive.speed},
               {"rows", Json::array()},

@@ -77,10 +77,7 @@ void describe(described::Record& record, const LifeCurve& curve) {
 }
 
 double property(const LifeCurve& curve, const std::string& quantity) {
-  const Record record = record_of(curve);
-  const auto found = std::ranges::find(record.entries(), quantity, &described::Entry::name);
-  return found == record.entries().end() ? described::kAbsent
-                                         : std::get<described::Numbers>(found->content).values.front();
+  return number_in(record_of(curve), quantity);
 }
 
 std::vector<Sensitivity> sensitivities(const std::vector<ChangeResult>& results) {

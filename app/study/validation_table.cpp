@@ -329,7 +329,7 @@ std::optional<ValidationBand> band_of(std::vector<double> sampled, int lost) {
 }
 
 // Values of `rows` at samples of the uncertain inputs of the variant: [row][sample]. A sample that
-// contradicts the case or cannot be computed gives NaN.
+// contradicts the case or cannot be computed gives none.
 std::vector<std::vector<double>> sampled_values(const ResolvedCase& variant, const Rows& rows,
                                                 const ValuesOf& values_of, const ValidationOptions& options) {
   const UncertainInputs uncertain = uncertain_inputs(variant);
@@ -348,7 +348,8 @@ std::vector<std::vector<double>> sampled_values(const ResolvedCase& variant, con
     } catch (const BadInput&) {
     } catch (const ComputationFailed&) {
     }
-    for (std::size_t i = 0; i < rows.size(); ++i) sampled[i].push_back(values[i].value);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      if (std::isfinite(values[i].value)) sampled[i].push_back(values[i].value);
   }
   return sampled;
 }
@@ -362,13 +363,9 @@ void put_bands(const ResolvedCase& variant, const Rows& rows, const ValuesOf& va
                [](const PublishedValue* row) { return needs_band(*row); });
   if (options.samples == 0 || measured.empty() || variant.uncertain().inputs.empty()) return;
   const std::vector<std::vector<double>> sampled = sampled_values(variant, measured, values_of, options);
-  for (std::size_t i = 0; i < measured.size(); ++i) {
-    std::vector<double> finite;
-    std::copy_if(sampled[i].begin(), sampled[i].end(), std::back_inserter(finite),
-                 [](double value) { return std::isfinite(value); });
-    const int lost = static_cast<int>(sampled[i].size() - finite.size());
-    if (const auto band = band_of(std::move(finite), lost)) bands.emplace(measured[i], *band);
-  }
+  for (std::size_t i = 0; i < measured.size(); ++i)
+    if (const auto band = band_of(sampled[i], options.samples - static_cast<int>(sampled[i].size())))
+      bands.emplace(measured[i], *band);
 }
 
 // A variant that cannot be computed misses what is published of it.

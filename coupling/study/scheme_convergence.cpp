@@ -21,6 +21,25 @@ constexpr double kSound = 0.5;     // [-]  errors of the forces that may tell an
 constexpr double kFalls = 1.5;     // [-]  ratio of errors of two windows that is more than a floor's scatter
 constexpr double kLonger = 7.0 / 6.0;
 
+// A way to exchange, and the order with which its error shall fall where all is smooth.
+struct Scheme {
+  std::string name;
+  CoupledOptions options;  // but for the window
+  int expected_order = 1;  // [-]  of the error in the length of the window
+};
+
+struct ConvergenceOptions {
+  double longest_window = 4e-5;         // [s]
+  int halvings = 4;                     // windows from the longest one down
+  long longest_windows = 8;             // whose length is the path; rollers are chaotic beyond 0.5 ms
+  double allowed_length_error = 2e-13;  // [m]  of a step of a bearing, so that what is seen is the exchange's
+  double allowed_share = 1e-8;          // [-]  of the gears
+  double reference_length_error = 5e-14;  // [m]  of the system solved as one
+  double shortest_limit = 1e-5;  // [s]  windows tried for stability, each by a sixth longer than the last
+  double longest_limit = 1e-4;   // [s]
+  double stability_path = 2e-3;  // [s]  in which an unstable exchange shall have run away
+};
+
 // Forces on all planets [N] at each time of the comparison. (2 x planets, times)
 using Path = Eigen::MatrixXd;
 
@@ -121,8 +140,6 @@ double stability_limit(const PlanetaryDrivetrain& drivetrain, const DrivetrainGe
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-}  // namespace
-
 std::vector<Scheme> common_schemes() {
   std::vector<Scheme> schemes;
   for (const auto& [name, order] :
@@ -138,13 +155,14 @@ std::vector<Scheme> common_schemes() {
   return schemes;
 }
 
-SchemeConvergence scheme_convergence(const PlanetaryDrivetrain& drivetrain,
-                                     const DrivetrainGeometry& geometry, const std::vector<Scheme>& schemes,
-                                     const ConvergenceOptions& options) {
+}  // namespace
+
+SchemeConvergence scheme_convergence(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry) {
+  const ConvergenceOptions options;
   const Path reference = reference_path(drivetrain, geometry, options);
   const double largest_force = kRunaway * reference.cwiseAbs().maxCoeff();
   SchemeConvergence result{.path = options.longest_window * static_cast<double>(options.longest_windows)};
-  for (const Scheme& scheme : schemes) {
+  for (const Scheme& scheme : common_schemes()) {
     std::vector<SchemeError> errors;
     for (int halving = 0; halving <= options.halvings; ++halving)
       errors.push_back(error_of(drivetrain, geometry, scheme, std::ldexp(options.longest_window, -halving),

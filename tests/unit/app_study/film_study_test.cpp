@@ -166,11 +166,7 @@ TEST(BallFilms, TheApproachIsTheFilms) {
   const std::optional<SpeedTable> table =
       speed_table(shipped("spin_bearing_7210", {"operation.speeds=[9000 rpm]"}));
   ASSERT_TRUE(table);
-  const auto value = [&](const std::string& name) {
-    for (std::size_t i = 0; i < table->columns.size(); ++i)
-      if (table->columns[i].name == name) return table->rows[0][i];
-    return std::numeric_limits<double>::quiet_NaN();
-  };
+  const auto value = [&](const std::string& name) { return number_in(table->rows[0], name); };
   const bearing::film::Films films = bearing::film::spin_films(
       bearing::film::ball_contact(
           {.inner = {.osculation = 0.52},
