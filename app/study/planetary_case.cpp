@@ -174,12 +174,16 @@ std::vector<std::string> cage_warnings(const ResolvedCase& resolved) {
   return warnings;
 }
 
+std::vector<std::string> prefixes_of_sets(const ResolvedCase& resolved) {
+  if (!resolved.shape().several) return {""};
+  std::vector<std::string> prefixes;
+  for (const std::string& set : resolved.shape().sets) prefixes.push_back(set_prefix(set));
+  return prefixes;
+}
+
 std::vector<std::string> clearance_warnings(const ResolvedCase& resolved) {
   std::vector<std::string> warnings;
-  std::vector<std::string> sets = resolved.shape().sets;
-  if (!resolved.shape().several) sets = {""};
-  for (const std::string& name : sets) {
-    const std::string set = name.empty() ? "" : set_prefix(name);
+  for (const std::string& set : prefixes_of_sets(resolved)) {
     const std::string state = set + "bearing.clearance_state";
     if (!resolved.has(state) || resolved.choice(state) != "unmounted") continue;
     if (!states_any(resolved, set, {"bearing.fit.inner_interference", "bearing.fit.outer_interference"}))

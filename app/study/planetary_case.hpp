@@ -22,6 +22,9 @@ std::vector<study::NamedSet> bearing_sets(const ResolvedCase& resolved);
 /// Names of the sets with bearings where there are several sets; none for a case of one set.
 std::vector<std::string> bearing_set_names(const ResolvedCase& resolved);
 
+/// What paths of each set begin with; of a case of one set nothing.
+std::vector<std::string> prefixes_of_sets(const ResolvedCase& resolved);
+
 /// Cages in motion without a land: nothing but rollers holds them.
 std::vector<std::string> cage_warnings(const ResolvedCase& resolved);
 

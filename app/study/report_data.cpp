@@ -25,7 +25,7 @@ namespace orbearing::app {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = nlohmann::ordered_json;  // which writes null for numbers that are not finite
 
 // The value of the axis nearest to the case's own.
 Setting nearest(const ResolvedCase& resolved, const SweepAxis& axis) {
@@ -58,28 +58,6 @@ bool same_input(const Field& field, const FieldValue& one, const FieldValue& oth
 
 std::string stated_or_not(const ResolvedCase& in, const std::string& path) {
   return in.has(path) ? in.given(path) : "not stated";
-}
-
-// The row of the sweep at a speed on the line that is shown; null where there is none.
-const ResultRow* row_at(const SweepOutcome& outcome, const Json& columns, double rpm) {
-  for (const ResultRow& row : outcome.rows) {
-    bool here = row.ok() && equal_but_for_units(value_of(outcome.head, row, "input_speed_rpm"), rpm);
-    for (const auto& [column, value] : columns.items())
-      here = here && equal_but_for_units(value_of(outcome.head, row, column), value.get<double>());
-    if (here) return &row;
-  }
-  return nullptr;
-}
-
-Json our_life(const SweepOutcome& outcome, const SpeedSlice& slice, double rpm) {
-  if (const ResultRow* row = row_at(outcome, slice.columns, rpm))
-    return {{"ours_h", value_of(outcome.head, *row, "life_h")}, {"ours_by", "point of the sweep"}};
-  if (outcome.header.fidelity != "quasi-static") return {{"ours_h", nullptr}, {"ours_by", ""}};
-  const study::PointResult point = compute_point(slice.at.without_sweep(), {input_speed(rpm)},
-                                                 study::Fidelity::quasi_static);
-  const bool known = point.status == "ok";
-  return {{"ours_h", known ? Json(point.life_hours) : Json(nullptr)},
-          {"ours_by", "computed for this comparison"}};
 }
 
 }  // namespace
@@ -130,29 +108,7 @@ PublishedComparison published_comparison(const ResolvedCase& resolved) {
   return found;
 }
 
-Json published_points(const std::vector<ValidationRow>& rows, const SweepOutcome& outcome,
-                      const ResolvedCase& resolved) {
-  const SpeedSlice slice = speed_slice(resolved);
-  Json list = Json::array();
-  Json speed;
-  for (const ValidationRow& row : rows)
-    if (row.reading.empty() && row.published.quantity == "peak_speed_rpm" && row.published.value)
-      speed = *row.published.value;
-  for (const ValidationRow& row : rows) {
-    const PublishedValue& published = row.published;
-    if (!row.reading.empty() || published.quantity != "peak_life_h" || !published.value || speed.is_null()) continue;
-    list.push_back({{"source", published.source},
-                    {"quantity", published.quantity},
-                    {"speed_rpm", speed},
-                    {"life_h", *published.value}});
-    list.back().update(our_life(outcome, slice, speed.get<double>()));
-  }
-  return list;
-}
-
 namespace {
-
-using Json = nlohmann::ordered_json;  // which writes null for numbers that are not finite
 
 // Errors, orders and stability limits of the schemes of exchange at the drivetrain's own speed.
 Json convergence(const study::PlanetaryDrivetrain& drivetrain) {
@@ -307,7 +263,6 @@ nlohmann::ordered_json report_data(const ResolvedCase& resolved, const Manifest&
   data["axes"] = axes_json(outcome.header);
   data["slice"] = slice.columns;
   data["kinematics"] = kinematics(drivetrain, geometry);
-  data["published"] = published_points(published.table.rows, outcome, resolved);
   data["changed_inputs"] = published.changed;
   data["drawing"] = drawing(drivetrain, geometry);
   data["validation"] = json_of(record_of(std::vector{published.table})).at("rows");

@@ -38,12 +38,6 @@ PublishedComparison published_comparison(const ResolvedCase& resolved);
 /// operating points: speed, sweep, load spectrum.
 std::vector<std::string> changed_inputs(const ResolvedCase& resolved, const ResolvedCase& shipped);
 
-/// Published peaks of life, each with our life at its speed: of the point of the sweep there, else computed by the
-/// quasi-static model where the sweep is by it, else null. Nothing is interpolated.
-/// Of a sweep over more than speed, on the line of speeds that the report shows.
-nlohmann::ordered_json published_points(const std::vector<ValidationRow>& rows, const SweepOutcome& outcome,
-                                        const ResolvedCase& resolved);
-
 /// Of a sweep whose rows stand in `manifest`. `shown` says of which bearing and at which speeds pictures are to
 /// be, as bearing_points() takes it.
 nlohmann::ordered_json report_data(const ResolvedCase& resolved, const Manifest& manifest);

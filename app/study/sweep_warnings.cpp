@@ -20,23 +20,13 @@ namespace {
 
 constexpr study::OneWayOptions kOneWay;
 
-// Those of the table, and of the bins of a spectrum.
-std::vector<const ResultRow*> all_rows(const SweepOutcome& outcome) {
+// Those of the table, and of the bins of a spectrum: of idle ones, whose lives are next to endless, where `idle`.
+std::vector<const ResultRow*> rows_of(const SweepOutcome& outcome, bool idle) {
   std::vector<const ResultRow*> rows;
   for (const ResultRow& row : outcome.rows) rows.push_back(&row);
   for (const SpectrumResult& result : outcome.spectra)
     for (const SpectrumBin& bin : result.bins)
-      if (bin.row) rows.push_back(&*bin.row);
-  return rows;
-}
-
-// Without idle bins, whose lives are next to endless.
-std::vector<const ResultRow*> working_rows(const SweepOutcome& outcome) {
-  std::vector<const ResultRow*> rows;
-  for (const ResultRow& row : outcome.rows) rows.push_back(&row);
-  for (const SpectrumResult& result : outcome.spectra)
-    for (const SpectrumBin& bin : result.bins)
-      if (bin.row && bin.bin.power > LoadBin{}.entering_power()) rows.push_back(&*bin.row);
+      if (bin.row && (idle || bin.bin.power > LoadBin{}.entering_power())) rows.push_back(&*bin.row);
   return rows;
 }
 
@@ -60,7 +50,7 @@ std::vector<Observation> observations_at_ends(const ResolvedCase& resolved, cons
 std::string rows_where(const SweepOutcome& outcome, const std::function<bool(const ResultRow&)>& holds) {
   std::size_t count = 0;
   std::string first;
-  const std::vector<const ResultRow*> rows = all_rows(outcome);
+  const std::vector<const ResultRow*> rows = rows_of(outcome, true);
   for (const ResultRow* row : rows) {
     if (!holds(*row)) continue;
     if (count++ == 0) first = fmt::format("{:g} rpm", value_of(outcome.head, *row, "input_speed_rpm"));
@@ -72,21 +62,19 @@ std::string rows_where(const SweepOutcome& outcome, const std::function<bool(con
 std::vector<std::string> lamina_warnings(const ResolvedCase& resolved) {
   constexpr int enough = 10;  // within 2 % of the life of many, the wind turbine's planets
   std::vector<std::string> warnings;
-  const auto look = [&](const std::string& prefix) {
+  for (const std::string& prefix : prefixes_of_sets(resolved)) {
     const auto has = [&](const char* path) { return resolved.has(prefix + path); };
-    if (!has("bearing.laminae") || resolved.integer(prefix + "bearing.laminae") >= enough) return;
+    if (!has("bearing.laminae") || resolved.integer(prefix + "bearing.laminae") >= enough) continue;
     const bool computed =
         has("bearing.tilt_state") && resolved.choice(prefix + "bearing.tilt_state") == "computed";
     if (!computed && !has("bearing.profile.kind") && !has("bearing.misalignment.planet_tilt") &&
         !has("bearing.misalignment.carrier_wind_up"))
-      return;
+      continue;
     warnings.push_back(
         fmt::format("{}bearing.laminae: {} feel a profile or a tilt coarsely (one not at all), which "
                     "shows in loads and lives; {} or more are advised",
                     prefix, resolved.integer(prefix + "bearing.laminae"), enough));
-  };
-  look("");
-  for (const std::string& set : resolved.shape().sets) look(set_prefix(set));
+  }
   return warnings;
 }
 
@@ -95,14 +83,12 @@ std::vector<std::string> rated_lamina_warnings(const ResolvedCase& resolved) {
   constexpr int least = bearing::rating::kLeastRatedLaminae;
   std::vector<std::string> warnings;
   if (resolved.choice("life.method") != "iso-16281") return warnings;
-  const auto look = [&](const std::string& prefix) {
+  for (const std::string& prefix : prefixes_of_sets(resolved)) {
     const std::string path = prefix + "bearing.laminae";
     if (resolved.has(path) && resolved.integer(path) > 0 && resolved.integer(path) < least)
       warnings.push_back(fmt::format("{}: {} laminae; ISO/TS 16281 requires at least {} for L10rh and L10mrh",
                                      path, resolved.integer(path), least));
-  };
-  look("");
-  for (const std::string& set : resolved.shape().sets) look(set_prefix(set));
+  }
   return warnings;
 }
 
@@ -131,7 +117,7 @@ std::vector<std::string> sweep_warnings(const ResolvedCase& resolved, const Swee
   const auto column = [&](const ResultRow& row, const char* name) {
     return value_of(outcome.head, row, name);
   };
-  add(rare_values(outcome.head, working_rows(outcome)));
+  add(rare_values(outcome.head, rows_of(outcome, false)));
   add(judge(observations_at_ends(resolved, outcome)).warnings);
   const std::string drifting =
       rows_where(outcome, [&](const ResultRow& row) { return column(row, "steady") == 0.0; });

@@ -5,13 +5,14 @@ from __future__ import annotations
 import json
 import subprocess
 from pathlib import Path
+from typing import Callable
 
 import numpy as np
 
 from orbearing import effects, gear_data
 from orbearing.blocks import is_number
 from orbearing.errors import CaseError
-from orbearing.result_folder import record, records
+from orbearing.result_folder import lies_on, record, records, same
 from orbearing.terminal import StatusLine
 
 FINE_POINTS = 221
@@ -35,11 +36,16 @@ class Program:
         """Points of the bearing, as `--bearing-points` of the command report takes them."""
         return self._ask("report", self._folder, bearing_points=json.dumps(wanted))
 
+    def life_at(self, rpm: float, settings: list[str]) -> float | None:
+        """Of one bearing of the case with these settings, by the quasi-static model [h]."""
+        found = self._ask("sweep", self._folder / "case.resolved.yaml", set=[*settings, f"sweep={{input.speed: [{rpm!r} rpm]}}"])
+        return found["points"][0]["life_h"]
+
     def _ask(self, command: str, what: Path, **options):
         try:
             from orbearing import _core
         except ImportError:
-            words = [f"--{name.replace('_', '-')}={value}" for name, value in options.items()]
+            words = [f"--{name.replace('_', '-')}={one}" for name, value in options.items() for one in (value if isinstance(value, list) else [value])]
             done = subprocess.run([self._path, command, str(what), "--json", *words], capture_output=True, text=True, check=False)
             if done.returncode:
                 raise CaseError(done.stderr.strip()) from None
@@ -84,6 +90,7 @@ def complete(content: dict, program: Program, every_effect: bool = False) -> dic
     fine = np.linspace(min(grid), max(grid), FINE_POINTS)
     at_rest = bearing.under(effects.at_rest(inputs, shown["set"]), fine)
     _add_effects_of_assumptions(content)
+    content["published"] = published(content, lambda rpm: program.life_at(rpm, shown["settings"]))
     content["fine"] = {"speed_rpm": fine.tolist(), **{name: _column(at_rest[0][1], name) for name in FINE}}
     content["polar"] = _polar(bearing, speeds)
     if "gears" in content:
@@ -103,6 +110,27 @@ def complete(content: dict, program: Program, every_effect: bool = False) -> dic
                               "one_way": {"speed_rpm": grid, **{name: _column(one_way, name) for name in ("life_h", "outer_load_rms_N")}},
                               "convergence": record(content.get("coupled")).get("convergence")}
     return content
+
+
+def published(content: dict, life_at: Callable[[float], float | None]) -> list[dict]:
+    """Published peaks of life, each with our life at its speed.
+
+    Of the point of the sweep there, on the line of speeds that is shown; else computed where the sweep is by the quasi-static model, else None. Nothing
+    is interpolated.
+    """
+    rows = [row for row in records(content.get("validation")) if row.get("reading") == "" and row.get("published") is not None]
+    speed = next((row["published"] for row in reversed(rows) if row["quantity"] == "peak_speed_rpm"), None)
+    found = []
+    for row in rows if speed is not None else []:
+        if row["quantity"] != "peak_life_h":
+            continue
+        there = next((point for point in records(content.get("points")) if same(point.get("input_speed_rpm"), speed)
+                      and lies_on(point, record(content.get("slice"))) and is_number(point.get("carrier_speed_rpm"))), None)
+        ours, by = (there["life_h"], "point of the sweep") if there else (None, "")
+        if not there and content["fidelity"] == "quasi-static":
+            ours, by = life_at(speed), "computed for this comparison"
+        found.append({"source": row["source"], "quantity": row["quantity"], "speed_rpm": speed, "life_h": row["published"], "ours_h": ours, "ours_by": by})
+    return found
 
 
 def how(inputs: effects.Inputs, fidelity: str) -> str:

@@ -10,7 +10,7 @@ import program
 from program import BRIEF_GEARS, REDUCER, SETS
 
 from orbearing import effects
-from orbearing.report_data import Program
+from orbearing.report_data import Program, published
 
 LAND = "bearing.cage.guide_land_diameter"
 SHORT = (*BRIEF_GEARS, "simulation.most_revolutions=2", "simulation.observed_revolutions=1")
@@ -97,6 +97,27 @@ class Points(unittest.TestCase):
         found = dict(zip(named(changes), self.points(asked, changes, "quasi-static")))
         self.assertIsNone(found["clearance 0 um"])
         self.assertIsNotNone(found["clearance 37 um"])
+
+
+class Published(unittest.TestCase):
+    """Issue 52, item 1: 10,504 h were printed for 49,356 h where a line between 3000 and 9000 rpm passes 6000 rpm."""
+
+    def test_the_point_is_computed_and_nothing_interpolated(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        results = pathlib.Path(folder.name) / "sweep"
+        sweep = program.answer("sweep", REDUCER, "sweep.input.speed=[3000 rpm, 9000 rpm]", options=("-o", results, "--grid-only"))
+        asked = Program(results, os.environ["ORBEARING"])
+        rows = [{"source": "a", "quantity": "peak_speed_rpm", "published": 6000, "reading": ""},
+                {"source": "a", "quantity": "peak_life_h", "published": 5e4, "reading": ""},
+                {"source": "a", "quantity": "peak_life_h", "published": 4e4, "reading": "another"}]
+        content = {"points": sweep["points"], "validation": rows, "fidelity": "quasi-static"}
+        one, = published(content, lambda rpm: asked.life_at(rpm, []))
+        life = program.answer("sweep", REDUCER, "sweep.input.speed=[6000 rpm]", options=("--grid-only",))["points"][0]["life_h"]
+        self.assertEqual((one["speed_rpm"], one["life_h"], one["ours_h"]), (6000, 5e4, life))
+        self.assertIsNone(published({**content, "fidelity": "dynamic"}, self.fail)[0]["ours_h"])  # which nothing here computes
+        there = published({**content, "validation": [{**rows[0], "published": 3000}, rows[1]]}, self.fail)[0]
+        self.assertEqual((there["ours_h"], there["ours_by"]), (sweep["points"][0]["life_h"], "point of the sweep"))
 
 
 if __name__ == "__main__":

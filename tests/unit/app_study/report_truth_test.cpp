@@ -127,27 +127,6 @@ Manifest manifest_of(const ResolvedCase& resolved, const std::vector<std::size_t
   return manifest;
 }
 
-/// Issue 52, item 1: 10,504 h were printed for 49,356 h where a line between 3000 and 9000 rpm passes 6000
-/// rpm.
-TEST(PublishedComparison, ComputesThePointAndInterpolatesNothing) {
-  const ResolvedCase resolved = reducer({"sweep={input.speed: [3000 rpm, 9000 rpm]}"});
-  const Manifest manifest = manifest_of(resolved, {0, 1});
-  SweepOutcome outcome = outcome_of(*manifest.header, manifest.entries);
-  const std::vector<ValidationRow> rows = published_comparison(resolved).table.rows;
-  const double life =
-      compute_point(resolved.without_sweep(), {{"input.speed", "6000 rpm"}}, study::Fidelity::quasi_static)
-          .life_hours;
-  const nlohmann::ordered_json points = published_points(rows, outcome, resolved);
-  ASSERT_FALSE(points.empty());
-  for (const nlohmann::ordered_json& point : points) {
-    EXPECT_DOUBLE_EQ(point["speed_rpm"].get<double>(), 6000.0);
-    EXPECT_DOUBLE_EQ(point["ours_h"].get<double>(), life);
-  }
-  outcome.header.fidelity = "dynamic";  // which nothing here computes
-  for (const nlohmann::ordered_json& point : published_points(rows, outcome, resolved))
-    EXPECT_TRUE(point["ours_h"].is_null());
-}
-
 /// Issue 52, item 4.
 TEST(MissingPoints, AreNamed) {
   const ResolvedCase resolved = reducer({"sweep={input.speed: [3000 rpm, 6000 rpm, 9000 rpm]}"});
