@@ -689,7 +689,7 @@ def without_svg(figure, target, **more):
     target.write("<svg></svg>")
 
 
-@unittest.mock.patch("matplotlib.figure.Figure.savefig", without_svg)
+@unittest.mock.patch("matplotlib.backends.backend_svg.FigureCanvasSVG.print_svg", without_svg)
 class Figures(unittest.TestCase):
     def check(self, pictures, expected, others=False):
         """`others`: more pictures are drawn, which another test asks for."""

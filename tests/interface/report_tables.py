@@ -299,7 +299,7 @@ def tables_of(content, write=None, values=None):
     return {f"{block.slug}.{place}": getattr(block, place) for block in blocks for place in ("summary", "data") if getattr(block, place)}
 
 
-@unittest.mock.patch("matplotlib.figure.Figure.savefig", without_svg)
+@unittest.mock.patch("matplotlib.backends.backend_svg.FigureCanvasSVG.print_svg", without_svg)
 class BelowFigures(unittest.TestCase):
     def check(self, tables, expected, others=False):
         if not others:
@@ -330,7 +330,7 @@ class BelowFigures(unittest.TestCase):
         self.check(tables_of(content, values=values), balls(content))
 
 
-@unittest.mock.patch("matplotlib.figure.Figure.savefig", without_svg)
+@unittest.mock.patch("matplotlib.backends.backend_svg.FigureCanvasSVG.print_svg", without_svg)
 class Captions(unittest.TestCase):
     """Numbers in the sentences below the figures."""
 
@@ -531,7 +531,7 @@ class OfPages(unittest.TestCase):
     def test_pressure_over_a_contact(self):
         contact = {"profile": "arc", "tilt_mrad": 0.25, "x_mm": [0.0, 1.0], "y_um": [0.0, 10.0, 20.0, 30.0], "pressure_MPa": [[900.0, 400.0, 0.0, 0.0], [1000.0, 500.0, 0.0, 0.0]]}
         contact["x_mm"], contact["pressure_MPa"] = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0], contact["pressure_MPa"] * 3
-        with unittest.mock.patch("matplotlib.figure.Figure.savefig", without_svg), style.context():
+        with unittest.mock.patch("matplotlib.backends.backend_svg.FigureCanvasSVG.print_svg", without_svg), style.context():
             found = roller_pressure.map_block([contact]).summary
         self.table(found, {"profile": ["arc"], "tilt (mrad)": [0.25], "greatest in one element (MPa)": [1000.0], "greatest width (µm)": [30.0]})
 

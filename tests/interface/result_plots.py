@@ -186,7 +186,7 @@ class Studies(Compared):
         from orbearing.studies import pictures
         lives = np.array([[11.0, 13.0, 12.0], [21.0, 24.0, 27.0]]) * 1e3
         result = self.result(lives, (5.0, 20.0))
-        with style.context(), unittest.mock.patch("matplotlib.figure.Figure.savefig", lambda self, target, **more: target.write("<svg></svg>")):
+        with style.context(), unittest.mock.patch("matplotlib.backends.backend_svg.FigureCanvasSVG.print_svg", lambda self, target, **more: target.write("<svg></svg>")):
             picture = pictures._peak_block(result).pictures[0]
             page = pictures.page_of(result)
         circles = ("points", "", ([5.0, 20.0], Q([13e3, 27e3], "h"), [14.0], Q([3000.0, 2000.0], "rpm")))
