@@ -10,7 +10,7 @@
 #include "app/results/durable_file.hpp"
 #include "app/study/gear_case.hpp"
 #include "app/study/planetary_case.hpp"
-#include "coupling/fmu/export/archive.hpp"
+#include "coupling/fmu/export/description.hpp"
 #include "coupling/fmu/model.hpp"
 #include "coupling/fmu/model_file.hpp"
 #include "coupling/fmu/variable_table.hpp"

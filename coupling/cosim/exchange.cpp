@@ -2,8 +2,95 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+
+#include "mechanics/checks.hpp"
 
 namespace orbearing::cosim {
+
+namespace {
+
+void require_points(const std::vector<TimedValue>& points) {
+  mechanics::require(!points.empty() && points.size() <= 4, "points of a polynomial", points.size(),
+                     "1 to 4");
+}
+
+// Newton's divided differences, in place.
+void divide(const std::vector<TimedValue>& points, std::vector<double>& difference) {
+  for (std::size_t order = 1; order < points.size(); ++order)
+    for (std::size_t i = points.size() - 1; i >= order; --i) {
+      const double span = points[i].time - points[i - order].time;
+      if (span == 0.0)
+        throw std::invalid_argument(
+            "points of a polynomial: found two at one time; required: different times");
+      difference[i] = (difference[i] - difference[i - 1]) / span;
+    }
+}
+
+}  // namespace
+
+InputPolynomial through(const std::vector<TimedValue>& points, double begin) {
+  require_points(points);
+  std::vector<double> difference;
+  for (const TimedValue& point : points) difference.push_back(point.value);
+  divide(points, difference);
+  InputPolynomial out;  // Horner: out = out * (t - t_i) + difference_i
+  auto& c = out.coefficient;
+  for (std::size_t i = points.size(); i-- > 0;) {
+    const double position = points[i].time - begin;
+    for (std::size_t k = c.size() - 1; k > 0; --k) c[k] = c[k - 1] - position * c[k];
+    c[0] = difference[i] - position * c[0];
+  }
+  return out;
+}
+
+InputPolynomial hermite(double value, double slope, double end_value, double end_slope, double length) {
+  const double mean = (end_value - value) / length;
+  return {{value, slope, (3.0 * mean - 2.0 * slope - end_slope) / length,
+           (slope + end_slope - 2.0 * mean) / (length * length)}};
+}
+
+namespace {
+
+// The last order + 1 values of `member`, as far as there are so many.
+std::vector<TimedValue> last_values(const InterfaceHistory& history, std::size_t joint, int order,
+                                    double JointValue::*member) {
+  const std::size_t count = std::min(history.size(), static_cast<std::size_t>(order) + 1);
+  std::vector<TimedValue> out;
+  for (std::size_t i = history.size() - count; i < history.size(); ++i)
+    out.push_back({history[i].time, history[i].joints[joint].*member});
+  return out;
+}
+
+}  // namespace
+
+InterfaceValues extrapolated(const InterfaceHistory& history, int order, const Window& window) {
+  const InterfaceValues& last = history.back();
+  InterfaceValues out{window.end, {}};
+  for (std::size_t joint = 0; joint < last.joints.size(); ++joint) {
+    const auto polynomial = [&](double JointValue::*member) {
+      return through(last_values(history, joint, order, member), window.begin);
+    };
+    const InputPolynomial velocity = polynomial(&JointValue::velocity);
+    const InputPolynomial displacement = integral(last.joints[joint].displacement, velocity);
+    out.joints.push_back({displacement.at(window.length()), velocity.at(window.length()),
+                          polynomial(&JointValue::force).at(window.length())});
+  }
+  return out;
+}
+
+InputPolynomial motion_polynomial(const InterfaceHistory& history, std::size_t joint, const JointValue& end,
+                                  const Window& window) {
+  const JointValue& begin = history.back().joints[joint];
+  return hermite(begin.displacement, begin.velocity, end.displacement, end.velocity, window.length());
+}
+
+InputPolynomial force_polynomial(const InterfaceHistory& history, std::size_t joint, double end, int order,
+                                 const Window& window) {
+  std::vector<TimedValue> points = last_values(history, joint, order, &JointValue::force);
+  points.push_back({window.end, end});
+  return through(points, window.begin);
+}
 
 namespace {
 

@@ -1,11 +1,75 @@
 // One pass of all sides over a window: who hears of whom, and when.
 #pragma once
 
-#include "coupling/cosim/interface_polynomial.hpp"
+#include <deque>
+#include <vector>
+
 #include "coupling/cosim/port.hpp"
+#include "coupling/system/input_polynomial.hpp"
 #include "mechanics/described.hpp"
 
 namespace orbearing::cosim {
+
+// What is known at the joints, and the polynomials that follow from it.
+
+// Polynomials through known values: how one participant's outputs become the inputs of another over a window.
+
+using system::InputPolynomial;
+
+/// A value and the time at which it holds.
+struct TimedValue {
+  double time = 0.0;   // [s]
+  double value = 0.0;  // [unit]
+};
+
+/// The polynomial of least degree through one to four points; it counts from `begin` [s].
+/// Throws std::invalid_argument for another number of points, or two at one time.
+InputPolynomial through(const std::vector<TimedValue>& points, double begin);
+
+/// The cubic with the given values and slopes at both ends of a window of `length` [s].
+InputPolynomial hermite(double value, double slope, double end_value, double end_slope, double length);
+
+/// The slope of a polynomial.
+inline InputPolynomial slope_of(const InputPolynomial& polynomial) {
+  const auto& c = polynomial.coefficient;
+  return {{c[1], 2.0 * c[2], 3.0 * c[3], 0.0}};
+}
+
+/// At one joint and instant.
+struct JointValue {
+  double displacement = 0.0;  // [m] or [rad]
+  double velocity = 0.0;      // [m/s] or [rad/s]
+  double force = 0.0;         // [N] or [N m]  sum of all givers
+};
+
+/// At one joint over a window; one half, the other is zero.
+struct JointPolynomial {
+  InputPolynomial displacement = {};  // [m] or [rad]
+  InputPolynomial velocity = {};      // [m/s] or [rad/s]
+  InputPolynomial force = {};         // [N] or [N m]
+};
+
+/// All joints at one instant.
+struct InterfaceValues {
+  double time = 0.0;  // [s]
+  std::vector<JointValue> joints;
+};
+
+/// Accepted values at the ends of windows, the newest last.
+using InterfaceHistory = std::deque<InterfaceValues>;
+
+/// What the values at the end of `window` will be: velocities and forces by the polynomial of degree `order`
+/// (0 to 2, less where the history is short) through the last ends; displacements by integrating the velocity
+/// from the last one. Eqs. (3) and (4) of coupling/cosim/README.md.
+InterfaceValues extrapolated(const InterfaceHistory& history, int order, const Window& window);
+
+/// Polynomials of `joint` over `window` that end with `end`: the displacement as a cubic with both values and
+/// velocities, the force as the polynomial through `end` and the last order + 1 ends. Eqs. (5) and (6). Where
+/// `end` is what extrapolated() says, these are the extrapolated polynomials.
+InputPolynomial motion_polynomial(const InterfaceHistory& history, std::size_t joint, const JointValue& end,
+                                  const Window& window);
+InputPolynomial force_polynomial(const InterfaceHistory& history, std::size_t joint, double end, int order,
+                                 const Window& window);
 
 enum class ExchangeOrder {
   jacobi,        // all at once, each under what is expected of the others

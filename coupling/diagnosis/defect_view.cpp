@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "coupling/diagnosis/orders.hpp"
-#include "coupling/diagnosis/peaks.hpp"
+#include "coupling/diagnosis/spectrum.hpp"
 #include "mechanics/constants.hpp"
 
 namespace orbearing::diagnosis {

@@ -9,13 +9,21 @@
 #include <vector>
 
 #include "bearing/parameters.hpp"
+#include "bearing/profile/profile.hpp"
 #include "coupling/fmu/number_table.hpp"
-#include "coupling/fmu/profile_numbers.hpp"
 #include "gearset/mesh/loaded/loaded_teeth.hpp"
 #include "gearset/mesh/periodic_curve.hpp"
 #include "mechanics/described.hpp"
 
 namespace orbearing::fmu {
+
+// Profiles of rollers and races as lists of numbers.
+
+/// Place of the kind in the variant, then its members; a table as scale, places, drops.
+std::vector<double> profile_numbers(const bearing::profile::Profile& profile);
+
+/// Throws std::invalid_argument where `numbers` are those of no profile.
+bearing::profile::Profile profile_from(const std::vector<double>& numbers);
 
 /// What is known of a variable of an FMU, whatever it belongs to.
 struct FieldFacts {

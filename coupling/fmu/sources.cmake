@@ -4,12 +4,10 @@ set(ORBEARING_FMU_CORE
   guard.cpp
   instance.cpp
   instance_keep.cpp
-  instance_state.cpp
   instance_step.cpp
   model.cpp
   model_file.cpp
   number_table.cpp
-  profile_numbers.cpp
   setup_numbers.cpp
   variable_table.cpp)
 # The C interfaces, whose names an importer of others in the same program must not meet.

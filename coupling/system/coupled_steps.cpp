@@ -11,6 +11,193 @@ namespace orbearing::system {
 namespace {
 
 using bearing::motion::BoreMotion;
+using bearing::vectorised::VectorBearing;
+using gearset::dynamics::SetLayout;
+
+bearing::motion::DamageSums empty_sums(const CoupledModel& model, long bins) {
+  return bearing::motion::DamageSums(bins, uneven_laminae(cut_races(model.bearing_of(0))));
+}
+
+constexpr Eigen::Index kEight = 8;  // the stepper works on as many numbers at once
+
+}  // namespace
+
+CoupledSystem::CoupledSystem(const CoupledModel& model, long bins, bool rotating)
+    : loads(static_cast<std::size_t>(model.bearings()),
+            system::LoadsAtStep(static_cast<int>(model.bearing.layout.rollers))),
+      sums(static_cast<std::size_t>(model.bearings()), empty_sums(model, bins)),
+      counted(static_cast<std::size_t>(model.bearings()), false),
+      model_(model),
+      rotating_(rotating),
+      equations_(model.gears),
+      begin_reactions_(static_cast<std::size_t>(model.bearings())),
+      stages_(begin_reactions_.size()),
+      port_matrices_(begin_reactions_.size()),
+      reduced_(begin_reactions_.size()) {
+  for (int b = 0; b < model.bearings(); ++b) bearings_.emplace_back(model.bearing_of(b));
+  gear_size_ = (model.gears.layout.size() + kEight - 1) / kEight * kEight;
+  bearing_size_ = bearings_.front().layout().size();
+  port_loads_.force.setZero(2, model.gears.layout.planets);
+  port_loads_.moment.setZero(model.gears.layout.planets);
+  stage_loads_ = port_loads_;
+  right_.resize(freedoms());
+  rate_.resize(freedoms());
+  gear_rate_.resize(2 * freedoms());
+  gear_rate_after_.resize(2 * freedoms());
+}
+
+bearing::motion::DamageSums CoupledSystem::no_damage(long bins) const {
+  return empty_sums(model_, bins);
+}
+
+void CoupledSystem::set_piece(double begin, double first, double last) {
+  begin_ = begin;
+  first_ = first;
+  last_ = last;
+}
+
+double CoupledSystem::true_time(double time) const {
+  return std::clamp(begin_ + time, first_, last_);
+}
+
+template <bool WithSlopes>
+void CoupledSystem::evaluate(double time, const double* x, double* dx) {
+  const double now = true_time(time);
+  const Eigen::Index n = freedoms();
+  port_loads_.force.setZero();
+  port_loads_.moment.setZero();
+  BoreMotion motion;
+  for (int b = 0; b < bearings(); ++b) {
+    const PlanetPort& port = model_.port_of(b);
+    if (b % model_.per_planet == 0) motion = bore_motion(model_, port, now, part(x, 0), part(x, n));
+    VectorBearing& bearing = bearings_[static_cast<std::size_t>(b)];
+    if constexpr (WithSlopes)
+      bearing.linearise(motion, of_bearing(x, b), of_bearing(dx, b));
+    else
+      bearing.derivative(motion, of_bearing(x, b), of_bearing(dx, b));
+    const auto reaction = bearing.reaction();
+    port_loads_.force.col(b / model_.per_planet) += reaction.force;
+    port_loads_.moment[b / model_.per_planet] += reaction.moment;
+    if constexpr (WithSlopes)
+      begin_reactions_[static_cast<std::size_t>(b)] = reaction;
+    else
+      stages_[static_cast<std::size_t>(b)].evaluated(reaction);
+  }
+  Eigen::Map<Eigen::VectorXd> gears(dx, 2 * n);
+  equations_.derivative(now, Vector(x, 2 * n), port_loads_, gears);
+  std::fill(dx + 2 * n, dx + gear_size_, 0.0);
+  for (int b = 0; b < bearings(); ++b) put_acceleration(b, gears.tail(n), of_bearing(dx, b));
+}
+
+void CoupledSystem::derivative(double time, const double* x, double* dx) {
+  evaluate<false>(time, x, dx);
+}
+
+void CoupledSystem::linearise(double time, const double* x, double* dx) {
+  evaluate<true>(time, x, dx);
+  linear_gears_ = Vector(x, 2 * freedoms());
+  force_slopes(model_.gears, true_time(time), linear_gears_, slopes_);
+}
+
+// By a difference, the same loads of the bearings on both sides, whatever they are: they drop out.
+void CoupledSystem::mesh_slope(double time, double* dx) {
+  constexpr double kShare = 1e-4;  // of a mesh period, within which the stiffness runs straight
+  const Eigen::Index n = freedoms();
+  const double period = 1.0 / std::max(model_.gears.operation.mesh_frequency, 1.0);
+  const double span = std::min(kShare * period, 0.5 * (last_ - first_));
+  const double now = std::clamp(true_time(time), first_, last_ - span);
+  equations_.derivative(now, linear_gears_, port_loads_, gear_rate_);
+  equations_.derivative(now + span, linear_gears_, port_loads_, gear_rate_after_);
+  Eigen::Map<Eigen::VectorXd> gears(dx, 2 * n);
+  gears = (gear_rate_after_ - gear_rate_) / span;
+  std::fill(dx + 2 * n, dx + size(), 0.0);
+  for (int b = 0; b < bearings(); ++b) put_acceleration(b, gears.tail(n), of_bearing(dx, b));
+}
+
+// That of the bore of bearing `b`, from the `rate` of the gears' velocities, into its part of the rate.
+void CoupledSystem::put_acceleration(int b, const Eigen::Ref<const Eigen::VectorXd>& rate, double* dx) const {
+  const Eigen::Vector2d acceleration = model_.port_of(b).along(rate);
+  std::copy_n(acceleration.data(), 2, dx + bearings_.front().layout().bore() + 2);
+}
+
+bool CoupledSystem::factor(double g) {
+  g_ = g;
+  matrix_.assemble(model_.gears, slopes_, g);
+  for (int b = 0; b < bearings(); ++b) {
+    const auto position = static_cast<std::size_t>(b);
+    bearing::vectorised::PortMatrix& port = port_matrices_[position];
+    if (!bearings_[position].factor_open(g, rotating_, port)) return false;
+    stages_[position].begin(begin_reactions_[position]);
+    const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> matrix(&port.a[0][0]);
+    const PlanetPort& planet = model_.port_of(b);
+    matrix_.add_port(model_.gears, b / model_.per_planet, planet.of_carrier, planet.of_planet, matrix);
+  }
+  return matrix_.factor(model_.gears);
+}
+
+void CoupledSystem::solve(const double* rhs, double* k) {
+  const Eigen::Index n = freedoms();
+  right_ = model_.gears.mass.cwiseProduct(part(rhs, n)) + g_ * (slopes_.by_position * part(rhs, 0));
+  stage_loads_.force.setZero();
+  stage_loads_.moment.setZero();
+  for (int b = 0; b < bearings(); ++b) {
+    double(&force)[3] = reduced_[static_cast<std::size_t>(b)].force;
+    bearings_[static_cast<std::size_t>(b)].reduce(of_bearing(rhs, b), of_bearing(k, b), force);
+    const int planet = b / model_.per_planet;
+    stage_loads_.force.col(planet) += Eigen::Vector2d(force[0], force[1]);
+    stage_loads_.moment[planet] += force[2];
+  }
+  add_port_loads(model_.gears, stage_loads_, right_);
+  rate_ = (model_.gears.mobility.array() != 0.0).select(right_, 0.0);
+  matrix_.solve(rate_);
+  Eigen::Map<Eigen::VectorXd>(k + n, n) = rate_;
+  Eigen::Map<Eigen::VectorXd>(k, n) = part(rhs, 0) + g_ * rate_;
+  std::fill(k + 2 * n, k + gear_size_, 0.0);
+  for (int b = 0; b < bearings(); ++b) {
+    const Eigen::Vector3d bore = model_.port_of(b).of(rate_);
+    const double rate[3] = {bore.x(), bore.y(), bore.z()};
+    const auto position = static_cast<std::size_t>(b);
+    bearings_[position].complete(of_bearing(rhs, b), rate, of_bearing(k, b));
+    stages_[position].solved(reduced_[position].force, rate, port_matrices_[position]);
+  }
+}
+
+void CoupledSystem::begun(const std::vector<double>& x) {
+  for (int b = 0; b < bearings(); ++b)
+    loads[static_cast<std::size_t>(b)].take(bearing(b), of_bearing(x.data(), b));
+}
+
+void CoupledSystem::stepped(double, double length) {
+  ++steps;
+  for (std::size_t b = 0; b < loads.size(); ++b) {
+    if (!counted[b]) loads[b].count(length, &sums[b]);
+    counted[b] = false;
+  }
+}
+
+void CoupledSystem::push(const gearset::dynamics::PortLoads& impulses, double* x) {
+  right_.setZero();
+  add_port_loads(model_.gears, impulses, right_);
+  rate_ = model_.gears.mobility.cwiseProduct(right_);
+  Eigen::Map<Eigen::VectorXd>(x + freedoms(), freedoms()) += rate_;
+}
+
+// The bores are where the gear set has them but for round-off, which shall not gather.
+void CoupledSystem::settle(double, std::vector<double>& x) const {
+  const Eigen::Index n = freedoms();
+  for (int b = 0; b < bearings(); ++b) {
+    const PlanetPort& port = model_.port_of(b);
+    const Eigen::Vector2d position = port.along(part(x.data(), 0)) - port.pin_error;
+    const Eigen::Vector2d velocity = port.along(part(x.data(), n));
+    double* bore = of_bearing(x.data(), b) + bearing(b).layout().bore();
+    std::copy_n(position.data(), 2, bore);
+    std::copy_n(velocity.data(), 2, bore + 2);
+  }
+}
+
+namespace {
+
+using bearing::motion::BoreMotion;
 
 // Error of a step, over what is allowed, up to which a bearing is substepped: beyond it the
 // bearing's force in the step of all is not to be trusted.

@@ -12,7 +12,7 @@
 #include "coupling/integration/rosenbrock4.hpp"
 #include "coupling/integration/window.hpp"
 #include "coupling/system/bearing_steps.hpp"
-#include "coupling/system/coupled_system.hpp"
+#include "coupling/system/coupled_steps.hpp"
 #include "gearset/dynamics/energy.hpp"
 #include "tests/unit/cosim/coupled_reducer.hpp"
 

@@ -1,7 +1,7 @@
 // Lives on laminae in motion against the quasi-static life of the same bearing: one way, and as one system.
 #include <gtest/gtest.h>
 
-#include "coupling/study/crowning/profile_family.hpp"
+#include "coupling/study/crowning/crown_problem.hpp"
 #include "coupling/study/operating_point.hpp"
 #include "tests/coupled_reducer.hpp"
 

@@ -9,7 +9,6 @@
 
 #include "app/study/crown/crown_options.hpp"
 #include "coupling/study/crowning/crown_grid.hpp"
-#include "coupling/study/crowning/duty_record.hpp"
 #include "coupling/study/crowning/half_space_search.hpp"
 #include "mechanics/record.hpp"
 

@@ -1,4 +1,4 @@
-#include "coupling/cosim/polynomials.hpp"
+#include "coupling/cosim/exchange.hpp"
 
 #include <gtest/gtest.h>
 

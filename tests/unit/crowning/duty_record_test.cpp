@@ -1,5 +1,5 @@
 // What each duty does to a crown.
-#include "coupling/study/crowning/duty_record.hpp"
+#include "coupling/study/crowning/crown_grid.hpp"
 
 #include <gtest/gtest.h>
 

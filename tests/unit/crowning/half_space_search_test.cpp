@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "coupling/study/crowning/drop_curve.hpp"
 #include "tests/unit/crowning/planet_bearing.hpp"
 
 namespace orbearing::study::crowning::half_space_search_test {

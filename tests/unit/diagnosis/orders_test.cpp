@@ -7,7 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "coupling/diagnosis/peaks.hpp"
+#include "coupling/diagnosis/spectrum.hpp"
 #include "tests/messages.hpp"
 
 namespace orbearing::diagnosis::orders_test {

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <random>
 
-#include "coupling/diagnosis/peaks.hpp"
 
 namespace orbearing::diagnosis::spectrum_test {
 namespace {

@@ -3,7 +3,6 @@
 
 #include <set>
 
-#include "coupling/fmu/profile_numbers.hpp"
 #include "coupling/fmu/setup_numbers.hpp"
 #include "tests/messages.hpp"
 #include "tests/unit/fmu/fmu_model.hpp"

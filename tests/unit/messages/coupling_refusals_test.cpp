@@ -4,11 +4,11 @@
 
 #include <limits>
 
-#include "coupling/study/affine_fit.hpp"
+#include "coupling/study/one_way.hpp"
 #include "coupling/study/gear_dynamics.hpp"
 #include "coupling/system/driven_bearing.hpp"
 #include "coupling/system/driven_gears.hpp"
-#include "coupling/system/thermal_network.hpp"
+#include "coupling/system/heated_balls.hpp"
 #include "gearset/dynamics/bodies.hpp"
 #include "gearset/dynamics/model.hpp"
 #include "gearset/mean_loads.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "coupling/study/affine_fit.hpp"
+#include "coupling/study/one_way.hpp"
 
 namespace orbearing::study {
 namespace {
