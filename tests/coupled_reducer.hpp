@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "coupling/cosim/planetary_coupling.hpp"
-#include "coupling/study/bearing_tangent.hpp"
+#include "coupling/study/planet_stiffness.hpp"
 #include "coupling/study/gear_model.hpp"
 #include "gearset/mesh/planetary_meshes.hpp"
 #include "tests/reducer.hpp"

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "bearing/defect/scratched_rollers.hpp"
+#include "bearing/defect/scratched_elements.hpp"
 
 namespace orbearing::test {
 

@@ -1,5 +1,5 @@
 // Fields of the bearing beyond those of its members: profile, misalignment, races that are not round.
-#include "app/case/default_drivetrain.hpp"
+#include "app/case/bearing_fields.hpp"
 #include "app/case/described_fields.hpp"
 #include "app/case/field_table.hpp"
 

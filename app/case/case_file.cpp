@@ -4,16 +4,405 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <fstream>
 #include <optional>
+#include <set>
 
-#include "app/case/case_resolver.hpp"
+#include "app/case/catalogue_case.hpp"
 #include "app/case/consistency.hpp"
-#include "app/case/former_keys.hpp"
+#include "app/case/derived_defaults.hpp"
+#include "app/case/field_table.hpp"
+#include "app/case/given_by.hpp"
+#include "app/case/rows_file.hpp"
 #include "app/case/settings.hpp"
+#include "app/case/sweep_axes.hpp"
 #include "app/case/uncertain_case.hpp"
 
 namespace orbearing::app {
+
+namespace {
+
+// Names that may follow a prefix ("gearset.teeth.", "sets.reduction.", ""), in the order of the table.
+std::vector<std::string> keys_under(const std::string& prefix, const CaseShape& shape) {
+  std::vector<std::string> names;
+  const std::size_t of_set = set_prefix_length(prefix);
+  const std::string inner = prefix.substr(of_set);
+  for (const Field& field : all_fields()) {
+    const bool fits = of_set > 0 ? in_each_set(field) : belongs(shape, field.path);
+    if (!fits || !field.path.starts_with(inner)) continue;
+    const std::string rest = field.path.substr(inner.size());
+    std::string name = rest.substr(0, rest.find('.'));
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(std::move(name));
+  }
+  if (prefix.empty() && shape.several) names.insert(names.end(), {"sets", "shafts"});
+  if (prefix.empty()) names.insert(names.end(), {"sweep", "uncertain", "assumed"});
+  return names;
+}
+
+// What is required in place of the unknown `key` in the block of `prefix`.
+std::string key_hint(const std::string& key, const std::string& prefix, const CaseShape& shape) {
+  const std::string set = prefix.substr(0, set_prefix_length(prefix));
+  if (!set.empty() && key == "fixed")
+    return "a member stands by being on a shaft with 'ground'; a known key is required";
+  if (prefix == "input." && key == "torque")
+    return "input.power is required in its place: torque x speed (1 kN.m at 1 rpm is 0.1047198 kW)";
+  // The right name in the wrong block is likelier than a slip of the keyboard.
+  for (const Field& field : all_fields()) {
+    if (!set.empty() && !in_each_set(field)) continue;
+    if (field.path == key || field.path.ends_with("." + key))
+      return fmt::format("a known key is required; '{}{}' nested by its blocks is one",
+                         belongs(shape, field.path) ? "" : set, field.path);
+  }
+  const std::vector<std::string> siblings = keys_under(prefix, shape);
+  const std::string near = nearest_word(key, siblings);
+  if (!near.empty()) return fmt::format("a known key is required; did you mean '{}{}'?", prefix, near);
+  return fmt::format("one of {} is required", fmt::join(siblings, ", "));
+}
+
+class Resolver {
+ public:
+  Resolver(const Entry& root, const std::string& file, std::vector<Mistake>& mistakes)
+      : root_(root), mistakes_(mistakes) {
+    data_.file = file;
+  }
+
+  CaseData resolve() {
+    find_model();
+    find_shape();
+    read_block(root_, "");
+    if (model_ != no_model) fill_from_catalogue(data_, model_);
+    report_missing();
+    fill_defaults();
+    fill_derived_defaults(data_);
+    read_assumed();
+    read_sweep();
+    read_uncertain_block();
+    return std::move(data_);
+  }
+
+ private:
+  void add_error(Location location, const std::string& path, std::string found, std::string required) {
+    mistakes_.push_back({location, path, {std::move(found), std::move(required)}});
+    faulty_.insert(path);
+  }
+
+  // Without a good model, every field of any model is let pass and none is missed.
+  void find_model() {
+    const Member* member = find_member(root_, "model");
+    if (member == nullptr || member->value.shape != Entry::Shape::scalar) return;
+    model_ = model_of(member->value.text);
+    const Member* bearing = find_member(root_, "bearing");
+    const bool rollers = bearing != nullptr && bearing->value.shape == Entry::Shape::block &&
+                         find_member(bearing->value, "rollers") != nullptr;
+    model_ = specific_model(model_, find_member(root_, "simulation") != nullptr, rollers);
+    if (model_ != no_model) allowed_ = model_;
+  }
+
+  // A drivetrain with sets or shafts has several sets; the fields of one set beside them are a mistake.
+  void find_shape() {
+    if ((allowed_ & planetary_drivetrain) == 0) return;
+    const Member* sets = find_member(root_, "sets");
+    const Member* shafts = find_member(root_, "shafts");
+    data_.shape.several = sets != nullptr || shafts != nullptr;
+    data_.shape.defect = false;
+    if (!data_.shape.several) {
+      find_parts(root_, data_.shape);
+      return;
+    }
+    for (const char* key : {"gearset", "bearing"})
+      if (const Member* own = find_member(root_, key); own != nullptr)
+        add_error(own->location.option ? own->location : (sets != nullptr ? sets : shafts)->location, key,
+                  "the fields of one set beside 'sets' and 'shafts'",
+                  "either gearset and bearing, or sets and shafts, are required");
+  }
+
+  void read_block(const Entry& block, const std::string& prefix) {
+    std::map<std::string, int> first_line;
+    for (const Member& member : block.members) {
+      const std::string path = prefix + member.key;
+      const auto [first, fresh] = first_line.emplace(member.key, member.location.line);
+      if (!fresh)
+        add_error(member.location, path,
+                  member.location.option ? "duplicate key"
+                                         : fmt::format("duplicate key, first on line {}", first->second),
+                  "each key once is required");
+      else if (prefix.empty() &&
+               (member.key == "sweep" || member.key == "uncertain" || member.key == "assumed"))
+        require_block(member, path, "field paths");
+      else if (data_.shape.several && prefix.empty() && (member.key == "sets" || member.key == "shafts"))
+        read_named(member);
+      else
+        read_member(member, path, prefix);
+    }
+  }
+
+  // The blocks `sets` and `shafts`, whose keys are names of the user's.
+  void read_named(const Member& block) {
+    const bool sets = block.key == "sets";
+    block_locations_[block.key] = block.location;
+    if (!require_block(block, block.key, sets ? "names of sets" : "names of shafts")) return;
+    std::vector<std::string>& names = sets ? data_.shape.sets : data_.shape.shafts;
+    for (const Member& member : block.value.members) {
+      const std::string path = block.key + "." + member.key;
+      if (!is_name(member.key)) {
+        add_error(member.location, path, "the name " + quote(member.key), name_rule);
+      } else if (std::find(names.begin(), names.end(), member.key) != names.end()) {
+        add_error(member.location, path, "duplicate key", "each key once is required");
+      } else {
+        names.push_back(member.key);
+        read_member(member, path, block.key + ".");
+      }
+    }
+    if (names.size() > (sets ? most_sets : 3 * most_sets))
+      add_error(block.location, block.key, fmt::format("{} {}", names.size(), block.key),
+                fmt::format("at most {} are required", sets ? most_sets : 3 * most_sets));
+  }
+
+  void read_member(const Member& member, const std::string& path, const std::string& prefix) {
+    const Field* field = find_field(path);
+    const bool dotted = member.key.find('.') != std::string::npos;
+    const std::vector<std::string> keys = keys_under(path + ".", data_.shape);
+    const Field* of_block = keys.empty() ? field_under(path + ".") : nullptr;
+    if (field != nullptr && !dotted) {
+      read_value(member, path, *field);
+    } else if (!dotted && !keys.empty()) {
+      block_locations_[path] = member.location;
+      if (require_block(member, path, fmt::format("{}", fmt::join(keys, ", "))))
+        read_block(member.value, path + ".");
+    } else if (!dotted && of_block != nullptr && !is_faulty(path)) {
+      const auto [found, required] = unused_field(data_.shape, of_block->path);
+      add_error(member.location, path, "the block " + quote(member.key) + ", " + found, required);
+    } else if (!is_faulty(path)) {
+      add_error(member.location, path, "unknown key", key_hint(member.key, prefix, data_.shape));
+    }
+  }
+
+  // A field of this model that the block holds in a case of another shape; null where there is none.
+  const Field* field_under(const std::string& prefix) const {
+    const std::vector<Field>& fields = all_fields();
+    const auto found = std::find_if(fields.begin(), fields.end(), [&](const Field& field) {
+      return field.path.starts_with(prefix) && (field.models & allowed_) != 0;
+    });
+    return found == fields.end() ? nullptr : &*found;
+  }
+
+  bool require_block(const Member& member, const std::string& path, const std::string& keys) {
+    if (member.value.shape == Entry::Shape::block) return true;
+    add_error(member.value.location, path, describe(member.value) + " found",
+              "a block with keys (" + keys + ") is required");
+    return false;
+  }
+
+  void read_value(const Member& member, const std::string& path, const Field& field) {
+    if ((field.models & allowed_) == 0) {
+      add_error(member.location, path, fmt::format("a field that {} does not use", model_name(model_)),
+                "a case without it is required");
+      return;
+    }
+    if (!belongs(data_.shape, path)) {
+      if (is_faulty(path)) return;
+      const auto [found, required] = unused_field(data_.shape, path);
+      add_error(member.location, path, found, required);
+      return;
+    }
+    const std::size_t before = mistakes_.size();
+    const bool elsewhere = field.from_file && member.value.shape == Entry::Shape::block;
+    const Entry value =
+        elsewhere ? rows_of_file(field, member.value, path, data_.file, mistakes_) : member.value;
+    if (mistakes_.size() > before) {
+      faulty_.insert(path);
+      return;
+    }
+    FieldReading reading = read_field(field, value);
+    if (!reading.good) {
+      add_error(reading.location.value_or(member.value.location), path, reading.message.found,
+                reading.message.required);
+      return;
+    }
+    StoredValue& stored = data_.values[path];
+    stored = {std::move(reading.value), member.value.location, false};
+    for (const Entry& item : member.value.items) stored.item_locations.push_back(item.location);
+  }
+
+  bool is_faulty(std::string path) const {
+    while (!faulty_.contains(path)) {
+      const auto dot = path.rfind('.');
+      if (dot == std::string::npos) return false;
+      path.resize(dot);
+    }
+    return true;
+  }
+
+  Location nearest_block(std::string path) const {
+    for (auto dot = path.rfind('.'); dot != std::string::npos; dot = path.rfind('.')) {
+      path.resize(dot);
+      if (const auto found = block_locations_.find(path); found != block_locations_.end())
+        return found->second;
+    }
+    return {};
+  }
+
+  // Of several sets, one may go without bearings: it carries power and has no life.
+  bool is_needed(const Input& input) const {
+    if (model_ == no_model) return (input.field->required_by & every_model) == every_model;
+    const unsigned kind = data_.shape.teeth ? unsigned{model_} : toothless_set | model_;
+    return (input.field->required_by & kind) != 0 && !is_of_missing_bearing(input) &&
+           !is_of_missing_cage(input);
+  }
+
+  // Nothing is missed of what another input would give that has a mistake itself, found here or by its own
+  // check.
+  bool is_of_faulty_giver(const Input& input) const {
+    const std::string set = input.path.substr(0, set_prefix_length(input.path));
+    const std::vector<Condition> givers = given_by(input.field->path);
+    return std::any_of(givers.begin(), givers.end(), [&](const Condition& giver) {
+      const std::string path = set + giver.paths.front();
+      return is_faulty(path) || (giver.values.empty() && data_.values.contains(path));
+    });
+  }
+
+  // Inputs that would give what is missing.
+  std::string in_its_place(const Input& input) const {
+    std::vector<std::string> others;
+    const std::string set = input.path.substr(0, set_prefix_length(input.path));
+    for (const Condition& giver : given_by(input.field->path)) {
+      const Field* other = find_field(set + giver.paths.front());
+      if (other == nullptr || (other->models & allowed_) == 0 || data_.values.contains(set + giver.paths.front()))
+        continue;
+      others.push_back(set + giver.paths.front() + (giver.values.empty() ? "" : ": " + giver.values.front()));
+    }
+    return others.empty() ? "" : fmt::format(", or {} in its place", fmt::join(others, " or "));
+  }
+
+  // A full complement of rollers has no cage.
+  bool is_of_missing_cage(const Input& input) const {
+    if (!input.field->path.starts_with("bearing.cage.")) return false;
+    const std::string set = input.path.substr(0, set_prefix_length(input.path));
+    const auto complement = data_.values.find(set + "bearing.complement");
+    return complement != data_.values.end() && complement->second.value.given == "full";
+  }
+
+  bool is_of_missing_bearing(const Input& input) const {
+    const std::size_t prefix = set_prefix_length(input.path);
+    return prefix > 0 && input.field->path.starts_with("bearing.") &&
+           !block_locations_.contains(input.path.substr(0, prefix) + "bearing");
+  }
+
+  void report_missing() {
+    for (const Input& input : inputs_of(every_model, data_.shape))
+      if (is_needed(input) && !data_.values.contains(input.path) && !is_faulty(input.path) &&
+          !is_of_faulty_giver(input))
+        add_error(nearest_block(input.path), input.path, "missing",
+                  requirement(*input.field) + " is required" + in_its_place(input));
+    if (!data_.shape.several) return;
+    for (const char* key : {"sets", "shafts"})
+      if (is_nothing(key) && !is_faulty(key))
+        add_error(nearest_block(std::string(key) + "."), key, "missing",
+                  "sets: {NAME: {gearset: ..., bearing: ...}} and shafts: {NAME: [motor, SET.sun], ...} are "
+                  "required");
+  }
+
+  bool is_nothing(const std::string& key) const {
+    return (key == "sets" ? data_.shape.sets : data_.shape.shafts).empty();
+  }
+
+  bool has_bearing(const std::string& path) const {
+    const std::size_t prefix = set_prefix_length(path);
+    return prefix == 0 ? data_.shape.bearing : block_locations_.contains(path.substr(0, prefix) + "bearing");
+  }
+
+  void fill_defaults() {
+    for (const auto& [path, field] : inputs_of(model_, data_.shape)) {
+      if (field->default_text.empty() || data_.values.contains(path) || is_faulty(path) ||
+          is_of_missing_bearing({path, field}) || (field->default_without_bearing && has_bearing(path)))
+        continue;
+      data_.values[path] = {read_field_text(*field, field->default_text).value, {}, true};
+      data_.assumed[path] = "default: " + field->default_reason;
+    }
+  }
+
+  void read_assumed() {
+    const Member* assumed = find_member(root_, "assumed");
+    if (assumed == nullptr) return;
+    std::set<std::string> seen;
+    for (const Member& member : assumed->value.members) {
+      if (seen.insert(member.key).second)
+        read_reason(member);
+      else
+        add_error(member.location, "assumed." + member.key, "duplicate key", "each key once is required");
+    }
+  }
+
+  void read_reason(const Member& member) {
+    const std::string path = "assumed." + member.key;
+    const Entry& reason = member.value;
+    const auto value = data_.values.find(member.key);
+    if (value == data_.values.end()) {
+      if (!is_faulty(member.key))
+        add_error(member.location, path, unknown_assumption(member.key), assumption_hint(member.key));
+      return;
+    }
+    if (reason.shape != Entry::Shape::scalar ||
+        reason.text.find_first_not_of(" \t\r\n") == std::string::npos) {
+      add_error(reason.location, path, describe(reason) + " found",
+                "the reason for the value, as a text, is required");
+      return;
+    }
+    // A value put in its place by an option is no longer the one that the file gives reasons for.
+    if (value->second.location.option && !reason.location.option) return;
+    if (!value->second.replaced.empty()) return;  // nor is one that another input replaced
+    data_.assumed[member.key] = reason.text;
+  }
+
+  static std::string unknown_assumption(const std::string& key) {
+    return find_field(key) == nullptr ? "unknown path" : "a reason for a value that is not there";
+  }
+
+  std::string assumption_hint(const std::string& key) const {
+    std::vector<std::string> known;
+    for (const auto& [path, value] : data_.values) known.push_back(path);
+    const std::string near = find_field(key) == nullptr ? nearest_word(key, known) : "";
+    return near.empty()
+               ? "the path of a value of this case is required"
+               : fmt::format("the path of a value of this case is required; did you mean '{}'?", near);
+  }
+
+  void read_sweep() {
+    const Member* sweep = find_member(root_, "sweep");
+    if (sweep != nullptr && model_ != no_model && model_ != planetary_drivetrain) {
+      add_error(sweep->location, "sweep", fmt::format("a sweep of a {}", model_name(model_)),
+                "a case without it is required; planetary-drivetrain is the model that is swept");
+      return;
+    }
+    if (sweep != nullptr && sweep->value.shape == Entry::Shape::block)
+      data_.axes = std::make_shared<const std::vector<SweepAxis>>(
+          read_axes(sweep->value, allowed_, data_.shape, mistakes_));
+  }
+
+  void read_uncertain_block() {
+    const Member* uncertain = find_member(root_, "uncertain");
+    if (uncertain == nullptr) return;
+    if (uncertain->value.shape == Entry::Shape::block)
+      data_.uncertain = std::make_shared<const StatedUncertainty>(
+          read_uncertain(uncertain->value, allowed_, data_.shape, mistakes_));
+  }
+
+  const Entry& root_;
+  std::vector<Mistake>& mistakes_;
+  CaseData data_;
+  Model model_ = no_model;
+  unsigned allowed_ = every_model;
+  std::set<std::string> faulty_;
+  std::map<std::string, Location> block_locations_;
+};
+
+}  // namespace
+
+CaseData resolve(const Entry& root, const std::string& file, std::vector<Mistake>& mistakes) {
+  return Resolver(root, file, mistakes).resolve();
+}
 
 namespace {
 

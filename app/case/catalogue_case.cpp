@@ -12,7 +12,7 @@
 #include "app/case/case_errors.hpp"
 #include "app/case/catalogue_fields.hpp"
 #include "app/case/field_table.hpp"
-#include "app/case/substitute.hpp"
+#include "app/case/oil_case.hpp"
 #include "app/units.hpp"
 #include "bearing/catalogue/classes.hpp"
 #include "bearing/catalogue/entries.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/case/derived.hpp"
+#include "app/case/given_by.hpp"
 #include "app/case/field.hpp"
 #include "app/case/mistake.hpp"
 #include "app/case/resolved_case.hpp"

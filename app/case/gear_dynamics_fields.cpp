@@ -1,5 +1,5 @@
 // Fields of the dynamics of a planetary set: bodies, supports, damping, errors, and the run in time.
-#include "app/case/default_drivetrain.hpp"
+#include "app/case/bearing_fields.hpp"
 #include "app/case/described_fields.hpp"
 #include "app/case/field_table.hpp"
 #include "app/case/use_conditions.hpp"

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "app/case/case_errors.hpp"
-#include "app/case/uneven_planets.hpp"
+#include "app/case/set_case.hpp"
 
 namespace orbearing::app {
 

@@ -12,7 +12,7 @@
 
 #include "app/case/case_shape.hpp"
 #include "app/case/field.hpp"
-#include "app/case/setting.hpp"
+#include "app/case/settings.hpp"
 
 namespace orbearing::app {
 

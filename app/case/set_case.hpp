@@ -2,12 +2,28 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/case/resolved_case.hpp"
+#include "gearset/gear_pair.hpp"
 #include "gearset/parameters.hpp"
 
 namespace orbearing::app {
+
+// From a resolved case of the model gear-pair to the parameters of the pair.
+
+/// Lists must hold two values each.
+gearset::GearPair pair_of(const ResolvedCase& resolved);
+
+// What in a case makes the planets of a set carry unlike loads.
+
+/// Whether the case has a list at `path` with a value that is not zero.
+bool is_anywhere_nonzero(const ResolvedCase& resolved, std::string_view path);
+
+/// The path of the value by which planets carry unlike loads: pins off their places, or places at unequal
+/// steps; empty: none does. Of the one set of a case, or of one of several by ResolvedCase::of_set().
+std::string uneven_planets_by(const ResolvedCase& resolved);
 
 /// The set with the bore that its bearings fill; where it has none, with the bore that the case states as a
 /// share of the root diameter of standard teeth.

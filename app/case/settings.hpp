@@ -1,12 +1,34 @@
 // --set path=value: overlays a case before it is checked.
 #pragma once
 
+#include <compare>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/case/field.hpp"
+#include "app/case/yaml_tree.hpp"
 
 namespace orbearing::app {
+
+// Keys that had another name once: who still gives the former one is read as if he gave the present one.
+
+/// The same path with present names; behind "sweep.", "uncertain." and "assumed.", and in one of several
+/// sets, too.
+std::string present_path(const std::string& path);
+
+/// Gives all keys of a case file their present names. Where both names stand, the former one stays and is an
+/// unknown key.
+void rename_former_keys(Entry& root);
+
+/// Replacement of one independent value.
+struct Setting {
+  std::string path;                // of a list of numbers also "PATH[i]", its element i, counted from 0
+  std::string text;                // as in a case; empty: the number says it
+  std::optional<double> number{};  // [SI] where the text has been read or there is none
+
+  auto operator<=>(const Setting&) const = default;
+};
 
 /// Puts every setting into the tree as if it stood in the file; malformed ones become mistakes. A block or
 /// list is replaced as a whole; of two settings of one path the later holds.

@@ -5,7 +5,6 @@ set(ORBEARING_CASE_SOURCES
   case/catalogue_case.cpp
   case/catalogue_fields.cpp
   case/case_file.cpp
-  case/case_resolver.cpp
   case/case_shape.cpp
   case/changed_case.cpp
   case/check_table.cpp
@@ -22,15 +21,12 @@ set(ORBEARING_CASE_SOURCES
   case/described_use.cpp
   case/field_use.cpp
   case/film_fields.cpp
-  case/former_keys.cpp
   case/gear_dynamics_fields.cpp
   case/mistake.cpp
   case/oil_case.cpp
   case/oil_fields.cpp
-  case/pair_case.cpp
   case/printable.cpp
   case/profile_case.cpp
-  case/substitute.cpp
   case/refinement_consistency.cpp
   case/resolved_case.cpp
   case/rows_file.cpp
@@ -39,14 +35,12 @@ set(ORBEARING_CASE_SOURCES
   case/schema.cpp
   case/set_case.cpp
   case/settings.cpp
-  case/ball_case.cpp
   case/static_case.cpp
   case/static_consistency.cpp
   case/static_fields.cpp
   case/sweep_axes.cpp
   case/sweep_consistency.cpp
   case/uncertain_case.cpp
-  case/uneven_planets.cpp
   case/units.cpp
   case/unused_inputs.cpp
   case/use_conditions.cpp

@@ -4,6 +4,7 @@
 #include "app/case/resolved_case.hpp"
 #include "bearing/equilibrium/jones_balls.hpp"
 #include "bearing/life/standard_life.hpp"
+#include "coupling/system/heated_balls.hpp"
 
 namespace orbearing::app {
 
@@ -21,5 +22,16 @@ bearing::equilibrium::RowMotion row_motion_of(const ResolvedCase& resolved);
 
 /// What the case states in place of the standard's values.
 bearing::rating::StatedRatings stated_ratings_of(const ResolvedCase& resolved);
+
+// From a resolved case of a ball bearing with a block `simulation` to its motion in time.
+
+bearing::balls::MotionParameters ball_motion_of(const ResolvedCase& resolved);
+
+/// The load acts on the inner ring, the radial one along x; with an acceleration the ring starts from rest.
+bearing::balls::BallDuty ball_duty_of(const ResolvedCase& resolved);
+
+system::BallRunOptions ball_run_options_of(const ResolvedCase& resolved);
+
+system::HeatParameters heat_of(const ResolvedCase& resolved);
 
 }  // namespace orbearing::app

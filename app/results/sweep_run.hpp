@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/case/setting.hpp"
+#include "app/case/settings.hpp"
 #include "app/results/manifest.hpp"
 #include "app/results/result_folder.hpp"
 #include "app/results/result_row.hpp"

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/case/ball_case.hpp"
 #include "app/case/static_case.hpp"
 #include "app/errors.hpp"
 #include "app/study/static_study.hpp"

@@ -8,7 +8,6 @@
 
 #include "app/case/check_table.hpp"
 #include "app/case/resolved_case.hpp"
-#include "bearing/defect/frequencies.hpp"
 #include "bearing/defect/scratched_bearing.hpp"
 #include "coupling/diagnosis/defect_view.hpp"
 #include "coupling/study/planet_scratch.hpp"

@@ -10,7 +10,6 @@
 #include "app/case/profile_case.hpp"
 #include "app/case/set_case.hpp"
 #include "app/case/static_case.hpp"
-#include "app/case/uneven_planets.hpp"
 #include "gearset/checks.hpp"
 
 namespace orbearing::app {

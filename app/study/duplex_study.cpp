@@ -9,7 +9,7 @@
 
 #include "app/errors.hpp"
 #include "app/units.hpp"
-#include "bearing/duplex/linear_pair.hpp"
+#include "bearing/duplex/pair.hpp"
 
 namespace orbearing::app {
 

@@ -10,7 +10,6 @@
 #include "app/errors.hpp"
 #include "app/study/drivetrain_case.hpp"
 #include "app/study/mesh_study.hpp"
-#include "coupling/study/bearing_tangent.hpp"
 #include "coupling/study/planet_stiffness.hpp"
 #include "gearset/mesh/loaded/tooth_pairs.hpp"
 #include "mechanics/constants.hpp"

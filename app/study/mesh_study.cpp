@@ -9,7 +9,6 @@
 #include <mutex>
 #include <utility>
 
-#include "app/case/pair_case.hpp"
 #include "app/case/set_case.hpp"
 #include "app/errors.hpp"
 #include "app/study/drivetrain_case.hpp"

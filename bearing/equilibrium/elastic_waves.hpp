@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "bearing/elastic_race.hpp"
+#include "bearing/operating_point.hpp"
 #include "mechanics/convex_search.hpp"
 
 namespace orbearing::bearing {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "bearing/contact/race_contact.hpp"
-#include "bearing/elastic_race.hpp"
+#include "bearing/operating_point.hpp"
 #include "bearing/equilibrium/quasi_static_state.hpp"
 #include "bearing/geometry.hpp"
 #include "mechanics/convex_search.hpp"

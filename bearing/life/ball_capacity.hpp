@@ -1,9 +1,23 @@
 // Capacities and equivalent load of radial ball bearings, [ISO281], [ISO1281] and [ISO16281].
 #pragma once
 
-#include "bearing/life/capacities.hpp"
+#include "bearing/life/lundberg_palmgren.hpp"
 
 namespace orbearing::bearing::rating {
+
+// Inputs of a rating per contact.
+
+/// Load [N] that one contact bears for a million revolutions, on either race.
+struct ContactCapacities {
+  double inner = 0.0;  // [N]
+  double outer = 0.0;  // [N]
+};
+
+/// One race turns relative to the load, the other stands.
+inline RaceMotions rotating(Race race) {
+  if (race == Race::inner) return {};
+  return {.inner = RaceMotion::stationary, .outer = RaceMotion::rotating};
+}
 
 /// What the ratings know of a radial ball bearing.
 struct BallSet {

@@ -1,7 +1,7 @@
 // Fatigue of the balls themselves, which the ratings of bearings leave out, Eq. (35) of [Chen2026].
 #pragma once
 
-#include "bearing/life/capacities.hpp"
+#include "bearing/life/ball_capacity.hpp"
 
 namespace orbearing::bearing::rating {
 

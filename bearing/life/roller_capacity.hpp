@@ -1,7 +1,7 @@
 // Capacities of radial roller bearings, [ISO281] and [ISO16281].
 #pragma once
 
-#include "bearing/life/capacities.hpp"
+#include "bearing/life/ball_capacity.hpp"
 
 namespace orbearing::bearing::rating {
 

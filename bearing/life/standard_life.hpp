@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "bearing/life/basic_life.hpp"
-#include "bearing/life/capacities.hpp"
+#include "bearing/life/ball_capacity.hpp"
 #include "bearing/life/reference_life.hpp"
 
 namespace orbearing::bearing::rating {

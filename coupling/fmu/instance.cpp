@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "coupling/fmu/number_table.hpp"
-#include "coupling/fmu/refused.hpp"
+#include "coupling/fmu/model_file.hpp"
 
 namespace orbearing::fmu {
 

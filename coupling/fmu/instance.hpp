@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "coupling/fmu/refused.hpp"
+#include "coupling/fmu/model_file.hpp"
 #include "coupling/fmu/variable_table.hpp"
 #include "coupling/system/participant.hpp"
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "coupling/integration/integrate.hpp"
+#include "gearset/dynamics/model.hpp"
 
 namespace orbearing::integration {
 
@@ -25,5 +26,16 @@ IntegrationReport integrate_pieces(const RightHandSide& derivative, Eigen::Vecto
                                    const OutputTimes& output, const Jumps& jumps,
                                    const IntegrationOptions& options, const Observer& observe,
                                    const JumpObserver& at_jump = {});
+
+// What the integrator must know of a planetary set: where its right-hand side jumps, and which errors of a
+// step it bears.
+
+/// Jumps of the right-hand side of `model`, for integrate_pieces. The first are those of the mesh period in
+/// which `from` [s] lies, so that windows late in a run need not pass over all that went before.
+Jumps jumps_of(const gearset::dynamics::SetModel& model, double from = 0.0);
+
+/// Errors allowed in one step: of positions a share of the largest mean mesh deflection, of velocities that
+/// times the frequency of a planet between its meshes.
+Eigen::VectorXd gear_allowed_errors(const gearset::dynamics::SetModel& model, double share);
 
 }  // namespace orbearing::integration

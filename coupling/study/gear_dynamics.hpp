@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "coupling/integration/gear_steps.hpp"
+#include "coupling/integration/integrate_pieces.hpp"
 #include "coupling/study/gear_signals.hpp"
 #include "gearset/dynamics/equations.hpp"
 #include "gearset/dynamics/period_map.hpp"

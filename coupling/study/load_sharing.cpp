@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "bearing/equilibrium/aligned_pitch.hpp"
-#include "coupling/study/bearing_tangent.hpp"
+#include "coupling/study/planet_stiffness.hpp"
 #include "gearset/dynamics/bearing_force.hpp"
 #include "gearset/dynamics/snapshot.hpp"
 #include "gearset/dynamics/static_state.hpp"

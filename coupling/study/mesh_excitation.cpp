@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "bearing/carrier_frame.hpp"
-#include "coupling/study/bearing_tangent.hpp"
+#include "coupling/study/planet_stiffness.hpp"
 #include "gearset/dynamics/static_state.hpp"
 #include "mechanics/constants.hpp"
 

@@ -15,7 +15,7 @@
 #include "bearing/life/rating_lives.hpp"
 #include "bearing/motion/model.hpp"
 #include "coupling/cosim/planetary_coupling.hpp"
-#include "coupling/study/bearing_tangent.hpp"
+#include "coupling/study/planet_stiffness.hpp"
 #include "coupling/study/driven_setups.hpp"
 #include "coupling/study/load_sharing.hpp"
 #include "coupling/study/mesh_excitation.hpp"

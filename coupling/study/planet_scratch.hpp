@@ -13,7 +13,7 @@
 #include <Eigen/Core>
 #include <functional>
 
-#include "bearing/defect/frequencies.hpp"
+#include "bearing/defect/scratched_bearing.hpp"
 #include "coupling/integration/integration_options.hpp"
 #include "coupling/study/drivetrain.hpp"
 #include "coupling/system/coupled_model.hpp"

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 
 #include "coupling/study/drivetrain.hpp"
+#include "gearset/dynamics/parameters.hpp"
 
 namespace orbearing::study {
 
@@ -15,5 +16,24 @@ namespace orbearing::study {
 /// @throws std::runtime_error where the bearing finds no balance
 Eigen::Matrix4d planet_stiffness(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                                  double sun_mesh, double ring_mesh);
+
+// The planet bearings as springs and dampers about the mean load: what modes and the gears alone need of
+// them.
+
+/// `like` as it is in the mean over time, in which rollers and turning races pass every place: with like
+/// rollers and forms that stand still. At one place of the cage unlike ones would bend its law by where they
+/// happen to be.
+bearing::Bearing of_like_rollers(bearing::Bearing like);
+
+/// All bearings of one planet with their pin supports, linear about their quasi-static balance at the
+/// drivetrain's power and speed: at the mean displacement they carry the mean load. Rollers and pin support
+/// in series, the stiffness and the damping of each; mean over the places of the rollers. Masses of rollers
+/// and pin ring, friction, laminae, unlike rollers and waves that turn with a race are left out.
+/// @throws std::runtime_error where the bearing finds no balance
+gearset::dynamics::AffineBearing bearing_tangent(const PlanetaryDrivetrain& drivetrain,
+                                                 const DrivetrainGeometry& geometry);
+
+/// Radial stiffness [N/m] of the same along the mean load, for those who take it alike in all directions.
+double planet_bearing_stiffness(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry);
 
 }  // namespace orbearing::study

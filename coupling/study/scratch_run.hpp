@@ -5,7 +5,7 @@
 
 #include <functional>
 
-#include "bearing/defect/scratched_balls.hpp"
+#include "bearing/defect/scratched_elements.hpp"
 #include "bearing/defect/scratched_bearing.hpp"
 #include "coupling/integration/integration_options.hpp"
 #include "mechanics/described.hpp"

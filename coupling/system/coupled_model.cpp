@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "bearing/defect/scratched_rollers.hpp"
+#include "bearing/defect/scratched_elements.hpp"
 #include "coupling/system/driven_bearing.hpp"
 #include "mechanics/checks.hpp"
 #include "mechanics/constants.hpp"

@@ -5,7 +5,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "coupling/integration/gear_steps.hpp"
+#include "coupling/integration/integrate_pieces.hpp"
 #include "gearset/dynamics/snapshot.hpp"
 #include "gearset/dynamics/static_state.hpp"
 #include "mechanics/checks.hpp"

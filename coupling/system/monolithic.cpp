@@ -7,7 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "coupling/integration/gear_steps.hpp"
+#include "coupling/integration/integrate_pieces.hpp"
 #include "coupling/integration/rosenbrock4.hpp"
 #include "coupling/integration/window.hpp"
 #include "coupling/system/bearing_steps.hpp"

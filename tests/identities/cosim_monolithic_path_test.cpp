@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "bearing/motion/vector_bearing.hpp"
-#include "coupling/integration/gear_steps.hpp"
+#include "coupling/integration/integrate_pieces.hpp"
 #include "coupling/integration/rosenbrock2.hpp"
 #include "coupling/integration/rosenbrock4.hpp"
 #include "coupling/integration/window.hpp"

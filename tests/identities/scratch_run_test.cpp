@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "bearing/defect/frequencies.hpp"
+#include "bearing/defect/scratched_bearing.hpp"
 #include "bearing/geometry.hpp"
 #include "coupling/study/scratch_run.hpp"
 #include "tests/unit/defect/scratched_bearings.hpp"

@@ -4,7 +4,7 @@
 
 #include <Eigen/LU>
 
-#include "coupling/study/bearing_tangent.hpp"
+#include "coupling/study/planet_stiffness.hpp"
 #include "tests/reducer.hpp"
 
 namespace orbearing::study {

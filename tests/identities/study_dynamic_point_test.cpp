@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "bearing/life/lundberg_palmgren.hpp"
-#include "coupling/study/bearing_tangent.hpp"
+#include "coupling/study/planet_stiffness.hpp"
 #include "coupling/study/gear_dynamics.hpp"
 #include "coupling/study/gear_model.hpp"
 #include "coupling/study/mesh_excitation.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "coupling/study/bearing_tangent.hpp"
+#include "coupling/study/planet_stiffness.hpp"
 #include "coupling/study/gear_dynamics.hpp"
 #include "coupling/study/mesh_excitation.hpp"
 #include "coupling/study/one_way.hpp"

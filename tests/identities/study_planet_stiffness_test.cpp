@@ -4,7 +4,6 @@
 
 #include <Eigen/LU>
 
-#include "coupling/study/bearing_tangent.hpp"
 #include "coupling/study/planet_stiffness.hpp"
 #include "gearset/rim/rim_influence.hpp"
 #include "tests/reducer.hpp"

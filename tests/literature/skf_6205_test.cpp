@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "bearing/defect/frequencies.hpp"
+#include "bearing/defect/scratched_bearing.hpp"
 
 namespace orbearing::bearing::defect::skf_6205_test {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "app/case/printable.hpp"
 #include "app/case/spectrum_case.hpp"
-#include "app/case/uneven_planets.hpp"
+#include "app/case/set_case.hpp"
 #include "app/errors.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/units.hpp"

@@ -6,8 +6,7 @@
 #include "bearing/contact/point_contact.hpp"
 #include "bearing/default_design.hpp"
 #include "bearing/geometry.hpp"
-#include "bearing/motion/cage_guidance.hpp"
-#include "bearing/motion/oil_drag.hpp"
+#include "bearing/motion/cage_and_oil.hpp"
 #include "mechanics/checks.hpp"
 #include "mechanics/constants.hpp"
 

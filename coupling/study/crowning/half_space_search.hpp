@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "coupling/study/crowning/pressure_life.hpp"
+#include "coupling/study/crowning/crown_grid.hpp"
 #include "coupling/study/crowning/tolerance_population.hpp"
 
 namespace orbearing::study::crowning {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "app/case/default_drivetrain.hpp"
+#include "app/case/bearing_fields.hpp"
 #include "app/case/described_case.hpp"
 #include "app/case/field_table.hpp"
 #include "bearing/parameters.hpp"

@@ -1,5 +1,5 @@
 // Issue 13, Build 7: keys have the field's names now, and cases that were written before are still read.
-#include "app/case/former_keys.hpp"
+#include "app/case/settings.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

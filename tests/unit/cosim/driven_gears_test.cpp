@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "coupling/integration/gear_steps.hpp"
+#include "coupling/integration/integrate_pieces.hpp"
 #include "gearset/dynamics/energy.hpp"
 #include "gearset/dynamics/equations.hpp"
 #include "gearset/dynamics/static_state.hpp"

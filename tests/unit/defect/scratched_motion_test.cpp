@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "bearing/contact/line_contact.hpp"
-#include "bearing/defect/frequencies.hpp"
+#include "bearing/defect/scratched_bearing.hpp"
 #include "bearing/equilibrium/static_bearing.hpp"
 #include "tests/messages.hpp"
 #include "tests/unit/defect/scratched_bearings.hpp"

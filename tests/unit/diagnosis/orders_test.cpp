@@ -1,6 +1,6 @@
 // Issue 14, Build 9: order tracking. Lines planted over orders are found, levels by Parseval; over frequency they
 // are smeared.
-#include "coupling/diagnosis/orders.hpp"
+#include "coupling/diagnosis/defect_view.hpp"
 
 #include <gtest/gtest.h>
 

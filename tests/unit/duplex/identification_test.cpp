@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "bearing/duplex/linear_pair.hpp"
+#include "bearing/duplex/pair.hpp"
 #include "tests/messages.hpp"
 
 namespace orbearing::bearing::duplex::identification_test {

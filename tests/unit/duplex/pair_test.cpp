@@ -5,7 +5,6 @@
 
 #include <cmath>
 
-#include "bearing/duplex/linear_pair.hpp"
 #include "bearing/duplex/shaft.hpp"
 #include "tests/messages.hpp"
 

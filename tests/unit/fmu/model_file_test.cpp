@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <fstream>
 
-#include "coupling/fmu/refused.hpp"
 #include "tests/messages.hpp"
 
 namespace orbearing::fmu::model_file_test {

@@ -1,4 +1,4 @@
-#include "coupling/integration/gear_steps.hpp"
+#include "coupling/integration/integrate_pieces.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "bearing/life/capacities.hpp"
+#include "bearing/life/ball_capacity.hpp"
 #include "tests/unit/motion/reducer_bearing.hpp"
 #include "tests/whole_contact_life.hpp"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "bearing/life/capacities.hpp"
+#include "bearing/life/ball_capacity.hpp"
 #include "tests/unit/bearing/example_bearings.hpp"
 #include "tests/whole_contact_life.hpp"
 

@@ -1,4 +1,4 @@
-#include "bearing/motion/cage_guidance.hpp"
+#include "bearing/motion/cage_and_oil.hpp"
 
 #include <gtest/gtest.h>
 
