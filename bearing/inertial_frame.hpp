@@ -1,4 +1,4 @@
-// Inertial loads that a roller or a ring feels in the frame that turns with the carrier: once, for plain
+// Inertial loads on a roller or a ring in the frame that turns with the carrier: once, for plain
 // numbers and packs. No header of a library here, since files compiled for special instruction sets include
 // it.
 //

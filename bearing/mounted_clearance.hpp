@@ -98,14 +98,14 @@ void describe(Visitor& visit, Mounting& m) {
   using namespace described;
   constexpr Where unmounted{"bearing.clearance_state", "unmounted"};
   const auto interference = [&](double& member, const char* path, const char* meaning) {
-    return field(member, path, Felt::balance, meaning,
+    return field(member, path, Physics::balance, meaning,
                  {.models = planetary_drivetrain,
                   .dimension = dimension::small_length,
                   .range = {-500.0, 500.0},
                   .where = unmounted});
   };
   const auto temperature = [&](double& member, const char* path, const char* meaning) {
-    return field(member, path, Felt::balance, meaning,
+    return field(member, path, Physics::balance, meaning,
                  {.models = planetary_drivetrain,
                   .dimension = dimension::temperature,
                   .range = {-60.0, 400.0},
@@ -113,11 +113,11 @@ void describe(Visitor& visit, Mounting& m) {
   };
   members(
       visit, m,
-      field(m.rings, "bearing.rings", Felt::balance,
+      field(m.rings, "bearing.rings", Physics::balance,
             "rings of a planet bearing: both, the outer one with rollers that run on the pin, or none, with "
             "rollers that run on the pin and in the planet's bore",
             {.models = planetary_drivetrain, .reason = "as most bearings are bought"}),
-      field(m.state, "bearing.clearance_state", Felt::balance,
+      field(m.state, "bearing.clearance_state", Physics::balance,
             "whether bearing.radial_clearance is that of the running bearing, or that of the bearing on the "
             "shelf, from which "
             "fits, temperatures and speeds make it",
@@ -129,12 +129,12 @@ void describe(Visitor& visit, Mounting& m) {
       interference(m.outer_interference, "bearing.fit.outer_interference",
                    "by how much the outer ring is larger than the bore of the planet, before it is pressed "
                    "in; negative: loose"),
-      field(m.pin_bore, "bearing.fit.pin_bore", Felt::balance, "diameter of the hole in the pin",
+      field(m.pin_bore, "bearing.fit.pin_bore", Physics::balance, "diameter of the hole in the pin",
             {.models = planetary_drivetrain,
              .dimension = dimension::length,
              .range = {0.0, 1e4},
              .where = unmounted}),
-      field(m.expansion, "bearing.fit.expansion", Felt::balance,
+      field(m.expansion, "bearing.fit.expansion", Physics::balance,
             "linear thermal expansion of rings, rollers, pin and planet",
             {.models = planetary_drivetrain,
              .dimension = dimension::per_kelvin,

@@ -20,7 +20,7 @@ struct ElasticRace {
   Eigen::ArrayXd cosine;  // [m]  (orders)  by whatever else presses on ring and body: the teeth of a planet
   Eigen::ArrayXd sine;    // [m]
   /// [kg]  (orders)  twice the kinetic energy of a wave whose largest radial speed is 1 m/s, over its square.
-  /// Felt in motion alone, where it is required.
+  /// Used in motion alone, where it is required.
   Eigen::ArrayXd mass = {};
 
   bool is_rigid() const { return compliance.size() == 0; }
@@ -32,7 +32,7 @@ struct OperatingPoint {
   double inner_speed = 0.0;                             // [rad/s]  race of the pin, relative to the carrier
   double outer_speed = 0.0;                             // [rad/s]  race of the bore, relative to the carrier
   Eigen::Vector2d bore_load = Eigen::Vector2d::Zero();  // [N]   on the outer ring from outside the bearing
-  /// Inclination [rad] of the bore's axis relative to the pin's: it runs along (x, y, 1). Felt by laminae
+  /// Inclination [rad] of the bore's axis relative to the pin's: it runs along (x, y, 1). Affects laminae
   /// only.
   Eigen::Vector2d bore_tilt = Eigen::Vector2d::Zero();
   ElasticRace outer_race{};  // how the outer race bends

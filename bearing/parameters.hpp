@@ -29,14 +29,14 @@ template <class Visitor>
 void describe(Visitor& visit, Lubricant& m) {
   using namespace described;
   members(visit, m,
-          field(m.viscosity, "lubricant.viscosity", Felt::carrier,
+          field(m.viscosity, "lubricant.viscosity", Physics::carrier,
                 "dynamic viscosity at the inlet, at running temperature",
                 {.models = with_rollers | balls_in_time | ball_bearing | spin_film,
                  .dimension = dimension::viscosity,
                  .range = {1e-5, 100.0},
                  .reason = "a gear oil when warm",
                  .fmu = InFmu::parameter}),
-          field(m.pressure_viscosity, "lubricant.pressure_viscosity", Felt::carrier,
+          field(m.pressure_viscosity, "lubricant.pressure_viscosity", Physics::carrier,
                 "pressure-viscosity coefficient at running temperature",
                 {.models = with_rollers | balls_in_time | ball_bearing | spin_film,
                  .dimension = dimension::pressure_viscosity,
@@ -66,7 +66,7 @@ template <class Visitor>
 void describe(Visitor& visit, Cage& m) {
   using namespace described;
   const auto length = [](double& member, std::string path, std::string meaning) {
-    return field(member, std::move(path), Felt::carrier, std::move(meaning),
+    return field(member, std::move(path), Physics::carrier, std::move(meaning),
                  {.models = with_rollers | balls_in_time,
                   .required_by = in_motion,
                   .dimension = dimension::length,
@@ -76,13 +76,13 @@ void describe(Visitor& visit, Cage& m) {
   members(visit, m, length(m.inner_diameter, "bearing.cage.inner_diameter", "inner diameter of the cage"),
           length(m.outer_diameter, "bearing.cage.outer_diameter", "outer diameter of the cage"),
           length(m.width, "bearing.cage.width", "axial width of the cage"),
-          field(m.density, "bearing.cage.density", Felt::carrier, "density of the cage",
+          field(m.density, "bearing.cage.density", Physics::carrier, "density of the cage",
                 {.models = with_rollers | balls_in_time,
                  .required_by = in_motion,
                  .dimension = dimension::density,
                  .range = positive(25000.0),
                  .fmu = InFmu::parameter}),
-          field(m.guidance, "bearing.cage.guidance", Felt::carrier, "ring that guides the cage",
+          field(m.guidance, "bearing.cage.guidance", Physics::carrier, "ring that guides the cage",
                 {.models = in_time,
                  .reason = "inertia of the carrier frame throws the cage outward"}));
 }
@@ -206,7 +206,7 @@ template <class Visitor>
 void describe(Visitor& visit, CylindricalRollers& m) {
   using namespace described;
   const auto length = [](double& member, std::string path, std::string meaning) {
-    return field(member, std::move(path), Felt::balance, std::move(meaning),
+    return field(member, std::move(path), Physics::balance, std::move(meaning),
                  {.models = with_rollers | roller_defect,
                   .required_by = with_rollers | roller_defect,
                   .dimension = dimension::length,
@@ -215,18 +215,18 @@ void describe(Visitor& visit, CylindricalRollers& m) {
   };
   members(
       visit, m,
-      field(m.count, "bearing.rollers", Felt::balance, "number of rollers",
+      field(m.count, "bearing.rollers", Physics::balance, "number of rollers",
             {.models = with_rollers | roller_defect,
              .required_by = with_rollers | roller_defect,
              .range = {3, 500},
              .fmu = InFmu::constant}),
       length(m.diameter, "bearing.roller_diameter", "diameter of a roller"),
       length(m.length, "bearing.roller_length", "effective contact length of a roller"),
-      field(m.laminae, "bearing.laminae", Felt::life,
+      field(m.laminae, "bearing.laminae", Physics::life,
             "laminae into which each contact is cut, for profile and misalignment",
             {.models = with_rollers, .range = {1, 200}}),
       field(
-          m.diameter_deviation, "bearing.roller_diameter_deviation", Felt::motion,
+          m.diameter_deviation, "bearing.roller_diameter_deviation", Physics::motion,
           "by how much single rollers are larger than roller_diameter, from the first on",
           {.models = planetary_drivetrain, .dimension = dimension::small_length, .range = {-1000.0, 1000.0}}),
       internal(m.profile, "bearing.profile"));
@@ -236,14 +236,14 @@ template <class Visitor>
 void describe(Visitor& visit, Balls& m) {
   using namespace described;
   members(visit, m,
-          field(m.count, "bearing.balls", Felt::single_bearing, "number of balls",
+          field(m.count, "bearing.balls", Physics::single_bearing, "number of balls",
                 {.models = with_balls, .required_by = with_balls, .range = {3, 500}}),
-          field(m.diameter, "bearing.ball_diameter", Felt::single_bearing, "diameter of a ball",
+          field(m.diameter, "bearing.ball_diameter", Physics::single_bearing, "diameter of a ball",
                 {.models = with_balls,
                  .required_by = with_balls,
                  .dimension = dimension::length,
                  .range = positive(1e4)}),
-          field(m.contact_angle, "bearing.contact_angle", Felt::single_bearing, "nominal contact angle",
+          field(m.contact_angle, "bearing.contact_angle", Physics::single_bearing, "nominal contact angle",
                 {.models = with_balls,
                  .dimension = dimension::angle,
                  .range = {0.0, 85.0},
@@ -255,7 +255,7 @@ void describe(Visitor& visit, Balls& m) {
 template <class Visitor, class Seat>
 void describe(Visitor& visit, Ring& m, const std::string& name, const Seat& seat, bool grooved) {
   using namespace described;
-  const auto groove = field(m.osculation, "bearing." + name + "_osculation", Felt::single_bearing,
+  const auto groove = field(m.osculation, "bearing." + name + "_osculation", Physics::single_bearing,
                             "radius of the " + name + " groove over ball diameter",
                             {.models = with_balls,
                              .range = {.least = 0.5, .most = 1.0, .least_allowed = false},
@@ -271,31 +271,31 @@ template <class Visitor>
 void describe(Visitor& visit, Bearing& m) {
   using namespace described;
   constexpr unsigned any_bearing = with_rollers | with_balls | roller_defect;
-  const auto of_rings = [](double& member, std::string path, Felt felt, std::string meaning) {
-    return field(member, std::move(path), felt, std::move(meaning),
+  const auto of_rings = [](double& member, std::string path, Physics physics, std::string meaning) {
+    return field(member, std::move(path), physics, std::move(meaning),
                  {.models = with_rollers | ball_motion,
                   .required_by = planetary_drivetrain,
                   .dimension = dimension::length,
                   .range = positive(1e4),
                   .fmu = InFmu::parameter});
   };
-  const auto bore = of_rings(m.inner.seat_diameter, "bearing.bore", Felt::pin,
+  const auto bore = of_rings(m.inner.seat_diameter, "bearing.bore", Physics::pin,
                              "bore of the inner ring, and diameter of the pin, whose stiffness follows from "
                              "it where support.stiffness is left out");
-  const auto outside = of_rings(m.outer.seat_diameter, "bearing.outside_diameter", Felt::planet,
+  const auto outside = of_rings(m.outer.seat_diameter, "bearing.outside_diameter", Physics::planet,
                                 "outside diameter of the outer ring");
   const bool grooved = !m.has_rollers();
   members(
       visit, m,
       part(m.elements, [&] { std::visit([&](auto& elements) { describe(visit, elements); }, m.elements); }),
-      field(m.pitch_diameter, "bearing.pitch_diameter", Felt::balance,
+      field(m.pitch_diameter, "bearing.pitch_diameter", Physics::balance,
             "diameter of the circle of centres of rollers or balls",
             {.models = any_bearing,
              .required_by = any_bearing,
              .dimension = dimension::length,
              .range = positive(1e4),
              .fmu = InFmu::parameter}),
-      field(m.radial_clearance, "bearing.radial_clearance", Felt::balance,
+      field(m.radial_clearance, "bearing.radial_clearance", Physics::balance,
             "internal clearance in diametral measure (ISO 5753); negative is interference",
             {.models = any_bearing,
              .required_by = any_bearing,
@@ -304,13 +304,13 @@ void describe(Visitor& visit, Bearing& m) {
              .fmu = InFmu::parameter}),
       part(m.inner, [&] { describe(visit, m.inner, "inner", bore, grooved); }),
       part(m.outer, [&] { describe(visit, m.outer, "outer", outside, grooved); }),
-      of_rings(m.width, "bearing.width", Felt::carrier, "width of the rings"), part(m.cage), part(m.material),
-      field(m.contact_law, "contact.law", Felt::balance,
+      of_rings(m.width, "bearing.width", Physics::carrier, "width of the rings"), part(m.cage), part(m.material),
+      field(m.contact_law, "contact.law", Physics::balance,
             "stiffness of roller and race: Palmgren's for each contact, or ISO/TS 16281's for both",
             {.models = with_rollers | roller_defect,
              .reason = "each contact on its own, as the film needs it"}),
       apart(m.motions),  // of a single bearing a case states operation.rotating_race
-      field(m.first_element, "bearing.first_element_angle", Felt::single_bearing,
+      field(m.first_element, "bearing.first_element_angle", Physics::single_bearing,
             "angle of the first rolling element from the radial load",
             {.models = roller_bearing | with_balls | roller_defect,
              .dimension = dimension::angle,
@@ -331,13 +331,13 @@ void describe(Visitor& visit, InertiaSwitches& m) {
   using namespace described;
   const Details of_a_switch{.models = planetary_drivetrain, .reason = "nothing left out"};
   members(visit, m,
-          field(m.own_orbit, "inertia.own_orbit", Felt::carrier,
+          field(m.own_orbit, "inertia.own_orbit", Physics::carrier,
                 "inertia of the rollers' orbit about the bearing", of_a_switch),
-          field(m.coriolis, "inertia.coriolis", Felt::carrier, "Coriolis terms of the carrier frame",
+          field(m.coriolis, "inertia.coriolis", Physics::carrier, "Coriolis terms of the carrier frame",
                 of_a_switch),
-          field(m.carrier_centrifugal, "inertia.carrier_centrifugal", Felt::carrier,
+          field(m.carrier_centrifugal, "inertia.carrier_centrifugal", Physics::carrier,
                 "centrifugal terms of the carrier frame", of_a_switch),
-          field(m.euler, "inertia.euler", Felt::euler, "terms of the carrier's angular acceleration",
+          field(m.euler, "inertia.euler", Physics::euler, "terms of the carrier's angular acceleration",
                 of_a_switch));
 }
 

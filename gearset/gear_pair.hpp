@@ -26,23 +26,23 @@ template <class Visitor>
 void describe(Visitor& visit, GearPair& m) {
   using namespace described;
   const auto length = [](double& member, std::string path, std::string meaning, double most) {
-    return field(member, std::move(path), Felt::pair, std::move(meaning),
+    return field(member, std::move(path), Physics::pair, std::move(meaning),
                  {.models = gear_pair,
                   .required_by = gear_pair,
                   .dimension = dimension::length,
                   .range = positive(most)});
   };
   members(visit, m,
-          field(m.teeth, "pair.teeth", Felt::pair, "teeth of both gears, the driving one first",
+          field(m.teeth, "pair.teeth", Physics::pair, "teeth of both gears, the driving one first",
                 {.models = gear_pair, .required_by = gear_pair, .range = {5, 2000}}),
           length(m.module, "pair.module", "normal module", 100.0),
           length(m.face_width, "pair.face_width", "width of the teeth", 1e4),
           length(m.bore, "pair.bore", "bore of both gears, held by a rigid shaft", 1e5),
-          part(m.rack, [&] { describe_rack(visit, m.rack, "pair.", Felt::pair, gear_pair); }),
-          field(m.shift, "pair.profile_shift", Felt::pair, "profile shifts of both gears, in modules",
+          part(m.rack, [&] { describe_rack(visit, m.rack, "pair.", Physics::pair, gear_pair); }),
+          field(m.shift, "pair.profile_shift", Physics::pair, "profile shifts of both gears, in modules",
                 {.models = gear_pair, .range = {-2.0, 2.0}, .reason = "standard gears"}),
-          helix_row(m.helix_angle, "pair.", Felt::pair, gear_pair, "first gear"),
-          part(m.web, [&] { describe_web(visit, m.web, "pair.", Felt::pair, gear_pair); }));
+          helix_row(m.helix_angle, "pair.", Physics::pair, gear_pair, "first gear"),
+          part(m.web, [&] { describe_web(visit, m.web, "pair.", Physics::pair, gear_pair); }));
 }
 
 /// The pair as assembled without backlash.

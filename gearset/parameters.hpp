@@ -36,18 +36,18 @@ struct BasicRack {
 
 /// Of the block of a case, "gearset." or "pair.", to which the rack belongs.
 template <class Visitor>
-void describe_rack(Visitor& visit, BasicRack& m, const std::string& block, described::Felt felt,
+void describe_rack(Visitor& visit, BasicRack& m, const std::string& block, described::Physics physics,
                    unsigned models) {
   using namespace described;
   const std::string_view rack = "the basic rack of ISO 53";
   members(visit, m,
-          field(m.pressure_angle, block + "pressure_angle", felt, "normal pressure angle of the basic rack",
+          field(m.pressure_angle, block + "pressure_angle", physics, "normal pressure angle of the basic rack",
                 {.models = models, .dimension = dimension::angle, .range = {10.0, 35.0}, .reason = rack}),
-          field(m.addendum, block + "addendum", felt, "addendum of the basic rack, in modules",
+          field(m.addendum, block + "addendum", physics, "addendum of the basic rack, in modules",
                 {.models = models, .range = {0.5, 1.5}, .reason = rack}),
-          field(m.clearance, block + "clearance", felt, "bottom clearance of the basic rack, in modules",
+          field(m.clearance, block + "clearance", physics, "bottom clearance of the basic rack, in modules",
                 {.models = models, .range = {0.0, 0.6}, .reason = rack}),
-          field(m.root_fillet_radius, block + "root_fillet_radius", felt,
+          field(m.root_fillet_radius, block + "root_fillet_radius", physics,
                 "root fillet radius of the basic rack, in modules",
                 {.models = models, .range = {0.0, 0.6}, .reason = rack}));
 }
@@ -61,14 +61,14 @@ struct OwnHeights {
 
 /// Of the sun, a planet or the ring.
 template <class Visitor>
-void describe_heights(Visitor& visit, OwnHeights& m, const std::string& gear, described::Felt felt) {
+void describe_heights(Visitor& visit, OwnHeights& m, const std::string& gear, described::Physics physics) {
   using namespace described;
   constexpr unsigned set = planetary_drivetrain;
   members(visit, m,
-          field(m.addendum, "gearset.addendum_of." + gear, felt,
+          field(m.addendum, "gearset.addendum_of." + gear, physics,
                 "addendum of the " + gear + ", in modules; gearset.addendum if absent",
                 {.models = set, .range = {0.5, 1.5}}),
-          field(m.clearance, "gearset.clearance_of." + gear, felt,
+          field(m.clearance, "gearset.clearance_of." + gear, physics,
                 "how much deeper than its addendum the roots of the " + gear +
                     " are, in modules; gearset.clearance if absent",
                 {.models = set, .range = {0.0, 0.6}}));
@@ -81,16 +81,16 @@ struct Web {
 };
 
 template <class Visitor>
-void describe_web(Visitor& visit, Web& m, const std::string& block, described::Felt felt, unsigned models) {
+void describe_web(Visitor& visit, Web& m, const std::string& block, described::Physics physics, unsigned models) {
   using namespace described;
   members(
       visit, m,
       field(
-          m.thickness, block + "web.thickness", felt,
+          m.thickness, block + "web.thickness", physics,
           "thickness of the disc that carries the rim, as a share of the face width; of one piece if absent",
           {.models = models, .range = {0.2, 1.2}}),
       field(
-          m.rim, block + "web.rim", felt, "thickness of the rim under the roots, in modules",
+          m.rim, block + "web.rim", physics, "thickness of the rim under the roots, in modules",
           {.models = models,
            .range = {1.0, 50.0},
            .reason =
@@ -99,9 +99,9 @@ void describe_web(Visitor& visit, Web& m, const std::string& block, described::F
 }
 
 /// Row of a helix angle, of the block of a case to which it belongs.
-inline described::Row<double> helix_row(double& member, const std::string& block, described::Felt felt,
+inline described::Row<double> helix_row(double& member, const std::string& block, described::Physics physics,
                                         unsigned models, std::string_view first) {
-  return described::field(member, block + "helix_angle", felt,
+  return described::field(member, block + "helix_angle", physics,
                           "helix angle at the reference circle; positive: the teeth of the " +
                               std::string(first) + " are right-handed",
                           {.models = models,
@@ -141,21 +141,21 @@ void describe(Visitor& visit, PlanetarySet& m) {
   using namespace described;
   constexpr unsigned set = planetary_drivetrain;
   const auto count = [](int& member, std::string path, std::string meaning, Range range) {
-    return field(member, std::move(path), Felt::planet, std::move(meaning),
+    return field(member, std::move(path), Physics::planet, std::move(meaning),
                  {.models = set, .required_by = set, .range = range});
   };
   const auto length = [](double& member, std::string path, std::string meaning, double most) {
     return field(
-        member, std::move(path), Felt::planet, std::move(meaning),
+        member, std::move(path), Physics::planet, std::move(meaning),
         {.models = set, .required_by = set, .dimension = dimension::length, .range = positive(most)});
   };
   const Details shift{.models = set, .required_by = set, .range = {-2.0, 2.0}};
   members(
       visit, m,
-      field(m.fixed_member, "gearset.fixed", Felt::planet, "member held by the housing",
+      field(m.fixed_member, "gearset.fixed", Physics::planet, "member held by the housing",
             {.models = set, .reason = "the usual reduction gear"}),
       count(m.planets, "gearset.planets", "number of planets", {1, 24}),
-      field(m.planet_angles, "gearset.planet_angles", Felt::positions,
+      field(m.planet_angles, "gearset.planet_angles", Physics::positions,
             "places of the planets on the carrier, anticlockwise from the first, which stands at 0 deg: "
             "whole steps "
             "of 360 deg/(sun + ring teeth), rounded by at most 0.005 deg; equal steps all round if absent",
@@ -164,22 +164,22 @@ void describe(Visitor& visit, PlanetarySet& m) {
       count(m.planet_teeth, "gearset.teeth.planet", "teeth of a planet", {5, 2000}),
       count(m.ring_teeth, "gearset.teeth.ring", "teeth of the ring", {15, 4000}),
       length(m.module, "gearset.module", "normal module", 100.0),
-      part(m.rack, [&] { describe_rack(visit, m.rack, "gearset.", Felt::planet, set); }),
-      field(m.sun_shift, "gearset.profile_shift.sun", Felt::planet, "profile shift of the sun, in modules",
+      part(m.rack, [&] { describe_rack(visit, m.rack, "gearset.", Physics::planet, set); }),
+      field(m.sun_shift, "gearset.profile_shift.sun", Physics::planet, "profile shift of the sun, in modules",
             shift),
-      field(m.ring_shift, "gearset.profile_shift.ring", Felt::planet,
+      field(m.ring_shift, "gearset.profile_shift.ring", Physics::planet,
             "profile shift of the ring, in modules, positive outward", shift),
       length(m.face_width, "gearset.face_width", "width of the teeth", 1e4), apart(m.planet_bore),
-      apart(m.density), helix_row(m.helix_angle, "gearset.", Felt::planet, set, "sun"),
+      apart(m.density), helix_row(m.helix_angle, "gearset.", Physics::planet, set, "sun"),
       field(
-          m.sun_thrust, "gearset.sun_thrust", Felt::thrust,
+          m.sun_thrust, "gearset.sun_thrust", Physics::thrust,
           "what the axial bearing of the sun stands on: the housing, or the carrier, whose own bearing "
           "passes the thrust on",
           {.models = set, .reason = "the sun's shaft has its own bearing", .where = {"gearset.helix_angle"}}),
-      part(m.sun_heights, [&] { describe_heights(visit, m.sun_heights, "sun", Felt::central_teeth); }),
-      part(m.planet_heights, [&] { describe_heights(visit, m.planet_heights, "planet", Felt::planet); }),
-      part(m.ring_heights, [&] { describe_heights(visit, m.ring_heights, "ring", Felt::central_teeth); }),
-      part(m.web, [&] { describe_web(visit, m.web, "gearset.", Felt::central_teeth, set); }), part(m.flanks));
+      part(m.sun_heights, [&] { describe_heights(visit, m.sun_heights, "sun", Physics::central_teeth); }),
+      part(m.planet_heights, [&] { describe_heights(visit, m.planet_heights, "planet", Physics::planet); }),
+      part(m.ring_heights, [&] { describe_heights(visit, m.ring_heights, "ring", Physics::central_teeth); }),
+      part(m.web, [&] { describe_web(visit, m.web, "gearset.", Physics::central_teeth, set); }), part(m.flanks));
 }
 
 /// Pairs of external gears on shafts of their own, without losses: teeth of the gear nearer to the motor,
@@ -195,16 +195,16 @@ struct ParallelStages {
 template <class Visitor>
 void describe(Visitor& visit, ParallelStages& m) {
   using namespace described;
-  const auto pair = [](std::array<int, 2>& member, std::string path, Felt felt, std::string meaning) {
-    return field(member, std::move(path), felt, std::move(meaning),
+  const auto pair = [](std::array<int, 2>& member, std::string path, Physics physics, std::string meaning) {
+    return field(member, std::move(path), physics, std::move(meaning),
                  {.models = planetary_drivetrain, .range = {1, 2000}, .reason = "none"});
   };
   members(
       visit, m,
-      pair(m.front, "parallel_stage.front", Felt::planet,
+      pair(m.front, "parallel_stage.front", Physics::planet,
            "teeth of a parallel stage between motor and planetary sets: the motor's gear and its mate"),
       pair(
-          m.behind, "parallel_stage.behind", Felt::output,
+          m.behind, "parallel_stage.behind", Physics::output,
           "teeth of a parallel stage between planetary sets and load: the gear on their shaft and its mate"));
 }
 
@@ -226,11 +226,11 @@ void describe(Visitor& visit, Drive& m) {
   constexpr unsigned set = planetary_drivetrain;
   members(
       visit, m,
-      field(m.member, "input.member", Felt::planet, "member that the power enters by",
+      field(m.member, "input.member", Physics::planet, "member that the power enters by",
             {.models = set, .reason = "the usual reduction gear"}),
-      field(m.power, "input.power", Felt::carrier, "power that enters",
+      field(m.power, "input.power", Physics::carrier, "power that enters",
             {.models = set, .required_by = set, .dimension = dimension::power, .range = {1e-6, 1e7}}),
-      field(m.speed, "input.speed", Felt::planet,
+      field(m.speed, "input.speed", Physics::planet,
             "speed of the driven member relative to the housing; before a parallel stage in front of it that "
             "of the "
             "motor",

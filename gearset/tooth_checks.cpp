@@ -4,7 +4,7 @@
 #include "gearset/checks.hpp"
 #include "gearset/involute.hpp"
 #include "gearset/warning.hpp"
-#include "gearset/tooth_warnings.hpp"
+#include "gearset/tooth_form.hpp"
 
 namespace orbearing::gearset {
 

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <string>
 #include <vector>
 
 #include "gearset/parameters.hpp"
+#include "gearset/warning.hpp"
 
 namespace orbearing::gearset {
 
@@ -123,5 +125,20 @@ double trochoid_normal_angle(const ExternalTooth& tooth, double radius);
 /// Points of one flank from root to tip, for drawing: (across the tooth, along its axis outward) [m].
 /// @param points_per_part number of points on the trochoid and on the involute each, at least 2
 std::vector<Eigen::Vector2d> flank_points(const ExternalTooth& tooth, int points_per_part);
+
+// Warnings of teeth that run all the same, for every kind of gear train.
+
+/// Where warnings go, and the key of the case that they concern.
+struct ToothWarnings {
+  std::string position;
+  Warnings list;
+
+  void undercut(const ExternalTooth& tooth, const std::string& gear);
+  /// @param reached [m] tangent length on `tooth` that the other gear's tip calls for
+  void reach(double reached, const ExternalTooth& tooth, const std::string& other, const std::string& gear);
+  /// @param clearance [m] between the tips of one gear and the root circle of the other
+  void clearance(double clearance, double module, const std::string& tip, const std::string& root);
+  void contact_ratio(double ratio, const std::string& mesh);
+};
 
 }  // namespace orbearing::gearset

@@ -105,13 +105,13 @@ inline constexpr unsigned toothless_set = 1u << 16;
 
 /// The physics by which a parameter changes a result. Which analysis holds which physics, and which cannot
 /// take a parameter that it ought to, is known where analyses are (app/case/field_use).
-enum class Felt {
+enum class Physics {
   everywhere,     // gears and bearings alike
   planet,         // teeth and all that a planet is made of
   pair,           // a pair of gears
   gear_bodies,    // masses and springs of the gears
   thrust,         // axial forces of helical gears
-  central_teeth,  // teeth and bodies of sun and ring, which planets at rest do not feel
+  central_teeth,  // teeth and bodies of sun and ring, without effect on planets at rest
   output,         // what lies behind the sets
   gear_motion,    // gears in motion
   balance,        // what rollers carry, under a static load too
@@ -164,7 +164,7 @@ struct Details {
 /// All that is known of a member besides its type and initial value.
 struct Facts {
   std::string path;
-  Felt felt = Felt::everywhere;
+  Physics physics = Physics::everywhere;
   std::string meaning{};
   Details details{};
 };
@@ -208,14 +208,14 @@ struct RowsOfOne {
 
 /// A parameter of case files.
 template <class Member>
-Row<Member> field(Member& member, std::string path, Felt felt, std::string meaning, const Details& details) {
-  return {member, {std::move(path), felt, std::move(meaning), details}};
+Row<Member> field(Member& member, std::string path, Physics physics, std::string meaning, const Details& details) {
+  return {member, {std::move(path), physics, std::move(meaning), details}};
 }
 /// A member that no case states, but that travels with an FMU's model under this name.
 template <class Member>
 Row<Member> internal(Member& member, std::string path, std::string meaning = {},
                      const Details& details = {}) {
-  return {member, {std::move(path), Felt::everywhere, std::move(meaning), details}};
+  return {member, {std::move(path), Physics::everywhere, std::move(meaning), details}};
 }
 /// A structure with rows of its own.
 template <class Part>

@@ -45,7 +45,7 @@ void add_profile_shape(std::vector<Field>& fields) {
                   use::bearings_as_springs | use::mesh)
                   .when(where("bearing.profile.kind", {"lundberg", "johns-gohar", "fujiwara-kawase"}))
                   .when(where_absent("bearing.profile.drop"))
-                  .felt_too(
+                  .used_too(
                       use::lives | use::fmu_bearing | use::single_bearing_equilibrium | use::planet_stiffness,
                       shape_beside_end_drop()),
        .dimension = dimension::force,
@@ -66,7 +66,7 @@ void add_profile_shape(std::vector<Field>& fields) {
                                .when(where("bearing.profile.kind", {"fujiwara-kawase"}))
                                .when(where_given({"bearing.profile.design_load"}))
                                .when(where_absent("bearing.profile.drop"))
-                               .felt_too(use::lives | use::fmu_bearing | use::single_bearing_equilibrium |
+                               .used_too(use::lives | use::fmu_bearing | use::single_bearing_equilibrium |
                                              use::planet_stiffness,
                                          shape_beside_end_drop()),
                     .range = {.least = 0.0, .most = 1000.0, .least_allowed = false}});
@@ -117,7 +117,7 @@ void add_profile(std::vector<Field>& fields) {
                                   Use((use::lives & ~unsigned{use::crown}) | use::fmu_bearing |
                                           use::single_bearing_equilibrium | use::planet_stiffness,
                                       use::crown | use::bearings_as_springs | use::mesh)  // crown varies it
-                                      .felt_too(use::crown, drop_beside_end_drop()),
+                                      .used_too(use::crown, drop_beside_end_drop()),
                                   dimension::small_length, 1000.0));
   add_profile_shape(fields);
 }

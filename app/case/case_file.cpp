@@ -14,7 +14,7 @@
 #include "app/case/consistency.hpp"
 #include "app/case/derived_defaults.hpp"
 #include "app/case/field_table.hpp"
-#include "app/case/given_by.hpp"
+#include "app/case/resolved_case.hpp"
 #include "app/case/rows_file.hpp"
 #include "app/case/settings.hpp"
 #include "app/case/sweep_axes.hpp"

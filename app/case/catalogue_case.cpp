@@ -9,7 +9,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "app/case/case_errors.hpp"
+#include "app/case/mistake.hpp"
 #include "app/case/catalogue_fields.hpp"
 #include "app/case/field_table.hpp"
 #include "app/case/oil_case.hpp"

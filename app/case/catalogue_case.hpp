@@ -5,10 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "app/case/given_by.hpp"
+#include "app/case/resolved_case.hpp"
 #include "app/case/field.hpp"
 #include "app/case/mistake.hpp"
-#include "app/case/resolved_case.hpp"
 #include "bearing/catalogue/classes.hpp"
 
 namespace orbearing::app {

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "app/case/field_table.hpp"
-#include "app/case/given_by.hpp"
+#include "app/case/resolved_case.hpp"
 #include "bearing/catalogue/classes.hpp"
 #include "bearing/catalogue/entries.hpp"
 
@@ -26,13 +26,13 @@ const Use& use_of_row(const std::vector<Field>& fields, const std::string& path)
 
 Use either_of(const Use& one, const Use& other) {
   const unsigned by = one.by | other.by, refused = (one.refused_by | other.refused_by) & ~by;
-  Use any{by, (one.unfelt_by | other.unfelt_by) & ~(by | refused), refused};
+  Use any{by, (one.not_modelled_by | other.not_modelled_by) & ~(by | refused), refused};
   any.ways = one.ways;
   any.ways.insert(any.ways.end(), other.ways.begin(), other.ways.end());
   return any;
 }
 
-// Felt wherever one of `paths` is.
+// Used wherever one of `paths` is.
 Use use_of_any(const std::vector<Field>& fields, const std::vector<std::string>& paths) {
   Use any{0, 0};
   for (const std::string& path : paths) any = either_of(any, use_of_row(fields, path));
@@ -72,9 +72,9 @@ Field choice(std::string path, std::string meaning, const Use& use, unsigned mod
 Use use_of_complement(const std::vector<Field>& fields) {
   constexpr unsigned moving = use::planet_defect;
   Use rollers = use_of_row(fields, catalogue_keys::kRollers);
-  for (unsigned* status : {&rollers.by, &rollers.unfelt_by, &rollers.refused_by}) *status &= ~moving;
+  for (unsigned* status : {&rollers.by, &rollers.not_modelled_by, &rollers.refused_by}) *status &= ~moving;
   rollers.refused_by |= moving;
-  return rollers.felt_only(use::single_bearing_equilibrium, {where_given({catalogue_keys::kDesignation})});
+  return rollers.used_only(use::single_bearing_equilibrium, {where_given({catalogue_keys::kDesignation})});
 }
 
 }  // namespace

@@ -118,15 +118,15 @@ std::string si_unit(const Field& field) {
 }
 
 void describe_input(Record& row, const ResolvedCase& resolved, const Input& input) {
-  described::Texts used_by, not_felt_by;
+  described::Texts used_by, not_modelled_by;
   for (const use::Analysis analysis : analyses_of(resolved)) {
     const UseStatus status = use_status_in_row(resolved, input, analysis);
     if (status == UseStatus::used) used_by.push_back(analysis_name(analysis));
-    if (status == UseStatus::unfelt) not_felt_by.push_back(analysis_name(analysis));
+    if (status == UseStatus::not_modelled) not_modelled_by.push_back(analysis_name(analysis));
   }
   row.value("path", "key of the case", input.path);
   row.value("used_by", "analyses", used_by);
-  row.value("not_felt_by", "analyses", not_felt_by);
+  row.value("not_modelled_by", "analyses", not_modelled_by).former = "not_felt_by";
   describe_value(row, resolved, input);
   row.value("unit", "of the value", si_unit(*input.field));
   row.value("given", "as the case states it", resolved.given(input.path));
@@ -135,15 +135,15 @@ void describe_input(Record& row, const ResolvedCase& resolved, const Input& inpu
   row.value("origin", "where it stands", resolved.origin(input.path));
 }
 
-// What is given and cannot be felt, analysis by analysis.
-std::string unfelt_text(const ResolvedCase& resolved) {
+// What is given and not modelled, analysis by analysis.
+std::string not_modelled_text(const ResolvedCase& resolved) {
   std::string text;
   for (const use::Analysis analysis : analyses_of(resolved)) {
     std::string line;
     for (const Input& input : resolved.inputs())
-      if (resolved.has(input.path) && use_status_of(resolved, input, analysis) == UseStatus::unfelt)
+      if (resolved.has(input.path) && use_status_of(resolved, input, analysis) == UseStatus::not_modelled)
         line += (line.empty() ? "" : ", ") + input.path;
-    if (!line.empty()) text += fmt::format("not felt, by nature, by {}: {}\n", analysis_name(analysis), line);
+    if (!line.empty()) text += fmt::format("not modelled by {}: {}\n", analysis_name(analysis), line);
   }
   return text.empty() ? text : "\n" + text;
 }
@@ -164,7 +164,7 @@ std::string check_table(const ResolvedCase& resolved, const std::vector<Derived>
   }
   std::string text;
   for (const Row& row : rows) text += line(row, widths);
-  return text + unfelt_text(resolved);
+  return text + not_modelled_text(resolved);
 }
 
 void describe_check(Record& record, const ResolvedCase& resolved, const std::vector<Derived>& derived) {

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "app/case/given_by.hpp"
 #include "app/case/resolved_case.hpp"
 #include "mechanics/record.hpp"
 
@@ -14,7 +13,7 @@ namespace orbearing::app {
 /// The table as text, one line for each quantity.
 std::string check_table(const ResolvedCase& resolved, const std::vector<Derived>& derived);
 
-/// The same as `{name, model, inputs: [{path, used_by, not_felt_by, value, unit, given, standing, reason,
+/// The same as `{name, model, inputs: [{path, used_by, not_modelled_by, value, unit, given, standing, reason,
 /// origin}], derived: [...]}`; of inputs `value` is SI and `unit` its SI unit.
 void describe_check(described::Record& record, const ResolvedCase& resolved,
                     const std::vector<Derived>& derived);

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "app/case/arrangement_case.hpp"
-#include "app/case/case_errors.hpp"
+#include "app/case/mistake.hpp"
 #include "app/case/catalogue_case.hpp"
 #include "app/case/defect_case.hpp"
 #include "app/case/duplex_case.hpp"

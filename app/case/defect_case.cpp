@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "app/case/case_errors.hpp"
+#include "app/case/mistake.hpp"
 #include "app/case/described_case.hpp"
 #include "app/errors.hpp"
 #include "bearing/geometry.hpp"

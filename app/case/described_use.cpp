@@ -5,17 +5,16 @@
 #include <iterator>
 
 #include "app/case/field_use.hpp"
-#include "app/case/mesh_fields.hpp"
 #include "app/case/use_conditions.hpp"
 
 namespace orbearing::app {
 
 namespace {
 
-// Analyses that hold the physics. All others cannot feel what belongs to it alone.
-unsigned holding(described::Felt felt) {
-  using enum described::Felt;
-  switch (felt) {
+// Analyses that hold the physics. What belongs to it alone has no effect on others.
+unsigned holding(described::Physics physics) {
+  using enum described::Physics;
+  switch (physics) {
     case everywhere:
       return use::all;
     case planet:
@@ -75,13 +74,13 @@ unsigned holding(described::Felt felt) {
 
 // Analyses that ought to hold the physics and leave it out: they warn. Of several sets the meshes give mean
 // forces, and crown varies a planet of the mean load.
-unsigned leaving_out(described::Felt felt) {
-  using enum described::Felt;
-  if (felt == gear_bodies || felt == gear_motion || felt == central_teeth) return use::dynamic_of_sets;
+unsigned leaving_out(described::Physics physics) {
+  using enum described::Physics;
+  if (physics == gear_bodies || physics == gear_motion || physics == central_teeth) return use::dynamic_of_sets;
   // All that moves bearings knows none with scratches but what is run for them.
-  if (felt == described::Felt::defect)
+  if (physics == described::Physics::defect)
     return use::lives | use::gears | use::fmu_bearing | use::fmu_gearset | use::planet_stiffness;
-  return felt == load_sharing || felt == positions ? use::dynamic_of_sets | use::crown | use::planet_stiffness
+  return physics == load_sharing || physics == positions ? use::dynamic_of_sets | use::crown | use::planet_stiffness
                                                    : 0u;
 }
 
@@ -89,8 +88,8 @@ unsigned leaving_out(described::Felt felt) {
 struct Exception {
   std::string_view path;
   unsigned refused_by = 0;  // analyses that ought to take it and cannot
-  unsigned unfelt_by = 0;   // analyses that vary it themselves, or do not need it
-  unsigned unused_by = 0;   // analyses that ought to feel it and leave it out
+  unsigned not_modelled_by = 0;   // analyses that vary it themselves, or do not need it
+  unsigned unused_by = 0;   // analyses that ought to include it and leave it out
 };
 
 constexpr unsigned other_rungs = use::co_simulated | use::monolithic;
@@ -105,7 +104,7 @@ constexpr Exception exceptions[] = {
     {"bearing.roller_diameter_deviation", use::rollers_at_rest},  // their mean knows like rollers
     {"bearing.cage.reference_speed", other_rungs | use::fmu_bearing},
     {"bearing.misalignment.planet_tilt", 0, use::crown},
-    // A computed tilt is that of bearings at rest, with which one bearing may go on; gears do not feel it.
+    // A computed tilt is that of bearings at rest, with which one bearing may go on; it has no effect on gears.
     {"bearing.tilt_state", no_tilt, use::bearings_as_springs},
     {"bearing.axial_places", no_tilt, use::bearings_as_springs},
     {"bearing.clearance_differences", no_tilt, use::bearings_as_springs},
@@ -121,7 +120,7 @@ constexpr Exception exceptions[] = {
     {"signal.length_error", 0, use::moving_defect},
     {"simulation.integrator", other_rungs | use::fmu_bearing}};
 
-// What gives way under the planets besides, with its ends: felt at rest too where planets carry unlike
+// What gives way under the planets besides, with its ends: it counts at rest too where planets carry unlike
 // loads, since then it decides who carries how much.
 constexpr std::string_view giving_way[] = {"bearing.bore",
                                            "support.stiffness",
@@ -141,7 +140,7 @@ constexpr std::string_view giving_way[] = {"bearing.bore",
 Use with_load_sharing(const Use& use, std::string_view path) {
   const bool gives_way = makes_meshes(path) || std::find(std::begin(giving_way), std::end(giving_way),
                                                          path) != std::end(giving_way);
-  return gives_way ? use.felt_too(use::quasi_static, where_planets_carry_unlike_loads()) : use;
+  return gives_way ? use.used_too(use::quasi_static, where_planets_carry_unlike_loads()) : use;
 }
 
 // "one|other"
@@ -163,7 +162,7 @@ Exception exception_of(std::string_view path) {
 
 Use also_used(Use use, unsigned analyses) {
   use.by |= analyses;
-  use.unfelt_by &= ~analyses;
+  use.not_modelled_by &= ~analyses;
   return use;
 }
 
@@ -181,23 +180,23 @@ Use with_relief(const Use& use, std::string_view path) {
       where_given({"gearset.tip_relief.sun", "gearset.tip_relief.planet", "gearset.tip_relief.ring"}));
 }
 
-// Laminae and what tilts the bore belong to lives, and are felt by the stiffness too; the law of line
+// Laminae and what tilts the bore belong to lives, and change the stiffness too; the law of line
 // contacts knows no modulus, their films do.
 Use with_stiffness(Use use, std::string_view path) {
   if (path.starts_with("bearing.misalignment.")) return also_used(use, use::planet_stiffness);
   if (path == "gearset.planet_rim") return also_used(use, use::mesh);
   if (path == "bearing.laminae") return also_used(use, use::stiffness | use::planet_stiffness);
   if (path != "material.youngs_modulus" && path != "material.poisson_ratio") return use;
-  return use.felt_only(use::planet_stiffness, {where("film.enabled", {"true"})})
-      .felt_too(use::planet_stiffness, where("gearset.planet_rim", {"elastic"}));
+  return use.used_only(use::planet_stiffness, {where("film.enabled", {"true"})})
+      .used_too(use::planet_stiffness, where("gearset.planet_rim", {"elastic"}));
 }
 
-// Balls feel their mass, and the film under them, where a ring turns.
+// The mass of balls counts, and the film under them, where a ring turns.
 Use with_rotating_rings(const Use& use, const described::Facts& facts) {
   Condition rotating = where_given({"operation.shaft_speed", "operation.outer_speed", "operation.speeds"});
-  if (facts.felt == described::Felt::rotating_balls) return use.when(rotating);
+  if (facts.physics == described::Physics::rotating_balls) return use.when(rotating);
   if (facts.path == "material.density")
-    return use.felt_too(
+    return use.used_too(
         use::single_bearing_equilibrium | use::duplex,
         {rotating, where_given({"bearing.balls"}), where("equilibrium.ball_inertia", {"true"})});
   if (facts.path == "film.enabled") {
@@ -222,35 +221,35 @@ Use with_density(const Use& use) {
   const Condition grade = where_given({"lubricant.grade"});
   std::vector<Condition> stated = where_viscosity_makes_kappa();
   stated.push_back(where_absent("lubricant.grade"));
-  return use.felt_too(use::quasi_static, grade)
-      .felt_too(use::crown | use::planet_stiffness | use::bearings_as_springs, {grade, where_filmed()})
-      .felt_too(use::quasi_static | use::crown, stated);
+  return use.used_too(use::quasi_static, grade)
+      .used_too(use::crown | use::planet_stiffness | use::bearings_as_springs, {grade, where_filmed()})
+      .used_too(use::quasi_static | use::crown, stated);
 }
 
-// Films stand in results of lives; elsewhere the oil is felt where a film takes part in the approach, or
+// Films stand in results of lives; elsewhere the oil counts where a film takes part in the approach, or
 // where the life by its cleanliness is made of its viscosity.
 Use with_oil(const Use& use, std::string_view path) {
   if (path == "lubricant.density") return with_density(use);
   if (path == "lubricant.flow")
     return use.when(where("drag.mixture", {"carried"}))
         .when(where("drag.enabled", {"true"}))
-        .felt_too(use::ball_run, where("heat.enabled", {"true"}));
+        .used_too(use::ball_run, where("heat.enabled", {"true"}));
   if (path != "lubricant.viscosity" && path != "lubricant.pressure_viscosity") return use;
   constexpr unsigned with_film_alone = use::bearings_as_springs | use::planet_stiffness | use::crown;
   Use oil = also_used(use, use::spin_film)
-                .felt_only(with_film_alone, {where_filmed()})
-                .felt_too(use::single_bearing_equilibrium, where_filmed());
-  if (path == "lubricant.viscosity") oil = oil.felt_too(use::crown, where_viscosity_makes_kappa());
+                .used_only(with_film_alone, {where_filmed()})
+                .used_too(use::single_bearing_equilibrium, where_filmed());
+  if (path == "lubricant.viscosity") oil = oil.used_too(use::crown, where_viscosity_makes_kappa());
   return oil.when(where_absent("lubricant.grade"));
 }
 
 // Besides the friction of the races, others build up over the same sliding speed.
 Use with_other_frictions(const Use& use) {
   constexpr unsigned moving = use::rollers_in_motion | use::balls_in_motion | use::planet_defect;
-  return use.felt_too(moving, where_given({"bearing.cage.pocket_friction"}))
-      .felt_too(moving, where_given({"bearing.cage.guide_land_diameter"}))
-      .felt_too(moving, where("contact.lubrication", {"mixed"}))
-      .felt_too(moving, {where("bearing.complement", {"full"}), where_given({"bearing.neighbour_friction"})});
+  return use.used_too(moving, where_given({"bearing.cage.pocket_friction"}))
+      .used_too(moving, where_given({"bearing.cage.guide_land_diameter"}))
+      .used_too(moving, where("contact.lubrication", {"mixed"}))
+      .used_too(moving, {where("bearing.complement", {"full"}), where_given({"bearing.neighbour_friction"})});
 }
 
 Condition where_gears_run_up() {
@@ -259,8 +258,8 @@ Condition where_gears_run_up() {
 
 // The carrier's speed grows in a run-up, and as the master of an FMU has it.
 Use with_run_up(const Use& use) {
-  return use.felt_only(use::dynamic | use::dynamic_of_sets, {where_given({"input.acceleration"})})
-      .felt_only(use::gears | use::fmu_gearset, {where_gears_run_up()});
+  return use.used_only(use::dynamic | use::dynamic_of_sets, {where_given({"input.acceleration"})})
+      .used_only(use::gears | use::fmu_gearset, {where_gears_run_up()});
 }
 
 // Forces in the frame of the carrier; an FMU of a bearing has its speed as an input.
@@ -295,13 +294,13 @@ bool makes_race(std::string_view path) {
 
 // What makes the rim that bends: bearings hold the race in it.
 Use with_rim(const Use& use, std::string_view path) {
-  return makes_race(path) ? use.felt_too(use::mesh, where("gearset.planet_rim", {"elastic"})) : use;
+  return makes_race(path) ? use.used_too(use::mesh, where("gearset.planet_rim", {"elastic"})) : use;
 }
 
 // Gears are affected by a bearing through its springs, which the case may state; what makes the mass of a
 // planet as well affects them beside these too.
 Use with_springs(const Use& use, const described::Facts& facts) {
-  using enum described::Felt;
+  using enum described::Physics;
   const std::string_view path = facts.path;
   if (is_one_of(path, {"gearset.web.thickness", "gearset.web.rim"}))
     return use.limited(use::gears_in_motion | use::natural | use::quasi_static,
@@ -315,7 +314,7 @@ Use with_springs(const Use& use, const described::Facts& facts) {
   if (is_one_of(path, {"inertia.coriolis", "inertia.carrier_centrifugal"}))
     return use.limited(use::modes, {where_bearings_make_springs()});
   const bool of_bearing =
-      facts.felt == balance || facts.felt == carrier || facts.felt == pin || facts.felt == at_rest;
+      facts.physics == balance || facts.physics == carrier || facts.physics == pin || facts.physics == at_rest;
   if (!of_bearing || makes_race(path) || path == "material.density" || path == "gearset.planet_rim")
     return use;
   return use.limited(use::bearings_as_springs, {where_bearings_make_springs()});
@@ -337,7 +336,7 @@ Use with_carrier(const Use& use, std::string_view path) {
       .limited(use::rollers_at_rest,
                {where_true(planet_counts_at_rest,
                            rotating + ", or the planet bends, tilts or is pressed on a seat")})
-      .felt_too(use::quasi_static, where_planets_carry_unlike_loads());
+      .used_too(use::quasi_static, where_planets_carry_unlike_loads());
 }
 
 // A member that is held does not move, unless a spring holds it.
@@ -358,15 +357,15 @@ Use with_ring_width(const Use& use) {
                      {where("bearing.rings", {"both", "outer"}), where("gearset.planet_rim", {"elastic"})});
 }
 
-// Fields that are felt by unlike physics, of which each hangs on other choices.
+// Fields of unlike physics, of which each hangs on other choices.
 Use with_other_ways(const Use& use, std::string_view path) {
   if (path == "traction.sliding_scale") return with_other_frictions(use);
   if (path == "traction.limiting_friction")
-    return use.felt_too(use::balls_in_motion, where("traction.law", {"ree-eyring"}));
+    return use.used_too(use::balls_in_motion, where("traction.law", {"ree-eyring"}));
   // Masses of rings warm up; that of the ring at rest counts for nothing besides.
-  if (path == "bearing.outside_diameter") return use.felt_too(use::ball_run, where("heat.enabled", {"true"}));
+  if (path == "bearing.outside_diameter") return use.used_too(use::ball_run, where("heat.enabled", {"true"}));
   if (path == "contact.roughness")
-    return use.felt_too(use::quasi_static | use::in_time, where("life.viscosity_ratio_by", {"film"}));
+    return use.used_too(use::quasi_static | use::in_time, where("life.viscosity_ratio_by", {"film"}));
   if (path == "bearing.fit.expansion")
     return use.when(where_true(fits_are_warm, "beside a bearing.temperature"));
   if (path == "defect.profile") return use.when(where("defect.race", {"outer", "inner", "ball", "roller"}));
@@ -378,7 +377,7 @@ Use with_other_ways(const Use& use, std::string_view path) {
                        {where_true(speed_is_steady, "where input.acceleration is 0")});
   if (path == "bearing.bore") return with_pins(use);
   // Of a driven sun or ring the power makes the force of the teeth, whichever member is held.
-  if (path == "gearset.fixed") return use.felt_only(use::mesh, {where("input.member", {"carrier"})});
+  if (path == "gearset.fixed") return use.used_only(use::mesh, {where("input.member", {"carrier"})});
   return use;
 }
 
@@ -386,11 +385,11 @@ Use with_other_ways(const Use& use, std::string_view path) {
 
 Use use_of(const described::Facts& facts) {
   const Exception but = exception_of(facts.path);
-  const unsigned without = leaving_out(facts.felt) | but.unused_by;
-  const unsigned by = holding(facts.felt) & ~(but.refused_by | but.unfelt_by | but.unused_by);
-  const unsigned unfelt = (use::all & ~(by | but.refused_by | without)) | but.unfelt_by;
+  const unsigned without = leaving_out(facts.physics) | but.unused_by;
+  const unsigned by = holding(facts.physics) & ~(but.refused_by | but.not_modelled_by | but.unused_by);
+  const unsigned not_modelled = (use::all & ~(by | but.refused_by | without)) | but.not_modelled_by;
   const Use at_rest =
-      with_mesh_loads(with_load_sharing(Use(by, unfelt, but.refused_by), facts.path), facts.path);
+      with_mesh_loads(with_load_sharing(Use(by, not_modelled, but.refused_by), facts.path), facts.path);
   const Use with_films = with_oil(
       with_relief(with_rotating_rings(with_stiffness(at_rest, facts.path), facts), facts.path), facts.path);
   const Use use = with_carrier(

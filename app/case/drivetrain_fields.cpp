@@ -23,17 +23,17 @@ Field ratio(std::string path, std::string meaning, const Use& use, Range range, 
 void add_bodies(std::vector<Field>& fields) {
   const Use bodies =
       Use(use::gears_in_motion | use::natural | use::mesh, use::rollers_at_rest | use::fmu_bearing)
-          .felt_too(use::quasi_static, where_planets_carry_unlike_loads());
+          .used_too(use::quasi_static, where_planets_carry_unlike_loads());
   const Use planet =
       Use(use::bearings_as_springs | use::mesh, use::lives | use::fmu_bearing | use::planet_stiffness)
           .when(where_absent("bearing.rollers"));
   fields.push_back(ratio("gearset.sun_bore_ratio", "bore of the sun as a share of its root diameter", bodies,
                          {0.02, 0.98}, "0.5",
-                         "a sun on a shaft; mesh stiffness and mass of the sun feel it"));
+                         "a sun on a shaft; affects mesh stiffness and mass of the sun"));
   fields.push_back(ratio("gearset.ring_outside_ratio",
                          "outside diameter of the ring, where it is held, as a multiple of its root diameter",
                          bodies, {1.005, 20.0}, "1.15",
-                         "a rim of some five modules; mesh stiffness and mass of the ring feel it"));
+                         "a rim of some five modules; affects mesh stiffness and mass of the ring"));
   fields.push_back(ratio("gearset.planet_bore_ratio",
                          "bore of a planet that has no given bearing, as a share of module x (teeth - 2.5)",
                          planet, {0.02, 0.98}, "0.7",

@@ -12,12 +12,12 @@ Use with_planet_defect(const Use& use, std::string_view path) {
                        [&](std::string_view part) { return path.starts_with(part); });
   };
   if (is_one_of({"defect.", "signal."})) return more;
-  unsigned* const statuses[] = {&more.by, &more.unfelt_by, &more.refused_by};
+  unsigned* const statuses[] = {&more.by, &more.not_modelled_by, &more.refused_by};
   for (unsigned* status : statuses) *status &= ~unsigned{use::planet_defect};
   if (is_one_of({"life.", "spectrum", "lubricant.kinematic", "simulation.observed", "simulation.most_rev",
                  "simulation.load_drift", "simulation.cage_drift", "bearing.fatigue_load_limit",
                  "bearing.neighbour_friction"})) {  // of bearings without a cage, which is refused
-    more.unfelt_by |= use::planet_defect;
+    more.not_modelled_by |= use::planet_defect;
     return more;
   }
   for (unsigned* status : statuses)
@@ -61,27 +61,27 @@ Use Use::when(Condition condition) const {
   return more;
 }
 
-Use Use::felt_too(unsigned analyses, std::vector<Condition> all) const {
+Use Use::used_too(unsigned analyses, std::vector<Condition> all) const {
   Use more = *this;
   more.ways.push_back({analyses, std::move(all)});
   return more;
 }
 
-Use Use::felt_too(unsigned analyses, Condition condition) const {
-  return felt_too(analyses, std::vector<Condition>{std::move(condition)});
+Use Use::used_too(unsigned analyses, Condition condition) const {
+  return used_too(analyses, std::vector<Condition>{std::move(condition)});
 }
 
-Use Use::felt_only(unsigned analyses, std::vector<Condition> all) const {
-  Use more = felt_too(analyses & by, std::move(all));
+Use Use::used_only(unsigned analyses, std::vector<Condition> all) const {
+  Use more = used_too(analyses & by, std::move(all));
   more.by &= ~analyses;
-  more.unfelt_by |= by & analyses;
+  more.not_modelled_by |= by & analyses;
   return more;
 }
 
 Use Use::limited(unsigned analyses, const std::vector<Condition>& either) const {
   Use more = *this;
   more.by &= ~analyses;
-  more.unfelt_by |= by & analyses;
+  more.not_modelled_by |= by & analyses;
   more.ways.clear();
   std::vector<Way> limited = ways;
   if ((by & analyses) != 0) limited.push_back({by & analyses, {}});

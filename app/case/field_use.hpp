@@ -90,21 +90,21 @@ Condition where_bearings_make_springs();
 /// Who uses a field. There is no default: a row that does not say so does not compile. An analysis that is
 /// named nowhere in the row warns of a value that is given and neither the default nor zero.
 struct Use {
-  Use(unsigned used_by, unsigned not_felt_by, unsigned refused = 0)
-      : by(used_by), unfelt_by(not_felt_by), refused_by(refused) {}
+  Use(unsigned used_by, unsigned not_modelled, unsigned refused = 0)
+      : by(used_by), not_modelled_by(not_modelled), refused_by(refused) {}
   /// The condition is one of all ways that the row has so far.
   Use when(Condition condition) const;
-  /// Where `conditions` hold, `analyses` use it too. Of those that do not use it elsewhere, it is unfelt
+  /// Where `conditions` hold, `analyses` use it too. Of those that do not use it elsewhere, it is not modelled
   /// there.
-  Use felt_too(unsigned analyses, std::vector<Condition> conditions) const;
-  Use felt_too(unsigned analyses, Condition condition) const;
+  Use used_too(unsigned analyses, std::vector<Condition> conditions) const;
+  Use used_too(unsigned analyses, Condition condition) const;
   /// `analyses` use it where `conditions` hold, and only there.
-  Use felt_only(unsigned analyses, std::vector<Condition> conditions) const;
+  Use used_only(unsigned analyses, std::vector<Condition> conditions) const;
   /// Wherever `analyses` use it so far, one of `either` has to hold besides.
   Use limited(unsigned analyses, const std::vector<Condition>& either) const;
 
   unsigned by;          // it changes their results
-  unsigned unfelt_by;   // they cannot feel it by nature: their results are equal to the last bit
+  unsigned not_modelled_by;   // it is not modelled there: their results are equal to the last bit
   unsigned refused_by;  // they ought to and cannot: exit code 2
   std::vector<Condition> conditions{};  // of `by`: all must hold, else the value is warned of
   std::vector<Way> ways{};              // besides
@@ -114,7 +114,7 @@ struct Use {
 Use with_planet_defect(const Use& use, std::string_view path);
 
 /// Who uses a field whose row stands beside its member: the analyses that hold the physics by which it is
-/// felt, but for those that cannot take it.
+/// used, but for those that cannot take it.
 Use use_of(const described::Facts& facts);
 
 /// "run and sweep with --fidelity dynamic"

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "app/case/case_errors.hpp"
+#include "app/case/mistake.hpp"
 #include "app/case/field_table.hpp"
 #include "app/case/settings.hpp"
 #include "bearing/film/oil_grade.hpp"

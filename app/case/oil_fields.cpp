@@ -17,7 +17,7 @@ Use use_of_grade(const Field& viscosity) {
   use.conditions.clear();
   for (Way& way : use.ways)
     std::erase_if(way.conditions, [](const Condition& condition) { return condition.absent; });
-  return use.felt_too(use::crown | use::static_load, where_absent("life.viscosity_ratio"));
+  return use.used_too(use::crown | use::static_load, where_absent("life.viscosity_ratio"));
 }
 
 }  // namespace

@@ -110,7 +110,7 @@ void check_profile(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
     mistakes.push_back({in.location(present),
                         present,
                         {"an entry without bearing.laminae",
-                         "laminae, which feel it, are required: for instance bearing.laminae: 40"}});
+                         "laminae, which it acts on, are required: for instance bearing.laminae: 40"}});
   }
   const std::string profile = first_of(in, kBlock);
   if (!profile.empty() && !in.has(kKind))

@@ -14,7 +14,7 @@ namespace orbearing::app {
 bearing::profile::Profile roller_profile_of(const ResolvedCase& resolved);
 
 /// Tells `mistakes` of a profile that cannot be made, and of profile or misalignment without the laminae that
-/// feel them.
+/// are affected by them.
 void check_profile(const ResolvedCase& resolved, std::vector<Mistake>& mistakes);
 
 }  // namespace orbearing::app

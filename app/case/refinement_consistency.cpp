@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/case/case_errors.hpp"
+#include "app/case/mistake.hpp"
 #include "app/case/set_case.hpp"
 
 namespace orbearing::app {
@@ -64,7 +64,7 @@ void check_tooth_contact(const ResolvedCase& resolved, std::vector<Mistake>& mis
                    "no stated mesh stiffness is required, which follows from the teeth", mistakes);
 }
 
-// A planet that finds its tilt: laminae feel it, one rigid rim and planets that carry alike are what it is
+// A planet that finds its tilt: it acts on laminae, one rigid rim and planets that carry alike are what it is
 // computed for.
 void check_tilt(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
   const std::string state = "bearing.tilt_state";
@@ -74,7 +74,7 @@ void check_tilt(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
     if (!holds) add_error_at(resolved, state, "computed " + found, required, mistakes);
   };
   need(resolved.has("bearing.laminae"), "without bearing.laminae",
-       "a number of laminae, which feel the tilt, is required");
+       "a number of laminae, which the tilt acts on, is required");
   need(!resolved.has("gearset.planet_rim") || resolved.choice("gearset.planet_rim") == "rigid",
        "beside gearset.planet_rim: elastic", "a rigid rim is required");
   const std::string uneven = uneven_planets_by(resolved);

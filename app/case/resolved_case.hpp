@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <initializer_list>
 #include <map>
 #include <memory>
 #include <string>
@@ -12,6 +13,7 @@
 
 #include "app/case/case_shape.hpp"
 #include "app/case/field.hpp"
+#include "app/case/field_use.hpp"
 #include "app/case/settings.hpp"
 
 namespace orbearing::app {
@@ -172,5 +174,45 @@ std::size_t sweep_size(const ResolvedCase& resolved);
 
 /// Settings of point `index`; the first axis changes slowest.
 std::vector<Setting> sweep_point(const ResolvedCase& resolved, std::size_t index);
+
+// Which inputs need not be stated, since others give them.
+
+// A value that follows from the inputs of a case, as `check` lists it.
+
+/// A quantity that follows from the inputs.
+struct Derived {
+  std::string path;    // "gearset.centre_distance"
+  double value = 0.0;  // [unit]
+  std::string unit;    // "mm"; "1" for a ratio
+  std::string meaning;
+};
+
+/// Where one of these holds, the input at `path` follows from another one and may be left out; none: it never
+/// does.
+std::vector<Condition> given_by(std::string_view path);
+
+// Words of the checks across fields.
+
+/// Where `path` stands; of a value that the case leaves out, the place of one of its block, or of the model.
+inline Location location_for(const ResolvedCase& in, const std::string& path) {
+  if (in.has(path)) return in.location(path);
+  const std::string block = path.substr(0, path.rfind('.') + 1);
+  for (const Input& input : in.inputs())
+    if (!block.empty() && input.path.starts_with(block) && is_stated(in, input.path))
+      return in.location(input.path);
+  return in.has("model") ? in.location("model") : Location{};
+}
+
+/// Adds a mistake at the place of `path`.
+inline void add_error_at(const ResolvedCase& in, const std::string& path, std::string found,
+                         std::string required, std::vector<Mistake>& mistakes) {
+  mistakes.push_back({location_for(in, path), path, {std::move(found), std::move(required)}});
+}
+
+inline bool has_all(const ResolvedCase& in, std::initializer_list<const char*> paths) {
+  for (const char* path : paths)
+    if (!in.has(path)) return false;
+  return true;
+}
 
 }  // namespace orbearing::app

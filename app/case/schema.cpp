@@ -10,7 +10,7 @@
 #include "app/case/case_shape.hpp"
 #include "app/case/derived_defaults.hpp"
 #include "app/case/field_table.hpp"
-#include "app/case/given_by.hpp"
+#include "app/case/resolved_case.hpp"
 #include "app/case/uncertain_case.hpp"
 
 namespace orbearing::app {

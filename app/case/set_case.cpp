@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <optional>
 
-#include "app/case/case_errors.hpp"
+#include "app/case/mistake.hpp"
 #include "app/case/described_case.hpp"
 #include "app/units.hpp"
 #include "gearset/checks.hpp"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/case/case_errors.hpp"
+#include "app/case/mistake.hpp"
 
 namespace orbearing::app {
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "app/case/case_errors.hpp"
+#include "app/case/mistake.hpp"
 #include "mechanics/constants.hpp"
 
 namespace orbearing::app {

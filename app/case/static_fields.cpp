@@ -26,7 +26,7 @@ constexpr unsigned rated = single_bearing | planetary_drivetrain;
 
 // Unless kappa is that of the film, which crown does not compute.
 Use where_kappa_is_stated(const Use& use) {
-  return use.when(where("life.viscosity_ratio_by", {"speed"})).felt_too(use::crown, std::vector<Condition>{});
+  return use.when(where("life.viscosity_ratio_by", {"speed"})).used_too(use::crown, std::vector<Condition>{});
 }
 
 // Lives by film and cleanliness.
@@ -48,11 +48,11 @@ const Use& by_lives_of_planets() {
   return use;
 }
 
-// Felt by the fatigue load limit alone, which a crown shows in lives with an oil.
+// Affects the fatigue load limit alone, which a crown shows in lives with an oil.
 const Use& by_fatigue_limit() {
   static const Use use =
       Use(use::static_load | use::ball_run | rated_runs, use::stiffness | (use::of_a_drivetrain & ~rated_runs))
-          .felt_too(use::crown,
+          .used_too(use::crown,
                     where_given({"lubricant.grade", "life.cleanliness", "life.contamination_factor",
                                  "life.viscosity_ratio", "lubricant.kinematic_viscosity"}));
   return use;
@@ -97,13 +97,13 @@ void add_operation(std::vector<Field>& fields) {
   shaft.use.by |= use::defect | use::moving_defect;
   // The stiffness of balls stands beside the speed of the shaft.
   shaft.use =
-      shaft.use.felt_too(use::duplex, where_balls_turn_with_effect())
-          .felt_too(use::stiffness, {where_given({"bearing.balls"}), where_absent("operation.speeds")});
+      shaft.use.used_too(use::duplex, where_balls_turn_with_effect())
+          .used_too(use::stiffness, {where_given({"bearing.balls"}), where_absent("operation.speeds")});
   shaft.models |= described::single_scratched | duplex_pair;
   fields.push_back(std::move(shaft));
   Field outer = speed_of_ring("operation.outer_speed", "speed of the outer ring");
   outer.use =
-      outer.use.felt_too(use::stiffness, {where_given({"bearing.balls"}), where_balls_turn_with_effect()});
+      outer.use.used_too(use::stiffness, {where_given({"bearing.balls"}), where_balls_turn_with_effect()});
   fields.push_back(std::move(outer));
   fields.push_back({.path = "operation.speeds",
                     .kind = Kind::list,
@@ -180,7 +180,7 @@ void add_life(std::vector<Field>& fields) {
        .meaning = "life that peaks, spectra and sensitivities go by: life_h of Lundberg and Palmgren; "
                   "iso-281: L10mh where the oil is stated, else L10h; iso-16281: L10mrh where the oil is "
                   "stated, else L10rh. crown goes by L10rh where it is iso-16281, else by life_h",
-       .use = by_lives_of_planets().felt_too(use::crown, where("life.method", {"iso-16281"})),
+       .use = by_lives_of_planets().used_too(use::crown, where("life.method", {"iso-16281"})),
        .models = planetary_drivetrain,
        .choices = methods_of_life(),
        .default_text = "lundberg-palmgren",
@@ -192,7 +192,7 @@ void add_life(std::vector<Field>& fields) {
       by_rated_life()
           .when(where_given({"lubricant.grade", "life.cleanliness", "life.contamination_factor",
                              "life.viscosity_ratio", "lubricant.kinematic_viscosity"}))
-          .felt_too(use::static_load,
+          .used_too(use::static_load,
                     where_given({"load.radial", "load.axial", "load.moment", "load.moment_across"}));
   reliability.default_text = "0.9";
   reliability.default_reason = "rating lives are those of 90 %";

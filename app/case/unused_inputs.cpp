@@ -8,9 +8,8 @@
 #include "app/case/catalogue_case.hpp"
 #include "app/case/catalogue_fields.hpp"
 #include "app/case/field_table.hpp"
-#include "app/case/mesh_fields.hpp"
-#include "app/case/settings.hpp"
 #include "app/case/use_conditions.hpp"
+#include "app/case/settings.hpp"
 
 namespace orbearing::app {
 
@@ -115,8 +114,8 @@ const Way* way_that_holds(const ResolvedCase& in, const Input& input, unsigned a
   return nullptr;
 }
 
-// Parameters that are felt through another quantity where a choice makes it follow from them: by all that
-// feels the parameter `by`.
+// Parameters that act through another quantity where a choice makes it follow from them: by all that
+// uses the parameter `by`.
 struct Through {
   std::initializer_list<std::string_view> paths;
   std::string_view choice;
@@ -159,7 +158,7 @@ bool is_chosen(const ResolvedCase& in, const Input& input, const Through& throug
   });
 }
 
-bool is_felt_through_another(const ResolvedCase& in, const Input& input, use::Analysis analysis) {
+bool is_used_through_another(const ResolvedCase& in, const Input& input, use::Analysis analysis) {
   return std::any_of(through_others.begin(), through_others.end(), [&](const Through& through) {
     if (!through.holds(input.field->path) || !is_chosen(in, input, through)) return false;
     const Input by{beside(input.path, std::string(through.by)), find_field(through.by)};
@@ -216,7 +215,7 @@ std::string idle_text(const ResolvedCase& in, const Input& input, unsigned analy
   return texts.empty() ? "" : fmt::format("it counts only {}", fmt::join(texts, ", or "));
 }
 
-// A set without a bearing passes on torque and speed: the other sets feel the ratios of its teeth alone.
+// A set without a bearing passes on torque and speed: the ratios of its teeth alone affect the other sets.
 bool is_behind_ratios(const ResolvedCase& in, const Input& input) {
   const std::size_t prefix = set_prefix_length(input.path);
   if (prefix == 0 || in.has(input.path.substr(0, prefix) + "bearing.rollers")) return false;
@@ -312,11 +311,11 @@ class AxisCheck {
 
 UseStatus use_status_in_row(const ResolvedCase& resolved, const Input& input, use::Analysis analysis) {
   const Use& use = input.field->use;
-  if (is_behind_ratios(resolved, input)) return UseStatus::unfelt;
+  if (is_behind_ratios(resolved, input)) return UseStatus::not_modelled;
   if ((use.by & analysis) != 0) return UseStatus::used;
   if (way_that_holds(resolved, input, analysis) != nullptr) return UseStatus::used;
-  if (is_felt_through_another(resolved, input, analysis)) return UseStatus::used;
-  if ((use.unfelt_by & analysis) != 0) return UseStatus::unfelt;
+  if (is_used_through_another(resolved, input, analysis)) return UseStatus::used;
+  if ((use.not_modelled_by & analysis) != 0) return UseStatus::not_modelled;
   return (use.refused_by & analysis) != 0 ? UseStatus::refused : UseStatus::unused;
 }
 
@@ -338,7 +337,7 @@ UseStatus use_status_of(const ResolvedCase& resolved, const Input& input, use::A
   if (is_used(resolved, input, analysis)) return UseStatus::used;
   const UseStatus status = use_status_in_row(resolved, input, analysis);
   // What counts for nothing anyway need not be refused.
-  if (status == UseStatus::unfelt) return status;
+  if (status == UseStatus::not_modelled) return status;
   return idle ? UseStatus::idle : status;
 }
 
@@ -356,7 +355,7 @@ std::vector<std::string> require_used(const ResolvedCase& resolved, use::Analysi
                                        quote(resolved.given(input.path)), analysis_name(analysis)),
                            "none is required, or what would use it: " + users_text(resolved, input)}});
     else if (status == UseStatus::idle || status == UseStatus::unused ||
-             (status == UseStatus::unfelt && location.option))
+             (status == UseStatus::not_modelled && location.option))
       warnings.push_back(warning_of(resolved, input, analysis, status));
   }
   const std::vector<Input> inputs = resolved.inputs();

@@ -12,7 +12,7 @@ namespace orbearing::app {
 enum class UseStatus {
   used,
   neutral,  // the default, or zero where there is none: nothing is lost
-  unfelt,   // by nature: see Use
+  not_modelled,  // by nature: see Use
   idle,     // one of its conditions does not hold
   unused,   // warned of
   refused
@@ -28,7 +28,7 @@ bool is_used(const ResolvedCase& resolved, const Input& input, use::Analysis ana
 UseStatus use_status_of(const ResolvedCase& resolved, const Input& input, use::Analysis analysis);
 
 /// Throws BadInput with all that `analysis` ought to use and cannot; else warnings of all that it does not
-/// use: values without effect, and what it cannot feel by nature where an option of this very command gives
+/// use: values without effect, and what it does not model where an option of this very command gives
 /// it. Of the sweep's axes those are looked at that `sweeps` names: a sweep over what is not used is refused.
 enum class Axes { none, speed, all };
 std::vector<std::string> require_used(const ResolvedCase& resolved, use::Analysis analysis,

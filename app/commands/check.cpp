@@ -13,7 +13,6 @@
 #include "app/study/gear_case.hpp"
 #include "app/study/mesh_study.hpp"
 #include "app/study/planetary_case.hpp"
-#include "app/study/power_table.hpp"
 
 namespace orbearing::app {
 

@@ -8,7 +8,7 @@
 #include "app/case/printable.hpp"
 #include "app/results/terminal_chart.hpp"
 #include "app/study/life_peak.hpp"
-#include "app/study/power_table.hpp"
+#include "app/study/planetary_case.hpp"
 #include "app/study/stiffness_study.hpp"
 #include "app/study/sweep_study.hpp"
 #include "app/study/sweep_warnings.hpp"

@@ -63,7 +63,7 @@ std::vector<std::string> entries_of(const std::string& list) {
   return entries;
 }
 
-bool felt_by_scratches_alone(const std::string& path) {
+bool used_by_scratches_alone(const std::string& path) {
   return path.starts_with("defect.") && path != "defect.race";
 }
 
@@ -93,7 +93,7 @@ std::vector<SignalAxis> signal_axes(const std::vector<std::string>& options, con
   return axes;
 }
 
-// All combinations, the last axis fastest. What only a scratch feels does not vary without one: a sound
+// All combinations, the last axis fastest. What affects a scratch alone does not vary without one: a sound
 // bearing stands in the grid once. Throws BadInput where the case cannot be changed so.
 std::vector<SignalVariant> signal_variants(const ResolvedCase& resolved,
                                            const std::vector<SignalAxis>& axes) {
@@ -110,7 +110,7 @@ std::vector<SignalVariant> signal_variants(const ResolvedCase& resolved,
       rest /= axis->values.size();
       settings.insert(settings.begin(), Setting{axis->path, axis->values[which]});
       if (axis->path == "defect.race") race = axis->values[which];
-      if (felt_by_scratches_alone(axis->path) && which > 0) first_of_defect = false;
+      if (used_by_scratches_alone(axis->path) && which > 0) first_of_defect = false;
     }
     if (race == "none" && !first_of_defect) continue;
     (void)resolved.with(settings);  // refuses what cannot be, before the first is computed

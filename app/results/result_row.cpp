@@ -188,9 +188,17 @@ std::string csv_line(const TableHead& head, const ResultRow& row) {
 }
 
 nlohmann::ordered_json row_json(const TableHead& head, const ResultRow& row) {
-  described::Record record;
-  describe_row(record, head, row);
-  return json_of(record);
+  auto object = nlohmann::ordered_json::object();
+  for (std::size_t i = 0; i < head.names.size(); ++i) {
+    nlohmann::ordered_json& field = object[head.names[i]];
+    if (const auto text = text_member(head, i))
+      field = row.*text;
+    else if (i == head.refined_location)
+      field = row.refined;
+    else if (std::isfinite(row.values[i]))
+      field = row.values[i];
+  }
+  return object;
 }
 
 void describe_row(described::Record& record, const TableHead& head, const ResultRow& row) {

@@ -12,7 +12,7 @@
 #include "bearing/equilibrium/balls.hpp"
 #include "bearing/equilibrium/static_bearing.hpp"
 #include "bearing/geometry.hpp"
-#include "bearing/life/ball_failure.hpp"
+#include "bearing/life/ball_capacity.hpp"
 #include "bearing/life/lundberg_palmgren.hpp"
 
 namespace orbearing::app {

@@ -97,7 +97,7 @@ struct PlanetDefectStudy {
   /// carrier's.
   diagnosis::InstrumentView
       carrier;  // damaged planet along the middle of its load zone, relative to its pin [m/s^2]
-  diagnosis::InstrumentView housing;  // ring gear's force on the housing as an instrument feels it [N]
+  diagnosis::InstrumentView housing;  // ring gear's force on the housing as an instrument measures it [N]
 };
 
 /// `progress` gets the share done, if any. Throws ComputationFailed where the motion cannot be followed.

@@ -33,7 +33,7 @@ void warn(duplex::Arrangement arrangement, PairPoint& point) {
         "rows that face each other have opposite ones");
   if (point.state.outer_load.size() > 0)
     point.warnings.push_back(
-        "operation.shaft_speed: felt by the balls; the shaft's own gyroscopic moment, which would part its "
+        "operation.shaft_speed: affects the balls; the shaft's own gyroscopic moment, which would part its "
         "tilts into "
         "two whirls, is left out");
   if (!(point.state.contact_load.minCoeff() > 0.0))

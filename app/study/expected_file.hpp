@@ -56,7 +56,7 @@ struct ResultPointer {
 };
 std::optional<ResultPointer> result_pointer(const std::string& quantity);
 
-/// Readings that only the motion in time feels, and where they are looked at.
+/// Readings that affect the motion in time alone, and where they are looked at.
 struct MotionPlan {
   std::string fidelity = "monolithic";
   std::vector<double> speed_rpm;

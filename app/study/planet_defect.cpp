@@ -170,7 +170,7 @@ void describe_series(Record& record, const PlanetDefectStudy& study) {
   along_time("loaded_acceleration", dimension::acceleration, "the same along the middle of the load zone",
              study.carrier.signal);
   along_time("housing_force", dimension::force,
-             "meshes of the ring as an instrument on the housing feels them", motion.housing);
+             "meshes of the ring as an instrument on the housing measures them", motion.housing);
   along_time("carrier_angle", dimension::angle, "turned by the carrier", motion.carrier_angle);
   along_time("planet_angle", dimension::angle, "turned by the damaged planet relative to the carrier",
              motion.planet_angle);

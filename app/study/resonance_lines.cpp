@@ -47,7 +47,7 @@ std::vector<Setting> other_settings(std::vector<Setting> settings) {
   return settings;
 }
 
-// Whether the motion of a case's bearings feels resonances of its gears: one set with bearings, whose meshes
+// Whether resonances of its gears affect the motion of a case's bearings: one set with bearings, whose meshes
 // vary. Several sets have no gear dynamics yet.
 bool has_resonances(const ResolvedCase& resolved) {
   const CaseShape& shape = resolved.shape();

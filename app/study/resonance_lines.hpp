@@ -45,7 +45,7 @@ class LinesOfResonances {
   std::map<std::vector<Setting>, std::vector<Resonance>> lines_;
 };
 
-/// Makes the rows of `request` name their nearest resonance where the bearings' motion feels one.
+/// Makes the rows of `request` name their nearest resonance where one affects the bearings' motion.
 void name_resonances(const ResolvedCase& resolved, SweepRequest& request);
 
 }  // namespace orbearing::app

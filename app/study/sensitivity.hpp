@@ -1,5 +1,5 @@
 // The life curve of a case in a few numbers, and what other readings of its assumptions do to them: at rest,
-// and for those that only motion feels at a few speeds in time.
+// and for those that affect motion alone at a few speeds in time.
 #pragma once
 
 #include <optional>

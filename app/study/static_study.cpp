@@ -433,9 +433,9 @@ struct StepsOf {
       steps.approach[j] = at[0];
       rollers.tilt[j] = -std::atan(at[1] / row.lever());
     }
-    const Eigen::ArrayXXd felt = rating::with_stress_riser(state.lamina_load);
-    steps.inner_equivalent = rating::equivalent_lamina_loads(felt, bearing.motions.inner);
-    steps.outer_equivalent = rating::equivalent_lamina_loads(felt, bearing.motions.outer);
+    const Eigen::ArrayXXd stressed = rating::with_stress_riser(state.lamina_load);
+    steps.inner_equivalent = rating::equivalent_lamina_loads(stressed, bearing.motions.inner);
+    steps.outer_equivalent = rating::equivalent_lamina_loads(stressed, bearing.motions.outer);
     steps.rollers = std::move(rollers);
   }
 

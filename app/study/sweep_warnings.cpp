@@ -58,7 +58,7 @@ std::string rows_where(const SweepOutcome& outcome, const std::function<bool(con
   return count == 0 ? "" : fmt::format("{} of {} points, first at {}", count, rows.size(), first);
 }
 
-// Where a profile or a tilt is to be felt by so few that they hardly see it.
+// Where a profile or a tilt is resolved by so few that they hardly show it.
 std::vector<std::string> lamina_warnings(const ResolvedCase& resolved) {
   constexpr int enough = 10;  // within 2 % of the life of many, the wind turbine's planets
   std::vector<std::string> warnings;
@@ -71,7 +71,7 @@ std::vector<std::string> lamina_warnings(const ResolvedCase& resolved) {
         !has("bearing.misalignment.carrier_wind_up"))
       continue;
     warnings.push_back(
-        fmt::format("{}bearing.laminae: {} feel a profile or a tilt coarsely (one not at all), which "
+        fmt::format("{}bearing.laminae: {} resolve a profile or a tilt coarsely (one not at all), which "
                     "shows in loads and lives; {} or more are advised",
                     prefix, resolved.integer(prefix + "bearing.laminae"), enough));
   }

@@ -1,4 +1,4 @@
-// Line contact of a roller with one race, cut into laminae that do not feel each other, after [ISO16281]:
+// Line contact of a roller with one race, cut into laminae that do not affect each other, after [ISO16281]:
 // q_k = c/n (a + tilt x_k - P_k)^(10/9) where that is positive, else 0.
 //
 //      race  ____________________________            x: along the axis from the middle

@@ -31,7 +31,7 @@ template <class T>
 struct LandForces {
   T eccentricity;          // [-]    of the clearance
   T film_x, film_y;        // [N]    of the film on the cage
-  T squeeze_x, squeeze_y;  // [m/s]  velocity that the film feels
+  T squeeze_x, squeeze_y;  // [m/s]  velocity of squeezing
   T shear;                 // [N m]  of the film on the cage, opposite on the land
   T touch_x, touch_y;      // [N]    of touch-down on the cage
   T touch_friction;        // [N]    along the tangent
@@ -91,7 +91,7 @@ struct LandLaw {
   double damping = 0.0;               // [s/m]
   CoulombFriction<double> friction;
 
-  /// Film and touch-down between the cage and a land that turns at `land_speed` [rad/s]. The film feels the
+  /// Film and touch-down between the cage and a land that turns at `land_speed` [rad/s]. The film depends on the
   /// velocity of the cage less what half the sum of both rotations gives it, so that the force does not
   /// depend on the frame. The couple of the film's two forces, which act through both centres, is shared
   /// evenly by both surfaces.

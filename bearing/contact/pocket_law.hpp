@@ -29,7 +29,7 @@ template <class Offset, class Along, class SpeedAhead, class SpeedAlong, class S
 PocketMotion(Offset, Along, SpeedAhead, SpeedAlong, Spin, CageSpeed)
     -> PocketMotion<Offset, Along, SpeedAhead, SpeedAlong, Spin, CageSpeed>;
 
-/// What a bar does to the roller; the cage feels the opposite at its own arm.
+/// What a bar does to the roller; the opposite acts on the cage at its own arm.
 template <class Ahead, class Along, class RollerMoment, class CageMoment, class Power, class Sliding>
 struct PocketTouch {
   Ahead ahead;                 // [N]    on the roller, along a
@@ -44,7 +44,7 @@ template <class Ahead, class Along, class RollerMoment, class CageMoment, class 
 PocketTouch(Ahead, Along, RollerMoment, CageMoment, Power, Sliding)
     -> PocketTouch<Ahead, Along, RollerMoment, CageMoment, Power, Sliding>;
 
-/// What the oil before both bars does to the roller; the cage feels the opposite at its own arm.
+/// What the oil before both bars does to the roller; the opposite acts on the cage at its own arm.
 template <class Ahead, class Along, class RollerMoment, class CageMoment, class Power>
 struct PocketOil {
   Ahead ahead;                 // [N]    on the roller, along a
@@ -63,7 +63,7 @@ struct PocketLaw {
   double stiffness = 0.0;       // [N/m]  of a bar
   double damping = 0.0;         // [s/m]
   CoulombFriction<double> friction;
-  double viscous = 0.0;    // [Pa s m]  2 eta l of the oil before the bars; 0: they are felt when touched
+  double viscous = 0.0;    // [Pa s m]  2 eta l of the oil before the bars; 0: they act when touched
   double roughness = 0.0;  // [m]       where asperities hold that oil
 
   bool with_film() const { return viscous > 0.0; }

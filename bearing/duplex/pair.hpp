@@ -6,7 +6,7 @@
 //
 // The outer rings stand. Each row is that of bearing/equilibrium/balls.hpp in coordinates of its own, whose z
 // points to where the row is pressed: of the shaft's motion (x, y, z, tilt in the plane of x and z, tilt in
-// that of y and z) a row at position p that is pressed towards s = +1 or -1 feels
+// that of y and z) a row at position p that is pressed towards s = +1 or -1 has
 //
 //     (1)  (x - p tilt, y - p tilt', s z + approach, s tilt, s tilt')
 #pragma once

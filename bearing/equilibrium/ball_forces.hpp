@@ -1,4 +1,4 @@
-// What one ball between rings that turn feels, and what it does to the inner ring: Eqs. (9), (10) and (12) of
+// What acts on one ball between rings that turn, and what it does to the inner ring: Eqs. (9), (10) and (12) of
 // README.md, for constants and places of any number type.
 #pragma once
 

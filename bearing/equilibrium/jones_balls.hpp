@@ -28,15 +28,15 @@ void describe(Visitor& visit, BallInertia& m) {
   using namespace described;
   members(
       visit, m,
-      field(m.enabled, "equilibrium.ball_inertia", Felt::rotating_balls,
+      field(m.enabled, "equilibrium.ball_inertia", Physics::rotating_balls,
             "centrifugal force and gyroscopic moment of the balls",
             {.models = ball_bearing | duplex_pair, .reason = "nothing left out"}),
-      field(m.attitude, "equilibrium.ball_attitude", Felt::rotating_balls,
+      field(m.attitude, "equilibrium.ball_attitude", Physics::rotating_balls,
             "what decides how the axes of the balls stand, and which race holds their gyroscopic moment",
             {.models = ball_bearing | duplex_pair,
              .reason = "traction that grows with slip, as that of an oil film",
              .where = {"equilibrium.ball_inertia", "true"}}),
-      field(m.gyroscopic_moment, "equilibrium.gyroscopic_moment", Felt::rotating_balls,
+      field(m.gyroscopic_moment, "equilibrium.gyroscopic_moment", Physics::rotating_balls,
             "gyroscopic moment of the balls: the rate of their angular momentum; with its sign turned, as "
             "textbooks print it; none",
             {.models = ball_bearing | duplex_pair,
@@ -50,7 +50,7 @@ struct RowMotion {
   BallInertia inertia;
   std::optional<Lubricant> film{};  // whose film stands for Hertz's approach, film/spin_film.hpp
 
-  /// Whether balls feel it. Else their row is that at rest.
+  /// Whether it acts on balls. Else their row is that at rest.
   bool moves_balls() const { return !speeds.at_rest() && (inertia.enabled || film.has_value()); }
 };
 
@@ -92,7 +92,7 @@ class JonesRow {
   /// Race control alone: gives each ball the race that resists its spin more, by its loads of the last time.
   /// Whether a ball changed.
   bool choose_control();
-  /// While frozen, balls feel a centrifugal force of their orbit at the nominal contact angle and nothing
+  /// While frozen, on balls acts a centrifugal force of their orbit at the nominal contact angle and nothing
   /// else of their motion: what is left has a convex energy.
   void freeze(bool frozen);
   /// Centrifugal forces of the frozen row, unlike by a pattern that hangs on `path`; alike for 0. Forgets

@@ -3,7 +3,7 @@
 //
 //             z ^    ___________            u + t z         of the bore at z
 //       wall ---|---|  bearing  |---        p(z), p'(z)     of the pin, a beam with shear
-//               |    -----------   planet   a bearing at z_k feels
+//               |    -----------   planet   a bearing at z_k has
 //               |    ___________              u + t z_k - p_k and the tilt t - p'_k
 //       wall ---|---|  bearing  |---
 #pragma once

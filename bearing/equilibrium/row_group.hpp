@@ -6,7 +6,7 @@
 //
 // Each row is that of ring_balance.hpp in coordinates of its own, whose z points to where the row is pressed:
 // of the shaft's motion (x, y, z, tilt in the plane of x and z, tilt in that of y and z) a row at position p
-// that is pressed towards s = +1 or -1 feels
+// that is pressed towards s = +1 or -1 has
 //
 //     (1)  (x - p tilt, y - p tilt', s z + approach, s tilt, s tilt')
 #pragma once
@@ -35,7 +35,7 @@ inline Eigen::Matrix<double, 5, 5> motion_of_row(double position, double side, d
 /// One bearing on the shaft.
 struct RowOnShaft {
   Bearing bearing;
-  RowMotion motion{};     // of balls; of rollers it is not felt
+  RowMotion motion{};     // of balls; without effect on rollers
   double position = 0.0;  // [m]  of the row along z
   double side = 1.0;      // +1 or -1: where its inner ring is pressed to
   double approach = 0.0;  // [m]  by which it is pressed there before the shaft moves: a preload by spacers
@@ -46,7 +46,7 @@ class RowGroup {
  public:
   /// All rows at rest. Throws std::invalid_argument as the rows do or where there are none.
   explicit RowGroup(const std::vector<RowOnShaft>& bearings);
-  /// The same rows in motion: balls that feel theirs turn.
+  /// The same rows in motion: balls that move turn.
   RowGroup(const RowGroup& at_rest, const std::vector<RowOnShaft>& bearings);
 
   double lever() const { return lever_; }

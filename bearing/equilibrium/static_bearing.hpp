@@ -19,7 +19,7 @@ ElementRow row_of(const Bearing& bearing);
 /// Where the inner ring balances under `load`, and what the elements carry. Throws as above; a search that
 /// fails says so in the report.
 RingState balance_bearing(const Bearing& bearing, const RingLoad& load);
-/// The same of rings that turn, which balls feel; rollers do not.
+/// The same of rings that turn, which affect balls and not rollers.
 RingState balance_bearing(const Bearing& bearing, const RowMotion& motion, const RingLoad& load);
 
 }  // namespace orbearing::bearing::equilibrium

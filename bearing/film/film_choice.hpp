@@ -28,7 +28,7 @@ void describe(Visitor& visit, FilmChoice& m) {
   members(
       visit, m,
       field(
-          m.solver, "film.solver", Felt::one_contact,
+          m.solver, "film.solver", Physics::one_contact,
           "film by the source's regressions, or by Reynolds' equation with elastic bodies (129 x 129 nodes)",
           {.models = spin_film,
            .reason = "as the source; a solution takes about a second and has no range to leave"}));
@@ -43,7 +43,7 @@ template <class Visitor>
 void describe(Visitor& visit, LineContact& m) {
   using namespace described;
   members(visit, m,
-          field(m.length, "contact.length", Felt::one_contact,
+          field(m.length, "contact.length", Physics::one_contact,
                 "length of a line contact, in place of contact.ellipticity",
                 {.models = spin_film, .dimension = dimension::length, .range = positive(1e4)}));
 }

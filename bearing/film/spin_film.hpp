@@ -1,7 +1,7 @@
 // Films in elliptical contacts that roll and spin: regressions of [Guo2013], Eqs. (10) to (13).
 //
 // Misprints of the source, mended here: G is the product of pressure-viscosity coefficient and modulus; the
-// second constant of Eq. (10) is 1.418e5, since with 1.418e-5 no speed would be felt.
+// second constant of Eq. (10) is 1.418e5, since with 1.418e-5 no speed would have an effect.
 #pragma once
 
 #include <string>
@@ -25,16 +25,16 @@ template <class Visitor>
 void describe(Visitor& visit, EllipticalContact& m) {
   using namespace described;
   members(visit, m,
-          field(m.rolling_radius, "contact.rolling_radius", Felt::one_contact,
+          field(m.rolling_radius, "contact.rolling_radius", Physics::one_contact,
                 "equivalent radius of curvature in the plane of rolling",
                 {.models = spin_film,
                  .required_by = spin_film,
                  .dimension = dimension::length,
                  .range = positive(1e4)}),
-          field(m.ellipticity, "contact.ellipticity", Felt::one_contact,
+          field(m.ellipticity, "contact.ellipticity", Physics::one_contact,
                 "axis of the ellipse of contact across rolling over that along it",
                 {.models = spin_film, .required_by = spin_film, .range = {0.01, 100.0}}),
-          field(m.modulus, "contact.modulus", Felt::one_contact,
+          field(m.modulus, "contact.modulus", Physics::one_contact,
                 "effective modulus E': E/(1 - nu^2) for like bodies",
                 {.models = spin_film,
                  .required_by = spin_film,

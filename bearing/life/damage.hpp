@@ -122,9 +122,9 @@ life::LaminaMeans means_of(const RaceMotions& motions, const RaceDamageView& inn
 /// Life by Lundberg and Palmgren from both races' damage, as if each bin were loaded evenly by its fourth
 /// root: the standing race takes each bin's own life, [(1/2pi) integral D^(4.5/4)]^(1/4.5); the turning
 /// race shares all passages, [(1/2pi) integral D]^(1/4). By bearing/life, lamina by lamina, where laminae are
-/// counted. `reduction_factor` as in contact_capacity(); `means` where they are known.
+/// counted. `reduction_factor` as in contact_capacity().
 BearingLife life_under(const Bearing& bearing, double reduction_factor, const RaceDamageView& inner,
-                       const RaceDamageView& outer, const life::LaminaMeans* means = nullptr);
+                       const RaceDamageView& outer);
 
 /// Sums of both races since the start.
 class DamageSums {

@@ -17,7 +17,7 @@
 
 namespace orbearing::bearing::life {
 
-/// Which capacities hold, and whether ends feel more than their laminae.
+/// Which capacities hold, and whether ends carry more stress than their laminae.
 enum class LifeMeasure {
   lundberg_palmgren,  // Q_c of [Gai2025], no stress riser: straight and untilted it is that of whole contacts
   iso16281,           // Q_c and stress riser of [ISO16281]

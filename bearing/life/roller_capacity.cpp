@@ -12,7 +12,7 @@ namespace {
 constexpr double kWeakerRace = life::line_contacts.damage_exponent();
 constexpr double kBothRaces = 1.0 / kWeakerRace;
 
-// Curvatures of the inner race over those of the outer one, as far as fatigue feels them.
+// Curvatures of the inner race over those of the outer one, as far as them affect fatigue.
 double race_ratio(double gamma) {
   return std::pow((1.0 - gamma) / (1.0 + gamma), 143.0 / 108.0);
 }

@@ -1,14 +1,47 @@
 // A co-simulation: sides that move over windows in turn, and what it took.
 #pragma once
 
+#include <Eigen/Core>
+#include <algorithm>
+#include <deque>
 #include <functional>
 #include <string>
 #include <vector>
 
-#include "coupling/cosim/acceleration.hpp"
 #include "coupling/cosim/exchange.hpp"
 
 namespace orbearing::cosim {
+
+// What to expect next of the end of a window, once a pass has given the output of the last expectation.
+
+/// State of an iteration: IQN-ILS, least squares over all outputs of this window and the last ones
+/// [Degroote2009]. Eqs. (9) and (10) of README.md.
+class QuasiNewton {
+ public:
+  /// @param windows before the present one whose differences it goes on using
+  explicit QuasiNewton(int windows) : windows_(static_cast<std::size_t>(std::max(0, windows))) {}
+
+  /// A new window begins.
+  void begin();
+  /// The next expectation, from the last and the output that it gave.
+  /// @param weight one over the size of a typical value: makes values of different units comparable; may
+  /// change from call to call
+  Eigen::VectorXd next(const Eigen::VectorXd& expected, const Eigen::VectorXd& output,
+                       const Eigen::VectorXd& weight);
+
+ private:
+  struct Column {
+    Eigen::VectorXd residual;  // difference of two residuals
+    Eigen::VectorXd output;    // and of their outputs
+  };
+
+  Eigen::VectorXd correction(const Eigen::VectorXd& residual, const Eigen::VectorXd& weight) const;
+
+  std::size_t windows_;
+  std::deque<std::vector<Column>> columns_ = {{}};  // windows, the newest first
+  Eigen::VectorXd residual_;
+  Eigen::VectorXd output_;
+};
 
 struct Iteration {
   int most_passes = 1;           // [-]  1: explicit exchange
@@ -30,21 +63,21 @@ template <class Visitor>
 void describe(Visitor& visit, CoupledOptions& m) {
   using namespace described;
   rows(visit,
-       field(m.order, "simulation.exchange.order", Felt::exchange,
+       field(m.order, "simulation.exchange.order", Physics::exchange,
              "who waits for whom in a window of the co-simulation: the bearings for the gears, or nobody",
              {.models = planetary_drivetrain, .reason = "stable in longer windows"}),
-       field(m.window, "simulation.exchange.window", Felt::exchange, "longest time between two exchanges",
+       field(m.window, "simulation.exchange.window", Physics::exchange, "longest time between two exchanges",
              {.models = planetary_drivetrain,
               .dimension = dimension::time,
               .range = positive(1e-3),
               .reason = "a fraction of the stability limit: life as of one system within 2 % (reducer)",
               .written = "us"}),
-       field(m.extrapolation, "simulation.exchange.extrapolation", Felt::exchange,
+       field(m.extrapolation, "simulation.exchange.extrapolation", Physics::exchange,
              "degree of the polynomial by which forces and velocities go on in a window",
              {.models = planetary_drivetrain,
               .range = {0, 2},
               .reason = "order 2 without overshoot at impacts"}),
-       field(m.iteration.most_passes, "simulation.exchange.passes", Felt::exchange,
+       field(m.iteration.most_passes, "simulation.exchange.passes", Physics::exchange,
              "passes over a window until both sides agree, at most; 1: none is repeated",
              {.models = planetary_drivetrain,
               .range = {1, 100},

@@ -40,13 +40,13 @@ template <class Visitor>
 void describe(Visitor& visit, RunUp& m) {
   using namespace described;
   members(visit, m,
-          field(m.acceleration, "input.acceleration", Felt::run_up,
+          field(m.acceleration, "input.acceleration", Physics::run_up,
                 "growth of the input speed at constant power, for a single dynamic run",
                 {.models = planetary_drivetrain,
                  .dimension = dimension::angular_acceleration,
                  .range = {-1e9, 1e9},
                  .reason = "steady speeds"}),
-          field(m.duration, "simulation.run_up_time", Felt::run_up, "time of the run-up",
+          field(m.duration, "simulation.run_up_time", Physics::run_up, "time of the run-up",
                 {.models = planetary_drivetrain,
                  .dimension = dimension::time,
                  .range = positive(1e4),
@@ -54,7 +54,7 @@ void describe(Visitor& visit, RunUp& m) {
                  .where = {"input.acceleration"}}));
 }
 
-/// How the bore stands on the pin. Felt by bearings cut into laminae only.
+/// How the bore stands on the pin. Affects bearings cut into laminae only.
 struct Misalignment {
   double planet_tilt = 0.0;  // [rad]  in the plane of the load: the bore leans towards the load at positive z
   double carrier_wind_up = 0.0;  // [rad]  in the tangential plane: the bore leads at positive z
@@ -70,11 +70,11 @@ void describe(Visitor& visit, Misalignment& m) {
   members(
       visit, m,
       field(
-          m.planet_tilt, "bearing.misalignment.planet_tilt", Felt::life,
+          m.planet_tilt, "bearing.misalignment.planet_tilt", Physics::life,
           "tilt of the planet on its pin, in the plane of the load on its bearing; positive: the bore leans "
           "towards the load at its positive end",
           angle),
-      field(m.carrier_wind_up, "bearing.misalignment.carrier_wind_up", Felt::life,
+      field(m.carrier_wind_up, "bearing.misalignment.carrier_wind_up", Physics::life,
             "tilt of the bore against the pin in the tangential plane, by the twist of the carrier; "
             "positive: the "
             "bore leads at its positive end",
@@ -120,7 +120,7 @@ void describe(Visitor& visit, PinSeats& m) {
   using namespace described;
   const Where computed{"bearing.tilt_state", "computed"};
   const auto inclination = [&](double& member, const std::string& direction, const std::string& sense) {
-    return field(member, "support.pin_inclination." + direction, Felt::at_rest,
+    return field(member, "support.pin_inclination." + direction, Physics::at_rest,
                  "inclination of the unloaded pin against the gears' axes, " + sense,
                  {.models = planetary_drivetrain,
                   .dimension = dimension::angle,
@@ -129,31 +129,31 @@ void describe(Visitor& visit, PinSeats& m) {
   };
   members(
       visit, m,
-      field(m.tilt, "bearing.tilt_state", Felt::at_rest,
+      field(m.tilt, "bearing.tilt_state", Physics::at_rest,
             "tilt of the planet on its pin: stated by bearing.misalignment, or computed from all its "
             "bearings, the "
             "pin and the meshes",
             {.models = planetary_drivetrain, .reason = "as published models have it"}),
-      field(m.axial_positions, "bearing.axial_places", Felt::at_rest,
+      field(m.axial_positions, "bearing.axial_places", Physics::at_rest,
             "places of the bearings of a planet along its axis, from the middle of the face; evenly across "
             "it if absent",
             {.models = planetary_drivetrain,
              .dimension = dimension::length,
              .range = {-1e4, 1e4},
              .where = computed}),
-      field(m.clearance_differences, "bearing.clearance_differences", Felt::at_rest,
+      field(m.clearance_differences, "bearing.clearance_differences", Physics::at_rest,
             "by how much the clearance of each bearing of a planet is more than stated",
             {.models = planetary_drivetrain,
              .dimension = dimension::small_length,
              .range = {-1000.0, 1000.0},
              .where = computed}),
-      field(m.ends, "support.pin_ends", Felt::at_rest,
+      field(m.ends, "support.pin_ends", Physics::at_rest,
             "ends by which the carrier holds a pin: it rests in both walls, or is clamped in the one at its "
             "negative end",
             {.models = planetary_drivetrain,
              .reason = "planets between two walls of the carrier",
              .where = computed}),
-      field(m.span, "support.pin_span", Felt::at_rest,
+      field(m.span, "support.pin_span", Physics::at_rest,
             "length of the pin between the middles of both walls; held at one end, twice that from the wall "
             "to the "
             "middle of the face",
@@ -161,7 +161,7 @@ void describe(Visitor& visit, PinSeats& m) {
              .dimension = dimension::length,
              .range = positive(1e4),
              .where = computed}),
-      field(m.carrier_twist, "support.carrier_twist_stiffness", Felt::at_rest,
+      field(m.carrier_twist, "support.carrier_twist_stiffness", Physics::at_rest,
             "stiffness of the carrier against a twist of its wall at the positive end against that at the "
             "negative "
             "end, which passes the torque on; rigid if absent",
@@ -223,9 +223,9 @@ void describe(Visitor& visit, PlanetaryDrivetrain& m) {
   using namespace described;
   members(
       visit, m, apart(m.set), apart(m.drive), apart(m.in_arrangement), part(m.bearing), part(m.mounting),
-      field(m.bearings_per_planet, "bearing.per_planet", Felt::carrier, "bearings side by side in a planet",
+      field(m.bearings_per_planet, "bearing.per_planet", Physics::carrier, "bearings side by side in a planet",
             {.models = planetary_drivetrain, .required_by = planetary_drivetrain, .range = {1, 8}}),
-      field(m.rim, "gearset.planet_rim", Felt::carrier,
+      field(m.rim, "gearset.planet_rim", Physics::carrier,
             "rim of the planet with the outer rings of its bearings: rigid, or elastic between rollers and "
             "teeth",
             {.models = planetary_drivetrain, .reason = "as published models have it; thin rims bend"}),
@@ -234,13 +234,13 @@ void describe(Visitor& visit, PlanetaryDrivetrain& m) {
       system::reduction_factor_row(m.reduction_factor), part(m.misalignment), part(m.seats), part(m.dynamics),
       part(m.steady_state), part(m.exchange), part(m.run_up), apart(m.gear_set), apart(m.uneven_planets),
       apart(m.rated),
-      field(m.mesh_variation, "gearset.mesh_variation", Felt::gear_motion,
+      field(m.mesh_variation, "gearset.mesh_variation", Physics::gear_motion,
             "the stiffness of a mesh varies as teeth pass, and shakes gears and planet bearings; false: it "
             "keeps "
             "its mean",
             {.models = planetary_drivetrain,
              .reason = "nothing left out; several sets give mean forces whatever is said here"}),
-      field(m.cage_positions, "numerics.cage_positions", Felt::at_rest,
+      field(m.cage_positions, "numerics.cage_positions", Physics::at_rest,
             "positions of the roller set over one roller pitch that are averaged",
             {.models = planetary_drivetrain,
              .range = {1, 10000},

@@ -147,13 +147,6 @@ class BearingsAtRest {
   std::optional<AlignedPitch> level_;
 };
 
-// The one life of all fidelities; `powers` where they are known.
-bearing::BearingLife life_under_means(const PlanetaryDrivetrain& drivetrain, const WindowStatistics& means,
-                                      const bearing::life::LaminaMeans* powers = nullptr) {
-  return bearing::motion::life_under(drivetrain.bearing, drivetrain.reduction_factor, damage_of(means.inner),
-                                     damage_of(means.outer), powers);
-}
-
 // Loads and lives of the bearings of one point, which share speeds, oil and ratings.
 class Rating {
  public:
@@ -176,7 +169,10 @@ class Rating {
   Lives of(const WindowStatistics& means, double load, double largest_load) const {
     const bearing::life::LaminaMeans powers = bearing::motion::means_of(
         drivetrain_.bearing.motions, damage_of(means.inner), damage_of(means.outer));
-    Lives lives{.life = life_under_means(drivetrain_, means, &powers)};
+    // The one life of all fidelities.
+    const auto rating = bearing::life::lamina_rating(
+        drivetrain_.bearing, bearing::life::LifeMeasure::lundberg_palmgren, drivetrain_.reduction_factor);
+    Lives lives{.life = bearing::life::life_of_means(rating, powers)};
     lives.hours = bearing::hours(lives.life.bearing, speed_);
     const RatedBearing& rated = drivetrain_.rated;
     lives.rating = bearing::rating::rating_lives(geometry_.rating,

@@ -21,8 +21,8 @@ using constants::two_pi;
 // Outward, along, housing.
 using PlanetLowPass = InstrumentLowPass<3>;
 
-// How much of a ring mesh an instrument on the housing feels, the planet being `angle` [rad] from it.
-double felt(double angle) {
+// How much of a ring mesh an instrument on the housing measures, the planet being `angle` [rad] from it.
+double share_at_sensor(double angle) {
   return 0.5 * (1.0 + std::cos(angle));
 }
 
@@ -46,7 +46,7 @@ double housing_force(const system::DrivenGearsOutput& gears, const std::vector<d
                      double carrier_angle) {
   double force = 0.0;
   for (std::size_t i = 0; i < gears.planets.size(); ++i)
-    force += felt(carrier_angle + positions[i]) * gears.planets[i].ring_mesh_force;
+    force += share_at_sensor(carrier_angle + positions[i]) * gears.planets[i].ring_mesh_force;
   return force;
 }
 

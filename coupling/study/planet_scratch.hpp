@@ -7,7 +7,7 @@
 //   housing          h = sum over planets of w(a) F_ring, w = (1 + cos a)/2, a: angle from the instrument to
 //   the
 //                    planet. The ring gear takes the meshes' forces to the housing, and one that meshes near
-//                    the instrument is felt most. Shape and width of w are an assumption [FengZuo2012].
+//                    the instrument is most sensitive. Shape and width of w are an assumption [FengZuo2012].
 #pragma once
 
 #include <Eigen/Core>
@@ -34,18 +34,18 @@ void describe(Visitor& visit, PlanetSampling& m) {
   using namespace described;
   members(
       visit, m,
-      field(m.rate, "signal.sampling_rate", Felt::defect, "samples of the vibration a second",
+      field(m.rate, "signal.sampling_rate", Physics::defect, "samples of the vibration a second",
             {.models = scratched_bearings, .dimension = dimension::frequency}),
-      field(m.revolutions, "signal.carrier_revolutions", Felt::defect,
+      field(m.revolutions, "signal.carrier_revolutions", Physics::defect,
             "revolutions of the carrier that are sampled; lines as close as its speed over them are resolved",
             {.models = planetary_drivetrain,
              .range = positive(1e4),
              .reason = "side bands of the carrier sixteen lines apart"}),
       field(
-          m.settling_revolutions, "signal.carrier_settling", Felt::defect,
+          m.settling_revolutions, "signal.carrier_settling", Physics::defect,
           "revolutions of the carrier before, in which the start dies away",
           {.models = planetary_drivetrain, .range = {0.0, 1e4}, .reason = "some turns of planets and cages"}),
-      field(m.run_up_from, "signal.run_up_from", Felt::defect,
+      field(m.run_up_from, "signal.run_up_from", Physics::defect,
             "share of the speed at which the motion begins", {.models = scratched_bearings}));
 }
 
@@ -64,13 +64,13 @@ void describe(Visitor& visit, ScratchedPosition& m) {
   members(
       visit, m,
       field(
-          m.planet, "defect.planet", Felt::defect, "number of the planet with the scratched bearing",
+          m.planet, "defect.planet", Physics::defect, "number of the planet with the scratched bearing",
           {.models = planetary_drivetrain, .range = {1, 100}, .reason = "the first one", .where = scratched}),
-      field(m.bearing, "defect.bearing", Felt::defect, "number of the scratched bearing of that planet",
+      field(m.bearing, "defect.bearing", Physics::defect, "number of the scratched bearing of that planet",
             {.models = planetary_drivetrain, .range = {1, 8}, .reason = "the first one", .where = scratched}),
-      field(m.also, "defect.also", Felt::defect, "what has a scratch like that of defect.race as well",
+      field(m.also, "defect.also", Physics::defect, "what has a scratch like that of defect.race as well",
             {.models = planetary_drivetrain, .reason = "one scratch", .where = scratched}),
-      field(m.also_angle, "defect.also_angle", Felt::defect, "angle of that scratch, as defect.angle",
+      field(m.also_angle, "defect.also_angle", Physics::defect, "angle of that scratch, as defect.angle",
             {.models = planetary_drivetrain,
              .dimension = dimension::angle,
              .range = {-360.0, 360.0},

@@ -152,7 +152,7 @@ Matrix2d roller_damping(const bearing::RollerContacts& contacts, const PitchResu
 // Of whole contacts, as the bearing in motion has them without laminae.
 RollerTangent roller_tangent(const PlanetaryDrivetrain& drivetrain, const bearing::BearingGeometry& geometry,
                              bearing::OperatingPoint point) {
-  point.bore_tilt.setZero();  // which whole contacts do not feel
+  point.bore_tilt.setZero();  // which has no effect on whole contacts
   bearing::Bearing whole = of_like_rollers(drivetrain.bearing);
   whole.rollers().laminae = 0;
   const bearing::QuasiStaticOptions options = quasi_static_options(drivetrain);

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "bearing/geometry.hpp"
-#include "bearing/life/ball_failure.hpp"
+#include "bearing/life/ball_capacity.hpp"
 #include "bearing/life/damage.hpp"
 #include "bearing/life/reference_life.hpp"
 #include "bearing/motion/balls/published_form.hpp"

@@ -75,8 +75,8 @@ struct StepBounds {
 /// is as well kept as by steps of order 2, means are as good or better (coupling/integration/README.md).
 ///
 /// Where blows on the bars are damped, too, nothing strikes, and the ring on its rollers alone bounds the
-/// step. What loads and life hang on then is weighed more: the bore, whose error all rollers feel at once,
-/// most, radial motion next. Motion along the pitch circle, spins and the cage are felt through oil films
+/// step. What loads and life hang on then is weighed more: the bore, whose error acts on all rollers at once,
+/// most, radial motion next. Motion along the pitch circle, spins and the cage act through oil films
 /// some tens of micrometres thick, not through an approach of one, and bear as much more.
 StepBounds third_order_steps(const bearing::vectorised::VectorBearing& bearing,
                              const Eigen::VectorXd& allowed_error);

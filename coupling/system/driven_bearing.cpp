@@ -62,7 +62,7 @@ void check_numbers(const DrivenBearingSetup& setup) {
   const double tilt = setup.bore_tilt.norm();
   require(std::isfinite(tilt), "tilt of the bore [rad]", tilt, "a finite number");
   require(tilt == 0.0 || setup.bearing.rollers().laminae > 0, "tilt of the bore [rad]", tilt,
-          "0 without laminae, which alone feel it");
+          "0 without laminae, which alone it acts on");
   require(setup.start_load.allFinite(), "load at the start [N]", setup.start_load.norm(), "a finite number");
   require(setup.most_steps >= 1, "largest number of steps", static_cast<double>(setup.most_steps),
           "at least 1");
@@ -141,7 +141,7 @@ std::vector<Input> bearing_inputs(const DrivenBearingSetup& setup) {
       {"carrier.acceleration", "rad/s2", "slope of carrier.speed by time"}};
 }
 
-// What rolls on the bore feels its motion at once; the rest only through its own motion.
+// The bore's motion acts at once on what rolls on it; the rest only through its own motion.
 std::vector<Output> bearing_outputs(int rollers, bool caged) {
   using namespace bearing_input;
   using Inputs = std::vector<std::size_t>;

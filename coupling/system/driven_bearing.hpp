@@ -23,7 +23,7 @@ struct DrivenBearingSetup {
   double orbit_radius = 0.0;                     // [m]    from the carrier's axis to the pin's
   double first_roller = 0.0;                     // [rad]  place of the first roller at the start
   double reduction_factor = 0.83;                // [-]    of the Lundberg-Palmgren life
-  /// Inclination [rad] of the bore's axis against the pin's, which stays: it runs along (x, y, 1). Felt by
+  /// Inclination [rad] of the bore's axis against the pin's, which stays: it runs along (x, y, 1). Affects
   /// laminae only, and refused without them.
   Eigen::Vector2d bore_tilt = Eigen::Vector2d::Zero();
   bearing::ElasticRace outer_race = {};  // how the outer race bends, under mean forces of the teeth
@@ -40,7 +40,7 @@ struct DrivenBearingSetup {
 /// Of a drivetrain too.
 inline described::Row<double> reduction_factor_row(double& reduction_factor) {
   using namespace described;
-  return field(reduction_factor, "life.reduction_factor", Felt::life,
+  return field(reduction_factor, "life.reduction_factor", Physics::life,
                "reduction factor of the capacity: the product lambda nu of ISO/TR 1281-1",
                {.models = with_rollers,
                 .range = positive(1.0),
@@ -60,8 +60,8 @@ void describe(Visitor& visit, DrivenBearingSetup& m) {
       internal(m.first_roller, "first_roller", "place of the first roller at the start", angle),
       together(
           internal(m.bore_tilt.x(), "bearing.misalignment.x",
-                   "tilt of the bore's axis against the pin's: outward at the bearing's positive end; felt "
-                   "by laminae",
+                   "tilt of the bore's axis against the pin's: outward at the bearing's positive end; acts on "
+                   "laminae",
                    angle),
           internal(m.bore_tilt.y(), "bearing.misalignment.y", "the same in the sense of carrier rotation",
                    angle)),

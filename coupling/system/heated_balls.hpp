@@ -69,12 +69,12 @@ void describe(Visitor& visit, HeatParameters& m) {
   const auto row = [&](double& member, const char* path, const char* meaning, const Dimension& dimension,
                        Range range, const char* reason) {
     return field(
-        member, path, Felt::single_bearing_run, meaning,
+        member, path, Physics::single_bearing_run, meaning,
         {.models = ball_motion, .dimension = dimension, .range = range, .reason = reason, .where = on});
   };
   const Range conductance{0.0, 1e5}, temperature{-60.0, 400.0};
   rows(visit,
-       field(m.on, "heat.enabled", Felt::single_bearing_run,
+       field(m.on, "heat.enabled", Physics::single_bearing_run,
              "temperatures and the oil's viscosity follow from the friction",
              {.models = ball_motion, .reason = "the viscosity is stated at running temperature"}),
        row(m.surroundings, "heat.surroundings", "temperature around housing and shaft",

@@ -37,7 +37,7 @@ struct SteadyStateOptions {
 /// Of a bearing that is driven too.
 inline described::Row<double> length_error_row(double& allowed_length_error) {
   using namespace described;
-  return field(allowed_length_error, "simulation.length_error", Felt::motion,
+  return field(allowed_length_error, "simulation.length_error", Physics::motion,
                "error of a position allowed in one step",
                {.models = in_time,
                 .dimension = dimension::length,
@@ -52,19 +52,19 @@ void describe(Visitor& visit, SteadyStateOptions& m) {
   using namespace described;
   rows(
       visit,
-      field(m.integration.method, "simulation.integrator", Felt::motion,
+      field(m.integration.method, "simulation.integrator", Physics::motion,
             "how the roller dynamics is integrated: linearly implicit steps, or explicit steps of order 5",
             {.models = planetary_drivetrain, .reason = "the same means in a fraction of the time"}),
-      field(m.observed_windows, "simulation.observed_revolutions", Felt::run,
+      field(m.observed_windows, "simulation.observed_revolutions", Physics::run,
             "cage revolutions that are averaged once steady",
             {.models = planetary_drivetrain, .range = {1, 100000}, .reason = "enough for maxima"}),
-      field(m.most_windows, "simulation.most_revolutions", Felt::run,
+      field(m.most_windows, "simulation.most_revolutions", Physics::run,
             "cage revolutions allowed to become steady",
             {.models = planetary_drivetrain, .range = {2, 100000}, .reason = "bearings settle in a few"}),
-      field(m.load_drift, "simulation.load_drift", Felt::run,
+      field(m.load_drift, "simulation.load_drift", Physics::run,
             "steady: rms loads of two revolutions in turn differ by less",
             {.models = planetary_drivetrain, .range = positive(1.0), .reason = "below what a life can tell"}),
-      field(m.cage_drift, "simulation.cage_drift", Felt::run,
+      field(m.cage_drift, "simulation.cage_drift", Physics::run,
             "steady: cage speeds of two revolutions in turn differ by less",
             {.models = planetary_drivetrain, .range = positive(1.0), .reason = "below what a slip can tell"}),
       length_error_row(m.allowed_length_error));

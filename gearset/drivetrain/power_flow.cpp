@@ -8,7 +8,6 @@
 
 #include "gearset/drivetrain/arrangement_checks.hpp"
 #include "gearset/drivetrain/arrangement.hpp"
-#include "gearset/drivetrain/conditions.hpp"
 
 namespace orbearing::gearset {
 

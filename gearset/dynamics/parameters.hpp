@@ -48,12 +48,12 @@ std::string if_absent(const std::string& what) {
 template <class Member>
 described::Row<Member> mass_row(Member& mass, const std::string& body) {
   const std::string rings = body == "planet" ? " with the outer rings of its bearings" : "";
-  return field(mass, described_body(body) + ".mass", described::Felt::gear_bodies,
+  return field(mass, described_body(body) + ".mass", described::Physics::gear_bodies,
                "mass of the " + body + rings + if_absent<Member>("derived from the teeth"), described_mass());
 }
 template <class Member>
 described::Row<Member> inertia_row(Member& inertia, const std::string& body) {
-  return field(inertia, described_body(body) + ".equivalent_mass", described::Felt::gear_bodies,
+  return field(inertia, described_body(body) + ".equivalent_mass", described::Physics::gear_bodies,
                "moment of inertia of the " + body + " over the square of its " + radius_of(body) +
                    if_absent<Member>("derived from the teeth"),
                described_mass());
@@ -61,19 +61,19 @@ described::Row<Member> inertia_row(Member& inertia, const std::string& body) {
 /// @param reason why so stiff where a case does not say
 inline described::Row<double> support_row(double& stiffness, const std::string& body,
                                           std::string_view reason = {}) {
-  return field(stiffness, described_body(body) + ".support_stiffness", described::Felt::gear_bodies,
+  return field(stiffness, described_body(body) + ".support_stiffness", described::Physics::gear_bodies,
                "stiffness that holds the " + body + " in its place, 0: floating",
                described_stiffness(reason));
 }
 inline described::Row<double> torsional_row(double& stiffness, const std::string& body) {
-  return field(stiffness, described_body(body) + ".torsional_stiffness", described::Felt::gear_bodies,
+  return field(stiffness, described_body(body) + ".torsional_stiffness", described::Physics::gear_bodies,
                "stiffness against rotation of the " + body + ", on " + radius_of(body) + " x angle",
                described_stiffness("free to turn; a fixed member is then held rigidly"));
 }
 template <class Member>
 described::Row<Member> bearing_stiffness_row(Member& stiffness) {
   using namespace described;
-  return field(stiffness, described_body("planet") + ".bearing_stiffness", Felt::gear_bodies,
+  return field(stiffness, described_body("planet") + ".bearing_stiffness", Physics::gear_bodies,
                "radial stiffness of all bearings of a planet and their pins" +
                    if_absent<Member>("of the given bearing at its mean load"),
                {.models = planetary_drivetrain,
@@ -134,7 +134,7 @@ struct AffineBearing {
   Eigen::Matrix2d damping = Eigen::Matrix2d::Zero();    // [N s/m]
 };
 
-/// Meshes and bearings of a planet whose rim links them. Felt by the linearised set.
+/// Meshes and bearings of a planet whose rim links them. Affects the linearised set.
 struct LinkedPlanet {
   /// [N/m]  forces by the deflections of sun mesh, ring mesh and bearings, outward and in the sense of
   /// rotation

@@ -15,14 +15,14 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 
-// A spring or damper of the given stiffness: a force along `pushed` that opposes the deflection `felt`.
-void add_spring(const DeflectionVector& pushed, const DeflectionVector& felt, Index central, Index planet,
+// A spring or damper of the given stiffness: a force along `pushed` that opposes the deflection `resisted`.
+void add_spring(const DeflectionVector& pushed, const DeflectionVector& resisted, Index central, Index planet,
                 double stiffness, MatrixXd& slopes) {
   const Vector3d on_central = stiffness * pushed.central, on_planet = stiffness * pushed.planet;
-  slopes.block<3, 3>(central, central) -= on_central * felt.central.transpose();
-  slopes.block<3, 3>(central, planet) -= on_central * felt.planet.transpose();
-  slopes.block<3, 3>(planet, central) -= on_planet * felt.central.transpose();
-  slopes.block<3, 3>(planet, planet) -= on_planet * felt.planet.transpose();
+  slopes.block<3, 3>(central, central) -= on_central * resisted.central.transpose();
+  slopes.block<3, 3>(central, planet) -= on_central * resisted.planet.transpose();
+  slopes.block<3, 3>(planet, central) -= on_planet * resisted.central.transpose();
+  slopes.block<3, 3>(planet, planet) -= on_planet * resisted.planet.transpose();
 }
 
 // Slopes of flank_force() by approach and approach rate.

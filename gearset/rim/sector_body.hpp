@@ -51,7 +51,7 @@ struct SectorMesh {
 /// @throws std::invalid_argument where race, seat and root circle do not lie in this order
 SectorMesh sector_mesh(const RimSection& section, const Fineness& fineness);
 
-/// Loads of one sector that may go on from sector to sector with a phase. Nodes feel them along the radius
+/// Loads of one sector that may go on from sector to sector with a phase. They act on nodes along the radius
 /// and along the circumference at their own place.
 using NodalLoad = Eigen::VectorXcd;  // (2 nodes)  radial, circumferential of each node
 

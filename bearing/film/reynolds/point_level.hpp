@@ -68,7 +68,7 @@ class PointFilmLevel {
   Relaxation relaxation;
   double ease = 1.0;     // on the diffusion of pressure: below 1 the film is that of a higher speed
   Field fraction;        // of oil in the gap: 1 where it is full
-  bool starved = false;  // whether that share is felt
+  bool starved = false;  // whether that share has an effect
 
   /// C times the sum of the pressures.
   void deform(const Field& pressures, Field& deformation) const;
@@ -82,7 +82,7 @@ class PointFilmLevel {
   void relax(double rigid);
   /// Newton's method on the whole grid, with H_0. Returns the last change of pressure, mean over mean.
   double solve(double& rigid, int most, double enough);
-  /// Share of oil where there is no pressure, carried along by the surfaces; it is felt from then on. After
+  /// Share of oil where there is no pressure, carried along by the surfaces; it counts from then on. After
   /// [ElrodAdams1975]: oil has a pressure or a share below 1, and its mass is kept in both.
   void carry_oil();
   /// What is not kept of the oil that passes the middle of the contact: by Reynolds' equation where it holds,
@@ -94,7 +94,7 @@ class PointFilmLevel {
   Balance balance();
 
  private:
-  // Where the film is felt: the node itself, two on each side along x, two on each side along y.
+  // Nodes that the film acts on: the node itself, two on each side along x, two on each side along y.
   static constexpr int kNodes = 9;
   static constexpr std::array<int, kNodes> kAlong{0, -2, -1, 1, 2, 0, 0, 0, 0};
   static constexpr std::array<int, kNodes> kAcross{0, 0, 0, 0, 0, -2, -1, 1, 2};

@@ -17,17 +17,17 @@ template <class Visitor>
 void describe(Visitor& visit, EllipseParameters& m) {
   using namespace described;
   members(visit, m,
-          field(m.eyring_stress, "traction.eyring_stress", Felt::motion,
+          field(m.eyring_stress, "traction.eyring_stress", Physics::motion,
                 "shear stress at which the oil begins to thin",
                 {.models = balls_in_time,
                  .dimension = dimension::stress,
                  .range = positive(1.0),
                  .reason = "mineral oil",
                  .where = {"traction.law", "ree-eyring"}}),
-          field(m.slices, "traction.slices", Felt::motion,
+          field(m.slices, "traction.slices", Physics::motion,
                 "slices of an ellipse of contact across the direction of rolling",
                 {.models = balls_in_time, .range = {1, 32}, .reason = "friction within a per cent"}),
-          field(m.rows, "traction.rows", Felt::motion, "points of each slice along the direction of rolling",
+          field(m.rows, "traction.rows", Physics::motion, "points of each slice along the direction of rolling",
                 {.models = balls_in_time, .range = {1, 8}, .reason = "ellipses are slender"}));
 }
 
@@ -40,7 +40,7 @@ template <class Visitor>
 void describe(Visitor& visit, PocketParameters& m) {
   using namespace described;
   members(visit, m,
-          field(m.straight, "bearing.cage.pocket_straight", Felt::motion,
+          field(m.straight, "bearing.cage.pocket_straight", Physics::motion,
                 "length of the straight part of an oblong pocket along the pitch circle",
                 {.models = balls_in_time,
                  .dimension = dimension::length,
@@ -67,12 +67,12 @@ template <class Visitor>
 void describe(Visitor& visit, MixtureParameters& m) {
   using namespace described;
   members(visit, m,
-          field(m.motion, "drag.mixture", Felt::motion,
+          field(m.motion, "drag.mixture", Physics::motion,
                 "oil and air round the balls go round by their balance of angular momentum, or rest",
                 {.models = balls_in_time,
                  .reason = "balls, cage and shaft drag them along",
                  .where = {"drag.enabled", "true"}}),
-          field(m.flow, "lubricant.flow", Felt::motion,
+          field(m.flow, "lubricant.flow", Physics::motion,
                 "oil that flows through the bearing: brought to the mixture's speed, and takes heat along",
                 {.models = ball_motion,
                  .dimension = dimension::flow,
@@ -107,13 +107,13 @@ void describe(Visitor& visit, MotionParameters& m) {
   members(visit, m, part(m.race), part(m.cage), part(m.drag), part(m.mixture), part(m.lubricant),
           part(m.ellipse), part(m.pocket),
           together(
-              field(m.inner.mass, "rotor.mass", Felt::motion,
+              field(m.inner.mass, "rotor.mass", Physics::motion,
                     "mass that moves with the inner ring, its own in it; 0: the ring's own",
                     {.models = ball_motion,
                      .dimension = dimension::mass,
                      .range = {0.0, 1e6},
                      .reason = ring_alone}),
-              field(m.inner.across, "rotor.inertia", Felt::motion,
+              field(m.inner.across, "rotor.inertia", Physics::motion,
                     "moment of inertia about a diameter of what moves with the inner ring; 0: the ring's own",
                     {.models = ball_motion,
                      .dimension = dimension::inertia,

@@ -206,11 +206,11 @@ RaceTouch<Number> race_touch(const Law& law, const BallNumbers& c, const GrooveN
     damping_power = (load - elastic) * closing;
   }
   const auto loaded = load > Number{};
-  const Number felt = load + kLeastLoad;
-  const Number log_load = logarithm(felt), log_speed = logarithm(entrainment);
+  const Number positive = load + kLeastLoad;
+  const Number log_load = logarithm(positive), log_speed = logarithm(entrainment);
   const Number third = exponential((1.0 / 3.0) * log_load);
   const Number log_film = groove.central_film.log_film(log_load, log_speed);
-  const LoadedEllipse<Number> ellipse{felt,
+  const LoadedEllipse<Number> ellipse{positive,
                                       groove.across * third,
                                       groove.along * third,
                                       groove.pressure * third,
@@ -255,7 +255,7 @@ RaceTouch<Number> race_touch(const Law& law, const BallNumbers& c, const GrooveN
   touch.differential_power =
       moment[1] * sliding.turn_along + moment[2] * sliding.turn_across - touch.rolling_power;
   if constexpr (kSlopes) {
-    const Number per_load = only(loaded, 1.0 / felt);
+    const Number per_load = only(loaded, 1.0 / positive);
     slopes.axes = axes;
     slopes.arm = Number{} + c.radius;
     for (int i = 0; i < 3; ++i) {

@@ -59,7 +59,7 @@ inline RelativeMotion<PackPair> joined(const RelativeMotion<Pack>& inner, const 
           inner.spin};
 }
 
-/// Force on the roller through its centre and moment about it; the other body feels the opposite force.
+/// Force on the roller through its centre and moment about it; the opposite force acts on the other body.
 template <class Number>
 struct ContactForce {
   Number f_r{};     // [N]

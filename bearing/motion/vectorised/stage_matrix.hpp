@@ -46,7 +46,7 @@ inline Pair to_plane(const RollerPack& at, const Pack& along_r, const Pack& alon
 /// rows begin at `first`.
 inline void add_contact(double g, const Pack (&roller_scale)[3], double body_mass, int first,
                         const RollerPack& at, const StageSlopes& stage, RollerBlock& block) {
-  const double body_scale = g / body_mass;  // the body feels the opposite force
+  const double body_scale = g / body_mass;  // the opposite force acts on the body
   for (int k = 0; k < 3; ++k) {
     for (int i = 0; i < 3; ++i) block.own[i][k] += roller_scale[i] * stage.roller[i][k];
     const Pair row = to_plane(at, stage.roller[0][k], stage.roller[1][k]);
@@ -197,7 +197,7 @@ void PackEngine::build_block(int p, double g) {
   }
 }
 
-/// What the rings feel apart from rollers: frame, support, land, drag of the cage. The rows of an open bore
+/// What acts on the rings apart from rollers: frame, support, land, drag of the cage. The rows of an open bore
 /// hold the forces on it alone.
 template <bool OpenBore, bool Caged>
 void PackEngine::add_rings(double g, RingBlock& rings) const {

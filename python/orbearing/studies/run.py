@@ -97,9 +97,9 @@ def unfelt(core, design: Design, fidelity: str) -> list[str]:
     first = core.without_sweep().with_settings(list(design.settings(0, every=True)))
     rung = f"--fidelity {fidelity}"
     inputs = {entry["path"]: entry for entry in json.loads(_core.compute(first, "check", {})[0])["inputs"]}
-    unused = ["spectrum: found in the case, and not felt by a study: it computes the speeds of the sweep alone"] if "\nspectrum:" in core.resolved() else []
-    return unused + [f"{p.path}: varied, and not felt by {rung}: its results do not differ by it" for p in design.parameters
-                     if p.path in inputs and (rung not in inputs[p.path]["used_by"] or rung in inputs[p.path]["not_felt_by"])]
+    unused = ["spectrum: found in the case, and not used by a study: it computes the speeds of the sweep alone"] if "\nspectrum:" in core.resolved() else []
+    return unused + [f"{p.path}: varied, and not modelled by {rung}: its results do not differ by it" for p in design.parameters
+                     if p.path in inputs and (rung not in inputs[p.path]["used_by"] or rung in inputs[p.path]["not_modelled_by"])]
 
 
 def attributes_of(core, design: Design, engine, warnings: Sequence[str] = ()) -> dict[str, Any]:

@@ -10,7 +10,7 @@
 #include <iostream>
 #include <set>
 
-#include "app/case/mesh_fields.hpp"
+#include "app/case/use_conditions.hpp"
 #include "app/case/unused_inputs.hpp"
 #include "app/errors.hpp"
 #include "tests/identities/app_fields/analysis_results.hpp"
@@ -235,7 +235,7 @@ bool is_left_to_full_tests(const Field& field, const Subject& subject) {
 }
 
 // Meshes hold a planet that does not tilt: what they are differs in the last digits of nothing.
-bool is_felt_by_rounding_alone(const std::string& path, const Subject& subject) {
+bool affects_rounding_alone(const std::string& path, const Subject& subject) {
   const bool level = subject.context.name.find("level_bearing") != std::string::npos;
   return level && (makes_meshes(path) || path == "bearing.bore" || path == "gearset.sun_bore_ratio" || path == "gearset.ring_outside_ratio");
 }
@@ -268,7 +268,7 @@ TEST_P(EveryContext, TellsWhatIsUsed) {
     if (set_prefix_length(input.path) > 0 && !input.path.starts_with(set_prefix(set))) continue;
     Change change = change_of(field, plain, input.path);
     if (change.value.empty() || (plain.has(input.path) && plain.given(input.path) == change.value)) continue;
-    if (is_felt_by_rounding_alone(field.path, GetParam())) continue;
+    if (affects_rounding_alone(field.path, GetParam())) continue;
     std::vector<std::string> more{input.path + "=" + change.value};
     for (const std::string& setting : change.together) more.push_back(setting);
     SCOPED_TRACE(more.front() + ", " + analysis_name(analysis));

@@ -183,9 +183,9 @@ void expect(UseStatus status, const Verdict& verdict, Count& count) {
       EXPECT_TRUE(verdict.changed) << "said to be used, and the result is the same";
       ++count.used;
       return;
-    case UseStatus::unfelt:
+    case UseStatus::not_modelled:
       EXPECT_TRUE(verdict.refused || verdict.warned) << "set by an option and not warned of";
-      EXPECT_FALSE(verdict.changed) << "said not to be felt by nature, and the result changed";
+      EXPECT_FALSE(verdict.changed) << "said not to be modelled, and the result changed";
       ++count.by_nature;
       return;
     case UseStatus::idle:
@@ -217,7 +217,7 @@ TEST_P(EveryField, ChangesTheResultOrIsReported) {
     ASSERT_FALSE(change.value.empty()) << "no other value is known; add one to stated_changes()";
     expect(row_status(input, beside(change), change), judge(input, beside(change), change), count);
   }
-  std::cout << fmt::format("pairs: {} used, {} refused, {} warned, {} not felt by nature\n", count.used,
+  std::cout << fmt::format("pairs: {} used, {} refused, {} warned, {} not modelled\n", count.used,
                            count.refused, count.warned, count.by_nature);
 }
 
@@ -250,9 +250,9 @@ INSTANTIATE_TEST_SUITE_P(AllCases, EveryField, testing::ValuesIn(subjects()), su
 TEST(FieldUse, AnalysesOfARowAreDisjoint) {
   for (const Field& field : all_fields()) {
     SCOPED_TRACE(field.path);
-    EXPECT_EQ(field.use.by & field.use.unfelt_by, 0u);
+    EXPECT_EQ(field.use.by & field.use.not_modelled_by, 0u);
     EXPECT_EQ(field.use.by & field.use.refused_by, 0u);
-    EXPECT_EQ(field.use.unfelt_by & field.use.refused_by, 0u);
+    EXPECT_EQ(field.use.not_modelled_by & field.use.refused_by, 0u);
     // What lies behind the sets comes back to none of them: it stands in the power flow of check.
     EXPECT_EQ(field.use.by == 0u, field.path == "parallel_stage.behind") << "a field that nothing uses";
   }
@@ -268,7 +268,7 @@ TEST(FieldUse, ANewAnalysisCannotForgetAField) {
 }
 
 // What cannot be felt is no nuisance where the file gives it: one case serves all rungs.
-TEST(FieldUse, AFileIsNotWarnedOfWhatCannotBeFeltByNature) {
+TEST(FieldUse, AFileIsNotWarnedOfWhatIsNotModelled) {
   EXPECT_TRUE(require_used(case_of(bases().front(), {}), use::quasi_static).empty());
   for (const char* name :
        {"reducer_150kW", "coupling_set_150kW", "three_sets_150kW", "lin_parker_1999", "mesh_62_62",

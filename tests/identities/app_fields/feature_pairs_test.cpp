@@ -275,7 +275,7 @@ void check_rim(const Values& values) {
 
 // Straight laminae at no tilt bear as the whole contact does.
 void check_laminae(Values values) {
-  if (values.contains("bearing.tilt_state")) return;  // which whole contacts do not feel
+  if (values.contains("bearing.tilt_state")) return;  // which has no effect on whole contacts
   for (const char* path : {"bearing.profile.kind", "bearing.profile.x", "bearing.profile.drops",
                            "bearing.misalignment.planet_tilt"})
     values.erase(path);

@@ -94,7 +94,7 @@ TEST(UncertainCase, IsOfNoUseToASweepThatIsGivenIt) {
       testing::Contains(AllOf(StartsWith("uncertain.input.power"), HasSubstr("used by uncertainty"))));
   EXPECT_THAT(uncertain_warnings(shipped(
                   {"uncertain.bearing.cage.pocket_stiffness={normal: {standard_deviation: 1e5 N/m}}"})),
-              ElementsAre(HasSubstr("not felt by")));
+              ElementsAre(HasSubstr("not modelled by")));
   EXPECT_THAT(uncertain_warnings(shipped({power})), IsEmpty());
 }
 

@@ -1,4 +1,4 @@
-#include "coupling/cosim/acceleration.hpp"
+#include "coupling/cosim/coupled_run.hpp"
 
 #include <gtest/gtest.h>
 

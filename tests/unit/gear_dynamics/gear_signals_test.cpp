@@ -1,4 +1,4 @@
-#include "coupling/study/gear_signals.hpp"
+#include "coupling/study/gear_dynamics.hpp"
 
 #include <gtest/gtest.h>
 

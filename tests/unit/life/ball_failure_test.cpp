@@ -1,5 +1,5 @@
 // Issue 14, Build 6: life with the balls' own failure, Eq. (35) of [Chen2026].
-#include "bearing/life/ball_failure.hpp"
+#include "bearing/life/ball_capacity.hpp"
 
 #include <gtest/gtest.h>
 
