@@ -25,12 +25,6 @@ double pin_volume(const Bearing& bearing, double race_diameter) {
   return ring_volume(without_ring(bore, race_diameter) ? 0.0 : bore, race_diameter, bearing.width);
 }
 
-// Of the outer ring: none where rollers run in the planet's bore.
-double outer_volume(const Bearing& bearing, double race_diameter) {
-  const double outside = bearing.outer.seat_diameter;
-  return without_ring(outside, race_diameter) ? 0.0 : ring_volume(race_diameter, outside, bearing.width);
-}
-
 // Each pocket is cut through the whole height of the cage, over a roller's length and diameter or a ball's
 // section.
 double pockets_volume(const CylindricalRollers& rollers, double height) {
@@ -87,9 +81,14 @@ BearingGeometry geometry_of(const Bearing& bearing) {
         add_cage(cage, pockets_volume(elements, 0.5 * (cage.outer_diameter - cage.inner_diameter)), geometry);
       },
       bearing.elements);
-  geometry.outer_ring_mass = density * outer_volume(bearing, 2.0 * geometry.outer_radius);
+  geometry.outer_ring_mass =
+      density * ring_volume(2.0 * geometry.outer_radius, bearing.outer.seat_diameter, bearing.width);
   geometry.inner_ring_mass = density * pin_volume(bearing, 2.0 * geometry.inner_radius);
   return geometry;
+}
+
+bool has_outer_ring(const Bearing& bearing, const BearingGeometry& geometry) {
+  return !without_ring(bearing.outer.seat_diameter, 2.0 * geometry.outer_radius);
 }
 
 double equivalent_radius(const BearingGeometry& geometry, Race race) {

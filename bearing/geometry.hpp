@@ -17,12 +17,16 @@ struct BearingGeometry {
   double element_inertia = 0.0;  // [kg m^2]  about its own axis
   double cage_mass = 0.0;        // [kg]      ring less pockets
   double cage_inertia = 0.0;     // [kg m^2]  about its axis
-  double outer_ring_mass = 0.0;  // [kg]      between race and outside diameter; 0 without a ring
+  double outer_ring_mass = 0.0;  // [kg]      between race and outside diameter; no grooves taken off
   double inner_ring_mass = 0.0;  // [kg]      between bore and race; without a ring, of the pin
 };
 
 /// Geometry of `bearing`. The clearance is shared evenly: races of diameter d_m -+ (D + G/2).
 BearingGeometry geometry_of(const Bearing& bearing);
+
+/// Whether an outer ring lies between race and seat: else rollers run in the planet's bore, and the ring's mass is
+/// what round-off leaves.
+bool has_outer_ring(const Bearing& bearing, const BearingGeometry& geometry);
 
 /// Equivalent radius of a roller on its race [m]: convex on the inner race, concave on the outer.
 double equivalent_radius(const BearingGeometry& geometry, Race race);

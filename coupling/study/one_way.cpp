@@ -144,10 +144,11 @@ AffineBearing times(double factor, const AffineBearing& law) {
 
 // With its own outer ring, where it has one, for a bore: the planet's body stays with the gears. The support keeps
 // its damper, which is stated as a ratio of what moves.
-bearing::motion::DynamicsParameters on_its_ring(const DrivetrainGeometry& geometry,
+bearing::motion::DynamicsParameters on_its_ring(const PlanetaryDrivetrain& drivetrain,
+                                                const DrivetrainGeometry& geometry,
                                                 bearing::motion::DynamicsParameters parameters) {
   const double pin = geometry.bearing.inner_ring_mass, ring = geometry.bearing.outer_ring_mass;
-  if (ring == 0.0) return parameters;
+  if (!has_outer_ring(drivetrain.bearing, geometry.bearing)) return parameters;
   parameters.support.damping_ratio *= std::sqrt((parameters.bore_mass + pin) / (ring + pin));
   parameters.bore_mass = ring;
   return parameters;
@@ -162,7 +163,7 @@ class OneWay {
         geometry_(geometry),
         duty_(duty),
         options_(options),
-        parameters_(on_its_ring(geometry, bearing_dynamics(drivetrain, geometry))),
+        parameters_(on_its_ring(drivetrain, geometry, bearing_dynamics(drivetrain, geometry))),
         bearing_state_(start) {}
 
   /// Until a run agrees with the law that it was driven on, or there is no better law to go to.

@@ -144,7 +144,7 @@ class Helical(unittest.TestCase):
         self.assertIsNotNone(answer("run", WIND, "bearing.tilt_state=stated")["stiffness"])
 
     def test_few_laminae_are_warned_of(self):
-        self.assertTrue(warned(answer("run", WIND, "bearing.laminae=1"), "bearing.laminae: 1 feel"))
+        self.assertTrue(warned(answer("run", WIND, "bearing.laminae=1"), "bearing.laminae: 1 resolve"))
         self.assertFalse(warned(answer("run", WIND), "bearing.laminae"))
 
     def test_thrust_of_spur_gears_is_warned_of(self):
