@@ -24,8 +24,8 @@ struct BearingGeometry {
 /// Geometry of `bearing`. The clearance is shared evenly: races of diameter d_m -+ (D + G/2).
 BearingGeometry geometry_of(const Bearing& bearing);
 
-/// Whether an outer ring lies between race and seat: else rollers run in the planet's bore, and the ring's mass is
-/// what round-off leaves.
+/// Whether an outer ring lies between race and seat: else rollers run in the planet's bore, and the ring's
+/// mass is what round-off leaves.
 bool has_outer_ring(const Bearing& bearing, const BearingGeometry& geometry);
 
 /// Equivalent radius of a roller on its race [m]: convex on the inner race, concave on the outer.

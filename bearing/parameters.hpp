@@ -83,8 +83,7 @@ void describe(Visitor& visit, Cage& m) {
                  .range = positive(25000.0),
                  .fmu = InFmu::parameter}),
           field(m.guidance, "bearing.cage.guidance", Physics::carrier, "ring that guides the cage",
-                {.models = in_time,
-                 .reason = "inertia of the carrier frame throws the cage outward"}));
+                {.models = in_time, .reason = "inertia of the carrier frame throws the cage outward"}));
 }
 
 /// Stiffness of one roller-to-race line contact.
@@ -304,7 +303,8 @@ void describe(Visitor& visit, Bearing& m) {
              .fmu = InFmu::parameter}),
       part(m.inner, [&] { describe(visit, m.inner, "inner", bore, grooved); }),
       part(m.outer, [&] { describe(visit, m.outer, "outer", outside, grooved); }),
-      of_rings(m.width, "bearing.width", Physics::carrier, "width of the rings"), part(m.cage), part(m.material),
+      of_rings(m.width, "bearing.width", Physics::carrier, "width of the rings"), part(m.cage),
+      part(m.material),
       field(m.contact_law, "contact.law", Physics::balance,
             "stiffness of roller and race: Palmgren's for each contact, or ISO/TS 16281's for both",
             {.models = with_rollers | roller_defect,

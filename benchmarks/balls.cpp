@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "app/case/static_case.hpp"
 #include "app/case/case_file.hpp"
+#include "app/case/static_case.hpp"
 #include "bearing/motion/balls/published_form.hpp"
 #include "benchmarks/clocks.hpp"
 #include "benchmarks/speed.hpp"

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "gearset/checks.hpp"
-#include "gearset/warning.hpp"
 #include "gearset/planet_angles.hpp"
+#include "gearset/warning.hpp"
 #include "mechanics/constants.hpp"
 
 namespace orbearing::gearset {

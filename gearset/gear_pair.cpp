@@ -5,8 +5,8 @@
 
 #include "gearset/checks.hpp"
 #include "gearset/involute.hpp"
-#include "gearset/warning.hpp"
 #include "gearset/tooth_form.hpp"
+#include "gearset/warning.hpp"
 #include "mechanics/constants.hpp"
 
 namespace orbearing::gearset {

@@ -40,16 +40,17 @@ void describe_rack(Visitor& visit, BasicRack& m, const std::string& block, descr
                    unsigned models) {
   using namespace described;
   const std::string_view rack = "the basic rack of ISO 53";
-  members(visit, m,
-          field(m.pressure_angle, block + "pressure_angle", physics, "normal pressure angle of the basic rack",
-                {.models = models, .dimension = dimension::angle, .range = {10.0, 35.0}, .reason = rack}),
-          field(m.addendum, block + "addendum", physics, "addendum of the basic rack, in modules",
-                {.models = models, .range = {0.5, 1.5}, .reason = rack}),
-          field(m.clearance, block + "clearance", physics, "bottom clearance of the basic rack, in modules",
-                {.models = models, .range = {0.0, 0.6}, .reason = rack}),
-          field(m.root_fillet_radius, block + "root_fillet_radius", physics,
-                "root fillet radius of the basic rack, in modules",
-                {.models = models, .range = {0.0, 0.6}, .reason = rack}));
+  members(
+      visit, m,
+      field(m.pressure_angle, block + "pressure_angle", physics, "normal pressure angle of the basic rack",
+            {.models = models, .dimension = dimension::angle, .range = {10.0, 35.0}, .reason = rack}),
+      field(m.addendum, block + "addendum", physics, "addendum of the basic rack, in modules",
+            {.models = models, .range = {0.5, 1.5}, .reason = rack}),
+      field(m.clearance, block + "clearance", physics, "bottom clearance of the basic rack, in modules",
+            {.models = models, .range = {0.0, 0.6}, .reason = rack}),
+      field(m.root_fillet_radius, block + "root_fillet_radius", physics,
+            "root fillet radius of the basic rack, in modules",
+            {.models = models, .range = {0.0, 0.6}, .reason = rack}));
 }
 
 /// What a gear has of its own in place of the rack's; none: as the rack.
@@ -81,7 +82,8 @@ struct Web {
 };
 
 template <class Visitor>
-void describe_web(Visitor& visit, Web& m, const std::string& block, described::Physics physics, unsigned models) {
+void describe_web(Visitor& visit, Web& m, const std::string& block, described::Physics physics,
+                  unsigned models) {
   using namespace described;
   members(
       visit, m,
@@ -179,7 +181,8 @@ void describe(Visitor& visit, PlanetarySet& m) {
       part(m.sun_heights, [&] { describe_heights(visit, m.sun_heights, "sun", Physics::central_teeth); }),
       part(m.planet_heights, [&] { describe_heights(visit, m.planet_heights, "planet", Physics::planet); }),
       part(m.ring_heights, [&] { describe_heights(visit, m.ring_heights, "ring", Physics::central_teeth); }),
-      part(m.web, [&] { describe_web(visit, m.web, "gearset.", Physics::central_teeth, set); }), part(m.flanks));
+      part(m.web, [&] { describe_web(visit, m.web, "gearset.", Physics::central_teeth, set); }),
+      part(m.flanks));
 }
 
 /// Pairs of external gears on shafts of their own, without losses: teeth of the gear nearer to the motor,

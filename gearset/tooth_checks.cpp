@@ -3,8 +3,8 @@
 
 #include "gearset/checks.hpp"
 #include "gearset/involute.hpp"
-#include "gearset/warning.hpp"
 #include "gearset/tooth_form.hpp"
+#include "gearset/warning.hpp"
 
 namespace orbearing::gearset {
 

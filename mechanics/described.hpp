@@ -208,7 +208,8 @@ struct RowsOfOne {
 
 /// A parameter of case files.
 template <class Member>
-Row<Member> field(Member& member, std::string path, Physics physics, std::string meaning, const Details& details) {
+Row<Member> field(Member& member, std::string path, Physics physics, std::string meaning,
+                  const Details& details) {
   return {member, {std::move(path), physics, std::move(meaning), details}};
 }
 /// A member that no case states, but that travels with an FMU's model under this name.

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "coupling/cosim/planetary_coupling.hpp"
-#include "coupling/study/planet_stiffness.hpp"
 #include "coupling/study/gear_model.hpp"
+#include "coupling/study/planet_stiffness.hpp"
 #include "gearset/mesh/planetary_meshes.hpp"
 #include "tests/reducer.hpp"
 

@@ -1,11 +1,11 @@
 #include "app/case/case_file.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <fstream>
 #include <optional>
 #include <set>
@@ -269,7 +269,8 @@ class Resolver {
     const std::string set = input.path.substr(0, set_prefix_length(input.path));
     for (const Condition& giver : given_by(input.field->path)) {
       const Field* other = find_field(set + giver.paths.front());
-      if (other == nullptr || (other->models & allowed_) == 0 || data_.values.contains(set + giver.paths.front()))
+      if (other == nullptr || (other->models & allowed_) == 0 ||
+          data_.values.contains(set + giver.paths.front()))
         continue;
       others.push_back(set + giver.paths.front() + (giver.values.empty() ? "" : ": " + giver.values.front()));
     }

@@ -9,9 +9,9 @@
 #include <optional>
 #include <stdexcept>
 
-#include "app/case/mistake.hpp"
 #include "app/case/catalogue_fields.hpp"
 #include "app/case/field_table.hpp"
+#include "app/case/mistake.hpp"
 #include "app/case/oil_case.hpp"
 #include "app/units.hpp"
 #include "bearing/catalogue/classes.hpp"

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "app/case/resolved_case.hpp"
 #include "app/case/field.hpp"
 #include "app/case/mistake.hpp"
+#include "app/case/resolved_case.hpp"
 #include "bearing/catalogue/classes.hpp"
 
 namespace orbearing::app {

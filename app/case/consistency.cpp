@@ -7,14 +7,14 @@
 #include <optional>
 
 #include "app/case/arrangement_case.hpp"
-#include "app/case/mistake.hpp"
 #include "app/case/catalogue_case.hpp"
 #include "app/case/defect_case.hpp"
 #include "app/case/duplex_case.hpp"
 #include "app/case/field_table.hpp"
+#include "app/case/mistake.hpp"
 #include "app/case/oil_case.hpp"
-#include "app/case/set_case.hpp"
 #include "app/case/profile_case.hpp"
+#include "app/case/set_case.hpp"
 #include "app/case/spectrum_case.hpp"
 #include "gearset/checks.hpp"
 #include "gearset/planet_angles.hpp"

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "app/case/mistake.hpp"
 #include "app/case/described_case.hpp"
+#include "app/case/mistake.hpp"
 #include "app/errors.hpp"
 #include "bearing/geometry.hpp"
 #include "mechanics/constants.hpp"

@@ -76,20 +76,22 @@ unsigned holding(described::Physics physics) {
 // forces, and crown varies a planet of the mean load.
 unsigned leaving_out(described::Physics physics) {
   using enum described::Physics;
-  if (physics == gear_bodies || physics == gear_motion || physics == central_teeth) return use::dynamic_of_sets;
+  if (physics == gear_bodies || physics == gear_motion || physics == central_teeth)
+    return use::dynamic_of_sets;
   // All that moves bearings knows none with scratches but what is run for them.
   if (physics == described::Physics::defect)
     return use::lives | use::gears | use::fmu_bearing | use::fmu_gearset | use::planet_stiffness;
-  return physics == load_sharing || physics == positions ? use::dynamic_of_sets | use::crown | use::planet_stiffness
-                                                   : 0u;
+  return physics == load_sharing || physics == positions
+             ? use::dynamic_of_sets | use::crown | use::planet_stiffness
+             : 0u;
 }
 
 // How single parameters differ from what their physics says.
 struct Exception {
   std::string_view path;
   unsigned refused_by = 0;  // analyses that ought to take it and cannot
-  unsigned not_modelled_by = 0;   // analyses that vary it themselves, or do not need it
-  unsigned unused_by = 0;   // analyses that ought to include it and leave it out
+  unsigned not_modelled_by = 0;  // analyses that vary it themselves, or do not need it
+  unsigned unused_by = 0;        // analyses that ought to include it and leave it out
 };
 
 constexpr unsigned other_rungs = use::co_simulated | use::monolithic;
@@ -104,7 +106,8 @@ constexpr Exception exceptions[] = {
     {"bearing.roller_diameter_deviation", use::rollers_at_rest},  // their mean knows like rollers
     {"bearing.cage.reference_speed", other_rungs | use::fmu_bearing},
     {"bearing.misalignment.planet_tilt", 0, use::crown},
-    // A computed tilt is that of bearings at rest, with which one bearing may go on; it has no effect on gears.
+    // A computed tilt is that of bearings at rest, with which one bearing may go on; it has no effect on
+    // gears.
     {"bearing.tilt_state", no_tilt, use::bearings_as_springs},
     {"bearing.axial_places", no_tilt, use::bearings_as_springs},
     {"bearing.clearance_differences", no_tilt, use::bearings_as_springs},
@@ -313,8 +316,8 @@ Use with_springs(const Use& use, const described::Facts& facts) {
                        {where_true(loads_make_springs, "where a stiffness depends on the load")});
   if (is_one_of(path, {"inertia.coriolis", "inertia.carrier_centrifugal"}))
     return use.limited(use::modes, {where_bearings_make_springs()});
-  const bool of_bearing =
-      facts.physics == balance || facts.physics == carrier || facts.physics == pin || facts.physics == at_rest;
+  const bool of_bearing = facts.physics == balance || facts.physics == carrier || facts.physics == pin ||
+                          facts.physics == at_rest;
   if (!of_bearing || makes_race(path) || path == "material.density" || path == "gearset.planet_rim")
     return use;
   return use.limited(use::bearings_as_springs, {where_bearings_make_springs()});

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "app/case/mistake.hpp"
 #include "app/case/described_case.hpp"
+#include "app/case/mistake.hpp"
 
 namespace orbearing::app {
 

@@ -100,8 +100,8 @@ void add_linear(std::vector<Field>& fields) {
     field = under(where_true(pair_run_has_linear_column,
                              "where operation.shaft_speed is 0, or beside measured.preload"),
                   std::move(field));
-    field.use = field.use.used_too(
-        use::duplex_modes, where_true(pair_has_linear_column, "where operation.shaft_speed is 0"));
+    field.use = field.use.used_too(use::duplex_modes,
+                                   where_true(pair_has_linear_column, "where operation.shaft_speed is 0"));
     fields.push_back(std::move(field));
   };
   add(dimension::mass, "mass", "mass", above_zero);

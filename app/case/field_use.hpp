@@ -94,8 +94,8 @@ struct Use {
       : by(used_by), not_modelled_by(not_modelled), refused_by(refused) {}
   /// The condition is one of all ways that the row has so far.
   Use when(Condition condition) const;
-  /// Where `conditions` hold, `analyses` use it too. Of those that do not use it elsewhere, it is not modelled
-  /// there.
+  /// Where `conditions` hold, `analyses` use it too. Of those that do not use it elsewhere, it is not
+  /// modelled there.
   Use used_too(unsigned analyses, std::vector<Condition> conditions) const;
   Use used_too(unsigned analyses, Condition condition) const;
   /// `analyses` use it where `conditions` hold, and only there.
@@ -104,7 +104,7 @@ struct Use {
   Use limited(unsigned analyses, const std::vector<Condition>& either) const;
 
   unsigned by;          // it changes their results
-  unsigned not_modelled_by;   // it is not modelled there: their results are equal to the last bit
+  unsigned not_modelled_by;  // it is not modelled there: their results are equal to the last bit
   unsigned refused_by;  // they ought to and cannot: exit code 2
   std::vector<Condition> conditions{};  // of `by`: all must hold, else the value is warned of
   std::vector<Way> ways{};              // besides

@@ -1,13 +1,13 @@
 #include "app/case/oil_case.hpp"
 
-#include <cmath>
 #include <fmt/format.h>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
-#include "app/case/mistake.hpp"
 #include "app/case/field_table.hpp"
+#include "app/case/mistake.hpp"
 #include "app/case/settings.hpp"
 #include "bearing/film/oil_grade.hpp"
 

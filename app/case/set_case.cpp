@@ -1,12 +1,12 @@
 #include "app/case/set_case.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <optional>
 
-#include "app/case/mistake.hpp"
 #include "app/case/described_case.hpp"
+#include "app/case/mistake.hpp"
 #include "app/units.hpp"
 #include "gearset/checks.hpp"
 #include "gearset/planet_angles.hpp"

@@ -51,7 +51,8 @@ const Use& by_lives_of_planets() {
 // Affects the fatigue load limit alone, which a crown shows in lives with an oil.
 const Use& by_fatigue_limit() {
   static const Use use =
-      Use(use::static_load | use::ball_run | rated_runs, use::stiffness | (use::of_a_drivetrain & ~rated_runs))
+      Use(use::static_load | use::ball_run | rated_runs,
+          use::stiffness | (use::of_a_drivetrain & ~rated_runs))
           .used_too(use::crown,
                     where_given({"lubricant.grade", "life.cleanliness", "life.contamination_factor",
                                  "life.viscosity_ratio", "lubricant.kinematic_viscosity"}));

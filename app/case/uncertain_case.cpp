@@ -594,8 +594,8 @@ std::vector<std::string> uncertain_warnings(const ResolvedCase& resolved) {
   for (const StatedUncertain& stated : resolved.uncertain().inputs) {
     const Input input{stated.path, find_field(stated.path)};
     if (use_status_in_row(resolved, input, use::quasi_static) != UseStatus::used)
-      warnings.push_back("uncertain." + stated.path + ": not modelled by " + analysis_name(use::quasi_static) +
-                         ", on which lives are sampled");
+      warnings.push_back("uncertain." + stated.path + ": not modelled by " +
+                         analysis_name(use::quasi_static) + ", on which lives are sampled");
   }
   return warnings;
 }

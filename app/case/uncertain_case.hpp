@@ -62,7 +62,8 @@ UncertainInputs uncertain_inputs(const ResolvedCase& resolved);
 /// what a distribution does not have.
 nlohmann::json uncertain_json(const ResolvedCase& resolved);
 
-/// What lives at rest of a drivetrain, which `orbearing uncertainty` samples, do not depend on; one line each.
+/// What lives at rest of a drivetrain, which `orbearing uncertainty` samples, do not depend on; one line
+/// each.
 std::vector<std::string> uncertain_warnings(const ResolvedCase& resolved);
 
 }  // namespace orbearing::app

@@ -8,8 +8,8 @@
 #include "app/case/catalogue_case.hpp"
 #include "app/case/catalogue_fields.hpp"
 #include "app/case/field_table.hpp"
-#include "app/case/use_conditions.hpp"
 #include "app/case/settings.hpp"
+#include "app/case/use_conditions.hpp"
 
 namespace orbearing::app {
 

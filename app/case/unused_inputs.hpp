@@ -11,10 +11,10 @@ namespace orbearing::app {
 /// How a value that a case gives stands towards an analysis.
 enum class UseStatus {
   used,
-  neutral,  // the default, or zero where there is none: nothing is lost
+  neutral,       // the default, or zero where there is none: nothing is lost
   not_modelled,  // by nature: see Use
-  idle,     // one of its conditions does not hold
-  unused,   // warned of
+  idle,          // one of its conditions does not hold
+  unused,        // warned of
   refused
 };
 

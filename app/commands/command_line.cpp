@@ -313,10 +313,10 @@ void add_commands(CommandTable table) {
   CLI::App& validate = table.add("validate", "published numbers beside ours", validate_command);
   add_settings(validate, options);
   validate.add_option("CASE", options.cases, "case files or folders; default: all that ship");
-  validate.add_flag(
-      "--motion", options.motion,
-      "in place of the published numbers: change of life at the peak by the assumptions that affect motion alone; "
-      "takes minutes");
+  validate.add_flag("--motion", options.motion,
+                    "in place of the published numbers: change of life at the peak by the assumptions that "
+                    "affect motion alone; "
+                    "takes minutes");
   validate
       .add_option("--samples", options.samples,
                   "samples of each case's uncertain inputs, which give the bands of the rows that somebody measured; "

@@ -31,7 +31,8 @@ struct Options {
   int jobs = 0;                          // 0: one for each core
   bool every_effect = false;             // report: all effects of the motion in time
   bool data_only = false;           // report: what its page is made of is the result, and no page is drawn
-  std::string bearing_points;       // report: in place of that, these points of the bearing, as the page asks for them
+  std::string
+      bearing_points;  // report: in place of that, these points of the bearing, as the page asks for them
   bool motion = false;              // validate: what assumptions are worth in motion, alone
   int samples = 0;                  // validate: of uncertain inputs, for the bands of measured rows
   bool gears = false;               // run: without the dynamics of bearings

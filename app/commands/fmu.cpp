@@ -75,7 +75,6 @@ void present(const ResolvedCase& resolved, const Options& options, const Outcome
   print_warnings(outcome.warnings);
 }
 
-
 // Makes the folder of `file` where it is missing; nothing is computed for a file that cannot be written.
 void require_folder_of(const fs::path& file) {
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");

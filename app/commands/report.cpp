@@ -148,7 +148,9 @@ int report_of(const Options& options) {
   write_data(folder / data_name, data);
   draw_page(folder, options);
   if (options.json)
-    print_object(nlohmann::ordered_json{{"report", page.string()}, {"units", nlohmann::ordered_json::object()}}, options);
+    print_object(
+        nlohmann::ordered_json{{"report", page.string()}, {"units", nlohmann::ordered_json::object()}},
+        options);
   else if (!options.quiet)
     fmt::print("{}\n", page.string());
   if (!options.json && !options.quiet && data.contains("missing") && data["missing"].is_object())

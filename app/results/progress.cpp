@@ -1,12 +1,12 @@
 #include "app/results/progress.hpp"
 
+#include <fmt/format.h>
+#include <unistd.h>
 #include <array>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
-#include <fmt/format.h>
 #include <mutex>
-#include <unistd.h>
 #include <utility>
 
 #include "mechanics/cancellation.hpp"

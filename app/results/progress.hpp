@@ -61,9 +61,9 @@ class Progress {
 
 // SIGINT and SIGTERM ask computations to stop.
 
-/// While any lives the first SIGINT or SIGTERM is request_stop() (mechanics/cancellation.hpp); a second one ends
-/// the program at once. The first of several begins without a wish, the last takes it back and gives the signals
-/// back. Made by whoever calls: the libraries and the commands do not touch signals.
+/// While any lives the first SIGINT or SIGTERM is request_stop() (mechanics/cancellation.hpp); a second one
+/// ends the program at once. The first of several begins without a wish, the last takes it back and gives the
+/// signals back. Made by whoever calls: the libraries and the commands do not touch signals.
 class Interruption {
  public:
   Interruption();

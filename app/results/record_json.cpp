@@ -73,7 +73,8 @@ void add_units(const Record& record, const std::string& above, std::vector<UnitO
     const auto* numbers = std::get_if<described::Numbers>(&entry.content);
     if (numbers == nullptr || entry.dimension.customary.empty()) continue;
     if (!entry.name.empty()) units.push_back({path, entry.name, entry.dimension.customary});
-    if (!entry.former.empty()) units.push_back({above + entry.former, entry.former, entry.dimension.customary});
+    if (!entry.former.empty())
+      units.push_back({above + entry.former, entry.former, entry.dimension.customary});
     if (entry.name.empty())
       for (const std::string& label : numbers->along.back().labels)
         units.push_back({above + label, label, entry.dimension.customary});

@@ -1,9 +1,9 @@
 #include "app/results/result_row.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "app/results/record_writers.hpp"

@@ -13,8 +13,8 @@
 
 namespace orbearing::app {
 
-// What the status of a point says: "ok"; "implausible: ..." of one whose values are there and cannot be those of a
-// machine; else why it failed.
+// What the status of a point says: "ok"; "implausible: ..." of one whose values are there and cannot be those
+// of a machine; else why it failed.
 
 inline constexpr std::string_view kImplausible = "implausible: ";
 

@@ -1,11 +1,11 @@
 #include "app/results/sweep_run.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
 #include <exception>
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "app/errors.hpp"

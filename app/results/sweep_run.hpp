@@ -23,15 +23,17 @@ namespace orbearing::app {
 /// One point of a sweep before it is computed.
 struct SweepPoint {
   std::string label;  // for messages: "input.speed = 6000 rpm"
-  double input_speed = std::numeric_limits<double>::quiet_NaN();  // [rad/s]  kept in the row of a failed point
-  std::vector<double> axis_values;                                // one per header.axes, in the axis' unit
-  std::vector<Setting> settings{};                                // that make the case's operating point
+  double input_speed =
+      std::numeric_limits<double>::quiet_NaN();  // [rad/s]  kept in the row of a failed point
+  std::vector<double> axis_values;               // one per header.axes, in the axis' unit
+  std::vector<Setting> settings{};               // that make the case's operating point
 };
 
-/// The paths of a continued sweep: points that differ in speed alone, in the order in which they follow each other.
-/// Numbers of the points, one path for each combination of the other axes' values, in the order of the points that
-/// begin them; along a path the speed rises (up) or falls (down).
-std::vector<std::vector<std::size_t>> continuation_paths(const std::vector<SweepPoint>& points, Direction direction);
+/// The paths of a continued sweep: points that differ in speed alone, in the order in which they follow each
+/// other. Numbers of the points, one path for each combination of the other axes' values, in the order of the
+/// points that begin them; along a path the speed rises (up) or falls (down).
+std::vector<std::vector<std::size_t>> continuation_paths(const std::vector<SweepPoint>& points,
+                                                         Direction direction);
 
 /// Points that a sweep adds to its grid until its peak is known.
 struct Refinement {

@@ -1,10 +1,10 @@
 #include "app/results/terminal_chart.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <fmt/format.h>
 #include <string_view>
 #include <utility>
 

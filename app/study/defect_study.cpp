@@ -1,11 +1,11 @@
 #include "app/study/defect_study.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <fmt/format.h>
 
 #include "app/case/defect_case.hpp"
 #include "app/errors.hpp"

@@ -83,8 +83,8 @@ std::string signal_csv(const DefectStudy& study);
 /// whole Hz.
 std::string signal_wav(const DefectStudy& study);
 
-// A gear set with a scratched planet bearing: its vibration in the carrier's frame and on the housing, and which line
-// is what (docs/defects/planet.md).
+// A gear set with a scratched planet bearing: its vibration in the carrier's frame and on the housing, and
+// which line is what (docs/defects/planet.md).
 
 struct PlanetDefectStudy {
   std::vector<bearing::defect::Scratched> scratched;  // surfaces, the first named one first

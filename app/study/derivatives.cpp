@@ -1,9 +1,9 @@
 #include "app/study/derivatives.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
 #include <exception>
-#include <fmt/format.h>
 #include <limits>
 #include <mutex>
 #include <nlohmann/json.hpp>
@@ -16,9 +16,9 @@
 #include "app/results/record_writers.hpp"
 #include "app/results/result_row.hpp"
 #include "app/study/ball_study.hpp"
+#include "app/study/drivetrain_case.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/study/planetary_case.hpp"
-#include "app/study/drivetrain_case.hpp"
 #include "app/study/static_study.hpp"
 #include "coupling/study/multi_stage.hpp"
 #include "coupling/study/parallel.hpp"
@@ -58,8 +58,9 @@ Run run_of(const ResolvedCase& in, const std::string& fidelity) {
   if (analysis == nullptr && has_planet_bearing(in))
     return run_of_drivetrain(in, fidelity.empty() ? "quasi-static" : fidelity);
   const Analysis& row = analysis != nullptr ? *analysis : gears_alone();
-  return {row.used, row.scatter,
-          [compute = row.compute](const ResolvedCase& changed) { return json_of(compute(changed, {}).record); }};
+  return {row.used, row.scatter, [compute = row.compute](const ResolvedCase& changed) {
+            return json_of(compute(changed, {}).record);
+          }};
 }
 
 [[noreturn]] void refuse_life(const ResolvedCase& in, const std::string& path, const std::string& found,

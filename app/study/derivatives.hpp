@@ -41,7 +41,8 @@ struct ScalarResult {
 };
 
 /// The number at `key`, parts of a path joined by '/', of the run of the case at its operating point; without
-/// a key the life that results go by. `fidelity`: empty where the user named none. Throws BadInput where the case has none.
+/// a key the life that results go by. `fidelity`: empty where the user named none. Throws BadInput where the
+/// case has none.
 ScalarResult scalar_result(const ResolvedCase& resolved, const std::string& fidelity = "",
                            const std::string& key = "");
 

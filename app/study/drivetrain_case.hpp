@@ -32,7 +32,8 @@ std::optional<bearing::rating::StatedOil> stated_oil(const ResolvedCase& resolve
 /// What it takes for granted: a cleanliness that is not said.
 std::vector<std::string> oil_warnings(const ResolvedCase& resolved);
 
-/// Column of a sweep's table that holds the life that results go by: by life.method, and whether oil is stated.
+/// Column of a sweep's table that holds the life that results go by: by life.method, and whether oil is
+/// stated.
 std::string life_to_go_by(const ResolvedCase& resolved);
 
 }  // namespace orbearing::app

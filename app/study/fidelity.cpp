@@ -1,8 +1,8 @@
 #include "app/study/fidelity.hpp"
 
-#include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <algorithm>
 
 #include "app/case/unused_inputs.hpp"
 #include "app/errors.hpp"

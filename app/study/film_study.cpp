@@ -1,9 +1,9 @@
 #include "app/study/film_study.hpp"
 
-#include <array>
-#include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <array>
+#include <cmath>
 #include <limits>
 #include <map>
 
@@ -260,7 +260,8 @@ void add_row(const bearing::Bearing& bearing, balance::RowMotion motion, const b
              double speed, SpeedTable& table, std::vector<double>& beyond) {
   motion.speeds.inner = speed;
   Record& row = table.rows.emplace_back();
-  row.value("speed_rpm", {"", "rpm", "rpm", ""}, "of the inner ring", speed_in_rpm(speed)).variable = "speed_rpm";
+  row.value("speed_rpm", {"", "rpm", "rpm", ""}, "of the inner ring", speed_in_rpm(speed)).variable =
+      "speed_rpm";
   balance::RowMotion dry = motion;
   dry.film.reset();
   SpeedRow(bearing, dry).describe(balanced(bearing, dry, load, speed, table), row);

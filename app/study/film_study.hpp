@@ -67,7 +67,8 @@ std::vector<std::string> film_warnings(const bearing::Bearing& bearing, const st
 
 /// The ball with the largest load on the inner race, over the speed of the inner ring.
 struct SpeedTable {
-  std::vector<described::Record> rows;  // numbers in the unit that ends their name; absent where there is none
+  std::vector<described::Record>
+      rows;  // numbers in the unit that ends their name; absent where there is none
   std::optional<double>
       inner_rotating;  // [rad/s]  speed of the largest least film, none where the table ends first
   std::optional<double> outer_rotating;

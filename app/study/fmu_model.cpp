@@ -1,8 +1,8 @@
 #include "app/study/fmu_model.hpp"
 
+#include <fmt/core.h>
 #include <array>
 #include <cstdio>
-#include <fmt/core.h>
 
 #include "app/errors.hpp"
 #include "app/license.hpp"
@@ -173,7 +173,8 @@ length would be accepted.</p>
 {3}</table></body></html>
 )";
 
-constexpr const char* kStart = R"(<p>The bearing begins in balance under <code>start_load</code>, the load of the planet
+constexpr const char* kStart =
+    R"(<p>The bearing begins in balance under <code>start_load</code>, the load of the planet
 on it, by default that of the case at its operating point: until somebody sets <code>planet.displacement</code>, it is the place
 where the bearing carries that load, and the outputs <code>planet.start_displacement</code> say where that is under the parameters
 and speeds that were set. Begin with the planet there, and nothing has to settle but the rollers.</p>

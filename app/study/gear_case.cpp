@@ -334,7 +334,9 @@ void describe_gear_run(Record& record, const GearRunResult& result) {
                    each(of.planets, &PlanetStatistics::most_load_share))
             .variable = "largest_load_share";
       });
-  record.value("separated_fraction", dimension::ratio, "fraction of time with separated teeth", result.separated)
+  record
+      .value("separated_fraction", dimension::ratio, "fraction of time with separated teeth",
+             result.separated)
       .former = "share_of_time_with_parted_teeth";
   record.child("run", "of the integration", result, [](Record& run, const GearRunResult& of) {
     run.value("windows", "until steady", of.windows);

@@ -59,7 +59,8 @@ Json gear_json(const char* name, const Tooth& tooth) {
   return drawn;
 }
 
-// Gears that mesh; on the line of action the pitch point as the page draws them, and where the teeth touch there.
+// Gears that mesh; on the line of action the pitch point as the page draws them, and where the teeth touch
+// there.
 Json pair_json(const char* name, double pressure_angle, double contact, const Json& gears) {
   return {{"mesh", name},
           {"working_pressure_angle_deg", kDegree * pressure_angle},
@@ -67,8 +68,8 @@ Json pair_json(const char* name, double pressure_angle, double contact, const Js
           {"gears", gears}};
 }
 
-// Sun and planet, planet and ring, each touching at its pitch point (at the nearest place of contact where the teeth
-// do not reach it).
+// Sun and planet, planet and ring, each touching at its pitch point (at the nearest place of contact where
+// the teeth do not reach it).
 Json tooth_pairs_json(const gearset::WorkingGeometry& geometry, const gearset::PlanetaryMeshes& meshes) {
   const double base = geometry.planet.base_radius;
   const double sun_angle = geometry.sun_mesh.working_pressure_angle,

@@ -1,9 +1,9 @@
 #include "app/study/mesh_study.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fmt/format.h>
 #include <limits>
 #include <map>
 #include <mutex>

@@ -1,8 +1,8 @@
 #include "app/study/planetary_case.hpp"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
-#include <fmt/core.h>
 #include <memory>
 #include <mutex>
 

@@ -69,7 +69,8 @@ const std::vector<PlausibleRange>& plausible_ranges() {
        {rating::kLeastViscosityRatio, "where ISO 281 gives no a_ISO and no modified life"},
        {50.0, "an oil far thicker than lubrication needs: check its viscosity and its unit"},
        {1e-4, 1e4, "check viscosity, temperature, speed and their units"}},
-      // [ISO281] holds for P up to 0.5 C; makers' catalogues ask for a load of 0.01 C (balls) to 0.02 C (rollers).
+      // [ISO281] holds for P up to 0.5 C; makers' catalogues ask for a load of 0.01 C (balls) to 0.02 C
+      // (rollers).
       {{{"C_over_P"}, "life", "C/P", ""},
        {2.0, "a load above the half of C, for which ISO 281 gives no life"},
        {100.0, kSkidding},
@@ -84,7 +85,8 @@ const std::vector<PlausibleRange>& plausible_ranges() {
        {1e-3, "thinner than a molecule of oil"},
        {50.0, "far thicker than films of rolling contacts: check viscosity, speed and load"},
        {-kNone, 1e4, "check viscosity, speed, load and their units"}},
-      // Lubrication by grease to 0.5e6, by oil jets to 1.5e6; main bearings of aero engines 2.5e6 to 3e6 mm rpm.
+      // Lubrication by grease to 0.5e6, by oil jets to 1.5e6; main bearings of aero engines 2.5e6 to 3e6 mm
+      // rpm.
       {{{"n_dm"}, "operation", "speed n d_m", "mm rpm"},
        {-kNone, ""},
        {1.5e6, "beyond usual lubrication of rolling bearings"},
@@ -94,7 +96,8 @@ const std::vector<PlausibleRange>& plausible_ranges() {
        {-kNone, ""},
        {200.0, "beyond usual turbo gears"},
        {-kNone, 400.0, "the speed at which a steel ring bursts"}},
-      // Torque per module cubed, freed of face width and tooth number: F_n/(b m). The root stress is 4 to 5 times it;
+      // Torque per module cubed, freed of face width and tooth number: F_n/(b m). The root stress is 4 to 5
+      // times it;
       // case-hardened teeth bear some 100 to 250 MPa for good.
       {{{"unit_load_MPa"}, "gearset", "tooth force over face width and module", "MPa"},
        {1e-3, "teeth that carry next to nothing: check power, speed and their units"},
@@ -118,11 +121,11 @@ std::string with_unit(double value, const PlausibleRange& range) {
 // Empty for a usual value.
 std::string rare_text(const PlausibleRange& range, double value) {
   if (value < range.rare_low.value)
-    return fmt::format("{}: {} below {}, {}", range.of.block, range.of.name, with_unit(range.rare_low.value, range),
-                       range.rare_low.why);
+    return fmt::format("{}: {} below {}, {}", range.of.block, range.of.name,
+                       with_unit(range.rare_low.value, range), range.rare_low.why);
   if (value > range.rare_high.value)
-    return fmt::format("{}: {} above {}, {}", range.of.block, range.of.name, with_unit(range.rare_high.value, range),
-                       range.rare_high.why);
+    return fmt::format("{}: {} above {}, {}", range.of.block, range.of.name,
+                       with_unit(range.rare_high.value, range), range.rare_high.why);
   return "";
 }
 
@@ -130,7 +133,8 @@ std::string implausible_text(const PlausibleRange& range, double value) {
   if (value >= range.outer.least && value <= range.outer.most) return "";
   const bool low = value < range.outer.least;
   return fmt::format("{}{} {} ({} {}: {})", kImplausible, range.of.name, with_unit(value, range),
-                     low ? "at least" : "at most", with_unit(low ? range.outer.least : range.outer.most, range), range.outer.reason);
+                     low ? "at least" : "at most",
+                     with_unit(low ? range.outer.least : range.outer.most, range), range.outer.reason);
 }
 
 void collect(const nlohmann::ordered_json& value, const std::string& key, std::vector<Observation>& found) {

@@ -1,10 +1,10 @@
 #include "app/study/report_data.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <map>
 
 #include "app/case/case_file.hpp"
@@ -31,10 +31,9 @@ using Json = nlohmann::ordered_json;  // which writes null for numbers that are 
 Setting nearest(const ResolvedCase& resolved, const SweepAxis& axis) {
   if (!resolved.has(axis.path)) return axis.setting(0);
   const double own = resolved.value(axis.path).number;
-  const auto best =
-      std::min_element(axis.numbers.begin(), axis.numbers.end(), [&](double one, double other) {
-        return std::abs(one - own) < std::abs(other - own);
-      });
+  const auto best = std::min_element(axis.numbers.begin(), axis.numbers.end(), [&](double one, double other) {
+    return std::abs(one - own) < std::abs(other - own);
+  });
   return axis.setting(static_cast<std::size_t>(best - axis.numbers.begin()));
 }
 
@@ -84,13 +83,15 @@ std::vector<std::string> changed_inputs(const ResolvedCase& resolved, const Reso
     if (chooses_operating_points(path) || (!resolved.has(path) && !shipped.has(path))) return;
     const bool both = resolved.has(path) && shipped.has(path);
     if (both && same_input(field, resolved.value(path), shipped.value(path))) return;
-    changed.push_back(fmt::format("{}: {} (published: {})", path, stated_or_not(resolved, path), stated_or_not(shipped, path)));
+    changed.push_back(fmt::format("{}: {} (published: {})", path, stated_or_not(resolved, path),
+                                  stated_or_not(shipped, path)));
   };
   if (resolved.model() != shipped.model()) return {"model"};
   const std::vector<Input> ours = resolved.inputs();
   for (const auto& [path, field] : ours) compare(path, *field);
   for (const auto& [path, field] : shipped.inputs()) {
-    const bool ours_too = std::any_of(ours.begin(), ours.end(), [&](const Input& input) { return input.path == path; });
+    const bool ours_too =
+        std::any_of(ours.begin(), ours.end(), [&](const Input& input) { return input.path == path; });
     if (!ours_too) compare(path, *field);
   }
   return changed;
@@ -297,10 +298,9 @@ nlohmann::ordered_json bearing_points(const ResolvedCase& resolved, const Json& 
     if (fits(at, change)) changes.push_back(change);
   }
   Progress bar(0, changes.size() * study.speed.size(), progress, "effects: ");
-  const std::vector<ChangeResult> results =
-      results_of(at, changes, study, [&](const std::vector<ChangeResult>&, std::size_t done) {
-        bar.show(done * study.speed.size());
-      });
+  const std::vector<ChangeResult> results = results_of(
+      at, changes, study,
+      [&](const std::vector<ChangeResult>&, std::size_t done) { bar.show(done * study.speed.size()); });
   for (const ChangeResult& result : results) {
     Json& list = lists[std::stoul(result.change.group)] = Json::array();
     for (const study::PointResult& point : result.points)
@@ -328,16 +328,18 @@ std::string missing_text(const MissingPoints& missing, const Manifest& manifest)
   if (missing.none()) return "";
   const std::optional<Shard>& shard = manifest.header->shard;
   if (missing.peak_unfinished)
-    return "the sweep was interrupted while its peak was refined: the speed of the longest life is that of the points so "
+    return "the sweep was interrupted while its peak was refined: the speed of the longest life is that of "
+           "the points so "
            "far; go on with --resume";
   constexpr std::size_t most_named = 12;
-  std::vector<std::string> named(missing.labels.begin(),
-                                 missing.labels.begin() + static_cast<std::ptrdiff_t>(
-                                                              std::min(most_named, missing.labels.size())));
+  std::vector<std::string> named(
+      missing.labels.begin(),
+      missing.labels.begin() + static_cast<std::ptrdiff_t>(std::min(most_named, missing.labels.size())));
   if (named.size() < missing.labels.size())
     named.push_back(fmt::format("and {} more", missing.labels.size() - named.size()));
   return fmt::format("{} of {} points of the sweep are missing{}: {}; {}", missing.labels.size(), missing.of,
-                     shard ? fmt::format(" (this is shard {})", to_string(*shard)) : "", fmt::join(named, "; "),
+                     shard ? fmt::format(" (this is shard {})", to_string(*shard)) : "",
+                     fmt::join(named, "; "),
                      shard ? "merge the shards, then report on the merged folder" : "go on with --resume");
 }
 

@@ -1,5 +1,6 @@
-// report.json: what the page of a sweep shows besides the points themselves. What only the pictures need (fine curves,
-// loads by place, single effects) the page asks for by itself (python/orbearing/report_data.py).
+// report.json: what the page of a sweep shows besides the points themselves. What only the pictures need
+// (fine curves, loads by place, single effects) the page asks for by itself
+// (python/orbearing/report_data.py).
 #pragma once
 
 #include <filesystem>
@@ -20,45 +21,45 @@ namespace orbearing::app {
 struct SpeedSlice {
   ResolvedCase at;                    // the case with the other axes at that place
   std::vector<std::string> settings;  // which puts it there, as with --set
-  nlohmann::ordered_json columns;     // column of the table -> value, one for each other axis; null without any
+  nlohmann::ordered_json columns;  // column of the table -> value, one for each other axis; null without any
 };
 
 /// The line nearest to the case's own values; the case itself where speed is not swept or nothing else is.
 SpeedSlice speed_slice(const ResolvedCase& resolved);
 
-/// Published numbers of the shipped case of the same name. They belong to it: of a case whose inputs differ there is
-/// nothing to compare, and `changed` names what differs, "input.power: 75 kW (published: 150 kW)".
+/// Published numbers of the shipped case of the same name. They belong to it: of a case whose inputs differ
+/// there is nothing to compare, and `changed` names what differs, "input.power: 75 kW (published: 150 kW)".
 struct PublishedComparison {
   std::vector<std::string> changed;
   ValidationTable table;  // rows alone, of the shipped case on the speeds of its own sweep
 };
 PublishedComparison published_comparison(const ResolvedCase& resolved);
 
-/// Inputs of one case that differ from another's, in the order in which they are written; not those that choose
-/// operating points: speed, sweep, load spectrum.
+/// Inputs of one case that differ from another's, in the order in which they are written; not those that
+/// choose operating points: speed, sweep, load spectrum.
 std::vector<std::string> changed_inputs(const ResolvedCase& resolved, const ResolvedCase& shipped);
 
-/// Of a sweep whose rows stand in `manifest`. `shown` says of which bearing and at which speeds pictures are to
-/// be, as bearing_points() takes it.
+/// Of a sweep whose rows stand in `manifest`. `shown` says of which bearing and at which speeds pictures are
+/// to be, as bearing_points() takes it.
 nlohmann::ordered_json report_data(const ResolvedCase& resolved, const Manifest& manifest);
 
-/// Operating points of one bearing under changes of the case, on the gears as the case states them: a change is
-/// made in the bearing alone. `wanted` holds `settings` of the case, `set` (empty: the only one), `changes`, each a
-/// list of settings, `speeds` [rad/s], `fidelity` and `loads` (whether by place). A list of points for each change;
-/// null for one that does not fit the case.
+/// Operating points of one bearing under changes of the case, on the gears as the case states them: a change
+/// is made in the bearing alone. `wanted` holds `settings` of the case, `set` (empty: the only one),
+/// `changes`, each a list of settings, `speeds` [rad/s], `fidelity` and `loads` (whether by place). A list of
+/// points for each change; null for one that does not fit the case.
 nlohmann::ordered_json bearing_points(const ResolvedCase& resolved, const nlohmann::ordered_json& wanted,
                                       bool progress);
 
 /// Whether a case is one of a planetary set whose gears have teeth.
 bool has_gear_report(const ResolvedCase& resolved);
 
-/// Teeth, meshes, modes and motion of the gears over the speeds of a sweep [rpm], of which the page makes its pictures
-/// (python/orbearing/gear_data.py). The gears alone run in time at these and at speeds between; a run that fails says
-/// why in its `status`.
+/// Teeth, meshes, modes and motion of the gears over the speeds of a sweep [rpm], of which the page makes its
+/// pictures (python/orbearing/gear_data.py). The gears alone run in time at these and at speeds between; a
+/// run that fails says why in its `status`.
 nlohmann::ordered_json gear_report(const ResolvedCase& resolved, std::vector<double> speeds_rpm);
 
-/// What a folder of results lacks of its sweep: points that a shard leaves to others or that were not computed
-/// yet.
+/// What a folder of results lacks of its sweep: points that a shard leaves to others or that were not
+/// computed yet.
 struct MissingPoints {
   std::size_t of = 0;               // points of grid and spectrum of the whole sweep
   std::vector<std::string> labels;  // "input.speed = 6000 rpm", of each that is missing

@@ -1,9 +1,9 @@
 #include "app/study/static_study.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fmt/format.h>
 #include <variant>
 
 #include "app/case/static_case.hpp"
@@ -236,17 +236,18 @@ std::optional<rating::OilCondition> oil_of(const ResolvedCase& in) {
   if (!stated) return {};
   if (!stated->viscosity_ratio && relative_speed(in) == 0.0) {
     const char* path = in.has("lubricant.grade") ? "lubricant.grade" : "lubricant.kinematic_viscosity";
-    throw BadInput(fmt::format("{}: {}: an oil for rings that do not rotate; operation.shaft_speed is required, from "
-                               "which the viscosity ratio follows",
-                               in.origin(path), path));
+    throw BadInput(
+        fmt::format("{}: {}: an oil for rings that do not rotate; operation.shaft_speed is required, from "
+                    "which the viscosity ratio follows",
+                    in.origin(path), path));
   }
   const rating::OilCondition oil =
       rating::oil_condition(*stated, relative_speed(in), in.quantity("bearing.pitch_diameter"));
   if (oil.viscosity_ratio >= rating::kLeastViscosityRatio) return oil;
-  throw BadInput(fmt::format("{}: lubricant.kinematic_viscosity: viscosity ratio kappa: found {:.3g}; required: at "
-                             "least {:g}, where a_ISO begins",
-                             in.origin("lubricant.kinematic_viscosity"), oil.viscosity_ratio,
-                             rating::kLeastViscosityRatio));
+  throw BadInput(fmt::format(
+      "{}: lubricant.kinematic_viscosity: viscosity ratio kappa: found {:.3g}; required: at "
+      "least {:g}, where a_ISO begins",
+      in.origin("lubricant.kinematic_viscosity"), oil.viscosity_ratio, rating::kLeastViscosityRatio));
 }
 
 rating::ElementLoads loads_on(bearing::Race race, const StaticStudy& study) {
@@ -254,11 +255,13 @@ rating::ElementLoads loads_on(bearing::Race race, const StaticStudy& study) {
   return {own ? study.outer_load : study.contact_load, study.lamina_load};
 }
 
-// Of rollers by the capacities of Lundberg and Palmgren, lamina by lamina; of balls those of [ISO16281] are theirs.
+// Of rollers by the capacities of Lundberg and Palmgren, lamina by lamina; of balls those of [ISO16281] are
+// theirs.
 bearing::BearingLife lundberg_palmgren(const bearing::Bearing& bearing, const StaticStudy& study) {
   if (!bearing.has_rollers()) return study.lives.reference;
   return bearing::life::lamina_life(
-      bearing::life::lamina_rating(bearing, bearing::life::LifeMeasure::lundberg_palmgren, study.reduction_factor),
+      bearing::life::lamina_rating(bearing, bearing::life::LifeMeasure::lundberg_palmgren,
+                                   study.reduction_factor),
       study.lamina_load, study.lamina_load);
 }
 
@@ -332,7 +335,8 @@ rating::RatingCondition rating_condition_of(const ResolvedCase& in, const bearin
 
 namespace {
 
-// Puts all lives into a study whose loads and ratings are known, and warns where the standard's ranges are left.
+// Puts all lives into a study whose loads and ratings are known, and warns where the standard's ranges are
+// left.
 void rate(const ResolvedCase& in, const bearing::Bearing& bearing, StaticStudy& study) {
   study.speed = relative_speed(in);
   if (bearing.has_rollers()) study.reduction_factor = in.number("life.reduction_factor");
@@ -353,20 +357,27 @@ void add_lives_by_load(const ResolvedCase& in, const bearing::Bearing& bearing, 
   }
   if (!condition.dynamic_load || !(*condition.dynamic_load > 0.0)) return;
   const rating::ElementLoads nothing{Eigen::ArrayXd::Zero(1), Eigen::ArrayXXd::Zero(1, 1)};
-  const rating::RatingLives lives =
-      rating::rating_lives(rating::bearing_rating(bearing, stated_ratings_of(in)), condition, nothing, nothing);
+  const rating::RatingLives lives = rating::rating_lives(
+      rating::bearing_rating(bearing, stated_ratings_of(in)), condition, nothing, nothing);
   const double speed = relative_speed(in), million = 1e-6;
   rows.push_back({"life.equivalent_load", lives.dynamic_load, "N", "P of ISO 281"});
   rows.push_back({"life.load_ratio", lives.load_ratio(), "1", "C/P"});
-  if (condition.static_load) rows.push_back({"life.static_safety", lives.static_safety(), "1", "S_0 = C_0/P_0 of ISO 76"});
+  if (condition.static_load)
+    rows.push_back({"life.static_safety", lives.static_safety(), "1", "S_0 = C_0/P_0 of ISO 76"});
   rows.push_back({"life.L10", million * lives.basic, "Mrev", "basic rating life of ISO 281"});
-  if (speed != 0.0) rows.push_back({"life.L10h", bearing::hours(lives.basic, speed), "h", "the same at the speed of the rings"});
+  if (speed != 0.0)
+    rows.push_back(
+        {"life.L10h", bearing::hours(lives.basic, speed), "h", "the same at the speed of the rings"});
   if (!lives.oil) return;
   rows.push_back({"life.kappa", lives.oil->viscosity_ratio, "1", "viscosity ratio of ISO 281"});
   rows.push_back({"life.e_C", lives.oil->contamination_factor, "1", "contamination factor of ISO 281"});
-  rows.push_back({"life.a_ISO", lives.life_modification, "1", "life modification factor of ISO 281, by C_u/P"});
-  rows.push_back({"life.L10m", million * lives.modified, "Mrev", "modified rating life of ISO 281: a_1 a_ISO L10"});
-  if (speed != 0.0) rows.push_back({"life.L10mh", bearing::hours(lives.modified, speed), "h", "the same at the speed of the rings"});
+  rows.push_back(
+      {"life.a_ISO", lives.life_modification, "1", "life modification factor of ISO 281, by C_u/P"});
+  rows.push_back(
+      {"life.L10m", million * lives.modified, "Mrev", "modified rating life of ISO 281: a_1 a_ISO L10"});
+  if (speed != 0.0)
+    rows.push_back(
+        {"life.L10mh", bearing::hours(lives.modified, speed), "h", "the same at the speed of the rings"});
 }
 
 }  // namespace

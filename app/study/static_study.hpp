@@ -99,9 +99,10 @@ double largest_load(const StaticStudy& study);
 
 // Factors of the life of the bearing of a case, and what `orbearing check` tells of its ratings.
 
-/// P, P_0, oil and a_1 of a single bearing, at rest or in time. Throws BadInput where kappa is below the range of
-/// a_ISO.
-bearing::rating::RatingCondition rating_condition_of(const ResolvedCase& resolved, const bearing::Bearing& bearing);
+/// P, P_0, oil and a_1 of a single bearing, at rest or in time. Throws BadInput where kappa is below the
+/// range of a_ISO.
+bearing::rating::RatingCondition rating_condition_of(const ResolvedCase& resolved,
+                                                     const bearing::Bearing& bearing);
 
 /// What follows from the inputs, for `orbearing check`.
 std::vector<Derived> static_quantities(const ResolvedCase& resolved);

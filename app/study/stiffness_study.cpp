@@ -1,10 +1,10 @@
 #include "app/study/stiffness_study.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <fmt/format.h>
 #include <limits>
 #include <stdexcept>
 

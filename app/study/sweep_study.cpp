@@ -13,10 +13,10 @@
 #include "app/case/spectrum_case.hpp"
 #include "app/case/sweep_axes.hpp"
 #include "app/errors.hpp"
+#include "app/study/drivetrain_case.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/study/plausibility.hpp"
-#include "app/study/drivetrain_case.hpp"
 #include "app/study/resonance_lines.hpp"
 #include "app/version.hpp"
 

@@ -7,10 +7,10 @@
 #include <limits>
 
 #include "app/case/unused_inputs.hpp"
+#include "app/study/drivetrain_case.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/study/plausibility.hpp"
-#include "app/study/drivetrain_case.hpp"
 #include "bearing/life/rating_lives.hpp"
 #include "coupling/study/one_way.hpp"
 
@@ -20,7 +20,8 @@ namespace {
 
 constexpr study::OneWayOptions kOneWay;
 
-// Those of the table, and of the bins of a spectrum: of idle ones, whose lives are next to endless, where `idle`.
+// Those of the table, and of the bins of a spectrum: of idle ones, whose lives are next to endless, where
+// `idle`.
 std::vector<const ResultRow*> rows_of(const SweepOutcome& outcome, bool idle) {
   std::vector<const ResultRow*> rows;
   for (const ResultRow& row : outcome.rows) rows.push_back(&row);

@@ -1,11 +1,11 @@
 #include "app/study/validation_table.hpp"
 
+#include <fmt/core.h>
+#include <fmt/ranges.h>
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <boost/math/distributions/normal.hpp>
 #include <cmath>
-#include <fmt/core.h>
-#include <fmt/ranges.h>
 #include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -50,7 +50,8 @@ double input_quantile(const UncertainInput& one, double share) {
   return normal_quantile(one, share);
 }
 
-// Normal scores of independent numbers, one in the middle of each of as many equal shares as there are samples.
+// Normal scores of independent numbers, one in the middle of each of as many equal shares as there are
+// samples.
 Eigen::MatrixXd hypercube(Eigen::Index inputs, Eigen::Index samples, std::uint64_t seed) {
   std::mt19937_64 generator(seed);
   Eigen::MatrixXd scores(inputs, samples);
@@ -67,7 +68,8 @@ Eigen::MatrixXd hypercube(Eigen::Index inputs, Eigen::Index samples, std::uint64
 
 }  // namespace
 
-std::vector<std::vector<double>> uncertain_samples(const UncertainInputs& uncertain, int samples, std::uint64_t seed) {
+std::vector<std::vector<double>> uncertain_samples(const UncertainInputs& uncertain, int samples,
+                                                   std::uint64_t seed) {
   const auto inputs = static_cast<Eigen::Index>(uncertain.inputs.size());
   if (inputs == 0) return {};
   Eigen::MatrixXd correlations(inputs, inputs);
@@ -556,8 +558,8 @@ std::string validation_text(const ValidationTable& table) {
       const PublishedValue& published = row.published;
       if (published.kind != kind) continue;
       if (std::exchange(first, false))
-        text += fmt::format("{:<24} {:>10} {:>10} {:>10} {:>10}  {:<13}  {}\n", name,
-                            "published", "ours", "deviation", "tolerance", "verdict", "quantity");
+        text += fmt::format("{:<24} {:>10} {:>10} {:>10} {:>10}  {:<13}  {}\n", name, "published", "ours",
+                            "deviation", "tolerance", "verdict", "quantity");
       text += fmt::format("{:<24} {:>10} {:>10} {:>10} {:>10.3g}  {:<13}  {}{}\n", published.source,
                           cell(published.value), cell(row.ours), deviation_cell(row.deviation),
                           published.tolerance, row.verdict, key_with_reading(row),

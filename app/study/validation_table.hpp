@@ -16,10 +16,11 @@ namespace orbearing::app {
 
 // Samples of the uncertain numbers of a case.
 
-/// A Latin hypercube of the joint distribution: each number by its own distribution, joined by the normal copula of the
-/// correlations. The same seed gives the same numbers on every machine.
+/// A Latin hypercube of the joint distribution: each number by its own distribution, joined by the normal
+/// copula of the correlations. The same seed gives the same numbers on every machine.
 /// @return [SI] (samples, inputs)
-std::vector<std::vector<double>> uncertain_samples(const UncertainInputs& uncertain, int samples, std::uint64_t seed);
+std::vector<std::vector<double>> uncertain_samples(const UncertainInputs& uncertain, int samples,
+                                                   std::uint64_t seed);
 
 /// Where our number lies when the case's uncertain inputs take their distributions.
 struct ValidationBand {

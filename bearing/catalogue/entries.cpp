@@ -126,10 +126,10 @@ namespace {
 
 using constants::pi;
 
-constexpr double kOuterWall = 0.87;         // [-]  of the inner ring's
-constexpr double kPitchOfRollers = 1.25;    // [-]  of their diameter
-constexpr double kRollerSizes = 0.5e-3;     // [m]
-constexpr int kFewest = 4, kMost = 60;      // balls
+constexpr double kOuterWall = 0.87;       // [-]  of the inner ring's
+constexpr double kPitchOfRollers = 1.25;  // [-]  of their diameter
+constexpr double kRollerSizes = 0.5e-3;   // [m]
+constexpr int kFewest = 4, kMost = 60;    // balls
 
 // The argument between `low` and `high` at which the rising or falling `value` is 0; none where it does not
 // change its sign.

@@ -91,8 +91,8 @@ struct LandLaw {
   double damping = 0.0;               // [s/m]
   CoulombFriction<double> friction;
 
-  /// Film and touch-down between the cage and a land that turns at `land_speed` [rad/s]. The film depends on the
-  /// velocity of the cage less what half the sum of both rotations gives it, so that the force does not
+  /// Film and touch-down between the cage and a land that turns at `land_speed` [rad/s]. The film depends on
+  /// the velocity of the cage less what half the sum of both rotations gives it, so that the force does not
   /// depend on the frame. The couple of the film's two forces, which act through both centres, is shared
   /// evenly by both surfaces.
   template <class T>

@@ -128,8 +128,8 @@ TrackDepth<Number> track_depth(const ScratchLaw& law, double radius, const Numbe
           only(inside, along * along * one.bend - from_middle * one.slope)};
 }
 
-// Scratches of the bearing as a motion meets them. No header of a library here, since files compiled for special
-// instruction sets include it.
+// Scratches of the bearing as a motion meets them. No header of a library here, since files compiled for
+// special instruction sets include it.
 
 /// A scratch across a race, which turns with it.
 struct RaceScratch {

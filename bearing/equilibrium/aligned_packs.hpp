@@ -4,7 +4,8 @@
 // In the lengths of AlignedConstants a squeezed roller with inertial load I and e = |I| has
 //   Q(y) - Q(x) = e,   x + y = A = -half clearance - u . e_r,   Q(x) = sum over laminae share (x -
 //   drop)_+^(10/9)
-// with x on the race that carries the squeeze alone. Eliminating x roller by roller leaves two equations for u.
+// with x on the race that carries the squeeze alone. Eliminating x roller by roller leaves two equations for
+// u.
 //
 // Lanes do not meet, and nothing depends on how many of them there are: without fused operations all
 // instruction sets give the same bits.

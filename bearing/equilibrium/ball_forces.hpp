@@ -1,5 +1,5 @@
-// What acts on one ball between rings that turn, and what it does to the inner ring: Eqs. (9), (10) and (12) of
-// README.md, for constants and places of any number type.
+// What acts on one ball between rings that turn, and what it does to the inner ring: Eqs. (9), (10) and (12)
+// of README.md, for constants and places of any number type.
 #pragma once
 
 #include <optional>

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "bearing/contact/race_contact.hpp"
-#include "bearing/operating_point.hpp"
 #include "bearing/equilibrium/quasi_static_state.hpp"
 #include "bearing/geometry.hpp"
+#include "bearing/operating_point.hpp"
 #include "mechanics/convex_search.hpp"
 
 namespace orbearing::bearing {

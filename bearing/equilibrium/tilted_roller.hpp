@@ -8,8 +8,8 @@
 
 #include <Eigen/Core>
 
-#include "bearing/contact/race_contact.hpp"
 #include "bearing/contact/lamina_contact.hpp"
+#include "bearing/contact/race_contact.hpp"
 
 namespace orbearing::bearing::laminae {
 

@@ -5,8 +5,8 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "bearing/life/basic_life.hpp"
 #include "bearing/life/ball_capacity.hpp"
+#include "bearing/life/basic_life.hpp"
 #include "bearing/life/reference_life.hpp"
 
 namespace orbearing::bearing::rating {

@@ -13,12 +13,12 @@
 
 #include "bearing/carrier_frame.hpp"
 #include "bearing/contact/lamina_races.hpp"
-#include "bearing/operating_point.hpp"
 #include "bearing/equilibrium/quasi_static.hpp"
 #include "bearing/motion/cage_and_oil.hpp"
 #include "bearing/motion/layout.hpp"
 #include "bearing/motion/parameters.hpp"
 #include "bearing/motion/vectorised/constants.hpp"
+#include "bearing/operating_point.hpp"
 #include "bearing/plane.hpp"
 
 namespace orbearing::bearing::motion {

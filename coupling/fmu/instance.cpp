@@ -6,8 +6,8 @@
 #include <cstring>
 #include <string_view>
 
-#include "coupling/fmu/number_table.hpp"
 #include "coupling/fmu/model_file.hpp"
+#include "coupling/fmu/number_table.hpp"
 
 namespace orbearing::fmu {
 

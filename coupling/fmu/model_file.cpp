@@ -4,7 +4,6 @@
 #include <memory>
 #include <string_view>
 
-
 #ifdef _WIN32
 #define WIN32_LEAN_AND_MEAN
 #ifndef NOMINMAX

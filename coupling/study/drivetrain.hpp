@@ -223,7 +223,8 @@ void describe(Visitor& visit, PlanetaryDrivetrain& m) {
   using namespace described;
   members(
       visit, m, apart(m.set), apart(m.drive), apart(m.in_arrangement), part(m.bearing), part(m.mounting),
-      field(m.bearings_per_planet, "bearing.per_planet", Physics::carrier, "bearings side by side in a planet",
+      field(m.bearings_per_planet, "bearing.per_planet", Physics::carrier,
+            "bearings side by side in a planet",
             {.models = planetary_drivetrain, .required_by = planetary_drivetrain, .range = {1, 8}}),
       field(m.rim, "gearset.planet_rim", Physics::carrier,
             "rim of the planet with the outer rings of its bearings: rigid, or elastic between rollers and "

@@ -142,8 +142,8 @@ AffineBearing times(double factor, const AffineBearing& law) {
   return {factor * law.force, factor * law.stiffness, factor * law.damping};
 }
 
-// With its own outer ring, where it has one, for a bore: the planet's body stays with the gears. The support keeps
-// its damper, which is stated as a ratio of what moves.
+// With its own outer ring, where it has one, for a bore: the planet's body stays with the gears. The support
+// keeps its damper, which is stated as a ratio of what moves.
 bearing::motion::DynamicsParameters on_its_ring(const PlanetaryDrivetrain& drivetrain,
                                                 const DrivetrainGeometry& geometry,
                                                 bearing::motion::DynamicsParameters parameters) {

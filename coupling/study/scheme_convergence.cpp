@@ -157,7 +157,8 @@ std::vector<Scheme> common_schemes() {
 
 }  // namespace
 
-SchemeConvergence scheme_convergence(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry) {
+SchemeConvergence scheme_convergence(const PlanetaryDrivetrain& drivetrain,
+                                     const DrivetrainGeometry& geometry) {
   const ConvergenceOptions options;
   const Path reference = reference_path(drivetrain, geometry, options);
   const double largest_force = kRunaway * reference.cwiseAbs().maxCoeff();

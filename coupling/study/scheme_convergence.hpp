@@ -31,10 +31,11 @@ struct SchemeConvergence {
   std::vector<SchemeOrder> orders;
 };
 
-/// Of Jacobi and Gauss-Seidel with extrapolation of degree 0, 1 and 2, and of windows repeated until both sides agree.
-/// The drivetrain at its power and speed, from the balance of gears and bearings. Compared are the forces on
-/// all planets at multiples of the longest window. @throws std::invalid_argument where it has no gears that
-/// can move
-SchemeConvergence scheme_convergence(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry);
+/// Of Jacobi and Gauss-Seidel with extrapolation of degree 0, 1 and 2, and of windows repeated until both
+/// sides agree. The drivetrain at its power and speed, from the balance of gears and bearings. Compared are
+/// the forces on all planets at multiples of the longest window. @throws std::invalid_argument where it has
+/// no gears that can move
+SchemeConvergence scheme_convergence(const PlanetaryDrivetrain& drivetrain,
+                                     const DrivetrainGeometry& geometry);
 
 }  // namespace orbearing::study

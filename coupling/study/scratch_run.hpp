@@ -5,8 +5,8 @@
 
 #include <functional>
 
-#include "bearing/defect/scratched_elements.hpp"
 #include "bearing/defect/scratched_bearing.hpp"
+#include "bearing/defect/scratched_elements.hpp"
 #include "coupling/integration/integration_options.hpp"
 #include "mechanics/described.hpp"
 

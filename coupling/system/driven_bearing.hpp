@@ -53,30 +53,30 @@ template <class Visitor>
 void describe(Visitor& visit, DrivenBearingSetup& m) {
   using namespace described;
   const Details angle{.dimension = dimension::angle, .fmu = InFmu::parameter};
-  members(
-      visit, m, part(m.bearing), part(m.dynamics),
-      internal(m.orbit_radius, "gearset.centre_distance", "from the carrier's axis to the pin's",
-               {.dimension = dimension::length, .range = {.least = 0.0}, .fmu = InFmu::parameter}),
-      internal(m.first_roller, "first_roller", "place of the first roller at the start", angle),
-      together(
-          internal(m.bore_tilt.x(), "bearing.misalignment.x",
-                   "tilt of the bore's axis against the pin's: outward at the bearing's positive end; acts on "
-                   "laminae",
-                   angle),
-          internal(m.bore_tilt.y(), "bearing.misalignment.y", "the same in the sense of carrier rotation",
-                   angle)),
-      together(internal(m.start_load.x(), "start_load.x",
-                        "load of the planet on the bearing at the start, outward: where nobody sets "
-                        "planet.displacement, it begins in balance under this load",
-                        {.dimension = dimension::force, .fmu = InFmu::parameter}),
-               internal(m.start_load.y(), "start_load.y", "the same in the sense of carrier rotation",
-                        {.dimension = dimension::force, .fmu = InFmu::parameter})),
-      apart(m.outer_race), reduction_factor_row(m.reduction_factor),
-      system::length_error_row(m.allowed_length_error), internal(m.bins, "simulation.bins"),
-      internal(m.most_steps, "simulation.most_steps"), internal(m.planet_speed, "operation.planet_speed"),
-      internal(m.carrier_speed, "operation.carrier_speed"),
-      together(internal(m.start_displacement.x(), "operation.displacement.x"),
-               internal(m.start_displacement.y(), "operation.displacement.y")));
+  members(visit, m, part(m.bearing), part(m.dynamics),
+          internal(m.orbit_radius, "gearset.centre_distance", "from the carrier's axis to the pin's",
+                   {.dimension = dimension::length, .range = {.least = 0.0}, .fmu = InFmu::parameter}),
+          internal(m.first_roller, "first_roller", "place of the first roller at the start", angle),
+          together(
+              internal(
+                  m.bore_tilt.x(), "bearing.misalignment.x",
+                  "tilt of the bore's axis against the pin's: outward at the bearing's positive end; acts on "
+                  "laminae",
+                  angle),
+              internal(m.bore_tilt.y(), "bearing.misalignment.y", "the same in the sense of carrier rotation",
+                       angle)),
+          together(internal(m.start_load.x(), "start_load.x",
+                            "load of the planet on the bearing at the start, outward: where nobody sets "
+                            "planet.displacement, it begins in balance under this load",
+                            {.dimension = dimension::force, .fmu = InFmu::parameter}),
+                   internal(m.start_load.y(), "start_load.y", "the same in the sense of carrier rotation",
+                            {.dimension = dimension::force, .fmu = InFmu::parameter})),
+          apart(m.outer_race), reduction_factor_row(m.reduction_factor),
+          system::length_error_row(m.allowed_length_error), internal(m.bins, "simulation.bins"),
+          internal(m.most_steps, "simulation.most_steps"), internal(m.planet_speed, "operation.planet_speed"),
+          internal(m.carrier_speed, "operation.carrier_speed"),
+          together(internal(m.start_displacement.x(), "operation.displacement.x"),
+                   internal(m.start_displacement.y(), "operation.displacement.y")));
 }
 
 /// The model of a bearing that others drive. Throws std::invalid_argument, with what was found and what is

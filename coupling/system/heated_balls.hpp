@@ -16,11 +16,11 @@ namespace orbearing::system {
 
 class ThermalNetwork {
  public:
-  /// `capacity` [J/K] of each body; `between` [W/K], symmetric, of which the diagonal is not read; `outward` [W/K]
-  /// to what has the temperature `outside` [degC] beside that body. Throws std::invalid_argument where a capacity is
-  /// not positive, a conductance negative, or a body has no way outward for its heat.
-  ThermalNetwork(const Eigen::VectorXd& capacity, const Eigen::MatrixXd& between, const Eigen::VectorXd& outward,
-                 const Eigen::VectorXd& outside);
+  /// `capacity` [J/K] of each body; `between` [W/K], symmetric, of which the diagonal is not read; `outward`
+  /// [W/K] to what has the temperature `outside` [degC] beside that body. Throws std::invalid_argument where
+  /// a capacity is not positive, a conductance negative, or a body has no way outward for its heat.
+  ThermalNetwork(const Eigen::VectorXd& capacity, const Eigen::MatrixXd& between,
+                 const Eigen::VectorXd& outward, const Eigen::VectorXd& outside);
 
   Eigen::Index size() const { return capacity_.size(); }
   /// Temperatures [degC] at which as much leaves as comes in: `heat` [W] of each body.

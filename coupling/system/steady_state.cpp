@@ -6,8 +6,8 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "bearing/motion/model.hpp"
 #include "bearing/motion/initial_state.hpp"
+#include "bearing/motion/model.hpp"
 #include "coupling/system/free_bearing.hpp"
 #include "coupling/system/motion_progress.hpp"
 #include "mechanics/constants.hpp"

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "gearset/drivetrain/arrangement_checks.hpp"
 #include "gearset/drivetrain/arrangement.hpp"
+#include "gearset/drivetrain/arrangement_checks.hpp"
 
 namespace orbearing::gearset {
 

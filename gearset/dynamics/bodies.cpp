@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "gearset/warning.hpp"
 #include "gearset/planet_body.hpp"
+#include "gearset/warning.hpp"
 #include "mechanics/constants.hpp"
 
 namespace orbearing::gearset::dynamics {

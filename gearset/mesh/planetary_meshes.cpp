@@ -4,8 +4,8 @@
 
 #include "gearset/mesh/elastic_ring.hpp"
 #include "gearset/mesh/iso6336.hpp"
-#include "gearset/warning.hpp"
 #include "gearset/planet_angles.hpp"
+#include "gearset/warning.hpp"
 #include "mechanics/constants.hpp"
 
 namespace orbearing::gearset {

@@ -7,9 +7,9 @@
 
 #include "app/case/case_file.hpp"
 #include "app/case/static_case.hpp"
+#include "app/study/drivetrain_case.hpp"
 #include "app/study/life_peak.hpp"
 #include "app/study/planetary_case.hpp"
-#include "app/study/drivetrain_case.hpp"
 #include "app/study/static_study.hpp"
 #include "app/study/sweep_study.hpp"
 #include "app/study/sweep_warnings.hpp"

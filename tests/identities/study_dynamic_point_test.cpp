@@ -2,11 +2,11 @@
 #include <gtest/gtest.h>
 
 #include "bearing/life/lundberg_palmgren.hpp"
-#include "coupling/study/planet_stiffness.hpp"
 #include "coupling/study/gear_dynamics.hpp"
 #include "coupling/study/gear_model.hpp"
 #include "coupling/study/mesh_excitation.hpp"
 #include "coupling/study/operating_point.hpp"
+#include "coupling/study/planet_stiffness.hpp"
 #include "tests/reducer.hpp"
 
 namespace orbearing::study::study_dynamic_point_test {

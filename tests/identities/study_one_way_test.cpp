@@ -5,11 +5,11 @@
 #include <cmath>
 #include <vector>
 
-#include "coupling/study/planet_stiffness.hpp"
 #include "coupling/study/gear_dynamics.hpp"
 #include "coupling/study/mesh_excitation.hpp"
 #include "coupling/study/one_way.hpp"
 #include "coupling/study/operating_point.hpp"
+#include "coupling/study/planet_stiffness.hpp"
 #include "tests/coupled_reducer.hpp"
 
 namespace orbearing::study {

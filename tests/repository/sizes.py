@@ -10,7 +10,7 @@ import sys
 ROOT = pathlib.Path(os.environ.get("ORBEARING_SOURCE_DIR", pathlib.Path(__file__).parents[2]))
 LIBRARY = ("mechanics", "gearset", "bearing", "coupling", "include", "app", "python/bindings")
 KINDS = {".hpp", ".cpp", ".inl", ".ipp", ".in"}
-LIMITS = {"lines": 85_100, "lines of app": 30_400, "types": 1_215, "headers": 420, "headers with a single includer, %": 22.0}
+LIMITS = {"lines": 83_200, "lines of app": 28_900, "types": 1_207, "headers": 340, "headers with a single includer, %": 20.0}
 TYPE = re.compile(r"^[ \t]*(?:template <[^;{]*>\s*)?(?:struct|class|enum class|union)(?: \[\[\w+\]\])?(?: alignas\([^)]*\))?"
                   r" \w+(?: final)?(?: : [^;{]*)?\s*\{", re.MULTILINE)
 INCLUDE = re.compile(r'^#include "([^"]+)"', re.MULTILINE)

@@ -84,8 +84,8 @@ std::vector<Named> all_kinds(const Stage& stage) {
 
 // The duty whose bore load is greatest: where pressures are read.
 std::size_t heaviest(const CrownProblem& problem) {
-  const auto found = std::ranges::max_element(
-      problem.duties, {}, [](const Duty& duty) { return duty.point.bore_load.norm(); });
+  const auto found = std::ranges::max_element(problem.duties, {},
+                                              [](const Duty& duty) { return duty.point.bore_load.norm(); });
   return static_cast<std::size_t>(found - problem.duties.begin());
 }
 

@@ -1,15 +1,15 @@
 #include "app/study/crown/crown_options.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "app/case/printable.hpp"
-#include "app/case/spectrum_case.hpp"
 #include "app/case/set_case.hpp"
+#include "app/case/spectrum_case.hpp"
 #include "app/errors.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/units.hpp"
@@ -64,8 +64,9 @@ std::vector<std::string> parts_of(const std::string& text, char separator) {
   }
 }
 
-std::vector<double> quantity_list(const std::string& option, const std::string& text, const Dimension& dimension,
-                                  const ListRange& range, std::vector<std::string>& mistakes) {
+std::vector<double> quantity_list(const std::string& option, const std::string& text,
+                                  const Dimension& dimension, const ListRange& range,
+                                  std::vector<std::string>& mistakes) {
   std::vector<double> values;
   for (const std::string& part : parts_of(text, ',')) {
     const std::size_t before = values.size(), wrong = mistakes.size();
@@ -73,8 +74,9 @@ std::vector<double> quantity_list(const std::string& option, const std::string& 
       append_range(option, part, dimension, values, mistakes);
     else
       values.push_back(option_quantity(option, part, dimension, mistakes));
-    const bool inside = std::all_of(values.begin() + static_cast<std::ptrdiff_t>(before), values.end(),
-                                    [&](double value) { return value >= range.least && value <= range.most; });
+    const bool inside =
+        std::all_of(values.begin() + static_cast<std::ptrdiff_t>(before), values.end(),
+                    [&](double value) { return value >= range.least && value <= range.most; });
     if (!inside && mistakes.size() == wrong)
       mistakes.push_back(fmt::format("{}: found {}; required: {}", option, quote(part), range.words));
   }

@@ -24,8 +24,9 @@ struct ListRange {
 
 /// Numbers [dimension.si] in the order given; "FROM : TO : STEP" stands for all in between. `mistakes` takes
 /// what is wrong, as it was written, each beginning with `option`.
-std::vector<double> quantity_list(const std::string& option, const std::string& text, const Dimension& dimension,
-                                  const ListRange& range, std::vector<std::string>& mistakes);
+std::vector<double> quantity_list(const std::string& option, const std::string& text,
+                                  const Dimension& dimension, const ListRange& range,
+                                  std::vector<std::string>& mistakes);
 
 /// Options as typed; empty: the default.
 struct CrownOptions {

@@ -1,8 +1,8 @@
 #include "app/study/crown/crown_study.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <limits>
 
 #include "app/errors.hpp"

@@ -96,9 +96,10 @@ CrownResult read_crown(const std::filesystem::path& folder);
 /// Whether `folder` holds a crowning study.
 bool holds_crown(const std::filesystem::path& folder);
 
-/// What pictures show beyond the result, which the command printed as JSON: `profiles` (to scale), `pressure` (curves
-/// along the roller, each profile with and without tilt), `zone` (pressure over the load zone), `map` (life over drop
-/// and tilt), `fronts` (life against pressure, each kind of profile), `speeds` (life over input speed).
+/// What pictures show beyond the result, which the command printed as JSON: `profiles` (to scale), `pressure`
+/// (curves along the roller, each profile with and without tilt), `zone` (pressure over the load zone), `map`
+/// (life over drop and tilt), `fronts` (life against pressure, each kind of profile), `speeds` (life over
+/// input speed).
 nlohmann::ordered_json crown_figures(const ResolvedCase& resolved, const CrownRequest& request,
                                      const nlohmann::ordered_json& result);
 

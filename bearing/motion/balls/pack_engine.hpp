@@ -1,8 +1,8 @@
 // The engine of one instruction set: walks the balls pack by pack and gathers what acts on cage and rings.
 #pragma once
 
-#include "bearing/motion/balls/engine.hpp"
 #include "bearing/motion/balls/bodies.hpp"
+#include "bearing/motion/balls/engine.hpp"
 #include "bearing/motion/balls/pocket_contact.hpp"
 #include "bearing/motion/balls/race_contact.hpp"
 #include "mechanics/packs/aligned_array.hpp"

@@ -16,19 +16,20 @@ struct EllipseParameters {
 template <class Visitor>
 void describe(Visitor& visit, EllipseParameters& m) {
   using namespace described;
-  members(visit, m,
-          field(m.eyring_stress, "traction.eyring_stress", Physics::motion,
-                "shear stress at which the oil begins to thin",
-                {.models = balls_in_time,
-                 .dimension = dimension::stress,
-                 .range = positive(1.0),
-                 .reason = "mineral oil",
-                 .where = {"traction.law", "ree-eyring"}}),
-          field(m.slices, "traction.slices", Physics::motion,
-                "slices of an ellipse of contact across the direction of rolling",
-                {.models = balls_in_time, .range = {1, 32}, .reason = "friction within a per cent"}),
-          field(m.rows, "traction.rows", Physics::motion, "points of each slice along the direction of rolling",
-                {.models = balls_in_time, .range = {1, 8}, .reason = "ellipses are slender"}));
+  members(
+      visit, m,
+      field(m.eyring_stress, "traction.eyring_stress", Physics::motion,
+            "shear stress at which the oil begins to thin",
+            {.models = balls_in_time,
+             .dimension = dimension::stress,
+             .range = positive(1.0),
+             .reason = "mineral oil",
+             .where = {"traction.law", "ree-eyring"}}),
+      field(m.slices, "traction.slices", Physics::motion,
+            "slices of an ellipse of contact across the direction of rolling",
+            {.models = balls_in_time, .range = {1, 32}, .reason = "friction within a per cent"}),
+      field(m.rows, "traction.rows", Physics::motion, "points of each slice along the direction of rolling",
+            {.models = balls_in_time, .range = {1, 8}, .reason = "ellipses are slender"}));
 }
 
 /// Pockets of a ball bearing's cage.

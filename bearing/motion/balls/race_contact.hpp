@@ -21,14 +21,14 @@ namespace orbearing::bearing::balls {
 //   approach = distance - play - depth(s),   depth' : slope of the depth by s,   e = (n - p)/|n - p|
 //   force on the ball   load depth' R (dn/dr)^T e,    moment on the ball   -load depth' R p x e
 //
-// the rest of the gradient of the contact's energy: their moments about the ring's axis cancel, since the ring is
-// round.
+// the rest of the gradient of the contact's energy: their moments about the ring's axis cancel, since the
+// ring is round.
 
 /// A scratch as one contact of one ball sees it.
 template <class Number>
 struct SeenSpot {
   Triple<Number> position;  // [-]  direction of its middle, in the ball's axes
-  Number owned{};        // [-]  1 where the ball has it, else 0
+  Number owned{};           // [-]  1 where the ball has it, else 0
 };
 
 /// Those of all balls at hand.
@@ -41,10 +41,10 @@ struct SeenSpots {
 /// What they do to a contact.
 template <class Number>
 struct SpotTouch {
-  Number depth{};          // [m]
-  Number rate{};           // [m/s]  of the depth
-  Triple<Number> force{};  // [-]    on the ball, over the load
-  Triple<Number> moment{}; // [m]    likewise
+  Number depth{};           // [m]
+  Number rate{};            // [m/s]  of the depth
+  Triple<Number> force{};   // [-]    on the ball, over the load
+  Triple<Number> moment{};  // [m]    likewise
 };
 
 /// Motion of a contact's normal n, as race_touch() knows it.
@@ -59,9 +59,9 @@ struct NormalMotion {
 
 /// In space, of the direction from the groove's centre to the ball's.
 template <class Number>
-Triple<Number> normal_rate(const GrooveNumbers& groove, const Ball<Number>& ball, const SeenBody<Number>& ring,
-                           const Triple<Number>& outward, const Number& per_away, const Triple<Number>& normal,
-                           const Number& per_distance) {
+Triple<Number> normal_rate(const GrooveNumbers& groove, const Ball<Number>& ball,
+                           const SeenBody<Number>& ring, const Triple<Number>& outward,
+                           const Number& per_away, const Triple<Number>& normal, const Number& per_distance) {
   const Triple<Number> axis_rate = cross(ring.rotating, ring.axis);
   const Triple<Number> centre = ring.velocity - cross(ring.rotating, ring.from_centre);
   const Triple<Number> moved = ball.velocity - centre;

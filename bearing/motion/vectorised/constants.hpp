@@ -5,8 +5,8 @@
 #include "bearing/contact/friction.hpp"
 #include "bearing/contact/land_law.hpp"
 #include "bearing/contact/pocket_law.hpp"
-#include "bearing/contact/squeeze_film.hpp"
 #include "bearing/contact/scratch_law.hpp"
+#include "bearing/contact/squeeze_film.hpp"
 #include "bearing/inertial_frame.hpp"
 #include "bearing/race_harmonic.hpp"
 

@@ -310,8 +310,8 @@ void PackEngine::complete_open(const double* rhs, const double (&rate)[3], doubl
   complete_rollers<Caged>(rhs, b, k);
 }
 
-/// The force on the roller changes with its place relative to the bore, and the opposite acts on the bore: the
-/// slope by the bore's own place is that of the force on the roller by the roller's.
+/// The force on the roller changes with its place relative to the bore, and the opposite acts on the bore:
+/// the slope by the bore's own place is that of the force on the roller by the roller's.
 inline BoreSlopes PackEngine::bore_slopes() const {
   Pack position[2][2]{}, velocity[2][2]{};
   for (int p = 0; p < packs_; ++p) {

@@ -12,8 +12,8 @@
 // their turning adds is the caller's (ContactSlopes).
 #pragma once
 
-#include "bearing/motion/vectorised/race_load.hpp"
 #include "bearing/motion/vectorised/race_form.hpp"
+#include "bearing/motion/vectorised/race_load.hpp"
 
 namespace orbearing::bearing::vectorised::ORBEARING_PACKS {
 

@@ -256,7 +256,8 @@ inline LoadSlope lamina_load(const RacePair& race, const PackApproach& e, const 
     const LaminaPackSums sums = upright_sums(laminae, e.value);
     return {share * sums.load, kLineExponent * share * sums.by_approach};
   }
-  const Pack outer_end_displacement = laminae.bore_end_displacement_x * cosine + laminae.bore_end_displacement_y * sine;
+  const Pack outer_end_displacement =
+      laminae.bore_end_displacement_x * cosine + laminae.bore_end_displacement_y * sine;
   const LaminaPackSums sums =
       tilted_sums(laminae, e.value, end_displacements(stand.end_displacement, outer_end_displacement));
   const NumberPair per_resistance = share * (1.0 / laminae.resistance);

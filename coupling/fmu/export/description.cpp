@@ -1,5 +1,6 @@
 #include "coupling/fmu/export/description.hpp"
 
+#include <zip.h>
 #include <array>
 #include <charconv>
 #include <memory>
@@ -10,7 +11,6 @@
 #include <string>
 #include <string_view>
 #include <utility>
-#include <zip.h>
 
 #include "coupling/fmu/variable_table.hpp"
 

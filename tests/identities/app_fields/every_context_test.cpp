@@ -10,8 +10,8 @@
 #include <iostream>
 #include <set>
 
-#include "app/case/use_conditions.hpp"
 #include "app/case/unused_inputs.hpp"
+#include "app/case/use_conditions.hpp"
 #include "app/errors.hpp"
 #include "tests/identities/app_fields/analysis_results.hpp"
 #include "tests/identities/app_fields/field_bases.hpp"

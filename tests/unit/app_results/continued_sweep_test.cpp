@@ -6,10 +6,10 @@
 #include <csignal>
 
 #include "app/errors.hpp"
-#include "app/results/sweep_run.hpp"
-#include "app/results/progress.hpp"
 #include "app/results/point_file.hpp"
+#include "app/results/progress.hpp"
 #include "app/results/record_writers.hpp"
+#include "app/results/sweep_run.hpp"
 #include "tests/unit/app_results/fake_sweep.hpp"
 
 namespace orbearing::app::continued_sweep_test {

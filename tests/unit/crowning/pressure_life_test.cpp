@@ -1,6 +1,6 @@
 // Life from half-space pressures: what it must feel, and that few cage angles are enough.
-#include "coupling/study/crowning/half_space_search.hpp"
 #include "coupling/study/crowning/crown_grid.hpp"
+#include "coupling/study/crowning/half_space_search.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "bearing/contact/race_contact.hpp"
 #include "bearing/contact/friction.hpp"
+#include "bearing/contact/race_contact.hpp"
 #include "bearing/film/reynolds/line.hpp"
 
 namespace orbearing::bearing::film::reynolds_line_test {

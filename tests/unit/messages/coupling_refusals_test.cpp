@@ -4,8 +4,8 @@
 
 #include <limits>
 
-#include "coupling/study/one_way.hpp"
 #include "coupling/study/gear_dynamics.hpp"
+#include "coupling/study/one_way.hpp"
 #include "coupling/system/driven_bearing.hpp"
 #include "coupling/system/driven_gears.hpp"
 #include "coupling/system/heated_balls.hpp"

@@ -7,8 +7,8 @@
 
 #include "bearing/pressure/contact.hpp"
 #include "bearing/pressure/pressure_measures.hpp"
-#include "tests/messages.hpp"
 #include "tests/half_space_contacts.hpp"
+#include "tests/messages.hpp"
 
 namespace orbearing::bearing::half_space::measures_test {
 namespace {

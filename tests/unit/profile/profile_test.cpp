@@ -6,7 +6,6 @@
 #include <numbers>
 #include <stdexcept>
 
-
 namespace orbearing::bearing::profile::profile_test {
 namespace {
 
