@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <utility>
 
 namespace orbearing::app {
 
@@ -96,63 +97,48 @@ Use Use::limited(unsigned analyses, const std::vector<Condition>& either) const 
   return more;
 }
 
+namespace {
+
+// In the order in which they are listed to users.
+constexpr std::pair<use::Analysis, const char*> kNames[] = {
+    {use::quasi_static, "--fidelity quasi-static"},
+    {use::dynamic, "--fidelity dynamic"},
+    {use::dynamic_of_sets, "--fidelity dynamic of several sets"},
+    {use::co_simulated, "--fidelity co-simulated"},
+    {use::monolithic, "--fidelity monolithic"},
+    {use::crown, "crown"},
+    {use::gears, "run --gears"},
+    {use::modes, "modes"},
+    {use::modes_at_speed, "modes --speed"},
+    {use::mesh, "mesh"},
+    {use::fmu_bearing, "fmu --model bearing"},
+    {use::fmu_gearset, "fmu --model gearset"},
+    {use::static_load, "run of a single bearing"},
+    {use::ball_run, "run of a ball bearing in time"},
+    {use::defect, "run of a bearing with scratches"},
+    {use::moving_defect, "run --fidelity dynamic of a bearing with scratches"},
+    {use::planet_defect, "run of a set with a scratched planet bearing"},
+    {use::duplex_modes, "modes of a duplex pair"},
+    {use::duplex_run, "run of a duplex pair"},
+    {use::spin_film, "run of a contact that rolls and spins"},
+    {use::stiffness, "stiffness of a single bearing"},
+    {use::planet_stiffness, "stiffness of a planet bearing"},
+};
+
+}  // namespace
+
 const std::vector<use::Analysis>& analyses() {
-  static const std::vector<use::Analysis> every{
-      use::quasi_static,  use::dynamic,         use::dynamic_of_sets, use::co_simulated,   use::monolithic,
-      use::crown,         use::gears,           use::modes,           use::modes_at_speed, use::mesh,
-      use::fmu_bearing,   use::fmu_gearset,     use::static_load,     use::ball_run,       use::defect,
-      use::moving_defect, use::planet_defect,   use::duplex_modes,    use::duplex_run,     use::spin_film,
-      use::stiffness,     use::planet_stiffness};
-  return every;
+  static const std::vector<use::Analysis> all = [] {
+    std::vector<use::Analysis> list;
+    for (const auto& [analysis, name] : kNames) list.push_back(analysis);
+    return list;
+  }();
+  return all;
 }
 
 std::string analysis_name(use::Analysis analysis) {
-  switch (analysis) {
-    case use::quasi_static:
-      return "--fidelity quasi-static";
-    case use::dynamic:
-      return "--fidelity dynamic";
-    case use::dynamic_of_sets:
-      return "--fidelity dynamic of several sets";
-    case use::co_simulated:
-      return "--fidelity co-simulated";
-    case use::monolithic:
-      return "--fidelity monolithic";
-    case use::crown:
-      return "crown";
-    case use::gears:
-      return "run --gears";
-    case use::modes:
-      return "modes";
-    case use::modes_at_speed:
-      return "modes --speed";
-    case use::mesh:
-      return "mesh";
-    case use::fmu_bearing:
-      return "fmu --model bearing";
-    case use::fmu_gearset:
-      return "fmu --model gearset";
-    case use::static_load:
-      return "run of a single bearing";
-    case use::ball_run:
-      return "run of a ball bearing in time";
-    case use::defect:
-      return "run of a bearing with scratches";
-    case use::moving_defect:
-      return "run --fidelity dynamic of a bearing with scratches";
-    case use::planet_defect:
-      return "run of a set with a scratched planet bearing";
-    case use::duplex_modes:
-      return "modes of a duplex pair";
-    case use::duplex_run:
-      return "run of a duplex pair";
-    case use::spin_film:
-      return "run of a contact that rolls and spins";
-    case use::stiffness:
-      return "stiffness of a single bearing";
-    case use::planet_stiffness:
-      return "stiffness of a planet bearing";
-  }
+  for (const auto& [one, name] : kNames)
+    if (one == analysis) return name;
   return "";
 }
 

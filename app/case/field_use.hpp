@@ -119,7 +119,7 @@ Use use_of(const described::Facts& facts);
 
 /// "run and sweep with --fidelity dynamic"
 std::string analysis_name(use::Analysis analysis);
-/// All of them, in the order of their bits.
+/// All of them, in the order in which they are listed.
 const std::vector<use::Analysis>& analyses();
 
 }  // namespace orbearing::app

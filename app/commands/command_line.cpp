@@ -31,6 +31,11 @@ constexpr int kBadInput = 2;
 
 using Command = int (*)(const Options&);
 
+void add_jobs(CLI::App& command, Options& options) {
+  command.add_option("--jobs", options.jobs, "threads; default: one for each core")
+      ->check(CLI::Range(1, 4096));
+}
+
 void add_settings(CLI::App& command, Options& options) {
   command
       .add_option("--set", options.settings,
@@ -77,8 +82,7 @@ void add_computing(CLI::App& command, Options& options) {
 }
 
 void add_peak(CLI::App& command, Options& options) {
-  command.add_option("--jobs", options.jobs, "threads; default: one for each core")
-      ->check(CLI::Range(1, 4096));
+  add_jobs(command, options);
   command.add_flag(
       "--grid-only", options.grid_only,
       "the points that the case lists and no more; without it points are added until the speed of "
@@ -162,8 +166,7 @@ void add_crown(CLI::App& command, Options& options) {
   add_output_or_json(command, options);
   add_crown_choices(command, options.crown);
   add_crown_aims(command, options.crown);
-  command.add_option("--jobs", options.jobs, "threads; default: one for each core")
-      ->check(CLI::Range(1, 4096));
+  add_jobs(command, options);
   command.add_flag("--resume", options.resume, "where DIR holds this very study, show it again");
 }
 
@@ -201,8 +204,7 @@ void add_signals(CLI::App& command, Options& options) {
       command.add_option("--noise", options.noise,
                          "noise of the instrument, root mean square in m/s2; default: none");
   command.add_option("--seed", options.seed, "of the noise; default: 1")->needs(noise);
-  command.add_option("--jobs", options.jobs, "threads; default: one for each core")
-      ->check(CLI::Range(1, 4096));
+  add_jobs(command, options);
   command.add_flag("--resume", options.resume, "go on in DIR with the signals that are missing");
 }
 
@@ -224,8 +226,7 @@ void add_sensitivities(CLI::App& command, Options& options) {
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->type_name("PATH");
-  command.add_option("--jobs", options.jobs, "threads; default: one for each core")
-      ->check(CLI::Range(1, 4096));
+  add_jobs(command, options);
   command.add_flag("--resume", options.resume, "where DIR holds this very table, show it again");
 }
 
@@ -322,8 +323,7 @@ void add_commands(CommandTable table) {
                   "samples of each case's uncertain inputs, which give the bands of the rows that somebody measured; "
                   "default: 0, no bands")
       ->check(CLI::Range(0, 1000000));
-  validate.add_option("--jobs", options.jobs, "threads; default: one for each core")
-      ->check(CLI::Range(1, 4096));
+  add_jobs(validate, options);
   CLI::App& report = table.add("report", "write DIR/report.html", report_command);
   report.add_flag("--data-only", options.data_only, "what the page is made of, and no page")->group("");
   report.add_option("--bearing-points", options.bearing_points, "points that the page asks for")->group("");

@@ -154,9 +154,9 @@ IntegrationReport integrate_pieces(const RightHandSide& derivative, Eigen::Vecto
   return report;
 }
 
-using gearset::dynamics::SetModel;
-
 namespace {
+
+using gearset::dynamics::SetModel;
 
 constexpr double kMargin = 1e-9;  // [mesh period]  kept off a jump: far above round-off, far below a step
 

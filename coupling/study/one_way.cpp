@@ -131,7 +131,6 @@ FittedBearing AffineFit::law(const AffineBearing& expected, const AffineBearing&
 
 namespace {
 
-using gearset::dynamics::AffineBearing;
 using system::SteadyStateResult;
 
 // [-]  of the observed windows, after which the law is looked at: what leads near it need not be reported.
