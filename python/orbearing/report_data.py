@@ -85,25 +85,24 @@ def complete(content: dict, program: Program, every_effect: bool = False) -> dic
         return content
     content = {key: value for key, value in content.items() if key != "shown"}
     bearing, grid, fidelity = _Bearing(program, shown), shown["speeds_rpm"], content["fidelity"]
-    speeds = sorted({min(grid), shown["peak_speed_rpm"], max(grid)})
+    speeds, in_motion = sorted({min(grid), shown["peak_speed_rpm"], max(grid)}), fidelity in ("dynamic", *COUPLED)
     inputs = program.inputs()
     fine = np.linspace(min(grid), max(grid), FINE_POINTS)
     at_rest = bearing.under(effects.at_rest(inputs, shown["set"]), fine)
     _add_effects_of_assumptions(content)
     content["published"] = published(content, lambda rpm: program.life_at(rpm, shown["settings"]))
     content["fine"] = {"speed_rpm": fine.tolist(), **{name: _column(at_rest[0][1], name) for name in FINE}}
-    content["polar"] = _polar(bearing, speeds)
+    polar = {one["speed_rpm"]: one for one in _polar(bearing, sorted({*speeds, *(_best(content) if in_motion else [])}))}
+    content["polar"] = [polar[speed] for speed in speeds]
     if "gears" in content:
         content["gears"] = gear_data.arranged(content["gears"])
-    content["drawing"] |= _loads_of_rollers(_polar(bearing, [shown["peak_speed_rpm"]])[0], content["drawing"]["rollers"])
+    content["drawing"] |= _loads_of_rollers(polar[shown["peak_speed_rpm"]], content["drawing"]["rollers"])
     content["ablation"] = [_curve(change, points, fine) for change, points in at_rest]
     content["dynamic"] = None
-    if fidelity in ("dynamic", *COUPLED):
-        peak = record(content.get("peak"))
-        best = next((speed for speed in (peak.get("refined_speed_rpm"), peak.get("speed_rpm")) if is_number(speed)), None)
+    if in_motion:
         changes = [] if fidelity in COUPLED else bearing.under(effects.in_motion(inputs, every_effect, shown["set"]), speeds, "dynamic")
         content["dynamic"] = {"ablation": [_motion(change, points, speeds) for change, points in changes],
-                              "quasi_static": {"polar": _polar(bearing, sorted({*speeds, *([best] if best else [])}))}}
+                              "quasi_static": {"polar": list(polar.values())}}
     if fidelity in COUPLED:
         one_way = bearing.points(grid, fidelity="dynamic")[0]
         content["coupled"] = {"how": how(inputs, fidelity),
@@ -140,6 +139,12 @@ def how(inputs: effects.Inputs, fidelity: str) -> str:
     order, degree, window, passes = (inputs[f"simulation.exchange.{name}"]["value"] for name in ("order", "extrapolation", "window", "passes"))
     repeated = f", each repeated up to {passes:.0f} times" if passes > 1 else ""
     return (f"co-simulated, {order.title()} exchange of degree {degree:.0f} in windows of at most {1e6 * window:.3g} µs{repeated}")
+
+
+def _best(content: dict) -> list[float]:
+    """The speed of the longest life, refined where it is; empty where there is none."""
+    peak = record(content.get("peak"))
+    return [speed for speed in (peak.get("refined_speed_rpm"), peak.get("speed_rpm")) if is_number(speed)][:1]
 
 
 def _column(points: list[dict], name: str) -> list:

@@ -30,10 +30,13 @@ def units_of(name: str) -> str:
 
 def units_in(content: Any) -> dict[str, str]:
     """{name: unit} of all names within a JSON object whose ends state a unit: its `units`."""
-    rows = content.values() if isinstance(content, Mapping) else content if isinstance(content, (list, tuple)) else ()
-    found = {name: units_of(name) for name in content if units_of(name) != PLAIN} if isinstance(content, Mapping) else {}
-    for row in rows:
-        found.update(units_in(row))
+    found = {}
+    if isinstance(content, Mapping):
+        found = {name: unit for name in content if (unit := units_of(name)) != PLAIN}
+        content = list(content.values())
+    if isinstance(content, (list, tuple)):
+        for row in content:
+            found |= units_in(row)
     return found
 
 
