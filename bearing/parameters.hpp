@@ -100,7 +100,7 @@ constexpr described::Names<ContactLaw, 2> names_of(ContactLaw) {
 enum class FilmApproach {
   added,               // elastic approach = geometric approach + film
   literature_variant,  // film subtracted, Eqs. (4) and (19) of [Gai2025]: see
-                       // bearing/contact/published_film.hpp
+                       // bearing/contact/race_contact.hpp
 };
 
 constexpr described::Names<FilmApproach, 2> names_of(FilmApproach) {
@@ -309,7 +309,7 @@ void describe(Visitor& visit, Bearing& m) {
             "stiffness of roller and race: Palmgren's for each contact, or ISO/TS 16281's for both",
             {.models = with_rollers | roller_defect,
              .reason = "each contact on its own, as the film needs it"}),
-      apart(m.motions),  // of a single bearing a case states operation.rotating_race
+      apart(m.motions),  // of a single bearing a case states operation.turning_race
       field(m.first_element, "bearing.first_element_angle", Physics::single_bearing,
             "angle of the first rolling element from the radial load",
             {.models = roller_bearing | with_balls | roller_defect,

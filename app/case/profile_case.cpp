@@ -29,7 +29,7 @@ double number_or(const ResolvedCase& in, const std::string& key, double otherwis
 struct Roller {
   double length = 0.0;    // [m]
   double diameter = 0.0;  // [m]
-  double drop = 0.0;      // [m]  at kDropPlace: stated, or that of the standard's profile
+  double drop = 0.0;      // [m]  at kDropPosition: stated, or that of the standard's profile
   DesignLoad design;      // of the more strongly curved contact, on the inner race
 };
 
@@ -60,7 +60,7 @@ Table table(const ResolvedCase& in) {
 }
 
 // With the depth that its own entries give it; one that has none yet is as deep at its end as it shall be at
-// kDropPlace.
+// kDropPosition.
 Profile own_profile(const ResolvedCase& in, const Roller& roller) {
   const std::string& kind = in.choice(kKind);
   const double l = roller.length, depth = std::max(roller.drop, 1e-9);

@@ -12,13 +12,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-template <class... Callables>
-struct Overloaded : Callables... {
-  using Callables::operator()...;
-};
-template <class... Callables>
-Overloaded(Callables...) -> Overloaded<Callables...>;
-
 Json number_json(const described::Entry& entry, described::NumberKind kind, double si) {
   const double value = in_customary_unit(entry.dimension, si);
   if (!std::isfinite(value)) return nullptr;

@@ -15,6 +15,14 @@
 
 namespace orbearing::app {
 
+/// One function for values of several types.
+template <class... Callables>
+struct Overloaded : Callables... {
+  using Callables::operator()...;
+};
+template <class... Callables>
+Overloaded(Callables...) -> Overloaded<Callables...>;
+
 // What a file of results holds: named dimensions and arrays, units on every variable.
 
 struct NamedDimension {

@@ -165,6 +165,17 @@ std::string ResultRow::*text_member(const TableHead& head, std::size_t i) {
   return nullptr;
 }
 
+// Gives `take` the cell of column `i`: a text, a yes or no, or a number.
+template <class Take>
+void take_cell(const TableHead& head, const ResultRow& row, std::size_t i, const Take& take) {
+  if (const auto text = text_member(head, i))
+    take(row.*text);
+  else if (i == head.refined_location)
+    take(row.refined);
+  else
+    take(row.values[i]);
+}
+
 }  // namespace
 
 std::string csv_head(const TableHead& head) {
@@ -177,12 +188,12 @@ std::string csv_line(const TableHead& head, const ResultRow& row) {
   std::string line;
   for (std::size_t i = 0; i < head.names.size(); ++i) {
     if (i > 0) line += ',';
-    if (const auto text = text_member(head, i))
-      line += csv_field(row.*text);
-    else if (i == head.refined_location)
-      line += row.refined ? "true" : "false";
-    else if (std::isfinite(row.values[i]))
-      line += fmt::format("{}", row.values[i]);
+    take_cell(head, row, i,
+              Overloaded{[&](const std::string& text) { line += csv_field(text); },
+                         [&](bool yes) { line += yes ? "true" : "false"; },
+                         [&](double number) {
+                           if (std::isfinite(number)) line += fmt::format("{}", number);
+                         }});
   }
   return line + '\n';
 }
@@ -191,24 +202,20 @@ nlohmann::ordered_json row_json(const TableHead& head, const ResultRow& row) {
   auto object = nlohmann::ordered_json::object();
   for (std::size_t i = 0; i < head.names.size(); ++i) {
     nlohmann::ordered_json& field = object[head.names[i]];
-    if (const auto text = text_member(head, i))
-      field = row.*text;
-    else if (i == head.refined_location)
-      field = row.refined;
-    else if (std::isfinite(row.values[i]))
-      field = row.values[i];
+    take_cell(head, row, i,
+              Overloaded{[&](double number) {
+                           if (std::isfinite(number)) field = number;
+                         },
+                         [&](const auto& plain) { field = plain; }});
   }
   return object;
 }
 
 void describe_row(described::Record& record, const TableHead& head, const ResultRow& row) {
   for (std::size_t i = 0; i < head.names.size(); ++i)
-    if (const auto text = text_member(head, i))
-      record.value(head.names[i], "", row.*text);
-    else if (i == head.refined_location)
-      record.value(head.names[i], "", row.refined);
-    else
-      record.value(head.names[i], {}, "", row.values[i]);
+    take_cell(head, row, i,
+              Overloaded{[&](double number) { record.value(head.names[i], {}, "", number); },
+                         [&](const auto& plain) { record.value(head.names[i], "", plain); }});
 }
 
 ResultRow row_from_json(const TableHead& head, const nlohmann::ordered_json& object) {

@@ -21,8 +21,6 @@ namespace orbearing::bearing::vectorised::ORBEARING_PACKS {
 
 using namespace mechanics::ORBEARING_PACKS;
 
-// Where the search starts: close enough for Newton's method to need three or four steps.
-
 /// A roller between two passes over all of them.
 struct RollerUnknown {
   Pack e_x, e_y;  // [-]  direction

@@ -156,7 +156,7 @@ JohnsGohar johns_gohar_for(const DesignLoad& design);
 /// K1 scales the amplitude, K2 is the crowned fraction of each half, `end_drop` [m] is z_m.
 FujiwaraKawase fujiwara_kawase_for(const DesignLoad& design, double k1, double k2, double end_drop);
 
-/// Load [N] for which the profile of Johns and Gohar drops by `drop` [m] > 0 at kDropPlace; the load of
+/// Load [N] for which the profile of Johns and Gohar drops by `drop` [m] > 0 at kDropPosition; the load of
 /// `design` does not count.
 double design_load_of_drop(DesignLoad design, double drop);
 

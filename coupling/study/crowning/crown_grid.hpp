@@ -48,7 +48,7 @@ std::vector<DutyRecord> duty_records(const CrownProblem& problem, const RollerPr
 
 /// One profile at one tilt, under the whole spectrum.
 struct CrownPoint {
-  double drop = 0.0;                 // [m]    of one roller at profile::kDropPlace
+  double drop = 0.0;                 // [m]    of one roller at profile::kDropPosition
   double tilt = 0.0;                 // [rad]  as stated, of the bore on its pin, or as lean_by() takes it
   double largest_tilt = 0.0;         // [rad]  largest of a bore against its pin over bearings and duties
   double life_hours = 0.0;           // [h]

@@ -18,7 +18,7 @@ namespace orbearing::study::crowning {
 
 /// What is free about a profile.
 struct Crown {
-  double drop = 0.0;   // [m]  of one roller at profile::kDropPlace
+  double drop = 0.0;   // [m]  of one roller at profile::kDropPosition
   double share = 1.0;  // [-]  of each half that is relieved; of kinds that have a straight middle only
 };
 
@@ -52,7 +52,7 @@ inline constexpr double kGreatestShare = 0.95;
 /// The profile with this crown.
 bearing::profile::Profile profile_of(const ProfileFamily& family, const Crown& crown);
 
-/// Drop [m] at profile::kDropPlace of the reference profile of [ISO16281] on rollers of `bearing`.
+/// Drop [m] at profile::kDropPosition of the reference profile of [ISO16281] on rollers of `bearing`.
 double reference_drop(const bearing::Bearing& bearing);
 
 using bearing::life::LaminaRating;
