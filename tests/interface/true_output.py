@@ -103,15 +103,6 @@ class FullDisk(InAFolder):
         self.assertTrue(full.is_char_device())
         self.assertTrue(full.is_symlink())
 
-    def test_what_to_do_follows_from_the_cause(self):
-        """Issue 52, item 13: too many open files are no full disk."""
-        result = subprocess.run(["bash", "-c", f'ulimit -n 8; exec "{PROGRAM}" sweep "{REDUCER}" -o few --grid-only --quiet'], capture_output=True,
-                                text=True, timeout=program.SECONDS, check=False, cwd=self.place)
-        self.assertEqual(result.returncode, 1, result.stderr)
-        self.assertIn("Too many open files", result.stderr)
-        self.assertIn("ulimit -n", result.stderr)
-        self.assertNotIn("make room", result.stderr)
-
 
 class ForeignCode(InAFolder):
     """Issue 52, item 10: files of the working folder are data and no code."""

@@ -5,6 +5,8 @@
 #include <sys/resource.h>
 
 #include <csignal>
+#include <mutex>
+#include <optional>
 
 #include "app/errors.hpp"
 #include "app/results/progress.hpp"
@@ -14,23 +16,35 @@ namespace orbearing::app::durable_file_test {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
+
+/// While it lives a limit of the process stands at `most`.
+class Limit {
+ public:
+  Limit(int what, rlim_t most) : what_(what) {
+    getrlimit(what_, &former_);
+    const rlimit limit{most, former_.rlim_max};
+    setrlimit(what_, &limit);
+  }
+  Limit(const Limit&) = delete;
+  Limit& operator=(const Limit&) = delete;
+  ~Limit() { setrlimit(what_, &former_); }
+
+ private:
+  int what_;
+  rlimit former_{};
+};
 
 /// While it lives no file grows beyond `bytes`: the disk is full, as seen from this program.
 class FullDisk {
  public:
-  explicit FullDisk(rlim_t bytes) {
-    getrlimit(RLIMIT_FSIZE, &former_);
-    const rlimit limit{bytes, former_.rlim_max};
-    setrlimit(RLIMIT_FSIZE, &limit);
-    std::signal(SIGXFSZ, SIG_IGN);  // as the program does
-  }
-  FullDisk(const FullDisk&) = delete;
-  FullDisk& operator=(const FullDisk&) = delete;
-  ~FullDisk() { setrlimit(RLIMIT_FSIZE, &former_); }
+  explicit FullDisk(rlim_t bytes) : limit_(RLIMIT_FSIZE, bytes) {
+    std::signal(SIGXFSZ, SIG_IGN);
+  }  // as the program does
 
  private:
   Interruption ignores_the_signal_;
-  rlimit former_{};
+  Limit limit_;
 };
 
 TEST(DurableFile, ReplacesTheWholeContentAndLeavesNothingAside) {
@@ -48,6 +62,42 @@ TEST(DurableFile, FullDiskKeepsTheFormerContent) {
   EXPECT_THROW(write_aside_and_rename(folder / "file", "longer than eight bytes"), ComputationFailed);
   EXPECT_EQ(read_file(folder / "file"), "former");
   EXPECT_EQ(fake_sweep::snapshot(folder / "").size(), 1U);
+}
+
+// Issue 52, item 13: what to do follows from the cause; too many open files are no full disk.
+TEST(DurableFile, TooManyOpenFilesAreNoFullDisk) {
+  const fake_sweep::TemporaryFolder folder;
+  const Limit none(RLIMIT_NOFILE, 0);
+  try {
+    write_aside_and_rename(folder / "file", "text");
+    FAIL() << "a file was opened beyond the limit";
+  } catch (const WriteFailed& error) {
+    EXPECT_THAT(error.cause, HasSubstr("Too many open files"));
+    EXPECT_THAT(error.remedy, HasSubstr("ulimit -n"));
+    EXPECT_THAT(error.remedy, Not(HasSubstr("make room")));
+  }
+}
+
+TEST(DurableFile, SweepThatCanOpenNoFileSaysHowToGoOn) {
+  const fake_sweep::TemporaryFolder folder;
+  SweepRequest request = fake_sweep::fake_request(folder / "out", 3);
+  std::optional<Limit> none;
+  std::once_flag once;
+  request.evaluate = [&](std::size_t point) {
+    std::call_once(once, [&] { none.emplace(RLIMIT_NOFILE, 0); });
+    return fake_sweep::fake_result(point);
+  };
+  try {
+    run_sweep(request);
+    FAIL() << "points were written beyond the limit";
+  } catch (const ComputationFailed& error) {
+    EXPECT_THAT(error.what(),
+                HasSubstr("Too many open files; finished points are kept: raise the number of open files "
+                          "(ulimit -n), then go on with --resume"));
+  }
+  none.reset();
+  request.resume = true;
+  EXPECT_EQ(run_sweep(request).failed, 0U);
 }
 
 TEST(DurableFile, UnreadableFileIsBadInput) {
