@@ -1,6 +1,7 @@
 #include "app/case/consistency.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <algorithm>
 
 #include <cmath>
@@ -16,6 +17,7 @@
 #include "app/case/profile_case.hpp"
 #include "app/case/set_case.hpp"
 #include "app/case/spectrum_case.hpp"
+#include "bearing/motion/parameters.hpp"
 #include "gearset/checks.hpp"
 #include "gearset/planet_angles.hpp"
 #include "mechanics/constants.hpp"
@@ -68,9 +70,15 @@ class Checker {
 };
 
 void check_traction(Checker& check) {
-  if (!check.has({"bearing.rollers", "traction.law"}) || check.choice("traction.law") != "ree-eyring") return;
-  check.add_error("traction.law", "'ree-eyring', a law of balls",
-                  "regularised-coulomb or limiting-shear is required for rollers");
+  using bearing::motion::TractionLaw;
+  if (!check.has({"bearing.rollers", "traction.law"})) return;
+  const std::string stated = check.choice("traction.law");
+  std::vector<std::string_view> of_rollers;
+  for (const auto& [law, name] : names_of(TractionLaw{}))
+    if (nature_of(law).of_rollers) of_rollers.push_back(name);
+  if (std::ranges::find(of_rollers, stated) != of_rollers.end()) return;
+  check.add_error("traction.law", fmt::format("'{}', a law of balls", stated),
+                  fmt::format("{} is required for rollers", fmt::join(of_rollers, " or ")));
 }
 
 void check_members(Checker& check) {

@@ -227,7 +227,7 @@ const Analysis* analysis_of(const ResolvedCase& resolved, const std::string& fid
 }
 
 const Analysis& gears_alone() {
-  return all_analyses().back();
+  return *std::ranges::find(all_analyses(), use::gears, &Analysis::used);
 }
 
 AnalysisResult defect_result(const DefectStudy& study, bool files) {

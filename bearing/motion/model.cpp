@@ -125,8 +125,8 @@ void check_oil(const DynamicsParameters& parameters) {
   const RaceContactParameters& race = parameters.race;
   const bool pocket_film = parameters.cage.pocket_film == PocketFilm::hydrodynamic;
   const bool mixed = race.lubrication == Lubrication::mixed;
-  const bool needs_oil = race.film_in_approach || race.traction != TractionLaw::regularised_coulomb ||
-                         mixed || pocket_film || race.squeeze;
+  const bool needs_oil =
+      race.film_in_approach || nature_of(race.traction).shears_oil || mixed || pocket_film || race.squeeze;
   require(!needs_oil || parameters.lubricant.viscosity > 0.0, "viscosity of the oil [Pa s]",
           parameters.lubricant.viscosity,
           "more than 0 for a film, its squeeze, limiting shear or mixed lubrication");
@@ -195,7 +195,7 @@ void check(const Bearing& bearing, const BearingGeometry& geometry, const Dynami
           "more than 0");
   require(parameters.race.entrainment_scale > 0.0, "entrainment scale [m/s]",
           parameters.race.entrainment_scale, "more than 0");
-  require(parameters.race.traction != TractionLaw::ree_eyring, "law of traction",
+  require(nature_of(parameters.race.traction).of_rollers, "law of traction",
           described::text_of(parameters.race.traction), "regularised Coulomb or limiting shear for rollers");
   check_oil(parameters);
   check_form(bearing, geometry);

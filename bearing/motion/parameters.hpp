@@ -23,6 +23,24 @@ constexpr described::Names<TractionLaw, 3> names_of(TractionLaw) {
            {TractionLaw::ree_eyring, "ree-eyring"}}};
 }
 
+/// What a law of traction works with; the checks, the inputs used and the equations follow from it.
+struct TractionNature {
+  bool of_rollers;  // rollers have it; balls have all
+  bool shears_oil;  // it needs oil and the limiting friction; else the friction of the surfaces
+};
+
+constexpr TractionNature nature_of(TractionLaw law) {
+  switch (law) {
+    case TractionLaw::regularised_coulomb:
+      return {.of_rollers = true, .shears_oil = false};
+    case TractionLaw::limiting_shear:
+      return {.of_rollers = true, .shears_oil = true};
+    case TractionLaw::ree_eyring:
+      return {.of_rollers = false, .shears_oil = true};
+  }
+  return {};
+}
+
 /// Who carries the load of a race contact.
 enum class Lubrication {
   full,   // the film, or the surfaces, alone: one law of friction

@@ -36,8 +36,9 @@ std::vector<std::string_view> without_effect(const DrivenBearingSetup& setup) {
   none_if(!setup.bearing.has_cage(), {"bearing.cage."});
   none_if(given.cage.guide_diameter <= 0.0,
           {"bearing.cage.largest_eccentricity", "bearing.cage.touch_down_stiffness"});
-  none_if(race.traction != bearing::motion::TractionLaw::regularised_coulomb, {"traction.friction"});
-  none_if(race.traction == bearing::motion::TractionLaw::regularised_coulomb, {"traction.limiting_friction"});
+  const bool shears_oil = nature_of(race.traction).shears_oil;
+  none_if(shears_oil, {"traction.friction"});
+  none_if(!shears_oil, {"traction.limiting_friction"});
   none_if(!mixed, {"contact.boundary_friction"});
   none_if(!mixed && !race.squeeze, {"contact.roughness"});
   none_if(!given.drag.on, {"lubricant.density", "lubricant.share"});

@@ -20,13 +20,14 @@ using mechanics::require;
 
 ShearLaw shear_law(motion::TractionLaw law) {
   switch (law) {
+    case motion::TractionLaw::regularised_coulomb:
+      return ShearLaw::coulomb;
     case motion::TractionLaw::limiting_shear:
       return ShearLaw::limiting_shear;
     case motion::TractionLaw::ree_eyring:
       return ShearLaw::ree_eyring;
-    default:
-      return ShearLaw::coulomb;
   }
+  return {};
 }
 
 ShearParameters shear_parameters(const MotionParameters& given) {
@@ -220,7 +221,7 @@ BallNumbers ball_numbers(const Bearing& bearing, const MotionParameters& given) 
   require(geometry.element_mass > 0.0, "mass of a ball [kg]", geometry.element_mass, "more than 0");
   require(geometry.cage_mass > 0.0, "mass of the cage [kg]", geometry.cage_mass,
           "more than 0; give the cage's diameters, width and density");
-  require(given.race.traction == motion::TractionLaw::regularised_coulomb || given.lubricant.viscosity > 0.0,
+  require(!nature_of(given.race.traction).shears_oil || given.lubricant.viscosity > 0.0,
           "viscosity of the oil [Pa s]", given.lubricant.viscosity, "more than 0 for a law of sheared oil");
   BallNumbers c;
   c.balls = balls.count;
