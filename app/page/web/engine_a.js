@@ -1,0 +1,85 @@
+// Engine A: the program that serves the page, over HTTP on the loopback address.
+import {RequestFailed} from "./engine.js";
+
+const ALIVE_EVERY = 15e3;  // ms
+
+export function engine(location, opened) {
+  const token = new URLSearchParams(location.search).get("token") ?? "";
+  const headers = {"X-Orbearing-Token": token};
+
+  async function fetched(path, init = {}) {
+    let response;
+    try {
+      response = await fetch(path, {...init, headers: {...headers, ...init.headers}});
+    } catch (error) {
+      if (error.name === "AbortError") throw error;
+      throw new RequestFailed(1, ["The program does not answer. Start `orbearing open` again, then load its new address."]);
+    }
+    if (response.ok) return response;
+    const told = await response.json().catch(() => ({}));
+    throw new RequestFailed(told.code ?? 1, told.errors ?? [told.error ?? `The program refused ${path}: ${response.status}`]);
+  }
+
+  const posted = (path, body, signal) => fetched(path, {method: "POST", body: JSON.stringify(body), headers: {"Content-Type": "application/json"}, signal});
+  const json = async (path) => (await fetched(path)).json();
+  const body = ({command, case_text, settings = [], options = {}}) => ({command, case_text, settings, options});
+
+  setInterval(() => fetched("/alive", {method: "POST"}).catch(() => {}), ALIVE_EVERY);
+  addEventListener("pagehide", () => navigator.sendBeacon(`/closed?token=${encodeURIComponent(token)}`));
+
+  return {
+    name: "A",
+    opened: async () => opened,
+    templates: () => json("/templates"),
+    schema: (which) => json(`/schema/${which}`),
+
+    /** The object of --json. A request with the same `replaces` that is still under way is given up. */
+    async answer(request, signal) {
+      return (await posted("/request", body(request), signal)).json();
+    },
+
+    units: async (value, unit) => (await posted("/units", {value, unit})).json(),
+
+    save: opened.writable ? async (file, text) => (await posted("/save", {file, text})).json() : null,
+
+    async report(request, form = "") {
+      const response = await posted(form ? `/report?form=${form}` : "/report", {case_text: request.case_text, settings: request.settings ?? []});
+      return form ? response.blob() : response.text();
+    },
+
+    /** A computation that takes its time. `continues`: the handle of one that was stopped, whose points are kept. */
+    start(request, {progress = () => {}, point = () => {}} = {}, continues = null) {
+      let source = null, stopped = false;
+      const handle = {id: null};
+      const jobs = (async () => {
+        const asked = body(request);
+        if (continues) asked.continue = await continues.job;
+        return (await (await posted("/jobs", asked)).json()).job;
+      })();
+      handle.job = jobs;
+      handle.stop = async () => {
+        stopped = true;
+        await fetched(`/jobs/${await jobs}`, {method: "DELETE"});
+      };
+      handle.done = jobs.then((id) => new Promise((resolve, reject) => {
+        source = new EventSource(`/jobs/${id}/events?token=${encodeURIComponent(token)}`);
+        const end = (settle) => (event) => {
+          source.close();
+          settle(event.data === undefined ? null : JSON.parse(event.data));
+        };
+        source.addEventListener("progress", (event) => progress(JSON.parse(event.data)));
+        source.addEventListener("point", (event) => point(JSON.parse(event.data)));
+        source.addEventListener("result", end(resolve));
+        source.addEventListener("stopped", end((kept) => resolve({...kept, stopped: true})));
+        source.addEventListener("failed", end((told) => reject(new RequestFailed(told.code, told.errors))));
+        source.onerror = () => {
+          if (source.readyState !== EventSource.CLOSED) return;
+          source.close();
+          if (stopped) resolve({points: [], stopped: true});
+          else reject(new RequestFailed(1, ["The connection to the program ended before the result."]));
+        };
+      }));
+      return handle;
+    },
+  };
+}
