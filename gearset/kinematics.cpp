@@ -67,7 +67,7 @@ Torques member_torques(const PlanetarySet& set, const Drive& drive) {
   require_sound(set, drive);
   mechanics::require_positive(drive.power, "power that enters the set");
   const Weights weights = willis_weights(set);
-  const double scale = drive.power / (drive.driven_speed() * weights.of(drive.member));
+  const double scale = drive.load_power() / (drive.driven_speed() * weights.of(drive.member));
   return {scale * weights.sun, scale * weights.ring, scale * weights.carrier};
 }
 

@@ -51,7 +51,7 @@ MeanLoads mean_loads(const PlanetarySet& set, const WorkingGeometry& geometry, c
   mechanics::require_positive(drive.power, "power of the motor");
   const double sense = ratios.speed.carrier < 0.0 ? -1.0 : 1.0;
   const double speed = sense * drive.speed;                 // [rad/s]
-  const double torque = sense * drive.power / drive.speed;  // [N m]
+  const double torque = sense * drive.load_power() / drive.speed;  // [N m]
   return loads_of(set, geometry,
                   {speed * ratios.speed.sun, speed * ratios.speed.ring, speed * ratios.speed.carrier,
                    speed * ratios.speed.planet_relative},

@@ -214,11 +214,14 @@ void describe(Visitor& visit, ParallelStages& m) {
 /// The power that enters the set, and where. The member that is neither fixed nor driven delivers.
 struct Drive {
   Member member = Member::sun;
-  double power = 0.0;  // [W]
+  double power = 0.0;               // [W]
+  double application_factor = 1.0;  // [-]  K_A of ISO 6336-1
   double speed =
       0.0;  // [rad/s]  of the driven member, relative to the housing; of the motor before a stage in front
   ParallelStages parallel{};
 
+  /// That teeth and bearings are loaded by. [W]
+  double load_power() const { return application_factor * power; }
   /// Of the driven member itself, behind a stage in front. Eq. (40) of gearset/README.md. [rad/s]
   double driven_speed() const { return speed * parallel.front[0] / parallel.front[1]; }
 };
@@ -233,6 +236,10 @@ void describe(Visitor& visit, Drive& m) {
             {.models = set, .reason = "the usual reduction gear"}),
       field(m.power, "input.power", Physics::carrier, "power that enters",
             {.models = set, .required_by = set, .dimension = dimension::power, .range = {1e-6, 1e7}}),
+      field(m.application_factor, "input.application_factor", Physics::carrier,
+            "K_A of ISO 6336-1: teeth and bearings carry the loads of this multiple of the power; with a "
+            "spectrum 1",
+            {.models = set, .range = {0.1, 10.0}, .reason = "input.power is the load that acts"}),
       field(m.speed, "input.speed", Physics::planet,
             "speed of the driven member relative to the housing; before a parallel stage in front of it that "
             "of the "

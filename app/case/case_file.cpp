@@ -46,8 +46,6 @@ std::string key_hint(const std::string& key, const std::string& prefix, const Ca
   const std::string set = prefix.substr(0, set_prefix_length(prefix));
   if (!set.empty() && key == "fixed")
     return "a member stands by being on a shaft with 'ground'; a known key is required";
-  if (prefix == "input." && key == "torque")
-    return "input.power is required in its place: torque x speed (1 kN.m at 1 rpm is 0.1047198 kW)";
   // The right name in the wrong block is likelier than a slip of the keyboard.
   for (const Field& field : all_fields()) {
     if (!set.empty() && !in_each_set(field)) continue;
@@ -419,7 +417,7 @@ constexpr const char* file_path = "(file)";
 std::string read_file(const std::string& file) {
   std::error_code ignored;
   const std::filesystem::file_status status = std::filesystem::status(file, ignored);
-  if (std::filesystem::is_directory(status)) refuse_file(file, "a folder");
+  if (std::filesystem::is_directory(status)) refuse_file(file, "a folder without a file case.yaml");
   // Opening a pipe would wait for its other end.
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
     refuse_file(file, "a pipe, a device or a socket");
@@ -488,7 +486,10 @@ void blame_settings(std::vector<Mistake>& mistakes, const std::vector<Mistake>& 
 }  // namespace
 
 ResolvedCase read_case(const std::string& file, const std::vector<std::string>& settings) {
-  return parse_case(read_file(file), file, settings);
+  const std::filesystem::path within = std::filesystem::path(file) / "case.yaml";
+  std::error_code ignored;
+  const std::string path = std::filesystem::is_regular_file(within, ignored) ? within.string() : file;
+  return parse_case(read_file(path), path, settings);
 }
 
 ResolvedCase read_point(const std::string& file, const std::vector<std::string>& settings) {

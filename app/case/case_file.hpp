@@ -16,6 +16,7 @@ CaseData resolve(const Entry& root, const std::string& file, std::vector<Mistake
 
 /// Reads and checks a case file. `settings` are the texts of the --set options: "path=value".
 /// Throws BadInput (app/errors.hpp) with all mistakes, also where the file cannot be read.
+/// `file` may be a folder that holds case.yaml.
 ResolvedCase read_case(const std::string& file, const std::vector<std::string>& settings = {});
 
 /// The same for a command that computes one operating point: without the sweep of the file. An option that

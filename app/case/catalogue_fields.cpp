@@ -83,6 +83,7 @@ std::vector<Condition> given_by(std::string_view path) {
   const std::vector<std::string>& designated = paths_of_designation();
   const bool of_cage = path.starts_with("bearing.cage.");
   std::vector<Condition> by;
+  if (path == kPowerPath) return {where_given({kTorquePath}), where_given({kTorqueCurvePath})};
   if (path == "bearing.type" || (of_cage && path != catalogue_keys::kDensity) ||
       std::find(designated.begin(), designated.end(), path) != designated.end())
     by.push_back(where_given({catalogue_keys::kDesignation}));

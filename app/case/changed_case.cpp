@@ -9,6 +9,7 @@
 #include "app/case/field_table.hpp"
 #include "app/case/resolved_case.hpp"
 #include "app/case/settings.hpp"
+#include "app/case/spectrum_case.hpp"
 #include "mechanics/cancellation.hpp"
 
 namespace orbearing::app {
@@ -34,6 +35,7 @@ void put(CaseData& data, const std::string& path, FieldReading reading, Location
   }
   data.values[path] = {std::move(reading.value), location, false};
   data.assumed.erase(path);
+  replace_other_duty(data, path);
 }
 
 // "gearset.pin_errors[2]" as path and element; nothing where it has no such end.

@@ -368,6 +368,7 @@ void check_consistency(const ResolvedCase& resolved, std::vector<Mistake>& mista
   check_parallel_stages(check, resolved);
   // The oil is that of all sets.
   check_grade(resolved, mistakes);
+  check_torque(resolved, mistakes);
   check_cleanliness(resolved, mistakes);
   check_spectrum(resolved, mistakes);
 }

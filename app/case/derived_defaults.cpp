@@ -9,6 +9,7 @@
 #include "app/case/field_table.hpp"
 #include "app/case/oil_case.hpp"
 #include "app/case/settings.hpp"
+#include "app/case/spectrum_case.hpp"
 #include "bearing/default_design.hpp"
 
 namespace orbearing::app {
@@ -171,6 +172,7 @@ void fill_derived_defaults(CaseData& data) {
                      data.values.contains("bearing.rollers"));
   fill_from_catalogue(data, model);
   fill_from_grade(data, model);
+  if ((model & planetary_drivetrain) != 0) fill_from_torque(data);
   if ((model & described::in_time) == 0) return;
   std::vector<std::string> prefixes{""};
   if (data.shape.several) {

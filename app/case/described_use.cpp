@@ -172,7 +172,8 @@ Use also_used(Use use, unsigned analyses) {
 // Power and speed make the load of the meshes, under which teeth give way and helical ones push along the
 // axis.
 Use with_mesh_loads(const Use& use, std::string_view path) {
-  const bool makes_them = path == "input.power" || path == "input.speed" || path == "parallel_stage.front";
+  const bool makes_them = path == "input.power" || path == "input.application_factor" ||
+                          path == "input.speed" || path == "parallel_stage.front";
   return makes_them ? also_used(use, use::mesh) : use;
 }
 
@@ -311,8 +312,8 @@ Use with_springs(const Use& use, const described::Facts& facts) {
   if (is_one_of(path, {"material.youngs_modulus", "material.poisson_ratio"}))
     return use.limited(use::bearings_as_springs,
                        {where_true(material_makes_springs, "where a stiffness is not given")});
-  if (is_one_of(path, {"input.power", "input.speed", "parallel_stage.front"}))
-    return use.limited(path == "input.power" ? use::natural : use::modes,
+  if (is_one_of(path, {"input.power", "input.application_factor", "input.speed", "parallel_stage.front"}))
+    return use.limited(path == "input.speed" || path == "parallel_stage.front" ? use::modes : use::natural,
                        {where_true(loads_make_springs, "where a stiffness depends on the load")});
   if (is_one_of(path, {"inertia.coriolis", "inertia.carrier_centrifugal"}))
     return use.limited(use::modes, {where_bearings_make_springs()});

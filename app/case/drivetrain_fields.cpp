@@ -1,4 +1,6 @@
 // Fields of the gear set and of the power that drives it.
+#include <algorithm>
+
 #include "app/case/described_fields.hpp"
 #include "app/case/field_table.hpp"
 #include "app/case/spectrum_case.hpp"
@@ -64,6 +66,10 @@ void add_checks(std::vector<Field>& fields) {
 
 void add_drivetrain_fields(std::vector<Field>& fields) {
   add_described(fields, gearset::Drive{});
+  const auto power = std::ranges::find(fields, kPowerPath, &Field::path);
+  const Use use_of_power = power->use;
+  const auto behind = fields.insert(power + 1, torque_field(use_of_power));
+  fields.insert(behind + 1, torque_curve_field(use_of_power));
   fields.push_back(spectrum_field());
   add_described(fields, gearset::PlanetarySet{});
   add_bodies(fields);

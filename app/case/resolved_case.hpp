@@ -20,6 +20,9 @@ namespace orbearing::app {
 
 /// The field that a sweep over speed varies.
 inline const std::string kSpeedPath = "input.speed";
+inline const std::string kPowerPath = "input.power";
+inline const std::string kTorquePath = "input.torque";             // in place of the power
+inline const std::string kTorqueCurvePath = "input.torque_curve";  // likewise
 
 /// The speed of the input by its number in the unit of tables.
 Setting input_speed(double rpm);

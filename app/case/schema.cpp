@@ -145,13 +145,13 @@ Json present(std::string_view path, const std::vector<std::string>& values) {
   return schema;
 }
 
-// A value of the bearing that is required unless another one gives it.
+// A value that is required unless another one of its block gives it.
 void require_or_given(Json& root, const Field& field, const std::vector<Condition>& givers) {
-  constexpr std::size_t block = std::string_view("bearing.").size();
+  const std::size_t block = field.path.find('.') + 1;
   Json either = Json::array({present(std::string_view(field.path).substr(block), {})});
   for (const Condition& giver : givers)
     either.push_back(present(std::string_view(giver.paths.front()).substr(block), giver.values));
-  block_of(root, "bearing.x", true)["allOf"].push_back({{"anyOf", std::move(either)}});
+  block_of(root, field.path.substr(0, block) + "x", true)["allOf"].push_back({{"anyOf", std::move(either)}});
 }
 
 void add_field(Json& root, const Field& field, Model model) {

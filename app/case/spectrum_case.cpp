@@ -1,11 +1,16 @@
 #include "app/case/spectrum_case.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "app/case/field_table.hpp"
 #include "app/case/mistake.hpp"
+#include "app/case/oil_case.hpp"
+#include "app/units.hpp"
 
 namespace orbearing::app {
 
@@ -42,7 +47,123 @@ double sum_of(const std::vector<StatedBin>& bins, double StatedBin::*member) {
   return sum;
 }
 
+// Rows of (speed, torque) in ascending order of speed.
+constexpr std::size_t curve_columns = 2;
+
+/// Linear between its rows; none beyond them.
+std::optional<double> torque_at(const std::vector<double>& curve, double speed) {
+  for (std::size_t i = curve_columns; i + 1 < curve.size(); i += curve_columns) {
+    const double before = curve[i - 2], after = curve[i];
+    if (speed < before * (1.0 - kRoundOff) || speed > after * (1.0 + kRoundOff)) continue;
+    return std::lerp(curve[i - 1], curve[i + 1], (speed - before) / (after - before));
+  }
+  return std::nullopt;
+}
+
+const std::string* stated_duty(const CaseData& data) {
+  for (const std::string* path : {&kTorquePath, &kTorqueCurvePath})
+    if (data.values.contains(*path)) return path;
+  return nullptr;
+}
+
 }  // namespace
+
+Field torque_field(const Use& use_of_power) {
+  return {.path = kTorquePath,
+          .kind = Kind::quantity,
+          .meaning =
+              "torque on the shaft whose speed is input.speed, in place of input.power; a sweep over "
+              "speed is then one of constant torque",
+          .use = use_of_power,
+          .models = planetary_drivetrain,
+          .dimension = dimension::torque,
+          .range = positive(1e12)};
+}
+
+Field torque_curve_field(const Use& use_of_power) {
+  return {.path = kTorqueCurvePath,
+          .kind = Kind::list,
+          .meaning =
+              "torque over speed, in place of input.power: rows in ascending order of speed, linear "
+              "between them",
+          .use = use_of_power,
+          .models = planetary_drivetrain,
+          .element = Kind::list,
+          .columns = {{"speed", dimension::angular_speed, {0.0, 1e6}},
+                      {"torque", dimension::torque, {0.0, 1e12}}},
+          .from_file = true};
+}
+
+void replace_other_duty(CaseData& data, const std::string& path) {
+  if (path != kPowerPath && path != kTorquePath && path != kTorqueCurvePath) return;
+  for (const std::string& other : {kPowerPath, kTorquePath, kTorqueCurvePath})
+    if (other != path) {
+      data.values.erase(other);
+      data.assumed.erase(other);
+    }
+}
+
+void fill_from_torque(CaseData& data) {
+  for (const std::string& path : {kTorqueCurvePath, kTorquePath, kPowerPath}) {
+    const auto found = data.values.find(path);
+    const bool by_option =
+        found != data.values.end() && !found->second.from_default && found->second.location.option;
+    const auto is_of_file = [&](const std::string& other) {
+      const auto stored = data.values.find(other);
+      return stored == data.values.end() || !stored->second.location.option || stored->second.from_default;
+    };
+    if (by_option &&
+        std::ranges::all_of(std::array{kPowerPath, kTorquePath, kTorqueCurvePath},
+                            [&](const std::string& other) { return other == path || is_of_file(other); }))
+      replace_other_duty(data, path);
+  }
+  const std::string* path = stated_duty(data);
+  const auto speed = data.values.find(kSpeedPath);
+  if (path == nullptr || speed == data.values.end()) return;
+  const FieldValue& value = data.values.at(*path).value;
+  const double at = speed->second.value.number;
+  const std::optional<double> torque = *path == kTorquePath ? value.number : torque_at(value.list, at);
+  if (!torque) return;  // check_torque() says so
+  const auto power = data.values.find(kPowerPath);
+  const double derived = *torque * at;
+  if (power != data.values.end() && !power->second.from_default &&
+      std::abs(power->second.value.number - derived) > kShareRoundOff * derived)
+    return;
+  substitute(data, kPowerPath, fmt::format("{} W", derived), *path + " x input.speed");
+}
+
+void check_torque(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
+  const auto add_error = [&](const std::string& path, std::string found, std::string required) {
+    add_error_at(in, path, std::move(found), std::move(required), mistakes);
+  };
+  if (in.has(kSpectrumPath) && in.has("input.application_factor") &&
+      in.number("input.application_factor") != 1.0)
+    add_error("input.application_factor",
+              fmt::format("{:g} beside a spectrum", in.number("input.application_factor")),
+              "1 is required: a spectrum has the loads that act (ISO 6336-6)");
+  if (in.has(kTorqueCurvePath)) {
+    const std::vector<double>& curve = in.list(kTorqueCurvePath);
+    for (std::size_t i = curve_columns; i < curve.size(); i += curve_columns)
+      if (curve[i] <= curve[i - curve_columns])
+        add_error(kTorqueCurvePath,
+                  fmt::format("row {} at no higher speed than the row before", i / curve_columns + 1),
+                  "rows in ascending order of speed are required");
+    if (in.has(kSpeedPath) && !torque_at(curve, in.quantity(kSpeedPath)))
+      add_error(kTorqueCurvePath,
+                fmt::format("{:g} to {:g} rpm without {:g} rpm", kRpm * curve.front(),
+                            kRpm * curve[curve.size() - curve_columns], kRpm * in.quantity(kSpeedPath)),
+                "rows on both sides of input.speed are required: nothing is extrapolated");
+  }
+  std::vector<std::string> stated;
+  for (const std::string& path : {kPowerPath, kTorquePath, kTorqueCurvePath})
+    if (is_stated(in, path)) stated.push_back(path);
+  if (stated.size() > 1)
+    add_error(stated.back(), fmt::format("a duty stated by {}", fmt::join(stated, " and ")),
+              "one of them is required");
+  for (const SweepAxis& axis : in.axes())
+    if (axis.path == kPowerPath && !stated.empty() && stated.back() != kPowerPath)
+      add_error(stated.back(), "a torque beside a sweep over input.power", "one of both is required");
+}
 
 Field spectrum_field() {
   return {.path = kSpectrumPath,

@@ -1,4 +1,4 @@
-// The load spectrum that a case states.
+// The duty that a case states besides one power: a load spectrum, a torque, torque over speed.
 #pragma once
 
 #include <optional>
@@ -13,8 +13,17 @@ namespace orbearing::app {
 /// The field: rows of {power or torque, speed, share or hours}, or {file: loads.csv}.
 inline const std::string kSpectrumPath = "spectrum";
 
-/// Field of the table.
+/// Fields of the table.
 Field spectrum_field();
+Field torque_field(const Use& use_of_power);
+Field torque_curve_field(const Use& use_of_power);
+
+/// The power of a case that states torque, or torque over speed, at its speed. A value of --set replaces
+/// another of the file; of two that differ in one place check_torque() says so.
+void fill_from_torque(CaseData& data);
+/// After `path` was set: what stood in its place before is gone.
+void replace_other_duty(CaseData& data, const std::string& path);
+void check_torque(const ResolvedCase& resolved, std::vector<Mistake>& mistakes);
 
 /// None where the case states none. Hours become shares of their sum; shares, which were checked to add up to
 /// 1, are divided by their sum to lose what rounding left. A row's torque times its speed is its power.

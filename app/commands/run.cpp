@@ -7,7 +7,6 @@
 namespace orbearing::app {
 
 int run_command(const Options& options) {
-  require_output(options);
   const ResolvedCase resolved = point_of(options);
   const std::string fidelity = options.fidelity_given ? options.fidelity : "";
   if (options.gears && !fidelity.empty())

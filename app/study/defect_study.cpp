@@ -276,6 +276,8 @@ void describe_band(Record& record, const diagnosis::InstrumentView& view, bool r
 void describe(Record& record, const DefectStudy& study) {
   describe_vibration(record, study.passing.shaft, study.passing.cage, study.defect_frequency, study.view,
                      study.run_up);
+  record.child("defect_frequencies", "at pure rolling, by their names in condition monitoring",
+               study.passing);
   describe_passing(record, study);
   describe_band(record, study.view, study.run_up);
   describe_lines(record, "spectrum_peaks", "spectrum_orders", "spectrum_peak", study.view.spectrum_peaks,

@@ -217,6 +217,9 @@ void describe(Record& record, const StaticStudy& study) {
     record.child("steps", "between the bearing and its reference life", *study.steps).detail = true;
   record.array("stiffness", {}, "of the inner ring: x, y, z, tilt about x, tilt about y; SI",
                {"freedom", "freedom_beside"}, study.stiffness);
+  if (study.passing)
+    record.child("defect_frequencies", "at pure rolling, by their names in condition monitoring",
+                 *study.passing);
   describe_elements(record, study);
   describe_races(record, study);
   describe_for_files(record, study);
@@ -518,6 +521,9 @@ StaticStudy static_study(const ResolvedCase& in) {
   study.ratings = rating::ratings_of(bearing, stated_ratings_of(in));
   study.steps = static_steps(bearing, study.ratings, state);
   rate(in, bearing, study);
+  if (study.speed != 0.0)
+    study.passing = bearing::defect::passing_frequencies(bearing, in.quantity("operation.shaft_speed"),
+                                                         in.quantity("operation.outer_speed"));
   if (motion.film && state.inner_rolling.size() > 0) {
     study.films = ball_films(bearing, *motion.film, state);
     for (const std::string& warning : film_warnings(bearing, *study.films)) study.warnings.push_back(warning);

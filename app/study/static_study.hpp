@@ -11,6 +11,7 @@
 #include "app/results/life_table.hpp"
 #include "app/study/film_study.hpp"
 #include "bearing/contact/point_contact.hpp"
+#include "bearing/defect/scratched_bearing.hpp"
 #include "bearing/equilibrium/ring_balance.hpp"
 
 namespace orbearing::app {
@@ -84,6 +85,7 @@ struct StaticStudy {
   double reduction_factor = 0.0;               // [-]      in its capacities; of rollers
   double speed = 0.0;                          // [rad/s]  of the rings against each other; 0: not known
   std::optional<std::vector<BallFilm>> films;  // of balls whose film takes part
+  std::optional<bearing::defect::PassingFrequencies> passing;  // at pure rolling; none without a speed
   std::optional<SpeedTable> over_speed;
   std::optional<StaticSteps> steps;  // none where balls turn
   std::vector<std::string> warnings;

@@ -50,8 +50,6 @@ SweepPoint point_of(const ResolvedCase& resolved, std::vector<Setting> settings)
   return point;
 }
 
-constexpr const char* kPowerPath = "input.power";
-
 /// Settings of one combination of the swept values that the bins of a spectrum do not state.
 std::vector<std::vector<Setting>> lines_of_spectrum(const ResolvedCase& resolved) {
   std::vector<std::vector<Setting>> lines;
@@ -59,7 +57,7 @@ std::vector<std::vector<Setting>> lines_of_spectrum(const ResolvedCase& resolved
   for (std::size_t i = 0; i < sweep_size(resolved); ++i) {
     std::vector<Setting> line = sweep_point(resolved, i);
     std::erase_if(line, [](const Setting& setting) {
-      return setting.path == kSpeedPath || setting.path == kPowerPath;
+      return setting.path == kSpeedPath || setting.path == kPowerPath || setting.path == kTorquePath;
     });
     if (known.insert(line).second) lines.push_back(std::move(line));
   }

@@ -39,6 +39,17 @@ PassingFrequencies passing_frequencies(const Bearing& bearing, double inner_spee
           .element_pass = 2.0 * std::abs(rolling_speed(bearing, inner_speed, outer_speed)) * hertz};
 }
 
+void describe(described::Record& record, const PassingFrequencies& of) {
+  using described::dimension::cycles;
+  record.value("shaft_Hz", cycles, "inner ring relative to the outer ring", of.shaft);
+  record.value("FTF_Hz", cycles, "fundamental train frequency: speed of the cage", of.cage);
+  record.value("BPFO_Hz", cycles, "passing frequency of a defect of the outer race", of.outer_pass);
+  record.value("BPFI_Hz", cycles, "passing frequency of a defect of the inner race", of.inner_pass);
+  record.value("BSF_Hz", cycles,
+               "spin frequency of a rolling element; its defect meets the races at twice this",
+               0.5 * of.element_pass);
+}
+
 namespace {
 
 constexpr double kHalfTurn = constants::pi;

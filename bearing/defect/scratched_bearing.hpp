@@ -25,6 +25,7 @@
 #include "bearing/defect/scratch.hpp"
 #include "bearing/parameters.hpp"
 #include "mechanics/convex_search.hpp"
+#include "mechanics/record.hpp"
 
 namespace orbearing::bearing::defect {
 
@@ -37,6 +38,9 @@ struct PassingFrequencies {
   double inner_pass = 0.0;    // [Hz]  elements over a place of the inner race
   double element_pass = 0.0;  // [Hz]  a place of an element over either race: twice its spin in the cage
 };
+
+/// By their names in condition monitoring: FTF, BPFO, BPFI and BSF.
+void describe(described::Record& record, const PassingFrequencies& frequencies);
 
 /// Speed at which an element rolls about its own axis in the frame of the cage [rad/s], at pure rolling
 /// without spin; positive the way the races of faster outer rings turn it. The axis of a ball that touches

@@ -161,7 +161,7 @@ void add_mesh(SetModel& model, MeshKind kind, Eigen::Index n, double planet_angl
 
 Operation operation_of(const PlanetarySet& set, const Drive& drive) {
   Operation operation{.driven = drive.member,
-                      .power = drive.power,
+                      .power = drive.load_power(),
                       .speeds = member_speeds(set, drive),
                       .torques = member_torques(set, drive)};
   operation.mesh_frequency =

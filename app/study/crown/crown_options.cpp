@@ -222,7 +222,7 @@ std::vector<crowning::SpectrumPoint> spectrum_of(const ResolvedCase& resolved, c
   const std::vector<double> shares = shares_of(options, speeds.size(), mistakes);
   std::vector<crowning::SpectrumPoint> spectrum;
   for (std::size_t i = 0; i < speeds.size() && i < shares.size(); ++i)
-    spectrum.push_back({speeds[i], shares[i], {}});
+    spectrum.push_back({speeds[i], shares[i], resolved.with(kSpeedPath, speeds[i]).quantity(kPowerPath)});
   return spectrum;
 }
 
