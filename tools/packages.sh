@@ -45,6 +45,9 @@ python3-getfem: finite elements of others, of a rim that bends
 python3-sphinx: documentation site (tools/site)
 python3-myst-parser: the same, its reader of Markdown
 python3-venv: FMI tools of others, installed below the build folder
+chromium: the page of `orbearing open` in a browser
+chromium-driver: the same, moved by a test
+python3-selenium: the same, steps of the test
 '
 
 bench_packages='

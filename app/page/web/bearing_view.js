@@ -145,7 +145,7 @@ export class BearingView {
     const {speeds, known} = this.scene, parts = [];
     if (known) {
       const slowed = Math.abs(speeds.cage) / 60 * Number(this.pace.value);
-      parts.push("Cage ", figure(speeds.cage, "rpm"), this.scene.planet ? " in the carrier, outer ring " : ", inner ring ", figure(this.scene.planet ? speeds.outer : speeds.inner, "rpm"), ", rollers about their axes ", figure(speeds.spin, "rpm"), `. Slowed ${readable(slowed, 3)} times. `);
+      parts.push("Cage ", figure(speeds.cage, "rpm"), this.scene.planet ? " in the carrier, outer ring " : ", inner ring ", figure(this.scene.planet ? speeds.outer : speeds.inner, "rpm"), `, ${this.scene.ball ? "balls" : "rollers"} about their axes `, figure(speeds.spin, "rpm"), `. Slowed ${readable(slowed, 3)} times. `);
     } else parts.push("No speed in the case: one revolution is shown without time. ");
     parts.push("Bars: load of each ", this.scene.ball ? "ball" : "roller", ", outward on the outer race, inward on the inner race.");
     this.told.replaceChildren(...parts);

@@ -294,8 +294,8 @@ export class PressureCard extends Card {
   }
 
   curves({run}) {
-    const given = run?.roller_pressure ?? [];
-    return given.flatMap((one) => ["inner", "outer"].map((race, i) => ({key: `${race}${one.set ?? ""}`, label: `${one.set ? `${one.set}, ` : ""}${race} race`, colour: COLOURS[i], points: one.position_mm.map((x, k) => [x, one[`${race}_pressure_MPa`][k]])})));
+    const given = (run?.roller_loads ?? []).filter((one) => one.along_mm.length > 0);
+    return given.flatMap((one, n) => ["inner", "outer"].map((race, i) => ({key: `${race} ${one.set}`.trim(), label: `${one.set ? `${one.set}, ` : ""}${race} race`, colour: COLOURS[(2 * n + i) % COLOURS.length], points: one.along_mm.map((x, k) => [x, one[`${race}_pressure_MPa`][k]])})));
   }
 
   fits(session) {

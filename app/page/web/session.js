@@ -32,7 +32,7 @@ export class Session extends EventTarget {
     this.check = this.known = this.sweep = this.point = this.run = null;
     this.errors = [];
     this.failure = "";
-    this.cursor = null;
+    this.cursor = this.ownSpeed = null;
     this.slow = false;
     this.motion = [];
     this.took = {};
@@ -161,7 +161,9 @@ export class Session extends EventTarget {
     this.tell("check");
     if (this.overSpeed) {
       const [low, high] = this.range();
-      if (this.cursor === null) this.cursor = Number((this.known.input("input.speed") * RPM).toPrecision(9));
+      const own = Number((this.known.input("input.speed") * RPM).toPrecision(9));
+      if (own !== this.ownSpeed) this.cursor = own;  // a new speed of the case moves the cursor there
+      this.ownSpeed = own;
       this.cursor = Math.min(high, Math.max(low, this.cursor));
       const again = early ? await early : null;
       if (again instanceof Error || again?.errors) throw again;

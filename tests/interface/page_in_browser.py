@@ -1,0 +1,502 @@
+#!/usr/bin/env python3
+"""Issue 46, items 1 and 4: the page in Debian's Chromium, with the engine that `orbearing open` serves.
+
+A template is opened; clearance, speed and oil are changed; two mistakes are shown at their fields and mended; a sweep is run, stopped and continued; two
+variants are pinned and compared; the rollers are played and moved; a result is exported. Every number equals that of the command line, no request leaves
+the loopback address, and the console of the browser stays empty.
+
+Exit code 77 (skipped) where selenium or Chromium is missing. Needs ORBEARING and ORBEARING_SOURCE_DIR.
+"""
+
+import csv
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+from program import CASES, run
+
+try:
+    from selenium import webdriver
+    from selenium.webdriver.chrome.service import Service
+    from selenium.webdriver.common.by import By
+    from selenium.webdriver.common.keys import Keys
+    from selenium.webdriver.support.ui import Select, WebDriverWait
+except ImportError:
+    print("skipped: python3-selenium is missing")
+    sys.exit(77)
+CHROMIUM, DRIVER = shutil.which("chromium"), shutil.which("chromedriver")
+if not (CHROMIUM and DRIVER):
+    print("skipped: chromium or chromium-driver is missing")
+    sys.exit(77)
+
+SECONDS = 120  # a machine that computes other things besides
+LIVES = ("life_h", "L10h", "L10rh", "L10mh", "L10mrh")
+WIDTHS = (360, 1000, 1600)
+# A sweep of few speeds in motion, so that it can be stopped between them.
+MOVING = """# A reducer that is swept in motion
+name: reducer of the page
+source: tests
+model: planetary-drivetrain
+input: {power: 150 kW, speed: 9000 rpm}   # the operating point
+sweep:
+  input.speed: [8000 rpm, 9000 rpm, 10000 rpm]
+gearset:
+  planets: 4
+  teeth: {sun: 37, planet: 22, ring: 79}
+  module: 3 mm
+  profile_shift: {sun: 0.2618, ring: 0.4146}
+  face_width: 28 mm
+bearing:
+  type: cylindrical-roller
+  per_planet: 2
+  rollers: 15          # in each bearing
+  roller_diameter: 5.24 mm
+  roller_length: 5.7 mm
+  pitch_diameter: 35.64 mm
+  radial_clearance: 10 um
+  bore: 25 mm
+  outside_diameter: 47 mm
+  width: 11.9 mm
+  cage: {inner_diameter: 33.44 mm, outer_diameter: 38.54 mm, width: 9 mm, density: 1310 kg/m3, guide_land_diameter: 38.88 mm}
+lubricant: {viscosity: 0.01 Pa.s, pressure_viscosity: 1.5e-8 Pa-1}
+assumed:
+  bearing.radial_clearance: a close fit
+"""
+# Of WCAG 2: contrast of texts with what is behind them, of large ones 3.
+CONTRAST = """
+const parse = (text) => (text.match(/[\\d.]+/g) ?? []).map(Number);
+const part = (value) => (value /= 255) <= 0.03928 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4;
+const light = ([r, g, b]) => 0.2126 * part(r) + 0.7152 * part(g) + 0.0722 * part(b);
+const behind = (element) => {
+  for (let one = element; one; one = one.parentElement) {
+    const [r, g, b, a = 1] = parse(getComputedStyle(one).backgroundColor);
+    if (a > 0.99) return [r, g, b];
+  }
+  return [255, 255, 255];
+};
+const poor = [];
+for (const element of document.querySelectorAll("body *")) {
+  const own = [...element.childNodes].some((node) => node.nodeType === 3 && node.data.trim()) || ["INPUT", "SELECT", "TEXTAREA"].includes(element.tagName);
+  if (!own || !element.checkVisibility({opacityProperty: true, visibilityProperty: true}) || element.closest("[disabled], script, style, noscript")) continue;
+  const style = getComputedStyle(element), colour = parse(element instanceof SVGElement ? style.fill : style.color);
+  const [one, other] = [light(colour), light(behind(element))].sort((a, b) => b - a), ratio = (one + 0.05) / (other + 0.05);
+  const large = parseFloat(style.fontSize) >= 24 || (parseFloat(style.fontSize) >= 18.66 && style.fontWeight >= 700);
+  if (ratio < (large ? 3 : 4.5)) poor.push(`${element.tagName} ${element.className.baseVal ?? element.className} "${element.textContent.trim().slice(0, 30)}": ${ratio.toFixed(2)}`);
+}
+return [...new Set(poor)];
+"""
+UNNAMED = """
+const named = (element) => element.labels?.length || element.getAttribute("aria-label") || element.getAttribute("aria-labelledby") || (element.tagName === "BUTTON" && element.textContent.trim());
+const ids = [...document.querySelectorAll("[id]")].map((one) => one.id), twice = ids.filter((id, i) => ids.indexOf(id) !== i);
+return [...[...document.querySelectorAll("input, select, textarea, button")].filter((one) => !named(one)).map((one) => one.outerHTML.slice(0, 120)), ...twice.map((id) => `id ${id} twice`)];
+"""
+
+
+class Server:
+    """`orbearing open` without a browser."""
+
+    def __init__(self, *words, folder=None):
+        self.process = subprocess.Popen([os.environ["ORBEARING"], "open", *map(str, words), "--no-browser"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=folder)
+        self.address = self.process.stdout.readline().strip()
+
+    def stop(self):
+        self.process.terminate()
+        self.process.communicate(timeout=SECONDS)
+
+
+def browser(downloads):
+    options = webdriver.ChromeOptions()
+    options.binary_location = CHROMIUM
+    for word in ("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--window-size=1600,1000", "--lang=en",
+                 "--disable-background-networking", "--disable-component-update", "--no-first-run"):
+        options.add_argument(word)
+    options.add_experimental_option("prefs", {"download.default_directory": str(downloads), "download.prompt_for_download": False})
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
+    return webdriver.Chrome(service=Service(DRIVER), options=options)
+
+
+class PageSteps:
+    """The steps with either engine: `address` is that of the page, with nothing opened."""
+
+    address = ""
+    requests = set()
+    console = []
+
+    @classmethod
+    def begin(cls):
+        place = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(place.cleanup)
+        cls.folder = pathlib.Path(place.name)
+        cls.driver = browser(cls.folder)
+        cls.addClassCleanup(cls.driver.quit)
+
+    def setUp(self):
+        self.width(1600)
+        self.scheme("light")
+        self.driver.get(self.address)
+        self.until(lambda: self.script("return document.body.classList.contains('ready')"), "the page is ready")
+
+    def tearDown(self):
+        """What the browser asked for and said, of every test."""
+        for entry in self.driver.get_log("performance"):
+            message = json.loads(entry["message"])["message"]
+            if message["method"] == "Network.requestWillBeSent":
+                type(self).requests.add(message["params"]["request"]["url"])
+        type(self).console += [line["message"] for line in self.driver.get_log("browser") if not self.is_expected(line["message"])]
+
+    @staticmethod
+    def is_expected(line):
+        """A refused case is an answer of the program, which Chromium notes as a request that failed."""
+        return re.search(r"/request .*status of 422|/units .*status of 422", line) is not None
+
+    def script(self, text, *values):
+        return self.driver.execute_script(text, *values)
+
+    def until(self, condition, what):
+        WebDriverWait(self.driver, SECONDS, poll_frequency=0.1).until(lambda _: condition(), f"waited in vain until {what}")
+
+    def find(self, selector):
+        return self.driver.find_element(By.CSS_SELECTOR, selector)
+
+    def all(self, selector):
+        return self.driver.find_elements(By.CSS_SELECTOR, selector)
+
+    def width(self, pixels):
+        self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {"width": pixels, "height": 900, "deviceScaleFactor": 1, "mobile": False})
+
+    def scheme(self, name):
+        self.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [{"name": "prefers-color-scheme", "value": name}]})
+
+    def press(self, key):
+        """A key, wherever the focus is."""
+        webdriver.ActionChains(self.driver).send_keys(key).perform()
+
+    def computed(self):
+        self.until(lambda: self.script("return !document.body.classList.contains('busy')"), "the results are there")
+
+    def open_template(self, name):
+        self.find(f"[data-template={name}]").click()
+        self.until(lambda: self.find("#lives").is_displayed(), "lives are shown")
+        self.computed()
+
+    def write(self, text):
+        """The whole text of the case, in the view of the text."""
+        if not self.find("#yaml").is_displayed():
+            self.find("#to-text").click()
+        self.script("arguments[0].value = arguments[1]; arguments[0].dispatchEvent(new Event('input', {bubbles: true}))", self.find("#yaml"), text)
+        self.computed()
+
+    def open_text(self, text):
+        self.open_template("wind-stage")
+        self.write(text)
+
+    @property
+    def text(self):
+        return self.script("return document.getElementById('yaml').value")
+
+    def enter(self, key, value):
+        """A value of the form, by the keyboard."""
+        self.script("arguments[0].click()", self.show_row(key).find_element(By.CSS_SELECTOR, "label"))
+        field = self.find(f"[id='in-{key}']")
+        if field.tag_name == "select":
+            Select(field).select_by_value(value)
+        else:
+            field.send_keys(Keys.CONTROL, "a")
+            field.send_keys(value, Keys.TAB)
+        self.computed()
+
+    def show_row(self, key):
+        """The row of an input, found by its name where it is not shown."""
+        row = self.find(f"[data-key='{key}']")
+        if not row.is_displayed():
+            search = self.find("#search")
+            search.clear()
+            search.send_keys(key)
+        return row
+
+    def program(self, command, *words, text=None):
+        """What the command line prints for the case as it is in the page."""
+        file = self.folder / "as_in_the_page.yaml"
+        file.write_text(self.text if text is None else text)
+        return run(command, file, "--json", *words)
+
+    def answer(self, command, *words):
+        done = self.program(command, *words)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return json.loads(done.stdout)
+
+    def cursor(self):
+        return float(self.find("#cursor-value .figure").get_attribute("data-value"))
+
+    def assert_numbers_of_the_command_line(self):
+        """Tiles and the table of all results, at the cursor."""
+        point = self.answer("run", "--set", f"input.speed={self.cursor()!r} rpm")["points"][0]
+        tiles = {tile.get_attribute("data-key"): tile.find_element(By.CSS_SELECTOR, ".figure").get_attribute("data-value") for tile in self.all("#lives .tile")}
+        self.assertTrue(set(LIVES) <= set(tiles))
+        for key, value in tiles.items():
+            self.assertEqual(float(value) if value else None, point[key], key)
+        self.script("document.getElementById('card-point').open = true")
+        self.until(lambda: self.all("#card-point td[data-key=L10h]"), "all results are shown")
+        cells = self.script("return [...document.querySelectorAll('#card-point .tall td[data-key]')].map((cell) => [cell.dataset.key, cell.querySelector('.figure')?.dataset.value ?? cell.textContent])")
+        self.assertGreater(len(cells), 30)
+        for key, value in cells:
+            self.assertEqual(float(value) if isinstance(point[key], (int, float)) else value, point[key], key)
+
+    def test_a_template_is_opened(self):
+        self.assertEqual({one.get_attribute("data-template") for one in self.all("#templates button")},
+                         {"wind-stage", "e-drive", "industrial", "roller-bearing", "ball-bearing", "duplex", "defect"})
+        self.open_template("industrial")
+        self.assertEqual(self.text, (CASES / "templates" / "industrial.yaml").read_text())
+        self.assert_numbers_of_the_command_line()
+
+    def test_every_template_computes(self):
+        for name in ("wind-stage", "e-drive", "roller-bearing", "ball-bearing", "duplex"):
+            with self.subTest(name):
+                self.find("#to-start").click() if not self.find("#start").is_displayed() else None
+                self.find(f"[data-template={name}]").click()
+                self.computed()
+                self.assertFalse(self.all("#errors .error"))
+                self.assertTrue(any(card.is_displayed() for card in self.all("#card-life, #card-result")))
+
+    def test_clearance_speed_and_oil_are_changed(self):
+        self.open_template("wind-stage")
+        before = self.find("#lives [data-key=L10mrh] .figure").get_attribute("data-value")
+        self.enter("bearing.radial_clearance", "90")
+        self.enter("input.speed", "18")
+        self.enter("lubricant.temperature", "70")
+        self.enter("lubricant.grade", "ISO VG 460")
+        self.assertIn("radial_clearance: 90 um   # of the running bearing", self.text)
+        self.assertIn("speed: 18 rpm", self.text)
+        self.assertIn("{grade: ISO VG 460, temperature: 70 degC}", self.text)
+        self.assertEqual([line for line in self.text.splitlines() if line.startswith("#")],
+                         [line for line in (CASES / "templates" / "wind-stage.yaml").read_text().splitlines() if line.startswith("#")])
+        self.assert_numbers_of_the_command_line()
+        self.assertNotEqual(before, self.find("#lives [data-key=L10mrh] .figure").get_attribute("data-value"))
+
+    def test_a_unit_converts_its_value(self):
+        self.open_template("wind-stage")
+        row = self.show_row("bearing.radial_clearance")
+        Select(row.find_element(By.CSS_SELECTOR, ".unit")).select_by_value("mm")
+        self.until(lambda: self.find("[id='in-bearing.radial_clearance']").get_attribute("value") == "0.07", "the value is converted")
+        self.assertIn("radial_clearance: 0.07 mm", self.text)
+
+    def test_two_mistakes_are_shown_at_their_fields_and_mended(self):
+        self.open_template("wind-stage")
+        self.enter("bearing.rollers", "2")
+        self.enter("bearing.radial_clearance", "5000")
+        wrong = self.all(".row.bad")
+        self.assertEqual([row.get_attribute("data-key") for row in wrong], ["bearing.rollers", "bearing.radial_clearance"])
+        told = self.program("check").stderr.splitlines()
+        for row in wrong:
+            key, text = row.get_attribute("data-key"), row.find_element(By.CSS_SELECTOR, ".error").text
+            self.assertTrue(any(line.endswith(f" {key}: {text}") for line in told), f"{key}: {text} is not among {told}")
+            self.assertEqual(row.find_element(By.CSS_SELECTOR, "input").get_attribute("aria-invalid"), "true")
+        self.enter("bearing.rollers", "16")
+        self.enter("bearing.radial_clearance", "70")
+        self.assertFalse(self.all(".row.bad, #errors .error"))
+        self.assert_numbers_of_the_command_line()
+
+    def test_text_and_form_are_one(self):
+        self.open_text(MOVING)
+        self.assertEqual(self.find("[id='in-bearing.rollers']").get_attribute("value"), "15")
+        self.write(MOVING.replace("rollers: 15", "rollers: 14"))
+        self.assertEqual(self.find("[id='in-bearing.rollers']").get_attribute("value"), "14")
+        self.enter("bearing.rollers", "13")
+        self.assertEqual(self.text, MOVING.replace("rollers: 15", "rollers: 13"))
+        self.enter("bearing.radial_clearance", "12")
+        self.assertIn("radial_clearance: 12 um", self.text)
+        self.assertNotIn("a close fit", self.text)  # the reason was that of the former value
+        self.write("name: x\n  foo: [a")
+        self.assertIn("Line 2", self.find("#errors").text)
+
+    def test_texts_of_a_case_are_never_markup(self):
+        self.open_text(MOVING.replace("reducer of the page", '"<img src=x onerror=alert(1)><b>name</b>"'))
+        self.assertIn("<b>name</b>", self.find("#case-name").text)
+        self.assertFalse(self.all("main img, header b"))
+
+    def test_inputs_that_a_fidelity_does_not_use_are_marked(self):
+        self.open_text(MOVING)
+        row = self.find("[data-key='bearing.cage.guide_land_diameter']")
+        self.assertEqual([one.text for one in row.find_elements(By.CSS_SELECTOR, ".unused-note")], ["Not used by quasi-static"])
+        Select(self.find("#fidelity")).select_by_value("dynamic")
+        self.assertFalse(row.find_elements(By.CSS_SELECTOR, ".unused-note"))
+
+    def test_the_cursor_links_curves_drawings_and_numbers(self):
+        self.open_text(MOVING)
+        slider = self.find("#cursor")
+        slider.send_keys(Keys.HOME)
+        self.computed()
+        self.assertEqual(self.cursor(), 8000.0)
+        for card in ("life", "loads"):
+            self.assertEqual(float(self.find(f"#card-{card} .cursor line").get_attribute("data-x")), 8000.0)
+        self.assert_numbers_of_the_command_line()
+        loads = self.answer("run", "--set", "input.speed=8000 rpm")["roller_loads"][0]
+        first = self.find("#card-bearing .bar.inner[data-element='1']")
+        self.assertEqual(float(first.get_attribute("data-load")), loads["inner_load_N"][0])
+
+    def test_the_life_curve_is_that_of_a_sweep(self):
+        self.open_text(MOVING)
+        self.script("document.getElementById('card-more').open = true")
+        speeds = [float(x) for x in self.export("#take-csv", "input_speed_rpm")]
+        self.assertEqual((speeds[0], speeds[-1]), (8000.0, 10000.0))
+        points = self.answer("sweep", "--grid-only", "--set", "sweep={input.speed: [%s]}" % ", ".join(f"{speed!r} rpm" for speed in speeds))["points"]
+        with (self.folder / "wind-stage.csv").open() as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual(len(rows), len(points))
+        for row, point in zip(rows, points):
+            for key, value in point.items():
+                self.assertEqual(row[key], "" if value is None else row[key])
+                if isinstance(value, float):
+                    self.assertEqual(float(row[key]), value, key)
+
+    def export(self, button, column):
+        """Column of the CSV file that a button of the dialog saves."""
+        self.find("#to-take").click()
+        file = self.folder / "wind-stage.csv"
+        file.unlink(missing_ok=True)
+        self.find(button).click()
+        self.until(file.exists, "the file is there")
+        self.find("#take .close").click()
+        with file.open() as text:
+            return [row[column] for row in csv.DictReader(text)]
+
+    def test_a_sweep_is_run_stopped_and_continued(self):
+        self.open_text(MOVING)
+        Select(self.find("#fidelity")).select_by_value("dynamic")
+        card = self.find("#card-motion")
+        start, stop, proceed = card.find_elements(By.CSS_SELECTOR, ".player button")
+        start.click()
+        told = lambda: card.find_element(By.CSS_SELECTOR, ".told").text  # noqa: E731
+        self.until(lambda: "1 of 3 points" in told(), "one point is done")
+        stop.click()
+        self.until(lambda: "Stopped" in told(), "the sweep has stopped")
+        kept = int(re.search(r"Stopped: (\d)", told())[1])
+        self.assertTrue(1 <= kept < 3, told())
+        proceed.click()
+        self.until(lambda: "Done: 3 points" in told(), "the sweep is done")
+        drawn = {float(circle.get_attribute("data-x")): float(circle.get_attribute("data-y")) for circle in self.all("#card-motion [data-series=cage_slip] circle")}
+        expected = {point["input_speed_rpm"]: point["cage_slip"] for point in self.answer("sweep", "--grid-only", "--fidelity", "dynamic")["points"]}
+        self.assertEqual(drawn, expected)
+
+    def test_two_variants_are_pinned_and_compared(self):
+        self.open_text(MOVING)
+        self.find("[data-pin=A]").click()
+        first = self.answer("run")["points"][0]
+        self.enter("bearing.radial_clearance", "30")
+        self.find("[data-pin=B]").click()
+        second = self.answer("run")["points"][0]
+        self.enter("bearing.radial_clearance", "10")
+        inputs = [[cell.text for cell in row.find_elements(By.CSS_SELECTOR, "th, td")] for row in self.all(".inputs-differ tr")]
+        self.assertEqual(inputs, [["bearing.radial_clearance", "10 um", "10 um", "30 um"]])
+        shown = {row.find_element(By.CSS_SELECTOR, "th").text: [float(one.get_attribute("data-value")) for one in row.find_elements(By.CSS_SELECTOR, ".figure")] for row in self.all(".results-differ tr")}
+        self.assertEqual(shown["L10rh"], [first["L10rh"], first["L10rh"], second["L10rh"]])
+        self.assertEqual({key.get_attribute("data-series") for key in self.all("#card-life .curve[data-series^='life_h']")}, {"life_h", "life_h A", "life_h B"})
+
+    def test_the_rollers_are_played_and_moved(self):
+        self.open_text(MOVING)
+        place = lambda: self.find("#card-bearing .element.first").get_attribute("transform")  # noqa: E731
+        still = place()
+        play = self.find("#card-bearing .play")
+        play.click()
+        self.until(lambda: place() != still, "the rollers move")
+        play.click()
+        stopped = place()
+        time.sleep(0.3)
+        self.assertEqual(place(), stopped)
+        slider = self.find("#card-bearing .player input[type=range]")
+        slider.send_keys(Keys.END)
+        end = place()
+        slider.send_keys(Keys.ARROW_LEFT)
+        self.assertNotEqual(place(), end)
+        cage, outer = self.script("return [...document.querySelectorAll('#card-bearing .told .figure')].map((one) => Number(one.dataset.value)).slice(0, 2)")
+        planet = next(one["value"] for one in self.answer("check")["derived"] if one["path"] == "operation.planet_speed")
+        self.assertAlmostEqual(outer / planet, 1.0, places=12)
+        self.assertAlmostEqual(cage / outer, (1 + 5.24 / 35.64) / 2, places=12)  # at pure rolling about a stationary pin
+
+    def test_what_is_taken_away(self):
+        self.open_text(MOVING)
+        self.find("#to-take").click()
+        self.find("#take-case").click()
+        file = self.folder / "wind-stage.yaml"
+        self.until(file.exists, "the case file is there")
+        self.assertEqual(file.read_text(), MOVING)
+        self.assertEqual(self.find("#take-command").get_attribute("value"), "orbearing sweep wind-stage.yaml -o results")
+        self.assertIn("case.sweep(fidelity=\"quasi-static\")", self.find("#take-python").get_attribute("value"))
+        self.find("#take-json").click()
+        file = self.folder / "wind-stage.json"
+        self.until(file.exists, "the result is there")
+        self.assertEqual(json.loads(file.read_text())["points"], self.answer("run", "--set", "input.speed=9000.0 rpm")["points"])
+
+    def test_the_keyboard_alone(self):
+        first = self.find("#templates button")
+        self.script("document.activeElement.blur()")
+        for _ in range(12):
+            self.press(Keys.TAB)
+            if self.driver.switch_to.active_element == first:
+                break
+        self.assertEqual(self.driver.switch_to.active_element, first)
+        first.send_keys(Keys.ENTER)
+        self.until(lambda: self.find("#lives").is_displayed(), "lives are shown")
+        self.computed()
+        reached = set()
+        for _ in range(60):
+            self.press(Keys.TAB)
+            reached.add(self.script("return document.activeElement.id || document.activeElement.className || document.activeElement.tagName"))
+        self.assertTrue({"play"} <= reached, sorted(reached))
+        self.find("#cursor").send_keys(Keys.ARROW_RIGHT)
+        self.computed()
+        self.assert_numbers_of_the_command_line()
+
+    def test_contrast_names_and_width(self):
+        self.open_template("industrial")
+        self.find("[data-pin=A]").click()
+        self.enter("bearing.per_planet", "99")
+        self.assertTrue(self.all(".row.bad"))
+        self.script("for (const card of document.querySelectorAll('.card')) card.open = true")
+        for scheme in ("light", "dark"):
+            self.scheme(scheme)
+            self.assertEqual(self.script(CONTRAST), [], scheme)
+        self.enter("bearing.per_planet", "2")
+        self.assertEqual(self.script(UNNAMED), [])
+        for pixels in WIDTHS:
+            self.width(pixels)
+            self.assertLessEqual(self.script("return document.documentElement.scrollWidth"), pixels)
+            self.assertTrue(self.find("#lives").is_displayed())
+        for scheme in ("light", "dark"):
+            self.scheme(scheme)
+            self.assertEqual(self.script(CONTRAST), [], scheme)
+
+    @classmethod
+    def judge_traffic(cls):
+        """After all tests of an engine: what was asked for and said."""
+        origin = re.match(r"http://[^/]*", cls.address)[0]
+        outside = [url for url in cls.requests if not url.startswith((origin, "data:", "blob:", "about:"))]
+        assert not outside, f"requests left the loopback address: {outside}"
+        assert cls.requests, "the browser's log of requests is empty"
+        assert not cls.console, f"the console of the browser says: {cls.console}"
+
+
+class EngineA(PageSteps, unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        server = Server()
+        cls.addClassCleanup(server.stop)
+        if not server.address.startswith("http"):
+            raise unittest.SkipTest(f"orbearing open: {server.process.stderr.read().strip()}")
+        cls.address = server.address
+        cls.begin()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.judge_traffic()
+
+
+if __name__ == "__main__":
+    unittest.main()
