@@ -183,7 +183,7 @@ class PageSteps:
 
     def open_template(self, name):
         self.find(f"[data-template={name}]").click()
-        self.until(lambda: self.find("#lives").is_displayed(), "lives are shown")
+        self.until(lambda: self.find("#tiles").is_displayed(), "lives are shown")
         self.computed()
 
     def write(self, text):
@@ -238,7 +238,7 @@ class PageSteps:
     def assert_numbers_of_the_command_line(self):
         """Tiles and the table of all results, at the cursor."""
         point = self.answer("run", "--set", f"input.speed={self.cursor()!r} rpm")["points"][0]
-        tiles = {tile.get_attribute("data-key"): tile.find_element(By.CSS_SELECTOR, ".figure").get_attribute("data-value") for tile in self.all("#lives .tile")}
+        tiles = {tile.get_attribute("data-key"): tile.find_element(By.CSS_SELECTOR, ".figure").get_attribute("data-value") for tile in self.all("#tiles .tile")}
         self.assertTrue(set(LIVES) <= set(tiles))
         for key, value in tiles.items():
             self.assertEqual(float(value) if value else None, point[key], key)
@@ -267,7 +267,7 @@ class PageSteps:
 
     def test_clearance_speed_and_oil_are_changed(self):
         self.open_template("wind-stage")
-        before = self.find("#lives [data-key=L10mrh] .figure").get_attribute("data-value")
+        before = self.find("#tiles [data-key=L10mrh] .figure").get_attribute("data-value")
         self.enter("bearing.radial_clearance", "90")
         self.enter("input.speed", "18")
         self.enter("lubricant.temperature", "70")
@@ -278,7 +278,7 @@ class PageSteps:
         self.assertEqual([line for line in self.text.splitlines() if line.startswith("#")],
                          [line for line in (CASES / "templates" / "wind-stage.yaml").read_text().splitlines() if line.startswith("#")])
         self.assert_numbers_of_the_command_line()
-        self.assertNotEqual(before, self.find("#lives [data-key=L10mrh] .figure").get_attribute("data-value"))
+        self.assertNotEqual(before, self.find("#tiles [data-key=L10mrh] .figure").get_attribute("data-value"))
 
     def test_a_unit_converts_its_value(self):
         self.open_template("wind-stage")
@@ -443,7 +443,7 @@ class PageSteps:
                 break
         self.assertEqual(self.driver.switch_to.active_element, first)
         first.send_keys(Keys.ENTER)
-        self.until(lambda: self.find("#lives").is_displayed(), "lives are shown")
+        self.until(lambda: self.find("#tiles").is_displayed(), "lives are shown")
         self.computed()
         reached = set()
         for _ in range(60):
@@ -468,7 +468,7 @@ class PageSteps:
         for pixels in WIDTHS:
             self.width(pixels)
             self.assertLessEqual(self.script("return document.documentElement.scrollWidth"), pixels)
-            self.assertTrue(self.find("#lives").is_displayed())
+            self.assertTrue(self.find("#tiles").is_displayed())
         for scheme in ("light", "dark"):
             self.scheme(scheme)
             self.assertEqual(self.script(CONTRAST), [], scheme)

@@ -10,6 +10,7 @@ import {Variants} from "./variants.js";
 import * as yaml from "./yaml_text.js";
 
 const at = (id) => document.getElementById(id);
+const FOLDER_EVERY = 5e3;  // ms, in which a folder that is computed is read anew
 const STEPS = 1000;  // of the cursor's slider
 const TILES = ["life_h", "L10h", "L10rh", "L10mh", "L10mrh", "system_life_h", "planet_load_N", "contact_pressure_max_MPa", "kappa", "carrier_speed_rpm"];
 const MISSING = {L10mh: "oil grade and cleanliness are required", L10mrh: "oil grade and cleanliness are required", kappa: "an oil grade is required"};
@@ -23,9 +24,11 @@ class Page {
       changed: (text) => this.session.setText(text, "form"),
       convert: (value, unit) => engine.units(value, unit),
     });
+    this.crown = new CrownCard((crown) => this.putCrown(crown));
+    this.motion = new MotionCard();
     const machine = new MachineCard(), focus = (key) => this.form.focus(key);
-    this.cards = [new LifeCard(), new LoadsCard(), machine, new GearsCard(machine), new ResultCard(), new PressureCard(), new MotionCard(), new SpectrumCard(),
-      new CrownCard((crown) => this.putCrown(crown)), new MoreCard(), new ModesCard(), new MeshCard(), new AssumptionsCard(focus), new PointCard()];
+    this.cards = [new LifeCard(), new LoadsCard(), machine, new GearsCard(machine), new ResultCard(), new PressureCard(), this.motion, new SpectrumCard(),
+      this.crown, new MoreCard(), new ModesCard(), new MeshCard(), new AssumptionsCard(focus), new PointCard()];
     this.variants = new Variants(this.session);
     this.layOut();
     this.take = new TakeAway(this.session, at("take"));
@@ -100,9 +103,29 @@ class Page {
 
   open(text, file) {
     this.showWork();
-    this.session.open(text, file);
+    const opened = this.session.open(text, file);
     at("results").focus({preventScroll: true});
     scrollTo(0, 0);
+    return opened;
+  }
+
+  /** Results of the folder that was opened, finished or still computed. */
+  showFolder(opened) {
+    const {session} = this;
+    if (opened.points) {
+      session.motion = opened.points;
+      session.motionFidelity = opened.fidelity === "quasi-static" ? "in the folder" : opened.fidelity;
+      session.tell("motion");
+      this.motion.told.textContent = `Folder ${opened.name}: ${opened.points.length} points${opened.finished ? "" : "; its sweep is not finished"}.`;
+    }
+    if (opened.result?.recommended) {
+      this.crown.element.open = true;
+      this.crown.draw(session, opened.result);
+    } else if (opened.result && !opened.points) {
+      session.run = opened.result;
+      session.tell("results");
+    }
+    if (opened.finished === false && this.engine.reopened) setTimeout(async () => this.showFolder(await this.engine.reopened()), FOLDER_EVERY);
   }
 
   showText(by) {
@@ -130,7 +153,7 @@ class Page {
     }
     if (what === "failed") for (const card of this.cards) card.session = session;
     document.body.classList.toggle("stale", session.errors.length > 0 || Boolean(session.failure));
-    if (what === "idle") at("state").textContent = session.errors.length ? `${session.errors.length} to mend` : session.failure ? "failed" : session.took.case ? `computed in ${readable(session.took.case, 3)} ms` : "";
+    if (what === "idle") at("state").textContent = session.errors.length ? `${session.errors.length} to mend; results are those of the last valid case` : session.failure ? "failed" : session.took.case ? `computed in ${readable(session.took.case, 3)} ms` : "";
   }
 
   showErrors() {
@@ -176,7 +199,7 @@ class Page {
     if (session.overSpeed) this.showCursor();
     const point = session.overSpeed ? session.point : session.run, keys = point ? TILES.filter((key) => key in point) : [];
     at("bar").hidden = !keys.length;
-    at("lives").replaceChildren(...keys.map((key) => {
+    at("tiles").replaceChildren(...keys.map((key) => {
       const {unit = "", description = ""} = session.overSpeed ? session.meanings.of(key) : (session.meanings.partOf("run", point).properties[key] ?? {});
       const value = point[key], hours = unit === "h" && value !== null && value >= 1;
       return element("div", {class: `tile${value === null ? " none" : ""}`, "data-key": key, title: `${key}: ${description}${value === null && MISSING[key] ? `; not computed: ${MISSING[key]}` : ""}`},
@@ -198,8 +221,10 @@ async function begin() {
   const [caseSchema, resultSchema, opened] = await Promise.all([engine.schema("case"), engine.schema("result"), engine.opened()]);
   const page = new Page(engine, caseSchema, resultSchema);
   document.body.dataset.engine = engine.name;
-  if (opened?.text) page.open(opened.text, opened.file);
-  else await page.showStart();
+  if (opened?.text) {
+    const first = page.open(opened.text, opened.file);
+    if (opened.kind === "results") first.then(() => page.showFolder(opened));
+  } else await page.showStart();
   document.body.classList.add("ready");
 }
 

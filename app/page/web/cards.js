@@ -210,10 +210,10 @@ export class MotionCard extends Card {
     };
     let all = 0;
     this.handle = session.engine.start(request, {
-      progress: ({done, all: count, seconds_left: left, doing}) => {
+      progress: ({done, all: count, seconds_left: left, doing, motion}) => {
         all = count;
         this.bar.value = count ? done / count : 0;
-        this.told.textContent = `${doing ? `${doing} ` : ""}${done} of ${count} points done${isNumber(left) ? `, ${readable(left, 2)} s to go` : ""}`;
+        this.told.textContent = `${doing ? `${doing} ` : ""}${done} of ${count} points done${isNumber(left) ? `, ${readable(left, 2)} s to go` : ""}${isNumber(motion?.real_time_factor) ? `, ${readable(motion.real_time_factor, 2)} times real time` : ""}`;
       },
       point: (point) => put([point]),
     }, from);
@@ -319,8 +319,8 @@ export class PressureCard extends Card {
 
 /** What is computed when the card is opened or a button pressed: kept as long as the case is the same. */
 class AskedCard extends Card {
-  constructor(id, title, button) {
-    super(id, title, {open: false, column: "right"});
+  constructor(id, title, {button = "", column = "right"} = {}) {
+    super(id, title, {open: false, column});
     this.told = element("p", {class: "told", role: "status"});
     this.shown = element("div");
     if (button) {
@@ -400,7 +400,7 @@ export class ModesCard extends AskedCard {
 
 export class MeshCard extends AskedCard {
   constructor() {
-    super("mesh", "Mesh stiffness");
+    super("mesh", "Mesh stiffness", {column: "left"});
   }
 
   fits(session) {
@@ -424,7 +424,7 @@ export class MeshCard extends AskedCard {
 
 export class CrownCard extends AskedCard {
   constructor(apply) {
-    super("crown", "Roller crown", "Compute the recommended crown");
+    super("crown", "Roller crown", {button: "Compute the recommended crown"});
     this.apply = apply;
   }
 
@@ -481,7 +481,7 @@ export class SpectrumCard extends Card {
 /** Inputs that the source does not give; with their effect on the life where it was computed. */
 export class AssumptionsCard extends AskedCard {
   constructor(focus) {
-    super("assumptions", "Assumptions and warnings", "Sort by effect on life");
+    super("assumptions", "Assumptions and warnings", {button: "Sort by effect on life", column: "left"});
     this.focus = focus;
     this.list = element("div");
     this.body.append(this.list);

@@ -1,7 +1,7 @@
 // Line charts in SVG: axes, curves, points, a cursor over x that all charts of the page share.
 import {drawn, element, readable, unitSign} from "./dom.js";
 
-const MARGIN = {left: 66, right: 22, top: 10, bottom: 38};
+const MARGIN = {left: 76, right: 22, top: 10, bottom: 38};
 const HEIGHT = 250;
 
 /** Round values from `low` to `high`, about `count` of them. */
@@ -129,9 +129,7 @@ export class Chart {
   }
 
   short(value) {
-    const size = Math.abs(value);
-    if (size >= 1e6) return `${readable(value / 1e6, 3)} M`;
-    return readable(value, 3);
+    return readable(value, Math.abs(value) >= 1e7 ? 2 : 3);
   }
 
   curve({points, colour, dash, dots, title, label, key, only}) {
@@ -149,7 +147,7 @@ export class Chart {
     if (!isNumber(x) || x < this.scale.x.low || x > this.scale.x.high) return;
     const at = this.atX(x), end = at > this.width - 120;
     this.svg.append(drawn("g", {class: "mark-line"}, drawn("line", {x1: at, x2: at, y1: MARGIN.top, y2: bottom}),
-      drawn("text", {x: at + (end ? -4 : 4), y: MARGIN.top + 11 + 14 * row, "text-anchor": end ? "end" : "start"}, label)));
+      drawn("text", {x: at + (end ? -4 : 4), y: bottom - 6 - 14 * row, "text-anchor": end ? "end" : "start"}, label)));
   }
 
   drawCursor() {

@@ -30,10 +30,12 @@ export function engine(location, opened) {
   return {
     name: "A",
     opened: async () => opened,
+    /** What was opened, read anew: of a folder whose sweep goes on. */
+    reopened: () => json("/opened"),
     templates: () => json("/templates"),
     schema: (which) => json(`/schema/${which}`),
 
-    /** The object of --json. A request with the same `replaces` that is still under way is given up. */
+    /** The object of --json. */
     async answer(request, signal) {
       return (await posted("/request", body(request), signal)).json();
     },
@@ -42,10 +44,7 @@ export function engine(location, opened) {
 
     save: opened.writable ? async (file, text) => (await posted("/save", {file, text})).json() : null,
 
-    async report(request, form = "") {
-      const response = await posted(form ? `/report?form=${form}` : "/report", {case_text: request.case_text, settings: request.settings ?? []});
-      return form ? response.blob() : response.text();
-    },
+    report: async (request) => (await posted("/report", {case_text: request.case_text, settings: request.settings ?? []})).text(),
 
     /** A computation that takes its time. `continues`: the handle of one that was stopped, whose points are kept. */
     start(request, {progress = () => {}, point = () => {}} = {}, continues = null) {

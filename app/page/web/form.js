@@ -15,6 +15,7 @@ const GROUPS = [
 const groupOf = (block) => (GROUPS.find(([, blocks]) => blocks.includes(block)) ?? GROUPS.at(-1))[0];
 const MANY_CHOICES = 14;  // beyond which a list is searched by typing
 const SLIDER_STEPS = 200;
+const LINE = 44;  // letters in a line of a list or mapping
 
 const spaced = (key) => key.replaceAll("_", " ");
 const labelOf = (field) => (field.path.length > 1 ? field.path.slice(1) : field.path).map(spaced).join(" · ");
@@ -167,13 +168,16 @@ export class Form {
     const {field} = row, node = this.stated(field), input = this.inputs.get(field.key), errors = this.errors.get(field.key) ?? [];
     row.state = node ? "stated" : input ? "default" : field.required ? "missing" : "absent";
     const value = this.valueOf(field), busy = document.activeElement === row.control && row.dirty;
+    const unused = Boolean(this.fidelity && input?.not_modelled_by?.includes(`--fidelity ${this.fidelity}`)), reason = node ? this.reasonOf(field) : (input?.reason ?? "");
     if (!busy) this.put(row, value);
-    row.element.className = `row ${row.state}${errors.length ? " bad" : ""}`;
+    // Of hundreds of rows one changes at a time.
+    const looks = [row.state, unused, reason, ...errors].join("\n");
+    if (looks === row.looks) return;
+    row.looks = looks;
+    row.element.className = `row ${row.state} ${field.kind}${errors.length ? " bad" : ""}`;
     row.control.setAttribute("aria-invalid", String(errors.length > 0));
     row.reset.hidden = !node || field.kind === "fixed";
-    const unused = this.fidelity && input?.not_modelled_by?.includes(`--fidelity ${this.fidelity}`);
-    row.element.classList.toggle("unused", Boolean(unused));
-    const reason = node ? this.reasonOf(field) : (input?.reason ?? "");
+    row.element.classList.toggle("unused", unused);
     row.note.replaceChildren(
       ...errors.map((text) => element("p", {class: "error"}, text)),
       ...(unused ? [element("p", {class: "unused-note"}, `Not used by ${this.fidelity}`)] : []),
@@ -183,9 +187,17 @@ export class Form {
   put(row, value) {
     const {field} = row;
     row.dirty = false;
+    if (row.written === value && row.control.value === row.put) return;
+    row.written = value;
+    this.write(row, value);
+    row.put = row.control.value;
+  }
+
+  write(row, value) {
+    const {field} = row;
     if (field.kind !== "quantity") {
       row.control.value = value;
-      if (field.kind === "structure") row.control.rows = Math.min(8, Math.max(1, value.split("\n").length));
+      if (field.kind === "structure") row.control.rows = Math.min(8, value.split("\n").reduce((rows, line) => rows + Math.max(1, Math.ceil(line.length / LINE)), 0) || 1);
       this.place(row);
       return;
     }
@@ -199,10 +211,15 @@ export class Form {
     this.place(row);
   }
 
+  restore(row, value) {
+    row.written = null;
+    this.put(row, value);
+  }
+
   // A slider spans about the present value, within the limits of the schema.
   place(row) {
     if (!row.slider || row.dragging) return;
-    const now = Number(row.control.value), {field} = row;
+    const {field} = row, now = Number(row.control.value);
     const size = Number.isFinite(now) && now !== 0 && row.control.value !== "" ? Math.abs(now) : Math.abs(Number(quantityOf(field.example)?.number ?? 1)) || 1;
     let low = now > 0 ? Math.max(0, now - size) : now - size, high = (Number.isFinite(now) ? now : 0) + size;
     if (field.kind !== "quantity") {
@@ -238,7 +255,7 @@ export class Form {
       source = whole && whole.unit ? value : `${value} ${row.unit.value}`.trim();
     }
     if (field.kind !== "structure") source = yaml.scalarText(source, {flow: this.isInFlow(field.path), words: field.kind === "text"});
-    this.write(field, source, dragging);
+    this.state(field, source, dragging);
   }
 
   isInFlow(path) {
@@ -249,7 +266,7 @@ export class Form {
     return false;
   }
 
-  write(field, source, dragging) {
+  state(field, source, dragging) {
     if (this.stated(field) && yaml.textAt(this.text, this.stated(field)) === source) return this.changed(this.text, dragging);
     let text = this.text;
     for (const other of alternativesOf(this.schema, this.model, field.path)) text = yaml.withoutValue(text, other);
@@ -268,13 +285,14 @@ export class Form {
     let unit = row.unit.value;
     const before = this.valueOf(row.field);
     if (unit === "other") unit = await this.askForUnit(row);
-    if (!unit) return this.put(row, before);
+    if (!unit) return this.restore(row, before);
     if (!quantityOf(before)?.unit) return row.control.value ? this.commit(row) : undefined;
     try {
       const {text} = await this.convert(before, unit);
-      this.write(row.field, yaml.scalarText(text, {flow: this.isInFlow(row.field.path)}), false);
+      this.state(row.field, yaml.scalarText(text, {flow: this.isInFlow(row.field.path)}), false);
     } catch (error) {
-      this.put(row, before);
+      this.restore(row, before);
+      row.looks = null;
       row.note.replaceChildren(element("p", {class: "error"}, (error.errors ?? [error.message]).join(" ")));
     }
   }

@@ -1,8 +1,6 @@
 // What the schema of results says of each number, and results as tables.
 import {element, figure, readable, unitSign} from "./dom.js";
 
-const DEF_OF = {sweep: "sweep", run: "run"};
-
 export class Meanings {
   constructor(schema) {
     this.schema = schema;
@@ -20,7 +18,7 @@ export class Meanings {
   label(key) {
     const {symbol, unit} = this.of(key);
     if (symbol) return symbol;
-    if (/^(system_)?(L10|life)/.test(key)) return key.replace("system_", "system ").replace("life_h", "life (Lundberg-Palmgren)");
+    if (/^(system_)?(L10\w*h|life_h)$/.test(key)) return key.replace("system_", "system ").replace("life_h", "life (Lundberg-Palmgren)");
     return nameOf(key, unit);
   }
 

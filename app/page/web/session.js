@@ -45,7 +45,7 @@ export class Session extends EventTarget {
   open(text, file) {
     this.reset();
     this.file = file || TEXT_FILE;
-    this.setText(text, "opened");
+    return this.setText(text, "opened");
   }
 
   setText(text, by) {
@@ -53,7 +53,7 @@ export class Session extends EventTarget {
     this.text = text;
     if (other && by !== "opened") this.motion = [];
     this.dispatchEvent(new CustomEvent("text", {detail: by}));
-    this.compute({case: true});
+    return this.compute({case: true});
   }
 
   setCursor(rpm) {

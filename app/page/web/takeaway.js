@@ -53,10 +53,11 @@ export class TakeAway {
     };
     const points = [...(session.sweep?.points ?? [])], name = element("input", {type: "text", id: "save-name", value: session.file});
     this.told = element("p", {class: "told", role: "status"});
-    this.frame = element("iframe", {sandbox: "", title: "report", hidden: true});
+    // No script runs in it; this page may print it.
+    this.frame = element("iframe", {sandbox: "allow-same-origin allow-modals", title: "report", hidden: true});
     const close = element("button", {type: "button", class: "close", "aria-label": "close"}, "×");
     close.addEventListener("click", () => this.dialog.close());
-    this.dialog.replaceChildren(close, element("h2", {id: "take-title"}, "Take away"),
+    const parts = [close, element("h2", {id: "take-title"}, "Take away"),
       element("div", {class: "player"},
         button("Case file", () => download(session.file, session.text, "text/yaml"), {id: "take-case"}),
         points.length ? button("CSV of the curve", () => download(`${stem}.csv`, csv(points), "text/csv"), {id: "take-csv"}) : null,
@@ -75,7 +76,8 @@ export class TakeAway {
       this.told,
       copied("Command line", commandLine(session), "take-command"),
       session.overSpeed ? copied("Command line of the numbers at the cursor", pointCommand(session), "take-point") : null,
-      copied("Python", pythonLines(session), "take-python"), this.frame);
+      copied("Python", pythonLines(session), "take-python"), this.frame];
+    this.dialog.replaceChildren(...parts.filter(Boolean));
     this.dialog.showModal();
   }
 
@@ -92,12 +94,13 @@ export class TakeAway {
   async report(form) {
     const {session} = this, stem = session.file.replace(/\.ya?ml$/, "");
     this.told.textContent = "The report is being computed …";
-    const found = await session.engine.report(session.request("report"), form);
-    this.told.textContent = "";
-    if (form) return download(`${stem}.pdf`, found, "application/pdf");
+    const found = await session.engine.report(session.request("report"));
+    this.told.textContent = form ? "Choose “Save as PDF” where the browser asks for a printer." : "The report is below and among the downloads.";
+    const shown = new Promise((resolve) => this.frame.addEventListener("load", resolve, {once: true}));
     this.frame.srcdoc = found;
     this.frame.hidden = false;
-    download(`${stem}.html`, found, "text/html");
-    this.told.textContent = "The report is below and among the downloads.";
+    await shown;
+    if (form) this.frame.contentWindow.print();
+    else download(`${stem}.html`, found, "text/html");
   }
 }

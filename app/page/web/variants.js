@@ -1,5 +1,5 @@
 // Pinned variants: their curves lie over those of the case, and a table has the inputs and results that differ.
-import {element, figure} from "./dom.js";
+import {element, figure, readable} from "./dom.js";
 
 const NAMES = ["A", "B", "C"];
 const TOLD = /^(life_h|L10|system_life_h|planet_load_N|inner_load_max_N|contact_pressure_max_MPa|C_over_P|S0|kappa|a_ISO|operating_clearance_um|film_inner_um|cage_slip|power_loss_W)/;
@@ -54,7 +54,7 @@ export class Variants {
     const change = (value, key) => {
       if (typeof value !== "number" || typeof result[key] !== "number" || !result[key]) return "";
       const percent = 100 * (value / result[key] - 1);
-      return Math.abs(percent) < 0.005 ? "" : ` (${percent > 0 ? "+" : "−"}${Math.abs(percent).toPrecision(2)} %)`;
+      return Math.abs(percent) < 0.005 ? "" : ` (${percent > 0 ? "+" : "−"}${readable(Math.abs(percent), 2)} %)`;
     };
     const line = (title, cells) => element("tr", {}, element("th", {scope: "row"}, title), ...cells.map((cell) => element("td", {}, cell)));
     const other = variants.find((one) => one.cursor !== this.session.cursor && one.cursor !== null);
