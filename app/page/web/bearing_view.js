@@ -61,7 +61,7 @@ export class BearingView {
   }
 
   build() {
-    const {size, planet} = this.scene, half = (ROOM * size.outside) / 2;
+    const {size, planet, loaded} = this.scene, half = (ROOM * size.outside) / 2;
     this.svg.setAttribute("viewBox", `${-half} ${-half} ${2 * half} ${2 * half}`);
     this.svg.replaceChildren();
     const ring = (outer, inner, name) => {
@@ -93,7 +93,7 @@ export class BearingView {
     const edge = (1.1 + BAR) * size.outside / 2;
     const text = (x, y, words, anchor = "middle") => drawn("text", {x, y, "text-anchor": anchor}, words);
     if (planet) this.svg.append(text(...this.at(1.1 * edge, 0), "outward"), text(...this.at(-1.14 * edge, 0), "to the sun"));
-    else this.svg.append(text(...this.at(1.1 * edge, 0), "radial load"));
+    else if (loaded) this.svg.append(text(...this.at(1.1 * edge, 0), "radial load"));
   }
 
   marks(inner, outer) {

@@ -40,7 +40,7 @@ export function nameOf(key, unit = "") {
 
 const isNumbers = (value) => Array.isArray(value) && value.length > 0 && value.every((one) => typeof one === "number" || one === null);
 const UNTOLD = new Set(["assumptions", "warnings", "versions", "units", "case", "model", "options"]);
-const MOST_ROWS = 60;
+const MOST_ROWS = 60, FEW_ROWS = 12;
 
 /** A result of any command as tables, after its schema. */
 export function resultTable(object, part, units = {}, path = "") {
@@ -68,7 +68,8 @@ function manyOf(key, list, about, unit, title, units, path) {
   const first = list[0];
   if (first === null || typeof first !== "object") return element("details", {}, summary, element("p", {}, list.map(String).join(", ")));
   const shown = list.slice(0, MOST_ROWS), more = list.length > shown.length ? element("p", {class: "hint"}, `${list.length - shown.length} more rows are in the JSON.`) : null;
-  const table = (head, body) => element("details", {}, summary, element("div", {class: "scroll", tabindex: 0, role: "region", "aria-label": nameOf(key)}, element("table", {class: "grid"}, head, element("tbody", {}, ...body))), more);
+  const open = path === "" && list.length <= FEW_ROWS && !Array.isArray(first);
+  const table = (head, body) => element("details", {open}, summary, element("div", {class: "scroll", tabindex: 0, role: "region", "aria-label": nameOf(key)}, element("table", {class: "grid"}, head, element("tbody", {}, ...body))), more);
   if (Array.isArray(first)) return table(null, shown.map((row) => element("tr", {}, ...row.slice(0, 12).map((one) => element("td", {}, typeof one === "number" || one === null ? figure(one) : String(one))), row.length > 12 ? element("td", {}, "…") : null)));
   const inner = about.items?.properties ?? {}, columns = Object.keys(first).filter((name) => first[name] === null || typeof first[name] !== "object");
   const head = element("thead", {}, element("tr", {}, ...columns.map((name) => element("th", {scope: "col", title: inner[name]?.description ?? ""}, inner[name]?.symbol ?? nameOf(name, inner[name]?.unit), unitSign(inner[name]?.unit) ? ` (${unitSign(inner[name].unit)})` : ""))));

@@ -65,10 +65,11 @@ export function singleBearing(known, run) {
   if (!found) return null;
   const {count} = found.size, rpm = (known.input("operation.shaft_speed") ?? 0) * (30 / Math.PI), outer = known.word("operation.turning_race") === "outer";
   const angles = run?.steps?.element_angles_deg ?? spread(count, (known.input("bearing.first_element_angle") ?? 0) / DEGREE);
-  const inner = run?.contact_loads_N?.length === count ? run.contact_loads_N : Array(count).fill(0);
+  const first = (loads) => (loads?.length >= count ? loads.slice(0, count) : null);  // of several rows the first
+  const inner = first(run?.contact_loads_N) ?? Array(count).fill(0);
   const speed = rpm || 1;
   return {...found, planet: false, known: rpm !== 0, speeds: rollingSpeeds(found.size, outer ? 0 : speed, outer ? speed : 0),
-    loads: {angles, inner, outer: run?.outer_contact_loads_N ?? inner}};
+    loads: {angles, inner, outer: first(run?.outer_contact_loads_N) ?? inner}, loaded: known.input("load.radial") > 0};
 }
 
 /** Of a planetary set with teeth; null where the case has none. */
