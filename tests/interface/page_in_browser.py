@@ -420,6 +420,49 @@ class PageSteps:
         self.assertAlmostEqual(outer / planet, 1.0, places=12)
         self.assertAlmostEqual(cage / outer, (1 + 5.24 / 35.64) / 2, places=12)  # at pure rolling about a stationary pin
 
+    def open_card(self, name):
+        self.script("document.getElementById(arguments[0]).open = true", f"card-{name}")
+        return self.find(f"#card-{name}")
+
+    def numbers(self, card):
+        return [float(one.get_attribute("data-value")) for one in card.find_elements(By.CSS_SELECTOR, ".figure") if one.get_attribute("data-value")]
+
+    def test_bins_of_a_spectrum_beside_their_damage(self):
+        bins = "spectrum: [{power: 150 kW, speed: 9000 rpm, share: 0.25}, {power: 90 kW, speed: 8000 rpm, share: 0.75}]\n"
+        self.open_text(MOVING.replace("gearset:\n", f"{bins}gearset:\n", 1))
+        expected = self.answer("sweep", "--grid-only")["spectrum"]
+        shown = self.numbers(self.open_card("spectrum"))
+        self.assertEqual(shown[-1], expected["life_h"])
+        for i, one in enumerate(expected["bins"]):
+            self.assertEqual(shown[6 * i:6 * i + 6], [one["power_kW"], one["torque_N_m"], one["speed_rpm"], 100 * one["share"], 100 * one["damage_share"], one["life_h"]])
+
+    def test_crown_modes_mesh_and_assumptions(self):
+        self.open_text(MOVING)
+        card = self.open_card("crown")
+        card.find_element(By.CSS_SELECTOR, "button").click()
+        self.until(lambda: card.find_elements(By.CSS_SELECTOR, "table"), "the crown is computed")
+        best = self.answer("crown", "--set", "input.speed=9000 rpm")["recommended"]
+        self.assertEqual(self.numbers(card)[:4], [best["drop_um"], best["least_drop_um"], best["most_drop_um"], best["life_h"]])
+        card.find_element(By.XPATH, ".//button[contains(., 'Put this drop')]").click()
+        self.computed()
+        self.assertIn("  profile:\n    kind: iso16281\n    drop: ", self.text)
+        self.write(MOVING)
+        self.open_card("modes")
+        self.until(lambda: self.all("#card-modes circle[data-y]"), "the modes are computed")
+        shown = {float(one.get_attribute("data-y")) for one in self.all("#card-modes circle[data-x='9000']")}
+        self.assertEqual(shown, {mode["frequency_Hz"] for mode in self.answer("modes", "--speed", "9000 rpm")["modes"]} - {0.0})
+        card = self.open_card("mesh")
+        self.until(lambda: card.find_elements(By.CSS_SELECTOR, "table"), "the meshes are computed")
+        first = self.answer("mesh")["meshes"][0]
+        self.assertEqual(self.numbers(card)[:4], [first[key] for key in ("contact_ratio", "mean_N_per_m", "min_N_per_m", "max_N_per_m")])
+        card = self.open_card("assumptions")
+        card.find_element(By.CSS_SELECTOR, "button").click()
+        self.until(lambda: "Life changes" in card.text, "effects are computed")
+        effects = {one["path"]: one["elasticity"] for one in self.answer("sensitivities", "--set", "input.speed=9000 rpm")["inputs"]}
+        assumed = [one["path"] for one in self.answer("check")["inputs"] if one["standing"] != "given"]
+        largest = max(assumed, key=lambda path: abs(effects.get(path) or 0.0))
+        self.assertEqual(card.find_element(By.CSS_SELECTOR, "tbody th").text, largest)
+
     def test_what_is_taken_away(self):
         self.open_text(MOVING)
         self.find("#to-take").click()
