@@ -6,6 +6,7 @@
 #include "app/commands/kept_result.hpp"
 #include "app/commands/presentation.hpp"
 #include "app/errors.hpp"
+#include "app/study/duplex_study.hpp"
 #include "app/study/stiffness_study.hpp"
 
 namespace orbearing::app {
@@ -13,9 +14,10 @@ namespace orbearing::app {
 int stiffness_command(const Options& options) {
   require_output(options);
   const ResolvedCase resolved = case_of(options);
-  const bool planet = resolved.model() == planetary_drivetrain;
-  const std::vector<std::string> unused =
-      require_used(resolved, planet ? use::planet_stiffness : use::stiffness, Axes::all);
+  const use::Analysis used = resolved.model() == planetary_drivetrain ? use::planet_stiffness
+                             : is_duplex(resolved)                    ? use::duplex_modes
+                                                                      : use::stiffness;
+  const std::vector<std::string> unused = require_used(resolved, used, Axes::all);
   const StiffnessStudy study = stiffness_study(resolved);
   return compute_and_keep(resolved, options, {"stiffness", "stiffness"}, [&]() -> AnalysisResult {
     AnalysisResult result{.record = record_of(study), .warnings = joined(unused, study.warnings)};

@@ -11,6 +11,7 @@
 #include "app/case/static_case.hpp"
 #include "app/errors.hpp"
 #include "app/results/result_row.hpp"
+#include "app/study/duplex_study.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/study/static_study.hpp"
 #include "bearing/equilibrium/lamina_stiffness.hpp"
@@ -75,6 +76,24 @@ StiffnessStudy single_stiffness(const ResolvedCase& in) {
   if (in.model() == roller_bearing && !in.has("bearing.laminae"))
     study.warnings.push_back(fmt::format(
         "bearing.laminae: not given; {} are taken, and stiffness depends on their number", default_laminae));
+  return study;
+}
+
+// The shaft of a duplex pair under its preload.
+StiffnessStudy pair_stiffness(const ResolvedCase& in) {
+  const double own = in.has("operation.shaft_speed") ? in.quantity("operation.shaft_speed") : 0.0;
+  StiffnessStudy study{.frame = "shaft against both outer rings, about its mass centre; z along the axis",
+                       .damping = "a static equilibrium has none"};
+  for (const double speed : list_or(in, "operation.speeds", own)) {
+    const PairPoint pair = pair_point(speed == own ? in : in.with("operation.shaft_speed", speed));
+    StiffnessPoint point{.speed = speed, .load = {{"preload_N", in.quantity("preload")}}};
+    point.stiffness =
+        equilibrium::turned_to_axes() * pair.asked().stiffness * equilibrium::turned_to_axes().transpose();
+    point.displacement = equilibrium::displacement_by_axes(pair.state);
+    point.largest_pressure = pair.state.largest_pressure;
+    study.points.push_back(point);
+    study.warnings = pair.warnings;
+  }
   return study;
 }
 
@@ -146,10 +165,12 @@ StiffnessStudy stiffness_study(const ResolvedCase& in) {
     study = single_stiffness(in);
   } else if (in.model() == planetary_drivetrain && (in.shape().several || in.shape().bearing)) {
     study = planet_stiffness_of(in);
+  } else if (is_duplex(in)) {
+    study = pair_stiffness(in);
   } else {
     throw BadInput(in.origin("model") + ": model: found " + in.choice("model") +
                    " without a bearing in balance; required: ball-bearing without a block simulation, "
-                   "roller-bearing, or planetary-drivetrain with bearings");
+                   "roller-bearing, duplex-pair, or planetary-drivetrain with bearings");
   }
   for (const StiffnessPoint& point : study.points)
     if (!point.stiffness)

@@ -1,5 +1,5 @@
-// The 5 x 5 stiffness of a bearing over speed and load: of a single ball or roller bearing, and of the planet
-// bearings of a drivetrain.
+// The 5 x 5 stiffness of a bearing over speed and load: of a single ball or roller bearing, of a duplex
+// pair and of the planet bearings of a drivetrain.
 #pragma once
 
 #include <optional>
@@ -41,7 +41,8 @@ void describe(described::Record& record, const StiffnessStudy& study);
 /// `operation.load_factors` over each of `operation.speeds`, else at the case's own load and speed. Of a
 /// drivetrain: the bore of one planet bearing against its pin, x outward from the sun, y along the carrier's
 /// rotation, at the points of its sweep; rollers and cage at their kinematic speeds, mean over the cage
-/// angles. Throws BadInput for a case without a bearing.
+/// angles. Of a duplex pair: the shaft about its mass centre, at each of `operation.speeds`. Throws BadInput
+/// for a case without a bearing.
 StiffnessStudy stiffness_study(const ResolvedCase& resolved);
 
 // The stiffness of a bearing as rows of text, and as a table that ROSS reads.

@@ -129,6 +129,19 @@ class SingleRuns(unittest.TestCase):
         self.assertIn(f"kappa {found['kappa']:.5g}", text)
         self.assertIn(f"{found['L10h']:.6g}", text)
 
+    def test_stiffness_of_a_pair(self):
+        """That of `run`, with tilts as rotations about x and y."""
+        case = CASES / "duplex_7020"
+        by_run = answer("run", case)["stiffness_matrix"]
+        point = answer("stiffness", case)["points"][0]
+        found, signs, order = point["stiffness"], (1, 1, 1, 1, -1), (0, 1, 2, 4, 3)
+        largest = max(abs(value) for row in by_run for value in row)
+        for i in range(5):
+            for k in range(5):
+                right = signs[i] * signs[k] * by_run[order[i]][order[k]]
+                self.assertLess(abs(found[i][k] - right), 1e-12 * largest)
+        self.assertEqual(point["load"]["preload_N"], 540.0)
+
     def test_defect_lines_by_name(self):
         """FTF, BPFO, BPFI and BSF need dimensions and a speed, no masses."""
         found = answer("run", CASES / "harris_209", "operation.shaft_speed=1500 rpm")["defect_frequencies"]
