@@ -22,7 +22,8 @@ from virtual_environment import skip
 
 SOURCE = pathlib.Path(os.environ["ORBEARING_SOURCE_DIR"])
 # Words that a shell block of the guide begins with and that are no calls of the program.
-NOT_RUN = ("tools/", "pip ", "cmake ", "PYTHONPATH=", "build/release/bin/orbearing --help")
+NOT_RUN = ("tools/", "pip ", "cmake ", "PYTHONPATH=", "build/release/bin/orbearing --help",
+           "build/release/bin/orbearing open")  # which serves until its page is closed
 
 
 def build(folder):

@@ -4,7 +4,7 @@
 // rotates in the sense from x to y where its speed is positive.
 import {drawn, element, figure, readable} from "./dom.js";
 
-const BAR = 0.26, ROOM = 1.34 + BAR;  // longest bar and half the picture, in outside radii
+const BAR = 0.34, ROOM = 1.2 + BAR;  // longest bar and half the picture, in outside radii
 const DEGREE = Math.PI / 180;
 
 export class BearingView {
@@ -90,10 +90,10 @@ export class BearingView {
     }
     this.scaleBar = drawn("g", {class: "scale"});
     this.svg.append(this.outerRing, this.innerRing, this.cage, ...this.elements, bars, this.scaleBar);
-    const edge = (1.1 + BAR) * size.outside / 2;
+    const edge = (1.1 + BAR) * size.outside / 2;  // of the letters
     const text = (x, y, words, anchor = "middle") => drawn("text", {x, y, "text-anchor": anchor}, words);
-    if (planet) this.svg.append(text(...this.at(1.1 * edge, 0), "outward"), text(...this.at(-1.14 * edge, 0), "to the sun"));
-    else if (loaded) this.svg.append(text(...this.at(1.1 * edge, 0), "radial load"));
+    if (planet) this.svg.append(text(...this.at(edge, 0), "outward"), text(...this.at(-1.03 * edge, 0), "to the sun"));
+    else if (loaded) this.svg.append(text(...this.at(edge, 0), "radial load"));
   }
 
   marks(inner, outer) {
@@ -136,7 +136,7 @@ export class BearingView {
         bar.dataset.load = loads[race];
       }
     });
-    const right = (1.24 + BAR) * size.outside / 2, low = (1.24 + BAR) * size.outside / 2, long = (BAR * size.outside) / 2;
+    const right = (1.1 + BAR) * size.outside / 2, low = right, long = (BAR * size.outside) / 2;
     this.scaleBar.replaceChildren(...(this.largest > 0 ? [drawn("line", {x1: right - long, y1: low, x2: right, y2: low}), drawn("text", {x: right, y: low - size.outside / 60, "text-anchor": "end"}, `${readable(this.largest)} N`)] : []));
   }
 

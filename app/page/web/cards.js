@@ -378,9 +378,10 @@ export class ModesCard extends AskedCard {
     return session.model === "planetary-drivetrain" && session.known.input("input.speed") !== undefined && session.check.inputs.some((input) => input.used_by.includes("modes --speed"));
   }
 
-  request(session) {
-    const [low, high] = session.range(), speeds = Array.from({length: CAMPBELL_SPEEDS}, (_, i) => Number((low + ((high - low) * i) / (CAMPBELL_SPEEDS - 1)).toPrecision(5)));
-    return Promise.all(speeds.map(async (speed) => ({speed, ...(await session.engine.answer(session.request("modes", [], {speed: `${speed} rpm`})))})));
+  async request(session) {
+    const found = [];
+    for (const speed of session.speeds(CAMPBELL_SPEEDS)) found.push({speed, ...(await session.engine.answer(session.request("modes", [], {speed: `${speed} rpm`})))});
+    return found;
   }
 
   draw(session, found) {

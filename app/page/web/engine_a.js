@@ -2,12 +2,13 @@
 import {RequestFailed} from "./engine.js";
 
 const ALIVE_EVERY = 15e3;  // ms
+const TOO_MANY = 429, TRIES = 20, WAIT = 250;  // at once; times, and ms between them
 
 export function engine(location, opened) {
   const token = new URLSearchParams(location.search).get("token") ?? "";
   const headers = {"X-Orbearing-Token": token};
 
-  async function fetched(path, init = {}) {
+  async function fetched(path, init = {}, tries = TRIES) {
     let response;
     try {
       response = await fetch(path, {...init, headers: {...headers, ...init.headers}});
@@ -16,6 +17,10 @@ export function engine(location, opened) {
       throw new RequestFailed(1, ["The program does not answer. Start `orbearing open` again, then load its new address."]);
     }
     if (response.ok) return response;
+    if (response.status === TOO_MANY && tries > 0) {
+      await new Promise((resolve) => setTimeout(resolve, WAIT));
+      return fetched(path, init, tries - 1);
+    }
     const told = await response.json().catch(() => ({}));
     throw new RequestFailed(told.code ?? 1, told.errors ?? [told.error ?? `The program refused ${path}: ${response.status}`]);
   }

@@ -136,7 +136,10 @@ export class Session extends EventTarget {
         await (now.case ? this.computeCase() : this.computePoint());
         this.failure = "";
       } catch (error) {
-        if (!error.errors) throw error;
+        if (!error.errors) {
+          console.error(error);
+          error.errors = [`The page failed: ${error.message}`];
+        }
         if (error.code === 2 && now.case) this.errors = error.errors.map(errorOf);
         else this.failure = error.errors.join("\n");
         this.tell("failed");
