@@ -132,6 +132,25 @@ void fill_from_torque(CaseData& data) {
   substitute(data, kPowerPath, fmt::format("{} W", derived), *path + " x input.speed");
 }
 
+namespace {
+
+void check_curve(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
+  if (!in.has(kTorqueCurvePath)) return;
+  const std::vector<double>& curve = in.list(kTorqueCurvePath);
+  for (std::size_t i = curve_columns; i < curve.size(); i += curve_columns)
+    if (curve[i] <= curve[i - curve_columns])
+      return add_error_at(in, kTorqueCurvePath,
+                          fmt::format("row {} at no higher speed than the row before", i / curve_columns + 1),
+                          "rows in ascending order of speed are required", mistakes);
+  if (in.has(kSpeedPath) && !torque_at(curve, in.quantity(kSpeedPath)))
+    add_error_at(in, kTorqueCurvePath,
+                 fmt::format("{:g} to {:g} rpm without {:g} rpm", kRpm * curve.front(),
+                             kRpm * curve[curve.size() - curve_columns], kRpm * in.quantity(kSpeedPath)),
+                 "rows on both sides of input.speed are required: nothing is extrapolated", mistakes);
+}
+
+}  // namespace
+
 void check_torque(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   const auto add_error = [&](const std::string& path, std::string found, std::string required) {
     add_error_at(in, path, std::move(found), std::move(required), mistakes);
@@ -141,25 +160,20 @@ void check_torque(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
     add_error("input.application_factor",
               fmt::format("{:g} beside a spectrum", in.number("input.application_factor")),
               "1 is required: a spectrum has the loads that act (ISO 6336-6)");
-  if (in.has(kTorqueCurvePath)) {
-    const std::vector<double>& curve = in.list(kTorqueCurvePath);
-    for (std::size_t i = curve_columns; i < curve.size(); i += curve_columns)
-      if (curve[i] <= curve[i - curve_columns])
-        add_error(kTorqueCurvePath,
-                  fmt::format("row {} at no higher speed than the row before", i / curve_columns + 1),
-                  "rows in ascending order of speed are required");
-    if (in.has(kSpeedPath) && !torque_at(curve, in.quantity(kSpeedPath)))
-      add_error(kTorqueCurvePath,
-                fmt::format("{:g} to {:g} rpm without {:g} rpm", kRpm * curve.front(),
-                            kRpm * curve[curve.size() - curve_columns], kRpm * in.quantity(kSpeedPath)),
-                "rows on both sides of input.speed are required: nothing is extrapolated");
-  }
+  check_curve(in, mistakes);
   std::vector<std::string> stated;
   for (const std::string& path : {kPowerPath, kTorquePath, kTorqueCurvePath})
     if (is_stated(in, path)) stated.push_back(path);
   if (stated.size() > 1)
     add_error(stated.back(), fmt::format("a duty stated by {}", fmt::join(stated, " and ")),
               "one of them is required");
+  if (in.has(kTorquePath) && in.has(kSpeedPath) && !in.has(kPowerPath))
+    add_error(kTorquePath,
+              fmt::format("{:g} kW at input.speed", 1e-3 * in.quantity(kTorquePath) * in.quantity(kSpeedPath)),
+              "a torque that makes 1e-06 to 1e7 kW is required");
+  if (in.has(kTorqueCurvePath) && in.has(kSpeedPath) && !in.has(kPowerPath) &&
+      torque_at(in.list(kTorqueCurvePath), in.quantity(kSpeedPath)))
+    add_error(kTorqueCurvePath, "no torque at input.speed", "a torque above 0 at each speed is required");
   for (const SweepAxis& axis : in.axes())
     if (axis.path == kPowerPath && !stated.empty() && stated.back() != kPowerPath)
       add_error(stated.back(), "a torque beside a sweep over input.power", "one of both is required");
