@@ -7,6 +7,7 @@
 #include <mutex>
 
 #include "app/case/arrangement_case.hpp"
+#include "app/errors.hpp"
 #include "app/study/gear_case.hpp"
 #include "app/units.hpp"
 #include "bearing/profile/profile.hpp"
@@ -304,6 +305,35 @@ std::vector<Derived> quantities_without_bearing(const ResolvedCase& resolved) {
   return rows;
 }
 
+// [m]  IT7 of ISO 286-1: 16 i, i = 0.45 D^(1/3) + 0.001 D in um, D in mm.
+double tolerance_grade_7(double size) {
+  const double mm = per_milli * size;
+  return 16e-6 * (0.45 * std::cbrt(mm) + 0.001 * mm);
+}
+
+// What uneven load sharing costs: one pin off by js7 at the centre distance. No rows where the case states
+// its errors, or where planets that carry unlike loads are refused.
+void add_load_sharing(const ResolvedCase& in, const study::NamedSet& set, std::vector<Derived>& rows) {
+  const std::string path = "gearset.dynamics.pin_error.tangential";
+  if (in.shape().several || set.drivetrain.uneven_planets || in.has("gearset.planet_angles")) return;
+  const double error = 0.5 * tolerance_grade_7(set.geometry.gears.centre_distance);
+  std::string errors = fmt::format("[{:.6g} um", per_micro * error);
+  for (int planet = 1; planet < set.drivetrain.set.planets; ++planet) errors += ", 0 um";
+  try {
+    const study::PointResult point = study::evaluate(bearing_sets(in.with(path, errors + "]")));
+    if (point.planets.empty()) return;
+    const std::string off = fmt::format(
+        "with one pin off by {:.2g} um (js7 of ISO 286-1), planets on springs", per_micro * error);
+    const auto largest = std::ranges::max_element(point.planets, {}, &study::PlanetResult::load_share);
+    rows.push_back({"one_pin_off.load_share", largest->load_share, "1",
+                    "K_gamma: load of the most loaded planet over the mean " + off});
+    const auto shortest = std::ranges::min_element(point.planets, {}, &study::PlanetResult::life_hours);
+    rows.push_back(
+        {"one_pin_off.shortest_life", shortest->life_hours, "h", "life_h of the most loaded bearing " + off});
+  } catch (const BadInput&) {  // beside an elastic rim or a computed tilt
+  }
+}
+
 }  // namespace
 
 std::vector<Derived> derived_quantities(const ResolvedCase& resolved) {
@@ -315,6 +345,7 @@ std::vector<Derived> derived_quantities(const ResolvedCase& resolved) {
     add_bearing(set.drivetrain, set.geometry, of_set);
     add_clearance(resolved, set, of_set);
     add_duty(set.drivetrain, study::bearing_duty(set.drivetrain, set.geometry), of_set);
+    add_load_sharing(resolved, set, of_set);
     if (!resolved.has("support.stiffness"))  // of several sets, each has its own pin
       of_set.push_back({"support.stiffness", set.drivetrain.dynamics.support.stiffness, "N/m",
                         "of the pin at one bearing, from its dimensions"});

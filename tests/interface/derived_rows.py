@@ -168,6 +168,18 @@ class Derived(unittest.TestCase):
                 self.close(case, "operation.thrust.sun", planets * axial, "N", 1e-6)
                 self.close(case, "operation.thrust.ring", -planets * axial, "N", 1e-6)
 
+    def test_cost_of_one_pin_off(self):
+        """Issue 47, item 5: K_gamma and the shortest life with one pin off by js7, as a run with that error gives them."""
+        rows = Case(REDUCER).rows
+        size = 1e3 * Case(REDUCER).row("gearset.centre_distance")
+        error = 0.5 * 16 * (0.45 * size ** (1 / 3) + 0.001 * size)  # [um]
+        run = answer("run", REDUCER, f"gearset.dynamics.pin_error.tangential=[{error:.6g} um, 0 um, 0 um, 0 um]")["points"][0]
+        for path, key, unit in (("one_pin_off.load_share", "largest_load_share", "1"), ("one_pin_off.shortest_life", "shortest_life_h", "h")):
+            self.assertEqual(rows[path]["unit"], unit)
+            self.assertAlmostEqual(rows[path]["value"] / run[key], 1, delta=1e-9)
+        self.assertGreater(rows["one_pin_off.load_share"]["value"], 1.5)
+        self.assertNotIn("one_pin_off.load_share", Case(REDUCER, "gearset.planet_rim=elastic").rows)
+
     def test_races_and_rollers(self):
         for file in (REDUCER, WIND):
             case = Case(file)
