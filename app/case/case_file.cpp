@@ -414,6 +414,31 @@ constexpr const char* file_path = "(file)";
   throw_mistakes(file, {{Location{}, file_path, {std::move(found), "a readable case file is required"}}});
 }
 
+// What the file is, where it is of another kind that `orbearing convert` reads; empty where it is not.
+std::string_view kind_to_convert(std::string_view text) {
+  if (text.starts_with("PK\x03\x04")) return "a ZIP file";
+  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+  text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+  const std::string_view beginning = text.substr(0, 4096);
+  const auto has = [&](std::string_view word) { return beginning.find(word) != std::string_view::npos; };
+  if (text.starts_with("<")) return has("<model") ? "a REXS file" : "an XML file";
+  const bool model =
+      text.starts_with("{") && has("\"model\"") && (has("\"relations\"") || has("\"components\""));
+  return model ? "a REXS file" : "";
+}
+
+void refuse_kind_to_convert(const std::string& file, std::string_view text) {
+  const std::string_view kind = kind_to_convert(text);
+  if (kind.empty()) return;
+  throw_mistakes(
+      file, {{Location{},
+              file_path,
+              {std::string(kind),
+               fmt::format("a case in YAML is required; of a REXS file (.rexs, .rexsj, .rexsz) 'orbearing "
+                           "convert {} -o DIR' makes cases",
+                           file)}}});
+}
+
 std::string read_file(const std::string& file) {
   std::error_code ignored;
   const std::filesystem::file_status status = std::filesystem::status(file, ignored);
@@ -428,6 +453,7 @@ std::string read_file(const std::string& file) {
   stream.read(text.data(), static_cast<std::streamsize>(text.size()));
   if (stream.bad()) refuse_file(file, "cannot be read");
   text.resize(static_cast<std::size_t>(stream.gcount()));
+  refuse_kind_to_convert(file, text);
   if (text.size() > largest_file) refuse_file(file, "more than 1 MiB");
   return text;
 }

@@ -349,7 +349,8 @@ void require_known_command(const CLI::App& program, const std::string& word) {
   if (word.empty() || word.front() == '-' || known(program, word)) return;
   throw BadInput(
       fmt::format("orbearing: found the command {}; required: check, run, sweep, merge, crown, mesh, modes, "
-                  "stiffness, sensitivities, fmu, signals, spectrum, study, uncertainty, validate or report",
+                  "stiffness, sensitivities, fmu, signals, spectrum, study, uncertainty, convert, validate or "
+                  "report",
                   word));
 }
 

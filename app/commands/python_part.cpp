@@ -78,7 +78,9 @@ const std::vector<PythonCommand>& python_commands() {
       {"study", "many variants of a case, in parallel and over many machines, in one store",
        "orbearing.studies"},
       {"uncertainty", "how far the life is known: its band, and which input to measure first",
-       "orbearing.uncertainties"}};
+       "orbearing.uncertainties"},
+      {"convert", "cases from a REXS file of another gearbox program, and results back into it",
+       "orbearing.rexs"}};
   return all;
 }
 

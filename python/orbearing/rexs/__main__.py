@@ -1,0 +1,106 @@
+"""`orbearing convert FILE -o DIR`: cases from a REXS file; `python3 -m orbearing.rexs` is the same.
+
+Exit codes as of the command line: 0 done, 1 results cannot be written, 2 bad input or usage, or no planetary stage became a case.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+
+from orbearing.errors import CaseError, ComputationError
+from orbearing.terminal import finished, place_of
+
+
+def parser() -> argparse.ArgumentParser:
+    """The options; their names are those of the other commands where they mean the same."""
+    made = argparse.ArgumentParser(prog="orbearing convert", allow_abbrev=False,
+                                   description="Cases from a REXS file (.rexs, .rexsj, .rexsz; versions 1.0 to 2.0): DIR/cases/NAME/case.yaml for each "
+                                               "planetary stage, and DIR/conversion.json: what was taken, what is missing, what was left out. A file "
+                                               "without a planetary stage gives its gear pairs and bearings, and exit code 2.")
+    made.add_argument("file", metavar="FILE", help="REXS file")
+    made.add_argument("-o", "--output", metavar="DIR", help="folder of the cases; made where it is missing. With --json it may be left out: then nothing is written")
+    made.add_argument("--results", metavar="RUN", action="append", default=[],
+                      help="folder of a run of one of these cases: the file is written again into DIR with lives and loads as REXS results; repeatable")
+    made.add_argument("--json", action="store_true", help="print the report as one JSON object and nothing else")
+    made.add_argument("--quiet", action="store_true", help="print nothing but errors")
+    return made
+
+
+def run(options: argparse.Namespace) -> int:
+    """The conversion of the options; the exit code."""
+    from orbearing.rexs import convert, reading
+
+    if options.output is None and not options.json:
+        raise CaseError("--output: missing; required: a folder for the cases, or --json to print the report alone")
+    if options.results and options.output is None:
+        raise CaseError("--results: found without --output; required: a folder for the file with its results")
+    folder = Path(options.output) if options.output else None
+    if folder is not None:
+        convert.require_empty(folder)
+    file = Path(options.file)
+    content = reading.read_bytes(file)
+    conversion = convert.convert(reading.read(file, content), file.name, reading.form_of(content))
+    if options.results:
+        from orbearing.rexs import results
+
+        conversion.report["results"] = results.write_back(file, content, conversion, [Path(one) for one in options.results], folder)
+    if folder is not None:
+        convert.write(conversion, folder)
+    if options.json:
+        print(convert.json_of(conversion))
+    elif not options.quiet:
+        print_summary(conversion.report, folder)
+    return _told(conversion)
+
+
+def print_summary(report: dict, folder: Path) -> None:
+    """What was found, for people."""
+    print(f"{report['source']}: REXS {report['version']}" + (f" of {report['application']}" if report["application"] else ""))
+    for kind in ("stages", "pairs", "bearings"):
+        for entry in report[kind]:
+            where = str(folder / entry["case"]) if entry["case"] else f"no case: {entry['problems'][0]}"
+            print(f"  {entry['type']} {entry['component']} '{entry['name']}': {where}")
+    print(f"{len(report['taken'])} attributes taken, {len(report['missing'])} keys missing in the file, {len(report['left_out'])} attributes left out")
+    for entry in report["missing"]:
+        instead = f"; taken instead: {entry['instead']}" if entry["instead"] is not None else ""
+        print(f"  missing {entry['case']}: {entry['key']}: {entry['reason']}{instead}")
+    for note in report["notes"]:
+        print(f"warning: {note}")
+    print(folder / "conversion.json")
+
+
+def _told(conversion) -> int:
+    """0 where each planetary stage is a case; else 2, with the reason on standard error."""
+    if conversion.is_complete:
+        return 0
+    report = conversion.report
+    if not report["stages"]:
+        print(f"{report['source']}: no planetary stage found; {len(report['pairs'])} gear pairs and {len(report['bearings'])} bearings are in "
+              f"conversion.json, {len(conversion.cases)} of them as cases", file=sys.stderr)
+    for stage in report["stages"]:
+        for problem in stage.get("problems", []):
+            print(f"{report['source']}: planetary stage {stage['component']} '{stage['name']}': {problem}", file=sys.stderr)
+    return 2
+
+
+def main(arguments: list[str]) -> int:
+    """Convert a file; messages go to standard error."""
+    options = parser().parse_args(arguments)
+    try:
+        return run(options)
+    except CaseError as error:
+        print(error, file=sys.stderr)
+        return 2
+    except ImportError as error:
+        print(f"convert: {error}; required: numpy, and netCDF4 for --results; on Debian install python3-numpy python3-netcdf4", file=sys.stderr)
+    except ComputationError as error:
+        print(f"convert: {error}", file=sys.stderr)
+    except OSError as error:
+        print(f"convert: {place_of(error)}: {error.strerror}", file=sys.stderr)
+    return 1
+
+
+if __name__ == "__main__":
+    sys.exit(finished(lambda: main(sys.argv[1:])))

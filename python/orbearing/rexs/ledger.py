@@ -1,0 +1,156 @@
+"""What became of each attribute of a file: taken into a case, missing for it, or left out."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any, Optional
+
+from orbearing.rexs.model import Attribute, Component, Model
+from orbearing.rexs.names import CATALOGUE, KNOWN, RIGID, unit_of
+
+IN_SPACE = {"support_vector", "u_axis_vector", "w_axis_vector", "reference_component_for_position", "rotating_angle_around_neg_u_axis"}
+DESCRIBING = {"part_number", "revision_number", "sequence_number", "version", "modification_date", "data_source", "display_color", "customer",
+              "model_name", "material_designation", "referenced_component_id"}
+
+
+@dataclass
+class Draft:
+    """A case in the making: texts of its values by path, where each comes from, and reasons of what is assumed."""
+
+    name: str
+    model: str
+    source: str
+    values: dict[str, Any] = field(default_factory=dict)
+    origins: dict[str, list[tuple[Component, Attribute]]] = field(default_factory=dict)
+    assumed: dict[str, str] = field(default_factory=dict)
+
+    def put(self, path: str, value: Any, *origins: tuple[Component, Optional[Attribute]]) -> None:
+        """A value that the file states."""
+        self.values[path] = value
+        self.origins[path] = [(component, attribute) for component, attribute in origins if attribute is not None]
+
+    def assume(self, path: str, value: Any, reason: str) -> None:
+        """A value that the file does not state."""
+        self.values[path] = value
+        self.assumed[path] = reason
+
+    def remove(self, path: str) -> list[str]:
+        """Takes out a value, or all of a block; their paths."""
+        gone = [one for one in self.values if one == path or one.startswith(path + ".")]
+        for one in gone:
+            del self.values[one]
+            self.assumed.pop(one, None)
+        return gone
+
+
+class Ledger:
+    """The report: three lists, and nothing of the file in none of them."""
+
+    def __init__(self, model: Model):
+        self._model = model
+        self.taken: list[dict] = []
+        self.missing: list[dict] = []
+        self.left_out: list[dict] = []
+        self._left: dict[tuple, str] = {}
+        self._copies: dict[int, list[Component]] = {}
+        self._originals: dict[int, int] = {}
+
+    def miss(self, case: str, key: str, name: str, component: Optional[Component], reason: str, instead: Any = None) -> None:
+        """A key of a case for which the file has nothing; `instead`: what the case takes."""
+        known = KNOWN.get(name)
+        self.missing.append({"component": component.id if component is not None else None,
+                             "attribute": known.names[0] if known else None, "value": None, "unit": known.unit if known else None,
+                             "case": case, "key": key, "instead": instead, "reason": reason})
+
+    def forget(self, case: str, blocks: tuple[str, ...]) -> None:
+        """Takes back what was said to be missing in blocks of a case that it no longer has."""
+        self.missing = [entry for entry in self.missing if entry["case"] != case or entry["key"].split(".")[0] not in blocks]
+
+    def leave(self, component: Component, attribute: Optional[Attribute], reason: str, load_case: str = "") -> None:
+        """An attribute that no case takes, with the particular reason; the last one stays."""
+        if attribute is not None:
+            self._left[(load_case, component.id, attribute.id)] = reason
+
+    def alike(self, original: Component, copies: list[Component]) -> None:
+        """Parts that a case states once: those of the other planets."""
+        self._copies.setdefault(original.id, []).extend(copies)
+        for copy in copies:
+            self._originals.setdefault(copy.id, original.id)
+
+    def take(self, draft: Draft) -> None:
+        """All that the draft holds in the end; copies with it, where they are as their original."""
+        for path in (*draft.values, "model"):
+            own = {(component.id, attribute.id) for component, attribute in draft.origins.get(path, [])}
+            for component, attribute in draft.origins.get(path, []):
+                self._take(component, attribute, draft.name, path)
+                for copy in self._copies.get(component.id, []):
+                    other = copy.attributes.get(attribute.id)
+                    if other is None or (copy.id, other.id) in own:
+                        continue
+                    if _same(other, attribute):
+                        self._take(copy, other, draft.name, path, copy_of=component.id)
+                    else:
+                        self.leave(copy, other, f"differs from component {component.id}; all planets of a case are alike")
+
+    def _take(self, component: Component, attribute: Attribute, case: str, key: str, **more: Any) -> None:
+        self.taken.append({**_entry(component, attribute), "case": case, "key": key, **more})
+
+    def take_spectrum(self, draft: Draft, rows: list[tuple[str, Component, Attribute]]) -> None:
+        """Attributes of load cases that became rows of the spectrum or the operating point."""
+        for load_case, component, attribute in rows:
+            self._take(component, attribute, draft.name, "spectrum" if "spectrum" in draft.values else "input", load_case=load_case)
+
+    def close(self) -> None:
+        """Lists as left out what has been neither taken nor named so far."""
+        taken = {(entry.get("load_case", ""), entry["component"], entry["attribute"]) for entry in self.taken}
+        for load_case, component in [("", one) for one in self._model.components.values()] \
+                + [(case.id, one) for case in self._model.load_cases for one in case.components] \
+                + [("accumulation", one) for one in self._model.accumulation]:
+            for attribute in component.attributes.values():
+                key = (load_case, component.id, attribute.id)
+                if key not in taken:
+                    reason = self._reason(component, attribute, load_case)
+                    self.left_out.append({**_entry(component, attribute), "reason": reason, **({"load_case": load_case} if load_case else {})})
+
+
+    def _reason(self, component: Component, attribute: Attribute, load_case: str) -> str:
+        particular = self._left.get((load_case, component.id, attribute.id))
+        original = self._originals.get(component.id)
+        while particular is None and original is not None:
+            inherited = self._left.get((load_case, original, attribute.id))
+            particular = f"as of component {original}: {inherited}" if inherited else None
+            original = self._originals.get(original)
+        return particular or reason_of(component, attribute, load_case)
+
+
+def _entry(component: Component, attribute: Attribute) -> dict:
+    return {"component": component.id, "type": component.type, "attribute": attribute.id, "value": attribute.value, "unit": attribute.unit}
+
+
+def _same(one: Attribute, other: Attribute) -> bool:
+    if isinstance(one.value, (int, float)) and isinstance(other.value, (int, float)):
+        return one.unit == other.unit and abs(one.value - other.value) <= 1e-9 * max(abs(one.value), abs(other.value))
+    return (one.value, one.unit) == (other.value, other.unit)
+
+
+def reason_of(component: Component, attribute: Attribute, load_case: str) -> str:
+    """Why an attribute is left out, where nothing particular is known."""
+    if load_case == "accumulation":
+        return "a result of another program"
+    if attribute.value is None:
+        return "has no value"
+    if attribute.id in IN_SPACE:
+        return "position in space; a case states distances along the shaft and between axes alone"
+    if attribute.id in DESCRIBING:
+        return "describes the part, does not size it"
+    unit = unit_of(attribute.unit)
+    if "stiffness" in attribute.id and isinstance(attribute.value, (int, float)) and attribute.value * (unit.factor if unit else 1.0) >= RIGID:
+        return "says that the part is rigid; not taken as a number"
+    if attribute.id.startswith("custom_"):
+        return "an extension of one program"
+    if component.type in CATALOGUE and any(word in attribute.id for word in ("rating_life", "equivalent", "life_modification", "hertzian",
+                                                                             "deflection", "acting_on", "viscosity_ratio")):
+        return "a result of another program"
+    if attribute.id.startswith("u_coordinate_on_shaft"):
+        return "place along a shaft that no key of a case needs"
+    return "no key of a case takes this attribute of this type of component"

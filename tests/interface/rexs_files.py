@@ -1,0 +1,231 @@
+"""REXS files of our own making for the tests of `orbearing convert`: a planetary stage with its bearings and load cases, and a two-shaft gearbox."""
+
+import base64
+import json
+import struct
+import zipfile
+
+PLANETS = 3
+SUN, RING, PLANET, CARRIER, CASING, UNIT, STAGE = 11, 12, 21, 31, 2, 1, 9
+BEARING = 501
+
+
+class Rexs:
+    """A model as lists; `degree` and `none` are the spellings of a version."""
+
+    def __init__(self, version="1.4", degree="deg", none="none"):
+        self.version, self.degree, self.none = version, degree, none
+        self.components, self.relations, self.load_cases = [], [], []
+
+    def add(self, number, kind, name="", **attributes):
+        """A component; attributes are (value, unit) or a value without unit."""
+        rows = [(key, *(value if isinstance(value, tuple) else (value, self.none))) for key, value in attributes.items()]
+        self.components.append((number, kind, name, rows))
+        return number
+
+    def relate(self, kind, **roles):
+        self.relations.append((kind, list(roles.items())))
+
+    def load_case(self, number, parts):
+        """Parts: (component, type, attributes)."""
+        self.load_cases.append((number, parts))
+
+    def degrees(self, value):
+        return (value, self.degree)
+
+    # Forms
+
+    def xml(self, coded=None, mark=True):
+        """The text; lists coded as float32 or float64 on request."""
+        lines = ['<?xml version="1.0" encoding="UTF-8"?>', f'<model applicationId="Prüfstand" applicationVersion="1" date="2026-01-01T00:00:00+00:00" version="{self.version}">',
+                 "  <relations>"]
+        for i, (kind, roles) in enumerate(self.relations):
+            refs = "".join(f'<ref id="{component}" role="{role}"/>' for role, component in roles)
+            lines.append(f'    <relation id="{i + 1}" type="{kind}">{refs}</relation>')
+        lines += ["  </relations>", "  <components>", "    <!-- a comment that stays -->"]
+        lines += [self._xml_component(one, coded) for one in self.components]
+        lines.append("  </components>")
+        if self.load_cases:
+            lines.append('  <load_spectrum id="1">')
+            for number, parts in self.load_cases:
+                inner = "".join(self._xml_component((component, kind, "", rows), None) for component, kind, rows in parts)
+                lines.append(f'    <load_case id="{number}">{inner}</load_case>')
+            lines.append("  </load_spectrum>")
+        return ("\ufeff" if mark else "") + "\n".join([*lines, "</model>", ""])
+
+    def _xml_component(self, component, coded):
+        number, kind, name, rows = component
+        inner = "".join(f'<attribute id="{key}" unit="{unit}">{_xml_value(value, coded)}</attribute>' for key, value, unit in rows)
+        return f'    <component id="{number}" name="{name}" type="{kind}">{inner}</component>'
+
+    def json(self, coded=None):
+        model = {"version": self.version, "applicationId": "Prüfstand", "applicationVersion": "1", "date": "2026-01-01T00:00:00+00:00",
+                 "relations": [{"id": i + 1, "type": kind, "refs": [{"id": component, "role": role} for role, component in roles]}
+                               for i, (kind, roles) in enumerate(self.relations)],
+                 "components": [{"id": number, "type": kind, "name": name, "attributes": [_json_attribute(row, coded) for row in rows]}
+                                for number, kind, name, rows in self.components]}
+        if self.load_cases:
+            model["load_spectrum"] = {"id": 1, "load_cases": [
+                {"id": number, "components": [{"id": component, "type": kind, "attributes": [_json_attribute(row, None) for row in rows]}
+                                              for component, kind, rows in parts]} for number, parts in self.load_cases]}
+        return json.dumps({"model": model}, ensure_ascii=False)
+
+    def write(self, file, coded=None):
+        """By the ending of the file's name."""
+        if file.suffix == ".rexsj":
+            file.write_text("\ufeff" + self.json(coded), encoding="utf-8")
+        elif file.suffix == ".rexsz":
+            with zipfile.ZipFile(file, "w") as archive:
+                archive.writestr("Modell/größe.rexs", self.xml(coded))
+                archive.writestr("notes.txt", "beside the model")
+        else:
+            file.write_text(self.xml(coded), encoding="utf-8")
+        return file
+
+
+def coded_text(values, code):
+    return base64.b64encode(struct.pack(f"<{len(values)}{'f' if code == 'float32' else 'd'}", *values)).decode()
+
+
+def _xml_value(value, coded):
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if not isinstance(value, list):
+        return str(value)
+    if coded and all(isinstance(one, float) for one in value):
+        return f'<array code="{coded}">{coded_text(value, coded)}</array>'
+    return "<array>" + "".join(f"<c>{_xml_value(one, None)}</c>" for one in value) + "</array>"
+
+
+def _json_attribute(row, coded):
+    key, value, unit = row
+    if isinstance(value, list) and coded and all(isinstance(one, float) for one in value):
+        return {"id": key, "unit": unit, "floating_point_array_coded": {"code": coded, "value": coded_text(value, coded)}}
+    kind = "boolean" if isinstance(value, bool) else "integer" if isinstance(value, int) else "floating_point" if isinstance(value, float) else "string"
+    if isinstance(value, list):
+        kind = "boolean_array" if isinstance(value[0], bool) else "floating_point_array"
+    return {"id": key, "unit": unit, kind: value}
+
+
+def planetary(version="1.4", degree="deg", bearing="detailed", ring_shift=-0.9737, torque=(325541.0, "N m"), speed=(22.0, "1 / min"), helix=7.5,
+              load_cases=False):
+    """The stage of cases/wind_stage_750kW: 21/39/99, module 10, driven at the carrier; two cylindrical roller bearings in each planet."""
+    model = Rexs(version, degree)
+    new, deg = version != "1.0", model.degrees
+    model.add(UNIT, "gear_unit", "Getriebe", u_axis_vector=([1.0, 0.0, 0.0], "mm"))
+    model.add(CASING, "gear_casing", "Gehäuse", temperature_lubricant=(65.0, "C"))
+    model.add(3, "lubricant", "ISO VG 320", viscosity_at_40_degree_celsius=(320.0, "mm^2 / s"), viscosity_at_100_degree_celsius=(24.0, "mm^2 / s"))
+    model.add(4, "material", "Stahl", elastic_modulus=(206000.0, "N / mm^2"), poisson_ratio=0.3, density=(7.85, "kg / dm^3"))
+    model.add(STAGE, "planetary_stage", "Planetenstufe [9]")
+    model.add(CARRIER, "planet_carrier", "Planetenträger 1,5", mass_of_component=(4000.0, "kg"))
+    shafts = {13: "Sonnenwelle", 14: "Hohlradwelle", 15: "Stegwelle"}
+    for number, name in shafts.items():
+        more = {} if number != 15 or load_cases else {"rotational_speed": speed}
+        model.add(number, "shaft", name, support_vector=([0.0, 0.0, 0.0], "mm"), **more)
+    model.add(5, "external_load", "Rotor", defines_torque=True, **({} if load_cases else {"torque_around_u_axis": torque}))
+    model.add(6, "external_load", "Abtrieb", transmits_torque=True)
+    model.add(7, "coupling", "Gehäusekopplung", radial_stiffness=(1.0e20, "N / m"), axial_stiffness=(9.999999999999999e22, "N / m"))
+    model.relate("side", assembly=7, inner_part=14, outer_part=CASING)
+    for whole, part in ((13, 6), (15, 5), (13, SUN), (14, RING), (STAGE, CARRIER), (CARRIER, 15)):
+        model.relate("assembly", assembly=whole, part=part)
+    model.relate("central_shaft", planetary_stage=STAGE, shaft=13)
+    model.relate("central_shaft", planetary_stage=STAGE, shaft=14)
+    model.relate("planet_carrier_shaft", planetary_stage=STAGE, shaft=15)
+    model.relate("reference", origin=CASING, referenced=3)
+    gear = {"normal_module": (10.0, "mm"), "support_vector": ([0.0, 0.0, 0.0], "mm")}
+    model.add(SUN, "cylindrical_gear", "Sonne", number_of_teeth=21, face_width=(220.0, "mm"), helix_angle_reference_diameter=deg(helix), **gear)
+    model.add(RING, "ring_gear", "Hohlrad", number_of_teeth=99, face_width=(230.0, "mm"), helix_angle_reference_diameter=deg(-helix), **gear)
+    flank = "cylindrical_gear_flank" if version >= "1.3" else "flank_geometry"
+    for gear_id, shift in ((SUN, 0.1763), (RING, ring_shift)):
+        for side in (1, 2):
+            model.add(gear_id * 10 + side, flank, "", normal_pressure_angle=deg(20.0), addendum_modification_coefficient=shift)
+        model.relate("flank", gear=gear_id, left=gear_id * 10 + 1, right=gear_id * 10 + 2)
+        model.relate("reference", origin=gear_id, referenced=4)
+    for i in range(PLANETS):
+        _planet(model, i, flank, new, deg, helix, bearing)
+    if load_cases:
+        for number, share, power, rpm in ((1, 25.0, 750.0, 22.0), (2, 60.0, 400.0, 18.0), (3, 15.0, 100.0, 10.0)):
+            time = "operating_time_fraction" if version >= "1.3" else "load_duration_fraction"
+            newton_metres = 1e3 * power / (rpm * 3.141592653589793 / 30.0)
+            model.load_case(number, [(UNIT, "gear_unit", [(time, share, "%")]), (15, "shaft", [("rotational_speed", rpm, "1 / min")]),
+                                     (5, "external_load", [("torque_around_u_axis", newton_metres, "N m")])])
+    return model
+
+
+def _planet(model, i, flank, new, deg, helix, bearing):
+    import math
+
+    angle = 2.0 * math.pi * i / PLANETS
+    gear, shaft, pin = PLANET + i, 41 + i, 51 + i
+    place = [0.0, 308.0 * math.cos(angle), 308.0 * math.sin(angle)]
+    model.add(shaft, "shaft", f"Planetenwelle @ {120 * i},0°", support_vector=(place, "mm"))
+    model.add(pin, "shaft", f"Bolzen @ {120 * i},0°", support_vector=(place, "mm"))
+    model.relate("planet_shaft", planetary_stage=STAGE, shaft=shaft)
+    model.relate("planet_pin", planetary_stage=STAGE, shaft=pin)
+    model.add(gear, "cylindrical_gear", f"Planet @ {120 * i},0°", number_of_teeth=39, normal_module=(10.0, "mm"), face_width=(227.5, "mm"),
+              helix_angle_reference_diameter=deg(-0.0 if helix == 0.0 else -helix), u_coordinate_on_shaft=(113.75, "mm"))
+    model.relate("assembly", assembly=shaft, part=gear)
+    model.relate("reference", origin=gear, referenced=4)
+    for side in (1, 2):
+        model.add(gear * 10 + side, flank, "", normal_pressure_angle=deg(20.0), addendum_modification_coefficient=0.3987)
+    model.relate("flank", gear=gear, left=gear * 10 + 1, right=gear * 10 + 2)
+    for offset, central in ((61, SUN), (71, RING)):
+        model.add(offset + i, "cylindrical_stage", "", center_distance=(308.0, "mm"))
+        model.relate("assembly", assembly=STAGE, part=offset + i)
+        model.relate("stage", stage=offset + i, gear_1=central, gear_2=gear)
+    for wall in range(2):
+        model.add(81 + 2 * i + wall, "coupling", "", u_coordinate_on_shaft_inner_side=(10.0 + 280.0 * wall, "mm"), bending_stiffness=(1e20, "N mm / rad"))
+        model.relate("side", assembly=81 + 2 * i + wall, inner_part=pin, outer_part=CARRIER)
+    for j, along in enumerate((58.75, 168.75)):
+        _bearing(model, BEARING + 10 * i + j, shaft, pin, along, new, bearing)
+
+
+def _bearing(model, number, shaft, pin, along, new, bearing):
+    places = {"u_coordinate_on_shaft_outer_side": (along, "mm"), "u_coordinate_on_shaft_inner_side": (along + 40.0, "mm")}
+    if bearing == "concept":
+        model.add(number, "concept_bearing", "Planetenlager", radial_stiffness=(1e20, "N / m"), **places)
+    else:
+        rating, static = ("radial_dynamic_load_rating", "radial_static_load_rating") if new else ("dynamic_capacity", "static_capacity")
+        clearance = "operating_radial_bearing_clearance" if new else "radial_backlash"
+        size = {"inner_diameter": (160.0, "mm"), "outer_diameter": (290.0, "mm"), "width": (80.0, "mm"), rating: (930.0, "kN"), static: (1200.0, "kN"),
+                clearance: (60.0, "mum"), "bearing_type": "radial_roller_bearing"}
+        if bearing == "designation":
+            size = {"catalogue_designation": "NU 2210-ECP", "bearing_type": "radial_roller_bearing", clearance: (60.0, "mum")}
+        model.add(number, "rolling_bearing_with_catalog_geometry", "Planetenlager", **size, **places)
+        if bearing == "detailed":
+            pitch = "reference_diameter_rolling_bearing" if model.version >= "2" else "reference_diameter"
+            model.add(number + 1000, "rolling_bearing_row", "", number_of_rolling_elements=16, **{pitch: (225.0, "mm")})
+            model.add(number + 2000, "rolling_element", "", diameter_of_rolling_element=(38.0, "mm"), length_of_rolling_element=(58.0, "mm"),
+                      roller_crowning_radius=(20000.0, "mm"))
+            model.relate("ordered_assembly", assembly=number, part=number + 1000)
+            model.relate("ordered_assembly", assembly=number + 1000, part=number + 2000)
+    model.relate("side", assembly=number, inner_part=pin, outer_part=shaft)
+
+
+def gearbox():
+    """One helical pair on two shafts, each on two deep groove ball bearings: 20/40, module 2, width 20; 100 N m at 1000 rpm on the pinion's shaft."""
+    model = Rexs("1.7")
+    model.add(UNIT, "gear_unit", "Gearbox", u_axis_vector=([1.0, 0.0, 0.0], "mm"))
+    model.add(CASING, "gear_casing", "Casing")
+    model.add(3, "external_load", "Motor", torque_around_u_axis=(50.0, "N m"), u_coordinate_on_shaft=(0.0, "mm"), defines_torque=True)
+    model.add(4, "external_load", "Load", u_coordinate_on_shaft=(100.0, "mm"))
+    model.add(10, "cylindrical_stage", "Stage", center_distance=(60.0, "mm"))
+    for i, (teeth, place) in enumerate(((20, 0.0), (40, 60.0))):
+        shaft, gear = 5 + i, 7 + i
+        model.add(shaft, "shaft", f"Shaft {i + 1}", support_vector=([0.0, place, 0.0], "mm"), **({"rotational_speed": (1000.0, "1 / min")} if i == 0 else {}))
+        model.add(20 + i, "shaft_section", "", u_coordinate_on_shaft=(0.0, "mm"), length=(100.0, "mm"), outer_diameter_begin=(25.0, "mm"))
+        model.add(gear, "cylindrical_gear", f"Gear {i + 1}", number_of_teeth=teeth, normal_module=(2.0, "mm"), face_width=(20.0 + i, "mm"),
+                  helix_angle_reference_diameter=(0.0, "deg"), u_coordinate_on_shaft=(50.0, "mm"), support_vector=([50.0, place, 0.0], "mm"))
+        for side in (1, 2):
+            model.add(gear * 10 + side, "cylindrical_gear_flank", "", normal_pressure_angle=(20.0, "deg"), addendum_modification_coefficient=0.0)
+        model.relate("flank", gear=gear, left=gear * 10 + 1, right=gear * 10 + 2)
+        for part in (20 + i, gear, 3 + i):
+            model.relate("assembly", assembly=shaft, part=part)
+        for j, along in enumerate((20.0, 80.0)):
+            number = 30 + 10 * i + j
+            model.add(number, "rolling_bearing_with_catalog_geometry", f"6205 Lager {number}", catalogue_designation="6205",
+                      bearing_type="radial_grooved_ball_bearing", axial_force_absorption="both_directions" if j == 0 else "no_direction",
+                      radial_clearance_class="C3", u_coordinate_on_shaft_inner_side=(along, "mm"))
+            model.relate("side", assembly=number, inner_part=shaft, outer_part=CASING)
+    model.relate("stage", stage=10, gear_1=7, gear_2=8)
+    return model
