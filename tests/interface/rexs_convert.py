@@ -200,6 +200,44 @@ class Stage(Converting):
         self.convert(self.made(model), code=2)
         self.assertIn("found 0 members held by a casing; one is required", self.said)
 
+    def test_stages_in_a_row(self):
+        """Each stage is a case, with the speed and torque that the other leaves to it."""
+        report = self.convert(self.made(rexs_files.two_stages()))
+        first, second = (entry["figures"] for entry in report["stages"])
+        ratio = 1 + 99 / 21
+        self.assert_close(second["carrier_speed_rpm"], 22.0 * ratio)
+        self.assert_close(second["sun_speed_rpm"], 22.0 * ratio ** 2)
+        self.assert_close(second["carrier_torque_N_m"], 325541.0 / ratio)
+        self.assert_close(first["sun_torque_N_m"], -second["carrier_torque_N_m"])
+        self.assertEqual([entry["case"] for entry in report["stages"]], [f"cases/{STAGE}/case.yaml", f"cases/{STAGE}_5009/case.yaml"])
+
+    def test_a_shaft_that_points_the_other_way(self):
+        model = rexs_files.planetary()
+        model.components = [(number, kind, name, [*rows, ("u_axis_vector", [-1.0, 0.0, 0.0], "mm")] if number == 13 else rows)
+                            for number, kind, name, rows in model.components]
+        figures = self.convert(self.made(model))["stages"][0]["figures"]
+        self.assert_close(figures["sun_speed_rpm"], 22.0 * (1 + 99 / 21))
+        self.assert_close(figures["sun_torque_N_m"], -325541.0 / (1 + 99 / 21))
+
+    def test_supports_are_taken_where_they_are_not_rigid(self):
+        for stiffness, taken in ((2e8, True), (1e20, False)):
+            model = rexs_files.planetary()
+            for number in (91, 92):
+                model.add(number, "concept_bearing", "Steglager", radial_stiffness=(stiffness, "N / m"))
+                model.relate("side", assembly=number, inner_part=15, outer_part=rexs_files.CASING)
+            report = self.convert(self.made(model))
+            if taken:
+                self.assertEqual(self.case().given("gearset.dynamics.carrier.support_stiffness"), "400000000 N/m")
+            else:
+                self.assertIn("rigid", self.left(report, 91, "radial_stiffness"))
+
+    def test_rollers_that_fill_their_circle_have_no_cage(self):
+        text = rexs_files.planetary().xml().replace('"number_of_rolling_elements" unit="none">16', '"number_of_rolling_elements" unit="none">18')
+        file = self.place / "full.rexs"
+        file.write_text(text, encoding="utf-8")
+        self.convert(file)
+        self.assertEqual(self.case()["bearing.complement"], "full")
+
     def test_an_open_clutch_holds_nothing(self):
         for engaged, code in ((True, 0), (False, 2)):
             model = rexs_files.planetary()

@@ -202,6 +202,21 @@ def _bearing(model, number, shaft, pin, along, new, bearing):
     model.relate("side", assembly=number, inner_part=pin, outer_part=shaft)
 
 
+def two_stages():
+    """Two such stages in a row: the sun's shaft of the first drives the carrier of the second."""
+    model, second = planetary(), planetary()
+    shared, offset = (UNIT, CASING, 3, 4), 5000
+    moved = {number: number if number in shared else number + offset for number, _, _, _ in second.components}
+    dropped = {6, moved[5]}  # the load between the stages, and the second rotor
+    model.components += [(moved[number], kind, name, [] if number == 15 else rows) for number, kind, name, rows in second.components if number not in shared]
+    model.relations += [(kind, [(role, moved[component]) for role, component in roles]) for kind, roles in second.relations]
+    model.components = [one for one in model.components if one[0] not in dropped]
+    model.relations = [(kind, roles) for kind, roles in model.relations if not dropped & {component for _, component in roles}]
+    model.add(9000, "coupling", "Kupplung")
+    model.relate("side", assembly=9000, inner_part=13, outer_part=moved[15])
+    return model
+
+
 def gearbox():
     """One helical pair on two shafts, each on two deep groove ball bearings: 20/40, module 2, width 20; 100 N m at 1000 rpm on the pinion's shaft."""
     model = Rexs("1.7")

@@ -34,6 +34,7 @@ class Planetary:
     ring_meshes: list[Component]
     pins: list[Component]
     bodies: dict[str, object] = field(default_factory=dict)
+    directions: dict[str, float] = field(default_factory=dict)  # -1 where a member's shaft points against the gear unit
 
 
 @dataclass(frozen=True)
@@ -188,6 +189,8 @@ class Drive:
             for one in (*shafts, *carriers):
                 self.bodies.join(carrier, one.id)
             stage.bodies.update(sun=self.bodies.of(stage.sun.id), ring=self.bodies.of(stage.ring.id), carrier=self.bodies.of(carrier))
+            stage.directions = {name: _direction(self.model, shaft_of(self.model, gear)) for name, gear in (("sun", stage.sun), ("ring", stage.ring))}
+            stage.directions["carrier"] = _direction(self.model, next(iter(shafts), None))
         for stage in self.stages:  # after all have joined
             stage.bodies = {name: self.bodies.of(body) for name, body in stage.bodies.items()}
 
@@ -195,7 +198,7 @@ class Drive:
         sun, ring = _teeth(stage.sun), _teeth(stage.ring)
         row: dict[object, float] = {}
         for member, teeth in (("sun", sun), ("ring", ring), ("carrier", -sun - ring)):
-            row[stage.bodies[member]] = row.get(stage.bodies[member], 0.0) + teeth
+            row[stage.bodies[member]] = row.get(stage.bodies[member], 0.0) + teeth * stage.directions[member]
         self._row_of[stage.stage.id] = len(self._rows)
         self._rows.append(row)
 
@@ -295,7 +298,7 @@ class Drive:
         return stated, free - set(stated)
 
     def members(self, model: Model) -> tuple[dict[int, dict[str, Member]], dict[object, float], list[str]]:
-        """Members of each planetary stage, and gears of each pair, at the loads of `model`; speeds of all bodies; contradictions."""
+        """Members of each planetary stage at the loads of `model`, about the axis of the gear unit; speeds of all bodies; contradictions."""
         speeds, notes = self.speeds(model)
         stated, free = self._loads(model, speeds)
         stage_torques = self._stage_torques(stated, free) if stated else {}
@@ -306,7 +309,8 @@ class Drive:
                 continue
             sun, ring = _teeth(stage.sun), _teeth(stage.ring)
             factors = {"sun": -sun, "ring": -ring, "carrier": sun + ring}
-            members[stage.stage.id] = {name: Member(speeds[stage.bodies[name]], torque * factor) for name, factor in factors.items()}
+            members[stage.stage.id] = {name: Member(speeds[stage.bodies[name]] * stage.directions[name], torque * factor)
+                                       for name, factor in factors.items()}
         self.torque_of_mesh = stage_torques
         return members, speeds, notes
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from typing import Iterable, Optional
 
@@ -16,6 +17,7 @@ GRADE_BAND = 0.1  # ISO 3448: the viscosity at 40 degC lies within a tenth of it
 ROLLERS = ("radial_roller_bearing", "radial_needle_roller_bearing")
 BALLS = ("radial_grooved_ball_bearing", "angular_contact_ball_bearing")
 CLASSES = {"C0": "CN", "C2": "C2", "C3": "C3", "C4": "C4", "C5": "C5"}
+FULL = 0.95  # from this share of the pitch circle on no cage fits between rollers
 CROWN_LAMINAE = 40  # the relief of a profile is stated at the outermost of so many
 # A usual cage guided at the outer ring, as the program has it for bearings of its catalogue.
 CAGE_INWARD, CAGE_OUTWARD, CAGE_LAND, CAGE_WIDTH = 0.4, 0.5, 0.56, 0.76
@@ -310,6 +312,8 @@ class Inside:
             self._put_grooves(diameter)
         else:
             self.draft.put("bearing.type", "cylindrical-roller")
+            if number * diameter > FULL * math.pi * pitch:
+                self.draft.assume("bearing.complement", "full", "the rollers of the file fill their circle")
             self._put_length()
         return True
 
@@ -357,6 +361,9 @@ class Inside:
             value, origin = self.source.number(self.bearing, name)
             if value is not None:
                 self.draft.put("bearing.radial_clearance", quantity(1e3 * value, "um"), origin)
+                if name == "shelf_clearance":
+                    self.source.ledger.miss(self.draft.name, "bearing.radial_clearance", "operating_clearance", self.bearing,
+                                            "the file states the clearance before mounting alone", quantity(1e3 * value, "um"))
                 return
         least, most = (self.source.number(self.bearing, name) for name in ("least_clearance", "most_clearance"))
         if least[0] is not None and most[0] is not None:

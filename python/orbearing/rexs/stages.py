@@ -326,10 +326,21 @@ class StageCase:
             mass, origin = self.source.number(part, "mass")
             if mass:
                 self.draft.put(f"gearset.dynamics.{name}.mass", quantity(mass, "kg"), origin)
+        self._put_supports()
         for carrier in self.model.parts("assembly", "assembly", self.stage.stage.id, "part"):
             mass, origin = self.source.number(carrier, "mass") if carrier.type == "planet_carrier" else (None, None)
             if mass:
                 self.draft.put("gearset.dynamics.carrier.mass", quantity(mass, "kg"), origin)
+
+    def _put_supports(self) -> None:
+        """Radial stiffness of the bearings that hold sun, ring and carrier in the casing; rigid ones say nothing."""
+        for name, body in self.stage.bodies.items():
+            held = [self.model.components.get(relation.part("assembly") or -1) for relation in self.model.related("side")
+                    if body != FLOOR and relation.part("inner_part") is not None and self.drive.bodies.of(relation.part("inner_part")) == body
+                    and self.drive.bodies.of(relation.part("outer_part")) == FLOOR]
+            stated = [self.source.number(bearing, "radial_stiffness") for bearing in held if is_bearing(bearing)]
+            if stated and all(value is not None and 0.0 < value < RIGID for value, _ in stated):
+                self.draft.put(f"gearset.dynamics.{name}.support_stiffness", quantity(sum(value for value, _ in stated), "N/m"), *(one for _, one in stated))
 
     def _sides_of(self, body: object) -> list[tuple[Component, Component]]:
         """Bearings whose outer ring sits in a body, with the part in their bore."""

@@ -12,9 +12,10 @@ from orbearing.rexs.ledger import Draft, Ledger
 # What a case can do without: taken out, first match first, where the check refuses it.
 OPTIONAL = ("gearset.profile_shift.planet", "gearset.centre_distance", "gearset.planet_angles", "gearset.addendum_of", "gearset.clearance_of",
             "gearset.addendum", "gearset.clearance", "gearset.root_fillet_radius", "gearset.sun_bore_ratio", "gearset.ring_outside_ratio",
-            "gearset.planet_bore_ratio", "gearset.dynamics", "material", "spectrum", "life", "support", "bearing.tilt_state", "bearing.profile", "bearing.laminae", "bearing.axial_places",
-            "bearing.dynamic_capacity", "bearing.static_capacity", "bearing.fatigue_load_limit", "bearing.clearance_class", "bearing.cage",
-            "bearing.outer_osculation", "bearing.inner_osculation", "lubricant", "pair.addendum", "pair.clearance", "pair.root_fillet_radius")
+            "gearset.planet_bore_ratio", "gearset.dynamics", "material", "spectrum", "life", "support", "bearing.tilt_state", "bearing.profile",
+            "bearing.laminae", "bearing.axial_places", "bearing.dynamic_capacity", "bearing.static_capacity", "bearing.fatigue_load_limit",
+            "bearing.clearance_class", "bearing.cage", "bearing.outer_osculation", "bearing.inner_osculation", "lubricant", "pair.addendum",
+            "pair.clearance", "pair.root_fillet_radius")
 BLOCKS = ("bearing", "support", "lubricant", "life")  # of a planetary set without a complete bearing
 ORDER = ("input", "spectrum", "load", "operation", "gearset", "pair", "bearing", "support", "lubricant", "life", "material")
 MOST_LETTERS = 240  # of a message in the report
