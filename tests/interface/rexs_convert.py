@@ -200,6 +200,16 @@ class Stage(Converting):
         self.convert(self.made(model), code=2)
         self.assertIn("found 0 members held by a casing; one is required", self.said)
 
+    def test_cleanliness_and_reliability(self):
+        for version, contamination, survival in (("1.0", "contamination_factor_according_to_din_26281", "survival_probablity"),
+                                                 ("2.0", "contamination_factor_iso_281_2007", "survival_probability")):
+            model = rexs_files.planetary(version=version)
+            model.components = [(number, kind, name, [*rows, (contamination, 0.6, "none"), (survival, 95.0, "%")] if number == rexs_files.BEARING else rows)
+                                for number, kind, name, rows in model.components]
+            self.convert(self.made(model))
+            self.assertEqual(self.case()["life.contamination_factor"], 0.6)
+            self.assertEqual(self.case()["life.reliability"], 0.95)
+
     def test_stages_in_a_row(self):
         """Each stage is a case, with the speed and torque that the other leaves to it."""
         report = self.convert(self.made(rexs_files.two_stages()))
@@ -409,6 +419,9 @@ class Results(Converting):
             self.assertEqual(again.relations[:len(first.relations)], first.relations)
             life = {"1.4": "nominal_reference_rating_life_time_din_26281", "1.0": "nominal_reference_rating_life_time_din_26281",
                     "2.0": "nominal_reference_rating_life_time_iso_16281_2008"}[version]
+            load = next(one for name, one in again.components[rexs_files.BEARING].attributes.items() if name.startswith("equivalent_dynamic"))
+            self.assertEqual(load.unit, "kN")
+            self.assert_close(load.value, point["P_N"] / 1e3)
             lives = [again.components[rexs_files.BEARING + i].attributes[life].value for i in (0, 1, 20, 21)]
             self.assertEqual(lives[:2], lives[2:])
             self.assert_close(min(lives), point["L10rh"], 0.2)
