@@ -11,6 +11,8 @@
 #include <set>
 
 #include "app/case/catalogue_case.hpp"
+#include "app/case/catalogue_fields.hpp"
+#include "app/case/catalogue_file.hpp"
 #include "app/case/consistency.hpp"
 #include "app/case/derived_defaults.hpp"
 #include "app/case/field_table.hpp"
@@ -70,7 +72,11 @@ class Resolver {
     find_model();
     find_shape();
     read_block(root_, "");
-    if (model_ != no_model) fill_from_catalogue(data_, model_);
+    if (model_ != no_model) {
+      forget_printed_ratings();
+      check_designations();
+      fill_from_catalogue(data_, model_);
+    }
     report_missing();
     fill_defaults();
     fill_derived_defaults(data_);
@@ -84,6 +90,46 @@ class Resolver {
   void add_error(Location location, const std::string& path, std::string found, std::string required) {
     mistakes_.push_back({location, path, {std::move(found), std::move(required)}});
     faulty_.insert(path);
+  }
+
+  // Ratings that a resolved case repeats from a catalogue are no statements of the user's.
+  void forget_printed_ratings() {
+    const Member* assumed = find_member(root_, "assumed");
+    if (assumed == nullptr) return;
+    for (const Member& member : assumed->value.members) {
+      const auto value = data_.values.find(member.key);
+      if (value == data_.values.end() || value->second.location.option) continue;
+      const std::string own = member.key.substr(set_prefix_length(member.key));
+      if (is_rating(own) && member.value.text.starts_with("default:") &&
+          data_.values.contains(member.key.substr(0, set_prefix_length(member.key)) +
+                                catalogue_keys::kDesignation))
+        value->second.from_default = true;
+    }
+  }
+
+  static bool is_rating(std::string_view path) {
+    return path == catalogue_keys::kDynamic || path == catalogue_keys::kStatic ||
+           path == catalogue_keys::kLimit;
+  }
+
+  // Of a bearing that is not known nothing more is missed.
+  void check_designations() {
+    std::vector<std::string> prefixes{""};
+    for (const std::string& set : data_.shape.sets) prefixes.push_back(set_prefix(set));
+    for (const std::string& prefix : prefixes) {
+      const auto name = data_.values.find(prefix + catalogue_keys::kDesignation);
+      if (name == data_.values.end()) continue;
+      const std::string catalogue = prefix + catalogue_keys::kCatalogue;
+      const auto table = data_.values.find(catalogue);
+      const auto message = unknown_designation(
+          name->second.value.given, table == data_.values.end() ? nullptr : &table->second.value, model_);
+      if (!message) continue;
+      if (is_faulty(catalogue))
+        faulty_.insert(name->first);  // the file that should have it is to blame
+      else
+        add_error(name->second.location, name->first, message->found, message->required);
+      data_.values.erase(name);
+    }
   }
 
   // Without a good model, every field of any model is let pass and none is missed.
@@ -219,6 +265,11 @@ class Resolver {
                 reading.message.required);
       return;
     }
+    if (field.path == catalogue_keys::kCatalogue &&
+        !take_catalogue(reading.value, member.value.location, path, data_.file, mistakes_)) {
+      faulty_.insert(path);
+      return;
+    }
     StoredValue& stored = data_.values[path];
     stored = {std::move(reading.value), member.value.location, false};
     for (const Entry& item : member.value.items) stored.item_locations.push_back(item.location);
@@ -352,6 +403,7 @@ class Resolver {
     // A value put in its place by an option is no longer the one that the file gives reasons for.
     if (value->second.location.option && !reason.location.option) return;
     if (!value->second.replaced.empty()) return;  // nor is one that another input replaced
+    if (value->second.from_default && is_rating(member.key.substr(set_prefix_length(member.key)))) return;
     data_.assumed[member.key] = reason.text;
   }
 

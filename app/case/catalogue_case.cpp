@@ -1,8 +1,10 @@
 #include "app/case/catalogue_case.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <mutex>
@@ -10,6 +12,7 @@
 #include <stdexcept>
 
 #include "app/case/catalogue_fields.hpp"
+#include "app/case/catalogue_file.hpp"
 #include "app/case/field_table.hpp"
 #include "app/case/mistake.hpp"
 #include "app/case/oil_case.hpp"
@@ -43,7 +46,8 @@ catalogue::ClearanceClass class_of(const std::string& name) {
   throw std::logic_error("no clearance class '" + name + "'");
 }
 
-// Each point of a sweep is a copy of its case that asks anew.
+// Each point of a sweep is a copy of its case that asks anew. Throws std::invalid_argument where nothing
+// fits.
 const catalogue::Inside& known_inside(const catalogue::Entry& entry) {
   static std::map<const catalogue::Entry*, catalogue::Inside> known;
   static std::mutex one_at_a_time;
@@ -51,6 +55,58 @@ const catalogue::Inside& known_inside(const catalogue::Entry& entry) {
   const auto found = known.find(&entry);
   return found != known.end() ? found->second
                               : known.emplace(&entry, catalogue::inside_of(entry)).first->second;
+}
+
+// A user's own lines go before those of the program. `table` may be null.
+const catalogue::Entry* line_of(const FieldValue* table, const std::string& designation) {
+  if (table != nullptr && !table->texts.empty())
+    if (const catalogue::Entry* own = catalogue::find(catalogue_of(*table), designation)) return own;
+  return catalogue::find(built_in_catalogue(), designation);
+}
+
+const FieldValue* table_of_case(const ResolvedCase& in, const std::string& set = "") {
+  const std::string path = set + catalogue_keys::kCatalogue;
+  return in.has(path) ? &in.value(path) : nullptr;
+}
+
+// Null where the case has no designation, or one that no line has.
+const catalogue::Entry* line_of(const ResolvedCase& in, const std::string& set = "") {
+  const std::string path = set + catalogue_keys::kDesignation;
+  return in.has(path) ? line_of(table_of_case(in, set), in.text(path)) : nullptr;
+}
+
+std::string name_of(const catalogue::Entry& entry, const std::string& designation) {
+  return fmt::format("{} ({})", catalogue::full_name(entry, designation), entry.source);
+}
+
+// Designations of rollers, or of balls: a user's own first.
+std::vector<std::string> designations_of(const FieldValue* table, bool rollers) {
+  std::vector<std::string> names;
+  const auto add = [&](const std::vector<catalogue::Entry>& entries) {
+    for (const catalogue::Entry& entry : entries)
+      if (catalogue::has_rollers(entry.family) == rollers)
+        for (const std::string& name : entry.designations)
+          if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  };
+  if (table != nullptr && !table->texts.empty()) add(catalogue_of(*table));
+  add(built_in_catalogue());
+  return names;
+}
+
+// Ratings of a bearing that a line prints, by the inputs that may state others; 0: not printed.
+struct PrintedRating {
+  const char* path;
+  double value;  // [N]
+};
+
+std::array<PrintedRating, 3> ratings_of(const catalogue::Entry& entry) {
+  return {{{catalogue_keys::kDynamic, entry.dynamic_rating},
+           {catalogue_keys::kStatic, entry.static_rating},
+           {catalogue_keys::kLimit, entry.fatigue_load_limit}}};
+}
+
+std::string newtons(double force) {
+  return fmt::format("{:g} N", force);
 }
 
 // What a case or one of its sets states, and what is put in its place.
@@ -86,17 +142,23 @@ class CatalogueCase {
 
   void fill_designation() {
     const FieldValue* name = find(catalogue_keys::kDesignation);
-    entry_ = name == nullptr ? nullptr : catalogue::find(name->given);
+    entry_ = name == nullptr ? nullptr : line_of(find(catalogue_keys::kCatalogue), name->given);
     if (entry_ == nullptr) return;
-    const bool rollers = entry_->family == catalogue::Family::cylindrical;
+    const bool rollers = catalogue::has_rollers(entry_->family);
     if (rollers != ((model_ & with_rollers) != 0)) return;  // check_catalogue_bearing() says it
-    const catalogue::Inside& inside = known_inside(*entry_);
-    const std::string published = fmt::format("default: {} in [NSKE1102]", name->given);
+    try {
+      fill_inside(known_inside(*entry_), name->given);
+    } catch (const std::invalid_argument&) {  // check_catalogue_bearing() says it
+    }
+  }
+
+  void fill_inside(const catalogue::Inside& inside, const std::string& name) {
+    const bool rollers = catalogue::has_rollers(entry_->family);
+    const std::string published = "default: " + name_of(*entry_, name);
     const std::string inferred = fmt::format(
         "default: inferred from the ratings of {} (docs/bearings.md); one {} more would leave a {} of "
         "{:.2g} % less",
-        name->given, rollers ? "roller" : "ball", rollers ? "length" : "diameter",
-        -100.0 * inside.per_element);
+        name, rollers ? "roller" : "ball", rollers ? "length" : "diameter", -100.0 * inside.per_element);
     put(rollers ? catalogue_keys::kRollers : "bearing.balls", fmt::format("{}", inside.elements), inferred);
     put(rollers ? "bearing.roller_diameter" : "bearing.ball_diameter", millimetres(inside.diameter),
         inferred);
@@ -105,12 +167,31 @@ class CatalogueCase {
     else
       put("bearing.contact_angle", fmt::format("{:g} deg", kDegree * entry_->contact_angle), published);
     put("bearing.pitch_diameter", millimetres(inside.pitch_diameter), inferred);
-    put("bearing.bore", millimetres(entry_->bore), published);
-    put("bearing.outside_diameter", millimetres(entry_->outside), published);
+    if (entry_->family != catalogue::Family::needle_cage) {
+      put("bearing.bore", millimetres(entry_->bore), published);
+      put("bearing.outside_diameter", millimetres(entry_->outside), published);
+    } else {
+      put_default(catalogue_keys::kRings, "none", published + ", which has no rings");
+    }
     put("bearing.width", millimetres(entry_->width), published);
-    put("bearing.dynamic_capacity", fmt::format("{:g} N", entry_->dynamic_rating), published);
+    fill_ratings(published);
     if (rollers) put_default("bearing.type", "cylindrical-roller", published);
     fill_default_cage(inside);
+  }
+
+  // Those that are stated stand. Without a cage there are more rollers than the line's C_0 and C_u are of.
+  void fill_ratings(const std::string& published) {
+    const FieldValue* complement = find(catalogue_keys::kComplement);
+    const bool full = complement != nullptr && complement->given == "full";
+    for (const PrintedRating& rating : ratings_of(*entry_)) {
+      if (rating.value == 0.0 || (full && rating.path != std::string_view(catalogue_keys::kDynamic)))
+        continue;
+      const FieldValue* stated = find(rating.path);
+      if (stated != nullptr && newtons(stated->number) == newtons(rating.value))
+        put(rating.path, newtons(rating.value), published);
+      else
+        put_default(rating.path, newtons(rating.value), published);
+    }
   }
 
   // As a window cage of sheet or polyamide has them: somewhat outside the pitch circle, since it is guided
@@ -128,7 +209,8 @@ class CatalogueCase {
     if (outer != data_.values.end() && outer->second.from_default)
       put_default("bearing.cage.guide_land_diameter",
                   millimetres(inside.pitch_diameter + land * inside.diameter), reason);
-    put_default("bearing.cage.width", millimetres(share_of_width * entry_->width), reason);
+    const bool needles = entry_->family == catalogue::Family::needle_cage;
+    put_default("bearing.cage.width", millimetres((needles ? 1.0 : share_of_width) * entry_->width), reason);
   }
 
   void fill_class() {
@@ -220,22 +302,55 @@ class CatalogueCase {
   const catalogue::Entry* entry_ = nullptr;
 };
 
+}  // namespace
+
+std::optional<ConsistencyMessage> unknown_designation(const std::string& name, const FieldValue* table,
+                                                      Model model) {
+  if (line_of(table, name) != nullptr) return std::nullopt;
+  constexpr std::size_t shown = 5;
+  const bool rollers = (model & with_rollers) != 0;
+  return ConsistencyMessage{
+      fmt::format("{}, which no line of {} has", quote(name),
+                  table == nullptr ? "the catalogue" : "both catalogues"),
+      fmt::format(
+          "a designation as it is listed is required, a suffix only where the list has it; nearest: {}. Of "
+          "another bearing, state a row of its own (bearing.catalogue: FILE), or number, diameter and pitch "
+          "diameter of its {}",
+          fmt::join(catalogue::nearest(designations_of(table, rollers), name, shown), ", "),
+          rollers ? "rollers" : "balls")};
+}
+
+namespace {
+
 void check_designation(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   if (!in.has(catalogue_keys::kDesignation)) return;
-  const catalogue::Entry* entry = catalogue::find(in.choice(catalogue_keys::kDesignation));
-  const bool rollers = entry->family == catalogue::Family::cylindrical;
-  if (rollers != ((in.model() & with_rollers) != 0))
-    add_error_at(
-        in, catalogue_keys::kDesignation,
-        fmt::format("'{}', a bearing of {}", in.choice(catalogue_keys::kDesignation),
-                    rollers ? "rollers" : "balls"),
-        rollers ? "one of balls, such as 6205, is required" : "one of rollers, such as NU 205, is required",
-        mistakes);
+  const auto add_error = [&](std::string found, std::string required) {
+    add_error_at(in, catalogue_keys::kDesignation, std::move(found), std::move(required), mistakes);
+  };
+  const std::string& name = in.text(catalogue_keys::kDesignation);
+  const bool of_rollers = (in.model() & with_rollers) != 0;
+  if (const auto message = unknown_designation(name, table_of_case(in), in.model()))
+    return add_error(message->found, message->required);
+  const catalogue::Entry* entry = line_of(in);
+  const bool rollers = catalogue::has_rollers(entry->family);
+  if (rollers != of_rollers)
+    return add_error(
+        fmt::format("'{}', a bearing of {}", name, rollers ? "rollers" : "balls"),
+        rollers ? "one of balls, such as 6205, is required" : "one of rollers, such as NU 205, is required");
+  if (entry->family == catalogue::Family::needle_cage && in.has(catalogue_keys::kRings) &&
+      in.choice(catalogue_keys::kRings) != "none")
+    add_error_at(in, catalogue_keys::kRings,
+                 fmt::format("{} beside {}", in.choice(catalogue_keys::kRings), name),
+                 "none is required: needles in a cage run on the pin and in the planet", mistakes);
+  try {
+    (void)known_inside(*entry);
+  } catch (const std::invalid_argument& error) {
+    add_error(name_of(*entry, name), error.what());
+  }
 }
 
 catalogue::Family family_of(const ResolvedCase& in) {
-  if (in.has(catalogue_keys::kDesignation))
-    return catalogue::find(in.choice(catalogue_keys::kDesignation))->family;
+  if (const catalogue::Entry* entry = line_of(in)) return entry->family;
   if ((in.model() & with_rollers) != 0) return catalogue::Family::cylindrical;
   return in.has("bearing.contact_angle") && in.quantity("bearing.contact_angle") != 0.0
              ? catalogue::Family::angular_contact
@@ -243,8 +358,7 @@ catalogue::Family family_of(const ResolvedCase& in) {
 }
 
 std::optional<double> bore_of(const ResolvedCase& in) {
-  if (in.has(catalogue_keys::kDesignation))
-    return catalogue::find(in.choice(catalogue_keys::kDesignation))->bore;
+  if (const catalogue::Entry* entry = line_of(in)) return entry->bore;
   return in.has("bearing.bore") ? std::optional<double>(in.quantity("bearing.bore")) : std::nullopt;
 }
 
@@ -308,15 +422,18 @@ void check_complement(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
 
 std::vector<Derived> quantities_of_one(const ResolvedCase& in) {
   std::vector<Derived> rows;
-  if (in.has(catalogue_keys::kDesignation)) {
-    const catalogue::Entry& entry = *catalogue::find(in.choice(catalogue_keys::kDesignation));
+  if (const catalogue::Entry* line = line_of(in)) {
+    const catalogue::Entry& entry = *line;
     const catalogue::Inside& inside = known_inside(entry);
-    rows.push_back({"bearing.catalogue.dynamic_rating", entry.dynamic_rating, "N", "C as printed"});
+    const std::string whose = " of " + name_of(entry, in.text(catalogue_keys::kDesignation));
+    rows.push_back({"bearing.catalogue.dynamic_rating", entry.dynamic_rating, "N", "C" + whose});
     rows.push_back({"bearing.catalogue.dynamic_rating_inferred", inside.dynamic_rating, "N",
                     "C of ISO 281 by the inferred geometry"});
-    rows.push_back({"bearing.catalogue.static_rating", entry.static_rating, "N", "C_0 as printed"});
+    rows.push_back({"bearing.catalogue.static_rating", entry.static_rating, "N", "C_0" + whose});
     rows.push_back({"bearing.catalogue.static_rating_inferred", inside.static_rating, "N",
                     "C_0 of ISO 76 by the inferred geometry"});
+    if (entry.fatigue_load_limit > 0.0)
+      rows.push_back({"bearing.catalogue.fatigue_load_limit", entry.fatigue_load_limit, "N", "C_u" + whose});
   }
   if (in.has(catalogue_keys::kClass)) {
     const catalogue::ClearanceRange range =
@@ -369,30 +486,61 @@ bool is_full_complement(const ResolvedCase& in) {
   return in.has(catalogue_keys::kComplement) && in.choice(catalogue_keys::kComplement) == "full";
 }
 
+namespace {
+
+std::string inferred_warning(const std::string& path, const std::string& name,
+                             const catalogue::Entry& entry) {
+  const catalogue::Inside& inside = known_inside(entry);
+  const char* element = catalogue::has_rollers(entry.family) ? "roller" : "ball";
+  return fmt::format(
+      "{}: the inside of {} is inferred from its printed ratings, not measured: {} {}s of {:.4g} mm on "
+      "{:.4g} "
+      "mm (C by them is {:.1f} % {} the printed one). Pass frequencies of the races are uncertain by about "
+      "0.5 "
+      "% and those of a {} by 2 %; with one {} more or less, by {:.0f} %. State the {}s in place of the "
+      "designation where they are known",
+      path, catalogue::full_name(entry, name), inside.elements, element, per_milli * inside.diameter,
+      per_milli * inside.pitch_diameter, 100.0 * std::abs(inside.dynamic_rating / entry.dynamic_rating - 1.0),
+      inside.dynamic_rating < entry.dynamic_rating ? "below" : "above", element, element,
+      100.0 / inside.elements, element);
+}
+
+// Ratings that a case states beside the designation of a bearing that has others.
+void add_replaced_ratings(const ResolvedCase& in, const std::string& set, const catalogue::Entry& entry,
+                          std::vector<std::string>& warnings) {
+  const char* elements = catalogue::has_rollers(entry.family) ? "rollers" : "balls";
+  for (const PrintedRating& rating : ratings_of(entry)) {
+    const std::string path = set + rating.path;
+    if (rating.value == 0.0 || !is_stated(in, path) || newtons(in.quantity(path)) == newtons(rating.value))
+      continue;
+    warnings.push_back(fmt::format(
+        "{}: {} as stated replaces {} of {}; its {} stay as inferred for the latter", path, in.given(path),
+        newtons(rating.value), name_of(entry, in.text(set + catalogue_keys::kDesignation)), elements));
+  }
+}
+
+}  // namespace
+
 std::vector<std::string> inferred_warnings(const ResolvedCase& resolved) {
   std::vector<std::string> warnings;
   for (const Input& input : resolved.inputs()) {
     if (input.field->path != catalogue_keys::kDesignation || !resolved.has(input.path)) continue;
-    const catalogue::Entry* entry = catalogue::find(resolved.choice(input.path));
+    const std::string set = input.path.substr(0, set_prefix_length(input.path));
+    const catalogue::Entry* entry = line_of(resolved, set);
     if (entry == nullptr) continue;
-    const catalogue::Inside& inside = known_inside(*entry);
-    const bool rollers = entry->family == catalogue::Family::cylindrical;
-    const char* element = rollers ? "roller" : "ball";
-    warnings.push_back(
-        fmt::format("{}: the inside of {} is inferred from its printed ratings, not measured: {} {}s of "
-                    "{:.4g} mm on {:.4g} mm "
-                    "(C by them is {:.1f} % {} the printed one). Pass frequencies of the races are uncertain "
-                    "by about 0.5 % and "
-                    "those of a {} by 2 %; with one {} more or less, by {:.0f} %. State the {}s in place of "
-                    "the designation "
-                    "where they are known",
-                    input.path, resolved.choice(input.path), inside.elements, element,
-                    per_milli * inside.diameter, per_milli * inside.pitch_diameter,
-                    100.0 * std::abs(inside.dynamic_rating / entry->dynamic_rating - 1.0),
-                    inside.dynamic_rating < entry->dynamic_rating ? "below" : "above", element, element,
-                    100.0 / inside.elements, element));
+    warnings.push_back(inferred_warning(input.path, resolved.text(input.path), *entry));
+    add_replaced_ratings(resolved, set, *entry, warnings);
   }
   return warnings;
+}
+
+std::optional<std::string> table_in_use(const ResolvedCase& resolved, const std::string& path) {
+  const std::string set = path.substr(0, set_prefix_length(path));
+  const catalogue::Entry* entry = line_of(resolved, set);
+  if (entry == nullptr || entry != catalogue::find(catalogue_of(resolved.value(path)),
+                                                   resolved.text(set + catalogue_keys::kDesignation)))
+    return std::nullopt;
+  return table_of(*entry);
 }
 
 std::vector<Derived> catalogue_quantities(const ResolvedCase& resolved) {

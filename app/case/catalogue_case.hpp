@@ -2,6 +2,7 @@
 // of its cage, without a cage, without rings.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,11 @@ namespace orbearing::app {
 /// those of a usual one.
 void fill_from_catalogue(CaseData& data, Model model);
 
+/// What is wrong with a designation that no line has; none where one has it. `table`: the case's own
+/// catalogue, if any.
+std::optional<ConsistencyMessage> unknown_designation(const std::string& name, const FieldValue* table,
+                                                      Model model);
+
 /// Whether anything is known of such a bearing, and whether what says so fits together.
 void check_catalogue_bearing(const ResolvedCase& resolved, std::vector<Mistake>& mistakes);
 
@@ -27,9 +33,12 @@ bool is_full_complement(const ResolvedCase& in);
 /// std::invalid_argument where the tables have none.
 bearing::catalogue::ClearanceRange clearance_range_of(const ResolvedCase& in, const std::string& which);
 
-/// How far rollers or balls that are inferred from a designation may be off: what every result of theirs is
-/// to be read with.
+/// How far rollers or balls that are inferred from a designation may be off, and which of its ratings the
+/// case replaces: what every result of theirs is to be read with.
 std::vector<std::string> inferred_warnings(const ResolvedCase& resolved);
+
+/// The one line that the case takes out of its own catalogue at `path`, as a table; none where it takes none.
+std::optional<std::string> table_in_use(const ResolvedCase& resolved, const std::string& path);
 
 /// What a designation and a class say beside the values that they give, for `check`: ratings, the range of
 /// the clearance.

@@ -9,7 +9,6 @@
 #include "app/case/field_table.hpp"
 #include "app/case/resolved_case.hpp"
 #include "bearing/catalogue/classes.hpp"
-#include "bearing/catalogue/entries.hpp"
 
 namespace orbearing::app {
 
@@ -98,23 +97,34 @@ std::vector<Condition> given_by(std::string_view path) {
 }
 
 const std::vector<std::string>& paths_of_designation() {
-  static const std::vector<std::string> paths{
-      catalogue_keys::kRollers,   "bearing.roller_diameter", "bearing.roller_length",   "bearing.balls",
-      "bearing.ball_diameter",    "bearing.contact_angle",   "bearing.pitch_diameter",  "bearing.bore",
-      "bearing.outside_diameter", "bearing.width",           "bearing.dynamic_capacity"};
+  static const std::vector<std::string> paths{catalogue_keys::kRollers,   "bearing.roller_diameter",
+                                              "bearing.roller_length",    "bearing.balls",
+                                              "bearing.ball_diameter",    "bearing.contact_angle",
+                                              "bearing.pitch_diameter",   "bearing.bore",
+                                              "bearing.outside_diameter", "bearing.width"};
   return paths;
 }
 
 namespace table {
 
 void add_catalogue_fields(std::vector<Field>& fields) {
-  constexpr unsigned catalogue_keys = with_rollers | with_balls;
+  constexpr unsigned bought = with_rollers | with_balls;
+  std::vector<std::string> designated = paths_of_designation();
+  designated.emplace_back(catalogue_keys::kDynamic);
+  const Use by_designation = use_of_any(fields, designated);
   std::vector<Field> rows{
-      choice(catalogue_keys::kDesignation,
-             "designation of the bearing in the project's catalogue: boundary dimensions and ratings as "
-             "printed, "
-             "rollers or balls inferred from them",
-             use_of_any(fields, paths_of_designation()), catalogue_keys, catalogue::designations()),
+      {.path = catalogue_keys::kDesignation,
+       .kind = Kind::text,
+       .meaning = "designation of the bearing in a catalogue, such as NU 205, 6205, 7205 B or K 20x24x10: "
+                  "boundary dimensions and ratings as printed, rollers or balls inferred from them",
+       .use = by_designation,
+       .models = bought},
+      {.path = catalogue_keys::kCatalogue,
+       .kind = Kind::text,
+       .meaning = "file of bearings (CSV) in which the designation is sought before the project's own "
+                  "catalogue; several lines: the table itself",
+       .use = by_designation.when(where_given({catalogue_keys::kDesignation})),
+       .models = bought},
       choice(catalogue_keys::kClass,
              "clearance class of the bearing on the shelf, ISO 5753; the middle of its range is taken",
              use_of_any(fields, {catalogue_keys::kClearance}), with_rollers | single_ball_bearing,

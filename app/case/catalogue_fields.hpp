@@ -7,7 +7,9 @@
 namespace orbearing::app {
 
 namespace catalogue_keys {
-inline constexpr const char *kDesignation = "bearing.designation", *kClass = "bearing.clearance_class",
+inline constexpr const char *kDesignation = "bearing.designation", *kCatalogue = "bearing.catalogue",
+                            *kDynamic = "bearing.dynamic_capacity", *kStatic = "bearing.static_capacity",
+                            *kLimit = "bearing.fatigue_load_limit", *kClass = "bearing.clearance_class",
                             *kClearance = "bearing.radial_clearance", *kState = "bearing.clearance_state",
                             *kMaterial = "bearing.cage.material", *kComplement = "bearing.complement",
                             *kRings = "bearing.rings", *kRollers = "bearing.rollers",
@@ -17,7 +19,8 @@ inline constexpr const char *kDesignation = "bearing.designation", *kClass = "be
                             *kOuterFit = "bearing.fit.outer_interference";
 }  // namespace catalogue_keys
 
-/// Inputs that follow where `bearing.designation` is given.
+/// Inputs that follow where `bearing.designation` is given. Ratings are not among them: those that are stated
+/// beside it stand.
 const std::vector<std::string>& paths_of_designation();
 
 }  // namespace orbearing::app

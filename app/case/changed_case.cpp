@@ -4,6 +4,8 @@
 
 #include <charconv>
 
+#include "app/case/catalogue_fields.hpp"
+#include "app/case/catalogue_file.hpp"
 #include "app/case/consistency.hpp"
 #include "app/case/derived_defaults.hpp"
 #include "app/case/field_table.hpp"
@@ -33,6 +35,9 @@ void put(CaseData& data, const std::string& path, FieldReading reading, Location
     mistakes.push_back({location, path, reading.message});
     return;
   }
+  if (path.ends_with(catalogue_keys::kCatalogue) &&
+      !take_catalogue(reading.value, location, path, data.file, mistakes))
+    return;
   data.values[path] = {std::move(reading.value), location, false};
   data.assumed.erase(path);
   replace_other_duty(data, path);

@@ -115,7 +115,7 @@ std::optional<std::pair<std::string, double>> numbered(const std::string& text) 
   return std::pair{letters.substr(0, digit), *number.value};
 }
 
-// Of choices that differ by a number alone, as grades of oil do and designations of bearings do not, the one whose
+// Of choices that differ by a number alone, as grades of oil do, the one whose
 // number is nearest in ratio; empty where there is none.
 std::string nearest_number(const Field& field, const std::string& text) {
   const auto given = numbered(text);
@@ -141,15 +141,9 @@ FieldReading read_choice(const Field& field, const Entry& entry) {
     std::string likely = likely_choice(field, entry.text);
     if (bare(likely) != bare(entry.text))
       if (const std::string nearest = nearest_number(field, entry.text); !nearest.empty()) likely = nearest;
-    FieldReading reading = bad(describe(entry) + " is none of the choices" +
-                                   (likely.empty() ? "" : fmt::format(" (did you mean '{}'?)", likely)),
-                               field);
-    if (field.path == "bearing.designation")
-      reading.message.required +=
-          "; of a bearing that is not among them, state number, diameter and pitch diameter of its rolling "
-          "elements in "
-          "place of the designation";
-    return reading;
+    return bad(describe(entry) + " is none of the choices" +
+                   (likely.empty() ? "" : fmt::format(" (did you mean '{}'?)", likely)),
+               field);
   }
   return good({entry.text, 0.0, {}});
 }

@@ -6,7 +6,10 @@
 #include <algorithm>
 #include <cctype>
 #include <nlohmann/json.hpp>
+#include <optional>
 
+#include "app/case/catalogue_case.hpp"
+#include "app/case/catalogue_fields.hpp"
 #include "app/case/field_table.hpp"
 #include "app/checksum.hpp"
 
@@ -72,9 +75,14 @@ std::string write_resolved(const ResolvedCase& resolved) {
   std::string previous;
   for (const auto& [path, field] : resolved.inputs()) {
     if (!resolved.has(path)) continue;
+    const bool of_catalogue = field->path == catalogue_keys::kCatalogue;
+    const std::optional<std::string> table = of_catalogue ? table_in_use(resolved, path) : std::nullopt;
+    if (of_catalogue && !table) continue;
     const bool texts = field->kind == Kind::list && field->element == Kind::text;
     text += open_blocks(path, previous) +
-            (texts ? write_texts(resolved.texts(path)) : write_value(*field, resolved.given(path))) + "\n";
+            (texts ? write_texts(resolved.texts(path))
+                   : write_value(*field, table ? *table : resolved.given(path))) +
+            "\n";
     previous = path;
   }
   if (!resolved.axes().empty()) text += "sweep:\n";

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <mutex>
 #include <set>
+#include <sstream>
 
 namespace orbearing::app {
 
@@ -220,8 +222,9 @@ std::optional<RowFault> row_fault(const std::vector<std::string>& cells, const s
       ++i;
     }
   // Where one value has a decimal point, no comma is one.
-  const bool points = std::any_of(cells.begin(), cells.end(),
-                                  [](const std::string& cell) { return cell.find('.') != std::string::npos; });
+  const bool points = std::any_of(cells.begin(), cells.end(), [](const std::string& cell) {
+    return cell.find('.') != std::string::npos;
+  });
   if (!points && halves >= cells.size() - columns)
     fault.message.found +=
         " (a decimal comma splits a number in two: commas separate values here, decimals follow a point)";
@@ -247,26 +250,40 @@ std::string unknown_head(const std::string& line) {
   return none;
 }
 
-Entry rows_of_file(const Field& field, const Entry& block, const std::string& path,
-                   const std::string& case_file, std::vector<Mistake>& mistakes) {
-  const auto add_error = [&](std::string found, std::string required) {
-    mistakes.push_back({block.location, path, {std::move(found), std::move(required)}});
-    return Entry{};
+std::optional<NamedFile> read_named_file(const std::string& name, const Location& named,
+                                         const std::string& path, const std::string& case_file,
+                                         std::vector<Mistake>& mistakes) {
+  const fs::path file = found_file(name, case_file, named.option);
+  const auto none = [&](const std::string& found, std::string required) {
+    mistakes.push_back({named, path, {"the file " + quote(file.string()) + found, std::move(required)}});
+    return std::nullopt;
   };
-  const Member* named = find_member(block, "file");
-  if (named == nullptr || block.members.size() != 1 || named->value.shape != Entry::Shape::scalar ||
-      trimmed(named->value.text).empty())
-    return add_error("a block", requirement(field) + " is required");
-  const fs::path file = found_file(named->value.text, case_file, block.location.option);
-  const std::string shown = quote(file.string());
   std::error_code error;
   if (!fs::is_regular_file(file, error))
-    return add_error("the file " + shown + ", which is not there or no file", "a CSV file is required");
+    return none(", which is not there or no file", "a CSV file is required");
   if (fs::file_size(file, error) > largest_rows_file)
-    return add_error("the file " + shown + " of more than 4 MiB", "a shorter one is required");
+    return none(" of more than 4 MiB", "a shorter one is required");
   std::ifstream stream(file, std::ios::binary);
-  if (!stream) return add_error("the file " + shown + ", which cannot be opened", "a CSV file is required");
-  return RowsReader(field, path, file.string(), mistakes).read(stream);
+  if (!stream) return none(", which cannot be opened", "a CSV file is required");
+  return NamedFile{file.string(), {std::istreambuf_iterator<char>(stream), {}}};
+}
+
+Entry rows_of_text(const Field& field, const std::string& text, const std::string& path,
+                   const std::string& file, std::vector<Mistake>& mistakes) {
+  std::istringstream stream(text);
+  return RowsReader(field, path, file, mistakes).read(stream);
+}
+
+Entry rows_of_file(const Field& field, const Entry& block, const std::string& path,
+                   const std::string& case_file, std::vector<Mistake>& mistakes) {
+  const Member* named = find_member(block, "file");
+  if (named == nullptr || block.members.size() != 1 || named->value.shape != Entry::Shape::scalar ||
+      trimmed(named->value.text).empty()) {
+    mistakes.push_back({block.location, path, {"a block", requirement(field) + " is required"}});
+    return {};
+  }
+  const auto file = read_named_file(named->value.text, block.location, path, case_file, mistakes);
+  return file ? rows_of_text(field, file->text, path, file->name, mistakes) : Entry{};
 }
 
 }  // namespace orbearing::app

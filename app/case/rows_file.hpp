@@ -62,4 +62,19 @@ std::string unknown_head(const std::string& line);
 Entry rows_of_file(const Field& field, const Entry& block, const std::string& path,
                    const std::string& case_file, std::vector<Mistake>& mistakes);
 
+/// The same list from the text of `file`.
+Entry rows_of_text(const Field& field, const std::string& text, const std::string& path,
+                   const std::string& file, std::vector<Mistake>& mistakes);
+
+/// A file that the case names, from its folder.
+struct NamedFile {
+  std::string name;  // as it is opened
+  std::string text;
+};
+
+/// None where it cannot be read, with the mistake added at `named`, where its name stands.
+std::optional<NamedFile> read_named_file(const std::string& name, const Location& named,
+                                         const std::string& path, const std::string& case_file,
+                                         std::vector<Mistake>& mistakes);
+
 }  // namespace orbearing::app

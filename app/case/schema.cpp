@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/case/case_shape.hpp"
+#include "app/case/catalogue_fields.hpp"
+#include "app/case/catalogue_file.hpp"
 #include "app/case/derived_defaults.hpp"
 #include "app/case/field_table.hpp"
 #include "app/case/resolved_case.hpp"
@@ -95,6 +97,14 @@ Json default_value(const Field& field) {
   return text ? Json(field.default_text) : Json::parse(field.default_text);
 }
 
+// Of a file of a user's other ones are right as well.
+std::vector<std::string> built_in_designations() {
+  std::vector<std::string> names;
+  for (const bearing::catalogue::Entry& entry : built_in_catalogue())
+    names.insert(names.end(), entry.designations.begin(), entry.designations.end());
+  return names;
+}
+
 Json field_schema(const Field& field) {
   Json schema = value_schema(field, field.kind);
   schema["description"] = field.meaning + " (" + requirement(field) + ")";
@@ -102,6 +112,7 @@ Json field_schema(const Field& field) {
     schema["description"] =
         field.meaning + " (" + requirement(field).substr(0, requirement(field).size() - 1) + ")";
   if (field.kind == Kind::quantity) schema["examples"] = {field.dimension.example};
+  if (field.path.ends_with(catalogue_keys::kDesignation)) schema["examples"] = built_in_designations();
   if (const std::string_view rule = default_rule(field.path); !rule.empty())
     schema["description"] = schema["description"].get<std::string>() + "; left out: " + std::string(rule);
   if (!field.default_text.empty()) schema["default"] = default_value(field);

@@ -4,6 +4,7 @@ set(ORBEARING_CASE_SOURCES
   case/bearing_fields.cpp
   case/catalogue_case.cpp
   case/catalogue_fields.cpp
+  case/catalogue_file.cpp
   case/case_file.cpp
   case/case_shape.cpp
   case/changed_case.cpp

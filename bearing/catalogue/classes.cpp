@@ -54,7 +54,7 @@ constexpr std::array<ClearanceRow, 12> kCylindrical{
 ClearanceRange clearance_range(Family family, ClearanceClass which, double bore) {
   if (family == Family::angular_contact)
     throw std::invalid_argument("a clearance class of an angular-contact bearing, which has none");
-  const std::span<const ClearanceRow> table = family == Family::cylindrical
+  const std::span<const ClearanceRow> table = has_rollers(family)
                                                   ? std::span<const ClearanceRow>(kCylindrical)
                                                   : std::span<const ClearanceRow>(kDeepGroove);
   constexpr double rounding = 1e-9;  // [m]

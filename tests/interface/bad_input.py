@@ -268,7 +268,7 @@ class BadInput(unittest.TestCase):
         remedies = {
             "input.torque=1000 kN.m": r"input\.torque: unknown key; input\.power is required in its place: torque x speed",
             "lubricant.grade=ISO VG 321": r"did you mean 'ISO VG 320'",
-            "bearing.designation=NU 2240": r"NU 2240' is none of the choices; .*state number, diameter and pitch diameter",
+            "bearing.designation=NU 2242": r"NU 2242', which no line of the catalogue has; .*nearest: NU 2240, .*number, diameter and pitch diameter",
             "lubricant.grade=ISO VG 3": r"ISO VG 3' is none of the choices",
             "gearset.teeth.ring=90": r"gearset\.teeth\.ring: found 90, where sun \+ 2 planet = 37 \+ 2 x 22 = 81",
         }

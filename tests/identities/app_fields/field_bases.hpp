@@ -517,6 +517,17 @@ inline Change change_of(const Field& field, const ResolvedCase& in, const std::s
     return {"full", {"bearing.rollers=21"}};  // at rest their number counts, and no pocket
   if (field.path == "bearing.designation")
     return {rollers ? "NU 204" : in.model() == duplex_pair ? "7205 A" : "6204"};
+  if (field.path == "bearing.catalogue") {  // a row of the designation's name with other numbers
+    const std::string own =
+        "designation,family,bore_mm,outside_diameter_mm,width_mm,inner_raceway_mm,dynamic_capacity_kN,"
+        "static_capacity_kN,contact_angle_deg\n";
+    if (rollers)
+      return {own + "NU 204,cylindrical-roller,20,47,14,26.5,20,20,\n", {"bearing.designation=NU 204"}};
+    return in.model() == duplex_pair
+               ? Change{own + "7205 A,angular-contact-ball,25,52,15,,15,9.5,30\n",
+                        {"bearing.designation=7205 A"}}
+               : Change{own + "6204,deep-groove-ball,20,47,14,,11,6,\n", {"bearing.designation=6204"}};
+  }
   if (field.path == "bearing.clearance_class")
     return {"C3",
             rollers ? std::vector<std::string>{} : std::vector<std::string>{"bearing.designation=6204"}};
