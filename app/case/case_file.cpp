@@ -119,12 +119,12 @@ class Resolver {
     for (const std::string& prefix : prefixes) {
       const auto name = data_.values.find(prefix + catalogue_keys::kDesignation);
       if (name == data_.values.end()) continue;
-      const std::string catalogue = prefix + catalogue_keys::kCatalogue;
-      const auto table = data_.values.find(catalogue);
+      const std::string file = prefix + catalogue_keys::kCatalogue;
+      const auto table = data_.values.find(file);
       const auto message = unknown_designation(
           name->second.value.given, table == data_.values.end() ? nullptr : &table->second.value, model_);
       if (!message) continue;
-      if (is_faulty(catalogue))
+      if (is_faulty(file))
         faulty_.insert(name->first);  // the file that should have it is to blame
       else
         add_error(name->second.location, name->first, message->found, message->required);

@@ -57,7 +57,7 @@ const std::array<NumberColumn, 10>& number_columns() {
 
 constexpr std::array<TextColumn, 3> kTextColumns{
     {{"suffix", &Line::suffix}, {"maker", &Line::maker}, {"source", &Line::source}}};
-constexpr const char *kNames = "designation", *kFamily = "family";
+constexpr const char *kDesignationColumn = "designation", *kFamilyColumn = "family";
 
 // What a line of a family states, and what it may not.
 struct FamilyColumns {
@@ -99,7 +99,7 @@ Field table_field() {
   Field field{.path = "bearing.catalogue", .kind = Kind::list, .use = Use(0, 0)};
   for (const NumberColumn& column : number_columns())
     field.columns.push_back({column.key, column.dimension, column.range});
-  for (const char* key : {kNames, kFamily}) field.columns.push_back({key});
+  for (const char* key : {kDesignationColumn, kFamilyColumn}) field.columns.push_back({key});
   for (const TextColumn& column : kTextColumns) field.columns.push_back({column.key});
   return field;
 }
@@ -110,7 +110,7 @@ bool is_empty(const Entry& cell) {
 }
 
 // "NU/NJ 205" are NU 205 and NJ 205.
-std::vector<std::string> designations_of(const std::string& text) {
+std::vector<std::string> designations_in(const std::string& text) {
   const std::size_t space = text.find(' ');
   const std::string types = text.substr(0, space);
   if (space == std::string::npos || types.find('/') == std::string::npos) return {text};
@@ -157,11 +157,12 @@ class LineReader {
   }
 
   void read_names() {
-    if (const Entry* names = filled(kNames))
-      line_.designations = designations_of(names->text);
+    if (const Entry* names = filled(kDesignationColumn))
+      line_.designations = designations_in(names->text);
     else
-      add_error(location_of(kNames), "no designation", "one in each row is required, such as NU 205");
-    const Entry* family = filled(kFamily);
+      add_error(location_of(kDesignationColumn), "no designation",
+                "one in each row is required, such as NU 205");
+    const Entry* family = filled(kFamilyColumn);
     family_ = family == nullptr ? nullptr : family_named(family->text);
     if (family_ != nullptr) {
       line_.family = family_->family;
@@ -169,7 +170,7 @@ class LineReader {
     }
     std::vector<std::string_view> names;
     for (const FamilyColumns& one : families()) names.push_back(one.name);
-    add_error(location_of(kFamily), "family: " + (family == nullptr ? "nothing" : describe(*family)),
+    add_error(location_of(kFamilyColumn), "family: " + (family == nullptr ? "nothing" : describe(*family)),
               fmt::format("one of {} is required", fmt::join(names, ", ")));
   }
 
@@ -236,7 +237,7 @@ std::string cell_of(const std::string& text) {
 }
 
 // "NU/NJ 205" of NU 205 and NJ 205.
-std::string joined(const std::vector<std::string>& designations) {
+std::string types_joined(const std::vector<std::string>& designations) {
   if (designations.size() == 1) return designations.front();
   std::vector<std::string> types;
   for (const std::string& one : designations) types.push_back(one.substr(0, one.find(' ')));
@@ -257,7 +258,7 @@ std::vector<Line> read_catalogue(const std::string& text, const std::string& fil
     for (const std::string& name : line->designations)
       if (!known.insert(name).second)
         mistakes.push_back(
-            {find_member(row, kNames)->value.location,
+            {find_member(row, kDesignationColumn)->value.location,
              path,
              {fmt::format("the designation {} again", quote(name)), "each designation once is required"}});
     lines.push_back(std::move(*line));
@@ -307,7 +308,7 @@ const std::vector<Line>& catalogue_of(const FieldValue& value) {
 }
 
 std::string table_of(const Line& line) {
-  std::vector<std::string> head{kNames, kFamily}, row{joined(line.designations)};
+  std::vector<std::string> head{kDesignationColumn, kFamilyColumn}, row{types_joined(line.designations)};
   for (const FamilyColumns& one : families())
     if (one.family == line.family) row.emplace_back(one.name);
   for (const NumberColumn& column : number_columns()) {
