@@ -11,6 +11,8 @@
 #include <set>
 #include <sstream>
 
+#include "app/case/text_table.hpp"
+
 namespace orbearing::app {
 
 namespace {
@@ -54,25 +56,13 @@ class RowsReader {
       : field_(field), path_(std::move(path)), file_(lasting(file)), mistakes_(mistakes) {}
 
   Entry read(std::istream& stream) {
-    Entry list = make_entry(Entry::Shape::list, location(1, 1));
-    std::string line;
-    while (next_csv_line(stream, line, line_)) {
-      if (const auto fault = text_fault(line)) {
-        add_error(fault->column, fault->message.found, fault->message.required + " is required");
-        return {};
-      }
-      if (header_.empty()) {
-        if (!read_header(line)) return {};
-        continue;
-      }
-      if (list.items.size() == most_file_rows) {
-        add_error(1, fmt::format("more than {} rows", most_file_rows), "a shorter list is required");
-        return {};
-      }
-      if (!read_line(line, list)) return {};
+    try {
+      TextTable table(stream);
+      return read_rows(table);
+    } catch (const TableFault& fault) {
+      add_error(fault.line, fault.column, fault.message.found, fault.message.required + " is required");
+      return {};
     }
-    if (list.items.empty()) add_error(1, "no rows", required());
-    return list;
   }
 
  private:
@@ -85,23 +75,40 @@ class RowsReader {
         field_.columns.front().dimension.customary);
   }
 
-  void add_error(int column, std::string found, std::string required) {
-    mistakes_.push_back({location(line_, column), path_, {std::move(found), std::move(required)}});
+  void add_error(int line, int column, std::string found, std::string required) {
+    mistakes_.push_back({location(line, column), path_, {std::move(found), std::move(required)}});
   }
 
-  bool read_header(const std::string& line) {
-    std::vector<int> columns;
-    const std::vector<std::string> cells = csv_cells(line, columns);
-    for (const std::string& cell : cells) header_.push_back(header_cell(cell, keys_of(field_)));
-    const bool none =
-        std::all_of(header_.begin(), header_.end(), [](const HeaderCell& cell) { return cell.name.empty(); });
-    if (none || is_of_semicolons(cells)) {
-      add_error(1, unknown_head(line), required());
+  Entry read_rows(TextTable& table) {
+    Entry list = make_entry(Entry::Shape::list, location(1, 1));
+    if (!table.heads().empty() && !read_head(table)) return {};
+    std::vector<TableCell> cells;
+    while (table.next(cells)) {
+      if (list.items.size() == most_file_rows) {
+        add_error(table.line(), 1, fmt::format("more than {} rows", most_file_rows),
+                  "a shorter list is required");
+        return {};
+      }
+      list.items.push_back(row_of(table, cells));
+    }
+    table.require_plain_decimals();
+    if (list.items.empty()) add_error(table.line(), 1, "no rows", required());
+    return list;
+  }
+
+  bool read_head(TextTable& table) {
+    const std::vector<ColumnHead>& heads = table.heads();
+    for (const ColumnHead& head : heads) header_.push_back(header_cell(head, keys_of(field_)));
+    if (std::all_of(header_.begin(), header_.end(),
+                    [](const HeaderCell& cell) { return cell.name.empty(); })) {
+      add_error(table.head_line(), 1, unknown_heads(table),
+                required() + "; orbearing spectrum makes such a file of a record over time");
       return false;
     }
-    for (std::size_t i = 0; i < cells.size(); ++i) {
+    for (std::size_t i = 0; i < heads.size(); ++i) {
       if (header_[i].name.empty() || (!header_[i].unit.empty() && !takes_unit(header_[i]))) {
-        add_error(columns[i], fmt::format("the column {}", quote(cells[i])), required());
+        add_error(table.head_line(), heads[i].column, fmt::format("the column {}", quote(heads[i].name)),
+                  required());
         return false;
       }
     }
@@ -111,21 +118,15 @@ class RowsReader {
   // A column whose name says the unit may repeat it: hours, hours_h.
   bool takes_unit(const HeaderCell& cell) const { return has_unit(field_, cell.name); }
 
-  bool read_line(const std::string& line, Entry& list) {
-    std::vector<int> columns;
-    const std::vector<std::string> cells = csv_cells(line, columns);
-    if (auto fault = row_fault(cells, columns, header_.size())) {
-      add_error(fault->column, fault->message.found, fault->message.required + ", are required");
-      return false;
-    }
-    Entry row = make_entry(Entry::Shape::block, location(line_, 1));
+  Entry row_of(TextTable& table, const std::vector<TableCell>& cells) const {
+    Entry row = make_entry(Entry::Shape::block, location(table.line(), 1));
     for (std::size_t i = 0; i < cells.size(); ++i) {
-      const std::string text = header_[i].unit.empty() ? cells[i] : cells[i] + " " + header_[i].unit;
-      const Location here = location(line_, columns[i]);
+      const std::string number = table.number_text(cells[i]);
+      const std::string text = header_[i].unit.empty() ? number : number + " " + header_[i].unit;
+      const Location here = location(table.line(), cells[i].column);
       row.members.push_back({header_[i].name, here, make_scalar(text, false, here)});
     }
-    list.items.push_back(std::move(row));
-    return true;
+    return row;
   }
 
   const Field& field_;
@@ -133,7 +134,6 @@ class RowsReader {
   std::string_view file_;
   std::vector<Mistake>& mistakes_;
   std::vector<HeaderCell> header_;
-  int line_ = 0;
 };
 
 // From the case's folder; what an option names and is not there, from where the command was given.
@@ -168,86 +168,24 @@ HeaderCell header_cell(const std::string& text, const std::vector<std::string>& 
   return cell;
 }
 
-std::vector<std::string> csv_cells(const std::string& line, std::vector<int>& columns) {
-  std::vector<std::string> cells;
-  for (std::size_t begin = 0;;) {
-    const std::size_t first = std::min(line.find_first_not_of(" \t", begin), line.size());
-    columns.push_back(static_cast<int>(first) + 1);
-    const bool quoted = first < line.size() && line[first] == '"';
-    const std::size_t closing = quoted ? line.find('"', first + 1) : first;
-    const std::size_t end = line.find(',', std::min(closing, line.size()));
-    std::string cell = trimmed(line.substr(begin, end == std::string::npos ? end : end - begin));
-    if (quoted && cell.size() > 1 && cell.back() == '"') cell = trimmed(cell.substr(1, cell.size() - 2));
-    cells.push_back(std::move(cell));
-    if (end == std::string::npos) return cells;
-    begin = end + 1;
-  }
+HeaderCell header_cell(const ColumnHead& head, const std::vector<std::string>& names) {
+  HeaderCell cell = header_cell(head.name, names);
+  if (cell.name.empty() || head.unit.empty()) return cell;
+  std::string unit = head.unit;
+  replace_all(unit, " ", ".");
+  if (!cell.unit.empty() && cell.unit != unit)
+    throw TableFault{
+        head.line,
+        head.column,
+        {fmt::format("the units {} and {} of {}", quote(cell.unit), quote(unit), quote(cell.name)),
+         "one of both"}};
+  cell.unit = unit;
+  return cell;
 }
 
-bool next_csv_line(std::istream& stream, std::string& line, int& number) {
-  while (++number, std::getline(stream, line)) {
-    if (number == 1 && line.starts_with("\xef\xbb\xbf")) line.erase(0, 3);
-    const std::size_t first = line.find_first_not_of(" \t\r");
-    if (first != std::string::npos && line[first] != '#') return true;
-  }
-  return false;
-}
-
-namespace {
-
-bool all_digits(std::string_view text) {
-  return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
-}
-
-// "1500" and "5" of "1500,5": whole numbers, the second without a sign.
-bool are_halves(std::string_view whole, std::string_view decimals) {
-  whole.remove_prefix(whole.starts_with('-') || whole.starts_with('+') ? 1 : 0);
-  return all_digits(whole) && all_digits(decimals.substr(0, decimals.find_first_of("eE")));
-}
-
-}  // namespace
-
-std::optional<RowFault> row_fault(const std::vector<std::string>& cells, const std::vector<int>& locations,
-                                  std::size_t columns) {
-  if (cells.size() == columns) return std::nullopt;
-  RowFault fault{1,
-                 {fmt::format("{} values", cells.size()),
-                  fmt::format("{}, one for each column of the first line", columns)}};
-  if (cells.size() < columns) return fault;
-  fault.column = locations[columns];
-  std::size_t halves = 0;
-  for (std::size_t i = 0; i + 1 < cells.size(); ++i)
-    if (are_halves(cells[i], cells[i + 1])) {
-      ++halves;
-      ++i;
-    }
-  // Where one value has a decimal point, no comma is one.
-  const bool points = std::any_of(cells.begin(), cells.end(), [](const std::string& cell) {
-    return cell.find('.') != std::string::npos;
-  });
-  if (!points && halves >= cells.size() - columns)
-    fault.message.found +=
-        " (a decimal comma splits a number in two: commas separate values here, decimals follow a point)";
-  return fault;
-}
-
-std::optional<RowFault> text_fault(const std::string& line) {
-  if (line.starts_with("\xff\xfe") || line.starts_with("\xfe\xff"))
-    return RowFault{1, {"a file in UTF-16", "a text file in UTF-8 (save it as UTF-8)"}};
-  const std::size_t byte = first_byte_not_utf8(line);
-  if (byte == line.size()) return std::nullopt;
-  return RowFault{static_cast<int>(byte) + 1, {"a byte that is not UTF-8", "a text file in UTF-8"}};
-}
-
-bool is_of_semicolons(const std::vector<std::string>& cells) {
-  return cells.size() == 1 && cells.front().find(';') != std::string::npos;
-}
-
-std::string unknown_head(const std::string& line) {
-  const std::string none = "a first line that names none of these columns";
-  if (line.find(';') != std::string::npos && line.find(',') == std::string::npos)
-    return none + " (semicolons in it: commas separate columns here, and decimals follow a point)";
-  return none;
+std::string unknown_heads(TextTable& table) {
+  const std::string shown = table.shown_heads();
+  return "a first line that names none of these columns" + (shown.empty() ? "" : ", but " + shown);
 }
 
 std::optional<NamedFile> read_named_file(const std::string& name, const Location& named,

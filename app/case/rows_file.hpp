@@ -5,12 +5,11 @@
 //     has its own: "6000 rpm"
 #pragma once
 
-#include <istream>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/case/field.hpp"
+#include "app/case/text_table.hpp"
 
 namespace orbearing::app {
 
@@ -26,34 +25,12 @@ struct HeaderCell {
 };
 HeaderCell header_cell(const std::string& text, const std::vector<std::string>& names);
 
-/// Fields of a line of comma-separated values; quotes may enclose one. `columns` become the places of their
-/// first characters, from 1.
-std::vector<std::string> csv_cells(const std::string& line, std::vector<int>& columns);
+/// The same with the unit of a line of units. Throws TableFault where the name holds another.
+HeaderCell header_cell(const ColumnHead& head, const std::vector<std::string>& names);
 
-/// The next line that is neither empty nor begins with #, without the mark of UTF-8 before the first one.
-/// `number` is that of the line before, and becomes that of this one; false where there is none.
-bool next_csv_line(std::istream& stream, std::string& line, int& number);
-
-/// What is wrong with the number of values of a line, and the place of the first that is to blame.
-struct RowFault {
-  int column = 1;
-  ConsistencyMessage message;
-};
-
-/// Nothing where a line has a value for each of the `columns` of the head. A decimal comma splits a number in
-/// two: where the surplus can be such halves, the complaint says so.
-std::optional<RowFault> row_fault(const std::vector<std::string>& cells, const std::vector<int>& locations,
-                                  std::size_t columns);
-
-/// What is wrong with the characters of a line: bytes that are not UTF-8, a file in UTF-16.
-std::optional<RowFault> text_fault(const std::string& line);
-
-/// Whether a line is one cell that semicolons divide: columns of a spreadsheet's export.
-bool is_of_semicolons(const std::vector<std::string>& cells);
-
-/// How a head that names none of the required columns may be shown: what a file that is no table of numbers
-/// holds stays with its owner. Names UTF-16 and semicolons, which spreadsheets write.
-std::string unknown_head(const std::string& line);
+/// How a head that names none of the required columns is shown: what a file that is no table of numbers holds
+/// is not.
+std::string unknown_heads(TextTable& table);
 
 /// The list that the file holds, every entry with its place there. Lines that are empty or begin with # are
 /// passed over. `file` is taken from the folder of `case_file`. What is wrong with the file as a whole, or

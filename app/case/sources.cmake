@@ -41,6 +41,7 @@ set(ORBEARING_CASE_SOURCES
   case/static_fields.cpp
   case/sweep_axes.cpp
   case/sweep_consistency.cpp
+  case/text_table.cpp
   case/uncertain_case.cpp
   case/units.cpp
   case/unused_inputs.cpp

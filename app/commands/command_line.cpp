@@ -233,9 +233,17 @@ void add_sensitivities(CLI::App& command, Options& options) {
 void add_spectrum(CLI::App& command, Options& options) {
   command
       .add_option("SERIES", options.folders,
-                  "record over time, CSV or netCDF: time, speed and torque or power of the driving member")
+                  "records over time: CSV, output of OpenFAST (.out, .outb) or netCDF, with time, speed and torque "
+                  "or power of the driving member")
       ->required()
       ->expected(1);
+  const auto add_column = [&](const char* name, std::string& column, const std::string& of) {
+    command.add_option(name, column, of)->check(not_empty)->type_name("COLUMN");
+  };
+  add_column("--torque", options.columns.torque, "name of the column of torque; default: one that begins with torque");
+  add_column("--power", options.columns.power, "the same of power, in place of torque");
+  add_column("--speed", options.columns.speed, "the same of speed; units are those of the file");
+  add_column("--time", options.columns.time, "the same of time");
   command
       .add_option("-o,--output", options.output,
                   "CSV file for spectrum: {file: ...} of a case; replaced where it exists")

@@ -10,6 +10,7 @@
 
 #include "app/case/resolved_case.hpp"
 #include "app/study/crown/crown_options.hpp"
+#include "app/study/record_file.hpp"
 #include "mechanics/record.hpp"
 
 namespace orbearing::app {
@@ -43,6 +44,7 @@ struct Options {
   std::uint64_t seed = 1;           // signals: of the noise
   std::string bins = "8x8";         // spectrum: of torque and of speed
   double exponent = 4.0;            // spectrum: of the life over the torque
+  RecordColumns columns;            // spectrum: names of those of the record
   CrownOptions crown;
   bool resume = false;
   bool json = false;

@@ -58,7 +58,9 @@ int spectrum_command(const Options& options) {
     throw BadInput("--output: missing; required: a file for the rows, or --json to print them alone");
   const BinCounts counts = parse_bins(options.bins);
   const std::string& file = options.folders.front();
-  const LoadSeries series = read_load_series(file);
+  if (!options.columns.torque.empty() && !options.columns.power.empty())
+    throw BadInput("--power: found beside --torque; required: one of both");
+  const LoadSeries series = read_load_series(file, options.columns);
   const BinnedSeries found = binned(series, counts, options.exponent);
   std::vector<std::string> warnings = series.warnings;
   if (found.reversed_share > 0.0)
