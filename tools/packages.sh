@@ -29,6 +29,7 @@ python3: reports
 python3-numpy: reports
 python3-matplotlib: figures of the reports
 python3-netcdf4: reports, and tests that open result files as users do
+weasyprint: reports as PDF
 python3-scipy: typical conditions of an operating record; samples of studies
 python3-openturns: samples and polynomial chaos of uncertain lives
 python3-xarray: samples of uncertain lives as a file
@@ -38,6 +39,7 @@ test_packages='
 libgtest-dev: C++ tests
 libgmock-dev: matchers of the C++ tests
 python3-yaml: tests of the command line
+poppler-utils: tests that read the pages of a PDF
 python3-jsonschema: test of the schema of case files
 python3-xarray: tests that open result files as users do
 python3-distributed: studies on the workers of a Dask cluster

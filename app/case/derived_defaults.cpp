@@ -116,10 +116,16 @@ std::optional<DerivedDefault> pin_stiffness_of_bearing(const ValuesOfSet& value)
                   1e3 * pin.diameter, 1e3 * pin.span)};
 }
 
+std::optional<DerivedDefault> required_life(const ValuesOfSet& value) {
+  if (!value.has({"requirements.life"})) return std::nullopt;
+  return DerivedDefault{"L10mh", "the modified rating life of ISO 281, which includes oil and cleanliness"};
+}
+
 struct DefaultRule {
   std::string_view path;
   std::string_view text;
   Rule apply;
+  bool at_rest = false;  // also of bearings that are not moved in time
 };
 
 // In an order in which each finds what it follows from.
@@ -136,7 +142,8 @@ constexpr DefaultRule default_rules[] = {
     {"support.stiffness",
      "a solid pin that fills the bore of the inner ring, between the middles of both walls of the carrier, "
      "shared by the bearings of a planet; each of several sets has its own",
-     pin_stiffness_of_bearing}};
+     pin_stiffness_of_bearing},
+    {"requirements.life_key", "L10mh, where requirements.life is given", required_life, true}};
 
 void fill_one(CaseData& data, const std::string& prefix, const DefaultRule& rule) {
   const std::string path(rule.path);
@@ -173,7 +180,7 @@ void fill_derived_defaults(CaseData& data) {
   fill_from_catalogue(data, model);
   fill_from_grade(data, model);
   if ((model & planetary_drivetrain) != 0) fill_from_torque(data);
-  if ((model & described::in_time) == 0) return;
+  const bool in_time = (model & described::in_time) != 0;
   std::vector<std::string> prefixes{""};
   if (data.shape.several) {
     prefixes.clear();
@@ -181,8 +188,9 @@ void fill_derived_defaults(CaseData& data) {
   }
   for (const std::string& prefix : prefixes)
     for (const DefaultRule& rule : default_rules) {
+      if (!in_time && !rule.at_rest) continue;
       // The pin belongs to a set, though its field does not: each of several finds its own, in `of_set`.
-      if (data.shape.several && !in_each_set(*find_field(rule.path))) continue;
+      if (data.shape.several && !in_each_set(*find_field(rule.path)) && !rule.at_rest) continue;
       if ((find_field(rule.path)->models & model) == 0) continue;
       fill_one(data, prefix, rule);
     }

@@ -29,6 +29,7 @@ set(ORBEARING_CASE_SOURCES
   case/printable.cpp
   case/profile_case.cpp
   case/refinement_consistency.cpp
+  case/requirements_case.cpp
   case/resolved_case.cpp
   case/rows_file.cpp
   case/spectrum_case.cpp

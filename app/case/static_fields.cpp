@@ -2,6 +2,7 @@
 // asks.
 #include "app/case/described_fields.hpp"
 #include "app/case/field_table.hpp"
+#include "app/case/requirements_case.hpp"
 #include "app/case/resolved_case.hpp"
 #include "bearing/equilibrium/jones_balls.hpp"
 #include "bearing/equilibrium/ring_balance.hpp"
@@ -254,6 +255,7 @@ void add_static_fields(std::vector<Field>& fields) {
   add_described(fields, system::HeatParameters{});
   add_capacities(fields);
   add_life(fields);
+  for (Field& field : requirement_fields()) fields.push_back(std::move(field));
 }
 
 }  // namespace orbearing::app::table

@@ -332,11 +332,14 @@ void add_commands(CommandTable table) {
                   "default: 0, no bands")
       ->check(CLI::Range(0, 1000000));
   add_jobs(validate, options);
-  CLI::App& report = table.add("report", "write DIR/report.html", report_command);
+  CLI::App& report =
+      table.add("report", "write DIR/report.html, and DIR/report.pdf with --pdf", report_command);
+  report.add_flag("--pdf", options.pdf,
+                  "also write DIR/report.pdf: at most 8 pages of ratings, lives and verdicts for an assessor");
   report.add_flag("--data-only", options.data_only, "what the page is made of, and no page")->group("");
   report.add_option("--bearing-points", options.bearing_points, "points that the page asks for")->group("");
   add_settings(report, options);
-  report.add_option("DIR", options.folders, "folder of a sweep")->required()->expected(1);
+  report.add_option("DIR", options.folders, "folder of a run or sweep")->required()->expected(1);
   report
       .add_option("--with", options.other,
                   "folder of the same sweep continued the other way: both branches are drawn")

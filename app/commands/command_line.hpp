@@ -31,6 +31,7 @@ struct Options {
   bool grid_only = false;                // sweep, merge: no points are added around the peak
   int jobs = 0;                          // 0: one for each core
   bool every_effect = false;             // report: all effects of the motion in time
+  bool pdf = false;                      // report: the assessor's page as well
   bool data_only = false;           // report: what its page is made of is the result, and no page is drawn
   std::string
       bearing_points;  // report: in place of that, these points of the bearing, as the page asks for them

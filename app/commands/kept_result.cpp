@@ -159,4 +159,12 @@ int run_analysis(const ResolvedCase& resolved, const Options& options, const Ana
   });
 }
 
+nlohmann::ordered_json printed_json(const ResolvedCase& resolved, const Analysis& analysis) {
+  const std::vector<std::string> unused = require_used(resolved, analysis.used);
+  AnalysisResult result = analysis.compute(resolved, {});
+  result.warnings = joined(unused, result.warnings);
+  const Shown shown = shown_of(resolved, result);
+  return whole_json(resolved, result, shown.json);
+}
+
 }  // namespace orbearing::app

@@ -28,6 +28,8 @@ int compute_and_keep(const ResolvedCase& resolved, const Options& options, const
 /// The same of a row of the table of analyses, with its progress; refuses and warns of inputs that it does
 /// not use.
 int run_analysis(const ResolvedCase& resolved, const Options& options, const Analysis& analysis);
+/// What `run --json` prints of it.
+nlohmann::ordered_json printed_json(const ResolvedCase& resolved, const Analysis& analysis);
 
 /// Bytes of the netCDF file of a result called `what`.
 std::string result_file(const ManifestHeader& header, const char* what, const Record& record,

@@ -7,6 +7,7 @@
 #include "app/case/case_file.hpp"
 #include "app/case/printable.hpp"
 #include "app/results/terminal_chart.hpp"
+#include "app/results/verdicts.hpp"
 #include "app/study/life_peak.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/study/stiffness_study.hpp"
@@ -84,10 +85,14 @@ nlohmann::ordered_json stiffness_of_run(const ResolvedCase& resolved) {
 int present_sweep(const ResolvedCase& resolved, const SweepOutcome& outcome, const Options& options) {
   const FoundPeak found = find_peak(outcome);
   const std::vector<std::string> warnings = sweep_warnings(resolved, outcome, found);
+  const std::vector<Verdict> verdicts = verdicts_of(stated_requirements(resolved), outcome);
   if (options.json) {
     nlohmann::ordered_json object =
         sweep_json(outcome, found.peak, assumptions_json(resolved), warnings, versions_json());
-    Record form = sweep_form(found.peak);
+    Record form = sweep_form(found.peak), judged;
+    describe_verdicts(judged, verdicts);
+    describe_verdicts(form, verdicts);
+    object.update(json_of(judged));
     if (resolved.axes().empty()) {
       const PowerTable power = power_table(resolved);
       object.update(json_of(record_of(power)));
@@ -100,6 +105,7 @@ int present_sweep(const ResolvedCase& resolved, const SweepOutcome& outcome, con
     fmt::print("{}{}\n{}{}", lives_text_of(resolved, outcome), sweep_table(outcome.head, outcome.rows),
                life_chart(outcome.head, outcome.rows, found.peak, glyphs_of_locale()),
                spectrum_text(outcome.header, outcome.spectra));
+    if (!verdicts.empty()) fmt::print("\n{}", verdicts_text(verdicts));
     print_warnings(warnings);
   }
   if (outcome.failed == 0) return 0;

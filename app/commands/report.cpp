@@ -7,6 +7,7 @@
 #include "app/case/case_file.hpp"
 #include "app/case/printable.hpp"
 #include "app/checksum.hpp"
+#include "app/commands/kept_result.hpp"
 #include "app/commands/presentation.hpp"
 #include "app/commands/python_part.hpp"
 #include "app/errors.hpp"
@@ -19,6 +20,7 @@
 #include "app/study/defect_study.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/study/report_data.hpp"
+#include "app/study/static_study.hpp"
 
 namespace orbearing::app {
 
@@ -28,6 +30,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* data_name = "report.json";
 constexpr const char* page_name = "report.html";
+constexpr const char* pdf_name = "report.pdf";
 
 void write_data(const fs::path& file, const nlohmann::ordered_json& data) {
   try {
@@ -42,6 +45,7 @@ void draw_page(const fs::path& folder, const Options& options) {
   std::error_code ignored;
   std::vector<std::string> words{folder.string(), "--program", fs::read_symlink("/proc/self/exe", ignored)};
   if (options.every_effect) words.push_back("--every-effect");
+  if (options.pdf) words.push_back("--pdf");
   if (options.quiet) words.push_back("--quiet");
   const int code = run_python("orbearing.report", words);
   if (code == 0) return;
@@ -50,7 +54,7 @@ void draw_page(const fs::path& folder, const Options& options) {
                           (code == not_started
                                ? resources().interpreter.string() +
                                      " is required, with matplotlib and netCDF4 (Debian: python3-matplotlib "
-                                     "python3-netcdf4)"
+                                     "python3-netcdf4; for --pdf also weasyprint)"
                                : std::string("the message above says why")));
 }
 
@@ -107,6 +111,31 @@ void require_results(const fs::path& folder, const ResolvedCase& resolved, const
                                folder.string(), printable(manifest.header->fidelity), crown_file_name));
 }
 
+// Whether the folder holds the run of a single bearing under a static load.
+bool is_static_run(const ResolvedCase& resolved, const Manifest& manifest) {
+  if (!is_static_bearing(resolved)) return false;
+  const Analysis* analysis = analysis_of(resolved);
+  return analysis != nullptr && manifest.header && manifest.header->fidelity == analysis->name;
+}
+
+nlohmann::ordered_json data_of(const ResolvedCase& resolved, const Manifest& manifest,
+                               const Options& options) {
+  const fs::path folder = options.folders.front();
+  if (is_defect(resolved)) return published_data(folder / defect_file_name, "defect");
+  if (is_ball_run(resolved)) return published_data(folder / ball_file_name, "balls");
+  if (is_static_run(resolved, manifest)) return {{"static", printed_json(resolved, *analysis_of(resolved))}};
+  if (holds_crown(folder)) return crown_data(resolved, folder);
+  return sweep_data(resolved, manifest, options);
+}
+
+/// An assessor's page is of lives.
+void require_lives(const fs::path& folder, const ResolvedCase& resolved) {
+  if (is_defect(resolved) || holds_crown(folder))
+    throw BadInput("--pdf: found " + folder.string() +
+                   (is_defect(resolved) ? ", a run of a bearing with scratches" : ", a crowning study") +
+                   "; required: a run or sweep with lives of bearings. Without --pdf the page is drawn");
+}
+
 int report_of(const Options& options) {
   const fs::path folder = options.folders.front();
   if (!options.bearing_points.empty()) {
@@ -120,11 +149,12 @@ int report_of(const Options& options) {
   const FolderLock lock(folder);
   require_undamaged(folder, manifest);
   const ResolvedCase resolved = read_case((folder / "case.resolved.yaml").string());
-  if (resolved.model() != planetary_drivetrain && !is_defect(resolved) && !is_ball_run(resolved))
+  if (resolved.model() != planetary_drivetrain && !is_defect(resolved) && !is_ball_run(resolved) &&
+      !is_static_run(resolved, manifest))
     throw BadInput(
         folder.string() + ": found results of the model " + resolved.choice("model") +
-        "; required: a sweep, a crowning study, a ball bearing in time or a bearing with scratches, of which "
-        "pages are drawn");
+        "; required: a sweep, a crowning study, the run of a roller or ball bearing or of a bearing with "
+        "scratches, of which pages are drawn");
   if (manifest.header && manifest.header->fidelity == "gears")
     throw BadInput(folder.string() +
                    ": found the motion of gears alone (run --gears); required: a sweep or a run of "
@@ -136,23 +166,22 @@ int report_of(const Options& options) {
         "lists the set");
   require_results(folder, resolved, manifest);
   const fs::path page = folder / page_name;
-  const nlohmann::ordered_json data =
-      is_defect(resolved)     ? published_data(folder / defect_file_name, "defect")
-      : is_ball_run(resolved) ? published_data(folder / ball_file_name, "balls")
-      : holds_crown(folder)   ? crown_data(resolved, folder)
-                              : sweep_data(resolved, manifest, options);
+  if (options.pdf) require_lives(folder, resolved);
+  const nlohmann::ordered_json data = data_of(resolved, manifest, options);
   if (options.data_only) {
     print_object(data, options);
     return 0;
   }
   write_data(folder / data_name, data);
   draw_page(folder, options);
-  if (options.json)
-    print_object(
-        nlohmann::ordered_json{{"report", page.string()}, {"units", nlohmann::ordered_json::object()}},
-        options);
-  else if (!options.quiet)
-    fmt::print("{}\n", page.string());
+  nlohmann::ordered_json written{{"report", page.string()}};
+  if (options.pdf) written["pdf"] = (folder / pdf_name).string();
+  if (options.json) {
+    written["units"] = nlohmann::ordered_json::object();
+    print_object(written, options);
+  } else if (!options.quiet) {
+    for (const auto& [what, file] : written.items()) fmt::print("{}\n", file.get<std::string>());
+  }
   if (!options.json && !options.quiet && data.contains("missing") && data["missing"].is_object())
     print_warnings({data["missing"]["text"].get<std::string>()});
   return 0;
@@ -162,7 +191,8 @@ int report_of(const Options& options) {
 
 int report_command(const Options& options) {
   if (!options.settings.empty())
-    throw BadInput("--set: " + options.settings.front() + ": found with report; required: set it in the sweep");
+    throw BadInput("--set: " + options.settings.front() +
+                   ": found with report; required: set it in the sweep");
   return report_of(options);
 }
 

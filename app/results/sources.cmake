@@ -14,4 +14,5 @@ set(ORBEARING_RESULTS_SOURCES
   results/result_row.cpp
   results/spectrum_life.cpp
   results/sweep_run.cpp
-  results/terminal_chart.cpp)
+  results/terminal_chart.cpp
+  results/verdicts.cpp)

@@ -4,6 +4,7 @@
 
 #include "app/case/defect_case.hpp"
 #include "app/errors.hpp"
+#include "app/results/verdicts.hpp"
 #include "app/study/ball_study.hpp"
 #include "app/study/duplex_study.hpp"
 #include "app/study/film_study.hpp"
@@ -30,20 +31,23 @@ AnalysisResult described_result(const Study& study) {
   return {.record = record_of(study), .warnings = study.warnings};
 }
 
-// Lives first.
+// Lives first, then how they meet the requirements.
 template <class Study>
-AnalysisResult rated_result(const Study& study) {
+AnalysisResult rated_result(const ResolvedCase& in, const Study& study) {
   AnalysisResult result = described_result(study);
-  result.heading = lives_text(study.life_table()) + "\n";
+  const LifeTable table = study.life_table();
+  const std::vector<Verdict> verdicts = verdicts_of(stated_requirements(in), table.value);
+  describe_verdicts(result.record, verdicts);
+  result.heading = lives_text(table) + "\n" + verdicts_text(verdicts) + (verdicts.empty() ? "" : "\n");
   return result;
 }
 
 AnalysisResult bearing_at_rest(const ResolvedCase& in, const Wanted&) {
-  return rated_result(static_study(in));
+  return rated_result(in, static_study(in));
 }
 
 AnalysisResult balls_in_time(const ResolvedCase& in, const Wanted& wanted) {
-  return rated_result(ball_study(in, wanted.progress));
+  return rated_result(in, ball_study(in, wanted.progress));
 }
 
 AnalysisResult ring_on_massless_elements(const ResolvedCase& in, const Wanted& wanted) {

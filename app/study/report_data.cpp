@@ -13,6 +13,7 @@
 #include "app/results/progress.hpp"
 #include "app/results/record_writers.hpp"
 #include "app/results/result_row.hpp"
+#include "app/results/verdicts.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/study/life_peak.hpp"
 #include "app/study/planetary_case.hpp"
@@ -40,7 +41,8 @@ Setting nearest(const ResolvedCase& resolved, const SweepAxis& axis) {
 // They name the case or choose its operating points.
 bool chooses_operating_points(const std::string& path) {
   constexpr std::array<std::string_view, 4> others{"name", "source", "input.speed", "life.duration"};
-  return std::find(others.begin(), others.end(), path) != others.end() || path.starts_with("spectrum");
+  return std::find(others.begin(), others.end(), path) != others.end() || path.starts_with("spectrum") ||
+         path.starts_with("requirements.");
 }
 
 // Units written otherwise round otherwise.
@@ -255,12 +257,16 @@ nlohmann::ordered_json report_data(const ResolvedCase& resolved, const Manifest&
   const ValidationTable table = validation_table_of(resolved, readings);
   Json data = sweep_json(outcome, found.peak, assumptions_json(resolved),
                          sweep_warnings(resolved, outcome, found), versions_json());
+  Record judged;
+  describe_verdicts(judged, verdicts_of(stated_requirements(resolved), outcome));
+  data.update(json_of(judged));
   data["case"] = {{"name", set.empty() ? resolved.text("name") : resolved.text("name") + ", set " + set},
                   {"source", resolved.text("source")},
                   {"model", resolved.choice("model")}};
   data["fidelity"] = outcome.header.fidelity;
   data["missing"] = missing_json(missing, manifest);
   data["life_table"] = lives_record_of(resolved, outcome);
+  data["own_speed_rpm"] = speed_in_rpm(resolved.quantity(kSpeedPath));
   data["axes"] = axes_json(outcome.header);
   data["slice"] = slice.columns;
   data["kinematics"] = kinematics(drivetrain, geometry);

@@ -17,7 +17,8 @@ SetResult summary(const std::string& name, const PointResult& point) {
           .inner = point.inner,
           .outer = point.outer,
           .life_hours = point.life_hours,
-          .rating = point.rating};
+          .rating = point.rating,
+          .contact_pressure = point.contact_pressure};
 }
 
 // What is not known, as with kappa below 0.1, is no better than the shortest.

@@ -103,6 +103,7 @@ struct SetResult {
   RaceResult outer;
   double life_hours = 0.0;  // [h]
   RatingRecord rating{};
+  double contact_pressure = 0.0;  // [Pa]  as of a point
 };
 
 /// What one operating point gives. Loads and lives are those of one bearing: of several sets, of the one

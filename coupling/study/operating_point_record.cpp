@@ -159,6 +159,14 @@ double shortest_life(const PointResult& point) {
   return point.planets.empty() ? kAbsent : shortest_lived(point)->life_hours;
 }
 
+// The same of a life of the standards.
+double shortest_rated_life(const PointResult& point, double bearing::rating::RatedHours::*hours) {
+  double least = kAbsent;
+  for (const SeatResult& seat : point.seats) least = std::fmin(least, seat.rated_hours.*hours);
+  for (const PlanetResult& planet : point.planets) least = std::fmin(least, planet.rated_hours.*hours);
+  return least;
+}
+
 template <class Items, class Value>
 double largest_of(const Items& items, const Value& value) {
   double most = kAbsent;
@@ -179,6 +187,12 @@ void describe_sharing(Record& record, const PointResult& point) {
                "life of the bearing that lives shortest, where planets load unevenly, their tilt is computed "
                "or bearings act back on the gears",
                shortest_life(point));
+  for (const bearing::rating::RatedLife& life : bearing::rating::kRatedLives)
+    record.value(std::string("shortest_") + life.name, dimension::hours,
+                 std::string(life.name) +
+                     " of the bearing that has the shortest, where planets load unevenly "
+                     "or their tilt is computed",
+                 shortest_rated_life(point, life.hours));
   record.value(
       "shortest_life_planet", dimension::ratio,
       "planet whose bearings live shortest, counted from 1, where life_h is that of unlike planets together",
@@ -391,6 +405,10 @@ void describe(Record& record, const SetResult& set) {
                  "largest load of one roller on the " + race + " race", of->load_max);
   record.value("life_h", dimension::hours, "fatigue life of one bearing", set.life_hours);
   describe(record, set.rating.hours);
+  describe_loads(record, set.rating.lives);
+  record.value("contact_pressure_max_MPa", dimension::pressure,
+               "largest pressure of roller and race, after Hertz", set.contact_pressure);
+  describe_factors(record, set.rating.lives);
 }
 
 }  // namespace orbearing::study

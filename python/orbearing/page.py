@@ -6,7 +6,7 @@ from html import escape
 from pathlib import Path
 from typing import Any, Sequence
 
-from orbearing import lives
+from orbearing import assessor, lives
 from orbearing.blocks import MISSING, FigureBlock, Table, format_quantity, is_number
 from orbearing.result_folder import Report, records
 from orbearing.summary import headline, summary_table
@@ -19,8 +19,11 @@ LEAST_CHANGE = 1e-3  # [h]
 def page(report: Report, blocks: Sequence[FigureBlock], animations: Sequence[str] = ()) -> str:
     """The whole document; `animations` are pages beside it, by their name below its folder."""
     name = report.record("case").get("name") or "unnamed case"
-    sections = [_answer(report), *(_figure(index, block) for index, block in enumerate(blocks, start=1))]
-    sections += [_animations(animations), _failed(report), _assumptions(report), _warnings(report), _validation(report), _sensitivities(report), _versions(report), _reproduce(report)]
+    head = assessor.sections(report)
+    ends = [] if head else [_warnings(report), _versions(report)]
+    sections = [title_of(str(name), headline(report)), *head, appendix(blocks, bool(head)), lives.section(report), table(summary_table(report)),
+                *(_figure(index, block) for index, block in enumerate(blocks, start=1))]
+    sections += [_animations(animations), _failed(report), _assumptions(report), _validation(report), _sensitivities(report), *ends, _reproduce(report)]
     return "\n".join([
         "<!DOCTYPE html>", '<html lang="en">', "<head>", '<meta charset="utf-8">',
         '<meta name="viewport" content="width=device-width, initial-scale=1">',
@@ -30,10 +33,16 @@ def page(report: Report, blocks: Sequence[FigureBlock], animations: Sequence[str
     ])
 
 
-def _answer(report: Report) -> str:
-    name = report.record("case").get("name") or "unnamed case"
-    title = f'<p class="case">{escape(str(name))}</p>\n<h1>{escape(headline(report))}</h1>'
-    return f"<header>{title}</header>\n{lives.section(report)}\n{table(summary_table(report))}"
+def title_of(name: str, answer: str) -> str:
+    """What a page begins with."""
+    return f'<header><p class="case">{escape(name)}</p>\n<h1>{escape(answer)}</h1></header>'
+
+
+def appendix(blocks: Sequence[FigureBlock], has_head: bool) -> str:
+    """The list of figures, behind the heading of the long report where an assessor's part stands before it."""
+    items = "\n".join(f'<li><a href="#{escape(block.slug, quote=True)}">{escape(block.title)}</a></li>' for block in blocks)
+    title = "<h2>Appendix: full report</h2>\n" if has_head else ""
+    return f'<nav id="contents">{title}<p>Figures:</p>\n<ol>{items}</ol></nav>' if items else title
 
 
 def _figure(index: int, block: FigureBlock) -> str:

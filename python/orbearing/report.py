@@ -1,4 +1,4 @@
-"""`python3 -m orbearing.report DIR`: DIR/report.json becomes DIR/report.html, one self-contained page.
+"""`python3 -m orbearing.report DIR`: DIR/report.json becomes DIR/report.html, one self-contained page, and with --pdf DIR/report.pdf.
 
 What the program wrote of a sweep is completed by what only pictures show, for which it is asked again.
 
@@ -20,32 +20,40 @@ from orbearing.errors import CaseError, ComputationError
 
 def build(folder: Path) -> str:
     """The page of a result folder as text; the same results give the same bytes."""
-    return build_all(folder)["report.html"]
+    return str(build_all(folder)["report.html"])
 
 
-def build_all(folder: Path, program: str = "", every_effect: bool = False, quiet: bool = True) -> dict[str, str]:
+def build_all(folder: Path, program: str = "", every_effect: bool = False, quiet: bool = True, pdf: bool = False) -> dict[str, str | bytes]:
     """Every page by its name below the result folder; the report itself comes last."""
-    from orbearing import animation, ball_page, crown_page, defect_page, report_data, style
+    from orbearing import animation, assessor_pdf, ball_page, crown_page, defect_page, report_data, static_page, style
     from orbearing.page import page
     from orbearing.result_folder import Report, read_report
 
-    report, data = read_report(folder), {}
+    report, pages = read_report(folder), {}
+    given, asked = report, report_data.Program(folder, program, quiet)
     if "shown" in report.content:
-        report = Report(report_data.complete(report.content, report_data.Program(folder, program, quiet), every_effect), folder)
-        data["report.json"] = json.dumps(report.content, indent=1, ensure_ascii=False) + "\n"
+        report = Report(report_data.complete(report.content, asked, every_effect), folder)
+    elif study := report.record("static"):
+        report = Report({"static": {**study, "influences": report_data.influences(study, asked)}}, folder)
+    if report is not given:
+        pages["report.json"] = json.dumps(report.content, indent=1, ensure_ascii=False) + "\n"
     blocks = blocks_of(report)
     with style.context():
-        for kind, draw in (("crown", crown_page.page), ("defect", defect_page.page), ("balls", ball_page.page)):
+        for kind, draw in (("crown", crown_page.page), ("defect", defect_page.page), ("balls", ball_page.page), ("static", static_page.page)):
             if report.record(kind):
-                return {"report.html": draw(report, blocks)}
-        pages = dict(animation.pages(report.along_speed()))
-        return {**data, **pages, "report.html": page(report, blocks, tuple(pages))}
+                pages["report.html"] = draw(report, blocks)
+        if "report.html" not in pages:
+            pages |= animation.pages(report.along_speed())
+            pages["report.html"] = page(report, blocks, tuple(name for name in pages if name != "report.json"))
+        if pdf:
+            pages = {"report.pdf": assessor_pdf.pdf(assessor_pdf.rated(report), blocks), **pages}
+    return pages
 
 
 def blocks_of(report) -> list:
     """The figures of a result of any kind, in the order of its page."""
     from orbearing import figures, style
-    from orbearing.figures import ball_motion, crown, defect
+    from orbearing.figures import ball_motion, crown, defect, static_loads
     from orbearing.point_file import read_only_point
 
     with style.context():
@@ -55,10 +63,12 @@ def blocks_of(report) -> list:
             return list(defect.blocks(report, read_only_point(report.folder)))
         if report.record("balls"):
             return list(ball_motion.blocks(report, read_only_point(report.folder)))
+        if report.record("static"):
+            return [static_loads.block(report)]
         return figures.blocks_of(report)
 
 
-def write_all(folder: Path, pages: dict[str, str]) -> None:
+def write_all(folder: Path, pages: dict[str, str | bytes]) -> None:
     """Write beside the targets and rename when all are whole, so that a reader never meets half a page or half of the pages."""
     made: list[Path] = []
     aside: dict[Path, Path] = {}
@@ -82,11 +92,11 @@ def write_all(folder: Path, pages: dict[str, str]) -> None:
         raise
 
 
-def _write_aside(path: Path, text: str, aside: dict[Path, Path]) -> None:
+def _write_aside(path: Path, text: str | bytes, aside: dict[Path, Path]) -> None:
     handle, name = tempfile.mkstemp(prefix=f".{path.name}.", suffix=".tmp", dir=path.parent)
     aside[path] = Path(name)
-    with os.fdopen(handle, "w", encoding="utf-8", errors="replace", newline="\n") as stream:
-        stream.write(text)
+    with os.fdopen(handle, "wb") as stream:
+        stream.write(text if isinstance(text, bytes) else text.encode("utf-8", errors="replace"))
         stream.flush()
         os.fsync(stream.fileno())
     umask = os.umask(0)
@@ -100,6 +110,7 @@ def main(arguments: list[str]) -> int:
     parser.add_argument("folder", metavar="DIR", type=Path)
     parser.add_argument("--program", default="", help=argparse.SUPPRESS)
     parser.add_argument("--every-effect", action="store_true", help=argparse.SUPPRESS)
+    parser.add_argument("--pdf", action="store_true", help="also DIR/report.pdf, at most 8 pages for an assessor")
     parser.add_argument("--quiet", action="store_true", help=argparse.SUPPRESS)
     try:
         options = parser.parse_args(arguments)
@@ -107,9 +118,10 @@ def main(arguments: list[str]) -> int:
         return int(end.code or 0)
     folder = options.folder
     try:
-        write_all(folder, build_all(folder, options.program, options.every_effect, options.quiet))
+        write_all(folder, build_all(folder, options.program, options.every_effect, options.quiet, options.pdf))
     except ImportError as error:
-        print(f"report: {error}; numpy and matplotlib are required; on Debian install python3-matplotlib", file=sys.stderr)
+        print(f"report: {error}; numpy and matplotlib are required, and WeasyPrint for --pdf; on Debian install python3-matplotlib"
+              f"{' weasyprint' if options.pdf else ''}", file=sys.stderr)
         return 1
     except CaseError as error:
         print(f"report: {error}", file=sys.stderr)

@@ -11,7 +11,7 @@ import numpy as np
 
 from orbearing import effects, gear_data
 from orbearing.blocks import is_number
-from orbearing.errors import CaseError
+from orbearing.errors import CaseError, ComputationError
 from orbearing.result_folder import lies_on, record, records, same
 from orbearing.terminal import StatusLine
 
@@ -40,6 +40,15 @@ class Program:
         """Of one bearing of the case with these settings, by the quasi-static model [h]."""
         found = self._ask("sweep", self._folder / "case.resolved.yaml", set=[*settings, f"sweep={{input.speed: [{rpm!r} rpm]}}"])
         return found["points"][0]["life_h"]
+
+    def influences(self, assumed: list[str], result: str = "") -> dict:
+        """Effect of each assumed number on a result of the run, by the quasi-static model: that of `orbearing sensitivities`."""
+        inputs = self.inputs()
+        numbers = [path for path in assumed if is_number(record(inputs.get(path)).get("value"))]
+        if not numbers:
+            return {}
+        options = {"result": result} if result else {}
+        return self._ask("sensitivities", self._folder / "case.resolved.yaml", by=numbers, **options)
 
     def _ask(self, command: str, what: Path, **options):
         try:
@@ -78,6 +87,17 @@ class _Bearing:
         return [(change, points) for change, points in zip(changes, found) if points is not None]
 
 
+def influences(content: dict, program: Program) -> dict:
+    """The same for all assumptions of a result, on the life that the case requires or that results go by; `problem` where there is none."""
+    life = next((str(one.get("key")) for one in records(content.get("verdicts")) if one.get("requirement") == "life"), "")
+    assumed = [str(row.get("key")) for row in records(content.get("assumptions"))]
+    try:
+        found = program.influences(assumed, life)
+    except (CaseError, ComputationError) as error:
+        return {"problem": f"The influence of assumptions is not computed: {error}"}
+    return {**found, "unit": "h" if life else found.get("unit")}
+
+
 def complete(content: dict, program: Program, every_effect: bool = False) -> dict:
     """The content of report.json with all that its pictures draw. `every_effect`: of motion in time all effects, not only the chief ones."""
     shown = content.get("shown")
@@ -90,6 +110,7 @@ def complete(content: dict, program: Program, every_effect: bool = False) -> dic
     fine = np.linspace(min(grid), max(grid), FINE_POINTS)
     at_rest = bearing.under(effects.at_rest(inputs, shown["set"]), fine)
     _add_effects_of_assumptions(content)
+    content["influences"] = influences(content, program)
     content["published"] = published(content, lambda rpm: program.life_at(rpm, shown["settings"]))
     content["fine"] = {"speed_rpm": fine.tolist(), **{name: _column(at_rest[0][1], name) for name in FINE}}
     polar = {one["speed_rpm"]: one for one in _polar(bearing, sorted({*speeds, *(_best(content) if in_motion else [])}))}

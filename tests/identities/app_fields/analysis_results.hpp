@@ -12,6 +12,7 @@
 #include "app/case/spectrum_case.hpp"
 #include "app/results/record_writers.hpp"
 #include "app/results/result_row.hpp"
+#include "app/results/verdicts.hpp"
 #include "app/study/ball_study.hpp"
 #include "app/study/crown/crown_study.hpp"
 #include "app/study/defect_study.hpp"
@@ -44,6 +45,19 @@ std::string record_text(const Result& result) {
   return json_of(record_of(result)).dump();
 }
 
+/// Of the requirements that the case states.
+inline std::string verdicts_result(const std::vector<Verdict>& verdicts) {
+  Record record;
+  describe_verdicts(record, verdicts);
+  return json_of(record).dump();
+}
+
+/// The same with the verdicts on a single bearing.
+template <class Study>
+std::string rated_text(const ResolvedCase& in, const Study& study) {
+  return record_text(study) + verdicts_result(verdicts_of(stated_requirements(in), study.life_table().value));
+}
+
 /// Lives under the spectrum that the case states, and what each bin uses up.
 inline std::string spectrum_result(const ResolvedCase& in, study::Fidelity fidelity) {
   SweepRequest request = sweep_request(in, fidelity_names().at(static_cast<std::size_t>(fidelity)));
@@ -61,6 +75,10 @@ inline std::string point_result(const ResolvedCase& in, study::Fidelity fidelity
   if (point.dynamic) text += digits(point.dynamic->final_state);
   if (point.coupled) text += digits(point.coupled->bearing_life_hours);
   if (in.has(kSpectrumPath)) text += spectrum_result(in, fidelity);
+  ManifestHeader header{.sets = bearing_set_names(in)};
+  const TableHead head = head_of(header);
+  const SweepOutcome outcome{header, head, {result_row(point, {}, header.sets)}};
+  text += verdicts_result(verdicts_of(stated_requirements(in), outcome));
   return text + point.status;
 }
 
@@ -152,9 +170,9 @@ inline std::string result_of(const ResolvedCase& in, use::Analysis analysis) {
     case use::fmu_gearset:
       return machine_result(gear_numbers(in), false);
     case use::static_load:
-      return record_text(static_study(in));
+      return rated_text(in, static_study(in));
     case use::ball_run:
-      return record_text(ball_study(in));
+      return rated_text(in, ball_study(in));
     case use::defect:
       return record_text(defect_study(in));
     case use::moving_defect:

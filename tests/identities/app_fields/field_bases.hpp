@@ -475,6 +475,12 @@ inline const std::map<std::string, Change>& stated_changes() {
       {"measured.radial_y", {"[1227 Hz, 1647 Hz, 1248 Hz]"}},
       {"identification.contact_angle", {"30 deg"}},
       {"response.position", {"40 mm"}},
+      {"requirements.life", {"1000 h"}},
+      {"requirements.life_key", {"L10rh", {"requirements.life=1000 h"}}},
+      {"requirements.contact_pressure_max", {"1500 MPa"}},
+      {"requirements.S0", {"3"}},
+      {"requirements.kappa", {"0.4"}},
+      {"requirements.load_share", {"1.2"}},
       {"pair.teeth", {"[30, 41]"}},
       {"pair.profile_shift", {"[0.1, 0]"}}};
   return all;

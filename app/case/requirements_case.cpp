@@ -1,0 +1,85 @@
+#include "app/case/requirements_case.hpp"
+
+#include <array>
+
+namespace orbearing::app {
+
+namespace {
+
+constexpr unsigned kJudgedBy = use::quasi_static | use::in_time | use::static_load | use::ball_run;
+constexpr unsigned kRated = roller_bearing | single_ball_bearing | planetary_drivetrain;
+constexpr const char* kLifePath = "requirements.life";
+constexpr const char* kLifeKeyPath = "requirements.life_key";
+
+/// One key of the block that holds a number.
+struct RequirementRow {
+  const char* name;
+  const char* key;  // of the result; that of a life is a choice of its own
+  const char* unit;
+  const char* meaning;
+  bool at_most;
+  Dimension dimension;
+  unsigned models;
+};
+
+constexpr Dimension kDuration{"time", "s", "h", "175000 h", 3600.0};
+constexpr Dimension kPressure{"pressure", "Pa", "MPa", "1500 MPa", 1e6};
+
+constexpr std::array<RequirementRow, 5> kRequirementRows{
+    {{"life", "", "h", "least life of one bearing, of the kind that requirements.life_key names", false,
+      kDuration, kRated},
+     {"contact_pressure_max", "contact_pressure_max_MPa", "MPa", "largest Hertzian pressure allowed", true,
+      kPressure, kRated},
+     {"S0", "S0", "", "least static safety factor C0/P0 of ISO 76", false, {}, kRated},
+     {"kappa", "kappa", "", "least viscosity ratio of ISO 281", false, {}, kRated},
+     {"load_share",
+      "largest_load_share",
+      "",
+      "largest load of one planet allowed, divided by the mean load of the planets (K_gamma)",
+      true,
+      {},
+      planetary_drivetrain}}};
+
+std::string requirement_path(const RequirementRow& row) {
+  return std::string("requirements.") + row.name;
+}
+
+Field requirement_field(const RequirementRow& row) {
+  return {.path = requirement_path(row),
+          .kind = row.dimension.name.empty() ? Kind::number : Kind::quantity,
+          .meaning = row.meaning,
+          .use = Use(kJudgedBy, use::all & ~kJudgedBy),
+          .models = row.models,
+          .dimension = row.dimension,
+          .range = positive(1e9)};
+}
+
+}  // namespace
+
+std::vector<Field> requirement_fields() {
+  std::vector<Field> fields;
+  for (const RequirementRow& row : kRequirementRows) fields.push_back(requirement_field(row));
+  fields.insert(fields.begin() + 1,
+                {.path = kLifeKeyPath,
+                 .kind = Kind::choice,
+                 .meaning = "life that requirements.life limits",
+                 .use = Use(kJudgedBy, use::all & ~kJudgedBy).when(where_given({kLifePath})),
+                 .models = kRated,
+                 .choices = {"L10h", "L10rh", "L10mh", "L10mrh", "life_h"}});
+  return fields;
+}
+
+std::vector<Requirement> stated_requirements(const ResolvedCase& in) {
+  std::vector<Requirement> stated;
+  for (const RequirementRow& row : kRequirementRows) {
+    const std::string path = requirement_path(row);
+    if (!in.has(path)) continue;
+    const double limit =
+        row.dimension.name.empty() ? in.number(path) : in.quantity(path) / row.dimension.factor;
+    stated.push_back(
+        {row.name, path == kLifePath ? in.choice(kLifeKeyPath) : row.key, row.unit, limit, row.at_most});
+  }
+  return stated;
+}
+
+}  // namespace orbearing::app

@@ -1,0 +1,230 @@
+#include "app/results/verdicts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <utility>
+
+#include "bearing/life/life_modification.hpp"
+
+namespace orbearing::app {
+
+namespace {
+
+/// Where a requirement is judged: an operating point, a bin or a whole spectrum.
+struct Sample {
+  LifeValue value;
+  std::string at;
+  std::string failure{};  // of a point that was not computed
+};
+
+const char* bound_text(const Requirement& requirement) {
+  return requirement.at_most ? "at most" : "at least";
+}
+
+bool is_met(const Requirement& requirement, double value) {
+  return requirement.at_most ? value <= requirement.limit : value >= requirement.limit;
+}
+
+bool is_worse(const Requirement& requirement, double value, double other) {
+  return requirement.at_most ? value > other : value < other;
+}
+
+bool needs_oil(const std::string& key) {
+  return key == "L10mh" || key == "L10mrh" || key == "kappa";
+}
+
+std::string missing_reason(const std::string& key, const LifeValue& value) {
+  constexpr std::array<std::pair<const char*, const char*>, 5> in_revolutions{{{"L10h", "L10_Mrev"},
+                                                                               {"L10rh", "L10r_Mrev"},
+                                                                               {"L10mh", "L10m_Mrev"},
+                                                                               {"L10mrh", "L10mr_Mrev"},
+                                                                               {"life_h", "life_Mrev"}}};
+  const double kappa = value("kappa");
+  if (needs_oil(key) && std::isnan(kappa))
+    return "the case states no oil; state lubricant.grade, lubricant.temperature and life.cleanliness";
+  if (needs_oil(key) && kappa < bearing::rating::kLeastViscosityRatio)
+    return fmt::format("kappa is {:.3g}; a_ISO of ISO 281 begins at {:g}", kappa,
+                       bearing::rating::kLeastViscosityRatio);
+  for (const auto& [hours, revolutions] : in_revolutions)
+    if (key == hours && !std::isnan(value(revolutions)))
+      return "the rings do not rotate; state operation.shaft_speed";
+  if (key == "largest_load_share")
+    return "all planets carry the same load in this case; state errors of the pins, as "
+           "gearset.dynamics.pin_error.tangential";
+  return "the equivalent loads of ISO 281 and ISO 76 are included for a nominal contact angle of zero only; "
+         "a life by L10rh or L10mrh does not require them";
+}
+
+Verdict verdict_of(const Requirement& requirement, const std::vector<Sample>& samples) {
+  Verdict verdict{.requirement = requirement, .points = samples.size()};
+  for (const Sample& sample : samples) {
+    const double value = sample.failure.empty() ? sample.value(requirement.key) : described::kAbsent;
+    if (std::isnan(value)) {
+      if (!verdict.reason.empty()) continue;
+      verdict.reason = sample.failure.empty() ? missing_reason(requirement.key, sample.value)
+                                              : "a point was not computed: " + sample.failure;
+      if (samples.size() > 1) verdict.reason = sample.at + ": " + verdict.reason;
+      continue;
+    }
+    if (!is_met(requirement, value)) ++verdict.points_failed;
+    if (!std::isnan(verdict.value) && !is_worse(requirement, value, verdict.value)) continue;
+    verdict.value = value;
+    verdict.at = sample.at;
+  }
+  // One point that fails decides; that all pass can be said of all points alone.
+  if (verdict.points_failed > 0)
+    verdict.passed = false;
+  else if (verdict.reason.empty())
+    verdict.passed = true;
+  if (std::isinf(verdict.value) && verdict.reason.empty()) verdict.reason = "no load: a life without limit";
+  return verdict;
+}
+
+std::vector<Verdict> verdicts_at(const std::vector<Requirement>& requirements,
+                                 const std::vector<Sample>& of_lives, const std::vector<Sample>& of_others) {
+  std::vector<Verdict> verdicts;
+  for (const Requirement& one : requirements)
+    verdicts.push_back(verdict_of(one, one.name == "life" ? of_lives : of_others));
+  return verdicts;
+}
+
+// Of one bearing in all sets the worst; `in` gives that of one set by its prefix.
+double worst_of_sets(const std::vector<std::string>& sets, bool at_most,
+                     const std::function<double(const std::string& prefix)>& in) {
+  if (sets.empty()) return in("");
+  std::vector<double> values;
+  for (const std::string& set : sets) values.push_back(in("sets." + set + "."));
+  if (std::ranges::any_of(values, [](double value) { return std::isnan(value); })) return described::kAbsent;
+  return at_most ? std::ranges::max(values) : std::ranges::min(values);
+}
+
+bool is_life(const std::string& key) {
+  return key == "life_h" || (key.starts_with("L10") && key.ends_with("h"));
+}
+
+// Of the bearing with the shortest life, where planets or their bearings are loaded unevenly.
+double life_or(double shortest, double life) {
+  return std::isfinite(shortest) ? shortest : life;
+}
+
+// In a row a life without load has no number, as that by Lundberg and Palmgren beside it.
+LifeValue values_in_row(const SweepOutcome& outcome, const ResultRow& row) {
+  return [&outcome, &row](const std::string& key) {
+    const auto in = [&](const std::string& prefix) {
+      const double value = life_or(value_of(outcome.head, row, "shortest_" + prefix + key),
+                                   value_of(outcome.head, row, prefix + key));
+      const bool unloaded =
+          is_life(key) && std::isnan(value) && std::isnan(value_of(outcome.head, row, prefix + "life_h"));
+      return unloaded ? std::numeric_limits<double>::infinity() : value;
+    };
+    if (key.ends_with("_Mrev") || key == "largest_load_share") return in("");
+    return worst_of_sets(outcome.header.sets, key == "contact_pressure_max_MPa", in);
+  };
+}
+
+std::string axes_text(const SweepOutcome& outcome, const ResultRow& row) {
+  std::string text;
+  for (std::size_t i = outcome.head.first_axis; i < outcome.head.first_axis + outcome.head.axes; ++i)
+    text += fmt::format(", {} = {:.6g}", outcome.head.names[i], row.values[i]);
+  return text;
+}
+
+Sample sample_of(const SweepOutcome& outcome, const ResultRow& row, const std::string& bin = "") {
+  const double speed = value_of(outcome.head, row, std::string(input_speed_column));
+  return {values_in_row(outcome, row),
+          fmt::format("{}input_speed_rpm = {:.6g}{}", bin, speed, axes_text(outcome, row)),
+          row.ok() ? "" : row.status};
+}
+
+// Lives under a spectrum, and the least viscosity ratio of its bins, which says why a life is missing.
+LifeValue values_under_spectrum(const SweepOutcome& outcome, const SpectrumResult& result) {
+  return [&outcome, &result](const std::string& key) {
+    if (key != "kappa")
+      return worst_of_sets(outcome.header.sets, false, [&](const std::string& prefix) {
+        return life_or(life_of(result, "shortest_" + prefix + key), life_of(result, prefix + key));
+      });
+    double least = described::kAbsent;
+    for (const SpectrumBin& bin : result.bins)
+      if (bin.row) least = std::fmin(least, values_in_row(outcome, *bin.row)(key));
+    return least;
+  };
+}
+
+Sample sample_of(const SweepOutcome& outcome, const SpectrumResult& result) {
+  Sample sample{values_under_spectrum(outcome, result), "load spectrum"};
+  for (const SpectrumBin& bin : result.bins) {
+    if (!bin.row) continue;
+    if (!bin.row->ok()) sample.failure = bin.row->status;
+    if (outcome.spectra.size() > 1) sample.at = "load spectrum" + axes_text(outcome, *bin.row);
+  }
+  return sample;
+}
+
+}  // namespace
+
+void describe(Record& record, const Verdict& verdict) {
+  const Requirement& requirement = verdict.requirement;
+  record.value("requirement", "key of the block requirements", requirement.name);
+  record.value("value", {}, "the worst result, in the unit beside", verdict.value);
+  record.value("limit", {}, "that the case requires, in the unit beside", requirement.limit);
+  if (verdict.passed)
+    record.value("passed", "whether the requirement is met", *verdict.passed);
+  else
+    record.nothing("passed", "whether the requirement is met");
+  record.value("key", "name among the results", requirement.key);
+  record.value("unit", "of value and limit", requirement.unit);
+  record.value("bound", "at least or at most", bound_text(requirement));
+  record.value("at", "operating point or bin of the worst result", verdict.at);
+  record.value("reason", "why there is no number", verdict.reason);
+  record.value("points", "operating points that were judged", verdict.points);
+  record.value("points_failed", "of these, points that do not meet the requirement", verdict.points_failed);
+}
+
+void describe_verdicts(Record& record, const std::vector<Verdict>& verdicts) {
+  if (!verdicts.empty())
+    record.table("verdicts", "verdict", "requirements of the case", verdicts).detail = true;
+}
+
+std::string verdicts_text(const std::vector<Verdict>& verdicts) {
+  if (verdicts.empty()) return "";
+  std::string text = fmt::format("{:<26} {:>12} {:>8} {:>12} {:<4} {}\n", "requirement", "value", "", "limit",
+                                 "unit", "verdict");
+  for (const Verdict& one : verdicts) {
+    const Requirement& requirement = one.requirement;
+    const bool named = requirement.name == "life";
+    const std::string value = std::isfinite(one.value) ? fmt::format("{:.6g}", one.value) : "-";
+    const char* judged = !one.passed ? "not judged" : *one.passed ? "passed" : "FAILED";
+    text += fmt::format("{:<26} {:>12} {:>8} {:>12.6g} {:<4} {}{}{}\n",
+                        named ? fmt::format("life ({})", requirement.key) : requirement.name, value,
+                        bound_text(requirement), requirement.limit, requirement.unit, judged,
+                        one.at.empty() ? "" : (one.points > 1 ? ", worst at " : ", at ") + one.at,
+                        one.reason.empty() ? "" : ": " + one.reason);
+  }
+  return text;
+}
+
+std::vector<Verdict> verdicts_of(const std::vector<Requirement>& requirements, const LifeValue& value) {
+  const std::vector<Sample> only{{value, ""}};
+  return verdicts_at(requirements, only, only);
+}
+
+std::vector<Verdict> verdicts_of(const std::vector<Requirement>& requirements, const SweepOutcome& outcome) {
+  if (requirements.empty()) return {};
+  std::vector<Sample> of_lives, of_points;
+  for (const SpectrumResult& result : outcome.spectra) {
+    of_lives.push_back(sample_of(outcome, result));
+    for (std::size_t i = 0; i < result.bins.size(); ++i)
+      if (const SpectrumBin& bin = result.bins[i]; bin.row && bin.bin.share > 0.0)
+        of_points.push_back(sample_of(outcome, *bin.row, fmt::format("bin {}, ", i + 1)));
+  }
+  if (!outcome.spectra.empty()) return verdicts_at(requirements, of_lives, of_points);
+  for (const ResultRow& row : outcome.rows) of_points.push_back(sample_of(outcome, row));
+  return verdicts_at(requirements, of_points, of_points);
+}
+
+}  // namespace orbearing::app

@@ -1,0 +1,309 @@
+"""What an assessor reads first: ratings and lives with their clauses, verdicts, damage by bin, influence of assumptions, warnings, versions.
+
+The sections are the head of report.html and all of report.pdf. Numbers are those of `--json`, rounded for reading.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from html import escape
+from typing import Callable
+
+from orbearing.blocks import Table, format_number, is_number
+from orbearing.point_file import read_point
+from orbearing.result_folder import Report, record, records, same
+from orbearing.tables import table
+
+LIVES = ("L10h", "L10rh", "L10mh", "L10mrh", "life_h")
+LIFE_NOTE = ("Lives hold for a reliability of 90 % unless the case states life.reliability. ISO/TS 16281:2008 has since become ISO 16281:2025.")
+DOCUMENT = "docs/requirements.md"
+VERDICTS = {True: "passed", False: "FAILED", None: "not judged"}
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """A line of the first table: key of the result, symbol, words, unit, and the clause for balls and for rollers."""
+
+    key: str
+    symbol: str
+    words: str
+    unit: str
+    balls: str
+    rollers: str
+
+    def clause(self, of_balls: bool) -> str:
+        return self.balls if of_balls else self.rollers
+
+
+QUANTITIES = (
+    Quantity("C_N", "C", "basic dynamic load rating", "N", "ISO 281:2007, 5.1", "ISO 281:2007, 7.1"),
+    Quantity("C0_N", "C0", "basic static load rating", "N", "ISO 76:2006, 5.1", "ISO 76:2006, 7.1"),
+    Quantity("Cu_N", "Cu", "fatigue load limit", "N", "ISO 281:2007, 9.3, Annex B", "ISO 281:2007, 9.3, Annex B"),
+    Quantity("P_N", "P", "dynamic equivalent load", "N", "ISO 281:2007, 5.2", "ISO 281:2007, 7.2"),
+    Quantity("P0_N", "P0", "static equivalent load", "N", "ISO 76:2006, 5.2", "ISO 76:2006, 7.2"),
+    Quantity("L10h", "L10h", "basic rating life", "h", "ISO 281:2007, 5.3", "ISO 281:2007, 7.3"),
+    Quantity("L10rh", "L10rh", "basic reference rating life", "h", "ISO/TS 16281:2008, 4.3", "ISO/TS 16281:2008, 5.3"),
+    Quantity("L10mh", "L10mh", "modified rating life", "h", "ISO 281:2007, 9.1", "ISO 281:2007, 9.1"),
+    Quantity("L10mrh", "L10mrh", "modified reference rating life", "h", "ISO/TS 16281:2008, 4.3, 7", "ISO/TS 16281:2008, 5.3, 7"),
+    Quantity("life_h", "life_h", "Lundberg-Palmgren, loads of this analysis", "h", "no clause", "no clause"),
+    Quantity("S0", "S0", "static safety factor C0/P0", "", "ISO 76:2006, 9", "ISO 76:2006, 9"),
+    Quantity("contact_pressure_max_MPa", "p_max", "largest contact pressure", "MPa", "Hertz; no clause", "Hertz; no clause"),
+    Quantity("kappa", "kappa", "viscosity ratio", "", "ISO 281:2007, 9.3", "ISO 281:2007, 9.3"),
+    Quantity("e_C", "e_C", "contamination factor", "", "ISO 281:2007, 9.3, Annex A", "ISO 281:2007, 9.3, Annex A"),
+    Quantity("a_ISO", "a_ISO", "life modification factor", "", "ISO 281:2007, 9.3", "ISO 281:2007, 9.3"),
+    Quantity("largest_load_share", "K_gamma", "largest load of a planet / mean load", "", "no clause", "no clause"),
+)
+LARGER_IS_WORSE = ("contact_pressure_max_MPa", "largest_load_share")
+# Of the bins of a spectrum the worst is shown; other quantities belong to one bin.
+WORST_OF_BINS = ("S0", "contact_pressure_max_MPa", "kappa", "largest_load_share")
+
+
+@dataclass(frozen=True)
+class Most:
+    """Rows at most of the tables that a case makes long."""
+
+    bins: int = 24
+    influences: int = 20
+
+
+@dataclass(frozen=True)
+class Column:
+    """A bearing, or all of them: the number by its key, None where there is none."""
+
+    head: str
+    number: Callable[[str], float | str | None]
+
+
+def is_rated(report: Report) -> bool:
+    """Whether there are lives to judge."""
+    return bool(_columns(report))
+
+
+def sections(report: Report, most: Most = Most()) -> list[str]:
+    """The sections in their order; none where the result has no rated bearing."""
+    if not is_rated(report):
+        return []
+    parts = (_ratings(report), _requirements(report), _bearings(report), _damage(report, most), _influences(report, most), _warnings(report), _versions(report))
+    return [part for part in parts if part]
+
+
+def section(slug: str, title: str, body: str) -> str:
+    return f'<section id="{slug}">\n<h2>{escape(title)}</h2>\n{body}\n</section>'
+
+
+def verdict_in_words(report: Report) -> str:
+    """How many requirements are met."""
+    verdicts = report.records("verdicts")
+    if not verdicts:
+        return "The case states no requirements."
+    failed, open_ones = (sum(one.get("passed") is value for one in verdicts) for value in (False, None))
+    text = f"{len(verdicts) - failed - open_ones} of {len(verdicts)} requirements are met"
+    return text + (f", {failed} failed" if failed else "") + (f", {open_ones} not judged" if open_ones else "") + "."
+
+
+def _judged(html: str) -> str:
+    """Verdicts in a table as a style sheet finds them."""
+    for word in ("passed", "FAILED"):
+        html = html.replace(f'<td class="short">{word}</td>', f'<td class="short {word.lower()}">{word}</td>')
+    return html
+
+
+def _ratings(report: Report) -> str:
+    columns, balls = _columns(report), _has_balls(report)
+    judged = {one.get("key"): one for one in report.records("verdicts")}
+    rows = []
+    for one in QUANTITIES:
+        numbers = [column.number(one.key) for column in columns]
+        verdict = judged.get(one.key)
+        if not any(map(is_number, numbers)) and one.key in ("largest_load_share", "life_h") and not verdict:
+            continue
+        unit = f" [{one.unit}]" if one.unit else ""
+        rows.append((one.symbol + unit, one.words, one.clause(balls), *numbers, _limit(verdict), VERDICTS[verdict.get("passed")] if verdict else " "))
+    head = ("Symbol", "Meaning", "Clause", *(column.head for column in columns), "Required", "Verdict")
+    return section("ratings", "Ratings and lives", f"<p><strong>{escape(verdict_in_words(report))}</strong> {escape(_where(report))}</p>\n"
+                   + _judged(table(Table(head, rows))) + f"\n<p>{escape(LIFE_NOTE)}</p>")
+
+
+def _limit(verdict: dict | None) -> str:
+    return f"{verdict.get('bound')} {format_number(verdict.get('limit'))} {verdict.get('unit') or ''}".strip() if verdict else " "
+
+
+def _requirements(report: Report) -> str:
+    verdicts = report.records("verdicts")
+    if not verdicts:
+        return section("requirements", "Requirements", f"<p>None. A block requirements in the case gives verdicts ({DOCUMENT}).</p>")
+    rows = [(one.get("requirement"), one.get("key"), _limit(one), one.get("value"), VERDICTS[one.get("passed")], _judged_at(one)) for one in verdicts]
+    note = ("<p>The value is the worst of all operating points of this result. Under a load spectrum a life is that of the whole spectrum, every other value "
+            "is that of the worst bin. Where bearings carry unlike loads, the bearing with the shortest life decides.</p>")
+    return section("requirements", "Requirements", note + _judged(table(Table(("Requirement", "Result", "Required", "Value", "Verdict", "Worst at, or why not judged"), rows))))
+
+
+def _judged_at(verdict: dict) -> str:
+    points, failed = verdict.get("points"), verdict.get("points_failed")
+    parts = [str(verdict.get("at") or ""), str(verdict.get("reason") or "")]
+    if is_number(points) and points > 1:
+        parts.append(f"{format_number(failed)} of {format_number(points)} points fail")
+    return "; ".join(part for part in parts if part) or " "
+
+
+def _columns(report: Report) -> list[Column]:
+    if _single(report):
+        return [Column("One bearing", report.content.get)] if "L10_Mrev" in report.content else []
+    row, spectrum = operating_row(report), _spectrum(report)
+    sets = sorted({key.split(".")[1] for key in row if key.startswith("sets.") and key.endswith(".L10h")})
+    if not sets and not any(is_number(row.get(key)) for key in LIVES[:4]):
+        return []
+    speed = f"{format_number(row.get('input_speed_rpm'))} rpm"
+    named = [(f"One bearing of set {name}", f"sets.{name}.") for name in sets] or [("One bearing", "")]
+    columns = [] if spectrum and sets else [Column(f"{words}, {speed}", lambda key, before=before: row.get(before + key)) for words, before in named]
+    if not spectrum:
+        return [*columns, Column(f"All bearings, {speed}", lambda key: _of_all(row, key))]
+    columns += [Column(f"{words}, load spectrum", lambda key, before=before: _under(spectrum, before, key)) for words, before in named]
+    return [*columns, Column("All bearings, load spectrum", lambda key: _of_all(spectrum, key))]
+
+
+def _of_all(row: dict, key: str) -> float | str | None:
+    """Ratings, loads and factors are those of one bearing."""
+    if key not in LIVES:
+        return " "
+    return row.get(f"system_{key}")
+
+
+def _under(spectrum: dict, before: str, key: str) -> float | None:
+    """Under the spectrum: a life of the whole of it, else the worst of its bins that take time."""
+    if key in ("C_N", "C0_N", "Cu_N"):
+        return next((one.get(before + key) for one in records(spectrum.get("bins")) if is_number(one.get(before + key))), None)
+    if key in LIVES:
+        return spectrum.get(before + key)
+    numbers = [one.get(before + key) for one in records(spectrum.get("bins")) if one.get("share")]
+    numbers = [number for number in numbers if is_number(number)]
+    if key not in WORST_OF_BINS or not numbers:
+        return None
+    return max(numbers) if key in LARGER_IS_WORSE else min(numbers)
+
+
+def operating_row(report: Report) -> dict:
+    """The point at the case's own speed on the line that is shown; else the one with the longest life, else the first."""
+    points = report.along_speed().records("points")
+    own = report.content.get("own_speed_rpm")
+    alive = [point for point in points if is_number(point.get("life_h"))]
+    longest = max(alive, key=lambda point: point["life_h"], default=next(iter(points), {}))
+    return next((point for point in points if same(point.get("input_speed_rpm"), own)), longest)
+
+
+def _where(report: Report) -> str:
+    if _single(report):
+        return "Values of the bearing under the load of the case."
+    speed, own = operating_row(report).get("input_speed_rpm"), report.content.get("own_speed_rpm")
+    which = "of the case" if same(speed, own) else "with the longest life of this sweep, which has no point at the speed of the case"
+    text = f"Values at the operating point {which}, {format_number(speed)} rpm input speed."
+    return text + (" Under the load spectrum: lives by the rule of Palmgren and Miner; S0, p_max, kappa of the worst bin." if _spectrum(report) else "")
+
+
+def _bearings(report: Report) -> str:
+    """Bearings and planets that carry unlike loads."""
+    if _single(report):
+        return ""
+    point = read_point(report, operating_row(report).get("input_speed_rpm"))
+    parts = []
+    for kind, title, load, loads in (("bearing", "Bearing of a planet", "bearing_load", ()), ("planet", "Planet", "planet_bearing_load", ("planet_load_share",))):
+        columns = point.get(load, *loads, *(f"{kind}_{life}" for life in ("L10h", "life")))
+        if columns is None or any(column.ndim != 1 for column in columns):
+            continue
+        lives = [point.values.get(f"{kind}_{life}") for life in ("L10h", "L10rh", "L10mh", "L10mrh", "life")]
+        rows = [(index + 1, *(float(column[index]) for column in (columns[0], *columns[1:1 + len(loads)])), *(None if life is None else float(life[index]) for life in lives))
+                for index in range(len(columns[0]))]
+        head = (title, "Load [N]", *("Load / mean load" for _ in loads), *(f"{life} [h]" for life in LIVES))
+        parts.append(table(Table(head, rows)))
+    if not parts:
+        return ""
+    speed = format_number(operating_row(report).get("input_speed_rpm"))
+    return section("unlike-bearings", "Bearings that carry unlike loads", f"<p>At {speed} rpm input speed.</p>" + "\n".join(parts))
+
+
+def _damage(report: Report, most: Most) -> str:
+    spectrum = _spectrum(report)
+    bins = records(spectrum.get("bins"))
+    if not bins:
+        return ""
+    life = spectrum.get("life_key") or "life_h"
+    order = sorted(bins, key=lambda one: -(one.get("damage_share") or 0.0))
+    rows = [(f"{one.get('bin')}", one.get("power_kW"), one.get("torque_N_m"), one.get("speed_rpm"), _percent(one.get("share")), one.get(life), _percent(one.get("damage_share")),
+             _percent(one.get("damage_share_L10mh"))) for one in order[:most.bins]]
+    head = ("Bin", "Power [kW]", "Torque [N m]", "Speed [rpm]", "Time [%]", f"{life} [h]", f"Damage by {life} [%]", "Damage by L10mh [%]")
+    left = f"<p>{len(order) - most.bins} more bins with less damage are in spectrum.csv.</p>" if len(order) > most.bins else ""
+    hours = spectrum.get("hours")
+    used = f" In {format_number(hours)} h the spectrum uses {format_number(100 * spectrum['used_up'])} % of the life." if is_number(hours) and is_number(spectrum.get("used_up")) else ""
+    note = (f"<p>{len(bins)} bins, largest damage first. Torque and speed of the driving member. Results go by {escape(life)} (life.method): "
+            f"{format_number(spectrum.get(life))} h for one bearing, {format_number(spectrum.get('system_' + life))} h for all bearings.{used}</p>")
+    return section("damage", "Load spectrum and damage by bin", note + table(Table(head, rows)) + left)
+
+
+def _percent(share: object) -> float | None:
+    return 100.0 * share if is_number(share) else None
+
+
+def _influences(report: Report, most: Most) -> str:
+    found = report.record("influences")
+    rows = records(found.get("inputs"))
+    reasons = {row.get("key"): row for row in report.records("assumptions")}
+    if not rows:
+        in_time = "Not computed for a bearing in time; orbearing sensitivities --by INPUT gives the effect of a single input."
+        why = str(found.get("problem") or ("No assumption has a number." if "influences" in report.content else in_time))
+        return section("influences", "Assumptions by influence", f"<p>{escape(why)}</p>")
+    result, unit = found.get("quantity"), found.get("unit") or ""
+    shown = sorted(rows, key=_influence, reverse=True)
+    cells = [(row.get("path"), record(reasons.get(row.get("path"))).get("value") or row.get("value"), f"{row.get('step')}", _signed(row.get("change"), unit),
+              _signed(_relative(row, found)), record(reasons.get(row.get("path"))).get("reason")) for row in shown[:most.influences]]
+    left = len(shown) - len(cells)
+    note = (f"<p>Values that the source of the case does not give, ordered by their effect on {escape(str(result))} at the operating point, by the quasi-static model. "
+            "The change is to first order.</p>")
+    more = f"<p>{left} more assumed numbers have less effect.</p>" if left > 0 else ""
+    others = [row for row in report.records("assumptions") if row.get("key") not in {one.get("path") for one in rows}]
+    if others:
+        names = "; ".join(f"{row.get('key')}: {row.get('value')}" for row in others)
+        more += f"<p class=\"compact\">Assumed values without an effect on {escape(str(result))}, or that are no number: {escape(names)}.</p>"
+    head = ("Assumption", "Value", "Step", f"Change of {result}", "Change [%]", "Reason")
+    return section("influences", "Assumptions by influence", note + table(Table(head, cells)) + more)
+
+
+def _relative(row: dict, found: dict) -> float | None:
+    whole = found.get(found.get("quantity"))
+    return 100.0 * row["change"] / whole if is_number(row.get("change")) and is_number(whole) and whole else None
+
+
+def _influence(row: dict) -> float:
+    return abs(row["change"]) if is_number(row.get("change")) else 0.0
+
+
+def _signed(value: object, unit: str = "") -> str:
+    if not is_number(value):
+        return " "
+    return ("+" if value > 0 else "") + format_number(value, 4) + (f" {unit}" if unit else "")
+
+
+def _warnings(report: Report) -> str:
+    value = report.content.get("warnings")
+    texts = value if isinstance(value, list) else []
+    body = "<ul>" + "\n".join(f"<li>{escape(str(text))}</li>" for text in texts) + "</ul>" if texts else "<p>None.</p>"
+    return section("warnings", "Warnings", body)
+
+
+def _versions(report: Report) -> str:
+    rows = [(key, "–" if value is None else str(value)) for key, value in sorted(report.record("versions").items())]
+    return section("versions", "Versions", table(Table(("Part", "Version"), rows)) if rows else "<p>Not recorded.</p>")
+
+
+def _single(report: Report) -> bool:
+    """Whether the content is what a run of one bearing printed."""
+    return "points" not in report.content
+
+
+def _has_balls(report: Report) -> bool:
+    return str(report.content.get("model") or "").startswith("ball")
+
+
+def _spectrum(report: Report) -> dict:
+    from orbearing.figures.load_spectrum import spectrum_of
+
+    return spectrum_of(report)

@@ -1,0 +1,34 @@
+"""The page of a single bearing under a static load."""
+
+from __future__ import annotations
+
+from typing import Sequence
+
+from orbearing import run_page
+from orbearing.blocks import FigureBlock, Table, format_quantity, is_number
+from orbearing.result_folder import Report
+
+
+def page(report: Report, blocks: Sequence[FigureBlock]) -> str:
+    """The whole document."""
+    study = Report(report.record("static"), report.folder)
+    return run_page.page(study, "bearing under a static load", headline(study), _summary(study), blocks)
+
+
+def headline(study: Report) -> str:
+    """The life to design by, in one sentence."""
+    get = study.content.get
+    for key in ("L10mrh", "L10rh"):
+        if is_number(get(key)):
+            return f"Life of the bearing: {key} {format_quantity(get(key), 'h', 4)}."
+    return f"Life of the bearing: L10r {format_quantity(get('L10r_Mrev'), 'million revolutions', 4)}."
+
+
+def _summary(study: Report) -> Table:
+    get, moved = study.content.get, study.record("displacement")
+    rows = [("Largest load of a rolling element", format_quantity(get("contact_load_max_N"), "N", 4)),
+            ("Largest contact pressure", format_quantity(get("contact_pressure_max_MPa"), "MPa", 4)),
+            ("Displacement of the inner ring, radial", format_quantity(moved.get("radial_um"), "µm", 4)),
+            ("Displacement of the inner ring, axial", format_quantity(moved.get("axial_um"), "µm", 4)),
+            ("Tilt of the inner ring", format_quantity(get("tilt_mrad"), "mrad", 4))]
+    return Table(("Quantity", "Value"), rows)

@@ -1,0 +1,296 @@
+#!/usr/bin/env python3
+"""Issue 47, item 6: requirements of a case get verdicts, and an assessor's page shows them, in HTML and as PDF of at most 8 pages.
+
+Exit code 77 (skipped) where matplotlib is missing; what concerns the PDF is skipped without WeasyPrint or poppler-utils.
+"""
+
+import html
+import json
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+try:
+    import matplotlib  # noqa: F401
+except ImportError:
+    print("skipped: matplotlib is missing")
+    sys.exit(77)
+try:
+    import weasyprint  # noqa: F401
+except ImportError:
+    weasyprint = None
+
+from program import BRIEF_GEARS, CASES, REDUCER, SETS, WIND, answer, run, settings
+
+REQUIRED = {"life": "175000 h", "life_key": "L10mh", "contact_pressure_max": "1500 MPa", "S0": "3", "kappa": "0.4", "load_share": "1.2"}
+SPECTRUM = ("spectrum=[{power: 750 kW, speed: 22 rpm, share: 0.2}, {power: 400 kW, speed: 20 rpm, share: 0.5}, "
+            "{power: 100 kW, speed: 16 rpm, share: 0.3}]")
+OIL = ("lubricant.grade=ISO VG 220", "lubricant.temperature=80 degC", "life.cleanliness=-/15/12")
+SINGLE = """name: {designation}
+source: catalogue
+model: {model}
+load: {{radial: {load}}}
+operation: {{shaft_speed: 1500 rpm}}
+bearing: {{designation: {designation}, clearance_class: CN}}
+lubricant: {{grade: ISO VG 68, temperature: 70 degC}}
+life: {{cleanliness: -/17/14}}
+requirements: {{life: 20000 h, life_key: L10mrh, contact_pressure_max: 2500 MPa, S0: 2, kappa: 1}}
+"""
+DIGITS = 5  # of a number on the page
+MOST_PAGES = 8
+
+
+def required(**limits):
+    return [f"requirements.{key}={value}" for key, value in limits.items()]
+
+
+def verdicts_of(command, case, *values, options=()):
+    return {one["requirement"]: one for one in answer(command, case, *values, options=options)["verdicts"]}
+
+
+def number(text):
+    return float(text.replace(",", "").replace("\u2212", "-"))
+
+
+def rows_of(page, slug):
+    """Cells of the first table of a section, without marks."""
+    section = re.search(rf'<section id="{slug}">.*?</section>', page, re.S).group(0)
+    return [[html.unescape(re.sub(r"<[^>]*>", "", cell)) for cell in re.findall(r"<t[dh][^>]*>(.*?)</t[dh]>", row, re.S)]
+            for row in re.findall(r"<tr>(.*?)</tr>", section[:section.index("</table>")], re.S)]
+
+
+def printed(value):
+    """As the page rounds a number of --json."""
+    return float(f"{value:.{DIGITS - 1}e}") if abs(value) < 1e3 else round(value)
+
+
+class Verdicts(unittest.TestCase):
+    def test_a_run_is_judged_at_its_operating_point(self):
+        found = answer("run", WIND, *required(**REQUIRED))
+        point, verdicts = found["points"][0], {one["requirement"]: one for one in found["verdicts"]}
+        self.assertEqual(list(verdicts), ["life", "contact_pressure_max", "S0", "kappa", "load_share"])
+        # The tilt of its planets is computed: the bearing with the shortest life decides.
+        self.assertLess(point["shortest_L10mh"], point["L10mh"])
+        for name, key, limit, passed in (("life", "shortest_L10mh", 175000.0, False), ("contact_pressure_max", "contact_pressure_max_MPa", 1500.0, False),
+                                         ("S0", "S0", 3.0, True), ("kappa", "kappa", 0.4, True)):
+            self.assertEqual((verdicts[name]["value"], verdicts[name]["passed"]), (point[key], passed), name)
+            self.assertAlmostEqual(verdicts[name]["limit"] / limit, 1.0, delta=1e-12)
+        self.assertIsNone(verdicts["load_share"]["passed"])
+        self.assertIn("pin_error", verdicts["load_share"]["reason"])
+
+    def test_a_failed_requirement_leaves_exit_code_0(self):
+        result = run("run", REDUCER, "--json", *settings(required(life="1e8 h", life_key="L10h")))
+        self.assertEqual(result.returncode, 0, result.stderr)
+        with tempfile.TemporaryDirectory() as place:
+            text = run("run", REDUCER, "-o", place, *settings(required(life="1e8 h", life_key="L10h", S0="1")))
+        self.assertEqual(text.returncode, 0, text.stderr)
+        self.assertRegex(text.stdout, r"life \(L10h\) +[0-9.]+ at least +1e\+08 h +FAILED")
+        self.assertRegex(text.stdout, r"S0 +[0-9.]+ at least +1 +passed")
+
+    def test_any_of_them_and_none(self):
+        self.assertNotIn("verdicts", answer("run", REDUCER))
+        self.assertEqual(list(verdicts_of("run", REDUCER, "requirements.S0=2")), ["S0"])
+
+    def test_a_life_without_its_kind_is_the_modified_one_and_listed(self):
+        found = answer("run", REDUCER, *OIL, "requirements.life=1000 h")
+        self.assertEqual([one["key"] for one in found["verdicts"]], ["L10mh"])
+        self.assertIn("requirements.life_key", [one["key"] for one in found["assumptions"]])
+        self.assertNotIn("requirements.life_key", [one["key"] for one in answer("run", REDUCER)["assumptions"]])
+
+    def test_what_is_not_computed_is_reported_with_its_reason(self):
+        dry = verdicts_of("run", REDUCER, "requirements.life=1000 h", "requirements.kappa=1")
+        for one in dry.values():
+            self.assertIsNone(one["passed"])
+            self.assertIsNone(one["value"])
+            self.assertIn("lubricant.grade", one["reason"])
+        case = CASES / "planet_bearing_iso16281" / "case.yaml"
+        still = verdicts_of("run", case, "requirements.life=1000 h", "requirements.life_key=L10rh")
+        self.assertIn("operation.shaft_speed", still["life"]["reason"])
+        angular = verdicts_of("run", CASES / "jones_218" / "case.yaml", "requirements.S0=1")
+        self.assertIsNone(angular["S0"]["passed"])
+        self.assertIn("contact angle", angular["S0"]["reason"])
+
+    def test_a_sweep_is_judged_at_its_worst_point(self):
+        speeds = "sweep={input.speed: [3000 rpm, 6000 rpm, 9000 rpm]}"
+        found = answer("sweep", REDUCER, speeds, *OIL, *required(life="20000 h", life_key="L10rh", contact_pressure_max="1600 MPa"), options=["--grid-only"])
+        life, pressure = found["verdicts"]
+        lives, pressures = ([point[key] for point in found["points"]] for key in ("L10rh", "contact_pressure_max_MPa"))
+        self.assertEqual((life["value"], pressure["value"]), (min(lives), max(pressures)))
+        worst = found["points"][lives.index(min(lives))]
+        self.assertIn(f"input_speed_rpm = {worst['input_speed_rpm']:g}", life["at"])
+        self.assertEqual((life["points"], life["points_failed"]), (3, sum(one < 20000 for one in lives)))
+        self.assertEqual(pressure["passed"], max(pressures) <= 1600)
+
+    def test_a_spectrum_is_judged_by_its_life_and_its_worst_bin(self):
+        found = answer("run", WIND, SPECTRUM, *required(life="60000 h", life_key="L10mh", S0="3", contact_pressure_max="1500 MPa"))
+        verdicts, spectrum = {one["requirement"]: one for one in found["verdicts"]}, found["spectrum"]
+        self.assertEqual(verdicts["life"]["value"], spectrum["shortest_L10mh"])
+        self.assertEqual(verdicts["life"]["at"], "load spectrum")
+        used = sum(one["share"] / one["shortest_L10mh"] for one in spectrum["bins"])
+        self.assertAlmostEqual(used * spectrum["shortest_L10mh"], 1.0, delta=1e-9)
+        self.assertEqual(verdicts["contact_pressure_max"]["value"], max(one["contact_pressure_max_MPa"] for one in spectrum["bins"]))
+        self.assertIn("bin 1", verdicts["contact_pressure_max"]["at"])
+
+    def test_several_sets_are_judged_by_the_worst(self):
+        found = answer("run", SETS, *required(life="1 h", life_key="L10rh", contact_pressure_max="1 MPa", S0="1"))
+        point, verdicts = found["points"][0], {one["requirement"]: one for one in found["verdicts"]}
+        for name, key, worst in (("life", "L10rh", min), ("contact_pressure_max", "contact_pressure_max_MPa", max), ("S0", "S0", min)):
+            values = [value for column, value in point.items() if column.startswith("sets.") and column.endswith(f".{key}")]
+            self.assertGreater(len(values), 1)
+            self.assertEqual(verdicts[name]["value"], worst(values), name)
+
+    def test_load_sharing_is_judged_where_pins_are_off_their_places(self):
+        pins = "gearset.dynamics.pin_error.tangential=[20 um, 0 um, 0 um, 0 um]"
+        found = answer("run", REDUCER, pins, "requirements.load_share=1.01")
+        self.assertEqual(found["verdicts"][0]["value"], found["points"][0]["largest_load_share"])
+        self.assertFalse(found["verdicts"][0]["passed"])
+
+    def test_unknown_and_wrong_requirements_are_refused(self):
+        for setting, words in (("requirements.lif=3", "did you mean 'requirements.life'"), ("requirements.life=3", "a unit"),
+                               ("requirements.life_key=L11", "L10rh"), ("requirements.S0=-1", "greater than 0")):
+            result = run("run", REDUCER, "--json", *settings([setting]))
+            self.assertEqual(result.returncode, 2)
+            self.assertIn(words, result.stderr)
+        single = run("run", CASES / "planet_bearing_iso16281" / "case.yaml", "--json", *settings(["requirements.load_share=1.2"]))
+        self.assertEqual(single.returncode, 2)
+        self.assertIn("requirements.load_share", single.stderr)
+
+
+class Page(unittest.TestCase):
+    """The wind stage with a spectrum, and its page."""
+
+    @classmethod
+    def setUpClass(cls):
+        place = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(place.cleanup)
+        cls.folder = pathlib.Path(place.name) / "wind"
+        values = [SPECTRUM, *BRIEF_GEARS, *required(**REQUIRED)]
+        cls.found = answer("run", WIND, *values, options=["-o", str(cls.folder)])
+        options = ["--pdf"] if weasyprint else []
+        made = run("report", cls.folder, "--json", *options)
+        assert made.returncode == 0, made.stderr
+        cls.made = json.loads(made.stdout)
+        cls.page = (cls.folder / "report.html").read_text(encoding="utf-8")
+
+    def test_the_first_table_has_the_numbers_of_json_with_their_clauses(self):
+        head, *rows = rows_of(self.page, "ratings")
+        self.assertEqual(head, ["Symbol", "Meaning", "Clause", "One bearing, 22 rpm", "One bearing, load spectrum", "All bearings, load spectrum", "Required",
+                                "Verdict"])
+        keys = {"C": "C_N", "C0": "C0_N", "Cu": "Cu_N", "P": "P_N", "L10h": "L10h", "L10rh": "L10rh", "L10mh": "L10mh", "L10mrh": "L10mrh", "S0": "S0",
+                "p_max": "contact_pressure_max_MPa", "kappa": "kappa", "e_C": "e_C", "a_ISO": "a_ISO"}
+        by_symbol = {row[0].split(" [")[0]: row for row in rows}
+        point, spectrum = self.found["points"][0], self.found["spectrum"]
+        for symbol, key in keys.items():
+            row = by_symbol[symbol]
+            self.assertRegex(row[2], r"^(ISO(/TS)? \d+:\d{4}, \d|Hertz)", symbol)
+            self.assertAlmostEqual(number(row[3]), printed(point[key]), delta=1e-9 * point[key], msg=symbol)
+            if symbol.startswith("L10"):
+                self.assertAlmostEqual(number(row[4]), printed(spectrum[key]), delta=1e-9 * spectrum[key], msg=symbol)
+                self.assertAlmostEqual(number(row[5]), printed(spectrum[f"system_{key}"]), delta=1e-9 * spectrum[key], msg=symbol)
+        self.assertEqual([by_symbol[symbol][-1] for symbol in ("L10mh", "p_max", "S0", "kappa", "K_gamma", "P")],
+                         ["FAILED", "FAILED", "passed", "passed", "not judged", " "])
+
+    def test_requirements_show_the_worst_value_and_where(self):
+        rows = {row[0]: row for row in rows_of(self.page, "requirements")[1:]}
+        for one in self.found["verdicts"]:
+            row = rows[one["requirement"]]
+            if one["value"] is not None:
+                self.assertAlmostEqual(number(row[3]), printed(one["value"]), delta=1e-9 * one["value"])
+            self.assertIn(one["at"] or one["reason"], row[5])
+
+    def test_bins_stand_by_their_damage(self):
+        rows = rows_of(self.page, "damage")[1:]
+        bins = sorted(self.found["spectrum"]["bins"], key=lambda one: -one["damage_share"])
+        self.assertEqual([row[0] for row in rows], [str(one["bin"]) for one in bins])
+        for row, one in zip(rows, bins):
+            for place, value in ((1, one["power_kW"]), (2, one["torque_N_m"]), (4, 100 * one["share"]), (6, 100 * one["damage_share"])):
+                self.assertAlmostEqual(number(row[place]), printed(value), delta=2e-5 * value)
+
+    def test_assumptions_stand_by_their_influence(self):
+        rows = rows_of(self.page, "influences")[1:]
+        changes = [abs(number(row[4])) for row in rows]
+        self.assertGreater(len(changes), 10)
+        self.assertEqual(changes, sorted(changes, reverse=True))
+        table = answer("sensitivities", self.folder / "case.resolved.yaml", options=["--result=L10mh", "--by=lubricant.temperature"])
+        (ours,) = [row for row in rows if row[0] == "lubricant.temperature"]
+        self.assertAlmostEqual(number(ours[4]) / (100 * table["inputs"][0]["change"] / table["L10mh"]), 1.0, delta=1e-3)
+        self.assertIn("wind turbine gearboxes", ours[5])
+
+    def test_the_head_comes_first_and_the_figures_have_a_list(self):
+        places = [self.page.index(text) for text in ('<section id="ratings">', '<section id="requirements">', '<section id="damage">',
+                                                     '<section id="influences">', '<section id="warnings">', '<section id="versions">', '<nav id="contents">',
+                                                     '<section id="lives">')]
+        self.assertEqual(places, sorted(places))
+        contents = self.page[self.page.index('<nav id="contents">'):self.page.index("</nav>")]
+        for slug in re.findall(r'href="#([^"]+)"', contents):
+            self.assertIn(f'<section id="{slug}">', self.page)
+        self.assertIn('href="#load-spectrum"', contents)
+
+    @unittest.skipUnless(weasyprint, "WeasyPrint is missing")
+    @unittest.skipUnless(shutil.which("pdftotext"), "poppler-utils is missing")
+    def test_the_pdf_has_at_most_8_pages_and_the_same_numbers(self):
+        self.assertEqual(self.made["pdf"], str(self.folder / "report.pdf"))
+        text = pdf_text(self.folder / "report.pdf")
+        self.assertLessEqual(text.count("\f"), MOST_PAGES)
+        for row in rows_of(self.page, "ratings")[1:]:
+            for cell in row[3:6]:
+                if cell.strip(" –"):
+                    self.assertIn(cell, text)
+        for words in ("Ratings and lives", "Requirements", "Load spectrum and damage by bin", "Assumptions by influence", "Warnings", "Versions", "FAILED"):
+            self.assertIn(words, text)
+
+
+def pdf_text(path):
+    return subprocess.run(["pdftotext", "-layout", str(path), "-"], capture_output=True, text=True, check=True).stdout
+
+
+class SingleBearings(unittest.TestCase):
+    """From a designation to the page."""
+
+    def made(self, model, designation, load):
+        place = tempfile.TemporaryDirectory()
+        self.addCleanup(place.cleanup)
+        case = pathlib.Path(place.name) / "case.yaml"
+        case.write_text(SINGLE.format(model=model, designation=designation, load=load), encoding="utf-8")
+        folder = pathlib.Path(place.name) / "out"
+        found = answer("run", case, options=["-o", str(folder)])
+        options = ["--pdf"] if weasyprint else []
+        result = run("report", folder, *options)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        page = (folder / "report.html").read_text(encoding="utf-8")
+        if weasyprint and shutil.which("pdftotext"):
+            self.assertLessEqual(pdf_text(folder / "report.pdf").count("\f"), 3)
+        return found, page
+
+    def check(self, found, page, clause):
+        rows = {row[0].split(" [")[0]: row for row in rows_of(page, "ratings")[1:]}
+        for symbol, key in (("C", "C_N"), ("L10h", "L10h"), ("L10mrh", "L10mrh"), ("S0", "S0"), ("kappa", "kappa")):
+            self.assertAlmostEqual(number(rows[symbol][3]), printed(found[key]), delta=1e-9 * found[key], msg=symbol)
+        self.assertEqual(rows["C"][2], clause)
+        words = {True: "passed", False: "FAILED"}
+        judged = {one["key"]: words[one["passed"]] for one in found["verdicts"]}
+        self.assertEqual([rows[symbol][-1] for symbol in ("L10mrh", "p_max", "S0", "kappa")],
+                         [judged[key] for key in ("L10mrh", "contact_pressure_max_MPa", "S0", "kappa")])
+        self.assertIn('<section id="element-loads">', page)
+
+    def test_roller_bearing(self):
+        self.check(*self.made("roller-bearing", "NU 210", "8000 N"), "ISO 281:2007, 7.1")
+
+    def test_ball_bearing(self):
+        self.check(*self.made("ball-bearing", "6208", "4000 N"), "ISO 281:2007, 5.1")
+
+    def test_results_without_lives_have_no_pdf(self):
+        with tempfile.TemporaryDirectory() as place:
+            made = run("run", CASES / "scratch_defect" / "case.yaml", "-o", f"{place}/out", "--quiet", "--set", "signal.revolutions=3")
+            self.assertEqual(made.returncode, 0, made.stderr)
+            result = run("report", f"{place}/out", "--pdf")
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("--pdf: found", result.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
