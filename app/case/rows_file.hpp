@@ -5,6 +5,7 @@
 //     has its own: "6000 rpm"
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
