@@ -1,7 +1,15 @@
 #include "app/resources.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <utility>
 
+#include "app/case/printable.hpp"
+#include "app/errors.hpp"
 #include "app/version.hpp"
 
 namespace orbearing::app {
@@ -35,6 +43,44 @@ Resources resources_of(const fs::path& folder) {
 
 const Resources& resources() {
   return in_use();
+}
+
+namespace {
+
+fs::path shared_folder(const char* name, const char* name_in_tree) {
+  const fs::path own = resources().folder / "share" / "orbearing" / name;
+  const fs::path in_tree = fs::path(source_folder) / name_in_tree;
+  return !fs::is_directory(own) && fs::is_directory(in_tree) ? in_tree : own;
+}
+
+}  // namespace
+
+fs::path shipped_cases() {
+  return shared_folder("cases", "cases");
+}
+
+fs::path page_files() {
+  return shared_folder("page", "app/page/web");
+}
+
+const std::vector<std::string>& template_names() {
+  static const std::vector<std::string> names{"wind-stage",   "e-drive", "industrial", "roller-bearing",
+                                              "ball-bearing", "duplex",  "defect"};
+  return names;
+}
+
+CaseTemplate case_template(const std::string& name) {
+  const std::vector<std::string>& names = template_names();
+  if (std::ranges::find(names, name) == names.end())
+    throw BadInput(
+        fmt::format("TEMPLATE: found {}; required: one of {}", quote(name), fmt::join(names, ", ")));
+  const fs::path file = shipped_cases() / "templates" / (name + ".yaml");
+  std::ifstream stream(file, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(stream), {}};
+  const std::size_t colon = text.find(": "), end = text.find('\n');
+  if (!text.starts_with("# ") || colon >= end)
+    throw ComputationFailed(file.string() + ": cannot be read as a template; install Orbearing again");
+  return {name, text.substr(2, colon - 2), text.substr(colon + 2, end - colon - 2), std::move(text)};
 }
 
 void use_resources(Resources others) {

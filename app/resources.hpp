@@ -1,7 +1,10 @@
-// What the program reads beside itself: libraries of FMUs, shipped cases, the Python package; and who runs that.
+// What the program reads beside itself: libraries of FMUs, shipped cases and templates, the Python package; and
+// who runs that.
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace orbearing::app {
 
@@ -18,6 +21,26 @@ struct Resources {
 Resources resources_of(const std::filesystem::path& folder);
 
 const Resources& resources();
+
+/// The folder of cases: of a wheel or of the source tree this program was built from, or beside an installed
+/// program.
+std::filesystem::path shipped_cases();
+
+/// Folder of the page's files: of a wheel or of the source tree, or beside an installed program.
+std::filesystem::path page_files();
+
+/// A case file to begin from.
+struct CaseTemplate {
+  std::string name;     // "wind-stage"
+  std::string title;    // its first line up to the colon: "Wind turbine stage"
+  std::string purpose;  // and behind it
+  std::string text;     // of the file
+};
+
+/// In the order in which they are offered.
+const std::vector<std::string>& template_names();
+/// Reads the file of one of them. Throws BadInput with the list of names where there is none.
+CaseTemplate case_template(const std::string& name);
 
 /// Takes others, for a program that is a part of another, as of Python's interpreter. To be called before the
 /// first command.

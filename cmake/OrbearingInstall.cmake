@@ -34,6 +34,7 @@ endif()")
   install(DIRECTORY "${PROJECT_BINARY_DIR}/lib/orbearing/fmu" DESTINATION lib/orbearing
           FILES_MATCHING PATTERN "orbearing.so" PATTERN "orbearing.dll")
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/cases" DESTINATION "${orbearing_data_dir}")
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/app/page/web/" DESTINATION "${orbearing_data_dir}/page")
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/python/orbearing" DESTINATION "${orbearing_data_dir}/python"
           FILES_MATCHING PATTERN "*.py" PATTERN "*.pyi" PATTERN "*.css" PATTERN "*.js")
 endif()
@@ -44,6 +45,8 @@ if(TARGET orbearing_python)
   install(DIRECTORY "${PROJECT_BINARY_DIR}/lib/orbearing/fmu" DESTINATION orbearing/lib/orbearing
           COMPONENT wheel EXCLUDE_FROM_ALL FILES_MATCHING PATTERN "orbearing.so" PATTERN "orbearing.dll")
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/cases" DESTINATION orbearing/share/orbearing
+          COMPONENT wheel EXCLUDE_FROM_ALL)
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/app/page/web/" DESTINATION orbearing/share/orbearing/page
           COMPONENT wheel EXCLUDE_FROM_ALL)
   find_path(UDUNITS2_DATABASE udunits2.xml PATHS /usr/share/xml/udunits /usr/local/share/udunits /usr/share/udunits)
   if(UDUNITS2_DATABASE)

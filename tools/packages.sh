@@ -18,6 +18,7 @@ libfmt-dev: formatting
 nlohmann-json3-dev: JSON output
 libnetcdf-dev: result files
 libzip-dev: archives of FMUs
+libcpp-httplib-dev: server of the page (orbearing open)
 libpugixml-dev: model descriptions of FMUs
 pybind11-dev: compiled part of the Python package
 python3-dev: the same

@@ -143,7 +143,22 @@ fs::path found_file(const std::string& name, const std::string& case_file, bool 
   return option && !fs::exists(beside, ignored) && fs::exists(name, ignored) ? fs::path(name) : beside;
 }
 
+// The only folder that files may be in, if there is one; an empty name: no folder is.
+std::optional<fs::path> only_folder;
+
+bool may_be_read(const fs::path& file) {
+  if (!only_folder) return true;
+  if (only_folder->empty()) return false;
+  std::error_code error;
+  const fs::path whole = fs::weakly_canonical(file, error);
+  return !error && std::ranges::mismatch(*only_folder, whole).in1 == only_folder->end();
+}
+
 }  // namespace
+
+void keep_row_files_within(const fs::path& folder) {
+  only_folder = folder.empty() ? fs::path() : fs::canonical(folder);
+}
 
 HeaderCell header_cell(const std::string& text, const std::vector<std::string>& names) {
   HeaderCell cell;
@@ -197,6 +212,7 @@ std::optional<NamedFile> read_named_file(const std::string& name, const Location
     return std::nullopt;
   };
   std::error_code error;
+  if (!may_be_read(file)) return none("", "a file in the folder that was opened is required");
   if (!fs::is_regular_file(file, error))
     return none(", which is not there or no file", "a CSV file is required");
   if (fs::file_size(file, error) > largest_rows_file)

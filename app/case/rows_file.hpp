@@ -5,6 +5,7 @@
 //     has its own: "6000 rpm"
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,6 +18,9 @@ namespace orbearing::app {
 /// Longest file of rows [byte], and most rows.
 inline constexpr std::size_t largest_rows_file = 4U << 20U;
 inline constexpr std::size_t most_file_rows = 10000;
+
+/// From now on this process reads such files from `folder` and what is below it alone; from nowhere where it is empty.
+void keep_row_files_within(const std::filesystem::path& folder);
 
 /// Name and unit of a column's header: "torque_N_m" is "torque" and "N.m". The name is empty where none of
 /// `names` begins it.

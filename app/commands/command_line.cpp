@@ -1,6 +1,7 @@
 #include "app/commands/command_line.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -15,6 +16,7 @@
 #include "app/case/printable.hpp"
 #include "app/commands/python_part.hpp"
 #include "app/errors.hpp"
+#include "app/resources.hpp"
 #include "app/results/durable_file.hpp"
 #include "app/results/progress.hpp"
 #include "app/study/fidelity.hpp"
@@ -258,6 +260,26 @@ void add_spectrum(CLI::App& command, Options& options) {
       ->check(CLI::Range(1.0, 50.0));
 }
 
+void add_new(CLI::App& command, Options& options) {
+  command
+      .add_option("TEMPLATE", options.template_name, fmt::format("{}", fmt::join(template_names(), ", ")))
+      ->required();
+  command.add_option("FILE", options.output, "case file to be made; one that exists is left as it is")
+      ->required();
+}
+
+void add_open(CLI::App& command, Options& options) {
+  command.add_option("WHAT", options.case_file,
+                     "case file, folder of results, or template (" +
+                         fmt::format("{}", fmt::join(template_names(), ", ")) + "); default: the choice of these")
+      ->type_name("CASE|TEMPLATE|DIR");
+  command.add_flag("--no-browser", options.no_browser, "print the address of the page, and open no browser");
+  command.add_option("--port", options.port, "port on the loopback address; default: one that is free")
+      ->check(CLI::Range(1, 65535));
+  command.add_option("--linger", options.linger)->group("")->check(CLI::Range(1, 3600));
+  command.add_flag("--worker", options.worker)->group("");
+}
+
 // Subcommands in the order in which they are shown.
 struct CommandTable {
   CLI::App& program;
@@ -281,6 +303,8 @@ void add_python_commands(CLI::App& program) {
 
 void add_commands(CommandTable table) {
   Options& options = table.options;
+  add_new(table.add("new", "a commented case file to begin from", new_command), options);
+  add_open(table.add("open", "the page: forms, figures and variants in a browser", open_command), options);
   add_case(table.add("check", "resolve and print every input of a case", check_command), options);
   CLI::App& run = table.add("run", "the case's analysis at its operating point", run_command);
   add_computing(run, options);
@@ -359,9 +383,9 @@ bool known(const CLI::App& program, const std::string& word) {
 void require_known_command(const CLI::App& program, const std::string& word) {
   if (word.empty() || word.front() == '-' || known(program, word)) return;
   throw BadInput(
-      fmt::format("orbearing: found the command {}; required: check, run, sweep, merge, crown, mesh, modes, "
-                  "stiffness, sensitivities, fmu, signals, spectrum, study, uncertainty, convert, validate or "
-                  "report",
+      fmt::format("orbearing: found the command {}; required: new, open, check, run, sweep, merge, crown, mesh, "
+                  "modes, stiffness, sensitivities, fmu, signals, spectrum, study, uncertainty, convert, "
+                  "validate or report",
                   word));
 }
 

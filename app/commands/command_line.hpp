@@ -52,13 +52,19 @@ struct Options {
   bool quiet = false;
 
   /// Of a caller in the same process: the case in place of file and settings, who takes the result and the
-  /// line about points that failed in place of the standard streams, and who looks at what the result is made
-  /// of.
+  /// line about points that failed in place of the standard streams, who receives each point of a sweep as it
+  /// ends, and who looks at what the result is made of.
   std::optional<ResolvedCase> given{};
   std::function<void(const nlohmann::ordered_json& object)> take_result{};
   std::function<void(const std::string& line)> take_failures{};
+  std::function<void(const nlohmann::ordered_json& row)> take_point{};
   std::function<void(const described::Record& record)> take_record{};
 
+  std::string template_name{};    // new
+  bool no_browser = false;        // open
+  int port = 0;                   // open: 0: one that is free
+  int linger = 60;                // open: after the last page has gone [s]
+  bool worker = false;            // open: answers the requests of a page's server
   std::string result{};           // sensitivities: its key; empty: the life that results go by
   std::vector<std::string> by{};  // sensitivities: inputs; none: all
 };
@@ -78,6 +84,8 @@ int validate_command(const Options& options);
 int report_command(const Options& options);
 int signals_command(const Options& options);
 int spectrum_command(const Options& options);
+int new_command(const Options& options);
+int open_command(const Options& options);
 
 /// Throws BadInput where the result would go nowhere: neither --output nor --json; where there is nothing to
 /// resume.

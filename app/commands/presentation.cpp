@@ -82,31 +82,47 @@ nlohmann::ordered_json stiffness_of_run(const ResolvedCase& resolved) {
 
 }  // namespace
 
-int present_sweep(const ResolvedCase& resolved, const SweepOutcome& outcome, const Options& options) {
+void take_points(const Options& options, SweepRequest& request) {
+  if (options.take_point)
+    request.take_row = [&options](const TableHead& head, const ResultRow& row) {
+      options.take_point(row_json(head, row));
+    };
+}
+
+nlohmann::ordered_json sweep_object(const ResolvedCase& resolved, const SweepOutcome& outcome, Record& form) {
   const FoundPeak found = find_peak(outcome);
-  const std::vector<std::string> warnings = sweep_warnings(resolved, outcome, found);
-  const std::vector<Verdict> verdicts = verdicts_of(stated_requirements(resolved), outcome);
+  nlohmann::ordered_json object =
+      sweep_json(outcome, found.peak, assumptions_json(resolved), sweep_warnings(resolved, outcome, found),
+                 versions_json());
+  form = sweep_form(found.peak);
+  Record judged;
+  for (Record* record : {&form, &judged})
+    describe_verdicts(*record, verdicts_of(stated_requirements(resolved), outcome));
+  object.update(json_of(judged));
+  if (resolved.axes().empty()) {
+    const PowerTable power = power_table(resolved);
+    object.update(json_of(record_of(power)));
+    describe(form, power);
+  }
+  if (resolved.axes().empty() && outcome.failed == 0 && outcome.header.fidelity == "quasi-static")
+    object["stiffness"] = stiffness_of_run(resolved);
+  object["units"].update(units_of(form));
+  return object;
+}
+
+int present_sweep(const ResolvedCase& resolved, const SweepOutcome& outcome, const Options& options) {
   if (options.json) {
-    nlohmann::ordered_json object =
-        sweep_json(outcome, found.peak, assumptions_json(resolved), warnings, versions_json());
-    Record form = sweep_form(found.peak), judged;
-    describe_verdicts(judged, verdicts);
-    describe_verdicts(form, verdicts);
-    object.update(json_of(judged));
-    if (resolved.axes().empty()) {
-      const PowerTable power = power_table(resolved);
-      object.update(json_of(record_of(power)));
-      describe(form, power);
-    }
-    if (resolved.axes().empty() && outcome.failed == 0 && outcome.header.fidelity == "quasi-static")
-      object["stiffness"] = stiffness_of_run(resolved);
+    Record form;
+    nlohmann::ordered_json object = sweep_object(resolved, outcome, form);
     print_result(std::move(object), form, options);
   } else if (!options.quiet) {
+    const FoundPeak found = find_peak(outcome);
     fmt::print("{}{}\n{}{}", lives_text_of(resolved, outcome), sweep_table(outcome.head, outcome.rows),
                life_chart(outcome.head, outcome.rows, found.peak, glyphs_of_locale()),
                spectrum_text(outcome.header, outcome.spectra));
-    if (!verdicts.empty()) fmt::print("\n{}", verdicts_text(verdicts));
-    print_warnings(warnings);
+    if (const auto verdicts = verdicts_of(stated_requirements(resolved), outcome); !verdicts.empty())
+      fmt::print("\n{}", verdicts_text(verdicts));
+    print_warnings(sweep_warnings(resolved, outcome, found));
   }
   if (outcome.failed == 0) return 0;
   print_failures(fmt::format("{} of {} points failed; their rows say why, the first: {}", outcome.failed,

@@ -25,6 +25,12 @@ void print_warnings(const std::vector<std::string>& warnings);
 /// Points that failed, in one line: to the caller who takes it, else on standard error.
 void print_failures(const std::string& line, const Options& options);
 
+/// Makes a sweep give each row to the caller who takes points.
+void take_points(const Options& options, SweepRequest& request);
+
+/// What --json prints of a sweep or of one of its points, finished or not. `form` receives what it is made of.
+nlohmann::ordered_json sweep_object(const ResolvedCase& resolved, const SweepOutcome& outcome, Record& form);
+
 /// Prints what a finished sweep found: JSON, or the table, the chart and the peak; points that failed are
 /// reported in any case. Returns the exit code.
 int present_sweep(const ResolvedCase& resolved, const SweepOutcome& outcome, const Options& options);

@@ -20,6 +20,7 @@ int run_command(const Options& options) {
   request.jobs = 1;
   request.resume = options.resume;
   request.quiet = options.quiet;
+  take_points(options, request);
   return present_sweep(resolved, run_sweep(request), options);
 }
 

@@ -39,6 +39,7 @@ int sweep_command(const Options& options) {
   request.jobs = options.jobs;
   request.resume = options.resume;
   request.quiet = options.quiet;
+  take_points(options, request);
   return present_sweep(resolved, run_sweep(request), options);
 }
 

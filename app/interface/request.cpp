@@ -62,6 +62,8 @@ Answer answer(const Request& request) {
   Answer answer{.result = "null"};
   options.take_result = [&](const Json& object) { answer.result = object.dump(); };
   options.take_failures = [&](const std::string& line) { answer.failures.push_back(line); };
+  if (request.point)
+    options.take_point = [&](const nlohmann::ordered_json& row) { request.point(row.dump()); };
   struct Stop {
     bool wished = false;
     ~Stop() {

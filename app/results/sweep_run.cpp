@@ -78,6 +78,14 @@ FinishedPoint finished_point(const SweepRequest& request, const SweepPoint& aske
   return point;
 }
 
+void keep(const SweepRequest& request, std::vector<FinishedPoint> points, ResultFolder& folder) {
+  std::vector<ResultRow> rows;
+  if (request.take_row)
+    for (const FinishedPoint& point : points) rows.push_back(point.row);
+  folder.keep(std::move(points));
+  for (const ResultRow& row : rows) request.take_row(folder.head(), row);
+}
+
 /// Points to be computed, and how.
 struct Work {
   std::vector<std::size_t> missing;                        // their numbers
@@ -94,7 +102,7 @@ void compute(const SweepRequest& request, const Work& work, ResultFolder& folder
     std::vector<FinishedPoint> points;
     for (study::ComputedPoint& point : computed)
       points.push_back(finished_point(request, work.point_of(point.index), std::move(point)));
-    folder.keep(std::move(points));
+    keep(request, std::move(points), folder);
     progress.show(folder.finished().size());
   };
   const auto evaluate = [&](std::size_t index) {
@@ -187,7 +195,7 @@ class ContinuationPath {
     if (is_computed(result.status) && result.dynamic) state_ = result.dynamic->final_state;
     std::vector<FinishedPoint> kept;
     kept.push_back(finished_point(request_, asked, {point, std::move(result)}));
-    folder_.keep(std::move(kept));
+    keep(request_, std::move(kept), folder_);
   }
 
   static Eigen::VectorXd stored_state(const std::filesystem::path& file) {
@@ -247,6 +255,8 @@ SweepOutcome swept(const SweepRequest& request) {
   ResultFolder folder =
       open_results(request.folder, request.header, request.resolved_case, request.resume, request.quiet);
   const std::size_t kept = folder.finished().size();
+  if (request.take_row)
+    for (const auto& [point, entry] : folder.finished()) request.take_row(folder.head(), entry.row);
   if (request.header.continued)
     compute_paths(request, folder);
   else

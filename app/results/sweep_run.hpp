@@ -57,6 +57,8 @@ struct SweepRequest {
   /// Nearest resonance of a point; asked of every point where header.resonances, on one thread.
   std::function<std::optional<Resonance>(const SweepPoint& point)> resonance_of{};
   std::optional<Refinement> refinement{};  // there where header.refined; shards leave it to `merge`
+  /// Receives each row as its point ends, first those that the folder holds; one call at a time.
+  std::function<void(const TableHead& head, const ResultRow& row)> take_row{};
   std::filesystem::path folder;            // empty: nothing is written
   int jobs = 0;                            // threads; 0: as many as the machine has
   bool resume = false;

@@ -131,14 +131,7 @@ MotionPlan motion_plan(const YAML::Node& node) {
   return plan;
 }
 
-// The folder of cases: of a wheel or of the source tree this program was built from, or beside an installed program.
-fs::path shipped_cases() {
-  const fs::path own = resources().folder / "share" / "orbearing" / "cases";
-  const fs::path in_tree = fs::path(source_folder) / "cases";
-  return !fs::is_directory(own) && fs::is_directory(in_tree) ? in_tree : own;
-}
-
-// That, and the folder of the cases that exist only to stand beside a source.
+// The shipped cases, and the folder of the cases that exist only to stand beside a source.
 std::array<fs::path, 2> folders_of_cases() {
   const fs::path shipped = shipped_cases();
   return {shipped, shipped / "validation"};

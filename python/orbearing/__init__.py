@@ -25,6 +25,8 @@ _PARTS = {
     "Gears": "machine",
     "Result": "results",
     "SweepResult": "results",
+    "Page": "opened_page",
+    "open": "opened_page",
     "CaseError": "errors",
     "ComputationError": "errors",
     "study": "studies",

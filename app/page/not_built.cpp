@@ -1,0 +1,13 @@
+// In place of the page's server where its library was missing as the program was built.
+#include "app/commands/command_line.hpp"
+#include "app/errors.hpp"
+
+namespace orbearing::app {
+
+int open_command(const Options&) {
+  throw ComputationFailed(
+      "open: this program was built without the page's server; install libcpp-httplib-dev (Debian) and build "
+      "it again");
+}
+
+}  // namespace orbearing::app

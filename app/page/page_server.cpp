@@ -1,0 +1,513 @@
+// Every line of this file that names httplib: it is slow to compile.
+#include "app/page/page_server.hpp"
+
+#include <fmt/format.h>
+#include <httplib.h>
+#include <sys/random.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cctype>
+#include <future>
+#include <map>
+#include <thread>
+
+#include "app/case/printable.hpp"
+#include "app/errors.hpp"
+#include "app/resources.hpp"
+#include "app/results/durable_file.hpp"
+#include "orbearing/case.hpp"
+
+namespace orbearing::app::page {
+
+namespace {
+
+namespace fs = std::filesystem;
+using httplib::Response;
+using Asked = httplib::Request;
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t largest_body = 4U << 20U;  // [byte]
+constexpr int most_at_once = 8;                  // that compute, or are read as they compute
+constexpr std::size_t threads = 48;  // of connections: more than compute, so that refusals are quick
+constexpr std::chrono::seconds request_limit{60};
+constexpr std::chrono::seconds report_limit{600};
+constexpr std::chrono::seconds silence{180};  // browsers call pages in the background once a minute
+constexpr std::chrono::seconds heartbeat{5};
+
+constexpr const char* policy =
+    "default-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; worker-src 'self' "
+    "blob:; "
+    "script-src 'self' 'wasm-unsafe-eval'; frame-ancestors 'none'";
+
+std::string random_token() {
+  unsigned char bytes[16];
+  if (getrandom(bytes, sizeof bytes, 0) != static_cast<ssize_t>(sizeof bytes))
+    throw ComputationFailed("no random numbers for the token of the page");
+  std::string token;
+  for (const unsigned char byte : bytes) token += fmt::format("{:02x}", byte);
+  return token;
+}
+
+// Takes the same time wherever they differ.
+bool same(const std::string& one, const std::string& other) {
+  unsigned difference = one.size() == other.size() ? 0U : 1U;
+  for (std::size_t i = 0; i < std::min(one.size(), other.size()); ++i)
+    difference |= static_cast<unsigned char>(one[i]) ^ static_cast<unsigned char>(other[i]);
+  return difference == 0;
+}
+
+std::string cookie(const Asked& asked, const std::string& name) {
+  const std::string header = asked.get_header_value("Cookie");
+  for (std::size_t begin = 0; begin < header.size();) {
+    const std::size_t end = std::min(header.find(';', begin), header.size());
+    const std::size_t first = header.find_first_not_of(' ', begin);
+    if (first < end && header.compare(first, name.size() + 1, name + "=") == 0)
+      return header.substr(first + name.size() + 1, end - first - name.size() - 1);
+    begin = end + 1;
+  }
+  return {};
+}
+
+// Not compressed, as a content of known text would be: the library takes seconds for a megabyte.
+void answer_text(Response& response, std::string text, const char* kind, int status = 200) {
+  response.status = status;
+  if (text.empty()) return response.set_content(text, kind);
+  const auto shared = std::make_shared<const std::string>(std::move(text));
+  response.set_content_provider(shared->size(), kind,
+                                [shared](std::size_t from, std::size_t length, httplib::DataSink& sink) {
+                                  return sink.write(shared->data() + from, length);
+                                });
+}
+
+void answer_json(Response& response, const Json& object, int status = 200) {
+  answer_text(response, object.dump(-1, ' ', false, Json::error_handler_t::replace), "application/json",
+              status);
+}
+
+void refuse_with(Response& response, int status, const std::string& reason) {
+  answer_json(response, {{"error", reason}}, status);
+}
+
+void answer_failure(Response& response, int code, const Json& errors) {
+  answer_json(response, {{"code", code}, {"errors", errors}}, code == 2 ? 422 : 500);
+}
+
+const char* kind_of(const fs::path& file) {
+  static const std::map<std::string, const char*> kinds{{".html", "text/html; charset=utf-8"},
+                                                        {".css", "text/css; charset=utf-8"},
+                                                        {".js", "text/javascript; charset=utf-8"},
+                                                        {".mjs", "text/javascript; charset=utf-8"},
+                                                        {".json", "application/json"},
+                                                        {".svg", "image/svg+xml"},
+                                                        {".png", "image/png"},
+                                                        {".wasm", "application/wasm"},
+                                                        {".woff2", "font/woff2"},
+                                                        {".map", "application/json"}};
+  const auto found = kinds.find(file.extension().string());
+  return found == kinds.end() ? nullptr : found->second;
+}
+
+// No number of these names leads out of their folder.
+bool is_plain_path(const std::string& path) {
+  constexpr std::string_view within = "-.+/";
+  bool begins = true;
+  for (const char c : path) {
+    const bool letter = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+    if (!letter && (begins || within.find(c) == std::string_view::npos)) return false;
+    begins = c == '/';
+  }
+  return !begins;
+}
+
+// The first of the folders that holds the file.
+void answer_file(Response& response, const std::vector<fs::path>& folders, const std::string& path) {
+  const char* kind = kind_of(path);
+  std::error_code ignored;
+  for (const fs::path& folder : folders)
+    if (kind != nullptr && is_plain_path(path) && fs::is_regular_file(folder / path, ignored)) {
+      return answer_text(response, read_file(folder / path), kind);
+    }
+  refuse_with(response, 404, "there is no such file");
+}
+
+// A computation that counts among those at once.
+class Slot {
+ public:
+  explicit Slot(std::atomic<int>& taken) : taken_(taken), free_(++taken <= most_at_once) {}
+  Slot(const Slot&) = delete;
+  Slot& operator=(const Slot&) = delete;
+  ~Slot() { --taken_; }
+  explicit operator bool() const { return free_; }
+
+ private:
+  std::atomic<int>& taken_;
+  bool free_;
+};
+
+// Which pages are there.
+class Presence {
+ public:
+  explicit Presence(std::chrono::seconds linger) : linger_(linger) {}
+  void sign() {
+    last_ = Clock::now();
+    closed_ = false;
+    seen_ = true;
+  }
+  void close() {
+    last_ = Clock::now();
+    closed_ = true;
+  }
+  bool gone() const {
+    return seen_ && Clock::now() - last_.load() > (closed_ ? linger_ : std::max(linger_, silence));
+  }
+
+ private:
+  std::chrono::seconds linger_;
+  std::atomic<Clock::time_point> last_ = Clock::now();
+  std::atomic<bool> closed_ = false, seen_ = false;
+};
+
+class PageServer {
+ public:
+  explicit PageServer(const PageSettings& settings)
+      : settings_(settings), workers_(settings.opened.folder), jobs_(workers_), presence_(settings.linger) {
+    server_.new_task_queue = [] { return new httplib::ThreadPool(threads); };
+    server_.set_keep_alive_max_count(1);  // a body that nobody read is no further request
+    server_.set_payload_max_length(largest_body);
+    server_.set_tcp_nodelay(true);
+    // Without the default's SO_REUSEPORT, by which another program could share the port.
+    server_.set_socket_options([](auto socket) {
+      const int yes = 1;
+      setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+    });
+    server_.set_pre_routing_handler(
+        [this](const Asked& asked, Response& response) { return admit(asked, response); });
+    server_.set_post_routing_handler([](const Asked&, Response& response) { add_headers(response); });
+    server_.set_error_handler([](const Asked&, Response& response) {
+      if (response.body.empty() && !response.content_provider_)
+        refuse_with(response, response.status, reason_of(response.status));
+    });
+    server_.set_exception_handler([](const Asked&, Response& response, const std::exception_ptr& failure) {
+      answer_exception(response, failure);
+    });
+    add_routes();
+  }
+
+  std::vector<fs::path> serve() {
+    bind();
+    lives_ = std::async(std::launch::async, [this] { return lives_as_opened(); });
+    std::thread listening([this] { server_.listen_after_bind(); });
+    settings_.started(fmt::format("http://127.0.0.1:{}/?token={}", port_, token_));
+    while (!settings_.interrupted() && (!presence_.gone() || jobs_.running()))
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    ending_ = true;
+    server_.stop();
+    listening.join();
+    return jobs_.end();
+  }
+
+ private:
+  void bind() {
+    const bool bound = settings_.port == 0 ? (port_ = server_.bind_to_any_port("127.0.0.1")) > 0
+                                           : server_.bind_to_port("127.0.0.1", port_ = settings_.port);
+    if (!bound)
+      throw ComputationFailed(
+          fmt::format("--port: {} is taken or may not be used; give another one, or none for a free one",
+                      settings_.port));
+    cookie_ = fmt::format("orbearing_token_{}", port_);
+    for (const char* host : {"127.0.0.1", "localhost"}) hosts_.push_back(fmt::format("{}:{}", host, port_));
+  }
+
+  static const char* reason_of(int status) {
+    switch (status) {
+      case 404:
+        return "there is no such address";
+      case 413:
+        return "larger than 4 MiB";
+      case 414:
+        return "an address that is too long";
+      default:
+        return "a request that cannot be read";
+    }
+  }
+
+  static void add_headers(Response& response) {
+    response.set_header("Cache-Control", "no-store");
+    response.set_header("X-Content-Type-Options", "nosniff");
+    response.set_header("Referrer-Policy", "no-referrer");
+    response.set_header("Content-Security-Policy", policy);
+  }
+
+  static void answer_exception(Response& response, const std::exception_ptr& failure) {
+    try {
+      std::rethrow_exception(failure);
+    } catch (const BadInput& error) {
+      Json errors = Json::array();
+      for (const std::string& line : error.messages) errors.push_back(printable(line));
+      answer_failure(response, 2, errors);
+    } catch (const std::exception& error) {
+      answer_failure(response, 1, {printable(error.what())});
+    }
+  }
+
+  bool is_own(const std::string& host) const { return std::ranges::find(hosts_, host) != hosts_.end(); }
+
+  bool has_token(const Asked& asked) const {
+    return same(asked.get_param_value("token"), token_) ||
+           same(asked.get_header_value("X-Orbearing-Token"), token_) || same(cookie(asked, cookie_), token_);
+  }
+
+  // Before anything of a body is read.
+  httplib::Server::HandlerResponse admit(const Asked& asked, Response& response) {
+    const auto refused = [&](int status, const char* reason) {
+      refuse_with(response, status, reason);
+      return httplib::Server::HandlerResponse::Handled;
+    };
+    const std::string origin = asked.get_header_value("Origin");
+    if (asked.get_header_value_count("Host") != 1 || !is_own(asked.get_header_value("Host")))
+      return refused(403, "another host than that of the page");
+    if (asked.has_header("Origin") && (!origin.starts_with("http://") || !is_own(origin.substr(7))))
+      return refused(403, "from another origin than the page");
+    if (!has_token(asked)) return refused(403, "without the token of the page's address");
+    if (asked.method != "GET" && asked.method != "HEAD" && asked.method != "POST" && asked.method != "DELETE")
+      return refused(405, "another method than GET, POST and DELETE");
+    if (asked.has_header("Transfer-Encoding")) return refused(411, "without Content-Length");
+    if (asked.has_header("Content-Encoding")) return refused(415, "a body that is compressed");
+    if (asked.is_multipart_form_data()) return refused(415, "a form; required: JSON");
+    if (asked.path != "/closed") presence_.sign();
+    return httplib::Server::HandlerResponse::Unhandled;
+  }
+
+  void add_routes() {
+    server_.Get("/", [this](const Asked& asked, Response& response) { answer_document(asked, response); });
+    server_.Get("/web/(.+)", [this](const Asked& asked, Response& response) {
+      answer_file(response, {settings_.files}, asked.matches[1]);
+    });
+    // Copied beside the page, as in a wheel, or where packages of Debian put them.
+    server_.Get("/lib/(.+)", [this](const Asked& asked, Response& response) {
+      answer_file(response, {settings_.files / "lib", "/usr/share/javascript"}, asked.matches[1]);
+    });
+    server_.Get("/schema/(case|result)", [](const Asked& asked, Response& response) {
+      answer_file(response, {shipped_cases()}, asked.matches[1].str() + ".schema.json");
+    });
+    server_.Get("/opened", [this](const Asked&, Response& response) {
+      answer_json(response, opened_json(settings_.opened));
+    });
+    server_.Get("/templates",
+                [](const Asked&, Response& response) { answer_json(response, templates_json()); });
+    server_.Get("/jobs/([0-9]+)/events",
+                [this](const Asked& asked, Response& response) { answer_events(asked, response); });
+    server_.Delete("/jobs/([0-9]+)",
+                   [this](const Asked& asked, Response& response) { stop_job(asked, response); });
+    post("/request", &PageServer::answer_request);
+    post("/jobs", &PageServer::start_job);
+    post("/report", &PageServer::answer_report);
+    post("/units", &PageServer::answer_units);
+    post("/save", &PageServer::answer_save);
+    server_.Post("/alive", [](const Asked&, Response& response) { answer_json(response, Json::object()); });
+    server_.Post("/closed", [this](const Asked&, Response& response) {
+      presence_.close();
+      answer_json(response, Json::object());
+    });
+  }
+
+  using Answering = void (PageServer::*)(const Asked&, const Json& body, Response&);
+
+  void post(const char* path, Answering answering) {
+    server_.Post(path, [this, answering](const Asked& asked, Response& response) {
+      const Json body = Json::parse(asked.body, nullptr, false);
+      if (body.is_discarded()) return refuse_with(response, 400, "a body that is no JSON");
+      (this->*answering)(asked, body, response);
+    });
+  }
+
+  void answer_document(const Asked& asked, Response& response) {
+    std::string page = read_file(settings_.files / "index.html"),
+                opened = opened_json(settings_.opened).dump();
+    for (std::size_t at = 0; (at = opened.find('<', at)) != std::string::npos;)
+      opened.replace(at, 1, "\\u003c");
+    const std::string mark = "<!--orbearing:opened-->";
+    if (const std::size_t at = page.find(mark); at != std::string::npos)
+      page.replace(at, mark.size(),
+                   lives_.get() + "<script type=\"application/json\" id=\"opened\">" + opened + "</script>");
+    if (asked.has_param("token"))
+      response.set_header("Set-Cookie",
+                          fmt::format("{}={}; HttpOnly; SameSite=Strict; Path=/", cookie_, token_));
+    answer_text(response, std::move(page), "text/html; charset=utf-8");
+  }
+
+  // Of models that have some: a signal or a film would take its time for none.
+  std::string lives_as_opened() try {
+    if (settings_.opened.text.empty()) return {};
+    const Case opened = Case::parse(settings_.opened.text);
+    const std::string model = opened.text("model");
+    Json request{{"command", "run"}, {"case_text", settings_.opened.text}};
+    if (model == "planetary-drivetrain" || model == "ball-bearing")
+      request["options"] = {{"fidelity", "quasi-static"}};
+    else if (model != "roller-bearing")
+      return no_lives("a case of the model " + model + " has none");
+    constexpr std::chrono::seconds limit{10};
+    const Message message = answer_within(workers_, request, limit, ending_);
+    if (message.payload.empty()) return no_lives(message.data.at("errors").at(0));
+    return lives_table(settings_.opened, Json::parse(message.payload));
+  } catch (const std::exception& error) {
+    return no_lives(error.what());
+  }
+
+  void answer_request(const Asked&, const Json& body, Response& response) {
+    require_sound_request(body);
+    const Slot slot(computing_);
+    if (!slot) return refuse_with(response, 429, "more than 8 requests at once");
+    Message message = answer_within(workers_, body, request_limit, ending_);
+    if (message.payload.empty())
+      return answer_failure(response, message.data.at("code"), message.data.at("errors"));
+    response.set_header("X-Orbearing-Code", message.data.at("code").dump());
+    answer_text(response, std::move(message.payload), "application/json");
+  }
+
+  void start_job(const Asked&, const Json& body, Response& response) {
+    require_sound_request(body, {"continue"});
+    try {
+      answer_json(response, {{"job", jobs_.start(body)}}, 202);
+    } catch (const ComputationFailed& error) {
+      refuse_with(response, 429, error.what());
+    }
+  }
+
+  void stop_job(const Asked& asked, Response& response) {
+    const std::shared_ptr<Job> job = jobs_.find(asked.matches[1]);
+    if (!job) return refuse_with(response, 404, "there is no such job");
+    job->stop();
+    answer_json(response, Json::object());
+  }
+
+  // A reader that was cut off goes on behind the last event it has.
+  static std::size_t last_event(const Asked& asked) {
+    const std::string last = asked.get_header_value("Last-Event-ID");
+    const bool number = !last.empty() && last.size() < 10 &&
+                        std::ranges::all_of(last, [](char c) { return c >= '0' && c <= '9'; });
+    return number ? std::stoul(last) : 0;
+  }
+
+  struct Reading {
+    std::shared_ptr<Job> job;
+    Job::Reader reader;
+    Slot slot;
+    std::size_t next;
+    std::size_t progress = 0;
+    Clock::time_point spoke = Clock::now();
+
+    Reading(std::shared_ptr<Job> read, std::atomic<int>& taken, std::size_t from)
+        : job(std::move(read)), reader(*job), slot(taken), next(from) {}
+  };
+
+  void answer_events(const Asked& asked, Response& response) {
+    const std::shared_ptr<Job> job = jobs_.find(asked.matches[1]);
+    if (!job) return refuse_with(response, 404, "there is no such job");
+    auto reading = std::make_shared<Reading>(job, reading_, last_event(asked));
+    if (!reading->slot) return refuse_with(response, 429, "more than 8 readers at once");
+    response.status = 200;
+    response.set_chunked_content_provider(
+        "text/event-stream",
+        [this, reading](std::size_t, httplib::DataSink& sink) { return tell_events(*reading, sink); });
+  }
+
+  bool tell_events(Reading& reading, httplib::DataSink& sink) {
+    if (ending_ || !sink.is_writable()) return false;
+    presence_.sign();
+    const NewEvents found = reading.job->events(reading.next, reading.progress);
+    std::string text;
+    for (const std::string& one : found.texts) text += one;
+    if (text.empty() && Clock::now() - reading.spoke > heartbeat) text = ":\n\n";
+    if (!text.empty()) {
+      reading.spoke = Clock::now();
+      if (!sink.write(text.data(), text.size())) return false;
+    }
+    reading.next = found.next;
+    reading.progress = found.progress;
+    if (found.ended) sink.done();
+    return true;
+  }
+
+  // Of a case, or of a job's results.
+  void answer_report(const Asked& asked, const Json& body, Response& response) {
+    if (asked.get_param_value("form") == "pdf") return refuse_with(response, 501, "no report as PDF");
+    Json request{{"command", "report"}};
+    const Slot slot(computing_);
+    if (!slot) return refuse_with(response, 429, "more than 8 requests at once");
+    if (body.is_object() && body.contains("job")) {
+      const std::shared_ptr<Job> job =
+          jobs_.find(body["job"].is_string() ? body["job"].get<std::string>() : "");
+      if (!job || !job->ended() || job->folder().empty())
+        return refuse_with(response, 404, "there is no such job with results");
+      request["folder"] = job->folder().string();
+      return answer_page(request, response);
+    }
+    Json swept = body;
+    if (swept.is_object()) swept["command"] = "sweep";
+    require_sound_request(swept);
+    const TemporaryFolder folder;
+    swept["command"] = "report";
+    swept["folder"] = (folder.path / "results").string();
+    answer_page(swept, response);
+  }
+
+  struct TemporaryFolder {
+    fs::path path;
+    TemporaryFolder() {
+      std::string name = (fs::temp_directory_path() / "orbearing-XXXXXX").string();
+      if (mkdtemp(name.data()) == nullptr) throw ComputationFailed(name + ": cannot be made");
+      path = name;
+    }
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+    ~TemporaryFolder() {
+      std::error_code ignored;
+      fs::remove_all(path, ignored);
+    }
+  };
+
+  // As text: the page shows it in a frame that runs no script.
+  void answer_page(const Json& request, Response& response) {
+    Message message = answer_within(workers_, request, report_limit, ending_);
+    if (message.payload.empty())
+      return answer_failure(response, message.data.at("code"), message.data.at("errors"));
+    answer_text(response, std::move(message.payload), "text/plain; charset=utf-8");
+  }
+
+  void answer_units(const Asked&, const Json& body, Response& response) {
+    answer_json(response, converted(body));
+  }
+
+  void answer_save(const Asked&, const Json& body, Response& response) {
+    if (settings_.opened.folder.empty())
+      return refuse_with(response, 409, "no folder was opened: download the file");
+    if (!body.is_object() || body.size() != 2 || !body.contains("file") || !body.contains("text") ||
+        !body["file"].is_string() || !body["text"].is_string())
+      throw BadInput("request: found another object; required: the texts file and text");
+    save(settings_.opened, body["file"], body["text"].get<std::string>());
+    answer_json(response, {{"file", body["file"]}});
+  }
+
+  const PageSettings& settings_;
+  const std::string token_ = random_token();
+  int port_ = 0;
+  std::string cookie_;
+  std::vector<std::string> hosts_;
+  Workers workers_;
+  Jobs jobs_;
+  Presence presence_;
+  std::atomic<bool> ending_ = false;
+  std::atomic<int> computing_ = 0, reading_ = 0;
+  std::shared_future<std::string> lives_;
+  httplib::Server server_;
+};
+
+}  // namespace
+
+std::vector<fs::path> serve_page(const PageSettings& settings) {
+  return PageServer(settings).serve();
+}
+
+}  // namespace orbearing::app::page

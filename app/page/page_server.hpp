@@ -1,0 +1,27 @@
+// The server of the page, on the loopback address alone.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <string>
+
+#include "app/page/jobs.hpp"
+#include "app/page/opened.hpp"
+
+namespace orbearing::app::page {
+
+/// How the page is served.
+struct PageSettings {
+  Opened opened;
+  std::filesystem::path files;        // index.html and what it loads
+  int port = 0;                       // 0: one that is free
+  std::chrono::seconds linger{60};    // after the last page has gone
+  std::function<bool()> interrupted;  // whether the program shall end
+  std::function<void(const std::string& address)> started;
+};
+
+/// Serves until it is interrupted or the last page has gone. Returns folders of results that are kept. Throws
+/// ComputationFailed where the port is taken.
+std::vector<std::filesystem::path> serve_page(const PageSettings& settings);
+
+}  // namespace orbearing::app::page
