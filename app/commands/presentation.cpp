@@ -104,8 +104,12 @@ nlohmann::ordered_json sweep_object(const ResolvedCase& resolved, const SweepOut
     object.update(json_of(record_of(power)));
     describe(form, power);
   }
-  if (resolved.axes().empty() && outcome.failed == 0 && outcome.header.fidelity == "quasi-static")
+  if (resolved.axes().empty() && outcome.failed == 0 && outcome.header.fidelity == "quasi-static") {
     object["stiffness"] = stiffness_of_run(resolved);
+    const std::vector<RollerLoads> rollers = roller_loads(resolved);
+    object.update(json_of(record_of(rollers)));
+    describe(form, rollers);
+  }
   object["units"].update(units_of(form));
   return object;
 }

@@ -88,7 +88,8 @@ void add_motion(const gearset::PlanetarySet& set, const gearset::MeanLoads& gear
 void add_duty(const study::PlanetaryDrivetrain& drivetrain, const study::BearingDuty& duty,
               std::vector<Derived>& rows) {
   add_motion(drivetrain.set, duty.gears, rows);
-  const std::string whose = drivetrain.uneven_planets ? "; planets carry unlike loads, this is their mean" : "";
+  const std::string whose =
+      drivetrain.uneven_planets ? "; planets carry unlike loads, this is their mean" : "";
   rows.push_back({"operation.bore_load_x", duty.point.bore_load.x(), "N",
                   "gears and planet on one bearing, outward; cage and rollers not included" + whose});
   rows.push_back(
@@ -122,8 +123,7 @@ void add_bearing(const study::PlanetaryDrivetrain& drivetrain, const study::Driv
   if (!stated.static_capacity)
     rows.push_back({"bearing.static_capacity", ratings.static_capacity, "N", "C_0 of ISO 76"});
   if (!stated.fatigue_load_limit)
-    rows.push_back(
-        {"bearing.fatigue_load_limit", ratings.fatigue_load_limit, "N", "C_u of ISO 281, by C_0"});
+    rows.push_back({"bearing.fatigue_load_limit", ratings.fatigue_load_limit, "N", "C_u of ISO 281, by C_0"});
 }
 
 // From the shelf to the running bearing, and how it runs at each swept speed.
@@ -165,11 +165,13 @@ std::vector<std::string> cage_warnings(const ResolvedCase& resolved) {
   for (const Input& input : resolved.inputs()) {
     if (input.field->path != "bearing.cage.inner_diameter" || !resolved.has(input.path)) continue;
     const std::string set = input.path.substr(0, set_prefix_length(input.path));
-    const std::string land = set + "bearing.cage.guide_land_diameter", complement = set + "bearing.complement";
+    const std::string land = set + "bearing.cage.guide_land_diameter",
+                      complement = set + "bearing.complement";
     if (resolved.has(land) || (resolved.has(complement) && resolved.choice(complement) == "full")) continue;
-    warnings.push_back(land +
-                       ": not stated; no land guides the cage in motion (--fidelity dynamic and above), only its "
-                       "pockets hold it, and it may come out");
+    warnings.push_back(
+        land +
+        ": not stated; no land guides the cage in motion (--fidelity dynamic and above), only its "
+        "pockets hold it, and it may come out");
   }
   return warnings;
 }
@@ -400,6 +402,65 @@ void describe(described::Record& record, const PowerTable& table) {
                                    "of the input power, carried by one member", of.largest_share);
                  circulation.value("members", "that carry more than the input", of.circulating);
                });
+}
+
+namespace {
+
+// Along the roller whose most loaded lamina carries most on the inner race.
+void put_pressures(const study::NamedSet& set, const study::LaminaRecord& laminae, RollerLoads& loads) {
+  const bearing::Bearing& bearing = set.drivetrain.bearing;
+  const auto count = static_cast<std::ptrdiff_t>(laminae.lamina_position.size());
+  const auto most = std::ranges::max_element(laminae.inner_load) - laminae.inner_load.begin();
+  const auto along_roller = [&](const std::vector<double>& lamina_loads, bearing::Race race) {
+    std::vector<double> pressures;
+    for (std::ptrdiff_t k = 0; k < count; ++k)
+      pressures.push_back(bearing::hertz_pressure(
+          static_cast<double>(count) * lamina_loads[static_cast<std::size_t>(most / count * count + k)],
+          bearing::equivalent_radius(set.geometry.bearing, race), bearing.rollers().length,
+          bearing.material));
+    return pressures;
+  };
+  loads.along = laminae.lamina_position;
+  loads.inner_pressure = along_roller(laminae.inner_load, bearing::Race::inner);
+  loads.outer_pressure = along_roller(laminae.outer_load, bearing::Race::outer);
+}
+
+}  // namespace
+
+std::vector<RollerLoads> roller_loads(const ResolvedCase& resolved) {
+  std::vector<RollerLoads> all;
+  for (const study::NamedSet& set : bearing_sets(resolved)) {
+    const study::PointResult point =
+        study::evaluate(set.drivetrain, set.geometry, study::Fidelity::quasi_static);
+    RollerLoads& loads = all.emplace_back(RollerLoads{.set = set.name, .by_position = point.distribution});
+    if (point.laminae) put_pressures(set, *point.laminae, loads);
+  }
+  return all;
+}
+
+void describe(described::Record& row, const RollerLoads& loads) {
+  using namespace described;
+  row.value("set", "of gears; empty in a case of one set", loads.set);
+  row.array("angle_deg", dimension::angle,
+            "position in the load zone, from the outward radial direction towards carrier rotation",
+            {"position"}, loads.by_position.angle);
+  row.array("inner_load_N", dimension::force, "load of a roller on the inner race", {"position"},
+            loads.by_position.inner_load);
+  row.array("outer_load_N", dimension::force, "load of a roller on the outer race", {"position"},
+            loads.by_position.outer_load);
+  row.array("along_mm", dimension::length,
+            "middle of a lamina, from the middle of the roller; none of whole contacts", {"lamina"},
+            loads.along);
+  row.array("inner_pressure_MPa", dimension::pressure,
+            "pressure along the most loaded roller on the inner race, after Hertz", {"lamina"},
+            loads.inner_pressure);
+  row.array("outer_pressure_MPa", dimension::pressure,
+            "pressure along the same roller on the outer race, after Hertz", {"lamina"},
+            loads.outer_pressure);
+}
+
+void describe(described::Record& record, const std::vector<RollerLoads>& sets) {
+  record.table("roller_loads", "set", "loads of the rollers of one bearing by position", sets);
 }
 
 }  // namespace orbearing::app

@@ -69,4 +69,23 @@ PowerTable power_table(const ResolvedCase& resolved);
 /// {present, largest_share, members}`.
 void describe(described::Record& record, const PowerTable& table);
 
+// Loads of the rollers of a planet bearing by position, which drawings of a bearing show.
+
+/// Of one bearing of a set at a case's operating point, quasi-static. The most loaded roller is that of the
+/// inner race; what is along it there is of a bearing cut into laminae alone.
+struct RollerLoads {
+  std::string set;  // empty in a case of one set
+  study::LoadDistribution by_position;
+  std::vector<double> along;           // [m]   (laminae)  from the middle of the roller
+  std::vector<double> inner_pressure;  // [Pa]  (laminae)  of the most loaded roller, after Hertz
+  std::vector<double> outer_pressure;  // [Pa]  (laminae)
+};
+
+/// Of all sets with bearings. Throws std::runtime_error where a bearing has no equilibrium.
+std::vector<RollerLoads> roller_loads(const ResolvedCase& resolved);
+
+/// `roller_loads: [{set, angle_deg, inner_load_N, outer_load_N, along_mm, inner_pressure_MPa,
+/// outer_pressure_MPa}]`.
+void describe(described::Record& record, const std::vector<RollerLoads>& sets);
+
 }  // namespace orbearing::app
