@@ -417,8 +417,8 @@ export class MeshCard extends AskedCard {
     const first = [...new Map(meshes.map((mesh) => [mesh.name.replace(/ \d+$/, ""), mesh]))];
     this.chart.set({series: first.map(([name, mesh], i) => ({key: name, label: name, colour: COLOURS[i], points: mesh.curve.map(([x, y]) => [x, y])})), x: {label: "share of the mesh period"}, y: {label: "stiffness", unit: "N/m"}});
     this.table?.remove();
-    this.table = element("table", {class: "grid"}, element("thead", {}, element("tr", {}, ...["mesh", "contact ratio", "mean (N/m)", "min (N/m)", "max (N/m)"].map((text) => element("th", {scope: "col"}, text)))),
-      element("tbody", {}, ...first.map(([name, mesh]) => element("tr", {}, element("th", {scope: "row"}, name), ...["contact_ratio", "mean_N_per_m", "min_N_per_m", "max_N_per_m"].map((key) => element("td", {}, figure(mesh[key])))))));
+    this.table = element("div", {class: "scroll", tabindex: 0, role: "region", "aria-label": "meshes"}, element("table", {class: "grid"}, element("thead", {}, element("tr", {}, ...["mesh", "contact ratio", "mean (N/m)", "min (N/m)", "max (N/m)"].map((text) => element("th", {scope: "col"}, text)))),
+      element("tbody", {}, ...first.map(([name, mesh]) => element("tr", {}, element("th", {scope: "row"}, name), ...["contact_ratio", "mean_N_per_m", "min_N_per_m", "max_N_per_m"].map((key) => element("td", {}, figure(mesh[key]))))))));
     this.shown.append(this.table);
   }
 }
