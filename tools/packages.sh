@@ -53,6 +53,14 @@ chromium-driver: the same, moved by a test
 python3-selenium: the same, steps of the test
 '
 
+site_packages='
+emscripten: the page with its core in the browser (WebAssembly)
+dpkg-dev: unpacks the sources of yaml-cpp and NLopt for it
+chromium: browser of its tests
+chromium-driver: the same
+python3-selenium: the same
+'
+
 bench_packages='
 libbenchmark-dev: times of small kernels
 libsundials-dev: CVODE, the general-purpose integrator to compare with

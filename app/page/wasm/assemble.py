@@ -1,0 +1,38 @@
+#!/usr/bin/env python3
+"""Puts the page with engine B together as a folder of static files: assemble.py BUILD FOLDER.
+
+BUILD is where engine_wasm.js and engine_wasm.wasm were built. Any file server shows the folder.
+"""
+import json
+import shutil
+import sys
+from pathlib import Path
+
+SOURCE = Path(__file__).resolve().parents[3]
+
+
+def template(file):
+    """A case to begin from; its first line is "# TITLE: PURPOSE"."""
+    text = file.read_text(encoding="utf-8")
+    title, purpose = text.splitlines()[0].removeprefix("# ").split(": ", 1)
+    return {"name": file.stem, "title": title, "purpose": purpose, "text": text}
+
+
+def assemble(build, folder):
+    shutil.rmtree(folder, ignore_errors=True)
+    pages = SOURCE / "app" / "page" / "web"
+    web = folder / "web"
+    shutil.copytree(pages, web)
+    if (web / "index.html").exists():
+        (web / "index.html").rename(folder / "index.html")
+    for name in ("engine_wasm.js", "engine_wasm.wasm"):
+        shutil.copy(build / name, web)
+    (web / "schema").mkdir()
+    for which in ("case", "result"):
+        shutil.copy(SOURCE / "cases" / f"{which}.schema.json", web / "schema" / f"{which}.json")
+    templates = [template(file) for file in sorted((SOURCE / "cases" / "templates").glob("*.yaml"))]
+    (web / "templates.json").write_text(json.dumps(templates, ensure_ascii=False), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    assemble(Path(sys.argv[1]), Path(sys.argv[2]))

@@ -1,0 +1,84 @@
+# The core as WebAssembly: the target `engine`, for Emscripten. Read by CMake behind project(), as
+# CMAKE_PROJECT_Orbearing_INCLUDE (build.sh), so that the other build files hold nothing about browsers. Sources are
+# those that the folders list; left out is what needs threads, netCDF, processes or FMUs.
+
+# Headers of Debian's packages: /usr/include itself holds those of another C library.
+set(headers "${PROJECT_BINARY_DIR}/headers")
+file(MAKE_DIRECTORY "${headers}")
+foreach(name IN ITEMS boost CLI fmt nlohmann nlopt.h nlopt.hpp udunits2.h converter.h pugixml.hpp pugiconfig.hpp)
+  file(CREATE_LINK "/usr/include/${name}" "${headers}/${name}" SYMBOLIC)
+endforeach()
+include_directories(SYSTEM "${headers}" /usr/include/eigen3)
+
+# All there is to be found stands above and below, and nothing is installed.
+foreach(command IN ITEMS find_package install export configure_package_config_file)
+  function(${command})
+  endfunction()
+endforeach()
+foreach(target IN ITEMS Eigen3::Eigen Boost::headers TBB::tbb NLopt::nlopt CLI11::CLI11 fmt::fmt
+        nlohmann_json::nlohmann_json pugixml::pugixml)
+  add_library(${target} INTERFACE IMPORTED GLOBAL)
+endforeach()
+set_target_properties(fmt::fmt PROPERTIES INTERFACE_COMPILE_DEFINITIONS FMT_HEADER_ONLY)
+foreach(library IN ITEMS UDUNITS2 NETCDF LIBZIP)
+  set(${library}_LIBRARY "not needed" CACHE STRING "")
+endforeach()
+
+# Warnings are the business of the program's own compilers.
+add_compile_options(-fwasm-exceptions -msimd128 -w)
+
+# Sources of Debian's packages, which build.sh has brought here.
+set(BUILD_SHARED_LIBS OFF)
+foreach(option IN ITEMS YAML_CPP_BUILD_CONTRIB YAML_CPP_BUILD_TOOLS YAML_CPP_BUILD_TESTS YAML_CPP_INSTALL BUILD_TESTING
+        NLOPT_CXX NLOPT_PYTHON NLOPT_OCTAVE NLOPT_MATLAB NLOPT_GUILE NLOPT_SWIG NLOPT_TESTS)
+  set(${option} OFF CACHE BOOL "" FORCE)
+endforeach()
+foreach(package IN ITEMS yaml-cpp nlopt)
+  file(GLOB folder LIST_DIRECTORIES true "${ORBEARING_SOURCES_OF_PACKAGES}/${package}-*")
+  add_subdirectory("${folder}" "${PROJECT_BINARY_DIR}/${package}" EXCLUDE_FROM_ALL)
+endforeach()
+target_compile_options(yaml-cpp PRIVATE -Os)
+target_compile_options(nlopt PRIVATE -O2)
+
+# Behind all targets: the program's sources become those of the engine.
+function(orbearing_engine)
+  set(here "${PROJECT_SOURCE_DIR}/app/page/wasm")
+  set(missing "SHELL:-include ${here}/missing_library.hpp")
+  set_source_files_properties("${PROJECT_SOURCE_DIR}/coupling/study/parallel.cpp"
+    TARGET_DIRECTORY orbearing_coupling PROPERTIES HEADER_FILE_ONLY ON)
+  set_target_properties(orbearing_mechanics orbearing_gearset orbearing_bearing orbearing_coupling orbearing_fmu_core
+    PROPERTIES POSITION_INDEPENDENT_CODE OFF)
+  foreach(library IN ITEMS mechanics gearset bearing coupling fmu_core)
+    target_compile_options(orbearing_${library} PRIVATE ${missing})
+  endforeach()
+  get_target_property(sources orbearing_app_core SOURCES)
+  get_target_property(case_sources orbearing_app_case SOURCES)
+  list(APPEND sources ${case_sources} interface/case.cpp interface/request.cpp)
+  list(FILTER sources EXCLUDE REGEX
+    "^\\$<|^page/|commands/(fmu|merge|new_case|python_part|report|spectrum|validate)\\.cpp")
+  list(FILTER sources EXCLUDE REGEX
+    "results/(merge|point_file)\\.cpp|study/(expected_file|fmu_model|load_series|report_data|validation_table)\\.cpp")
+  list(TRANSFORM sources PREPEND "${PROJECT_SOURCE_DIR}/app/")
+  add_custom_command(OUTPUT "${PROJECT_BINARY_DIR}/units/units_table.hpp"
+    COMMAND /usr/bin/python3 "${here}/units_table.py" "${PROJECT_BINARY_DIR}/units/units_table.hpp"
+    DEPENDS "${here}/units_table.py")
+  file(MAKE_DIRECTORY "${PROJECT_BINARY_DIR}/units")
+  set(own "${here}/engine.cpp" "${here}/stand_ins.cpp" "${here}/units_by_table.cpp")
+  add_executable(engine ${sources} ${own} "${PROJECT_BINARY_DIR}/units/units_table.hpp")
+  orbearing_compile_options(engine)
+  set_target_properties(engine PROPERTIES POSITION_INDEPENDENT_CODE OFF)
+  target_compile_options(engine PRIVATE -Os ${missing})
+  get_target_property(folders orbearing_app_needs INTERFACE_INCLUDE_DIRECTORIES)
+  target_include_directories(engine PRIVATE ${folders} "${PROJECT_BINARY_DIR}/units")
+  target_link_libraries(engine PRIVATE orbearing::coupling nlopt yaml-cpp fmt::fmt)
+  orbearing_unity_build(engine 2)
+  set_source_files_properties(${own} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  # A script for importScripts() of a worker, and for the tests' node.
+  target_link_options(engine PRIVATE -fwasm-exceptions -Os
+    -sMODULARIZE -sEXPORT_NAME=orbearingEngine -sENVIRONMENT=worker,node -sFORCE_FILESYSTEM
+    -sEXPORTED_FUNCTIONS=_orbearing_answer,_malloc,_free "SHELL:-sDEFAULT_LIBRARY_FUNCS_TO_INCLUDE=\$stringToNewUTF8"
+    -sEXPORTED_RUNTIME_METHODS=FS,UTF8ToString,stringToNewUTF8
+    -sALLOW_MEMORY_GROWTH -sINITIAL_MEMORY=32MB -sTOTAL_STACK=4MB)
+  set_target_properties(engine PROPERTIES OUTPUT_NAME engine_wasm RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}")
+endfunction()
+cmake_language(DEFER CALL orbearing_engine)

@@ -1,0 +1,76 @@
+// What the engine does without: threads, netCDF files, FMUs, Python, records of measurements. Points are computed one
+// after the other; commands that need the rest are not among those that a page asks for.
+#include <filesystem>
+#include <stdexcept>
+
+#include "app/commands/command_line.hpp"
+#include "app/commands/python_part.hpp"
+#include "app/results/point_file.hpp"
+#include "coupling/study/parallel.hpp"
+#include "mechanics/cancellation.hpp"
+
+namespace orbearing::study {
+
+void in_parallel(std::size_t count, int, const std::function<void(std::size_t)>& work) {
+  for (std::size_t i = 0; i < count; ++i) {
+    throw_if_stopped();
+    work(i);
+  }
+}
+
+void compute_points(const std::vector<std::size_t>& indices, int, const Evaluate& evaluate, const Deliver& deliver) {
+  for (const std::size_t index : indices) {
+    throw_if_stopped();
+    PointResult result;
+    try {
+      result = evaluate(index);
+    } catch (const std::exception& error) {
+      result.status = error.what();
+    }
+    std::vector<ComputedPoint> points;
+    points.push_back({index, std::move(result)});
+    deliver(std::move(points));
+  }
+}
+
+}  // namespace orbearing::study
+
+namespace orbearing::app {
+
+std::vector<std::pair<std::string, std::string>> result_attributes(const ManifestHeader&, const std::string&,
+                                                                   const std::string&) {
+  return {};
+}
+PointContent point_content(const ManifestHeader&, std::size_t, const std::vector<double>&, const study::PointResult&) {
+  return {};
+}
+void add_location_in_sweep(bool, const std::optional<Resonance>&, PointContent&) {}
+
+// A sweep that was stopped goes on with --resume, for which each point has its file.
+std::string netcdf_bytes(const PointContent&) {
+  return "no arrays in a browser\n";
+}
+std::vector<double> read_final_state(const std::filesystem::path&) {
+  return {};
+}
+
+const std::vector<PythonCommand>& python_commands() {
+  static const std::vector<PythonCommand> none;
+  return none;
+}
+void hand_over(int, char**) {}
+
+// Commands that a page never asks for.
+#define ORBEARING_NO_COMMAND(name)                   \
+  int name##_command(const Options&) {               \
+    throw std::logic_error(#name ": no command of the engine"); \
+  }
+ORBEARING_NO_COMMAND(fmu)
+ORBEARING_NO_COMMAND(merge)
+ORBEARING_NO_COMMAND(new)
+ORBEARING_NO_COMMAND(open)
+ORBEARING_NO_COMMAND(report)
+ORBEARING_NO_COMMAND(spectrum)
+ORBEARING_NO_COMMAND(validate)
+
+}  // namespace orbearing::app
