@@ -8,7 +8,6 @@
 #include <iterator>
 #include <utility>
 
-#include "app/case/printable.hpp"
 #include "app/errors.hpp"
 #include "app/version.hpp"
 

@@ -1,5 +1,5 @@
-// What the program reads beside itself: libraries of FMUs, shipped cases and templates, the Python package; and
-// who runs that.
+// What the program reads beside itself: libraries of FMUs, shipped cases and templates, the Python package;
+// and who runs that.
 #pragma once
 
 #include <filesystem>

@@ -19,7 +19,8 @@ namespace orbearing::app {
 inline constexpr std::size_t largest_rows_file = 4U << 20U;
 inline constexpr std::size_t most_file_rows = 10000;
 
-/// From now on this process reads such files from `folder` and what is below it alone; from nowhere where it is empty.
+/// From now on this process reads such files from `folder` and what is below it alone; from nowhere where it
+/// is empty.
 void keep_row_files_within(const std::filesystem::path& folder);
 
 /// Name and unit of a column's header: "torque_N_m" is "torque" and "N.m". The name is empty where none of

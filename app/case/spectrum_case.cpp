@@ -168,9 +168,10 @@ void check_torque(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
     add_error(stated.back(), fmt::format("a duty stated by {}", fmt::join(stated, " and ")),
               "one of them is required");
   if (in.has(kTorquePath) && in.has(kSpeedPath) && !in.has(kPowerPath))
-    add_error(kTorquePath,
-              fmt::format("{:g} kW at input.speed", 1e-3 * in.quantity(kTorquePath) * in.quantity(kSpeedPath)),
-              "a torque that makes 1e-06 to 1e7 kW is required");
+    add_error(
+        kTorquePath,
+        fmt::format("{:g} kW at input.speed", 1e-3 * in.quantity(kTorquePath) * in.quantity(kSpeedPath)),
+        "a torque that makes 1e-06 to 1e7 kW is required");
   if (in.has(kTorqueCurvePath) && in.has(kSpeedPath) && !in.has(kPowerPath) &&
       torque_at(in.list(kTorqueCurvePath), in.quantity(kSpeedPath)))
     add_error(kTorqueCurvePath, "no torque at input.speed", "a torque above 0 at each speed is required");

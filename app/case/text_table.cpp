@@ -288,11 +288,10 @@ bool TextTable::next(std::vector<TableCell>& cells) {
   cells = split_cells(line.text, separator_);
   if (separator_ == '\t' && cells.size() == heads_.size() + 1 && cells.back().text.empty()) cells.pop_back();
   if (cells.size() == heads_.size()) return true;
-  TableFault fault{
-      line_,
-      1,
-      {fmt::format("{} values", cells.size()),
-       fmt::format("a row of {} values as in line {}", heads_.size(), head_line_)}};
+  TableFault fault{line_,
+                   1,
+                   {fmt::format("{} values", cells.size()),
+                    fmt::format("a row of {} values as in line {}", heads_.size(), head_line_)}};
   if (cells.size() > heads_.size()) fault.column = cells[heads_.size()].column;
   if (separator_ == ',' && splits_decimal_commas(cells, heads_.size()))
     fault.message.found +=

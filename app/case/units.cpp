@@ -96,12 +96,21 @@ struct DataSheetUnit {
   std::string_view written;
   std::string_view meant;
 };
-constexpr DataSheetUnit kDataSheetUnits[] = {
-    {"rad/s", "1/min", "rpm"},      {"rad/s", "min-1", "rpm"}, {"rad/s", "min^-1", "rpm"},
-    {"rad/s", "/min", "rpm"},       {"rad/s", "r/min", "rpm"}, {"rad/s", "rev/min", "rpm"},
-    {"rad/s", "min\u207b\u00b9", "rpm"}, {"degC", "C", "degC"},     {"Pa.s", "cP", "mPa.s"},
-    {"m2/s", "cSt", "mm2/s"},       {"m", "mum", "um"},        {"rad/s", "U/min", "rpm"},
-    {"N.m", "Nm", "N.m"},           {"N.m", "kNm", "kN.m"},    {"N.m", "MNm", "MN.m"}};
+constexpr DataSheetUnit kDataSheetUnits[] = {{"rad/s", "1/min", "rpm"},
+                                             {"rad/s", "min-1", "rpm"},
+                                             {"rad/s", "min^-1", "rpm"},
+                                             {"rad/s", "/min", "rpm"},
+                                             {"rad/s", "r/min", "rpm"},
+                                             {"rad/s", "rev/min", "rpm"},
+                                             {"rad/s", "min\u207b\u00b9", "rpm"},
+                                             {"degC", "C", "degC"},
+                                             {"Pa.s", "cP", "mPa.s"},
+                                             {"m2/s", "cSt", "mm2/s"},
+                                             {"m", "mum", "um"},
+                                             {"rad/s", "U/min", "rpm"},
+                                             {"N.m", "Nm", "N.m"},
+                                             {"N.m", "kNm", "kN.m"},
+                                             {"N.m", "MNm", "MN.m"}};
 
 std::string_view meant_unit(std::string_view unit, std::string_view target) {
   const auto found = std::find_if(

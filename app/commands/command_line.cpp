@@ -234,15 +234,17 @@ void add_sensitivities(CLI::App& command, Options& options) {
 
 void add_spectrum(CLI::App& command, Options& options) {
   command
-      .add_option("SERIES", options.folders,
-                  "records over time: CSV, output of OpenFAST (.out, .outb) or netCDF, with time, speed and torque "
-                  "or power of the driving member")
+      .add_option(
+          "SERIES", options.folders,
+          "records over time: CSV, output of OpenFAST (.out, .outb) or netCDF, with time, speed and torque "
+          "or power of the driving member")
       ->required()
       ->expected(1);
   const auto add_column = [&](const char* name, std::string& column, const std::string& of) {
     command.add_option(name, column, of)->check(not_empty)->type_name("COLUMN");
   };
-  add_column("--torque", options.columns.torque, "name of the column of torque; default: one that begins with torque");
+  add_column("--torque", options.columns.torque,
+             "name of the column of torque; default: one that begins with torque");
   add_column("--power", options.columns.power, "the same of power, in place of torque");
   add_column("--speed", options.columns.speed, "the same of speed; units are those of the file");
   add_column("--time", options.columns.time, "the same of time");
@@ -261,17 +263,18 @@ void add_spectrum(CLI::App& command, Options& options) {
 }
 
 void add_new(CLI::App& command, Options& options) {
-  command
-      .add_option("TEMPLATE", options.template_name, fmt::format("{}", fmt::join(template_names(), ", ")))
+  command.add_option("TEMPLATE", options.template_name, fmt::format("{}", fmt::join(template_names(), ", ")))
       ->required();
   command.add_option("FILE", options.output, "case file to be made; one that exists is left as it is")
       ->required();
 }
 
 void add_open(CLI::App& command, Options& options) {
-  command.add_option("WHAT", options.case_file,
-                     "case file, folder of results, or template (" +
-                         fmt::format("{}", fmt::join(template_names(), ", ")) + "); default: the choice of these")
+  command
+      .add_option("WHAT", options.case_file,
+                  "case file, folder of results, or template (" +
+                      fmt::format("{}", fmt::join(template_names(), ", ")) +
+                      "); default: the choice of these")
       ->type_name("CASE|TEMPLATE|DIR");
   command.add_flag("--no-browser", options.no_browser, "print the address of the page, and open no browser");
   command.add_option("--port", options.port, "port on the loopback address; default: one that is free")
@@ -358,8 +361,9 @@ void add_commands(CommandTable table) {
   add_jobs(validate, options);
   CLI::App& report =
       table.add("report", "write DIR/report.html, and DIR/report.pdf with --pdf", report_command);
-  report.add_flag("--pdf", options.pdf,
-                  "also write DIR/report.pdf: at most 8 pages of ratings, lives and verdicts for an assessor");
+  report.add_flag(
+      "--pdf", options.pdf,
+      "also write DIR/report.pdf: at most 8 pages of ratings, lives and verdicts for an assessor");
   report.add_flag("--data-only", options.data_only, "what the page is made of, and no page")->group("");
   report.add_option("--bearing-points", options.bearing_points, "points that the page asks for")->group("");
   add_settings(report, options);
@@ -382,11 +386,11 @@ bool known(const CLI::App& program, const std::string& word) {
 // The name of a command that does not exist is reported as such and not as a missing command.
 void require_known_command(const CLI::App& program, const std::string& word) {
   if (word.empty() || word.front() == '-' || known(program, word)) return;
-  throw BadInput(
-      fmt::format("orbearing: found the command {}; required: new, open, check, run, sweep, merge, crown, mesh, "
-                  "modes, stiffness, sensitivities, fmu, signals, spectrum, study, uncertainty, convert, "
-                  "validate or report",
-                  word));
+  throw BadInput(fmt::format(
+      "orbearing: found the command {}; required: new, open, check, run, sweep, merge, crown, mesh, "
+      "modes, stiffness, sensitivities, fmu, signals, spectrum, study, uncertainty, convert, "
+      "validate or report",
+      word));
 }
 
 // Names and values of the user's go into JSON, CSV and messages, all of them UTF-8.

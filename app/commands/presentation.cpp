@@ -91,9 +91,8 @@ void take_points(const Options& options, SweepRequest& request) {
 
 nlohmann::ordered_json sweep_object(const ResolvedCase& resolved, const SweepOutcome& outcome, Record& form) {
   const FoundPeak found = find_peak(outcome);
-  nlohmann::ordered_json object =
-      sweep_json(outcome, found.peak, assumptions_json(resolved), sweep_warnings(resolved, outcome, found),
-                 versions_json());
+  nlohmann::ordered_json object = sweep_json(outcome, found.peak, assumptions_json(resolved),
+                                             sweep_warnings(resolved, outcome, found), versions_json());
   form = sweep_form(found.peak);
   Record judged;
   for (Record* record : {&form, &judged})

@@ -28,7 +28,8 @@ void print_failures(const std::string& line, const Options& options);
 /// Makes a sweep give each row to the caller who takes points.
 void take_points(const Options& options, SweepRequest& request);
 
-/// What --json prints of a sweep or of one of its points, finished or not. `form` receives what it is made of.
+/// What --json prints of a sweep or of one of its points, finished or not. `form` receives what it is made
+/// of.
 nlohmann::ordered_json sweep_object(const ResolvedCase& resolved, const SweepOutcome& outcome, Record& form);
 
 /// Prints what a finished sweep found: JSON, or the table, the chart and the peak; points that failed are

@@ -142,7 +142,8 @@ LifeValue value_by_name(const BearingLives& lives) {
 
 void describe(Record& record, const LifeTable& table) {
   using namespace described;
-  const LifeValue& value = table.value;  // by itself: clang 14 lets no lambda capture parts of a structured binding
+  const LifeValue& value =
+      table.value;  // by itself: clang 14 lets no lambda capture parts of a structured binding
   const LifeWords& words = table.words;
   record.table("lives", "rated_life", "of one bearing", life_lines(words), [&](Record& row, const LifeLine& line) {
     row.value("key", "name among the results", line.hours);

@@ -26,8 +26,8 @@ struct Request {
   std::string options = "{}";
   /// Called from any thread, one call at a time, with how far the computation is; false asks it to stop.
   std::function<bool(std::size_t done, std::size_t all, const std::string& doing)> progress{};
-  /// Receives each point of a sweep as it ends, a JSON object with the keys of `points`; first those that a resumed
-  /// folder holds. One call at a time.
+  /// Receives each point of a sweep as it ends, a JSON object with the keys of `points`; first those that a
+  /// resumed folder holds. One call at a time.
   std::function<void(const std::string& row)> point{};
 };
 

@@ -10,7 +10,16 @@ import sys
 ROOT = pathlib.Path(os.environ.get("ORBEARING_SOURCE_DIR", pathlib.Path(__file__).parents[2]))
 LIBRARY = ("mechanics", "gearset", "bearing", "coupling", "include", "app", "python/bindings")
 KINDS = {".hpp", ".cpp", ".inl", ".ipp", ".in"}
-LIMITS = {"lines": 83_200, "lines of app": 28_900, "types": 1_207, "headers": 340, "headers with a single includer, %": 20.0}
+BASE = {"lines": 83_200, "lines of app": 28_900, "types": 1_207, "headers": 340}  # when results, analyses and laws were stated once
+DECLARED = (  # lines, of these of app, types and headers of later capabilities
+    ("the catalogue as a table that users extend, needle roller and cage assemblies", 740, 650, 8, 1),
+    ("OpenFAST and spreadsheet tables, damage by file, hours in skid risk", 790, 790, 9, 2),
+    ("requirements and verdicts; torque, torque over speed, K_A; load sharing, defect lines, stiffness of pairs", 870, 780, 4, 2),
+    ("the page's server, templates, and what each page request may do", 1_970, 1_960, 22, 4),
+    ("the core in a browser: units by a table, stand-ins for threads and files of results", 640, 640, 9, 1),
+)
+LIMITS = {name: least + sum(row[1 + i] for row in DECLARED) for i, (name, least) in enumerate(BASE.items())}
+LIMITS["headers with a single includer, %"] = 20.0
 TYPE = re.compile(r"^[ \t]*(?:template <[^;{]*>\s*)?(?:struct|class|enum class|union)(?: \[\[\w+\]\])?(?: alignas\([^)]*\))?"
                   r" \w+(?: final)?(?: : [^;{]*)?\s*\{", re.MULTILINE)
 INCLUDE = re.compile(r'^#include "([^"]+)"', re.MULTILINE)

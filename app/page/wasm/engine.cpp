@@ -1,11 +1,11 @@
-// The door of the engine for JavaScript: a request in, its answer out, both as text of JSON, as `orbearing open`
-// takes and gives them; progress on the way.
+// The door of the engine for JavaScript: a request in, its answer out, both as text of JSON, as `orbearing
+// open` takes and gives them; progress on the way.
 #include <emscripten.h>
 
+#include <fmt/format.h>
 #include <chrono>
 #include <cstdlib>
 #include <cstring>
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "app/case/units.hpp"
@@ -69,11 +69,12 @@ std::string computed(const Json& asked) {
 std::string converted(const Json& asked) {
   const std::string value = asked.value("value", ""), unit = asked.value("unit", "");
   const app::Reading<app::WrittenQuantity> written = app::split_quantity(value);
-  const app::Reading<double> number =
-      written.value ? app::convert(written.value->value, written.value->unit, unit)
-                    : app::Reading<double>{std::nullopt, written.fault};
+  const app::Reading<double> number = written.value
+                                          ? app::convert(written.value->value, written.value->unit, unit)
+                                          : app::Reading<double>{std::nullopt, written.fault};
   if (!number.value) return failure(2, {value + ": " + number.fault});
-  return Json{{"code", 0}, {"result", {{"number", *number.value}, {"text", fmt::format("{} {}", *number.value, unit)}}}}
+  return Json{{"code", 0},
+              {"result", {{"number", *number.value}, {"text", fmt::format("{} {}", *number.value, unit)}}}}
       .dump();
 }
 

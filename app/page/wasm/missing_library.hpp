@@ -1,5 +1,5 @@
-// What the C++ library of Debian's emscripten 3.1.6 lacks of C++20, for the sources as they stand. Included before
-// each of them by the compiler (engine.cmake); nothing is added where the library has it.
+// What the C++ library of Debian's emscripten 3.1.6 lacks of C++20, for the sources as they stand. Included
+// before each of them by the compiler (engine.cmake); nothing is added where the library has it.
 #pragma once
 
 #include <version>
@@ -17,7 +17,8 @@ namespace std {
 inline to_chars_result to_chars(char* first, char* last, double value, chars_format form, int digits) {
   const size_t room = static_cast<size_t>(last - first) + 1;  // and the zero that ends a string of C
   string text(room, '\0');
-  const int length = snprintf(text.data(), room, form == chars_format::fixed ? "%.*f" : "%.*e", digits, value);
+  const int length =
+      snprintf(text.data(), room, form == chars_format::fixed ? "%.*f" : "%.*e", digits, value);
   if (length < 0 || length > last - first) return {last, errc::value_too_large};
   return {copy_n(text.data(), length, first), errc{}};
 }
@@ -52,8 +53,12 @@ inline from_chars_result from_chars(const char* first, const char* last, double&
 #include <boost/math/special_functions/ellint_2.hpp>
 
 namespace std {
-inline double comp_ellint_1(double k) { return boost::math::ellint_1(k); }
-inline double comp_ellint_2(double k) { return boost::math::ellint_2(k); }
+inline double comp_ellint_1(double k) {
+  return boost::math::ellint_1(k);
+}
+inline double comp_ellint_2(double k) {
+  return boost::math::ellint_2(k);
+}
 }  // namespace std
 #endif
 
@@ -79,7 +84,8 @@ constexpr auto find_if(Range&& range, Holds holds, Part part = {}) {
 }
 template <class Range, class Value, class Part = Same>
 constexpr auto find(Range&& range, const Value& value, Part part = {}) {
-  return ranges::find_if(range, [&](const auto& one) { return one == value; }, part);
+  return ranges::find_if(
+      range, [&](const auto& one) { return one == value; }, part);
 }
 template <class Range, class Holds, class Part = Same>
 constexpr bool any_of(Range&& range, Holds holds, Part part = {}) {
@@ -159,7 +165,8 @@ class jthread {
 namespace std {
 
 template <class Letter, class Traits, class Memory>
-strong_ordering operator<=>(const basic_string<Letter, Traits, Memory>& a, const basic_string<Letter, Traits, Memory>& b) {
+strong_ordering operator<=>(const basic_string<Letter, Traits, Memory>& a,
+                            const basic_string<Letter, Traits, Memory>& b) {
   return a.compare(b) <=> 0;
 }
 template <class Value>

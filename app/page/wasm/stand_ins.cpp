@@ -1,5 +1,5 @@
-// What the engine does without: threads, netCDF files, FMUs, Python, records of measurements. Points are computed one
-// after the other; commands that need the rest are not among those that a page asks for.
+// What the engine does without: threads, netCDF files, FMUs, Python, records of measurements. Points are
+// computed one after the other; commands that need the rest are not among those that a page asks for.
 #include <filesystem>
 #include <stdexcept>
 
@@ -18,7 +18,8 @@ void in_parallel(std::size_t count, int, const std::function<void(std::size_t)>&
   }
 }
 
-void compute_points(const std::vector<std::size_t>& indices, int, const Evaluate& evaluate, const Deliver& deliver) {
+void compute_points(const std::vector<std::size_t>& indices, int, const Evaluate& evaluate,
+                    const Deliver& deliver) {
   for (const std::size_t index : indices) {
     throw_if_stopped();
     PointResult result;
@@ -41,7 +42,8 @@ std::vector<std::pair<std::string, std::string>> result_attributes(const Manifes
                                                                    const std::string&) {
   return {};
 }
-PointContent point_content(const ManifestHeader&, std::size_t, const std::vector<double>&, const study::PointResult&) {
+PointContent point_content(const ManifestHeader&, std::size_t, const std::vector<double>&,
+                           const study::PointResult&) {
   return {};
 }
 void add_location_in_sweep(bool, const std::optional<Resonance>&, PointContent&) {}
@@ -61,8 +63,8 @@ const std::vector<PythonCommand>& python_commands() {
 void hand_over(int, char**) {}
 
 // Commands that a page never asks for.
-#define ORBEARING_NO_COMMAND(name)                   \
-  int name##_command(const Options&) {               \
+#define ORBEARING_NO_COMMAND(name)                              \
+  int name##_command(const Options&) {                          \
     throw std::logic_error(#name ": no command of the engine"); \
   }
 ORBEARING_NO_COMMAND(fmu)

@@ -1,5 +1,5 @@
-// What app/case/units.cpp calls of udunits2, over a table of the units that udunits2 itself has (units_table.py): the
-// library reads a database by a reader of XML, which there is none of in a browser.
+// What app/case/units.cpp calls of udunits2, over a table of the units that udunits2 itself has
+// (units_table.py): the library reads a database by a reader of XML, which there is none of in a browser.
 #include <udunits2.h>
 
 #include <algorithm>
@@ -69,7 +69,8 @@ bool same_letters(std::string_view a, std::string_view b) {
 
 // Names in any letters, symbols as they are.
 std::optional<TableUnit> known(const ut_system& system, std::string_view text) {
-  if (const auto added = system.added.find(std::string(text)); added != system.added.end()) return added->second;
+  if (const auto added = system.added.find(std::string(text)); added != system.added.end())
+    return added->second;
   for (const TableUnit& one : kNames)
     if (same_letters(text, one.text)) return one;
   for (const TableUnit& one : kSymbols)
@@ -130,8 +131,8 @@ class Reader {
   static bool is_digit(char c) { return c >= '0' && c <= '9'; }
   // Of the bytes of a name: letters, those beyond ASCII but for signs, and _ % ' ".
   static bool is_letter(char c) {
-    return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '%' || c == '\'' || c == '"' ||
-           static_cast<unsigned char>(c) >= 0x80;
+    return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '%' || c == '\'' ||
+           c == '"' || static_cast<unsigned char>(c) >= 0x80;
   }
   bool at_sign() const {
     for (const std::string_view sign : {"·", "\u00a0", "⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"})
@@ -244,7 +245,8 @@ ut_unit* ut_divide(const ut_unit* a, const ut_unit* b) {
   return made(product(a->of, b->of, -1));
 }
 int ut_is_dimensionless(const ut_unit* unit) {
-  return std::all_of(unit->of.powers.begin(), unit->of.powers.begin() + kRadian, [](int one) { return one == 0; });
+  return std::all_of(unit->of.powers.begin(), unit->of.powers.begin() + kRadian,
+                     [](int one) { return one == 0; });
 }
 // All that is asked of it: whether there are radians.
 int ut_format(const ut_unit* unit, char* into, std::size_t size, unsigned) {

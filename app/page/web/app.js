@@ -1,110 +1,123 @@
 // The page: start, form, text and results about one session.
-import {AssumptionsCard, CrownCard, GearsCard, LifeCard, LoadsCard, MachineCard, MeshCard, ModesCard, MoreCard, MotionCard, PointCard, PressureCard, ResultCard, SpectrumCard} from "./cards.js";
-import {element, figure, readable} from "./dom.js";
-import {engineFor} from "./engine.js";
-import {Form} from "./form.js";
-import {Meanings} from "./results.js";
-import {Session} from "./session.js";
-import {TakeAway} from "./takeaway.js";
-import {Variants} from "./variants.js";
-import * as yaml from "./yaml_text.js";
+import {AssumptionsCard, CrownCard, GearsCard, LifeCard, LoadsCard, MachineCard, MeshCard, ModesCard, MoreCard, MotionCard, PointCard, PressureCard, ResultCard, SpectrumCard} from './cards.js';
+import {element, figure, readable} from './dom.js';
+import {engineFor} from './engine.js';
+import {Form} from './form.js';
+import {Meanings} from './results.js';
+import {Session} from './session.js';
+import {TakeAway} from './takeaway.js';
+import {Variants} from './variants.js';
+import * as yaml from './yaml_text.js';
 
 const at = (id) => document.getElementById(id);
 const FOLDER_EVERY = 5e3;  // ms, in which a folder that is computed is read anew
-const STEPS = 1000;  // of the cursor's slider
-const TILES = ["life_h", "L10h", "L10rh", "L10mh", "L10mrh", "system_life_h", "planet_load_N", "contact_pressure_max_MPa", "kappa", "carrier_speed_rpm"];
-const MISSING = {L10mh: "oil grade and cleanliness are required", L10mrh: "oil grade and cleanliness are required", kappa: "an oil grade is required"};
+const STEPS = 1000;        // of the cursor's slider
+const TILES = [
+  'life_h', 'L10h', 'L10rh', 'L10mh', 'L10mrh', 'system_life_h', 'planet_load_N', 'contact_pressure_max_MPa',
+  'kappa', 'carrier_speed_rpm'
+];
+const MISSING = {
+  L10mh: 'oil grade and cleanliness are required',
+  L10mrh: 'oil grade and cleanliness are required',
+  kappa: 'an oil grade is required'
+};
 
 class Page {
   constructor(engine, caseSchema, resultSchema) {
     this.engine = engine;
     this.session = new Session(engine);
     this.session.meanings = new Meanings(resultSchema);
-    this.form = new Form(at("form"), caseSchema, {
-      changed: (text) => this.session.setText(text, "form"),
+    this.form = new Form(at('form'), caseSchema, {
+      changed: (text) => this.session.setText(text, 'form'),
       convert: (value, unit) => engine.units(value, unit),
     });
     this.crown = new CrownCard((crown) => this.putCrown(crown));
     this.motion = new MotionCard();
     const machine = new MachineCard(), focus = (key) => this.form.focus(key);
-    this.cards = [new LifeCard(), new LoadsCard(), machine, new GearsCard(machine), new ResultCard(), new PressureCard(), this.motion, new SpectrumCard(),
-      this.crown, new MoreCard(), new ModesCard(), new MeshCard(), new AssumptionsCard(focus), new PointCard()];
+    this.cards = [
+      new LifeCard(), new LoadsCard(), machine, new GearsCard(machine), new ResultCard(), new PressureCard(),
+      this.motion, new SpectrumCard(), this.crown, new MoreCard(), new ModesCard(), new MeshCard(),
+      new AssumptionsCard(focus), new PointCard()
+    ];
     this.variants = new Variants(this.session);
     this.layOut();
-    this.take = new TakeAway(this.session, at("take"));
+    this.take = new TakeAway(this.session, at('take'));
     this.listen();
   }
 
   // Two columns on a wide screen; in one, `order` mixes them: a curve, then the drawing beside it.
   layOut() {
-    const columns = Object.fromEntries(["left", "right", "wide"].map((name) => [name, element("div", {class: `column ${name}`})]));
+    const columns = Object.fromEntries(
+        ['left', 'right', 'wide'].map((name) => [name, element('div', {class: `column ${name}`})]));
     this.cards.forEach((card, i) => {
       card.element.style.order = i;
       columns[card.column].append(card.element);
     });
     this.variants.element.style.order = this.cards.length - 1;
     columns.wide.prepend(this.variants.element);
-    at("cards").append(columns.left, columns.right, columns.wide);
+    at('cards').append(columns.left, columns.right, columns.wide);
   }
 
   listen() {
     const {session} = this;
-    session.addEventListener("text", ({detail}) => this.showText(detail));
-    session.addEventListener("change", ({detail}) => this.showChange(detail));
-    at("form").addEventListener("submit", (event) => event.preventDefault());
-    at("search").addEventListener("input", () => this.form.search(at("search").value));
-    at("yaml").addEventListener("input", () => session.setText(at("yaml").value, "text"));
-    at("yaml").addEventListener("keydown", (event) => {
-      if (event.key === "Escape") at("to-text").focus();
+    session.addEventListener('text', ({detail}) => this.showText(detail));
+    session.addEventListener('change', ({detail}) => this.showChange(detail));
+    at('form').addEventListener('submit', (event) => event.preventDefault());
+    at('search').addEventListener('input', () => this.form.search(at('search').value));
+    at('yaml').addEventListener('input', () => session.setText(at('yaml').value, 'text'));
+    at('yaml').addEventListener('keydown', (event) => {
+      if (event.key === 'Escape') at('to-text').focus();
     });
-    at("to-text").addEventListener("click", () => {
-      const on = at("text").hidden;
-      at("text").hidden = !on;
-      at("to-text").setAttribute("aria-pressed", String(on));
-      document.body.classList.toggle("with-text", on);
-      if (on) at("yaml").focus();
+    at('to-text').addEventListener('click', () => {
+      const on = at('text').hidden;
+      at('text').hidden = !on;
+      at('to-text').setAttribute('aria-pressed', String(on));
+      document.body.classList.toggle('with-text', on);
+      if (on) at('yaml').focus();
     });
-    at("to-start").addEventListener("click", () => this.showStart());
-    at("back").addEventListener("click", () => this.showWork());
-    at("to-take").addEventListener("click", () => this.take.open());
-    at("fidelity").addEventListener("change", () => session.setFidelity(at("fidelity").value));
-    at("cursor").addEventListener("input", () => {
+    at('to-start').addEventListener('click', () => this.showStart());
+    at('back').addEventListener('click', () => this.showWork());
+    at('to-take').addEventListener('click', () => this.take.open());
+    at('fidelity').addEventListener('change', () => session.setFidelity(at('fidelity').value));
+    at('cursor').addEventListener('input', () => {
       const [low, high] = session.range();
-      session.setCursor(Number((low + ((high - low) * at("cursor").value) / STEPS).toPrecision(5)));
+      session.setCursor(Number((low + ((high - low) * at('cursor').value) / STEPS).toPrecision(5)));
     });
-    at("open-file").addEventListener("change", async () => {
-      const [file] = at("open-file").files;
+    at('open-file').addEventListener('change', async () => {
+      const [file] = at('open-file').files;
       if (file) this.open(await file.text(), file.name);
-      at("open-file").value = "";
+      at('open-file').value = '';
     });
   }
 
   async showStart() {
-    at("work").hidden = true;
-    at("start").hidden = false;
-    at("back").hidden = !this.session.text;
-    document.body.classList.add("starting");
-    if (!at("templates").children.length) {
+    at('work').hidden = true;
+    at('start').hidden = false;
+    at('back').hidden = !this.session.text;
+    document.body.classList.add('starting');
+    if (!at('templates').children.length) {
       const templates = await this.engine.templates();
-      at("templates").append(...templates.map(({name, title, purpose, text}) => {
-        const button = element("button", {type: "button", "data-template": name}, element("strong", {}, title), element("span", {}, purpose));
-        button.addEventListener("click", () => this.open(text, `${name}.yaml`));
-        return element("li", {}, button);
+      at('templates').append(...templates.map(({name, title, purpose, text}) => {
+        const button = element(
+            'button', {type: 'button', 'data-template': name}, element('strong', {}, title),
+            element('span', {}, purpose));
+        button.addEventListener('click', () => this.open(text, `${name}.yaml`));
+        return element('li', {}, button);
       }));
     }
-    at("templates").querySelector("button")?.focus();
+    at('templates').querySelector('button')?.focus();
   }
 
   showWork() {
-    at("start").hidden = true;
-    at("work").hidden = false;
-    document.body.classList.remove("starting");
+    at('start').hidden = true;
+    at('work').hidden = false;
+    document.body.classList.remove('starting');
   }
 
   open(text, file) {
     this.showWork();
     const opened = this.session.open(text, file);
-    at("results").focus({preventScroll: true});
+    at('results').focus({preventScroll: true});
     scrollTo(0, 0);
     return opened;
   }
@@ -114,118 +127,152 @@ class Page {
     const {session} = this;
     if (opened.points) {
       session.motion = opened.points;
-      session.motionFidelity = opened.fidelity === "quasi-static" ? "in the folder" : opened.fidelity;
-      session.tell("motion");
-      this.motion.told.textContent = `Folder ${opened.name}: ${opened.points.length} points${opened.finished ? "" : "; its sweep is not finished"}.`;
+      session.motionFidelity = opened.fidelity === 'quasi-static' ? 'in the folder' : opened.fidelity;
+      session.tell('motion');
+      this.motion.told.textContent = `Folder ${opened.name}: ${opened.points.length} points${
+          opened.finished ? '' : '; its sweep is not finished'}.`;
     }
     if (opened.result?.recommended) {
       this.crown.element.open = true;
       this.crown.draw(session, opened.result);
     } else if (opened.result && !opened.points) {
       session.run = opened.result;
-      session.tell("results");
+      session.tell('results');
     }
-    if (opened.finished === false && this.engine.reopened) setTimeout(async () => this.showFolder(await this.engine.reopened()), FOLDER_EVERY);
+    if (opened.finished === false && this.engine.reopened)
+      setTimeout(async () => this.showFolder(await this.engine.reopened()), FOLDER_EVERY);
   }
 
   showText(by) {
     const {session} = this;
-    if (by !== "text") at("yaml").value = session.text;
+    if (by !== 'text') at('yaml').value = session.text;
     const read = this.form.show(session.text);
-    at("form").inert = !read;
-    this.unreadable = read ? "" : this.form.problem;
-    const name = read ? yaml.nodeAt(this.form.tree, ["name"])?.value : "";
-    at("case-name").textContent = [name, session.file].filter(Boolean).join(" · ");
-    document.title = name ? `${name} – Orbearing` : "Orbearing";
+    at('form').inert = !read;
+    this.unreadable = read ? '' : this.form.problem;
+    const name = read ? yaml.nodeAt(this.form.tree, ['name'])?.value : '';
+    at('case-name').textContent = [name, session.file].filter(Boolean).join(' · ');
+    document.title = name ? `${name} – Orbearing` : 'Orbearing';
   }
 
   showChange(what) {
     const {session} = this;
-    document.body.classList.toggle("busy", session.running);
-    if (what === "busy") return void (at("state").textContent = "");
-    if (what === "cursor") this.showCursor();
-    if (["check", "failed", "fidelity", "idle"].includes(what)) this.showErrors();
-    if (what === "check") this.showFidelities();
-    if (["results", "point", "motion", "variants", "fidelity", "cursor"].includes(what)) {
+    document.body.classList.toggle('busy', session.running);
+    if (what === 'busy') return void (at('state').textContent = '');
+    if (what === 'cursor') this.showCursor();
+    if (['check', 'failed', 'fidelity', 'idle'].includes(what)) this.showErrors();
+    if (what === 'check') this.showFidelities();
+    if (['results', 'point', 'motion', 'variants', 'fidelity', 'cursor'].includes(what)) {
       for (const card of this.cards) card.update(session, what);
       this.variants.update(what);
       this.showBar();
     }
-    if (what === "failed") for (const card of this.cards) card.session = session;
-    document.body.classList.toggle("stale", session.errors.length > 0 || Boolean(session.failure));
-    if (what === "idle") at("state").textContent = session.errors.length ? `${session.errors.length} to mend; results are those of the last valid case` : session.failure ? "failed" : session.took.case ? `computed in ${readable(session.took.case, 3)} ms` : "";
+    if (what === 'failed')
+      for (const card of this.cards) card.session = session;
+    document.body.classList.toggle('stale', session.errors.length > 0 || Boolean(session.failure));
+    if (what === 'idle')
+      at('state').textContent = session.errors.length ?
+          `${session.errors.length} to mend; results are those of the last valid case` :
+          session.failure   ? 'failed' :
+          session.took.case ? `computed in ${readable(session.took.case, 3)} ms` :
+                              '';
   }
 
   showErrors() {
-    const {session} = this, elsewhere = this.form.judge(session.check?.inputs, session.errors, session.fidelity);
-    const lines = [...(this.unreadable ? [`The form cannot show this text (${this.unreadable}). Edit it as YAML.`] : []), ...(session.failure ? session.failure.split("\n") : [])];
-    at("errors").replaceChildren(...lines.map((text) => element("p", {class: "error"}, text)), ...elsewhere.map(({key, text, line, column}) => {
-      const place = line ? `Line ${line}, column ${column}: ` : "", made = element("p", {class: "error"}, `${place}${key ? `${key}: ` : ""}${text}`);
-      if (line) {
-        const go = element("button", {type: "button"}, "Show the line");
-        go.addEventListener("click", () => this.showLine(line));
-        made.append(" ", go);
-      }
-      return made;
-    }));
+    const {session} = this,
+          elsewhere = this.form.judge(session.check?.inputs, session.errors, session.fidelity);
+    const lines = [
+      ...(this.unreadable ? [`The form cannot show this text (${this.unreadable}). Edit it as YAML.`] : []),
+      ...(session.failure ? session.failure.split('\n') : [])
+    ];
+    at('errors').replaceChildren(
+        ...lines.map((text) => element('p', {class: 'error'}, text)),
+        ...elsewhere.map(({key, text, line, column}) => {
+          const place = line ? `Line ${line}, column ${column}: ` : '',
+                made = element('p', {class: 'error'}, `${place}${key ? `${key}: ` : ''}${text}`);
+          if (line) {
+            const go = element('button', {type: 'button'}, 'Show the line');
+            go.addEventListener('click', () => this.showLine(line));
+            made.append(' ', go);
+          }
+          return made;
+        }));
   }
 
   showLine(line) {
-    if (at("text").hidden) at("to-text").click();
-    const lines = at("yaml").value.split("\n"), from = lines.slice(0, line - 1).join("\n").length + (line > 1 ? 1 : 0);
-    at("yaml").focus();
-    at("yaml").setSelectionRange(from, from + (lines[line - 1] ?? "").length);
+    if (at('text').hidden) at('to-text').click();
+    const lines = at('yaml').value.split('\n'),
+          from = lines.slice(0, line - 1).join('\n').length + (line > 1 ? 1 : 0);
+    at('yaml').focus();
+    at('yaml').setSelectionRange(from, from + (lines[line - 1] ?? '').length);
   }
 
   showFidelities() {
     const {session} = this, names = session.fidelities;
-    at("fidelity").parentElement.hidden = names.length === 0;
-    if ([...at("fidelity").options].map((one) => one.value).join() !== names.join()) at("fidelity").replaceChildren(...names.map((name) => element("option", {value: name}, name)));
+    at('fidelity').parentElement.hidden = names.length === 0;
+    if ([...at('fidelity').options].map((one) => one.value).join() !== names.join())
+      at('fidelity').replaceChildren(...names.map((name) => element('option', {value: name}, name)));
     if (names.length && !names.includes(session.fidelity)) session.fidelity = names[0];
-    at("fidelity").value = session.fidelity;
+    at('fidelity').value = session.fidelity;
   }
 
   showCursor() {
     const {session} = this, [low, high] = session.range();
-    at("cursor-value").replaceChildren(figure(session.cursor, "rpm", 5));
+    at('cursor-value').replaceChildren(figure(session.cursor, 'rpm', 5));
     const steps = Math.round((STEPS * (session.cursor - low)) / (high - low));
-    if (Number(at("cursor").value) !== steps) at("cursor").value = String(steps);
-    at("cursor").setAttribute("aria-valuetext", `${session.cursor} rpm`);
+    if (Number(at('cursor').value) !== steps) at('cursor').value = String(steps);
+    at('cursor').setAttribute('aria-valuetext', `${session.cursor} rpm`);
   }
 
   showBar() {
     const {session} = this;
-    at("cursor-part").hidden = !session.overSpeed;
+    at('cursor-part').hidden = !session.overSpeed;
     if (session.overSpeed) this.showCursor();
-    const point = session.overSpeed ? session.point : session.run, keys = point ? TILES.filter((key) => key in point) : [];
-    at("bar").hidden = !keys.length;
-    at("tiles").replaceChildren(...keys.map((key) => {
-      const {unit = "", description = ""} = session.overSpeed ? session.meanings.of(key) : (session.meanings.partOf("run", point).properties[key] ?? {});
-      const value = point[key], hours = unit === "h" && value !== null && value >= 1;
-      return element("div", {class: `tile${value === null ? " none" : ""}`, "data-key": key, title: `${key}: ${description}${value === null && MISSING[key] ? `; not computed: ${MISSING[key]}` : ""}`},
-        element("span", {class: "name"}, key === "carrier_speed_rpm" ? "carrier" : session.meanings.label(key).replace("life (Lundberg-Palmgren)", "life")), hours ? figure(value, unit, Math.max(4, Math.ceil(Math.log10(value + 1)))) : figure(value, unit));
+    const point = session.overSpeed ? session.point : session.run,
+          keys = point ? TILES.filter((key) => key in point) : [];
+    at('bar').hidden = !keys.length;
+    at('tiles').replaceChildren(...keys.map((key) => {
+      const {unit = '', description = ''} = session.overSpeed ?
+          session.meanings.of(key) :
+          (session.meanings.partOf('run', point).properties[key] ?? {});
+      const value = point[key], hours = unit === 'h' && value !== null && value >= 1;
+      return element(
+          'div', {
+            class: `tile${value === null ? ' none' : ''}`,
+            'data-key': key,
+            title: `${key}: ${description}${
+                value === null && MISSING[key] ? `; not computed: ${MISSING[key]}` : ''}`
+          },
+          element(
+              'span', {class: 'name'},
+              key === 'carrier_speed_rpm' ?
+                  'carrier' :
+                  session.meanings.label(key).replace('life (Lundberg-Palmgren)', 'life')),
+          hours ? figure(value, unit, Math.max(4, Math.ceil(Math.log10(value + 1)))) : figure(value, unit));
     }));
   }
 
   putCrown({drop_um: drop, profile}) {
     let text = this.session.text;
-    const node = yaml.nodeAt(yaml.parse(text), ["bearing", "profile", "kind"]);
-    if (!node || node.value === "straight") text = yaml.withValue(text, ["bearing", "profile", "kind"], profile);
-    text = yaml.withValue(text, ["bearing", "profile", "drop"], `${Number(drop.toPrecision(4))} um`);
-    this.session.setText(text, "form");
+    const node = yaml.nodeAt(yaml.parse(text), ['bearing', 'profile', 'kind']);
+    if (!node || node.value === 'straight')
+      text = yaml.withValue(text, ['bearing', 'profile', 'kind'], profile);
+    text = yaml.withValue(text, ['bearing', 'profile', 'drop'], `${Number(drop.toPrecision(4))} um`);
+    this.session.setText(text, 'form');
   }
 }
 
 async function begin() {
   const engine = await engineFor(location, document);
-  const [caseSchema, resultSchema, opened] = await Promise.all([engine.schema("case"), engine.schema("result"), engine.opened()]);
+  const [caseSchema, resultSchema, opened] =
+      await Promise.all([engine.schema('case'), engine.schema('result'), engine.opened()]);
   const page = new Page(engine, caseSchema, resultSchema);
   document.body.dataset.engine = engine.name;
   if (opened?.text) {
     const first = page.open(opened.text, opened.file);
-    if (opened.kind === "results") first.then(() => page.showFolder(opened));
-  } else await page.showStart();
-  document.body.classList.add("ready");
+    if (opened.kind === 'results') first.then(() => page.showFolder(opened));
+  } else
+    await page.showStart();
+  document.body.classList.add('ready');
 }
 
 begin();

@@ -1,35 +1,48 @@
-// The bearing to scale: rings, cage, rolling elements that rotate at the speed of the cursor, and a bar for the load of each.
+// The bearing to scale: rings, cage, rolling elements that rotate at the speed of the cursor, and a bar for
+// the load of each.
 //
-// x upward, y to the left, angles from x towards y. In a planet x points outward from the axis of the carrier, and the carrier
-// rotates in the sense from x to y where its speed is positive.
-import {drawn, element, figure, readable} from "./dom.js";
+// x upward, y to the left, angles from x towards y. In a planet x points outward from the axis of the
+// carrier, and the carrier rotates in the sense from x to y where its speed is positive.
+import {drawn, element, figure, readable} from './dom.js';
 
 const BAR = 0.34, ROOM = 1.2 + BAR;  // longest bar and half the picture, in outside radii
 const DEGREE = Math.PI / 180;
 
 export class BearingView {
   constructor(root) {
-    this.svg = drawn("svg", {class: "machine bearing", role: "img", "aria-label": "Bearing to scale with the load of each roller"});
-    this.play = element("button", {type: "button", class: "play", "aria-pressed": "false"}, "Play");
-    this.pace = element("select", {"aria-label": "pace of the animation"}, ...[4, 8, 16, 40].map((seconds) => element("option", {value: seconds}, `${seconds} s`)));
-    this.instant = element("input", {type: "range", min: 0, max: 1000, value: 0, "aria-label": "revolution of the cage"});
-    this.told = element("p", {class: "told"});
-    root.append(this.svg, element("div", {class: "player"}, this.play, this.instant, element("label", {class: "inline"}, "one revolution of the cage in ", this.pace)), this.told);
+    this.svg = drawn('svg', {
+      class: 'machine bearing',
+      role: 'img',
+      'aria-label': 'Bearing to scale with the load of each roller'
+    });
+    this.play = element('button', {type: 'button', class: 'play', 'aria-pressed': 'false'}, 'Play');
+    this.pace = element(
+        'select', {'aria-label': 'pace of the animation'},
+        ...[4, 8, 16, 40].map((seconds) => element('option', {value: seconds}, `${seconds} s`)));
+    this.instant = element(
+        'input', {type: 'range', min: 0, max: 1000, value: 0, 'aria-label': 'revolution of the cage'});
+    this.told = element('p', {class: 'told'});
+    root.append(
+        this.svg,
+        element(
+            'div', {class: 'player'}, this.play, this.instant,
+            element('label', {class: 'inline'}, 'one revolution of the cage in ', this.pace)),
+        this.told);
     this.playing = false;
     this.turn = 0;  // revolutions of the cage (of the rollers without one)
-    this.play.addEventListener("click", () => this.setPlaying(!this.playing));
-    this.instant.addEventListener("input", () => {
+    this.play.addEventListener('click', () => this.setPlaying(!this.playing));
+    this.instant.addEventListener('input', () => {
       this.turn = Math.floor(this.turn) + Number(this.instant.value) / 1000;
       this.place();
     });
-    this.pace.addEventListener("change", () => this.tell());
+    this.pace.addEventListener('change', () => this.tell());
     this.scene = null;
   }
 
   setPlaying(on) {
     this.playing = on;
-    this.play.textContent = on ? "Pause" : "Play";
-    this.play.setAttribute("aria-pressed", String(on));
+    this.play.textContent = on ? 'Pause' : 'Play';
+    this.play.setAttribute('aria-pressed', String(on));
     this.last = null;
     if (on) requestAnimationFrame((now) => this.step(now));
   }
@@ -44,11 +57,13 @@ export class BearingView {
   }
 
   /**
-   * `scene`: size {bore, outside, inner, outer, pitch, element, count, cageInner, cageOuter} in mm, loads {angles (degrees), inner, outer} in N, `speeds` {inner, outer,
-   * cage, spin} in rpm, ratios where none is known, `planet` whether in a carrier, `ball`.
+   * `scene`: size {bore, outside, inner, outer, pitch, element, count, cageInner, cageOuter} in mm,
+   * loads {angles (degrees), inner, outer} in N, `speeds` {inner, outer, cage, spin} in rpm, ratios where
+   * none is known, `planet` whether in a carrier, `ball`.
    */
   set(scene) {
-    const same = this.scene && JSON.stringify(this.scene.size) === JSON.stringify(scene.size) && this.scene.planet === scene.planet;
+    const same = this.scene && JSON.stringify(this.scene.size) === JSON.stringify(scene.size) &&
+        this.scene.planet === scene.planet;
     this.scene = scene;
     this.largest = Math.max(...scene.loads.inner, ...scene.loads.outer, 0);
     if (!same) this.build();
@@ -56,52 +71,66 @@ export class BearingView {
     this.tell();
   }
 
-  at(radius, angle) {
-    return [-radius * Math.sin(angle), -radius * Math.cos(angle)];
-  }
+  at(radius, angle) { return [-radius * Math.sin(angle), -radius * Math.cos(angle)]; }
 
   build() {
     const {size, planet, loaded} = this.scene, half = (ROOM * size.outside) / 2;
-    this.svg.setAttribute("viewBox", `${-half} ${-half} ${2 * half} ${2 * half}`);
+    this.svg.setAttribute('viewBox', `${- half} ${- half} ${2 * half} ${2 * half}`);
     this.svg.replaceChildren();
     const ring = (outer, inner, name) => {
-      const circle = (d) => `M${-d / 2},0a${d / 2},${d / 2} 0 1 0 ${d},0a${d / 2},${d / 2} 0 1 0 ${-d},0`;
-      return drawn("path", {class: name, d: circle(outer) + circle(inner), "fill-rule": "evenodd"});
+      const circle = (d) => `M${- d / 2},0a${d / 2},${d / 2} 0 1 0 ${d},0a${d / 2},${d / 2} 0 1 0 ${- d},0`;
+      return drawn('path', {class: name, d: circle(outer) + circle(inner), 'fill-rule': 'evenodd'});
     };
     const unit = size.outside / 200;  // of strokes and letters
-    this.svg.style.setProperty("--unit", `${unit}px`);
-    this.outerRing = drawn("g", {class: "outer-ring"}, ring(size.outside, size.outer, "ring"), this.marks(size.outer, size.outside));
-    this.innerRing = drawn("g", {class: "inner-ring"}, size.bore > 0 && size.bore < size.inner ? ring(size.inner, size.bore, "ring") : drawn("circle", {class: "ring", r: size.inner / 2}), this.marks(size.bore || 0.8 * size.inner, size.inner));
-    this.cage = drawn("g", {class: "cage"});
+    this.svg.style.setProperty('--unit', `${unit}px`);
+    this.outerRing = drawn(
+        'g', {class: 'outer-ring'}, ring(size.outside, size.outer, 'ring'),
+        this.marks(size.outer, size.outside));
+    this.innerRing = drawn(
+        'g', {class: 'inner-ring'},
+        size.bore > 0 && size.bore < size.inner ? ring(size.inner, size.bore, 'ring') :
+                                                  drawn('circle', {class: 'ring', r: size.inner / 2}),
+        this.marks(size.bore || 0.8 * size.inner, size.inner));
+    this.cage = drawn('g', {class: 'cage'});
     if (size.cageOuter > size.cageInner) {
-      this.cage.append(ring(size.cageOuter, size.cageInner, "cage-ring"));
+      this.cage.append(ring(size.cageOuter, size.cageInner, 'cage-ring'));
       for (let j = 0; j < size.count; j++) {
-        const angle = (2 * Math.PI * (j + 0.5)) / size.count, [x1, y1] = this.at(size.cageInner / 2, angle), [x2, y2] = this.at(size.cageOuter / 2, angle);
-        this.cage.append(drawn("line", {x1, y1, x2, y2}));
+        const angle = (2 * Math.PI * (j + 0.5)) / size.count, [x1, y1] = this.at(size.cageInner / 2, angle),
+              [x2, y2] = this.at(size.cageOuter / 2, angle);
+        this.cage.append(drawn('line', {x1, y1, x2, y2}));
       }
     }
-    this.elements = Array.from({length: size.count}, (_, j) => drawn("g", {class: `element${j === 0 ? " first" : ""}`, "data-element": j + 1}, drawn("circle", {r: size.element / 2}), drawn("line", {x1: 0, y1: 0, x2: 0, y2: (-0.85 * size.element) / 2})));
+    this.elements = Array.from(
+        {length: size.count},
+        (_, j) => drawn(
+            'g', {class: `element${j === 0 ? ' first' : ''}`, 'data-element': j + 1},
+            drawn('circle', {r: size.element / 2}),
+            drawn('line', {x1: 0, y1: 0, x2: 0, y2: (-0.85 * size.element) / 2})));
     this.bars = {outer: [], inner: []};
-    const bars = drawn("g", {class: "bars"});
-    for (const race of ["outer", "inner"]) for (let j = 0; j < size.count; j++) {
-      const bar = drawn("line", {class: `bar ${race}`, "data-element": j + 1});
-      this.bars[race].push(bar);
-      bars.append(bar);
-    }
-    this.scaleBar = drawn("g", {class: "scale"});
+    const bars = drawn('g', {class: 'bars'});
+    for (const race of ['outer', 'inner'])
+      for (let j = 0; j < size.count; j++) {
+        const bar = drawn('line', {class: `bar ${race}`, 'data-element': j + 1});
+        this.bars[race].push(bar);
+        bars.append(bar);
+      }
+    this.scaleBar = drawn('g', {class: 'scale'});
     this.svg.append(this.outerRing, this.innerRing, this.cage, ...this.elements, bars, this.scaleBar);
     const edge = (1.1 + BAR) * size.outside / 2;  // of the letters
-    const text = (x, y, words, anchor = "middle") => drawn("text", {x, y, "text-anchor": anchor}, words);
-    if (planet) this.svg.append(text(...this.at(edge, 0), "outward"), text(...this.at(-1.03 * edge, 0), "to the sun"));
-    else if (loaded) this.svg.append(text(...this.at(edge, 0), "radial load"));
+    const text = (x, y, words, anchor = 'middle') => drawn('text', {x, y, 'text-anchor': anchor}, words);
+    if (planet)
+      this.svg.append(text(...this.at(edge, 0), 'outward'), text(...this.at(-1.03 * edge, 0), 'to the sun'));
+    else if (loaded)
+      this.svg.append(text(...this.at(edge, 0), 'radial load'));
   }
 
   marks(inner, outer) {
-    const group = drawn("g", {class: "marks"});
+    const group = drawn('g', {class: 'marks'});
     for (let i = 0; i < 12; i++) {
-      const angle = (i * Math.PI) / 6, depth = (i === 0 ? 0.6 : 0.25) * (outer - inner) / 2, from = (outer + inner) / 4 + depth / 2;
+      const angle = (i * Math.PI) / 6, depth = (i === 0 ? 0.6 : 0.25) * (outer - inner) / 2,
+            from = (outer + inner) / 4 + depth / 2;
       const [x1, y1] = this.at(from, angle), [x2, y2] = this.at(from - depth, angle);
-      group.append(drawn("line", {x1, y1, x2, y2, class: i === 0 ? "chief" : ""}));
+      group.append(drawn('line', {x1, y1, x2, y2, class: i === 0 ? 'chief' : ''}));
     }
     return group;
   }
@@ -110,16 +139,18 @@ export class BearingView {
   loadAt(race, angle) {
     const {angles} = this.scene.loads, values = this.scene.loads[race];
     if (!angles.length) return 0;
-    const turned = (((angle / DEGREE - angles[0]) % 360) + 360) % 360, step = angles.length > 1 ? 360 / angles.length : 360;
+    const turned = (((angle / DEGREE - angles[0]) % 360) + 360) % 360,
+          step = angles.length > 1 ? 360 / angles.length : 360;
     const i = Math.floor(turned / step) % angles.length, share = turned / step - Math.floor(turned / step);
     return values[i] * (1 - share) + values[(i + 1) % angles.length] * share;
   }
 
   place() {
     if (!this.scene) return;
-    const {size, speeds} = this.scene, cage = speeds.cage || 1, sense = Math.sign(cage), orbit = 2 * Math.PI * this.turn * sense;
+    const {size, speeds} = this.scene, cage = speeds.cage || 1, sense = Math.sign(cage),
+                 orbit = 2 * Math.PI * this.turn * sense;
     const turned = (speed) => (360 * this.turn * sense * speed) / cage;
-    const rotate = (group, degrees) => group.setAttribute("transform", `rotate(${(-degrees).toFixed(3)})`);
+    const rotate = (group, degrees) => group.setAttribute('transform', `rotate(${(-degrees).toFixed(3)})`);
     rotate(this.outerRing, turned(speeds.outer));
     rotate(this.innerRing, turned(speeds.inner));
     rotate(this.cage, (orbit / DEGREE) % 360);
@@ -127,17 +158,31 @@ export class BearingView {
     const reach = this.largest > 0 ? (BAR * size.outside) / 2 / this.largest : 0;
     this.elements.forEach((group, j) => {
       const angle = first + orbit + (2 * Math.PI * j) / size.count, [x, y] = this.at(size.pitch / 2, angle);
-      const loads = {outer: this.loadAt("outer", angle), inner: this.loadAt("inner", angle)};
-      group.setAttribute("transform", `translate(${x.toFixed(4)} ${y.toFixed(4)}) rotate(${(-turned(speeds.spin) % 360).toFixed(3)})`);
-      group.style.setProperty("--share", this.largest > 0 ? Math.max(loads.outer, loads.inner) / this.largest : 0);
-      for (const [race, foot, sign] of [["outer", (1.03 * size.outside) / 2, 1], ["inner", (0.97 * size.inner) / 2, -1]]) {
-        const [x1, y1] = this.at(foot, angle), [x2, y2] = this.at(foot + sign * reach * loads[race], angle), bar = this.bars[race][j];
-        for (const [name, value] of Object.entries({x1, y1, x2, y2})) bar.setAttribute(name, value.toFixed(4));
+      const loads = {outer: this.loadAt('outer', angle), inner: this.loadAt('inner', angle)};
+      group.setAttribute(
+          'transform',
+          `translate(${x.toFixed(4)} ${y.toFixed(4)}) rotate(${(-turned(speeds.spin) % 360).toFixed(3)})`);
+      group.style.setProperty(
+          '--share', this.largest > 0 ? Math.max(loads.outer, loads.inner) / this.largest : 0);
+      for (const [race, foot, sign] of [
+               ['outer', (1.03 * size.outside) / 2, 1], ['inner', (0.97 * size.inner) / 2, -1]]) {
+        const [x1, y1] = this.at(foot, angle), [x2, y2] = this.at(foot + sign * reach * loads[race], angle),
+                   bar = this.bars[race][j];
+        for (const [name, value] of Object.entries({x1, y1, x2, y2}))
+          bar.setAttribute(name, value.toFixed(4));
         bar.dataset.load = loads[race];
       }
     });
     const right = (1.1 + BAR) * size.outside / 2, low = right, long = (BAR * size.outside) / 2;
-    this.scaleBar.replaceChildren(...(this.largest > 0 ? [drawn("line", {x1: right - long, y1: low, x2: right, y2: low}), drawn("text", {x: right, y: low - size.outside / 60, "text-anchor": "end"}, `${readable(this.largest)} N`)] : []));
+    this.scaleBar.replaceChildren(
+        ...(this.largest > 0 ?
+                [
+                  drawn('line', {x1: right - long, y1: low, x2: right, y2: low}),
+                  drawn(
+                      'text', {x: right, y: low - size.outside / 60, 'text-anchor': 'end'},
+                      `${readable(this.largest)} N`)
+                ] :
+                []));
   }
 
   tell() {
@@ -145,16 +190,32 @@ export class BearingView {
     const {speeds, known} = this.scene, parts = [];
     if (known) {
       const slowed = Math.abs(speeds.cage) / 60 * Number(this.pace.value);
-      parts.push("Cage ", figure(speeds.cage, "rpm"), this.scene.planet ? " in the carrier, outer ring " : ", inner ring ", figure(this.scene.planet ? speeds.outer : speeds.inner, "rpm"), `, ${this.scene.ball ? "balls" : "rollers"} about their axes `, figure(speeds.spin, "rpm"), `. Slowed ${readable(slowed, 3)} times. `);
-    } else parts.push("No speed in the case: one revolution is shown without time. ");
-    parts.push("Bars: load of each ", this.scene.ball ? "ball" : "roller", ", outward on the outer race, inward on the inner race.");
+      parts.push(
+          'Cage ', figure(speeds.cage, 'rpm'),
+          this.scene.planet ? ' in the carrier, outer ring ' : ', inner ring ',
+          figure(this.scene.planet ? speeds.outer : speeds.inner, 'rpm'),
+          `, ${this.scene.ball ? 'balls' : 'rollers'} about their axes `, figure(speeds.spin, 'rpm'),
+          `. Slowed ${readable(slowed, 3)} times. `);
+    } else
+      parts.push('No speed in the case: one revolution is shown without time. ');
+    parts.push(
+        'Bars: load of each ', this.scene.ball ? 'ball' : 'roller',
+        ', outward on the outer race, inward on the inner race.');
     this.told.replaceChildren(...parts);
   }
 }
 
-/** Speeds at pure rolling [of the rings' unit]: cage and spin of the elements. `slip` of the cage reduces its speed. */
+/**
+ * Speeds at pure rolling [of the rings' unit]: cage and spin of the elements. `slip` of the cage reduces its
+ * speed.
+ */
 export function rollingSpeeds(size, inner, outer, slip = 0) {
   const ratio = size.element / size.pitch, cage = (inner * (1 - ratio) + outer * (1 + ratio)) / 2;
   const slipping = cage * (1 - slip);
-  return {inner, outer, cage: slipping, spin: slipping + ((outer - inner) * (1 - ratio * ratio)) / (2 * ratio)};
+  return {
+    inner,
+    outer,
+    cage: slipping,
+    spin: slipping + ((outer - inner) * (1 - ratio * ratio)) / (2 * ratio)
+  };
 }

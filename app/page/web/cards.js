@@ -1,27 +1,32 @@
 // The parts of the results, each a card that shows what the session holds.
-import {BearingView} from "./bearing_view.js";
-import {Chart} from "./charts.js";
-import {element, figure, readable} from "./dom.js";
-import {GearsView} from "./gears_view.js";
-import {nameOf, pointTable, resultTable} from "./results.js";
-import {gearSet, planetBearing, singleBearing} from "./scene.js";
+import {BearingView} from './bearing_view.js';
+import {Chart} from './charts.js';
+import {element, figure, readable} from './dom.js';
+import {GearsView} from './gears_view.js';
+import {nameOf, pointTable, resultTable} from './results.js';
+import {gearSet, planetBearing, singleBearing} from './scene.js';
 
-const COLOURS = ["c1", "c2", "c3", "c4", "c5", "c6", "c7", "c8"];
+const COLOURS = ['c1', 'c2', 'c3', 'c4', 'c5', 'c6', 'c7', 'c8'];
 const LIVES = /^(life_h|L10r?h|L10mr?h)$/;
-const PARTS_OF_LOAD = /^(planet_load|tangential_load|centrifugal_load|radial_mesh_load|(inner|outer)_load_(max|rms))_N$/;
+const PARTS_OF_LOAD =
+    /^(planet_load|tangential_load|centrifugal_load|radial_mesh_load|(inner|outer)_load_(max|rms))_N$/;
 const SLIPS = /(^|_)slip$/;
 const LOSSES = /^power_loss/;
-const isNumber = (value) => typeof value === "number" && Number.isFinite(value);
-const columnOf = (points, key) => points.filter((point) => point.status === "ok").map((point) => [point.input_speed_rpm, point[key]]);
+const isNumber = (value) => typeof value === 'number' && Number.isFinite(value);
+const columnOf = (points, key) =>
+    points.filter((point) => point.status === 'ok').map((point) => [point.input_speed_rpm, point[key]]);
 const isKnown = (points, key) => points.some((point) => isNumber(point[key]));
 
 /** A card; `fits(session)` says whether it has anything to show. */
 class Card {
-  constructor(id, title, {open = true, column = "left"} = {}) {
+  constructor(id, title, {open = true, column = 'left'} = {}) {
     this.column = column;
-    this.body = element("div", {class: "body"});
-    this.element = element("details", {class: "card", id: `card-${id}`, open}, element("summary", {}, element("h3", {}, title)), this.body);
-    this.element.addEventListener("toggle", () => this.element.open && this.session && this.show(this.session));
+    this.body = element('div', {class: 'body'});
+    this.element = element(
+        'details', {class: 'card', id: `card-${id}`, open}, element('summary', {}, element('h3', {}, title)),
+        this.body);
+    this.element.addEventListener(
+        'toggle', () => this.element.open && this.session && this.show(this.session));
   }
 
   update(session, what) {
@@ -31,12 +36,11 @@ class Card {
     if (fits && this.element.open) this.show(session, what);
   }
 
-  fits(session) {
-    return session.overSpeed;
-  }
+  fits(session) { return session.overSpeed; }
 }
 
-const overSpeed = (session) => session.known.word("input.member") ? `speed of the ${session.known.word("input.member")}` : "input speed";
+const overSpeed = (session) =>
+    session.known.word('input.member') ? `speed of the ${session.known.word('input.member')}` : 'input speed';
 
 /** Curves of the points of the sweep over speed, of pinned variants and of points in motion. */
 class CurveCard extends Card {
@@ -46,33 +50,54 @@ class CurveCard extends Card {
     this.y = y;
     this.onlyMotion = onlyMotion;
     this.log = log;
-    this.tools = element("div", {class: "tools"});
+    this.tools = element('div', {class: 'tools'});
     this.body.append(this.tools);
   }
 
   prepare(session) {
     if (this.chart) return;
     if (this.log !== null) {
-      this.scale = element("input", {type: "checkbox", id: `${this.element.id}-log`, checked: this.log});
-      this.scale.addEventListener("change", () => this.show(this.session));
-      this.tools.append(element("label", {class: "inline"}, this.scale, " logarithmic"));
+      this.scale = element('input', {type: 'checkbox', id: `${this.element.id}-log`, checked: this.log});
+      this.scale.addEventListener('change', () => this.show(this.session));
+      this.tools.append(element('label', {class: 'inline'}, this.scale, ' logarithmic'));
     }
-    this.chart = new Chart(this.body, {title: this.element.querySelector("h3").textContent, moved: (x) => session.setCursor(Number(x.toPrecision(5)))});
+    this.chart = new Chart(this.body, {
+      title: this.element.querySelector('h3').textContent,
+      moved: (x) => session.setCursor(Number(x.toPrecision(5)))
+    });
   }
 
   show(session, what) {
     this.prepare(session);
-    if (what === "cursor") return this.chart.setCursor(session.cursor);
+    if (what === 'cursor') return this.chart.setCursor(session.cursor);
     const still = session.sweep?.points ?? [], moving = session.motion, {meanings} = session;
     const known = this.keysOf([...still, ...moving]), series = [];
     known.forEach((key, i) => {
-      const colour = COLOURS[i % COLOURS.length], title = `${meanings.label(key)}: ${meanings.of(key).description ?? ""}`;
-      if (!this.onlyMotion && isKnown(still, key)) series.push({key, label: meanings.label(key), title, colour, points: columnOf(still, key)});
-      if (isKnown(moving, key)) series.push({key: `${key} dynamic`, label: `${meanings.label(key)}, ${session.motionFidelity}`, title, colour, points: columnOf([...moving].sort((a, b) => a.input_speed_rpm - b.input_speed_rpm), key), only: !this.onlyMotion, dots: true});
+      const colour = COLOURS[i % COLOURS.length],
+            title = `${meanings.label(key)}: ${meanings.of(key).description ?? ''}`;
+      if (!this.onlyMotion && isKnown(still, key))
+        series.push({key, label: meanings.label(key), title, colour, points: columnOf(still, key)});
+      if (isKnown(moving, key))
+        series.push({
+          key: `${key} dynamic`,
+          label: `${meanings.label(key)}, ${session.motionFidelity}`,
+          title,
+          colour,
+          points: columnOf([...moving].sort((a, b) => a.input_speed_rpm - b.input_speed_rpm), key),
+          only: !this.onlyMotion,
+          dots: true
+        });
     });
     series.push(...this.overlaid(session, known));
-    const unit = known.length ? (meanings.of(known[0]).unit ?? "") : "";
-    this.chart.set({series, x: {label: overSpeed(session), unit: "rpm"}, y: {label: this.y, unit, log: this.scale?.checked}, cursor: session.cursor, marks: this.marks(session), empty: this.empty});
+    const unit = known.length ? (meanings.of(known[0]).unit ?? '') : '';
+    this.chart.set({
+      series,
+      x: {label: overSpeed(session), unit: 'rpm'},
+      y: {label: this.y, unit, log: this.scale?.checked},
+      cursor: session.cursor,
+      marks: this.marks(session),
+      empty: this.empty
+    });
   }
 
   keysOf(points) {
@@ -80,112 +105,140 @@ class CurveCard extends Card {
     return Object.keys(first).filter((key) => this.keys.test(key) && isKnown(points, key));
   }
 
-  marks() {
-    return [];
-  }
+  marks() { return []; }
 
-  overlaid() {
-    return [];
-  }
+  overlaid() { return []; }
 }
 
-const DASHES = {A: "7 4", B: "2 3", C: "9 3 2 3"};
+const DASHES = {
+  A: '7 4',
+  B: '2 3',
+  C: '9 3 2 3'
+};
 
 export class LifeCard extends CurveCard {
   constructor() {
-    super("life", "Life over speed", LIVES, {y: "life", log: true});
-    this.empty = "No life: see the messages at the inputs";
+    super('life', 'Life over speed', LIVES, {y: 'life', log: true});
+    this.empty = 'No life: see the messages at the inputs';
   }
 
   marks({sweep, meanings}) {
     const peak = sweep?.peak;
-    return peak && isNumber(peak.speed_rpm) ? [{x: peak.speed_rpm, label: `longest ${meanings.label(peak.life_key)}`}] : [];
+    return peak && isNumber(peak.speed_rpm) ?
+        [{x: peak.speed_rpm, label: `longest ${meanings.label(peak.life_key)}`}] :
+        [];
   }
 
   overlaid({variants}, known) {
-    return (variants ?? []).filter((variant) => variant.sweep).flatMap((variant) => known.map((key, i) => ({
-      key: `${key} ${variant.name}`, label: i === 0 ? `variant ${variant.name}` : "", title: `${key} of variant ${variant.name}`, colour: COLOURS[i % COLOURS.length], dash: DASHES[variant.name], points: columnOf(variant.sweep.points, key)})));
+    return (variants ?? [])
+        .filter((variant) => variant.sweep)
+        .flatMap((variant) => known.map((key, i) => ({
+                                          key: `${key} ${variant.name}`,
+                                          label: i === 0 ? `variant ${variant.name}` : '',
+                                          title: `${key} of variant ${variant.name}`,
+                                          colour: COLOURS[i % COLOURS.length],
+                                          dash: DASHES[variant.name],
+                                          points: columnOf(variant.sweep.points, key)
+                                        })));
   }
 }
 
 export class LoadsCard extends CurveCard {
   constructor() {
-    super("loads", "Loads over speed", PARTS_OF_LOAD, {y: "load of one bearing, of a roller"});
+    super('loads', 'Loads over speed', PARTS_OF_LOAD, {y: 'load of one bearing, of a roller'});
   }
 }
 
 export class MoreCard extends CurveCard {
   constructor() {
-    super("more", "Any result over speed", /^$/, {open: false, y: ""});
-    this.choice = element("select", {"aria-label": "result over speed"});
-    this.choice.addEventListener("change", () => this.show(this.session));
+    super('more', 'Any result over speed', /^$/, {open: false, y: ''});
+    this.choice = element('select', {'aria-label': 'result over speed'});
+    this.choice.addEventListener('change', () => this.show(this.session));
     this.tools.append(this.choice);
   }
 
   keysOf(points) {
-    const keys = Object.keys(points[0] ?? {}).filter((key) => key !== "input_speed_rpm" && isKnown(points, key));
+    const keys =
+        Object.keys(points[0] ?? {}).filter((key) => key !== 'input_speed_rpm' && isKnown(points, key));
     if (this.choice.options.length !== keys.length) {
       const kept = this.choice.value;
-      this.choice.replaceChildren(...keys.map((key) => element("option", {value: key}, this.session.meanings.label(key))));
-      this.choice.value = keys.includes(kept) ? kept : "contact_pressure_max_MPa";
+      this.choice.replaceChildren(
+          ...keys.map((key) => element('option', {value: key}, this.session.meanings.label(key))));
+      this.choice.value = keys.includes(kept) ? kept : 'contact_pressure_max_MPa';
       if (!this.choice.value) this.choice.value = keys[0];
     }
     this.y = this.session.meanings.label(this.choice.value);
     return [this.choice.value];
   }
 
-  overlaid(session, known) {
-    return LifeCard.prototype.overlaid.call(this, session, known);
-  }
+  overlaid(session, known) { return LifeCard.prototype.overlaid.call(this, session, known); }
 }
 
 /** Slip and losses, which the dynamic model gives, and the run that computes them. */
 export class MotionCard extends Card {
   constructor() {
-    super("motion", "Dynamic run: slip, losses, life in motion", {});
-    this.start = element("button", {type: "button", class: "chief"}, "Start");
-    this.stop = element("button", {type: "button", disabled: true}, "Stop");
-    this.proceed = element("button", {type: "button", disabled: true}, "Continue");
-    this.bar = element("progress", {max: 1, value: 0, "aria-label": "progress of the dynamic run"});
-    this.told = element("p", {class: "told", role: "status"});
-    this.about = element("p", {class: "hint"});
-    this.body.append(this.about, element("div", {class: "player"}, this.start, this.stop, this.proceed, this.bar), this.told);
-    this.slips = element("div");
-    this.losses = element("div");
-    this.charts = element("div", {hidden: true}, element("h4", {}, "Slip"), this.slips, element("h4", {}, "Power losses of one bearing"), this.losses);
+    super('motion', 'Dynamic run: slip, losses, life in motion', {});
+    this.start = element('button', {type: 'button', class: 'chief'}, 'Start');
+    this.stop = element('button', {type: 'button', disabled: true}, 'Stop');
+    this.proceed = element('button', {type: 'button', disabled: true}, 'Continue');
+    this.bar = element('progress', {max: 1, value: 0, 'aria-label': 'progress of the dynamic run'});
+    this.told = element('p', {class: 'told', role: 'status'});
+    this.about = element('p', {class: 'hint'});
+    this.body.append(
+        this.about, element('div', {class: 'player'}, this.start, this.stop, this.proceed, this.bar),
+        this.told);
+    this.slips = element('div');
+    this.losses = element('div');
+    this.charts = element(
+        'div', {hidden: true}, element('h4', {}, 'Slip'), this.slips,
+        element('h4', {}, 'Power losses of one bearing'), this.losses);
     this.body.append(this.charts);
-    this.start.addEventListener("click", () => this.run(null));
-    this.stop.addEventListener("click", () => this.handle?.stop());
-    this.proceed.addEventListener("click", () => this.run(this.stopped));
+    this.start.addEventListener('click', () => this.run(null));
+    this.stop.addEventListener('click', () => this.handle?.stop());
+    this.proceed.addEventListener('click', () => this.run(this.stopped));
     this.stopped = null;
   }
 
-  get fidelity() {
-    return this.session.fidelity === "quasi-static" ? "dynamic" : this.session.fidelity;
-  }
+  get fidelity() { return this.session.fidelity === 'quasi-static' ? 'dynamic' : this.session.fidelity; }
 
   show(session, what) {
     if (!this.slipChart) {
       const moved = (x) => session.setCursor(Number(x.toPrecision(5)));
-      this.slipChart = new Chart(this.slips, {title: "Slip over speed", moved, height: 190});
-      this.lossChart = new Chart(this.losses, {title: "Power losses over speed", moved, height: 210});
+      this.slipChart = new Chart(this.slips, {title: 'Slip over speed', moved, height: 190});
+      this.lossChart = new Chart(this.losses, {title: 'Power losses over speed', moved, height: 210});
     }
-    if (what === "cursor") {
+    if (what === 'cursor') {
       this.slipChart.setCursor(session.cursor);
       return this.lossChart.setCursor(session.cursor);
     }
     const swept = session.sweptSpeeds().length > 1;
-    this.about.textContent = `Rollers, cage and film in time, ${this.fidelity}${swept ? ", at the speeds of the case's own sweep" : ", at the speed of the cursor"}. Each speed takes seconds to minutes.`;
+    this.about.textContent = `Rollers, cage and film in time, ${this.fidelity}${
+        swept ? ', at the speeds of the case\'s own sweep' :
+                ', at the speed of the cursor'}. Each speed takes seconds to minutes.`;
     this.charts.hidden = session.motion.length === 0;
     if (this.text !== session.text && !this.handle) {
       this.stopped = null;
       this.proceed.disabled = true;
     }
-    for (const [chart, keys, y, unit] of [[this.slipChart, SLIPS, "slip", ""], [this.lossChart, LOSSES, "loss", "W"]]) {
-      const known = Object.keys(session.motion[0] ?? {}).filter((key) => keys.test(key) && isKnown(session.motion, key));
+    for (const [chart, keys, y, unit] of [
+             [this.slipChart, SLIPS, 'slip', ''], [this.lossChart, LOSSES, 'loss', 'W']]) {
+      const known = Object.keys(session.motion[0] ?? {})
+                        .filter((key) => keys.test(key) && isKnown(session.motion, key));
       const points = [...session.motion].sort((a, b) => a.input_speed_rpm - b.input_speed_rpm);
-      chart.set({series: known.map((key, i) => ({key, label: session.meanings.label(key).replace("power loss ", "") || "all", title: session.meanings.of(key).description, colour: COLOURS[i % COLOURS.length], points: columnOf(points, key), dots: true})),
-        x: {label: overSpeed(session), unit: "rpm", ...this.ends(session)}, y: {label: y, unit}, cursor: session.cursor, empty: "Computed by the dynamic model: press Start"});
+      chart.set({
+        series: known.map((key, i) => ({
+                            key,
+                            label: session.meanings.label(key).replace('power loss ', '') || 'all',
+                            title: session.meanings.of(key).description,
+                            colour: COLOURS[i % COLOURS.length],
+                            points: columnOf(points, key),
+                            dots: true
+                          })),
+        x: {label: overSpeed(session), unit: 'rpm', ...this.ends(session)},
+        y: {label: y, unit},
+        cursor: session.cursor,
+        empty: 'Computed by the dynamic model: press Start'
+      });
     }
   }
 
@@ -200,32 +253,42 @@ export class MotionCard extends Card {
     session.motionFidelity = this.fidelity;
     this.text = session.text;
     const settings = session.sweptSpeeds().length > 1 ? [] : [`sweep={input.speed: [${session.cursor} rpm]}`];
-    const request = session.request("sweep", settings, {fidelity: this.fidelity, grid_only: true});
+    const request = session.request('sweep', settings, {fidelity: this.fidelity, grid_only: true});
     for (const button of [this.start, this.proceed]) button.disabled = true;
     this.stop.disabled = false;
-    this.told.textContent = "Starting …";
+    this.told.textContent = 'Starting …';
     const put = (points) => {
-      for (const point of points) session.motion = [...session.motion.filter((one) => one.input_speed_rpm !== point.input_speed_rpm), point];
-      session.tell("motion");
+      for (const point of points)
+        session.motion =
+            [...session.motion.filter((one) => one.input_speed_rpm !== point.input_speed_rpm), point];
+      session.tell('motion');
     };
     let all = 0;
-    this.handle = session.engine.start(request, {
-      progress: ({done, all: count, seconds_left: left, doing, motion}) => {
-        all = count;
-        this.bar.value = count ? done / count : 0;
-        this.told.textContent = `${doing ? `${doing} ` : ""}${done} of ${count} points done${isNumber(left) ? `, ${readable(left, 2)} s to go` : ""}${isNumber(motion?.real_time_factor) ? `, ${readable(motion.real_time_factor, 2)} times real time` : ""}`;
-      },
-      point: (point) => put([point]),
-    }, from);
+    this.handle = session.engine.start(
+        request, {
+          progress: ({done, all: count, seconds_left: left, doing, motion}) => {
+            all = count;
+            this.bar.value = count ? done / count : 0;
+            this.told.textContent = `${doing ? `${doing} ` : ''}${done} of ${count} points done${
+                isNumber(left) ? `, ${readable(left, 2)} s to go` : ''}${
+                isNumber(motion?.real_time_factor) ?
+                    `, ${readable(motion.real_time_factor, 2)} times real time` :
+                    ''}`;
+          },
+          point: (point) => put([point]),
+        },
+        from);
     try {
       const result = await this.handle.done;
       if (result.points) put(result.points);
       this.stopped = result.stopped ? this.handle : null;
-      this.told.textContent = result.stopped ? `Stopped: ${session.motion.length}${all ? ` of ${all}` : ""} points kept.` : `Done: ${session.motion.length} points.`;
+      this.told.textContent = result.stopped ?
+          `Stopped: ${session.motion.length}${all ? ` of ${all}` : ''} points kept.` :
+                                                    `Done: ${session.motion.length} points.`;
       if (!result.stopped) session.motionResult = result;
     } catch (error) {
       this.stopped = session.motion.length ? this.handle : null;
-      this.told.textContent = (error.errors ?? [error.message]).join(" ");
+      this.told.textContent = (error.errors ?? [error.message]).join(' ');
     }
     this.handle = null;
     this.start.disabled = false;
@@ -236,39 +299,41 @@ export class MotionCard extends Card {
 
 export class MachineCard extends Card {
   constructor() {
-    super("bearing", "Bearing to scale", {column: "right"});
-    this.sets = element("select", {"aria-label": "planetary set", hidden: true});
-    this.sets.addEventListener("change", () => this.show(this.session));
+    super('bearing', 'Bearing to scale', {column: 'right'});
+    this.sets = element('select', {'aria-label': 'planetary set', hidden: true});
+    this.sets.addEventListener('change', () => this.show(this.session));
     this.body.append(this.sets);
     this.view = new BearingView(this.body);
   }
 
-  fits(session) {
-    return this.sceneOf(session) !== null;
-  }
+  fits(session) { return this.sceneOf(session) !== null; }
 
   sceneOf(session) {
-    return session.overSpeed ? planetBearing(session.known, session.point, session.run?.roller_loads, chosen(this.sets, session)) : session.model === "planetary-drivetrain" ? null : singleBearing(session.known, session.run);
+    return session.overSpeed ?
+        planetBearing(session.known, session.point, session.run?.roller_loads, chosen(this.sets, session)) :
+        session.model === 'planetary-drivetrain' ? null :
+                                                   singleBearing(session.known, session.run);
   }
 
   show(session, what) {
-    if (what === "cursor") return;
+    if (what === 'cursor') return;
     this.view.set(this.sceneOf(session));
   }
 }
 
 function chosen(select, session) {
   const names = session.known.sets;
-  if (select.options.length !== names.length) select.replaceChildren(...names.map((name) => element("option", {value: name}, `set ${name}`)));
+  if (select.options.length !== names.length)
+    select.replaceChildren(...names.map((name) => element('option', {value: name}, `set ${name}`)));
   select.hidden = names.length === 0;
-  return names.length ? select.value : "";
+  return names.length ? select.value : '';
 }
 
 export class GearsCard extends Card {
   constructor(bearing) {
-    super("gears", "Sun, planets and ring to scale", {column: "right"});
-    this.sets = element("select", {"aria-label": "planetary set", hidden: true});
-    this.sets.addEventListener("change", () => this.show(this.session));
+    super('gears', 'Sun, planets and ring to scale', {column: 'right'});
+    this.sets = element('select', {'aria-label': 'planetary set', hidden: true});
+    this.sets.addEventListener('change', () => this.show(this.session));
     this.body.append(this.sets);
     this.view = new GearsView(this.body);
     const follow = () => {
@@ -279,67 +344,80 @@ export class GearsCard extends Card {
   }
 
   fits(session) {
-    return session.model === "planetary-drivetrain" && gearSet(session.known, session.point, chosen(this.sets, session)) !== null;
+    return session.model === 'planetary-drivetrain' &&
+        gearSet(session.known, session.point, chosen(this.sets, session)) !== null;
   }
 
   show(session, what) {
-    if (what !== "cursor") this.view.set(gearSet(session.known, session.point, chosen(this.sets, session)));
+    if (what !== 'cursor') this.view.set(gearSet(session.known, session.point, chosen(this.sets, session)));
   }
 }
 
 /** Pressure along the most loaded roller, where the results give it; else the loads of its laminae. */
 export class PressureCard extends Card {
-  constructor() {
-    super("pressure", "Pressure along the most loaded roller", {column: "right"});
-  }
+  constructor() { super('pressure', 'Pressure along the most loaded roller', {column: 'right'}); }
 
   curves({run}) {
     const given = (run?.roller_loads ?? []).filter((one) => one.along_mm.length > 0);
-    return given.flatMap((one, n) => ["inner", "outer"].map((race, i) => ({key: `${race} ${one.set}`.trim(), label: `${one.set ? `${one.set}, ` : ""}${race} race`, colour: COLOURS[(2 * n + i) % COLOURS.length], points: one.along_mm.map((x, k) => [x, one[`${race}_pressure_MPa`][k]])})));
+    return given.flatMap(
+        (one, n) => ['inner', 'outer'].map(
+            (race, i) => ({
+              key: `${race} ${one.set}`.trim(),
+              label: `${one.set ? `${one.set}, ` : ''}${race} race`,
+              colour: COLOURS[(2 * n + i) % COLOURS.length],
+              points: one.along_mm.map((x, k) => [x, one[`${race}_pressure_MPa`][k]])
+            })));
   }
 
-  fits(session) {
-    return this.curves(session).length > 0 || this.laminae(session) !== null;
-  }
+  fits(session) { return this.curves(session).length > 0 || this.laminae(session) !== null; }
 
   laminae({run}) {
     const rows = run?.lamina_loads_N, places = run?.steps?.lamina_places_mm;
     if (!rows?.length || places?.length !== rows[0].length) return null;
-    const sums = rows.map((row) => row.reduce((sum, one) => sum + one, 0)), most = sums.indexOf(Math.max(...sums));
-    return [{key: "lamina", label: `roller ${most + 1}`, colour: "c1", points: places.map((x, k) => [x, rows[most][k]])}];
+    const sums = rows.map((row) => row.reduce((sum, one) => sum + one, 0)),
+          most = sums.indexOf(Math.max(...sums));
+    return [{
+      key: 'lamina',
+      label: `roller ${most + 1}`,
+      colour: 'c1',
+      points: places.map((x, k) => [x, rows[most][k]])
+    }];
   }
 
   show(session, what) {
-    if (what === "cursor") return;
-    this.chart ??= new Chart(this.body, {title: "Pressure along the roller", height: 220});
+    if (what === 'cursor') return;
+    this.chart ??= new Chart(this.body, {title: 'Pressure along the roller', height: 220});
     const series = this.curves(session), pressure = series.length > 0;
-    this.chart.set({series: pressure ? series : this.laminae(session), x: {label: "position along the roller", unit: "mm"}, y: pressure ? {label: "pressure", unit: "MPa"} : {label: "load of a lamina", unit: "N"}});
+    this.chart.set({
+      series: pressure ? series : this.laminae(session),
+      x: {label: 'position along the roller', unit: 'mm'},
+      y: pressure ? {label: 'pressure', unit: 'MPa'} : {label: 'load of a lamina', unit: 'N'}
+    });
   }
 }
 
 /** What is computed when the card is opened or a button pressed: kept as long as the case is the same. */
 class AskedCard extends Card {
-  constructor(id, title, {button = "", column = "right"} = {}) {
+  constructor(id, title, {button = '', column = 'right'} = {}) {
     super(id, title, {open: false, column});
-    this.told = element("p", {class: "told", role: "status"});
-    this.shown = element("div");
+    this.told = element('p', {class: 'told', role: 'status'});
+    this.shown = element('div');
     if (button) {
-      this.button = element("button", {type: "button"}, button);
-      this.button.addEventListener("click", () => this.ask(this.session));
+      this.button = element('button', {type: 'button'}, button);
+      this.button.addEventListener('click', () => this.ask(this.session));
       this.body.append(this.button);
     }
     this.body.append(this.told, this.shown);
     this.text = null;
   }
 
-  fits(session) {
-    return session.model === "planetary-drivetrain";
-  }
+  fits(session) { return session.model === 'planetary-drivetrain'; }
 
   show(session, what) {
-    if (what === "cursor" || session.errors.length) return this.follow?.(session);
+    if (what === 'cursor' || session.errors.length) return this.follow?.(session);
     if (this.button) {
-      if (this.text !== null && this.text !== session.text) this.told.textContent = "The case has changed since: press again.";
+      if (this.text !== null && this.text !== session.text)
+        this.told.textContent = 'The case has changed since: press again.';
       return;
     }
     if (this.text !== session.text) this.ask(session);
@@ -349,14 +427,14 @@ class AskedCard extends Card {
     if (this.asking) return;
     this.asking = true;
     this.text = session.text;
-    this.told.textContent = "Computing …";
+    this.told.textContent = 'Computing …';
     if (this.button) this.button.disabled = true;
     try {
       const result = await this.request(session);
-      this.told.textContent = "";
+      this.told.textContent = '';
       this.draw(session, result);
     } catch (error) {
-      this.told.textContent = (error.errors ?? [error.message]).join(" ");
+      this.told.textContent = (error.errors ?? [error.message]).join(' ');
       if (!error.errors) throw error;
     } finally {
       this.asking = false;
@@ -367,134 +445,228 @@ class AskedCard extends Card {
 }
 
 const CAMPBELL_SPEEDS = 9;
-const KINDS = {rotational: "c1", translational: "c2", planet: "c3"};
+const KINDS = {
+  rotational: 'c1',
+  translational: 'c2',
+  planet: 'c3'
+};
 
 export class ModesCard extends AskedCard {
-  constructor() {
-    super("modes", "Campbell diagram");
-  }
+  constructor() { super('modes', 'Campbell diagram'); }
 
   fits(session) {
-    return session.model === "planetary-drivetrain" && session.known.input("input.speed") !== undefined && session.check.inputs.some((input) => input.used_by.includes("modes --speed"));
+    return session.model === 'planetary-drivetrain' && session.known.input('input.speed') !== undefined &&
+        session.check.inputs.some((input) => input.used_by.includes('modes --speed'));
   }
 
   async request(session) {
     const found = [];
-    for (const speed of session.speeds(CAMPBELL_SPEEDS)) found.push({speed, ...(await session.engine.answer(session.request("modes", [], {speed: `${speed} rpm`})))});
+    for (const speed of session.speeds(CAMPBELL_SPEEDS))
+      found.push(
+          {speed, ...(await session.engine.answer(session.request('modes', [], {speed: `${speed} rpm`})))});
     return found;
   }
 
   draw(session, found) {
-    this.chart ??= new Chart(this.shown, {title: "Natural frequencies over speed", height: 320, moved: (x) => session.setCursor(Number(x.toPrecision(5)))});
+    this.chart ??= new Chart(this.shown, {
+      title: 'Natural frequencies over speed',
+      height: 320,
+      moved: (x) => session.setCursor(Number(x.toPrecision(5)))
+    });
     const kinds = [...new Set(found.flatMap((one) => one.modes.map((mode) => mode.kind)))];
-    const series = kinds.map((kind, i) => ({key: kind, label: `${kind} mode`, colour: KINDS[kind] ?? COLOURS[3 + i], only: true, points: found.flatMap(({speed, modes}) => modes.filter((mode) => mode.kind === kind && mode.frequency_Hz > 0).map((mode) => [speed, mode.frequency_Hz]))}));
+    const series = kinds.map(
+        (kind, i) => ({
+          key: kind,
+          label: `${kind} mode`,
+          colour: KINDS[kind] ?? COLOURS[3 + i],
+          only: true,
+          points: found.flatMap(
+              ({speed, modes}) => modes.filter((mode) => mode.kind === kind && mode.frequency_Hz > 0)
+                                      .map((mode) => [speed, mode.frequency_Hz]))
+        }));
     const top = Math.max(...series.flatMap((one) => one.points.map(([, y]) => y)));
-    const mesh = session.known.derived.get("gearset.dynamics.mesh_frequency"), own = (session.known.input("input.speed") * 30) / Math.PI;
-    if (mesh) for (const order of [1, 2, 3]) series.push({key: `mesh ${order}`, label: `${order === 1 ? "" : `${order} × `}mesh frequency`, colour: "c8", dash: order === 1 ? null : order === 2 ? "6 3" : "2 3", points: found.map(({speed}) => [speed, (order * mesh * speed) / own]).filter(([, y]) => y <= 1.05 * top)});
-    this.chart.set({series, x: {label: overSpeed(session), unit: "rpm"}, y: {label: "frequency", unit: "Hz"}, cursor: session.cursor});
+    const mesh = session.known.derived.get('gearset.dynamics.mesh_frequency'),
+          own = (session.known.input('input.speed') * 30) / Math.PI;
+    if (mesh)
+      for (const order of [1, 2, 3])
+        series.push({
+          key: `mesh ${order}`,
+          label: `${order === 1 ? '' : `${order} × `}mesh frequency`,
+          colour: 'c8',
+          dash: order === 1 ? null :
+              order === 2   ? '6 3' :
+                              '2 3',
+          points:
+              found.map(({speed}) => [speed, (order * mesh * speed) / own]).filter(([, y]) => y <= 1.05 * top)
+        });
+    this.chart.set({
+      series,
+      x: {label: overSpeed(session), unit: 'rpm'},
+      y: {label: 'frequency', unit: 'Hz'},
+      cursor: session.cursor
+    });
   }
 
-  follow(session) {
-    this.chart?.setCursor(session.cursor);
-  }
+  follow(session) { this.chart?.setCursor(session.cursor); }
 }
 
 export class MeshCard extends AskedCard {
-  constructor() {
-    super("mesh", "Mesh stiffness", {column: "left"});
-  }
+  constructor() { super('mesh', 'Mesh stiffness', {column: 'left'}); }
 
   fits(session) {
-    return session.model === "gear-pair" || (session.model === "planetary-drivetrain" && session.known.derived.has("gearset.centre_distance"));
+    return session.model === 'gear-pair' ||
+        (session.model === 'planetary-drivetrain' && session.known.derived.has('gearset.centre_distance'));
   }
 
-  request(session) {
-    return session.engine.answer(session.request("mesh"));
-  }
+  request(session) { return session.engine.answer(session.request('mesh')); }
 
   draw(session, {meshes}) {
-    this.chart ??= new Chart(this.shown, {title: "Mesh stiffness over a mesh period", height: 220});
-    const first = [...new Map(meshes.map((mesh) => [mesh.name.replace(/ \d+$/, ""), mesh]))];
-    this.chart.set({series: first.map(([name, mesh], i) => ({key: name, label: name, colour: COLOURS[i], points: mesh.curve.map(([x, y]) => [x, y])})), x: {label: "share of the mesh period"}, y: {label: "stiffness", unit: "N/m"}});
+    this.chart ??= new Chart(this.shown, {title: 'Mesh stiffness over a mesh period', height: 220});
+    const first = [...new Map(meshes.map((mesh) => [mesh.name.replace(/ \d+$/, ''), mesh]))];
+    this.chart.set({
+      series: first.map(
+          ([name, mesh], i) =>
+              ({key: name, label: name, colour: COLOURS[i], points: mesh.curve.map(([x, y]) => [x, y])})),
+      x: {label: 'share of the mesh period'},
+      y: {label: 'stiffness', unit: 'N/m'}
+    });
     this.table?.remove();
-    this.table = element("div", {class: "scroll", tabindex: 0, role: "region", "aria-label": "meshes"}, element("table", {class: "grid"}, element("thead", {}, element("tr", {}, ...["mesh", "contact ratio", "mean (N/m)", "min (N/m)", "max (N/m)"].map((text) => element("th", {scope: "col"}, text)))),
-      element("tbody", {}, ...first.map(([name, mesh]) => element("tr", {}, element("th", {scope: "row"}, name), ...["contact_ratio", "mean_N_per_m", "min_N_per_m", "max_N_per_m"].map((key) => element("td", {}, figure(mesh[key]))))))));
+    this.table = element(
+        'div', {class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'meshes'},
+        element(
+            'table', {class: 'grid'},
+            element(
+                'thead', {},
+                element(
+                    'tr', {},
+                    ...['mesh', 'contact ratio', 'mean (N/m)', 'min (N/m)', 'max (N/m)'].map(
+                        (text) => element('th', {scope: 'col'}, text)))),
+            element(
+                'tbody', {},
+                ...first.map(
+                    ([name, mesh]) => element(
+                        'tr', {}, element('th', {scope: 'row'}, name),
+                        ...['contact_ratio', 'mean_N_per_m', 'min_N_per_m', 'max_N_per_m'].map(
+                            (key) => element('td', {}, figure(mesh[key]))))))));
     this.shown.append(this.table);
   }
 }
 
 export class CrownCard extends AskedCard {
   constructor(apply) {
-    super("crown", "Roller crown", {button: "Compute the recommended crown"});
+    super('crown', 'Roller crown', {button: 'Compute the recommended crown'});
     this.apply = apply;
   }
 
   fits(session) {
-    return session.overSpeed && session.check.inputs.some((input) => input.used_by.includes("crown"));
+    return session.overSpeed && session.check.inputs.some((input) => input.used_by.includes('crown'));
   }
 
-  request(session) {
-    return session.engine.answer(session.request("crown", session.setting));
-  }
+  request(session) { return session.engine.answer(session.request('crown', session.setting)); }
 
   draw(session, result) {
     const {recommended: best, straight, points} = result, known = best ?? result.optimum;
-    const rows = [["Recommended drop", figure(known.drop_um, "um")]];
-    if (best) rows.push(["Range with 95 % of the life", element("span", {}, figure(best.least_drop_um, "um"), " to ", figure(best.most_drop_um, "um"))], ["Rollers", best.rollers]);
-    rows.push(["Life there (Lundberg-Palmgren)", figure(known.life_h, "h")], ["Life of straight rollers", figure(straight.life_h, "h")], ["Peak pressure there", figure(known.peak_pressure_MPa, "MPa")], ["Peak pressure of straight rollers", figure(straight.peak_pressure_MPa, "MPa")]);
-    const table = element("table", {class: "values"}, element("tbody", {}, ...rows.map(([name, value]) => element("tr", {}, element("th", {scope: "row"}, name), element("td", {}, value)))));
-    const take = element("button", {type: "button"}, "Put this drop into the case");
-    take.addEventListener("click", () => this.apply(known));
-    const charts = element("div");
+    const rows = [['Recommended drop', figure(known.drop_um, 'um')]];
+    if (best)
+      rows.push(
+          [
+            'Range with 95 % of the life',
+            element('span', {}, figure(best.least_drop_um, 'um'), ' to ', figure(best.most_drop_um, 'um'))
+          ],
+          ['Rollers', best.rollers]);
+    rows.push(
+        ['Life there (Lundberg-Palmgren)', figure(known.life_h, 'h')],
+        ['Life of straight rollers', figure(straight.life_h, 'h')],
+        ['Peak pressure there', figure(known.peak_pressure_MPa, 'MPa')],
+        ['Peak pressure of straight rollers', figure(straight.peak_pressure_MPa, 'MPa')]);
+    const table = element(
+        'table', {class: 'values'},
+        element(
+            'tbody', {},
+            ...rows.map(
+                ([name, value]) =>
+                    element('tr', {}, element('th', {scope: 'row'}, name), element('td', {}, value)))));
+    const take = element('button', {type: 'button'}, 'Put this drop into the case');
+    take.addEventListener('click', () => this.apply(known));
+    const charts = element('div');
     this.shown.replaceChildren(table, take, charts);
-    const drops = [...new Map(points.filter((point) => isNumber(point.life_h)).map((point) => [point.drop_um, point])).values()].sort((a, b) => a.drop_um - b.drop_um);
-    const series = (key) => [{key, label: key === "life_h" ? "life" : "peak pressure", colour: key === "life_h" ? "c1" : "c2", points: drops.map((point) => [point.drop_um, point[key]]), dots: true}];
-    const x = {label: "drop at the end of a roller", unit: "um"}, marks = [{x: known.drop_um, label: "recommended"}];
-    new Chart(charts, {title: "Life over the crown's drop", height: 200}).set({series: series("life_h"), x, y: {label: "life", unit: "h"}, marks});
-    new Chart(charts, {title: "Peak pressure over the crown's drop", height: 200}).set({series: series("peak_pressure_MPa"), x, y: {label: "pressure", unit: "MPa"}, marks});
+    const drops = [
+      ...new Map(points.filter((point) => isNumber(point.life_h)).map((point) => [point.drop_um, point]))
+          .values()
+    ].sort((a, b) => a.drop_um - b.drop_um);
+    const series = (key) => [{
+      key,
+      label: key === 'life_h' ? 'life' : 'peak pressure',
+      colour: key === 'life_h' ? 'c1' : 'c2',
+      points: drops.map((point) => [point.drop_um, point[key]]),
+      dots: true
+    }];
+    const x = {label: 'drop at the end of a roller', unit: 'um'},
+          marks = [{x: known.drop_um, label: 'recommended'}];
+    new Chart(charts, {title: 'Life over the crown\'s drop', height: 200})
+        .set({series: series('life_h'), x, y: {label: 'life', unit: 'h'}, marks});
+    new Chart(charts, {title: 'Peak pressure over the crown\'s drop', height: 200})
+        .set({series: series('peak_pressure_MPa'), x, y: {label: 'pressure', unit: 'MPa'}, marks});
   }
 }
 
 export class SpectrumCard extends Card {
-  constructor() {
-    super("spectrum", "Load spectrum: share of time and of damage");
-  }
+  constructor() { super('spectrum', 'Load spectrum: share of time and of damage'); }
 
   bins({sweep}) {
     const spectrum = sweep?.spectrum;
     return (Array.isArray(spectrum) ? spectrum[0] : spectrum)?.bins ?? [];
   }
 
-  fits(session) {
-    return session.overSpeed && this.bins(session).length > 0;
-  }
+  fits(session) { return session.overSpeed && this.bins(session).length > 0; }
 
   show(session, what) {
-    if (what === "cursor") return;
-    const bar = (share, kind) => element("span", {class: `share ${kind}`, style: `--share: ${Math.min(1, share ?? 0)}`}, figure(100 * (share ?? NaN) || 0, "%", 3));
-    const heads = ["bin", "power (kW)", "torque (N m)", "speed (rpm)", "share of time", "share of damage", "life (h)"];
-    this.body.replaceChildren(element("div", {class: "scroll", tabindex: 0, role: "region", "aria-label": "load spectrum"}, element("table", {class: "grid"}, element("thead", {}, element("tr", {}, ...heads.map((head) => element("th", {scope: "col"}, head)))),
-      element("tbody", {}, ...this.bins(session).map((bin) => element("tr", {}, element("th", {scope: "row"}, String(bin.bin)), ...["power_kW", "torque_N_m", "speed_rpm"].map((key) => element("td", {}, figure(bin[key]))), element("td", {}, bar(bin.share, "time")), element("td", {}, bar(bin.damage_share, "damage")), element("td", {}, figure(bin.life_h))))))),
-      element("p", {class: "told"}, "Life under the spectrum: ", figure((Array.isArray(session.sweep.spectrum) ? session.sweep.spectrum[0] : session.sweep.spectrum).life_h, "h"), "."));
+    if (what === 'cursor') return;
+    const bar = (share, kind) => element(
+        'span', {class: `share ${kind}`, style: `--share: ${Math.min(1, share ?? 0)}`},
+        figure(100 * (share ?? NaN) || 0, '%', 3));
+    const heads =
+        ['bin', 'power (kW)', 'torque (N m)', 'speed (rpm)', 'share of time', 'share of damage', 'life (h)'];
+    this.body.replaceChildren(
+        element(
+            'div', {class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'load spectrum'},
+            element(
+                'table', {class: 'grid'},
+                element(
+                    'thead', {},
+                    element('tr', {}, ...heads.map((head) => element('th', {scope: 'col'}, head)))),
+                element(
+                    'tbody', {},
+                    ...this.bins(session).map(
+                        (bin) => element(
+                            'tr', {}, element('th', {scope: 'row'}, String(bin.bin)),
+                            ...['power_kW', 'torque_N_m', 'speed_rpm'].map(
+                                (key) => element('td', {}, figure(bin[key]))),
+                            element('td', {}, bar(bin.share, 'time')),
+                            element('td', {}, bar(bin.damage_share, 'damage')),
+                            element('td', {}, figure(bin.life_h))))))),
+        element(
+            'p', {class: 'told'}, 'Life under the spectrum: ',
+            figure(
+                (Array.isArray(session.sweep.spectrum) ? session.sweep.spectrum[0] : session.sweep.spectrum)
+                    .life_h,
+                'h'),
+            '.'));
   }
 }
 
 /** Inputs that the source does not give; with their effect on the life where it was computed. */
 export class AssumptionsCard extends AskedCard {
   constructor(focus) {
-    super("assumptions", "Assumptions and warnings", {button: "Sort by effect on life", column: "left"});
+    super('assumptions', 'Assumptions and warnings', {button: 'Sort by effect on life', column: 'left'});
     this.focus = focus;
-    this.list = element("div");
+    this.list = element('div');
     this.body.append(this.list);
   }
 
-  fits(session) {
-    return Boolean(session.check);
-  }
+  fits(session) { return Boolean(session.check); }
 
-  async request(session) {
-    return session.engine.answer(session.request("sensitivities", session.setting));
-  }
+  async request(session) { return session.engine.answer(session.request('sensitivities', session.setting)); }
 
   draw(session, result) {
     this.effects = new Map(result.inputs.map((input) => [input.path, input]));
@@ -502,18 +674,20 @@ export class AssumptionsCard extends AskedCard {
   }
 
   show(session, what) {
-    if (what === "cursor") return;
+    if (what === 'cursor') return;
     super.show(session, what);
-    this.button.hidden = !(session.overSpeed || ["roller-bearing", "ball-bearing"].includes(session.model)) || session.inTime;
+    this.button.hidden =
+        !(session.overSpeed || ['roller-bearing', 'ball-bearing'].includes(session.model)) || session.inTime;
     this.list_(session);
   }
 
   list_(session) {
-    const assumed = session.check.inputs.filter((input) => input.standing !== "given"), size = (input) => Math.abs(this.effects?.get(input.path)?.elasticity ?? 0);
+    const assumed = session.check.inputs.filter((input) => input.standing !== 'given'),
+          size = (input) => Math.abs(this.effects?.get(input.path)?.elasticity ?? 0);
     if (this.effects) assumed.sort((one, other) => size(other) - size(one));
     const jump = (path) => {
-      const link = element("a", {href: "#inputs"}, path);
-      link.addEventListener("click", (event) => {
+      const link = element('a', {href: '#inputs'}, path);
+      link.addEventListener('click', (event) => {
         event.preventDefault();
         this.focus(path);
       });
@@ -521,26 +695,50 @@ export class AssumptionsCard extends AskedCard {
     };
     const effect = (input) => {
       const found = this.effects?.get(input.path);
-      return found && isNumber(found.elasticity) ? `${readable(found.elasticity, 2)} %` : "";
+      return found && isNumber(found.elasticity) ? `${readable(found.elasticity, 2)} %` : '';
     };
     const warnings = [...new Set([...(session.check.warnings ?? []), ...(session.run?.warnings ?? [])])];
     this.list.replaceChildren(
-      ...(warnings.length ? [element("h4", {}, "Warnings"), element("ul", {class: "warnings"}, ...warnings.map((text) => element("li", {}, text)))] : []),
-      element("h4", {}, `${assumed.length} assumed inputs`),
-      element("div", {class: "scroll tall", tabindex: 0, role: "region", "aria-label": "assumed inputs"}, element("table", {class: "grid left"}, element("thead", {}, element("tr", {}, element("th", {scope: "col"}, "Input"), element("th", {scope: "col"}, "Value"), this.effects ? element("th", {scope: "col"}, "Life changes by, for 1 %") : null, element("th", {scope: "col"}, "Reason"))),
-        element("tbody", {}, ...assumed.map((input) => element("tr", {}, element("th", {scope: "row"}, jump(input.path)), element("td", {}, input.given), this.effects ? element("td", {}, effect(input)) : null, element("td", {}, input.reason)))))));
+        ...(warnings.length ?
+                [
+                  element('h4', {}, 'Warnings'),
+                  element('ul', {class: 'warnings'}, ...warnings.map((text) => element('li', {}, text)))
+                ] :
+                []),
+        element('h4', {}, `${assumed.length} assumed inputs`),
+        element(
+            'div', {class: 'scroll tall', tabindex: 0, role: 'region', 'aria-label': 'assumed inputs'},
+            element(
+                'table', {class: 'grid left'},
+                element(
+                    'thead', {},
+                    element(
+                        'tr', {}, element('th', {scope: 'col'}, 'Input'),
+                        element('th', {scope: 'col'}, 'Value'),
+                        this.effects ? element('th', {scope: 'col'}, 'Life changes by, for 1 %') : null,
+                        element('th', {scope: 'col'}, 'Reason'))),
+                element(
+                    'tbody', {},
+                    ...assumed.map(
+                        (input) => element(
+                            'tr', {}, element('th', {scope: 'row'}, jump(input.path)),
+                            element('td', {}, input.given),
+                            this.effects ? element('td', {}, effect(input)) : null,
+                            element('td', {}, input.reason)))))));
   }
 }
 
 export class PointCard extends Card {
-  constructor() {
-    super("point", "All results at the cursor", {open: false, column: "wide"});
-  }
+  constructor() { super('point', 'All results at the cursor', {open: false, column: 'wide'}); }
 
   show(session, what) {
-    if (what === "cursor" || !session.point) return;
-    const table = element("div", {class: "scroll tall", tabindex: 0, role: "region", "aria-label": "all results at the cursor"}, pointTable(session.point, session.meanings));
-    const part = session.meanings.partOf("run", session.run), rest = Object.fromEntries(Object.entries(session.run).filter(([key]) => !["points", "peak"].includes(key)));
+    if (what === 'cursor' || !session.point) return;
+    const table = element(
+        'div', {class: 'scroll tall', tabindex: 0, role: 'region', 'aria-label': 'all results at the cursor'},
+        pointTable(session.point, session.meanings));
+    const part = session.meanings.partOf('run', session.run),
+          rest = Object.fromEntries(
+              Object.entries(session.run).filter(([key]) => !['points', 'peak'].includes(key)));
     this.body.replaceChildren(table, resultTable(rest, part, session.run.units));
   }
 }
@@ -548,53 +746,57 @@ export class PointCard extends Card {
 /** The result of a case that has no curve over speed; of one that moves in time, after a button. */
 export class ResultCard extends Card {
   constructor() {
-    super("result", "Results");
-    this.button = element("button", {type: "button", class: "chief"}, "Compute");
-    this.stop = element("button", {type: "button", disabled: true}, "Stop");
-    this.bar = element("progress", {max: 1, value: 0, "aria-label": "progress of the run"});
-    this.told = element("p", {class: "told", role: "status"});
-    this.tools = element("div", {class: "player"}, this.button, this.stop, this.bar);
-    this.shown = element("div");
+    super('result', 'Results');
+    this.button = element('button', {type: 'button', class: 'chief'}, 'Compute');
+    this.stop = element('button', {type: 'button', disabled: true}, 'Stop');
+    this.bar = element('progress', {max: 1, value: 0, 'aria-label': 'progress of the run'});
+    this.told = element('p', {class: 'told', role: 'status'});
+    this.tools = element('div', {class: 'player'}, this.button, this.stop, this.bar);
+    this.shown = element('div');
     this.body.append(this.tools, this.told, this.shown);
-    this.button.addEventListener("click", () => this.run());
-    this.stop.addEventListener("click", () => this.handle?.stop());
+    this.button.addEventListener('click', () => this.run());
+    this.stop.addEventListener('click', () => this.handle?.stop());
   }
 
-  fits(session) {
-    return !session.overSpeed;
-  }
+  fits(session) { return !session.overSpeed; }
 
   show(session, what) {
-    if (what === "cursor") return;
+    if (what === 'cursor') return;
     this.tools.hidden = !session.inTime;
     if (!session.run) {
-      this.told.textContent = "The run follows the motion in time: press Compute.";
+      this.told.textContent = 'The run follows the motion in time: press Compute.';
       return this.shown.replaceChildren();
     }
-    if (!session.inTime) this.told.textContent = "";
-    const command = session.model === "gear-pair" ? "mesh" : session.model === "planetary-drivetrain" ? "modes" : "run";
-    this.shown.replaceChildren(resultTable(session.run, session.meanings.partOf(command, session.run), session.run.units));
+    if (!session.inTime) this.told.textContent = '';
+    const command = session.model === 'gear-pair' ? 'mesh' :
+        session.model === 'planetary-drivetrain'  ? 'modes' :
+                                                    'run';
+    this.shown.replaceChildren(
+        resultTable(session.run, session.meanings.partOf(command, session.run), session.run.units));
   }
 
   async run() {
     const {session} = this, text = session.text;
     this.button.disabled = true;
     this.stop.disabled = false;
-    this.told.textContent = "Computing …";
+    this.told.textContent = 'Computing …';
     try {
-      this.handle = session.engine.start(session.request("run"), {progress: ({done, all, doing, seconds_left: left}) => {
-        this.bar.value = all ? done / all : 0;
-        this.told.textContent = `${doing || "Computing"}: ${readable((100 * done) / (all || 1), 2)} %${isNumber(left) ? `, ${readable(left, 2)} s to go` : ""}`;
-      }});
+      this.handle = session.engine.start(session.request('run'), {
+        progress: ({done, all, doing, seconds_left: left}) => {
+          this.bar.value = all ? done / all : 0;
+          this.told.textContent = `${doing || 'Computing'}: ${readable((100 * done) / (all || 1), 2)} %${
+              isNumber(left) ? `, ${readable(left, 2)} s to go` : ''}`;
+        }
+      });
       const result = await this.handle.done;
-      this.told.textContent = result.stopped ? "Stopped." : "";
+      this.told.textContent = result.stopped ? 'Stopped.' : '';
       if (!result.stopped && text === session.text) {
         session.run = result;
-        session.tell("results");
+        session.tell('results');
       }
     } catch (error) {
       if (!error.errors) throw error;
-      this.told.textContent = error.errors.join(" ");
+      this.told.textContent = error.errors.join(' ');
     }
     this.button.disabled = false;
     this.stop.disabled = true;

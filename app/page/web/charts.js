@@ -1,7 +1,12 @@
 // Line charts in SVG: axes, curves, points, a cursor over x that all charts of the page share.
-import {drawn, element, readable, unitSign} from "./dom.js";
+import {drawn, element, readable, unitSign} from './dom.js';
 
-const MARGIN = {left: 76, right: 22, top: 10, bottom: 38};
+const MARGIN = {
+  left: 76,
+  right: 22,
+  top: 10,
+  bottom: 38
+};
 const HEIGHT = 250;
 
 /** Round values from `low` to `high`, about `count` of them. */
@@ -11,7 +16,8 @@ export function ticks(low, high, count) {
   const raw = span / count, size = 10 ** Math.floor(Math.log10(raw));
   const step = [1, 2, 5, 10].map((one) => one * size).find((one) => one >= raw);
   const found = [];
-  for (let i = Math.ceil(low / step - 1e-9); i * step <= high + 1e-9 * span; i++) found.push(Number((i * step).toPrecision(12)));
+  for (let i = Math.ceil(low / step - 1e-9); i * step <= high + 1e-9 * span; i++)
+    found.push(Number((i * step).toPrecision(12)));
   return found;
 }
 
@@ -25,11 +31,12 @@ function logTicks(low, high) {
   return found;
 }
 
-const isNumber = (value) => typeof value === "number" && Number.isFinite(value);
+const isNumber = (value) => typeof value === 'number' && Number.isFinite(value);
 
 /**
- * A chart in `root`. set({series, x, y, cursor, marks}) draws: series [{key, label, points: [[x, y]], colour (class c1 to c8), dash, dots, title}],
- * x and y {label, unit, log}, marks [{x, label}]. `moved(x)` is called where the cursor is dragged.
+ * A chart in `root`. set({series, x, y, cursor, marks}) draws: series [{key, label, points: [[x, y]], colour
+ * (class c1 to c8), dash, dots, title}], x and y {label, unit, log}, marks [{x, label}]. `moved(x)` is called
+ * where the cursor is dragged.
  */
 export class Chart {
   constructor(root, {title, moved = null, height = HEIGHT}) {
@@ -37,8 +44,8 @@ export class Chart {
     this.moved = moved;
     this.height = height;
     this.title = title;
-    this.legend = element("div", {class: "legend"});
-    this.svg = drawn("svg", {class: "chart", role: "img", "aria-label": title});
+    this.legend = element('div', {class: 'legend'});
+    this.svg = drawn('svg', {class: 'chart', role: 'img', 'aria-label': title});
     root.append(this.legend, this.svg);
     this.state = null;
     new ResizeObserver(() => this.draw()).observe(root);
@@ -50,11 +57,11 @@ export class Chart {
         const share = (event.clientX - box.left - MARGIN.left) / (this.width - MARGIN.left - MARGIN.right);
         this.moved(low + Math.min(1, Math.max(0, share)) * (high - low));
       };
-      this.svg.addEventListener("pointerdown", (event) => {
+      this.svg.addEventListener('pointerdown', (event) => {
         this.svg.setPointerCapture(event.pointerId);
         to(event);
       });
-      this.svg.addEventListener("pointermove", to);
+      this.svg.addEventListener('pointermove', to);
     }
   }
 
@@ -71,11 +78,17 @@ export class Chart {
 
   spans() {
     const {series, x, y} = this.state, marks = this.state.marks ?? [];
-    const all = series.flatMap((one) => one.points.filter(([a, b]) => isNumber(a) && isNumber(b) && !(y.log && b <= 0)));
+    const all = series.flatMap(
+        (one) => one.points.filter(([a, b]) => isNumber(a) && isNumber(b) && !(y.log && b <= 0)));
     if (!all.length) return null;
-    const xs = [...all.map(([a]) => a), ...marks.map((mark) => mark.x).filter(isNumber)], ys = all.map(([, b]) => b);
+    const xs = [...all.map(([a]) => a), ...marks.map((mark) => mark.x).filter(isNumber)],
+          ys = all.map(([, b]) => b);
     const over = {low: x.low ?? Math.min(...xs), high: x.high ?? Math.max(...xs)};
-    if (!(over.high > over.low)) Object.assign(over, {low: over.low - (Math.abs(over.low) || 1) * 0.1, high: over.high + (Math.abs(over.high) || 1) * 0.1});
+    if (!(over.high > over.low))
+      Object.assign(over, {
+        low: over.low - (Math.abs(over.low) || 1) * 0.1,
+        high: over.high + (Math.abs(over.high) || 1) * 0.1
+      });
     let low = Math.min(...ys), high = Math.max(...ys);
     if (y.log) {
       if (high / low < 1.2) [low, high] = [low / 1.2, high * 1.2];
@@ -92,62 +105,86 @@ export class Chart {
     const width = this.root.clientWidth;
     if (!this.state || width < 50) return;
     this.width = width;
-    this.svg.setAttribute("viewBox", `0 0 ${width} ${this.height}`);
-    this.svg.setAttribute("width", width);
-    this.svg.setAttribute("height", this.height);
+    this.svg.setAttribute('viewBox', `0 0 ${width} ${this.height}`);
+    this.svg.setAttribute('width', width);
+    this.svg.setAttribute('height', this.height);
     this.svg.replaceChildren();
     this.legend.replaceChildren();
     const spans = this.spans(), {series, x, y} = this.state;
     this.scale = spans;
     if (!spans) {
-      this.svg.append(drawn("text", {x: width / 2, y: this.height / 2, class: "empty", "text-anchor": "middle"}, this.state.empty ?? "No values"));
+      this.svg.append(drawn(
+          'text', {x: width / 2, y: this.height / 2, class: 'empty', 'text-anchor': 'middle'},
+          this.state.empty ?? 'No values'));
       return;
     }
     const right = width - MARGIN.right, bottom = this.height - MARGIN.bottom;
     const log = (value) => (y.log ? Math.log10(value) : value);
-    this.atX = (value) => MARGIN.left + ((right - MARGIN.left) * (value - spans.x.low)) / (spans.x.high - spans.x.low);
-    this.atY = (value) => bottom - ((bottom - MARGIN.top) * (log(value) - log(spans.y.low))) / (log(spans.y.high) - log(spans.y.low));
-    const axes = drawn("g", {class: "axes"});
+    this.atX = (value) =>
+        MARGIN.left + ((right - MARGIN.left) * (value - spans.x.low)) / (spans.x.high - spans.x.low);
+    this.atY = (value) => bottom -
+        ((bottom - MARGIN.top) * (log(value) - log(spans.y.low))) / (log(spans.y.high) - log(spans.y.low));
+    const axes = drawn('g', {class: 'axes'});
     for (const value of y.log ? logTicks(spans.y.low, spans.y.high) : ticks(spans.y.low, spans.y.high, 5)) {
-      axes.append(drawn("line", {x1: MARGIN.left, x2: right, y1: this.atY(value), y2: this.atY(value)}));
-      axes.append(drawn("text", {x: MARGIN.left - 6, y: this.atY(value) + 4, "text-anchor": "end"}, this.short(value)));
+      axes.append(drawn('line', {x1: MARGIN.left, x2: right, y1: this.atY(value), y2: this.atY(value)}));
+      axes.append(drawn(
+          'text', {x: MARGIN.left - 6, y: this.atY(value) + 4, 'text-anchor': 'end'}, this.short(value)));
     }
     for (const value of ticks(spans.x.low, spans.x.high, Math.max(2, Math.floor(width / 90)))) {
-      axes.append(drawn("line", {x1: this.atX(value), x2: this.atX(value), y1: MARGIN.top, y2: bottom}));
-      axes.append(drawn("text", {x: this.atX(value), y: bottom + 16, "text-anchor": "middle"}, this.short(value)));
+      axes.append(drawn('line', {x1: this.atX(value), x2: this.atX(value), y1: MARGIN.top, y2: bottom}));
+      axes.append(
+          drawn('text', {x: this.atX(value), y: bottom + 16, 'text-anchor': 'middle'}, this.short(value)));
     }
-    const units = (axis) => [axis.label, unitSign(axis.unit) && `(${unitSign(axis.unit)})`].filter(Boolean).join(" ");
-    axes.append(drawn("text", {x: (MARGIN.left + right) / 2, y: this.height - 4, "text-anchor": "middle", class: "label"}, units(x)));
-    axes.append(drawn("text", {x: 0, y: 0, transform: `translate(12 ${(MARGIN.top + bottom) / 2}) rotate(-90)`, "text-anchor": "middle", class: "label"}, units(y)));
+    const units =
+        (axis) => [axis.label, unitSign(axis.unit) && `(${unitSign(axis.unit)})`].filter(Boolean).join(' ');
+    axes.append(drawn(
+        'text', {x: (MARGIN.left + right) / 2, y: this.height - 4, 'text-anchor': 'middle', class: 'label'},
+        units(x)));
+    axes.append(drawn(
+        'text', {
+          x: 0,
+          y: 0,
+          transform: `translate(12 ${(MARGIN.top + bottom) / 2}) rotate(-90)`,
+          'text-anchor': 'middle',
+          class: 'label'
+        },
+        units(y)));
     this.svg.append(axes);
     for (const one of series) this.curve(one);
     for (const mark of this.state.marks ?? []) this.mark(mark, bottom);
-    this.pointer = drawn("g", {class: "cursor"});
+    this.pointer = drawn('g', {class: 'cursor'});
     this.svg.append(this.pointer);
     this.drawCursor();
     this.drawLegend(series);
   }
 
-  short(value) {
-    return readable(value, Math.abs(value) >= 1e7 ? 2 : 3);
-  }
+  short(value) { return readable(value, Math.abs(value) >= 1e7 ? 2 : 3); }
 
   curve({points, colour, dash, dots, title, label, key, only}) {
-    const group = drawn("g", {class: `curve ${colour ?? "c1"}`, "data-series": key ?? label});
-    group.append(drawn("title", {}, title ?? label));
+    const group = drawn('g', {class: `curve ${colour ?? 'c1'}`, 'data-series': key ?? label});
+    group.append(drawn('title', {}, title ?? label));
     const {log} = this.state.y;
-    let path = "";
-    for (const [a, b] of only ? [] : points) path += isNumber(b) && !(log && b <= 0) ? `${path && !path.endsWith(" ") ? "L" : "M"}${this.atX(a).toFixed(2)},${this.atY(b).toFixed(2)}` : path && !path.endsWith(" ") ? " " : "";
-    if (path.trim()) group.append(drawn("path", {d: path, "stroke-dasharray": dash ?? null}));
-    for (const [a, b] of dots || only ? points : []) if (isNumber(b) && !(log && b <= 0)) group.append(drawn("circle", {cx: this.atX(a), cy: this.atY(b), r: 4, "data-x": a, "data-y": b}));
+    let path = '';
+    for (const [a, b] of only ? [] : points)
+      path += isNumber(b) && !(log && b <= 0) ?
+          `${path && !path.endsWith(' ') ? 'L' : 'M'}${this.atX(a).toFixed(2)},${this.atY(b).toFixed(2)}` :
+          path && !path.endsWith(' ') ? ' ' :
+                                        '';
+    if (path.trim()) group.append(drawn('path', {d: path, 'stroke-dasharray': dash ?? null}));
+    for (const [a, b] of dots || only ? points : [])
+      if (isNumber(b) && !(log && b <= 0))
+        group.append(drawn('circle', {cx: this.atX(a), cy: this.atY(b), r: 4, 'data-x': a, 'data-y': b}));
     this.svg.append(group);
   }
 
   mark({x, label, row = 0}, bottom) {
     if (!isNumber(x) || x < this.scale.x.low || x > this.scale.x.high) return;
     const at = this.atX(x), end = at > this.width - 120;
-    this.svg.append(drawn("g", {class: "mark-line"}, drawn("line", {x1: at, x2: at, y1: MARGIN.top, y2: bottom}),
-      drawn("text", {x: at + (end ? -4 : 4), y: bottom - 6 - 14 * row, "text-anchor": end ? "end" : "start"}, label)));
+    this.svg.append(drawn(
+        'g', {class: 'mark-line'}, drawn('line', {x1: at, x2: at, y1: MARGIN.top, y2: bottom}),
+        drawn(
+            'text', {x: at + (end ? -4 : 4), y: bottom - 6 - 14 * row, 'text-anchor': end ? 'end' : 'start'},
+            label)));
   }
 
   drawCursor() {
@@ -156,14 +193,18 @@ export class Chart {
     const {cursor} = this.state;
     if (!isNumber(cursor) || cursor < this.scale.x.low || cursor > this.scale.x.high) return;
     const at = this.atX(cursor);
-    this.pointer.append(drawn("line", {x1: at, x2: at, y1: MARGIN.top, y2: this.height - MARGIN.bottom, "data-x": cursor}));
+    this.pointer.append(
+        drawn('line', {x1: at, x2: at, y1: MARGIN.top, y2: this.height - MARGIN.bottom, 'data-x': cursor}));
   }
 
   drawLegend(series) {
     for (const {label, colour, dash, title, key, only} of series.filter((one) => one.label)) {
-      const sample = drawn("svg", {width: 26, height: 10, class: `curve ${colour ?? "c1"}`, "aria-hidden": "true"},
-        only ? drawn("circle", {cx: 13, cy: 5, r: 4}) : drawn("path", {d: "M1,5L25,5", "stroke-dasharray": dash ?? null}));
-      this.legend.append(element("span", {class: "key", title: title ?? "", "data-series": key ?? label}, sample, label));
+      const sample = drawn(
+          'svg', {width: 26, height: 10, class: `curve ${colour ?? 'c1'}`, 'aria-hidden': 'true'},
+          only ? drawn('circle', {cx: 13, cy: 5, r: 4}) :
+                 drawn('path', {d: 'M1,5L25,5', 'stroke-dasharray': dash ?? null}));
+      this.legend.append(
+          element('span', {class: 'key', title: title ?? '', 'data-series': key ?? label}, sample, label));
     }
   }
 }

@@ -1,48 +1,66 @@
 // Elements of the page. Texts of cases and results are only ever set as text, never as markup.
 
-const SVG = "http://www.w3.org/2000/svg";
+const SVG = 'http://www.w3.org/2000/svg';
 
 function filled(made, attributes, children) {
   for (const [name, value] of Object.entries(attributes)) {
     if (value === false || value === undefined || value === null) continue;
-    made.setAttribute(name, value === true ? "" : String(value));
+    made.setAttribute(name, value === true ? '' : String(value));
   }
   made.append(...children.filter((child) => child !== null && child !== undefined));
   return made;
 }
 
-export const element = (name, attributes = {}, ...children) => filled(document.createElement(name), attributes, children);
-export const drawn = (name, attributes = {}, ...children) => filled(document.createElementNS(SVG, name), attributes, children);
+export const element = (name, attributes = {}, ...children) =>
+    filled(document.createElement(name), attributes, children);
+export const drawn = (name, attributes = {}, ...children) =>
+    filled(document.createElementNS(SVG, name), attributes, children);
 
-/** A number for reading: `digits` significant ones, thousands apart by narrow blanks as ISO 80000 has it. The whole number stands in the title. */
+/**
+ * A number for reading: `digits` significant ones, thousands apart by narrow blanks as ISO 80000 has it. The
+ * whole number stands in the title.
+ */
 export function readable(value, digits = 4) {
-  if (value === null || value === undefined) return "–";
-  if (typeof value !== "number") return String(value);
-  if (value === 0) return "0";
+  if (value === null || value === undefined) return '–';
+  if (typeof value !== 'number') return String(value);
+  if (value === 0) return '0';
   const size = Math.abs(value);
   if (size >= 1e7 || size < 1e-3) {
-    const [mantissa, power] = value.toExponential(digits - 1).split("e");
-    return `${mantissa.replace("-", "−")}·10${[...String(Number(power))].map((c) => (c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[c])).join("")}`;
+    const [mantissa, power] = value.toExponential(digits - 1).split('e');
+    return `${mantissa.replace('-', '−')}·10${
+            [...String(Number(power))].map((c) => (c === '-' ? '⁻' : '⁰¹²³⁴⁵⁶⁷⁸⁹'[c])).join('')}`;
   }
   const places = Math.max(0, digits - 1 - Math.floor(Math.log10(size)));
-  const [whole, part] = value.toFixed(Math.min(places, 12)).split(".");
-  const trimmed = part?.replace(/0+$/, "");
-  return (whole.replace(/\B(?=(\d{3})+$)/g, "\u202f") + (trimmed ? `.${trimmed}` : "")).replace("-", "−");
+  const [whole, part] = value.toFixed(Math.min(places, 12)).split('.');
+  const trimmed = part?.replace(/0+$/, '');
+  return (whole.replace(/\B(?=(\d{3})+$)/g, '\u202f') + (trimmed ? `.${trimmed}` : '')).replace('-', '−');
 }
 
-const UNIT_SIGNS = {1: "", um: "µm", "N.m": "N m", degree: "°", deg: "°"};
-export const unitSign = (unit) => UNIT_SIGNS[unit] ?? unit ?? "";
+const UNIT_SIGNS = {
+  1: '',
+  um: 'µm',
+  'N.m': 'N m',
+  degree: '°',
+  deg: '°'
+};
+export const unitSign = (unit) => UNIT_SIGNS[unit] ?? unit ?? '';
 
 /** A number with its unit, its digits whole in the title and in data-value. */
-export function figure(value, unit = "", digits = 4) {
+export function figure(value, unit = '', digits = 4) {
   const sign = unitSign(unit), text = readable(value, digits);
-  return element("span", {class: "figure", "data-value": value ?? "", title: value === null || value === undefined ? "not computed" : `${value} ${unit === "1" ? "" : unit}`.trim()},
-    value === null || value === undefined || !sign ? text : `${text} ${sign}`);
+  return element(
+      'span', {
+        class: 'figure',
+        'data-value': value ?? '',
+        title: value === null || value === undefined ? 'not computed' :
+                                                       `${value} ${unit === '1' ? '' : unit}`.trim()
+      },
+      value === null || value === undefined || !sign ? text : `${text} ${sign}`);
 }
 
 export function download(name, content, type) {
   const url = URL.createObjectURL(content instanceof Blob ? content : new Blob([content], {type}));
-  const link = element("a", {href: url, download: name});
+  const link = element('a', {href: url, download: name});
   document.body.append(link);
   link.click();
   link.remove();

@@ -1,20 +1,21 @@
 // Engine A: the program that serves the page, over HTTP on the loopback address.
-import {RequestFailed} from "./engine.js";
+import {RequestFailed} from './engine.js';
 
-const ALIVE_EVERY = 15e3;  // ms
+const ALIVE_EVERY = 15e3;                      // ms
 const TOO_MANY = 429, TRIES = 20, WAIT = 250;  // at once; times, and ms between them
 
 export function engine(location, opened) {
-  const token = new URLSearchParams(location.search).get("token") ?? "";
-  const headers = {"X-Orbearing-Token": token};
+  const token = new URLSearchParams(location.search).get('token') ?? '';
+  const headers = {'X-Orbearing-Token': token};
 
   async function fetched(path, init = {}, tries = TRIES) {
     let response;
     try {
       response = await fetch(path, {...init, headers: {...headers, ...init.headers}});
     } catch (error) {
-      if (error.name === "AbortError") throw error;
-      throw new RequestFailed(1, ["The program does not answer. Start `orbearing open` again, then load its new address."]);
+      if (error.name === 'AbortError') throw error;
+      throw new RequestFailed(
+          1, ['The program does not answer. Start `orbearing open` again, then load its new address.']);
     }
     if (response.ok) return response;
     if (response.status === TOO_MANY && tries > 0) {
@@ -22,67 +23,77 @@ export function engine(location, opened) {
       return fetched(path, init, tries - 1);
     }
     const told = await response.json().catch(() => ({}));
-    throw new RequestFailed(told.code ?? 1, told.errors ?? [told.error ?? `The program refused ${path}: ${response.status}`]);
+    throw new RequestFailed(
+        told.code ?? 1, told.errors ?? [told.error ?? `The program refused ${path}: ${response.status}`]);
   }
 
-  const posted = (path, body, signal) => fetched(path, {method: "POST", body: JSON.stringify(body), headers: {"Content-Type": "application/json"}, signal});
+  const posted = (path, body, signal) => fetched(
+      path,
+      {method: 'POST', body: JSON.stringify(body), headers: {'Content-Type': 'application/json'}, signal});
   const json = async (path) => (await fetched(path)).json();
-  const body = ({command, case_text, settings = [], options = {}}) => ({command, case_text, settings, options});
+  const body = ({command, case_text, settings = [], options = {}}) =>
+      ({command, case_text, settings, options});
 
-  setInterval(() => fetched("/alive", {method: "POST"}).catch(() => {}), ALIVE_EVERY);
-  addEventListener("pagehide", () => navigator.sendBeacon(`/closed?token=${encodeURIComponent(token)}`));
+  setInterval(() => fetched('/alive', {method: 'POST'}).catch(() => {}), ALIVE_EVERY);
+  addEventListener('pagehide', () => navigator.sendBeacon(`/closed?token=${encodeURIComponent(token)}`));
 
   return {
-    name: "A",
+    name: 'A',
     opened: async () => opened,
     /** What was opened, read anew: of a folder whose sweep goes on. */
-    reopened: () => json("/opened"),
-    templates: () => json("/templates"),
+    reopened: () => json('/opened'),
+    templates: () => json('/templates'),
     schema: (which) => json(`/schema/${which}`),
 
     /** The object of --json. */
-    async answer(request, signal) {
-      return (await posted("/request", body(request), signal)).json();
-    },
+    async answer(request, signal) { return (await posted('/request', body(request), signal)).json(); },
 
-    units: async (value, unit) => (await posted("/units", {value, unit})).json(),
+    units: async (value, unit) => (await posted('/units', {value, unit})).json(),
 
-    save: opened.writable ? async (file, text) => (await posted("/save", {file, text})).json() : null,
+    save: opened.writable ? async (file, text) => (await posted('/save', {file, text})).json() : null,
 
-    report: async (request) => (await posted("/report", {case_text: request.case_text, settings: request.settings ?? []})).text(),
+    report: async (request) =>
+        (await posted('/report', {case_text: request.case_text, settings: request.settings ?? []})).text(),
 
-    /** A computation that takes its time. `continues`: the handle of one that was stopped, whose points are kept. */
+    /**
+       A computation that takes its time. `continues`: the handle of one that was stopped, whose points are
+       kept.
+     */
     start(request, {progress = () => {}, point = () => {}} = {}, continues = null) {
       let source = null, stopped = false;
       const handle = {id: null};
       const jobs = (async () => {
         const asked = body(request);
         if (continues) asked.continue = await continues.job;
-        return (await (await posted("/jobs", asked)).json()).job;
+        return (await (await posted('/jobs', asked)).json()).job;
       })();
       handle.job = jobs;
       handle.stop = async () => {
         stopped = true;
-        await fetched(`/jobs/${await jobs}`, {method: "DELETE"});
+        await fetched(`/jobs/${await jobs}`, {method: 'DELETE'});
       };
-      handle.done = jobs.then((id) => new Promise((resolve, reject) => {
-        source = new EventSource(`/jobs/${id}/events?token=${encodeURIComponent(token)}`);
-        const end = (settle) => (event) => {
-          source.close();
-          settle(event.data === undefined ? null : JSON.parse(event.data));
-        };
-        source.addEventListener("progress", (event) => progress(JSON.parse(event.data)));
-        source.addEventListener("point", (event) => point(JSON.parse(event.data)));
-        source.addEventListener("result", end(resolve));
-        source.addEventListener("stopped", end((kept) => resolve({...kept, stopped: true})));
-        source.addEventListener("failed", end((told) => reject(new RequestFailed(told.code, told.errors))));
-        source.onerror = () => {
-          if (source.readyState !== EventSource.CLOSED) return;
-          source.close();
-          if (stopped) resolve({points: [], stopped: true});
-          else reject(new RequestFailed(1, ["The connection to the program ended before the result."]));
-        };
-      }));
+      handle.done = jobs.then(
+          (id) => new Promise((resolve, reject) => {
+            source = new EventSource(`/jobs/${id}/events?token=${encodeURIComponent(token)}`);
+            const end = (settle) => (event) => {
+              source.close();
+              settle(event.data === undefined ? null : JSON.parse(event.data));
+            };
+            source.addEventListener('progress', (event) => progress(JSON.parse(event.data)));
+            source.addEventListener('point', (event) => point(JSON.parse(event.data)));
+            source.addEventListener('result', end(resolve));
+            source.addEventListener('stopped', end((kept) => resolve({...kept, stopped: true})));
+            source.addEventListener(
+                'failed', end((told) => reject(new RequestFailed(told.code, told.errors))));
+            source.onerror = () => {
+              if (source.readyState !== EventSource.CLOSED) return;
+              source.close();
+              if (stopped)
+                resolve({points: [], stopped: true});
+              else
+                reject(new RequestFailed(1, ['The connection to the program ended before the result.']));
+            };
+          }));
       return handle;
     },
   };

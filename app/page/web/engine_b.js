@@ -1,5 +1,5 @@
 // Engine B: the program's core as WebAssembly in workers of the browser. Nothing leaves the page.
-import {RequestFailed} from "./engine.js";
+import {RequestFailed} from './engine.js';
 
 /** A worker with a core of its own. Requests are computed in the order in which they come. */
 class Core {
@@ -7,12 +7,13 @@ class Core {
     this.waiting = new Map();  // number of a request -> whom its messages concern
     this.queue = [];
     this.next = 0;
-    this.worker = new Worker(new URL("engine_worker.js", folder));
+    this.worker = new Worker(new URL('engine_worker.js', folder));
     this.ready = new Promise((resolve, reject) => {
-      this.worker.onerror = (event) => reject(new RequestFailed(1, [`The engine does not start: ${event.message}`]));
-      this.worker.onmessage = ({data}) => data.kind === "ready" ? resolve() : this.take(data);
+      this.worker.onerror = (event) =>
+          reject(new RequestFailed(1, [`The engine does not start: ${event.message}`]));
+      this.worker.onmessage = ({data}) => data.kind === 'ready' ? resolve() : this.take(data);
     });
-    module.then((compiled) => this.worker.postMessage({module: compiled}));
+    module.then((compiled) => this.worker.postMessage({module : compiled}));
   }
 
   /** The object of --json. `kept`: of a sweep in a folder, the lines of its manifest so far. */
@@ -21,7 +22,7 @@ class Core {
       const id = this.next++;
       const asked = {id, request, kept, resolve, reject, progress, motion, lines};
       if (signal?.aborted) return reject(given_up());
-      signal?.addEventListener("abort", () => {
+      signal?.addEventListener('abort', () => {
         this.queue = this.queue.filter((one) => one !== asked);
         this.waiting.delete(id);
         reject(given_up());
@@ -42,24 +43,24 @@ class Core {
 
   take({kind, id, told, lines, text}) {
     const asked = this.waiting.get(id);
-    if (kind === "progress") asked?.progress?.(told);
-    if (kind === "motion") asked?.motion?.(told);
-    if (kind === "lines") asked?.lines?.(lines);
-    if (kind !== "answer") return;
+    if (kind === 'progress') asked?.progress?.(told);
+    if (kind === 'motion') asked?.motion?.(told);
+    if (kind === 'lines') asked?.lines?.(lines);
+    if (kind !== 'answer') return;
     this.waiting.delete(id);
     this.busy = false;
     this.send();
     const answer = JSON.parse(text);
-    if (answer.errors) asked?.reject(new RequestFailed(answer.code, answer.errors));
-    else asked?.resolve(answer.result);
+    if (answer.errors)
+      asked?.reject(new RequestFailed(answer.code, answer.errors));
+    else
+      asked?.resolve(answer.result);
   }
 
-  end() {
-    this.worker.terminate();
-  }
+  end() { this.worker.terminate(); }
 }
 
-const given_up = () => new DOMException("given up", "AbortError");
+const given_up = () => new DOMException('given up', 'AbortError');
 
 async function compiled(url) {
   try {
@@ -74,7 +75,7 @@ class Progress {
   constructor(show) {
     this.show = show;
     this.begin = performance.now();
-    this.last = {done: 0, all: 1, doing: "", seconds_left: null};
+    this.last = {done: 0, all: 1, doing: '', seconds_left: null};
   }
 
   points({done, all, doing}) {
@@ -90,34 +91,43 @@ class Progress {
     if (time_s < former.time_s) this.motions = {time_s, at: now};
     const factor = (time_s - this.motions.time_s) / ((now - this.motions.at) / 1e3);
     const doing = `A point at ${time_s.toPrecision(3)} s of motion, at most ${most_s.toPrecision(3)} s;`;
-    this.show({...this.last, doing, motion: {time_s, most_s, real_time_factor: Number.isFinite(factor) ? factor : null}});
+    this.show({
+      ...this.last,
+      doing,
+      motion: {time_s, most_s, real_time_factor: Number.isFinite(factor) ? factor : null}
+    });
   }
 }
 
 export function engine() {
-  const folder = new URL(".", import.meta.url);
-  const module = compiled(new URL("engine_wasm.wasm", folder));
+  const folder = new URL('.', import.meta.url);
+  const module = compiled(new URL('engine_wasm.wasm', folder));
   const quick = new Core(folder, module);
   const json = async (name) => (await fetch(new URL(name, folder))).json();
-  const body = ({command, case_text, settings = [], options = {}}) => ({command, case_text, settings, options});
+  const body = ({command, case_text, settings = [], options = {}}) =>
+      ({command, case_text, settings, options});
 
   return {
-    name: "B",
+    name: 'B',
     ready: quick.ready,
-    opened: async () => ({kind: "start", name: null, file: null, text: null, folder: null, writable: false}),
-    templates: () => json("templates.json"),
+    opened: async () => ({kind: 'start', name: null, file: null, text: null, folder: null, writable: false}),
+    templates: () => json('templates.json'),
     schema: (which) => json(`schema/${which}.json`),
     answer: (request, signal) => quick.answer(body(request), {signal}),
     units: (value, unit) => quick.answer({value, unit}),
     save: null,
     report: null,
 
-    /** A computation that takes its time, in a worker of its own. `continues`: the handle of one that was stopped. */
+    /**
+       A computation that takes its time, in a worker of its own. `continues`: the handle of one that was
+       stopped.
+     */
     start(request, {progress = () => {}, point = () => {}} = {}, continues = null) {
       const core = new Core(folder, module);
-      const sweep = request.command === "sweep";
+      const sweep = request.command === 'sweep';
       const kept = sweep ? [...continues?.kept ?? []] : undefined;
-      const rows = () => (kept ?? []).slice(1).map((line) => JSON.parse(line).row);  // the first line is the sweep's
+      const rows = () =>
+          (kept ?? []).slice(1).map((line) => JSON.parse(line).row);  // the first line is the sweep's
       let stop = null;
       const stopped = new Promise((resolve) => stop = () => resolve({points: rows(), stopped: true}));
       const told = new Progress(progress);

@@ -1,7 +1,7 @@
 // The worker of engine B: one request after the other, each computed in one go. engine_b.js speaks with it.
-importScripts("engine_wasm.js");
+importScripts('engine_wasm.js');
 
-const FOLDER = "/job";  // of the sweep in progress, in the memory of the engine
+const FOLDER = '/job';  // of the sweep in progress, in the memory of the engine
 const MANIFEST = `${FOLDER}/manifest.jsonl`;
 
 let core = null;
@@ -14,18 +14,19 @@ self.onmessage = async ({data}) => {
         WebAssembly.instantiate(data.module, imports).then((instance) => done(instance, data.module));
         return {};
       },
-      progress: (told) => tell("progress", told),
-      motion: (told) => tell("motion", told),
-      print: () => {}, printErr: () => {},
+      progress: (told) => tell('progress', told),
+      motion: (told) => tell('motion', told),
+      print: () => {},
+      printErr: () => {},
     });
-    self.postMessage({kind: "ready"});
+    self.postMessage({kind: 'ready'});
     return;
   }
   following = {id: data.id, read: 0};
   const request = data.kept === undefined ? data.request : inFolder(data.request, data.kept);
   const text = answerOf(JSON.stringify(request));
   sendLines();
-  self.postMessage({kind: "answer", id: data.id, text});
+  self.postMessage({kind: 'answer', id: data.id, text});
 };
 
 function answerOf(request) {
@@ -47,16 +48,16 @@ function tell(kind, told) {
   self.postMessage({kind, id: following.id, told});
 }
 
-// A sweep is kept in a folder as on the disk, so that one that was stopped goes on with --resume, even in another worker:
-// the lines of its manifest are all that has to be carried over.
+// A sweep is kept in a folder as on the disk, so that one that was stopped goes on with --resume, even in
+// another worker: the lines of its manifest are all that has to be carried over.
 function inFolder(request, lines) {
   removeFolder();
   if (lines.length > 0) {
     core.FS.mkdirTree(`${FOLDER}/points`);
-    core.FS.writeFile(MANIFEST, lines.map((line) => `${line}\n`).join(""));
+    core.FS.writeFile(MANIFEST, lines.map((line) => `${line}\n`).join(''));
     for (const line of lines) {
       const {file} = JSON.parse(line);
-      if (file) core.FS.writeFile(`${FOLDER}/${file}`, "no arrays in a browser\n");  // stand_ins.cpp
+      if (file) core.FS.writeFile(`${FOLDER}/${file}`, 'no arrays in a browser\n');  // stand_ins.cpp
     }
     following.read = core.FS.stat(MANIFEST).size;
   }
@@ -67,13 +68,14 @@ function removeFolder() {
   const {exists} = core.FS.analyzePath(FOLDER);
   if (!exists) return;
   for (const name of core.FS.readdir(FOLDER)) {
-    if (name === "." || name === "..") continue;
+    if (name === '.' || name === '..') continue;
     const path = `${FOLDER}/${name}`;
     if (!core.FS.isDir(core.FS.stat(path).mode)) {
       core.FS.unlink(path);
       continue;
     }
-    for (const inner of core.FS.readdir(path)) if (inner !== "." && inner !== "..") core.FS.unlink(`${path}/${inner}`);
+    for (const inner of core.FS.readdir(path))
+      if (inner !== '.' && inner !== '..') core.FS.unlink(`${path}/${inner}`);
     core.FS.rmdir(path);
   }
   core.FS.rmdir(FOLDER);
@@ -85,11 +87,11 @@ function sendLines() {
   const {size} = core.FS.stat(MANIFEST);
   if (size <= following.read) return;
   const bytes = new Uint8Array(size - following.read);
-  const stream = core.FS.open(MANIFEST, "r");
+  const stream = core.FS.open(MANIFEST, 'r');
   core.FS.read(stream, bytes, 0, bytes.length, following.read);
   core.FS.close(stream);
   const whole = bytes.lastIndexOf(10) + 1;
   following.read += whole;
-  const lines = new TextDecoder().decode(bytes.subarray(0, whole)).split("\n").slice(0, -1);
-  if (lines.length > 0) self.postMessage({kind: "lines", id: following.id, lines});
+  const lines = new TextDecoder().decode(bytes.subarray(0, whole)).split('\n').slice(0, -1);
+  if (lines.length > 0) self.postMessage({kind: 'lines', id: following.id, lines});
 }

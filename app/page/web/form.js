@@ -1,39 +1,45 @@
 // The form: one row for each input that the schema names, in groups; its values are those of the case's text.
-import {alternativesOf, fieldsOf, orderAt, quantityOf, unitsOf} from "./schema.js";
-import * as yaml from "./yaml_text.js";
-import {element} from "./dom.js";
+import {element} from './dom.js';
+import {alternativesOf, fieldsOf, orderAt, quantityOf, unitsOf} from './schema.js';
+import * as yaml from './yaml_text.js';
 
 // Groups in the order of a design; a block that none of them names stands in the last.
 const GROUPS = [
-  ["Gears", ["gearset", "sets", "shafts", "parallel_stage", "pair"]],
-  ["Bearing", ["bearing", "arrangement", "preload", "spacer_difference", "stiffness", "material", "contact", "defect"]],
-  ["Oil", ["lubricant", "film", "traction", "drag", "heat"]],
-  ["Duty", ["input", "load", "operation", "spectrum", "sweep", "life", "requirements", "points"]],
-  ["Support", ["support", "housing", "spindle", "linear", "rotor"]],
-  ["Method and text", ["name", "source", "model"]],
+  ['Gears', ['gearset', 'sets', 'shafts', 'parallel_stage', 'pair']],
+  [
+    'Bearing',
+    ['bearing', 'arrangement', 'preload', 'spacer_difference', 'stiffness', 'material', 'contact', 'defect']
+  ],
+  ['Oil', ['lubricant', 'film', 'traction', 'drag', 'heat']],
+  ['Duty', ['input', 'load', 'operation', 'spectrum', 'sweep', 'life', 'requirements', 'points']],
+  ['Support', ['support', 'housing', 'spindle', 'linear', 'rotor']],
+  ['Method and text', ['name', 'source', 'model']],
 ];
 const groupOf = (block) => (GROUPS.find(([, blocks]) => blocks.includes(block)) ?? GROUPS.at(-1))[0];
 const MANY_CHOICES = 14;  // beyond which a list is searched by typing
 const SLIDER_STEPS = 200;
 const LINE = 44;  // letters in a line of a list or mapping
 
-const spaced = (key) => key.replaceAll("_", " ");
-const labelOf = (field) => (field.path.length > 1 ? field.path.slice(1) : field.path).map(spaced).join(" · ");
+const spaced = (key) => key.replaceAll('_', ' ');
+const labelOf = (field) => (field.path.length > 1 ? field.path.slice(1) : field.path).map(spaced).join(' · ');
 
-/** `changed(text)` is called with the new text of the case, `dragging` true while a slider moves; `convert(value, unit)` as the engine's units. */
+/**
+ * `changed(text)` is called with the new text of the case, `dragging` true while a slider moves;
+ * `convert(value, unit)` as the engine's units.
+ */
 export class Form {
   constructor(root, schema, {changed, convert}) {
     this.root = root;
     this.schema = schema;
     this.changed = changed;
     this.convert = convert;
-    this.text = "";
+    this.text = '';
     this.rows = new Map();
-    this.shape = "";
+    this.shape = '';
     this.inputs = new Map();
-    this.fidelity = "";
+    this.fidelity = '';
     this.errors = new Map();
-    this.filter = "";
+    this.filter = '';
     this.shown = new Set();
   }
 
@@ -44,13 +50,13 @@ export class Form {
       this.tree = yaml.parse(text);
     } catch (error) {
       if (!(error instanceof yaml.NotReadable)) throw error;
-      this.root.classList.add("unreadable");
+      this.root.classList.add('unreadable');
       this.problem = error.message;
       return false;
     }
-    this.problem = "";
-    this.root.classList.remove("unreadable");
-    this.model = yaml.nodeAt(this.tree, ["model"])?.value ?? "";
+    this.problem = '';
+    this.root.classList.remove('unreadable');
+    this.model = yaml.nodeAt(this.tree, ['model'])?.value ?? '';
     const fields = fieldsOf(this.schema, this.model, this.tree);
     const shape = `${this.model}|${fields.map((field) => field.key).join()}`;
     if (shape !== this.shape) this.build(fields, shape);
@@ -59,7 +65,10 @@ export class Form {
     return true;
   }
 
-  /** What the program says: inputs as `check --json` lists them, and errors by key: [{key, text}]. Returns the errors that have no field. */
+  /**
+   * What the program says: inputs as `check --json` lists them, and errors by key: [{key, text}]. Returns
+   * the errors that have no field.
+   */
   judge(inputs, errors, fidelity) {
     if (inputs) this.inputs = new Map(inputs.map((input) => [input.path, input]));
     this.fidelity = fidelity;
@@ -67,8 +76,12 @@ export class Form {
     const elsewhere = [];
     for (const error of errors) {
       const key = this.fieldFor(error.key);
-      if (!key) elsewhere.push(error);
-      else this.errors.set(key, [...(this.errors.get(key) ?? []), error.key === key ? error.text : `${error.key}: ${error.text}`]);
+      if (!key)
+        elsewhere.push(error);
+      else
+        this.errors.set(key, [
+          ...(this.errors.get(key) ?? []), error.key === key ? error.text : `${error.key}: ${error.text}`
+        ]);
     }
     for (const row of this.rows.values()) this.fill(row);
     this.settle();
@@ -76,7 +89,8 @@ export class Form {
   }
 
   fieldFor(key) {
-    for (let one = key.replace(/\[\d+\].*$/, ""); one; one = one.includes(".") ? one.slice(0, one.lastIndexOf(".")) : "")
+    for (let one = key.replace(/\[\d+\].*$/, ''); one;
+         one = one.includes('.') ? one.slice(0, one.lastIndexOf('.')) : '')
       if (this.rows.has(one)) return one;
     return null;
   }
@@ -88,22 +102,27 @@ export class Form {
     for (const [name] of GROUPS) {
       const own = fields.filter((field) => groupOf(field.block) === name);
       if (!own.length) continue;
-      const group = element("details", {class: "group", open: name !== "Method and text", "data-group": name}, element("summary", {}, element("h3", {}, name), element("span", {class: "mark"})));
-      const shows = element("div", {class: "shows", role: "group", "aria-label": `Inputs shown of ${name}`});
-      for (const [state, label] of [["default", "Defaults"], ["absent", "Not stated"]]) {
+      const group = element(
+          'details', {class: 'group', open: name !== 'Method and text', 'data-group': name},
+          element('summary', {}, element('h3', {}, name), element('span', {class: 'mark'})));
+      const shows = element('div', {class: 'shows', role: 'group', 'aria-label': `Inputs shown of ${name}`});
+      for (const [state, label] of [['default', 'Defaults'], ['absent', 'Not stated']]) {
         const on = this.shown.has(name + state);
-        const button = element("button", {type: "button", class: "chip", "data-state": state, "aria-pressed": String(on)}, label);
-        button.addEventListener("click", () => {
-          const now = button.getAttribute("aria-pressed") !== "true";
-          button.setAttribute("aria-pressed", String(now));
-          this.shown[now ? "add" : "delete"](name + state);
+        const button = element(
+            'button', {type: 'button', class: 'chip', 'data-state': state, 'aria-pressed': String(on)},
+            label);
+        button.addEventListener('click', () => {
+          const now = button.getAttribute('aria-pressed') !== 'true';
+          button.setAttribute('aria-pressed', String(now));
+          this.shown[now ? 'add' : 'delete'](name + state);
           this.settle();
         });
         shows.append(button);
       }
       group.append(shows);
       for (const block of [...new Set(own.map((field) => field.block))]) {
-        const set = element("fieldset", {class: "block", "data-block": block}, element("legend", {}, spaced(block)));
+        const set =
+            element('fieldset', {class: 'block', 'data-block': block}, element('legend', {}, spaced(block)));
         for (const field of own.filter((one) => one.block === block)) set.append(this.rowOf(field));
         group.append(set);
       }
@@ -114,37 +133,66 @@ export class Form {
   rowOf(field) {
     const id = `in-${field.key}`, note = `${id}-note`, row = {field, id};
     row.control = this.controlOf(field, id);
-    row.control.setAttribute("aria-describedby", note);
-    row.label = element("label", {for: id, title: field.key}, labelOf(field));
-    row.unit = field.kind === "quantity" ? element("select", {class: "unit", "aria-label": `unit of ${labelOf(field)}`}) : null;
-    row.reset = element("button", {type: "button", class: "reset", title: "Take it out of the case", "aria-label": `take ${labelOf(field)} out of the case`}, "×");
-    row.note = element("div", {class: "note", id: note});
-    row.meaning = element("div", {class: "meaning"}, [field.meaning, field.requirement].filter(Boolean).join(": "));
-    row.slider = ["quantity", "number", "integer"].includes(field.kind) ? element("input", {type: "range", class: "slider", min: 0, max: SLIDER_STEPS, "aria-label": `slider of ${labelOf(field)}`, tabindex: 0}) : null;
-    row.element = element("div", {class: "row", "data-key": field.key}, row.label, element("span", {class: "value"}, row.control, row.unit, row.reset), row.slider, row.meaning, row.note);
-    row.control.addEventListener("change", () => this.commit(row));
-    row.unit?.addEventListener("change", () => this.changeUnit(row));
-    row.reset.addEventListener("click", () => this.takeOut(row));
+    row.control.setAttribute('aria-describedby', note);
+    row.label = element('label', {for: id, title: field.key
+    }, labelOf(field));
+    row.unit = field.kind === 'quantity' ?
+        element('select', {class: 'unit', 'aria-label': `unit of ${labelOf(field)}`}) :
+        null;
+    row.reset = element(
+        'button', {
+          type: 'button',
+          class: 'reset',
+          title: 'Take it out of the case',
+          'aria-label': `take ${labelOf(field)} out of the case`
+        },
+        '×');
+    row.note = element('div', {class: 'note', id: note});
+    row.meaning =
+        element('div', {class: 'meaning'}, [field.meaning, field.requirement].filter(Boolean).join(': '));
+    row.slider = ['quantity', 'number', 'integer'].includes(field.kind) ? element('input', {
+      type: 'range',
+      class: 'slider',
+      min: 0,
+      max: SLIDER_STEPS,
+      'aria-label': `slider of ${labelOf(field)}`,
+      tabindex: 0
+    }) :
+                                                                          null;
+    row.element = element(
+        'div', {class: 'row', 'data-key': field.key}, row.label,
+        element('span', {class: 'value'}, row.control, row.unit, row.reset), row.slider, row.meaning,
+        row.note);
+    row.control.addEventListener('change', () => this.commit(row));
+    row.unit?.addEventListener('change', () => this.changeUnit(row));
+    row.reset.addEventListener('click', () => this.takeOut(row));
     if (row.slider) this.listen(row);
     this.rows.set(field.key, row);
     return row.element;
   }
 
   controlOf(field, id) {
-    const common = {id, name: field.key, autocomplete: "off", spellcheck: "false"};
-    if (field.kind === "fixed") return element("input", {...common, type: "text", readonly: true});
-    if (field.kind === "switch" || (field.kind === "choice" && field.values.length < MANY_CHOICES)) {
-      const select = element("select", common, element("option", {value: ""}, "–"));
-      for (const value of field.kind === "switch" ? ["true", "false"] : field.values) select.append(element("option", {value}, value));
+    const common = {id, name: field.key, autocomplete: 'off', spellcheck: 'false'};
+    if (field.kind === 'fixed') return element('input', {...common, type: 'text', readonly: true});
+    if (field.kind === 'switch' || (field.kind === 'choice' && field.values.length < MANY_CHOICES)) {
+      const select = element('select', common, element('option', {value: ''}, '–'));
+      for (const value of field.kind === 'switch' ? ['true', 'false'] : field.values)
+        select.append(element('option', {value}, value));
       return select;
     }
-    if (field.kind === "choice") {
-      const list = element("datalist", {id: `${id}-list`}, ...field.values.map((value) => element("option", {value})));
+    if (field.kind === 'choice') {
+      const list =
+          element('datalist', {id: `${id}-list`}, ...field.values.map((value) => element('option', {value})));
       this.root.append(list);
-      return element("input", {...common, type: "text", list: `${id}-list`, placeholder: "type to search"});
+      return element('input', {...common, type: 'text', list: `${id}-list`, placeholder: 'type to search'});
     }
-    if (field.kind === "structure") return element("textarea", {...common, rows: 1});
-    return element("input", {...common, type: "text", inputmode: field.kind === "text" ? "text" : "decimal", placeholder: quantityOf(field.example)?.number ?? ""});
+    if (field.kind === 'structure') return element('textarea', {...common, rows: 1});
+    return element('input', {
+      ...common,
+      type: 'text',
+      inputmode: field.kind === 'text' ? 'text' : 'decimal',
+      placeholder: quantityOf(field.example)?.number ?? ''
+    });
   }
 
   stated(field) {
@@ -152,36 +200,38 @@ export class Form {
     return node && !node.empty ? node : null;
   }
 
-  reasonOf(field) {
-    return yaml.nodeAt(this.tree, ["assumed", field.key])?.value ?? "";
-  }
+  reasonOf(field) { return yaml.nodeAt(this.tree, ['assumed', field.key])?.value ?? ''; }
 
   /** The value of a row as text: of the case, else its default. */
   valueOf(field) {
     const node = this.stated(field);
     if (node) return yaml.textAt(this.text, node);
     const input = this.inputs.get(field.key);
-    return input?.given ?? "";
+    return input?.given ?? '';
   }
 
   fill(row) {
-    const {field} = row, node = this.stated(field), input = this.inputs.get(field.key), errors = this.errors.get(field.key) ?? [];
-    row.state = node ? "stated" : input ? "default" : field.required ? "missing" : "absent";
+    const {field} = row, node = this.stated(field), input = this.inputs.get(field.key),
+          errors = this.errors.get(field.key) ?? [];
+    row.state = node ? 'stated' : input ? 'default' : field.required ? 'missing' : 'absent';
     const value = this.valueOf(field), busy = document.activeElement === row.control && row.dirty;
-    const unused = Boolean(this.fidelity && input?.not_modelled_by?.includes(`--fidelity ${this.fidelity}`)), reason = node ? this.reasonOf(field) : (input?.reason ?? "");
+    const unused = Boolean(this.fidelity && input?.not_modelled_by?.includes(`--fidelity ${this.fidelity}`)),
+          reason = node ? this.reasonOf(field) : (input?.reason ?? '');
     if (!busy) this.put(row, value);
     // Of hundreds of rows one changes at a time.
-    const looks = [row.state, unused, reason, ...errors].join("\n");
+    const looks = [row.state, unused, reason, ...errors].join('\n');
     if (looks === row.looks) return;
     row.looks = looks;
-    row.element.className = `row ${row.state} ${field.kind}${errors.length ? " bad" : ""}`;
-    row.control.setAttribute("aria-invalid", String(errors.length > 0));
-    row.reset.hidden = !node || field.kind === "fixed";
-    row.element.classList.toggle("unused", unused);
+    row.element.className = `row ${row.state} ${field.kind}${errors.length ? ' bad' : ''}`;
+    row.control.setAttribute('aria-invalid', String(errors.length > 0));
+    row.reset.hidden = !node || field.kind === 'fixed';
+    row.element.classList.toggle('unused', unused);
     row.note.replaceChildren(
-      ...errors.map((text) => element("p", {class: "error"}, text)),
-      ...(unused ? [element("p", {class: "unused-note"}, `Not used by ${this.fidelity}`)] : []),
-      ...(reason && (node || input) ? [element("p", {class: "reason"}, node ? `Assumed: ${reason}` : reason)] : []));
+        ...errors.map((text) => element('p', {class: 'error'}, text)),
+        ...(unused ? [element('p', {class: 'unused-note'}, `Not used by ${this.fidelity}`)] : []),
+        ...(reason && (node || input) ?
+                [element('p', {class: 'reason'}, node ? `Assumed: ${reason}` : reason)] :
+                []));
   }
 
   put(row, value) {
@@ -195,17 +245,23 @@ export class Form {
 
   write(row, value) {
     const {field} = row;
-    if (field.kind !== "quantity") {
+    if (field.kind !== 'quantity') {
       row.control.value = value;
-      if (field.kind === "structure") row.control.rows = Math.min(8, value.split("\n").reduce((rows, line) => rows + Math.max(1, Math.ceil(line.length / LINE)), 0) || 1);
+      if (field.kind === 'structure')
+        row.control.rows = Math.min(
+            8,
+            value.split('\n').reduce((rows, line) => rows + Math.max(1, Math.ceil(line.length / LINE)), 0) ||
+                1);
       this.place(row);
       return;
     }
     const found = quantityOf(value);
     row.control.value = found ? found.number : value;
-    const unit = found ? found.unit : (quantityOf(field.example)?.unit ?? "");
+    const unit = found ? found.unit : (quantityOf(field.example)?.unit ?? '');
     if (row.unit.value !== unit || !row.unit.options.length) {
-      row.unit.replaceChildren(...unitsOf(field, unit).map((one) => element("option", {value: one}, one)), element("option", {value: "other"}, "other …"));
+      row.unit.replaceChildren(
+          ...unitsOf(field, unit).map((one) => element('option', {value: one}, one)),
+          element('option', {value: 'other'}, 'other …'));
       row.unit.value = unit;
     }
     this.place(row);
@@ -220,41 +276,47 @@ export class Form {
   place(row) {
     if (!row.slider || row.dragging) return;
     const {field} = row, now = Number(row.control.value);
-    const size = Number.isFinite(now) && now !== 0 && row.control.value !== "" ? Math.abs(now) : Math.abs(Number(quantityOf(field.example)?.number ?? 1)) || 1;
+    const size = Number.isFinite(now) && now !== 0 && row.control.value !== '' ?
+        Math.abs(now) :
+        Math.abs(Number(quantityOf(field.example)?.number ?? 1)) || 1;
     let low = now > 0 ? Math.max(0, now - size) : now - size, high = (Number.isFinite(now) ? now : 0) + size;
-    if (field.kind !== "quantity") {
+    if (field.kind !== 'quantity') {
       low = Math.max(low, field.least ?? low);
       high = Math.min(high, field.most ?? high);
     }
     row.span = {low, high: high > low ? high : low + 1};
-    row.slider.value = String(Math.round((SLIDER_STEPS * (now - row.span.low)) / (row.span.high - row.span.low)));
+    row.slider.value =
+        String(Math.round((SLIDER_STEPS * (now - row.span.low)) / (row.span.high - row.span.low)));
   }
 
   listen(row) {
     const moved = (end) => () => {
       if (!row.span) return;
       row.dragging = !end;
-      const share = Number(row.slider.value) / SLIDER_STEPS, raw = row.span.low + share * (row.span.high - row.span.low);
+      const share = Number(row.slider.value) / SLIDER_STEPS,
+            raw = row.span.low + share * (row.span.high - row.span.low);
       const step = 10 ** (Math.floor(Math.log10((row.span.high - row.span.low) / SLIDER_STEPS)) || 0);
-      const number = row.field.kind === "integer" ? Math.round(raw) : Number((Math.round(raw / step) * step).toPrecision(6));
+      const number = row.field.kind === 'integer' ? Math.round(raw) :
+                                                    Number((Math.round(raw / step) * step).toPrecision(6));
       row.control.value = String(number);
       this.commit(row, !end);
     };
-    row.slider.addEventListener("input", moved(false));
-    row.slider.addEventListener("change", moved(true));
-    row.control.addEventListener("input", () => (row.dirty = true));
+    row.slider.addEventListener('input', moved(false));
+    row.slider.addEventListener('change', moved(true));
+    row.control.addEventListener('input', () => (row.dirty = true));
   }
 
   commit(row, dragging = false) {
     const {field} = row, value = row.control.value.trim();
     row.dirty = false;
-    if (value === "" && field.kind !== "text") return this.takeOut(row);
+    if (value === '' && field.kind !== 'text') return this.takeOut(row);
     let source = value;
-    if (field.kind === "quantity") {
+    if (field.kind === 'quantity') {
       const whole = quantityOf(value);
       source = whole && whole.unit ? value : `${value} ${row.unit.value}`.trim();
     }
-    if (field.kind !== "structure") source = yaml.scalarText(source, {flow: this.isInFlow(field.path), words: field.kind === "text"});
+    if (field.kind !== 'structure')
+      source = yaml.scalarText(source, {flow: this.isInFlow(field.path), words: field.kind === 'text'});
     this.state(field, source, dragging);
   }
 
@@ -267,24 +329,28 @@ export class Form {
   }
 
   state(field, source, dragging) {
-    if (this.stated(field) && yaml.textAt(this.text, this.stated(field)) === source) return this.changed(this.text, dragging);
+    if (this.stated(field) && yaml.textAt(this.text, this.stated(field)) === source)
+      return this.changed(this.text, dragging);
     let text = this.text;
-    for (const other of alternativesOf(this.schema, this.model, field.path)) text = yaml.withoutValue(text, other);
+    for (const other of alternativesOf(this.schema, this.model, field.path))
+      text = yaml.withoutValue(text, other);
     // The reason stood for the former value.
-    text = yaml.withoutValue(text, ["assumed", field.key]);
-    this.changed(yaml.withValue(text, field.path, source, (path) => orderAt(this.schema, this.model, path)), dragging);
+    text = yaml.withoutValue(text, ['assumed', field.key]);
+    this.changed(
+        yaml.withValue(text, field.path, source, (path) => orderAt(this.schema, this.model, path)), dragging);
   }
 
   takeOut(row) {
     if (!this.stated(row.field)) return this.fill(row);
-    this.changed(yaml.withoutValue(yaml.withoutValue(this.text, ["assumed", row.field.key]), row.field.path), false);
+    this.changed(
+        yaml.withoutValue(yaml.withoutValue(this.text, ['assumed', row.field.key]), row.field.path), false);
     row.control.focus();
   }
 
   async changeUnit(row) {
     let unit = row.unit.value;
     const before = this.valueOf(row.field);
-    if (unit === "other") unit = await this.askForUnit(row);
+    if (unit === 'other') unit = await this.askForUnit(row);
     if (!unit) return this.restore(row, before);
     if (!quantityOf(before)?.unit) return row.control.value ? this.commit(row) : undefined;
     try {
@@ -293,24 +359,25 @@ export class Form {
     } catch (error) {
       this.restore(row, before);
       row.looks = null;
-      row.note.replaceChildren(element("p", {class: "error"}, (error.errors ?? [error.message]).join(" ")));
+      row.note.replaceChildren(element('p', {class: 'error'}, (error.errors ?? [error.message]).join(' ')));
     }
   }
 
   // Any unit of the dimension: typed in the place of the list.
   askForUnit(row) {
     return new Promise((resolve) => {
-      const typed = element("input", {type: "text", class: "unit", "aria-label": "another unit", placeholder: "unit"});
+      const typed =
+          element('input', {type: 'text', class: 'unit', 'aria-label': 'another unit', placeholder: 'unit'});
       row.unit.replaceWith(typed);
       typed.focus();
       const end = () => {
         typed.replaceWith(row.unit);
         resolve(typed.value.trim());
       };
-      typed.addEventListener("blur", end, {once: true});
-      typed.addEventListener("keydown", (event) => {
-        if (event.key === "Enter" || event.key === "Escape") {
-          if (event.key === "Escape") typed.value = "";
+      typed.addEventListener('blur', end, {once: true});
+      typed.addEventListener('keydown', (event) => {
+        if (event.key === 'Enter' || event.key === 'Escape') {
+          if (event.key === 'Escape') typed.value = '';
           row.control.focus();
         }
       });
@@ -325,23 +392,27 @@ export class Form {
   // Which rows are seen, and what each group says of itself.
   settle() {
     const words = this.filter.split(/\s+/).filter(Boolean);
-    for (const group of this.root.querySelectorAll(".group")) {
+    for (const group of this.root.querySelectorAll('.group')) {
       const count = {default: 0, absent: 0, bad: 0, seen: 0};
-      for (const line of group.querySelectorAll(".row")) {
-        const row = this.rows.get(line.dataset.key), bad = line.classList.contains("bad");
+      for (const line of group.querySelectorAll('.row')) {
+        const row = this.rows.get(line.dataset.key), bad = line.classList.contains('bad');
         count[row.state] = (count[row.state] ?? 0) + 1;
         count.bad += bad;
         const about = `${row.field.key} ${spaced(row.field.key)} ${row.field.meaning}`.toLowerCase();
-        const kept = bad || line.contains(document.activeElement) || this.shown.has(group.dataset.group + row.state) || row.state === "stated" || row.state === "missing";
+        const kept = bad || line.contains(document.activeElement) ||
+            this.shown.has(group.dataset.group + row.state) || row.state === 'stated' ||
+            row.state === 'missing';
         line.hidden = words.length ? !words.every((word) => about.includes(word)) : !kept;
         count.seen += !line.hidden;
       }
-      for (const block of group.querySelectorAll(".block")) block.hidden = ![...block.querySelectorAll(".row")].some((line) => !line.hidden);
-      for (const chip of group.querySelectorAll(".chip")) {
-        chip.textContent = `${chip.dataset.state === "default" ? "Defaults" : "Not stated"} (${count[chip.dataset.state]})`;
+      for (const block of group.querySelectorAll('.block'))
+        block.hidden = ![...block.querySelectorAll('.row')].some((line) => !line.hidden);
+      for (const chip of group.querySelectorAll('.chip')) {
+        chip.textContent =
+            `${chip.dataset.state === 'default' ? 'Defaults' : 'Not stated'} (${count[chip.dataset.state]})`;
         chip.hidden = !count[chip.dataset.state];
       }
-      group.querySelector(".mark").textContent = count.bad ? `${count.bad} to mend` : "";
+      group.querySelector('.mark').textContent = count.bad ? `${count.bad} to mend` : '';
       group.hidden = words.length > 0 && !count.seen;
       if (count.bad || (words.length && count.seen)) group.open = true;
     }
@@ -351,9 +422,9 @@ export class Form {
     const row = this.rows.get(key);
     if (!row) return;
     row.element.hidden = false;
-    row.element.closest(".block").hidden = false;
-    row.element.closest(".group").open = true;
+    row.element.closest('.block').hidden = false;
+    row.element.closest('.group').open = true;
     row.control.focus();
-    row.element.scrollIntoView({block: "center"});
+    row.element.scrollIntoView({block: 'center'});
   }
 }

@@ -5,48 +5,72 @@ const NUMBER = /^\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(.*?)\s*$/;
 
 /** "150 kW" -> {number: "150", unit: "kW"}; null where it does not begin with a number. */
 export function quantityOf(text) {
-  const found = NUMBER.exec(text ?? "");
+  const found = NUMBER.exec(text ?? '');
   return found && {number: found[1], unit: found[2]};
 }
 
-const meaningOf = (description = "") => description.replace(/\s*\((?:an?|one of|true or false|a list|a text)\b[^]*$/, "").replace(/; left out:.*$/, "");
-const requirementOf = (description = "") => /\(((?:an?|one of|true or false|a list|a text)\b[^]*)$/.exec(description)?.[1].replace(/\)(?=[^)]*$)/, "") ?? "";
+const meaningOf = (description = '') =>
+    description.replace(/\s*\((?:an?|one of|true or false|a list|a text)\b[^]*$/, '')
+        .replace(/; left out:.*$/, '');
+const requirementOf = (description = '') =>
+    /\(((?:an?|one of|true or false|a list|a text)\b[^]*)$/.exec(description)
+        ?.[1]
+        .replace(/\)(?=[^)]*$)/, '') ??
+    '';
 
 function kindOf(part) {
-  if (part.const !== undefined) return "fixed";
-  if (part.enum) return "choice";
-  if (part.type === "boolean") return "switch";
-  if (part.type === "integer" || part.type === "number") return part.type;
-  if (part.type === "string") return QUANTITY.test(part.description ?? "") ? "quantity" : "text";
-  return "structure";
+  if (part.const !== undefined) return 'fixed';
+  if (part.enum) return 'choice';
+  if (part.type === 'boolean') return 'switch';
+  if (part.type === 'integer' || part.type === 'number') return part.type;
+  if (part.type === 'string') return QUANTITY.test(part.description ?? '') ? 'quantity' : 'text';
+  return 'structure';
 }
 
 function fieldOf(path, part, required) {
-  const quantity = QUANTITY.exec(part.description ?? "");
+  const quantity = QUANTITY.exec(part.description ?? '');
   return {
-    path, key: path.join("."), block: path[0], kind: kindOf(part), required, values: part.enum ?? [], meaning: meaningOf(part.description),
-    requirement: requirementOf(part.description), dimension: quantity?.[1] ?? "", example: part.examples?.[0] ?? quantity?.[2] ?? "",
-    least: part.minimum ?? part.exclusiveMinimum, most: part.maximum ?? part.exclusiveMaximum, fallback: part.default,
+    path,
+    key: path.join('.'),
+    block: path[0],
+    kind: kindOf(part),
+    required,
+    values: part.enum ?? [],
+    meaning: meaningOf(part.description),
+    requirement: requirementOf(part.description),
+    dimension: quantity?.[1] ?? '',
+    example: part.examples?.[0] ?? quantity?.[2] ?? '',
+    least: part.minimum ?? part.exclusiveMinimum,
+    most: part.maximum ?? part.exclusiveMaximum,
+    fallback: part.default,
   };
 }
 
-const keysAt = (tree) => (tree?.kind === "map" ? tree.entries.map((entry) => entry.key) : []);
-const below = (tree, key) => (tree?.kind === "map" ? tree.entries.find((entry) => entry.key === key)?.node : undefined);
+const keysAt = (tree) => (tree?.kind === 'map' ? tree.entries.map((entry) => entry.key) : []);
+const below = (tree, key) =>
+    (tree?.kind === 'map' ? tree.entries.find((entry) => entry.key === key)?.node : undefined);
 
 // Blocks whose keys are those of other inputs: of them only what the case states is an input of the form.
-const REPEATS_OTHERS = ["sweep", "uncertain", "assumed"];
-const SPEED_OF_SWEEP = "input.speed";
+const REPEATS_OTHERS = ['sweep', 'uncertain', 'assumed'];
+const SPEED_OF_SWEEP = 'input.speed';
 
 function* walk(part, path, tree, required) {
-  const open = Object.entries(part.patternProperties ?? {}).flatMap(([pattern, one]) =>
-    keysAt(tree).filter((key) => new RegExp(pattern, "u").test(key) && !(key in (part.properties ?? {}))).map((key) => [key, one]));
+  const open = Object.entries(part.patternProperties ?? {})
+                   .flatMap(
+                       ([pattern, one]) => keysAt(tree)
+                                               .filter(
+                                                   (key) => new RegExp(pattern, 'u').test(key) &&
+                                                       !(key in (part.properties ?? {})))
+                                               .map((key) => [key, one]));
   for (const [key, one] of [...Object.entries(part.properties ?? {}), ...open]) {
-    if (one === true || (path.length === 0 && key === "assumed")) continue;
+    if (one === true || (path.length === 0 && key === 'assumed')) continue;
     const repeated = REPEATS_OTHERS.includes(path[0]);
     if (repeated && !below(tree, key) && key !== SPEED_OF_SWEEP) continue;
     const inner = one.properties || one.patternProperties;
-    if (inner && !repeated) yield* walk(one, [...path, key], below(tree, key), one.required ?? []);
-    else yield fieldOf([...path, key], one, required.includes(key));
+    if (inner && !repeated)
+      yield* walk(one, [...path, key], below(tree, key), one.required ?? []);
+    else
+      yield fieldOf([...path, key], one, required.includes(key));
   }
 }
 
@@ -60,7 +84,8 @@ export function fieldsOf(schema, model, tree) {
 export function orderAt(schema, model, path) {
   let part = schema.$defs[model];
   for (const key of path) {
-    const open = Object.entries(part?.patternProperties ?? {}).find(([pattern]) => new RegExp(pattern, "u").test(key));
+    const open =
+        Object.entries(part?.patternProperties ?? {}).find(([pattern]) => new RegExp(pattern, 'u').test(key));
     part = part?.properties?.[key] ?? open?.[1];
   }
   return Object.keys(part?.properties ?? {});
@@ -72,17 +97,33 @@ export function alternativesOf(schema, model, path) {
   for (const key of path.slice(0, -1)) part = part?.properties?.[key];
   const lists = [part, ...(part?.allOf ?? [])].map((one) => one?.oneOf).filter(Boolean);
   const single = (one) => (one.required?.length === 1 && !one.properties ? one.required[0] : null);
-  const choices = lists.map((list) => list.map(single)).filter((list) => list.every(Boolean)).find((list) => list.includes(path.at(-1)));
+  const choices = lists.map((list) => list.map(single))
+                      .filter((list) => list.every(Boolean))
+                      .find((list) => list.includes(path.at(-1)));
   return (choices ?? []).filter((key) => key !== path.at(-1)).map((key) => [...path.slice(0, -1), key]);
 }
 
 // Units in use beside that of the example; any other may be typed.
 const UNITS = {
-  length: ["um", "mm", "cm", "m", "inch"], angle: ["mrad", "rad", "arc_minute", "deg"], power: ["W", "kW", "MW", "hp"], torque: ["N.m", "kN.m", "lbf.ft"],
-  moment: ["N.m", "kN.m"], "angular speed": ["rpm", "rad/s", "deg/s"], "angular acceleration": ["rpm/s", "rad/s2"], force: ["N", "kN", "MN", "lbf"],
-  mass: ["g", "kg", "t", "lb"], stiffness: ["N/m", "N/mm", "N/um", "MN/m"], pressure: ["Pa", "MPa", "GPa", "psi"], density: ["kg/m3", "g/cm3"],
-  viscosity: ["mPa.s", "Pa.s"], "kinematic viscosity": ["mm2/s", "m2/s"], temperature: ["degC", "K", "degF"], time: ["us", "ms", "s", "min", "h"],
-  frequency: ["Hz", "kHz"], speed: ["mm/s", "m/s"], "moment of inertia": ["kg.m2", "kg.mm2"],
+  length: ['um', 'mm', 'cm', 'm', 'inch'],
+  angle: ['mrad', 'rad', 'arc_minute', 'deg'],
+  power: ['W', 'kW', 'MW', 'hp'],
+  torque: ['N.m', 'kN.m', 'lbf.ft'],
+  moment: ['N.m', 'kN.m'],
+  'angular speed': ['rpm', 'rad/s', 'deg/s'],
+  'angular acceleration': ['rpm/s', 'rad/s2'],
+  force: ['N', 'kN', 'MN', 'lbf'],
+  mass: ['g', 'kg', 't', 'lb'],
+  stiffness: ['N/m', 'N/mm', 'N/um', 'MN/m'],
+  pressure: ['Pa', 'MPa', 'GPa', 'psi'],
+  density: ['kg/m3', 'g/cm3'],
+  viscosity: ['mPa.s', 'Pa.s'],
+  'kinematic viscosity': ['mm2/s', 'm2/s'],
+  temperature: ['degC', 'K', 'degF'],
+  time: ['us', 'ms', 's', 'min', 'h'],
+  frequency: ['Hz', 'kHz'],
+  speed: ['mm/s', 'm/s'],
+  'moment of inertia': ['kg.m2', 'kg.mm2'],
 };
 
 /** Units that a field offers. */

@@ -1,28 +1,30 @@
-// The case that is open and what the engine says of it. Of several changes that come fast the last one is computed.
-import {Known} from "./scene.js";
-import {quantityOf} from "./schema.js";
-import * as yaml from "./yaml_text.js";
+// The case that is open and what the engine says of it. Of several changes that come fast the last one is
+// computed.
+import {Known} from './scene.js';
+import {quantityOf} from './schema.js';
+import * as yaml from './yaml_text.js';
 
 const RPM = 30 / Math.PI;
-export const FINE = 60;   // speeds of a life curve
-const COARSE = 9;         // of one whose points take long
-const LONG = 1500;        // ms that a life curve may take
-const TEXT_FILE = "case.yaml";
+export const FINE = 60;  // speeds of a life curve
+const COARSE = 9;        // of one whose points take long
+const LONG = 1500;       // ms that a life curve may take
+const TEXT_FILE = 'case.yaml';
 
 /** A line of the program about bad input: {key, text, line, column}. */
 export function errorOf(line) {
-  const file = /^(?:[^:]*\.ya?ml):(\d+):(\d+): ([^:]+): ([^]*)$/.exec(line), option = /^--set: ([^:]+): ([^]*)$/.exec(line);
+  const file = /^(?:[^:]*\.ya?ml):(\d+):(\d+): ([^:]+): ([^]*)$/.exec(line),
+        option = /^--set: ([^:]+): ([^]*)$/.exec(line);
   if (file) return {key: file[3], text: file[4], line: Number(file[1]), column: Number(file[2])};
-  return option ? {key: option[1], text: option[2]} : {key: "", text: line};
+  return option ? {key: option[1], text: option[2]} : {key: '', text: line};
 }
 
 export class Session extends EventTarget {
   constructor(engine) {
     super();
     this.engine = engine;
-    this.text = "";
+    this.text = '';
     this.file = TEXT_FILE;
-    this.fidelity = "quasi-static";
+    this.fidelity = 'quasi-static';
     this.reset();
     this.wish = null;
     this.running = false;
@@ -31,49 +33,46 @@ export class Session extends EventTarget {
   reset() {
     this.check = this.known = this.sweep = this.point = this.run = null;
     this.errors = [];
-    this.failure = "";
+    this.failure = '';
     this.cursor = this.ownSpeed = null;
     this.slow = false;
     this.motion = [];
     this.took = {};
   }
 
-  tell(what) {
-    this.dispatchEvent(new CustomEvent("change", {detail: what}));
-  }
+  tell(what) { this.dispatchEvent(new CustomEvent('change', {detail: what})); }
 
   open(text, file) {
     this.reset();
     this.file = file || TEXT_FILE;
-    return this.setText(text, "opened");
+    return this.setText(text, 'opened');
   }
 
   setText(text, by) {
     const other = text !== this.text;
     this.text = text;
-    if (other && by !== "opened") this.motion = [];
-    this.dispatchEvent(new CustomEvent("text", {detail: by}));
+    if (other && by !== 'opened') this.motion = [];
+    this.dispatchEvent(new CustomEvent('text', {detail: by}));
     return this.compute({case: true});
   }
 
   setCursor(rpm) {
     this.cursor = rpm;
-    this.tell("cursor");
+    this.tell('cursor');
     this.compute({case: false});
   }
 
   setFidelity(name) {
     this.fidelity = name;
-    this.tell("fidelity");
+    this.tell('fidelity');
   }
 
-  get model() {
-    return this.check?.model ?? "";
-  }
+  get model() { return this.check?.model ?? ''; }
 
   /** Whether life over speed is what the case is about. */
   get overSpeed() {
-    return this.model === "planetary-drivetrain" && this.known?.input("input.speed") !== undefined && this.hasBearing;
+    return this.model === 'planetary-drivetrain' && this.known?.input('input.speed') !== undefined &&
+        this.hasBearing;
   }
 
   get hasBearing() {
@@ -82,21 +81,21 @@ export class Session extends EventTarget {
 
   /** Whether its run follows the motion in time, which starts on a button. */
   get inTime() {
-    return this.check.inputs.some((input) => input.used_by.some((name) => /in time|with scratches/.test(name)));
+    return this.check.inputs.some(
+        (input) => input.used_by.some((name) => /in time|with scratches/.test(name)));
   }
 
   get fidelities() {
     const named = new Set(this.check?.inputs.flatMap((input) => input.used_by) ?? []);
-    return ["quasi-static", "dynamic", "co-simulated", "monolithic"].filter((name) => named.has(`--fidelity ${name}`));
+    return ['quasi-static', 'dynamic', 'co-simulated', 'monolithic'].filter(
+        (name) => named.has(`--fidelity ${name}`));
   }
 
-  get setting() {
-    return this.cursor === null ? [] : [`input.speed=${this.cursor} rpm`];
-  }
+  get setting() { return this.cursor === null ? [] : [`input.speed=${this.cursor} rpm`]; }
 
   /** Speeds of the life curve [rpm]: those that the case sweeps, else about its own. */
   range() {
-    const own = this.known.input("input.speed") * RPM;
+    const own = this.known.input('input.speed') * RPM;
     const swept = this.sweptSpeeds();
     if (swept.length > 1) return [Math.min(...swept), Math.max(...swept)];
     return [own / 5, own * 2];
@@ -104,9 +103,10 @@ export class Session extends EventTarget {
 
   sweptSpeeds() {
     try {
-      const node = yaml.nodeAt(yaml.parse(this.text), ["sweep", "input.speed"]);
+      const node = yaml.nodeAt(yaml.parse(this.text), ['sweep', 'input.speed']);
       if (!node) return [];
-      const values = node.kind === "list" ? node.items.map((item) => item.value) : ["from", "to"].map((key) => yaml.nodeAt(node, [key])?.value);
+      const values = node.kind === 'list' ? node.items.map((item) => item.value) :
+                                            ['from', 'to'].map((key) => yaml.nodeAt(node, [key])?.value);
       return values.map((value) => this.inRpm(value)).filter(Number.isFinite);
     } catch {
       return [];
@@ -114,13 +114,14 @@ export class Session extends EventTarget {
   }
 
   inRpm(text) {
-    const found = quantityOf(text), to = {rpm: 1, "rad/s": RPM, "deg/s": 1 / 6, "1/min": NaN, krpm: 1e3};
+    const found = quantityOf(text), to = {rpm: 1, 'rad/s': RPM, 'deg/s': 1 / 6, '1/min': NaN, krpm: 1e3};
     return found ? Number(found.number) * (to[found.unit] ?? NaN) : NaN;
   }
 
   speeds(count) {
     const [low, high] = this.range();
-    return Array.from({length: count}, (_, i) => Number((low + ((high - low) * i) / (count - 1)).toPrecision(5)));
+    return Array.from(
+        {length: count}, (_, i) => Number((low + ((high - low) * i) / (count - 1)).toPrecision(5)));
   }
 
   // One request after the other: the latest wish counts.
@@ -128,61 +129,69 @@ export class Session extends EventTarget {
     this.wish = {case: wish.case || (this.wish?.case ?? false)};
     if (this.running) return;
     this.running = true;
-    this.tell("busy");
+    this.tell('busy');
     while (this.wish) {
       const now = this.wish;
       this.wish = null;
       try {
         await (now.case ? this.computeCase() : this.computePoint());
-        this.failure = "";
+        this.failure = '';
       } catch (error) {
         if (!error.errors) {
           console.error(error);
           error.errors = [`The page failed: ${error.message}`];
         }
-        if (error.code === 2 && now.case) this.errors = error.errors.map(errorOf);
-        else this.failure = error.errors.join("\n");
-        this.tell("failed");
+        if (error.code === 2 && now.case)
+          this.errors = error.errors.map(errorOf);
+        else
+          this.failure = error.errors.join('\n');
+        this.tell('failed');
       }
     }
     this.running = false;
-    this.tell("idle");
+    this.tell('idle');
   }
 
-  request(command, settings = [], options = {}) {
-    return {command, case_text: this.text, settings, options};
-  }
+  request(command, settings = [], options = {}) { return {command, case_text: this.text, settings, options}; }
 
   async computeCase() {
     const begun = performance.now(), text = this.text;
-    // The curve is asked for at once where the former case had one: most changes keep what kind of case it is.
-    const early = this.overSpeed && this.errors.length === 0 ? this.curve(text).catch((error) => error) : null;
-    const check = await this.engine.answer(this.request("check"));
+    // The curve is asked for at once where the former case had one: most changes keep what kind of case it
+    // is.
+    const early =
+        this.overSpeed && this.errors.length === 0 ? this.curve(text).catch((error) => error) : null;
+    const check = await this.engine.answer(this.request('check'));
     this.check = check;
     this.known = new Known(check);
     this.errors = [];
-    this.tell("check");
+    this.tell('check');
     if (this.overSpeed) {
       const [low, high] = this.range();
-      const own = Number((this.known.input("input.speed") * RPM).toPrecision(9));
+      const own = Number((this.known.input('input.speed') * RPM).toPrecision(9));
       if (own !== this.ownSpeed) this.cursor = own;  // a new speed of the case moves the cursor there
       this.ownSpeed = own;
       this.cursor = Math.min(high, Math.max(low, this.cursor));
       const again = early ? await early : null;
       if (again instanceof Error || again?.errors) throw again;
-      const [curve, point] = await Promise.all([again ?? this.curve(text), this.engine.answer(this.request("run", this.setting))]);
+      const [curve, point] = await Promise.all(
+          [again ?? this.curve(text), this.engine.answer(this.request('run', this.setting))]);
       this.sweep = curve;
       this.run = point;
       this.point = point.points[0];
-    } else if (this.model === "gear-pair") this.run = await this.engine.answer(this.request("mesh"));
-    else if (this.model === "planetary-drivetrain") this.run = await this.engine.answer(this.request("modes"));
-    else this.run = this.inTime ? null : await this.engine.answer(this.request("run"));
+    } else if (this.model === 'gear-pair')
+      this.run = await this.engine.answer(this.request('mesh'));
+    else if (this.model === 'planetary-drivetrain')
+      this.run = await this.engine.answer(this.request('modes'));
+    else
+      this.run = this.inTime ? null : await this.engine.answer(this.request('run'));
     this.took.case = performance.now() - begun;
-    this.tell("results");
+    this.tell('results');
   }
 
   async curve() {
-    const ask = (count) => this.engine.answer(this.request("sweep", [`sweep={input.speed: [${this.speeds(count).map((speed) => `${speed} rpm`).join(", ")}]}`], {grid_only: true}));
+    const ask = (count) => this.engine.answer(this.request(
+        'sweep', [`sweep={input.speed: [${this.speeds(count).map((speed) => `${speed} rpm`).join(', ')}]}`],
+        {grid_only: true}));
     const begun = performance.now(), count = this.slow || !this.took.curve ? COARSE : FINE;
     let found = await ask(count);
     this.took.curve = performance.now() - begun;
@@ -197,10 +206,10 @@ export class Session extends EventTarget {
 
   async computePoint() {
     if (!this.overSpeed || this.errors.length) return;
-    const begun = performance.now(), run = await this.engine.answer(this.request("run", this.setting));
+    const begun = performance.now(), run = await this.engine.answer(this.request('run', this.setting));
     this.run = run;
     this.point = run.points[0];
     this.took.point = performance.now() - begun;
-    this.tell("point");
+    this.tell('point');
   }
 }

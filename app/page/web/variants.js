@@ -1,69 +1,118 @@
-// Pinned variants: their curves lie over those of the case, and a table has the inputs and results that differ.
-import {element, figure, readable} from "./dom.js";
+// Pinned variants: their curves lie over those of the case, and a table has the inputs and results that
+// differ.
+import {element, figure, readable} from './dom.js';
 
-const NAMES = ["A", "B", "C"];
-const TOLD = /^(life_h|L10|system_life_h|planet_load_N|inner_load_max_N|contact_pressure_max_MPa|C_over_P|S0|kappa|a_ISO|operating_clearance_um|film_inner_um|cage_slip|power_loss_W)/;
+const NAMES = ['A', 'B', 'C'];
+const TOLD =
+    /^(life_h|L10|system_life_h|planet_load_N|inner_load_max_N|contact_pressure_max_MPa|C_over_P|S0|kappa|a_ISO|operating_clearance_um|film_inner_um|cage_slip|power_loss_W)/;
 
 export class Variants {
   constructor(session) {
     this.session = session;
     session.variants = [];
-    this.pins = element("div", {class: "pins", role: "group", "aria-label": "variants"});
-    this.table = element("div");
-    this.element = element("details", {class: "card", id: "card-variants", open: true}, element("summary", {}, element("h3", {}, "Variants")), element("div", {class: "body"}, this.pins, this.table));
+    this.pins = element('div', {class: 'pins', role: 'group', 'aria-label': 'variants'});
+    this.table = element('div');
+    this.element = element(
+        'details', {class: 'card', id: 'card-variants', open: true},
+        element('summary', {}, element('h3', {}, 'Variants')),
+        element('div', {class: 'body'}, this.pins, this.table));
     this.show();
   }
 
   update(what) {
     this.element.hidden = !this.session.known;
-    if (what !== "cursor") this.show();
+    if (what !== 'cursor') this.show();
   }
 
   pin(name) {
     const {text, check, sweep, run, point, cursor, file} = this.session;
     if (!check || this.session.errors.length) return;
-    const variant = {name, text, file, inputs: new Map(check.inputs.map((input) => [input.path, input.given])), sweep, result: point ?? run, cursor};
-    this.session.variants = [...this.session.variants.filter((one) => one.name !== name), variant].sort((one, other) => one.name.localeCompare(other.name));
-    this.session.tell("variants");
+    const variant = {
+      name,
+      text,
+      file,
+      inputs: new Map(check.inputs.map((input) => [input.path, input.given])),
+      sweep,
+      result: point ?? run,
+      cursor
+    };
+    this.session.variants = [...this.session.variants.filter((one) => one.name !== name), variant].sort(
+        (one, other) => one.name.localeCompare(other.name));
+    this.session.tell('variants');
   }
 
   drop(name) {
     this.session.variants = this.session.variants.filter((one) => one.name !== name);
-    this.session.tell("variants");
+    this.session.tell('variants');
   }
 
   show() {
     const {variants} = this.session;
     this.pins.replaceChildren(...NAMES.flatMap((name) => {
-      const held = variants.find((one) => one.name === name), pin = element("button", {type: "button", "data-pin": name}, held ? `Pin the case as ${name} again` : `Pin as ${name}`);
-      pin.addEventListener("click", () => this.pin(name));
+      const held = variants.find((one) => one.name === name),
+            pin = element(
+                'button', {type: 'button', 'data-pin': name},
+                held ? `Pin the case as ${name} again` : `Pin as ${name}`);
+      pin.addEventListener('click', () => this.pin(name));
       if (!held) return [pin];
-      const take = element("button", {type: "button", "data-take": name}, `Work on ${name}`), drop = element("button", {type: "button", "data-drop": name}, `Remove ${name}`);
-      take.addEventListener("click", () => this.session.setText(held.text, "variant"));
-      drop.addEventListener("click", () => this.drop(name));
-      return [element("span", {class: "pin"}, pin, take, drop)];
+      const take = element('button', {type: 'button', 'data-take': name}, `Work on ${name}`),
+            drop = element('button', {type: 'button', 'data-drop': name}, `Remove ${name}`);
+      take.addEventListener('click', () => this.session.setText(held.text, 'variant'));
+      drop.addEventListener('click', () => this.drop(name));
+      return [element('span', {class: 'pin'}, pin, take, drop)];
     }));
-    this.table.replaceChildren(...(variants.length && this.session.check ? [this.compared()] : [element("p", {class: "hint"}, "Pin the case, change it, and compare: curves of pinned variants are dashed.")]));
+    this.table.replaceChildren(...(variants.length && this.session.check ? [this.compared()] : [
+      element(
+          'p', {class: 'hint'}, 'Pin the case, change it, and compare: curves of pinned variants are dashed.')
+    ]));
   }
 
   compared() {
-    const {variants, check, meanings} = this.session, now = new Map(check.inputs.map((input) => [input.path, input.given])), result = this.session.point ?? this.session.run ?? {};
-    const paths = [...new Set([...now.keys(), ...variants.flatMap((one) => [...one.inputs.keys()])])].filter((path) => variants.some((one) => one.inputs.get(path) !== now.get(path)) && path !== "name");
-    const keys = Object.keys(result).filter((key) => TOLD.test(key) && variants.some((one) => one.result && typeof one.result[key] === "number" && one.result[key] !== result[key]));
-    const heads = ["", "now", ...variants.map((one) => one.name)];
+    const {variants, check, meanings} = this.session,
+                            now = new Map(check.inputs.map((input) => [input.path, input.given])),
+                            result = this.session.point ?? this.session.run ?? {};
+    const paths = [...new Set([...now.keys(), ...variants.flatMap((one) => [...one.inputs.keys()])])].filter(
+        (path) => variants.some((one) => one.inputs.get(path) !== now.get(path)) && path !== 'name');
+    const keys = Object.keys(result).filter(
+        (key) => TOLD.test(key) &&
+            variants.some(
+                (one) =>
+                    one.result && typeof one.result[key] === 'number' && one.result[key] !== result[key]));
+    const heads = ['', 'now', ...variants.map((one) => one.name)];
     const change = (value, key) => {
-      if (typeof value !== "number" || typeof result[key] !== "number" || !result[key]) return "";
+      if (typeof value !== 'number' || typeof result[key] !== 'number' || !result[key]) return '';
       const percent = 100 * (value / result[key] - 1);
-      return Math.abs(percent) < 0.005 ? "" : ` (${percent > 0 ? "+" : "−"}${readable(Math.abs(percent), 2)} %)`;
+      return Math.abs(percent) < 0.005 ? '' :
+                                         ` (${percent > 0 ? '+' : '−'}${readable(Math.abs(percent), 2)} %)`;
     };
-    const line = (title, cells) => element("tr", {}, element("th", {scope: "row"}, title), ...cells.map((cell) => element("td", {}, cell)));
+    const line = (title, cells) => element(
+        'tr', {}, element('th', {scope: 'row'}, title), ...cells.map((cell) => element('td', {}, cell)));
     const other = variants.find((one) => one.cursor !== this.session.cursor && one.cursor !== null);
-    return element("div", {class: "scroll", tabindex: 0, role: "region", "aria-label": "variants side by side"}, element("table", {class: "grid variants"},
-      element("thead", {}, element("tr", {}, ...heads.map((head) => element("th", {scope: "col"}, head)))),
-      element("tbody", {class: "inputs-differ"}, paths.length ? null : line("No input differs", []), ...paths.map((path) => line(path, [now.get(path) ?? "–", ...variants.map((one) => one.inputs.get(path) ?? "–")]))),
-      element("tbody", {class: "results-differ"}, ...keys.map((key) => {
-        const {unit} = meanings.of(key);
-        return line(meanings.label(key), [figure(result[key], unit), ...variants.map((one) => element("span", {}, figure(one.result?.[key], unit), element("span", {class: "change"}, change(one.result?.[key], key))))]);
-      }))), other ? element("p", {class: "hint"}, `Results of ${other.name} are those at its own cursor, ${other.cursor} rpm.`) : null);
+    return element(
+        'div', {class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'variants side by side'},
+        element(
+            'table', {class: 'grid variants'},
+            element(
+                'thead', {}, element('tr', {}, ...heads.map((head) => element('th', {scope: 'col'}, head)))),
+            element(
+                'tbody', {class: 'inputs-differ'}, paths.length ? null : line('No input differs', []),
+                ...paths.map(
+                    (path) => line(
+                        path,
+                        [now.get(path) ?? '–', ...variants.map((one) => one.inputs.get(path) ?? '–')]))),
+            element('tbody', {class: 'results-differ'}, ...keys.map((key) => {
+              const {unit} = meanings.of(key);
+              return line(meanings.label(key), [
+                figure(result[key], unit),
+                ...variants.map(
+                    (one) => element(
+                        'span', {}, figure(one.result?.[key], unit),
+                        element('span', {class: 'change'}, change(one.result?.[key], key))))
+              ]);
+            }))),
+        other ? element(
+                    'p', {class: 'hint'},
+                    `Results of ${other.name} are those at its own cursor, ${other.cursor} rpm.`) :
+                null);
   }
 }

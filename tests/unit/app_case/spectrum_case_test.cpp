@@ -179,7 +179,8 @@ TEST_F(SpectrumFile, WrongOnesAreReportedByFileLineAndColumn) {
               AllOf(StartsWith(file + ":1:1: "), HasSubstr("names none"), Not(HasSubstr("hunter2"))));
   // Issue 47, item 2: read where there is no doubt.
   EXPECT_EQ(fault_of("speed_rpm;torque_N_m;share\n6000;238,5;1\n"), "");
-  EXPECT_THAT(fault_of("speed_rpm;torque_N_m;share\n6.000;238;1\n"), StartsWith(file + ":2:1: spectrum: '6.000', whose mark"));
+  EXPECT_THAT(fault_of("speed_rpm;torque_N_m;share\n6.000;238;1\n"),
+              StartsWith(file + ":2:1: spectrum: '6.000', whose mark"));
   EXPECT_THAT(fault_of("speed_rpm,torque_N_m,share\n6000,238,\xff\n"), HasSubstr(":2:10: spectrum: share: "));
   EXPECT_THAT(setting_mistakes({"spectrum={file: nothing.csv}"}), Contains(HasSubstr("nothing.csv")));
   EXPECT_THAT(setting_mistakes({"spectrum={fil: loads.csv}"}), Contains(HasSubstr("{file: NAME.csv} is required")));

@@ -165,7 +165,8 @@ TEST(LoadSeries, WrongOnesAreReportedByLine) {
     }
     return "";
   };
-  EXPECT_THAT(fault("time_s,speed_rpm\n0,1\n1,1\n"), HasSubstr("no torque among the columns time_s, speed_rpm"));
+  EXPECT_THAT(fault("time_s,speed_rpm\n0,1\n1,1\n"),
+              HasSubstr("no torque among the columns time_s, speed_rpm"));
   EXPECT_THAT(fault("time_s,torque_N_m\n0,1\n1,1\n"), HasSubstr("no speed"));
   EXPECT_THAT(fault("time,speed_rpm,torque_N_m\n0,1,1\n"), HasSubstr("a.csv:1:1: found time without a unit"));
   EXPECT_THAT(fault("time_s,speed_rpm,torque_mm\n0,1,1\n"), HasSubstr("torque"));
@@ -175,7 +176,8 @@ TEST(LoadSeries, WrongOnesAreReportedByLine) {
   EXPECT_THAT(fault("time_s,speed_rpm,torque_N_m\n0,1,1\n0,1,1\n"),
               HasSubstr("a.csv:3: found a time that is not later"));
   EXPECT_THAT(fault("time_s,speed_rpm,torque_N_m\n0,1,1\n"), HasSubstr("1 samples"));
-  EXPECT_THAT(fault("a,b\n0,1\n"), HasSubstr("a.csv:1:1: found no time, no speed, no torque among the columns a, b"));
+  EXPECT_THAT(fault("a,b\n0,1\n"),
+              HasSubstr("a.csv:1:1: found no time, no speed, no torque among the columns a, b"));
 }
 
 std::string fault_of(const std::filesystem::path& file) {
@@ -215,7 +217,8 @@ TEST(LoadSeries, ContentThatIsNoTableIsNotShown) {
   fake_sweep::write(position / "b.csv", "\xff\xfet\x00i\x00");
   EXPECT_THAT(fault_of(position / "b.csv"), HasSubstr("UTF-16"));
   fake_sweep::write(position / "c.csv", "time_s,speed_rpm,torque_N_m,f\xfcr\n0,1,1,x\n1,1,1,\xc3\xbc\n");
-  EXPECT_THAT(fault_of(position / "c.csv"), HasSubstr("c.csv:3:7: found UTF-8 in a file whose line 1 holds bytes that are not"));
+  EXPECT_THAT(fault_of(position / "c.csv"),
+              HasSubstr("c.csv:3:7: found UTF-8 in a file whose line 1 holds bytes that are not"));
 }
 
 // Issue 44, item 17: a power at rest belongs to no torque.
