@@ -323,6 +323,14 @@ class Traps(Converting):
         report = self.convert(file)
         self.assertIn("a number with a decimal point is required", self.left(report, rexs_files.BEARING, "width"))
 
+    def test_numbers_beyond_all_bounds_are_told(self):
+        for value in ("1e999", "9" * 400, "-1e300"):
+            text = rexs_files.planetary().xml().replace('<attribute id="width" unit="mm">80.0', f'<attribute id="width" unit="mm">{value}')
+            text = text.replace('<attribute id="radial_stiffness" unit="N / m">1e+20', f'<attribute id="radial_stiffness" unit="N / m">{value}')
+            file = self.place / "large.rexs"
+            file.write_text(text, encoding="utf-8")
+            self.assertIn("a number with a decimal point is required", self.left(self.convert(file), rexs_files.BEARING, "width"))
+
     def test_umlauts_and_commas_in_names(self):
         model = rexs_files.planetary()
         model.components = [(number, kind, "Größte Stufe 1,5 @ 0,0\u00b0" if number == rexs_files.STAGE else name, rows)

@@ -204,12 +204,12 @@ class Drive:
 
     def _add_pair(self, mesh: Component) -> None:
         gears = gears_of(self.model, mesh)
-        if len(gears) != 2 or not all(_teeth_of(gear) for gear in gears):
+        if len(gears) != 2 or not all(_teeth(gear) for gear in gears):
             return
         row: dict[object, float] = {}
         for gear, inward in ((gears[0], 1.0), (gears[1], -1.0 if any(one.type == "ring_gear" for one in gears) else 1.0)):
             body = self.body_of(gear)
-            row[body] = row.get(body, 0.0) + inward * _direction(self.model, shaft_of(self.model, gear)) * _teeth_of(gear)
+            row[body] = row.get(body, 0.0) + inward * _direction(self.model, shaft_of(self.model, gear)) * _teeth(gear)
         self._row_of[mesh.id] = len(self._rows)
         self._rows.append(row)
 
@@ -342,11 +342,6 @@ def _renamed(row: dict[object, float], body: object) -> dict[object, float]:
         name = FLOOR if node == body else node
         renamed[name] = renamed.get(name, 0.0) + value
     return renamed
-
-
-def _teeth_of(gear: Component) -> float:
-    attribute = gear.attributes.get("number_of_teeth")
-    return abs(float(attribute.value)) if attribute is not None and isinstance(attribute.value, (int, float)) else 0.0
 
 
 def _direction(model: Model, shaft: Optional[Component]) -> float:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
 from typing import Any, Optional
 
@@ -124,7 +125,14 @@ class Ledger:
 
 
 def _entry(component: Component, attribute: Attribute) -> dict:
-    return {"component": component.id, "type": component.type, "attribute": attribute.id, "value": attribute.value, "unit": attribute.unit}
+    return {"component": component.id, "type": component.type, "attribute": attribute.id, "value": _json_value(attribute.value), "unit": attribute.unit}
+
+
+def _json_value(value: Any) -> Any:
+    """The value; a number that JSON does not have, as text."""
+    if isinstance(value, list):
+        return [_json_value(one) for one in value]
+    return str(value) if isinstance(value, float) and not math.isfinite(value) else value
 
 
 def _same(one: Attribute, other: Attribute) -> bool:
@@ -144,7 +152,7 @@ def reason_of(component: Component, attribute: Attribute, load_case: str) -> str
     if attribute.id in DESCRIBING:
         return "describes the part, does not size it"
     unit = unit_of(attribute.unit)
-    if "stiffness" in attribute.id and isinstance(attribute.value, (int, float)) and attribute.value * (unit.factor if unit else 1.0) >= RIGID:
+    if "stiffness" in attribute.id and isinstance(attribute.value, (int, float)) and attribute.value >= RIGID / (unit.factor if unit else 1.0):
         return "says that the part is rigid; not taken as a number"
     if attribute.id.startswith("custom_"):
         return "an extension of one program"

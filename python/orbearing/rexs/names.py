@@ -12,6 +12,7 @@ from typing import NamedTuple, Optional
 
 from orbearing.rexs.model import Attribute, Component
 
+LARGEST = 1e100  # of any number in a file; beyond lies a slip
 RIGID = 1e15  # [N/m] from here on a stiffness says "rigid"; programs write 1e20 to 1e23
 
 
@@ -177,8 +178,8 @@ def number_of(component: Component, name: str) -> Reading:
     attribute = attribute_of(component, name)
     if attribute is None:
         return Reading(None, None)
-    if isinstance(attribute.value, bool) or not isinstance(attribute.value, (int, float)) or not math.isfinite(attribute.value):
-        return Reading(None, attribute, f"found {attribute.value!r}; a number with a decimal point is required")
+    if isinstance(attribute.value, bool) or not isinstance(attribute.value, (int, float)) or not abs(attribute.value) <= LARGEST:
+        return Reading(None, attribute, f"found {str(attribute.value)[:40]!r}; a number with a decimal point is required")
     wanted, found = unit_of(KNOWN[name].unit), unit_of(attribute.unit)
     if found is None or found.quantity != wanted.quantity:
         return Reading(None, attribute, f"its unit '{attribute.unit}' is none of this quantity; '{KNOWN[name].unit}' is required")

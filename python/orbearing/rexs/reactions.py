@@ -61,6 +61,8 @@ def _gear_force(drive: Drive, model: Model, mesh: Component, gear: Component, ma
     around = np.array([-towards[1], towards[0]])
     tangential = 1e3 * torque / pitch_radius
     ratio = reference_radius * math.cos(teeth.transverse_angle) / pitch_radius
+    if not 0.0 < ratio:
+        return None
     radial = abs(tangential) * math.tan(math.acos(min(ratio, 1.0)))
     axial = -1e3 * torque / reference_radius * math.tan(math.radians(numbers["helix"]))
     v, w = tangential * around - radial * towards
