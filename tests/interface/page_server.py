@@ -13,9 +13,10 @@ import subprocess
 import tempfile
 import time
 import unittest
+import urllib.request
 
 from page import Page, lives_in, page
-from program import CASES, REDUCER, run
+from program import CASES, REDUCER, package, run
 
 TEMPLATE = (CASES / "templates" / "e-drive.yaml").read_text(encoding="utf-8")
 ROLLERS = (CASES / "templates" / "roller-bearing.yaml").read_text(encoding="utf-8")
@@ -488,6 +489,21 @@ class Command(unittest.TestCase):
             while time.monotonic() < until and any(os.path.exists(f"/proc/{child}/exe") for child in children):
                 time.sleep(0.1)
             self.assertFalse([child for child in children if os.path.exists(f"/proc/{child}/exe")])
+
+
+class FromPython(unittest.TestCase):
+    """Item 2: orbearing.open(case)."""
+
+    def test_a_case_with_its_changes_is_opened(self):
+        orbearing = package()
+        case = orbearing.load(CASES / "templates" / "roller-bearing.yaml")
+        case["load.radial"] = "9 kN"
+        with orbearing.open(case, browser=False) as running:
+            with urllib.request.urlopen(running.address, timeout=60) as document:
+                lives = lives_in(document.read().decode())
+            self.assertEqual(lives["L10mrh"], round(case.run()["L10mrh"]))
+        with self.assertRaisesRegex(orbearing.CaseError, "found no such file, folder or template"):
+            orbearing.open("nothing", browser=False)
 
 
 if __name__ == "__main__":
