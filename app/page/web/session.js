@@ -114,11 +114,7 @@ export class Session extends EventTarget {
   }
 
   inRpm(text) {
-<<<<<<< HEAD
-    const found = quantityOf(text), to = {rpm: 1, 'rad/s': RPM, 'deg/s': 1 / 6, '1/min': NaN, krpm: 1e3};
-=======
-    const found = quantityOf(text), to = {rpm: 1, "rad/s": RPM, "deg/s": 1 / 6, krpm: 1e3};
->>>>>>> b335317f (The guide to the page without a picture yet; the changelog names the loads of rollers)
+    const found = quantityOf(text), to = {rpm: 1, 'rad/s': RPM, 'deg/s': 1 / 6, krpm: 1e3};
     return found ? Number(found.number) * (to[found.unit] ?? NaN) : NaN;
   }
 
