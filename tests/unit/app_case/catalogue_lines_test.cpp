@@ -60,8 +60,9 @@ TEST(CatalogueLines, DynamicRatingsOfRollerBearingsArePredicted) {
     if (!has_rollers(entry.family)) continue;
     const Inside inside = inside_of(entry);
     EXPECT_LT(inside.length, entry.width) << entry.designations[0];
-    if (entry.family == Family::cylindrical)
+    if (entry.family == Family::cylindrical) {
       EXPECT_LT(entry.inner_race + 2.0 * inside.diameter, entry.outside) << entry.designations[0];
+    }
   }
 }
 
@@ -169,7 +170,9 @@ TEST(CatalogueLines, DimensionsFollowTheGeneralPlan) {
     const std::string series_and_code = digits.substr(digits.size() - 3);
     EXPECT_NEAR(1e3 * entry.bore, bore_of_code(std::stoi(series_and_code.substr(1))), 1e-9) << digits;
     const auto [first, fresh] = outside.emplace(series_and_code, entry.outside);
-    if (!fresh) EXPECT_DOUBLE_EQ(first->second, entry.outside) << digits;
+    if (!fresh) {
+      EXPECT_DOUBLE_EQ(first->second, entry.outside) << digits;
+    }
     EXPECT_EQ(entry.maker, "NSK");
     ++lines;
   }
