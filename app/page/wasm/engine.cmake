@@ -37,8 +37,12 @@ foreach(package IN ITEMS yaml-cpp nlopt)
   file(GLOB folder LIST_DIRECTORIES true "${ORBEARING_SOURCES_OF_PACKAGES}/${package}-*")
   add_subdirectory("${folder}" "${PROJECT_BINARY_DIR}/${package}" EXCLUDE_FROM_ALL)
 endforeach()
-target_compile_options(yaml-cpp PRIVATE -Os)
+target_compile_options(yaml-cpp PRIVATE -Oz)
 target_compile_options(nlopt PRIVATE -O2)
+get_target_property(searches nlopt SOURCES)
+list(FILTER searches EXCLUDE REGEX
+  "algs/(auglag|bobyqa|cdirect|cobyla|crs|direct|esch|isres|luksan|mlsl|mma|newuoa|praxis)/")
+set_target_properties(nlopt PROPERTIES SOURCES "${searches};${CMAKE_CURRENT_LIST_DIR}/other_searches.c")
 
 # Behind all targets: the program's sources become those of the engine.
 function(orbearing_engine)
@@ -67,14 +71,14 @@ function(orbearing_engine)
   add_executable(engine ${sources} ${own} "${PROJECT_BINARY_DIR}/units/units_table.hpp")
   orbearing_compile_options(engine)
   set_target_properties(engine PROPERTIES POSITION_INDEPENDENT_CODE OFF)
-  target_compile_options(engine PRIVATE -Os ${missing})
+  target_compile_options(engine PRIVATE -Oz ${missing})  # most of it is read and written once a request
   get_target_property(folders orbearing_app_needs INTERFACE_INCLUDE_DIRECTORIES)
   target_include_directories(engine PRIVATE ${folders} "${PROJECT_BINARY_DIR}/units")
   target_link_libraries(engine PRIVATE orbearing::coupling nlopt yaml-cpp fmt::fmt)
   orbearing_unity_build(engine 2)
   set_source_files_properties(${own} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   # A script for importScripts() of a worker, and for the tests' node.
-  target_link_options(engine PRIVATE -fwasm-exceptions -Os
+  target_link_options(engine PRIVATE -fwasm-exceptions -Oz
     -sMODULARIZE -sEXPORT_NAME=orbearingEngine -sENVIRONMENT=worker,node -sFORCE_FILESYSTEM
     -sEXPORTED_FUNCTIONS=_orbearing_answer,_malloc,_free "SHELL:-sDEFAULT_LIBRARY_FUNCS_TO_INCLUDE=\$stringToNewUTF8"
     -sEXPORTED_RUNTIME_METHODS=FS,UTF8ToString,stringToNewUTF8

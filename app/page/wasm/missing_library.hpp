@@ -96,6 +96,20 @@ constexpr bool none_of(Range&& range, Holds holds, Part part = {}) {
   return !ranges::any_of(range, holds, part);
 }
 
+template <class Range, class Holds, class Part = Same>
+constexpr bool all_of(Range&& range, Holds holds, Part part = {}) {
+  return ranges::none_of(range, std::not_fn(holds), part);
+}
+template <class Range, class Holds, class Part = Same>
+constexpr auto find_if_not(Range&& range, Holds holds, Part part = {}) {
+  return ranges::find_if(range, std::not_fn(holds), part);
+}
+template <class Range, class Holds, class Part = Same>
+constexpr auto count_if(Range&& range, Holds holds, Part part = {}) {
+  return std::count_if(std::begin(range), std::end(range),
+                       [&](auto&& one) -> bool { return std::invoke(holds, std::invoke(part, one)); });
+}
+
 struct Before {
   template <class A, class B>
   constexpr bool operator()(const A& a, const B& b) const {
