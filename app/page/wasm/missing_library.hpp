@@ -145,6 +145,16 @@ constexpr auto minmax(Range&& range) {
   const auto [least, most] = std::minmax_element(std::begin(range), std::end(range));
   return MinMax<std::decay_t<decltype(*least)>>{*least, *most};
 }
+template <class First, class Second>
+struct FirstApart {
+  First in1;
+  Second in2;
+};
+template <class Range, class Other>
+constexpr auto mismatch(Range&& range, Other&& other) {
+  const auto [one, two] = std::mismatch(std::begin(range), std::end(range), std::begin(other), std::end(other));
+  return FirstApart<std::decay_t<decltype(one)>, std::decay_t<decltype(two)>>{one, two};
+}
 template <class Range, class Value>
 constexpr void replace(Range&& range, const Value& former, const Value& later) {
   std::replace(std::begin(range), std::end(range), former, later);
