@@ -172,7 +172,8 @@ TEST(CatalogueBearing, StatedRatingsReplaceThoseOfTheCatalogueAndAreNamed) {
 }
 
 TEST(CatalogueBearing, NeedleCagesRunOnPinAndPlanet) {
-  const std::string cage = "designation: K 30x37x16, per_planet: 1, radial_clearance: 20 um";
+  const std::string cage =
+      "designation: K 30x37x16, per_planet: 1, radial_clearance: 20 um, cage: {material: steel}";
   const ResolvedCase in = of(planet(cage));
   EXPECT_EQ(in.choice("bearing.rings"), "none");
   EXPECT_NEAR(in.quantity("bearing.bore"), 30e-3 - 10e-6, 1e-9);

@@ -19,7 +19,7 @@ namespace orbearing::app::catalogue_lines_test {
 namespace {
 
 using namespace bearing::catalogue;
-using bearing::catalogue::Entry;  // not the entry of a case file
+using bearing::catalogue::Entry;  // not that of a case's tree
 using testing::ElementsAre;
 using testing::UnorderedElementsAre;
 
