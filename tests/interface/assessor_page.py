@@ -150,7 +150,7 @@ class Verdicts(unittest.TestCase):
         self.assertFalse(found["verdicts"][0]["passed"])
 
     def test_unknown_and_wrong_requirements_are_refused(self):
-        for setting, words in (("requirements.lif=3", "did you mean 'requirements.life'"), ("requirements.life=3", "a unit"),
+        for setting, words in (("requirements.lif=3", "did you mean 'requirements.life'"), ("requirements.life=3", "it has no unit"),
                                ("requirements.life_key=L11", "L10rh"), ("requirements.S0=-1", "greater than 0")):
             result = run("run", REDUCER, "--json", *settings([setting]))
             self.assertEqual(result.returncode, 2)

@@ -62,5 +62,4 @@ def main():
             told(running, "/jobs", long)
 
 
-if __name__ == "__main__":
-    sys.exit(main())
+sys.exit(main())  # run by messages/page.txt, no test by itself
