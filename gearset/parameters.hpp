@@ -214,11 +214,11 @@ void describe(Visitor& visit, ParallelStages& m) {
 /// The power that enters the set, and where. The member that is neither fixed nor driven delivers.
 struct Drive {
   Member member = Member::sun;
-  double power = 0.0;               // [W]
-  double application_factor = 1.0;  // [-]  K_A of ISO 6336-1
+  double power = 0.0;  // [W]
   double speed =
       0.0;  // [rad/s]  of the driven member, relative to the housing; of the motor before a stage in front
   ParallelStages parallel{};
+  double application_factor = 1.0;  // [-]  K_A of ISO 6336-1
 
   /// That teeth and bearings are loaded by. [W]
   double load_power() const { return application_factor * power; }

@@ -15,7 +15,7 @@ Use with_planet_defect(const Use& use, std::string_view path) {
   if (is_one_of({"defect.", "signal."})) return more;
   unsigned* const statuses[] = {&more.by, &more.not_modelled_by, &more.refused_by};
   for (unsigned* status : statuses) *status &= ~unsigned{use::planet_defect};
-  if (is_one_of({"life.", "spectrum", "lubricant.kinematic", "simulation.observed", "simulation.most_rev",
+  if (is_one_of({"life.", "requirements.", "spectrum", "lubricant.kinematic", "simulation.observed", "simulation.most_rev",
                  "simulation.load_drift", "simulation.cage_drift", "bearing.fatigue_load_limit",
                  "bearing.neighbour_friction"})) {  // of bearings without a cage, which is refused
     more.not_modelled_by |= use::planet_defect;
