@@ -17,6 +17,7 @@ from orbearing.tables import table
 LIVES = ("L10h", "L10rh", "L10mh", "L10mrh", "life_h")
 LIFE_NOTE = ("Lives hold for a reliability of 90 % unless the case states life.reliability. ISO/TS 16281:2008 has since become ISO 16281:2025.")
 DOCUMENT = "docs/requirements.md"
+FAILED_ELSEWHERE = "FAILED (below)"
 VERDICTS = {True: "passed", False: "FAILED", None: "not judged"}
 
 
@@ -103,9 +104,19 @@ def verdict_in_words(report: Report) -> str:
 
 def _judged(html: str) -> str:
     """Verdicts in a table as a style sheet finds them."""
-    for word in ("passed", "FAILED"):
-        html = html.replace(f'<td class="short">{word}</td>', f'<td class="short {word.lower()}">{word}</td>')
+    for word, name in (("passed", "passed"), (VERDICTS[False], "failed"), (FAILED_ELSEWHERE, "failed")):
+        html = html.replace(f'<td class="short">{word}</td>', f'<td class="short {name}">{word}</td>')
     return html
+
+
+def _verdict(verdict: dict | None, shown: list) -> str:
+    """Beside numbers that meet the limit while those of another operating point or bearing do not, the table below says where."""
+    if not verdict:
+        return " "
+    at_most, limit = verdict.get("bound") == "at most", verdict.get("limit")
+    numbers = [number for number in shown if is_number(number)]
+    met = bool(numbers) and is_number(limit) and all(number <= limit if at_most else number >= limit for number in numbers)
+    return FAILED_ELSEWHERE if verdict.get("passed") is False and met else VERDICTS[verdict.get("passed")]
 
 
 def _ratings(report: Report) -> str:
@@ -118,7 +129,8 @@ def _ratings(report: Report) -> str:
         if not any(map(is_number, numbers)) and one.key in ("largest_load_share", "life_h") and not verdict:
             continue
         unit = f" [{one.unit}]" if one.unit else ""
-        rows.append((one.symbol + unit, one.words, one.clause(balls), *numbers, _limit(verdict), VERDICTS[verdict.get("passed")] if verdict else " "))
+        of_one_bearing = [number for column, number in zip(columns, numbers) if not column.head.startswith("All")]
+        rows.append((one.symbol + unit, one.words, one.clause(balls), *numbers, _limit(verdict), _verdict(verdict, of_one_bearing)))
     head = ("Symbol", "Meaning", "Clause", *(column.head for column in columns), "Required", "Verdict")
     return section("ratings", "Ratings and lives", f"<p><strong>{escape(verdict_in_words(report))}</strong> {escape(_where(report))}</p>\n"
                    + _judged(table(Table(head, rows))) + f"\n<p>{escape(LIFE_NOTE)}</p>")

@@ -56,7 +56,8 @@ def html(report: Report, blocks: Sequence[FigureBlock], most: assessor.Most) -> 
 def _name_and_source(report: Report) -> tuple[str, str]:
     case = report.content.get("case")
     if isinstance(case, dict):
-        return str(case.get("name") or "unnamed case"), str(case.get("source") or "")
+        # The pictures of several sets are of one of them, the tables of all.
+        return str(case.get("name") or "unnamed case").split(", set ")[0], str(case.get("source") or "")
     return str(case or "unnamed case"), ""
 
 

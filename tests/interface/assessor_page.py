@@ -248,6 +248,21 @@ def pdf_text(path):
     return subprocess.run(["pdftotext", "-layout", str(path), "-"], capture_output=True, text=True, check=True).stdout
 
 
+class Sweep(unittest.TestCase):
+    def test_a_limit_that_is_met_here_and_missed_elsewhere_says_so(self):
+        with tempfile.TemporaryDirectory() as place:
+            values = ["sweep={input.speed: [1000 rpm, 6000 rpm]}", *BRIEF_GEARS, *required(life="20000 h", life_key="L10rh", S0="2")]
+            found = answer("sweep", REDUCER, *values, options=["-o", f"{place}/out", "--grid-only"])
+            made = run("report", f"{place}/out", "--quiet")
+            self.assertEqual(made.returncode, 0, made.stderr)
+            page = pathlib.Path(place, "out", "report.html").read_text(encoding="utf-8")
+        rows = {row[0].split(" [")[0]: row for row in rows_of(page, "ratings")[1:]}
+        (here,) = [point for point in found["points"] if point["input_speed_rpm"] == 6000]
+        self.assertGreater(here["L10rh"], 20000)
+        self.assertFalse(found["verdicts"][0]["passed"])
+        self.assertEqual([rows[symbol][-1] for symbol in ("L10rh", "S0")], ["FAILED (below)", "passed"])
+
+
 class SingleBearings(unittest.TestCase):
     """From a designation to the page."""
 
