@@ -193,8 +193,9 @@ TEST(ResultRow, EveryNumberStandsUnderItsNameInItsUnit) {
   result.dynamic->one_way = fit;
   result.coupled = {.bearing_life_hours = {22.0, 21.0}, .energy_residual = 23.0, .window = 24e-6};
   result.planets = {{1.5, 26.0, 27.0}, {0.5, 28.0, 25.0}};
-  result.seats = {{.load = 30.0, .tilt = {3e-3, -4e-3}, .life_hours = 70.0},
-                  {.load = 50.0, .life_hours = 71.0}};
+  result.seats = {
+      {.load = 30.0, .tilt = {3e-3, -4e-3}, .life_hours = 70.0, .rated_hours = {114.0, 117.0, 116.0, 115.0}},
+      {.load = 50.0, .life_hours = 71.0, .rated_hours = {118.0, 113.0, 119.0, 120.0}}};
   const TableHead head = table_head({{"axis", "1", ""}});
   // Issue 16, Build 8: what a cage alone tells, and what rollers without one alone tell, is absent else.
   for (const bool caged : {true, false}) {
@@ -203,12 +204,12 @@ TEST(ResultRow, EveryNumberStandsUnderItsNameInItsUnit) {
     const double slip = caged ? 16.0 : not_given, pockets = caged ? 32.0 : not_given,
                  guidance = caged ? 64.0 : not_given, neighbours = caged ? not_given : 256.0;
     const std::vector<double> expected = {
-        0,       1,        2,          3,   4,    6,     7,  10,  11,  8,    12,  14, 15, slip, 9,
-        13,      -1,       5,          72,  73,   74,    20, 67,  3.5, 102,  94,  95, 96, 97,   98,
-        99,      100,      101,        90,  91,   92,    93, 65,  66,  160,  243, 82, 80, 81,   2,
-        3,       60,       61,         62,  62.5, 40000, 18, 75,  19,  511,  1,   2,  4,  8,    16,
-        pockets, guidance, neighbours, 128, 1,    21,    2,  1.5, 5,   1.25, 23,  24, 40, 1,    41,
-        42,      43,       43.5,       44,  45,   46,    47, 48,  49,  50,   51,  52, 53, -1,   17};
+        0,   1,    2,     3,   4,   6,   7,   10,  11,  8,    12, 14, 15,      slip,     9,          13,
+        -1,  5,    72,    73,  74,  20,  67,  3.5, 102, 94,   95, 96, 97,      98,       99,         100,
+        101, 90,   91,    92,  93,  65,  66,  160, 243, 82,   80, 81, 2,       3,        60,         61,
+        62,  62.5, 40000, 18,  75,  19,  511, 1,   2,   4,    8,  16, pockets, guidance, neighbours, 128,
+        1,   21,   114,   113, 116, 115, 2,   1.5, 5,   1.25, 23, 24, 40,      1,        41,         42,
+        43,  43.5, 44,    45,  46,  47,  48,  49,  50,  51,   52, 53, -1,      17};
     ASSERT_EQ(expected.size(), head.names.size());
     for (std::size_t i = 0; i < expected.size(); ++i)
       if (i != head.status_location && i != head.refined_location) {
