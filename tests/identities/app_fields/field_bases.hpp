@@ -530,7 +530,7 @@ inline Change change_of(const Field& field, const ResolvedCase& in, const std::s
         "designation,family,bore_mm,outside_diameter_mm,width_mm,inner_raceway_mm,dynamic_capacity_kN,"
         "static_capacity_kN,contact_angle_deg\n";
     if (rollers)
-      return {own + "NU 204,cylindrical-roller,20,47,14,26.5,20,20,\n", {"bearing.designation=NU 204"}};
+      return {own + "NU 204,cylindrical-roller,20,48,14,26.5,20,20,\n", {"bearing.designation=NU 204"}};
     return in.model() == duplex_pair
                ? Change{own + "7205 A,angular-contact-ball,25,52,15,,15,9.5,30\n",
                         {"bearing.designation=7205 A"}}
