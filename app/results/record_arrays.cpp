@@ -34,7 +34,7 @@ std::string variable_of(const described::Entry& entry) {
 }
 
 // "N.m/rad" as conventions have it: "N m rad-1".
-std::string units_of(const described::Dimension& dimension) {
+std::string udunits_of(const described::Dimension& dimension) {
   if (dimension.si.empty()) return "1";
   std::string units;
   bool below = false;
@@ -170,7 +170,7 @@ class Arrays {
 
   void put(const std::string& name, const described::Entry& entry, const std::vector<NamedDimension>& along,
            std::vector<double> values) {
-    NamedArray array{name, {}, units_of(entry.dimension), entry.meaning, std::move(values)};
+    NamedArray array{name, {}, udunits_of(entry.dimension), entry.meaning, std::move(values)};
     for (const NamedDimension& dimension : along) {
       array.dimensions.push_back(dimension.name);
       const auto known = std::find_if(content_.dimensions.begin(), content_.dimensions.end(),

@@ -9,6 +9,7 @@
 #include <limits>
 #include <utility>
 
+#include "app/results/record_writers.hpp"
 #include "bearing/life/life_modification.hpp"
 
 namespace orbearing::app {
