@@ -79,9 +79,11 @@ function(orbearing_engine)
   orbearing_unity_build(engine 2)
   set_source_files_properties(${own} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   # A script for importScripts() of a worker, and for the tests' node.
+  # In a file: a dollar sign does not come through CMake, ninja and the shell alike.
+  file(WRITE "${PROJECT_BINARY_DIR}/js_functions.json" "[\"\$stringToNewUTF8\"]")
   target_link_options(engine PRIVATE -fwasm-exceptions -Oz
     -sMODULARIZE -sEXPORT_NAME=orbearingEngine -sENVIRONMENT=worker,node -sFORCE_FILESYSTEM
-    -sEXPORTED_FUNCTIONS=_orbearing_answer,_malloc,_free "SHELL:-sDEFAULT_LIBRARY_FUNCS_TO_INCLUDE=\$stringToNewUTF8"
+    -sEXPORTED_FUNCTIONS=_orbearing_answer,_malloc,_free "-sDEFAULT_LIBRARY_FUNCS_TO_INCLUDE=@${PROJECT_BINARY_DIR}/js_functions.json"
     -sEXPORTED_RUNTIME_METHODS=FS,UTF8ToString,stringToNewUTF8
     -sALLOW_MEMORY_GROWTH -sINITIAL_MEMORY=32MB -sTOTAL_STACK=4MB)
   set_target_properties(engine PROPERTIES OUTPUT_NAME engine_wasm RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}")
