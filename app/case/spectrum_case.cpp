@@ -60,6 +60,9 @@ std::optional<double> torque_at(const std::vector<double>& curve, double speed) 
   return std::nullopt;
 }
 
+// Of which a case states one.
+constexpr std::array duty_paths{&kPowerPath, &kTorquePath, &kTorqueCurvePath};
+
 const std::string* stated_duty(const CaseData& data) {
   for (const std::string* path : {&kTorquePath, &kTorqueCurvePath})
     if (data.values.contains(*path)) return path;
@@ -95,28 +98,24 @@ Field torque_curve_field(const Use& use_of_power) {
 }
 
 void replace_other_duty(CaseData& data, const std::string& path) {
-  if (path != kPowerPath && path != kTorquePath && path != kTorqueCurvePath) return;
-  for (const std::string& other : {kPowerPath, kTorquePath, kTorqueCurvePath})
-    if (other != path) {
-      data.values.erase(other);
-      data.assumed.erase(other);
+  if (std::ranges::none_of(duty_paths, [&](const std::string* duty) { return *duty == path; })) return;
+  for (const std::string* other : duty_paths)
+    if (*other != path) {
+      data.values.erase(*other);
+      data.assumed.erase(*other);
     }
 }
 
 void fill_from_torque(CaseData& data) {
-  for (const std::string& path : {kTorqueCurvePath, kTorquePath, kPowerPath}) {
-    const auto found = data.values.find(path);
-    const bool by_option =
-        found != data.values.end() && !found->second.from_default && found->second.location.option;
-    const auto is_of_file = [&](const std::string& other) {
-      const auto stored = data.values.find(other);
-      return stored == data.values.end() || !stored->second.location.option || stored->second.from_default;
-    };
-    if (by_option &&
-        std::ranges::all_of(std::array{kPowerPath, kTorquePath, kTorqueCurvePath},
-                            [&](const std::string& other) { return other == path || is_of_file(other); }))
-      replace_other_duty(data, path);
-  }
+  const std::string* by_option = nullptr;
+  int options = 0;
+  for (const std::string* path : duty_paths)
+    if (const auto found = data.values.find(*path);
+        found != data.values.end() && !found->second.from_default && found->second.location.option) {
+      by_option = path;
+      ++options;
+    }
+  if (options == 1) replace_other_duty(data, *by_option);
   const std::string* path = stated_duty(data);
   const auto speed = data.values.find(kSpeedPath);
   if (path == nullptr || speed == data.values.end()) return;
@@ -162,8 +161,8 @@ void check_torque(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
               "1 is required: a spectrum has the loads that act (ISO 6336-6)");
   check_curve(in, mistakes);
   std::vector<std::string> stated;
-  for (const std::string& path : {kPowerPath, kTorquePath, kTorqueCurvePath})
-    if (is_stated(in, path)) stated.push_back(path);
+  for (const std::string* path : duty_paths)
+    if (is_stated(in, *path)) stated.push_back(*path);
   if (stated.size() > 1)
     add_error(stated.back(), fmt::format("a duty stated by {}", fmt::join(stated, " and ")),
               "one of them is required");

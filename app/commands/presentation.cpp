@@ -95,8 +95,8 @@ nlohmann::ordered_json sweep_object(const ResolvedCase& resolved, const SweepOut
                                              sweep_warnings(resolved, outcome, found), versions_json());
   form = sweep_form(found.peak);
   Record judged;
-  for (Record* record : {&form, &judged})
-    describe_verdicts(*record, verdicts_of(stated_requirements(resolved), outcome));
+  const std::vector<Verdict> verdicts = verdicts_of(stated_requirements(resolved), outcome);
+  for (Record* record : {&form, &judged}) describe_verdicts(*record, verdicts);
   object.update(json_of(judged));
   if (resolved.axes().empty()) {
     const PowerTable power = power_table(resolved);
