@@ -1,4 +1,4 @@
-"""What the commands of the package have in common: --set, and a line of progress that is written over."""
+"""What the commands of the package have in common: --set, exit codes, and a line of progress that is written over."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import sys
 import time
 from typing import Callable
 
-from orbearing.errors import CaseError
+from orbearing.errors import CaseError, ComputationError
 
 PAUSE_SECONDS = 0.1  # between two lines of progress
 WIPED = "\r\x1b[K"
@@ -22,9 +22,25 @@ def settings_of(options: list[str]) -> list[tuple[str, str]]:
     return [(path.strip(), value.strip()) for path, _, value in pairs]
 
 
-def place_of(error: OSError) -> str:
-    """The file of an error; without one it is that of a line that was printed."""
-    return str(error.filename) if error.filename else "standard output"
+def exit_code(name: str, run: Callable[[], int], packages: str, stays: str = "") -> int:
+    """That of the command `name`: of `run`, or of its error, which is printed: 2 bad input, 1 anything else.
+
+    packages: what is required where one is missing; stays: what an interrupted or failed computation leaves behind.
+    """
+    try:
+        return run()
+    except CaseError as error:
+        print(error, file=sys.stderr)
+        return 2
+    except ImportError as error:
+        print(f"{name}: {error}; required: {packages}", file=sys.stderr)
+    except KeyboardInterrupt:
+        print(f"{name}: interrupted{stays}", file=sys.stderr)
+    except ComputationError as error:
+        print(f"{name}: {error}{stays}", file=sys.stderr)
+    except OSError as error:  # without a file it is of a line that was printed
+        print(f"{name}: {error.filename or 'standard output'}: {error.strerror}{stays}", file=sys.stderr)
+    return 1
 
 
 def finished(command: Callable[[], int]) -> int:

@@ -9,8 +9,8 @@ import argparse
 import sys
 from pathlib import Path
 
-from orbearing.errors import CaseError, ComputationError
-from orbearing.terminal import finished, place_of
+from orbearing.errors import CaseError
+from orbearing.terminal import exit_code, finished
 
 
 def parser() -> argparse.ArgumentParser:
@@ -88,18 +88,7 @@ def _told(conversion) -> int:
 def main(arguments: list[str]) -> int:
     """Convert a file; messages go to standard error."""
     options = parser().parse_args(arguments)
-    try:
-        return run(options)
-    except CaseError as error:
-        print(error, file=sys.stderr)
-        return 2
-    except ImportError as error:
-        print(f"convert: {error}; required: numpy, and netCDF4 for --results; on Debian install python3-numpy python3-netcdf4", file=sys.stderr)
-    except ComputationError as error:
-        print(f"convert: {error}", file=sys.stderr)
-    except OSError as error:
-        print(f"convert: {place_of(error)}: {error.strerror}", file=sys.stderr)
-    return 1
+    return exit_code("convert", lambda: run(options), "numpy, and netCDF4 for --results; on Debian install python3-numpy python3-netcdf4")
 
 
 if __name__ == "__main__":

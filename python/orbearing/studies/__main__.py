@@ -13,8 +13,8 @@ import sys
 import time
 from pathlib import Path
 
-from orbearing.errors import CaseError, ComputationError
-from orbearing.terminal import StatusLine, finished, place_of, settings_of
+from orbearing.errors import CaseError
+from orbearing.terminal import StatusLine, exit_code, finished, settings_of
 
 MOST_ROWS = 40  # of variants on a terminal
 
@@ -253,21 +253,9 @@ def main(arguments: list[str]) -> int:
     options = parser().parse_args(arguments)
     signal.signal(signal.SIGTERM, signal.default_int_handler)  # a wish to stop, as SIGINT
     stays = f"; what is done stays in {options.output}, --resume goes on" if options.output else ""
-    try:
-        return run(options)
-    except CaseError as error:
-        print(error, file=sys.stderr)
-        return 2
-    except ImportError as error:
-        print(f"study: {error}; required: numpy, netCDF4, SciPy for samples, Dask for --scheduler; on Debian install python3-numpy python3-netcdf4 python3-scipy "
-              "python3-distributed", file=sys.stderr)
-    except KeyboardInterrupt:
-        print(f"study: interrupted{stays}", file=sys.stderr)
-    except ComputationError as error:
-        print(f"study: {error}{stays}", file=sys.stderr)
-    except OSError as error:
-        print(f"study: {place_of(error)}: {error.strerror}{stays}", file=sys.stderr)
-    return 1
+    packages = ("numpy, netCDF4, SciPy for samples, Dask for --scheduler; on Debian install python3-numpy python3-netcdf4 python3-scipy "
+                "python3-distributed")
+    return exit_code("study", lambda: run(options), packages, stays)
 
 
 if __name__ == "__main__":

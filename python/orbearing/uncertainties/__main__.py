@@ -10,8 +10,8 @@ import signal
 import sys
 from pathlib import Path
 
-from orbearing.errors import CaseError, ComputationError
-from orbearing.terminal import StatusLine, finished, place_of, settings_of
+from orbearing.errors import CaseError
+from orbearing.terminal import StatusLine, exit_code, finished, settings_of
 from orbearing.uncertainties.design import METHODS
 from orbearing.uncertainties.settings import Settings
 
@@ -136,20 +136,8 @@ def main(arguments: list[str]) -> int:
     options = parser().parse_args(arguments)
     signal.signal(signal.SIGTERM, signal.default_int_handler)  # a wish to stop, as SIGINT
     stays = f"; what is done stays in {options.output}, --resume goes on" if options.output else ""
-    try:
-        return run(options)
-    except CaseError as error:
-        print(error, file=sys.stderr)
-        return 2
-    except KeyboardInterrupt:
-        print(f"uncertainty: interrupted{stays}", file=sys.stderr)
-    except ComputationError as error:
-        print(f"uncertainty: {error}{stays}", file=sys.stderr)
-    except ImportError as error:
-        print(f"uncertainty: {error}; required: numpy, matplotlib, OpenTURNS (Debian: python3-numpy python3-matplotlib python3-openturns)", file=sys.stderr)
-    except OSError as error:
-        print(f"uncertainty: {place_of(error)}: {error.strerror}{stays}", file=sys.stderr)
-    return 1
+    packages = "numpy, matplotlib, OpenTURNS; on Debian install python3-numpy python3-matplotlib python3-openturns"
+    return exit_code("uncertainty", lambda: run(options), packages, stays)
 
 
 if __name__ == "__main__":
