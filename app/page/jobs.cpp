@@ -28,9 +28,9 @@ std::string event_text(const std::string& id, const char* event, const Json& dat
 
 }  // namespace
 
-Job::Job(std::unique_ptr<Worker> worker, Json request, fs::path folder)
-    : worker_(std::move(worker)), request_(std::move(request)), folder_(std::move(folder)) {
-  worker_->send(request_);
+Job::Job(std::unique_ptr<Worker> worker, const Json& request, fs::path folder)
+    : worker_(std::move(worker)), folder_(std::move(folder)) {
+  worker_->send(request);
   following_ = std::thread([this] { follow(); });
 }
 
@@ -151,7 +151,7 @@ std::string Jobs::start(const Json& request) {
   Json asked = request;
   asked.erase("continue");
   if (!folder.empty()) asked["folder"] = folder.string();
-  auto job = std::make_shared<Job>(workers_.fresh(), std::move(asked), folder);
+  auto job = std::make_shared<Job>(workers_.fresh(), asked, folder);
   while (jobs_.size() >= most_kept + most_running) jobs_.erase(std::ranges::find_if_not(jobs_, is_running));
   const std::string name = fmt::format("{:04}", ++last_);
   jobs_[name] = std::move(job);

@@ -22,7 +22,7 @@ struct NewEvents {
 /// One computation from its start to its end.
 class Job {
  public:
-  Job(std::unique_ptr<Worker> worker, Json request, std::filesystem::path folder);
+  Job(std::unique_ptr<Worker> worker, const Json& request, std::filesystem::path folder);
   Job(const Job&) = delete;
   Job& operator=(const Job&) = delete;
   ~Job();
@@ -33,7 +33,6 @@ class Job {
   bool ended();
   bool has_points();
   const std::filesystem::path& folder() const { return folder_; }
-  const Json& request() const { return request_; }
 
   /// For as long as it lives, the job has a reader.
   class Reader {
@@ -58,7 +57,6 @@ class Job {
   bool is_left() const;
 
   std::unique_ptr<Worker> worker_;
-  Json request_;
   std::filesystem::path folder_;
   std::atomic<bool> stopping_ = false;
   std::atomic<int> readers_ = 0;

@@ -1,8 +1,7 @@
-// Every line of this file that names httplib: it is slow to compile.
+// This file and connection.hpp alone name httplib: it is slow to compile.
 #include "app/page/page_server.hpp"
 
 #include <fmt/format.h>
-#include <httplib.h>
 #include <sys/random.h>
 
 #include <algorithm>
@@ -14,6 +13,7 @@
 
 #include "app/case/printable.hpp"
 #include "app/errors.hpp"
+#include "app/page/connection.hpp"
 #include "app/resources.hpp"
 #include "app/results/durable_file.hpp"
 #include "orbearing/case.hpp"
@@ -28,11 +28,12 @@ using Asked = httplib::Request;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t largest_body = 4U << 20U;  // [byte]
+constexpr std::size_t largest_head = 1U << 16U;  // [byte]
 constexpr int most_at_once = 8;                  // that compute, or are read as they compute
 constexpr std::size_t threads = 48;  // of connections: more than compute, so that refusals are quick
+constexpr int no_parts = 416;        // status without a content, of which the library would send parts
 constexpr std::chrono::seconds request_limit{60};
 constexpr std::chrono::seconds report_limit{600};
-constexpr std::chrono::seconds silence{180};  // browsers call pages in the background once a minute
 constexpr std::chrono::seconds heartbeat{5};
 
 constexpr const char* policy =
@@ -74,10 +75,11 @@ void answer_text(Response& response, std::string text, const char* kind, int sta
   response.status = status;
   if (text.empty()) return response.set_content(text, kind);
   const auto shared = std::make_shared<const std::string>(std::move(text));
-  response.set_content_provider(shared->size(), kind,
-                                [shared](std::size_t from, std::size_t length, httplib::DataSink& sink) {
-                                  return sink.write(shared->data() + from, length);
-                                });
+  response.set_content_provider(
+      shared->size(), kind, [shared](std::size_t from, std::size_t length, httplib::DataSink& sink) {
+        const std::string_view part = std::string_view(*shared).substr(from, length);
+        return part.size() == length && sink.write(part.data(), length);
+      });
 }
 
 void answer_json(Response& response, const Json& object, int status = 200) {
@@ -91,6 +93,23 @@ void refuse_with(Response& response, int status, const std::string& reason) {
 
 void answer_failure(Response& response, int code, const Json& errors) {
   answer_json(response, {{"code", code}, {"errors", errors}}, code == 2 ? 422 : 500);
+}
+
+// Requests are shallow and have few keys. Deeper ones would overflow the stack where they are copied, and
+// among many keys each one is searched for. Discarded where the text is no JSON.
+Json parse_body(const std::string& text) {
+  constexpr int deepest = 8;
+  constexpr std::size_t most_keys = 200;
+  std::size_t keys = 0;
+  const auto bounded = [&](int depth, Json::parse_event_t event, const Json&) {
+    if (depth > deepest)
+      throw BadInput(
+          fmt::format("request: found more than {} levels of objects and lists; required: fewer", deepest));
+    if (event == Json::parse_event_t::key && ++keys > most_keys)
+      throw BadInput(fmt::format("request: found more than {} keys; required: fewer", most_keys));
+    return true;
+  };
+  return Json::parse(text, bounded, false);
 }
 
 const char* kind_of(const fs::path& file) {
@@ -145,35 +164,50 @@ class Slot {
   bool free_;
 };
 
-// Which pages are there.
+// Which pages are there, by the names that they give themselves; other requests count as one page without a
+// name.
 class Presence {
  public:
   explicit Presence(std::chrono::seconds linger) : linger_(linger) {}
-  void sign() {
+  void sign(const std::string& page = {}) {
+    const std::scoped_lock lock(writing_);
     last_ = Clock::now();
-    closed_ = false;
     seen_ = true;
+    if (pages_.size() < most_pages) pages_[page] = last_;
   }
-  void close() {
+  void close(const std::string& page) {
+    const std::scoped_lock lock(writing_);
     last_ = Clock::now();
-    closed_ = true;
+    pages_.erase(page);
+    pages_.erase("");
   }
-  bool gone() const {
-    return seen_ && Clock::now() - last_.load() > (closed_ ? linger_ : std::max(linger_, silence));
+  bool gone() {
+    const std::scoped_lock lock(writing_);
+    const Clock::time_point now = Clock::now();
+    std::erase_if(pages_, [&](const auto& page) { return now - page.second > silent * linger_; });
+    return seen_ && pages_.empty() && now - last_ > linger_;
   }
 
  private:
+  static constexpr int silent = 3;  // browsers call pages in the background once a minute
+  static constexpr std::size_t most_pages = 64;
+
+  std::mutex writing_;
   std::chrono::seconds linger_;
-  std::atomic<Clock::time_point> last_ = Clock::now();
-  std::atomic<bool> closed_ = false, seen_ = false;
+  std::map<std::string, Clock::time_point> pages_;
+  Clock::time_point last_;
+  bool seen_ = false;
 };
 
 class PageServer {
  public:
   explicit PageServer(const PageSettings& settings)
-      : settings_(settings), workers_(settings.opened.folder), jobs_(workers_), presence_(settings.linger) {
+      : settings_(settings),
+        workers_(settings.opened.folder),
+        jobs_(workers_),
+        presence_(settings.linger),
+        server_(largest_head + largest_body) {
     server_.new_task_queue = [] { return new httplib::ThreadPool(threads); };
-    server_.set_keep_alive_max_count(1);  // a body that nobody read is no further request
     server_.set_payload_max_length(largest_body);
     server_.set_tcp_nodelay(true);
     // Without the default's SO_REUSEPORT, by which another program could share the port.
@@ -185,7 +219,7 @@ class PageServer {
         [this](const Asked& asked, Response& response) { return admit(asked, response); });
     server_.set_post_routing_handler([](const Asked&, Response& response) { add_headers(response); });
     server_.set_error_handler([](const Asked&, Response& response) {
-      if (response.body.empty() && !response.content_provider_)
+      if (response.body.empty() && !response.content_provider_ && response.status != no_parts)
         refuse_with(response, response.status, reason_of(response.status));
     });
     server_.set_exception_handler([](const Asked&, Response& response, const std::exception_ptr& failure) {
@@ -264,6 +298,10 @@ class PageServer {
       refuse_with(response, status, reason);
       return httplib::Server::HandlerResponse::Handled;
     };
+    if (asked.has_header("Range")) {
+      response.status = no_parts;
+      return httplib::Server::HandlerResponse::Handled;
+    }
     const std::string origin = asked.get_header_value("Origin");
     if (asked.get_header_value_count("Host") != 1 || !is_own(asked.get_header_value("Host")))
       return refused(403, "another host than that of the page");
@@ -272,10 +310,12 @@ class PageServer {
     if (!has_token(asked)) return refused(403, "without the token of the page's address");
     if (asked.method != "GET" && asked.method != "HEAD" && asked.method != "POST" && asked.method != "DELETE")
       return refused(405, "another method than GET, POST and DELETE");
-    if (asked.has_header("Transfer-Encoding")) return refused(411, "without Content-Length");
+    if (asked.has_header("Transfer-Encoding") ||
+        (asked.method == "POST" && asked.get_header_value_count("Content-Length") != 1))
+      return refused(411, "without one Content-Length");
     if (asked.has_header("Content-Encoding")) return refused(415, "a body that is compressed");
     if (asked.is_multipart_form_data()) return refused(415, "a form; required: JSON");
-    if (asked.path != "/closed") presence_.sign();
+    if (asked.path != "/closed") presence_.sign(asked.get_param_value("page"));
     return httplib::Server::HandlerResponse::Unhandled;
   }
 
@@ -306,8 +346,8 @@ class PageServer {
     post("/units", &PageServer::answer_units);
     post("/save", &PageServer::answer_save);
     server_.Post("/alive", [](const Asked&, Response& response) { answer_json(response, Json::object()); });
-    server_.Post("/closed", [this](const Asked&, Response& response) {
-      presence_.close();
+    server_.Post("/closed", [this](const Asked& asked, Response& response) {
+      presence_.close(asked.get_param_value("page"));
       answer_json(response, Json::object());
     });
   }
@@ -316,7 +356,7 @@ class PageServer {
 
   void post(const char* path, Answering answering) {
     server_.Post(path, [this, answering](const Asked& asked, Response& response) {
-      const Json body = Json::parse(asked.body, nullptr, false);
+      const Json body = parse_body(asked.body);
       if (body.is_discarded()) return refuse_with(response, 400, "a body that is no JSON");
       (this->*answering)(asked, body, response);
     });
@@ -430,10 +470,11 @@ class PageServer {
     return true;
   }
 
-  // Of a case, or of a job's results.
+  // Of a case, or of a job's results. As HTML it is text: the page shows it in a frame that runs no script.
   void answer_report(const Asked& asked, const Json& body, Response& response) {
-    if (asked.get_param_value("form") == "pdf") return refuse_with(response, 501, "no report as PDF");
-    Json request{{"command", "report"}};
+    const bool pdf = asked.get_param_value("form") == "pdf";
+    const char* kind = pdf ? "application/pdf" : "text/plain; charset=utf-8";
+    Json request{{"command", "report"}, {"pdf", pdf}};
     const Slot slot(computing_);
     if (!slot) return refuse_with(response, 429, "more than 8 requests at once");
     if (body.is_object() && body.contains("job")) {
@@ -442,15 +483,15 @@ class PageServer {
       if (!job || !job->ended() || job->folder().empty())
         return refuse_with(response, 404, "there is no such job with results");
       request["folder"] = job->folder().string();
-      return answer_page(request, response);
+      return answer_page(request, kind, response);
     }
     Json swept = body;
     if (swept.is_object()) swept["command"] = "sweep";
     require_sound_request(swept);
     const TemporaryFolder folder;
-    swept["command"] = "report";
+    swept.update(request);
     swept["folder"] = (folder.path / "results").string();
-    answer_page(swept, response);
+    answer_page(swept, kind, response);
   }
 
   struct TemporaryFolder {
@@ -468,12 +509,11 @@ class PageServer {
     }
   };
 
-  // As text: the page shows it in a frame that runs no script.
-  void answer_page(const Json& request, Response& response) {
+  void answer_page(const Json& request, const char* kind, Response& response) {
     Message message = answer_within(workers_, request, report_limit, ending_);
     if (message.payload.empty())
       return answer_failure(response, message.data.at("code"), message.data.at("errors"));
-    answer_text(response, std::move(message.payload), "text/plain; charset=utf-8");
+    answer_text(response, std::move(message.payload), kind);
   }
 
   void answer_units(const Asked&, const Json& body, Response& response) {
@@ -501,7 +541,7 @@ class PageServer {
   std::atomic<bool> ending_ = false;
   std::atomic<int> computing_ = 0, reading_ = 0;
   std::shared_future<std::string> lives_;
-  httplib::Server server_;
+  Server server_;
 };
 
 }  // namespace

@@ -13,9 +13,10 @@ namespace orbearing::app::page {
 /// How the page is served.
 struct PageSettings {
   Opened opened;
-  std::filesystem::path files;        // index.html and what it loads
-  int port = 0;                       // 0: one that is free
-  std::chrono::seconds linger{60};    // after the last page has gone
+  std::filesystem::path files;  // index.html and what it loads
+  int port = 0;                 // 0: one that is free
+  std::chrono::seconds linger{
+      60};  // after the last page was closed; three times as long after one fell silent
   std::function<bool()> interrupted;  // whether the program shall end
   std::function<void(const std::string& address)> started;
 };

@@ -120,17 +120,20 @@ Request request_of(const Json& asked, Server& server, Pace& pace) {
   return request;
 }
 
-// The page of a folder of results, those of the request where it states a case.
+// The page of a folder of results, those of the request where it states a case: a drivetrain over its speeds,
+// a bearing at its load.
 std::string report_of(const Json& asked, Server& server) {
   const fs::path folder = asked.at("folder").get<std::string>();
+  const bool pdf = asked.at("pdf").get<bool>();
   Pace pace;
   if (asked.contains("case_text")) {
-    Json sweep = asked;
-    sweep["command"] = "sweep";
-    answer(request_of(sweep, server, pace));
+    Json computed = asked;
+    const Case opened = Case::parse(asked["case_text"].get<std::string>());
+    computed["command"] = opened.text("model") == "planetary-drivetrain" ? "sweep" : "run";
+    answer(request_of(computed, server, pace));
   }
-  answer({.command = "report", .options = Json{{"folders", {folder.string()}}}.dump()});
-  return read_file(folder / "report.html");
+  answer({.command = "report", .options = Json{{"folders", {folder.string()}}, {"pdf", pdf}}.dump()});
+  return read_file(folder / (pdf ? "report.pdf" : "report.html"));
 }
 
 void answer_request(const Json& asked, Server& server) {

@@ -13,9 +13,9 @@ import urllib.parse
 class Page:
     """A running `orbearing open`. `address` is its first line, `port` and `token` are those of it."""
 
-    def __init__(self, *arguments, cwd=None, env=None):
+    def __init__(self, *arguments, cwd=None, env=None, stderr=subprocess.PIPE):
         self.process = subprocess.Popen([os.environ["ORBEARING"], "open", "--no-browser", *map(str, arguments)], text=True,
-                                        stdout=subprocess.PIPE, stderr=subprocess.PIPE, cwd=cwd, env=env)
+                                        stdout=subprocess.PIPE, stderr=stderr, cwd=cwd, env=env)
         self.address = self.process.stdout.readline().strip()
         parts = urllib.parse.urlsplit(self.address)
         self.port, self.token = parts.port, urllib.parse.parse_qs(parts.query).get("token", [""])[0]

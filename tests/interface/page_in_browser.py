@@ -9,6 +9,7 @@ Exit code 77 (skipped) where selenium or Chromium is missing. Needs ORBEARING an
 """
 
 import csv
+import importlib.util
 import json
 import os
 import pathlib
@@ -535,6 +536,16 @@ class EngineA(PageSteps, unittest.TestCase):
             raise unittest.SkipTest(f"orbearing open: {server.process.stderr.read().strip()}")
         cls.address = server.address
         cls.begin()
+
+    @unittest.skipUnless(importlib.util.find_spec("weasyprint"), "WeasyPrint is missing")
+    def test_the_assessors_page_is_taken_away_as_pdf(self):
+        self.open_template("roller-bearing")
+        self.find("#to-take").click()
+        self.find("#take-pdf").click()
+        file = self.folder / "roller-bearing.pdf"
+        self.until(file.exists, "the PDF is there")
+        self.assertEqual(file.read_bytes()[:5], b"%PDF-")
+        self.find("#take .close").click()
 
     @classmethod
     def tearDownClass(cls):

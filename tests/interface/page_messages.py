@@ -22,6 +22,8 @@ REQUESTS = (
     ("/request", {"command": "validate", "case_text": CASE}),
     ("/request", {"command": "run", "case_text": (TEMPLATES / "e-drive.yaml").read_text(encoding="utf-8"), "settings": ["spectrum={file: ../loads.csv}"]}),
     ("/jobs", {"command": "sweep", "case_text": CASE, "continue": "0001"}),
+    ("/request", {"command": "run", "case_text": CASE, "options": {"fidelity": [[[[[[[[1]]]]]]]]}}),
+    ("/request", {f"key{i}": 1 for i in range(201)}),
     ("/units", {}),
     ("/units", {"value": "three mm", "unit": "um"}),
     ("/units", {"value": "3 mm", "unit": "N"}),

@@ -3,10 +3,12 @@
 
 import concurrent.futures
 import contextlib
+import importlib.util
 import json
 import os
 import pathlib
 import re
+import shutil
 import signal
 import socket
 import subprocess
@@ -21,6 +23,8 @@ from program import CASES, REDUCER, package, run
 TEMPLATE = (CASES / "templates" / "e-drive.yaml").read_text(encoding="utf-8")
 ROLLERS = (CASES / "templates" / "roller-bearing.yaml").read_text(encoding="utf-8")
 BRIEF = ("sweep.input.speed=[4000 rpm, 6000 rpm, 8000 rpm]",)
+FOUR_SPEEDS = ("sweep.input.speed=[4000 rpm, 5000 rpm, 6000 rpm, 7000 rpm]", "simulation.most_revolutions=2",
+               "simulation.observed_revolutions=1", "simulation.length_error=1e-5 mm")
 SLOW = {"fidelity": "dynamic", "grid_only": True, "jobs": 1}
 HARMFUL = "<script>alert(1)</script><img src=x onerror=alert(2)>"
 
@@ -215,6 +219,37 @@ class Requests(Shared):
         self.assertEqual(self.page.ask("POST", "/request", deep)[0], 422)
         self.assertEqual(self.page.request("check", "")[0], 422)
 
+    def test_bodies_without_measure_are_refused(self):
+        """Item 5: what is nested deeply or has many keys neither overflows the stack nor takes long."""
+        begun = time.monotonic()
+        for key in ("continue", "options", "settings", "x"):
+            for value in ("[" * 1000000 + "]" * 1000000, '{"a":' * 500000 + "1" + "}" * 500000, "{" + ",".join(f'"k{i}":1' for i in range(300000)) + "}"):
+                body = f'{{"command": "sweep", "case_text": "name: a", "{key}": {value}}}'
+                status, answer = self.page.post("/jobs", body)
+                self.assertEqual((status, answer["code"]), (422, 2))
+                self.assertRegex(answer["errors"][0], "^request: found more than (8 levels of objects and lists|200 keys); required: fewer$")
+        self.assertLess(time.monotonic() - begun, 60)
+
+    def test_no_parts_are_sent(self):
+        """A range beyond the end of an answer would read other memory."""
+        for parts in ("bytes=0-5", "bytes=1000000-2000000", "bytes=-5", "bytes=0-1,5-6", "x"):
+            status, _, data = self.page.ask("GET", "/templates", headers={"Range": parts})
+            self.assertEqual((status, data), (416, b""), parts)
+
+    def test_heads_and_bodies_without_an_end_are_bounded(self):
+        """Item 5: larger than 4 MB, also where no length says so."""
+        begin = f"Host: 127.0.0.1:{self.page.port}\r\nX-Orbearing-Token: {self.page.token}\r\n"
+        for head, part in ((f"POST /request HTTP/1.1\r\n{begin}\r\n", b"x" * 1000), (f"GET / HTTP/1.1\r\n{begin}", b"a: " + b"b" * 995 + b"\r\n")):
+            with contextlib.closing(socket.create_connection(("127.0.0.1", self.page.port), timeout=20)) as raw:
+                raw.sendall(head.encode())
+                with self.assertRaises(ConnectionError):
+                    for _ in range(20000):  # 20 MB
+                        raw.sendall(part)
+        for lengths in ([], ["3", "4"]):
+            with contextlib.closing(socket.create_connection(("127.0.0.1", self.page.port), timeout=20)) as raw:
+                raw.sendall((f"POST /units HTTP/1.1\r\n{begin}" + "".join(f"Content-Length: {one}\r\n" for one in lengths) + "\r\n").encode())
+                self.assertIn(b" 411 ", raw.recv(100))
+
     def test_files_that_a_case_names_are_of_the_opened_folder(self):
         """Item 5: no file is read outside the folder that was opened."""
         (self.folder / "loads.csv").write_text("speed_rpm,torque_N_m,share\n6000,200,1\n", encoding="utf-8")
@@ -338,8 +373,7 @@ class Computations(Shared):
         self.assertRegex(events[0][1]["errors"][0], r"^case\.yaml:\d+:\d+: load\.radial: ")
 
     def test_stopped_and_continued(self):
-        sweep = ("sweep.input.speed=[4000 rpm, 5000 rpm, 6000 rpm, 7000 rpm]", "simulation.most_revolutions=2",
-                 "simulation.observed_revolutions=1", "simulation.length_error=1e-5 mm")
+        sweep = FOUR_SPEEDS
         job = self.page.start("sweep", TEMPLATE, sweep, SLOW)
         seen = []
         for name, data in self.page.events(job):
@@ -390,6 +424,32 @@ class Computations(Shared):
                 raw.sendall((f"GET /jobs/{job}/events?token={self.page.token} HTTP/1.1\r\nHost: 127.0.0.1:{self.page.port}\r\n\r\n").encode())
                 raw.recv(10)
         self.assertEqual(list(self.page.events(job))[-1][0], "result")
+
+
+class Reports(Shared):
+    """Items 4 and 6: the report of a case as the page asks for it."""
+
+    def test_a_bearing_as_a_page_and_as_pdf(self):
+        case = {"case_text": ROLLERS, "settings": ["load.radial=9 kN"]}
+        status, headers, data = self.page.ask("POST", "/report", case)
+        self.assertEqual((status, headers["Content-Type"]), (200, "text/plain; charset=utf-8"), data[:300])
+        self.assertTrue(data.startswith(b"<!DOCTYPE html>"))
+        status, headers, data = self.page.ask("POST", "/report?form=pdf", case)
+        if importlib.util.find_spec("weasyprint") is None:
+            self.assertEqual(status, 500)
+            self.assertIn("weasyprint", json.loads(data)["errors"][0])
+            return
+        self.assertEqual((status, headers["Content-Type"]), (200, "application/pdf"), data[:300])
+        self.assertTrue(data.startswith(b"%PDF-"))
+        if shutil.which("pdftotext"):
+            text = subprocess.run(["pdftotext", "-", "-"], input=data, capture_output=True, check=True).stdout.decode()
+            self.assertIn("roller_bearing", text)
+
+    def test_what_has_no_report(self):
+        wrong = self.page.post("/report?form=pdf", {"case_text": ROLLERS.replace("radial: 8 kN", "radial: 8 mm")})
+        self.assertEqual((wrong[0], wrong[1]["code"]), (422, 2))
+        self.assertRegex(wrong[1]["errors"][0], r"^case\.yaml:\d+:\d+: load\.radial: ")
+        self.assertEqual(self.page.post("/report?form=pdf", {"job": "9999"})[0], 404)
 
 
 class Results(unittest.TestCase):
@@ -462,21 +522,52 @@ class Command(unittest.TestCase):
                 running.ask("GET", "/")
                 self.assertEqual(running.end(which), (0, "", ""))
 
+    def kept_folder(self, running):
+        """Of results, as the program names it at its end."""
+        said = running.process.stdout.read()
+        folder = pathlib.Path(re.search(r"results are kept in (\S+);", said).group(1))
+        self.addCleanup(shutil.rmtree, folder.parent)
+        return folder
+
     def test_it_ends_after_the_last_page_and_keeps_results(self):
-        with page("--linger", "1") as running:
+        """Item 5: when the page is closed, the program ends after a minute (here 2 s), results kept and whole."""
+        with page("--linger", "2") as running:
             time.sleep(2.5)
             self.assertTrue(running.lives())  # no page was there yet
-            list(running.events(running.start("sweep", TEMPLATE, [*BRIEF], {"grid_only": True})))
-            running.post("/closed", "{}")
-            running.post("/alive", "{}")  # another page
-            time.sleep(2.5)
-            self.assertTrue(running.lives())
-            running.post("/closed", "{}")
+            points = list(running.events(running.start("sweep", TEMPLATE, [*BRIEF], {"grid_only": True})))[-1][1]["points"]
+            for name in ("one", "other"):
+                running.post(f"/alive?page={name}", "{}")
+            running.post("/closed?page=one", "{}")
+            time.sleep(3)
+            self.assertTrue(running.lives())  # the other page is there, though it says nothing
+            running.post("/closed?page=other", "{}")
             self.assertEqual(running.process.wait(timeout=20), 0)
-            said = running.process.stdout.read()
-            folder = pathlib.Path(re.search(r"results are kept in (\S+);", said).group(1))
-            self.assertTrue((folder / "sweep.csv").exists())
-            self.addCleanup(__import__("shutil").rmtree, folder.parent)
+            folder = self.kept_folder(running)
+        self.assertTrue((folder / "sweep.csv").exists())
+        with page(folder) as running:
+            opened = running.get("/opened")
+        self.assertEqual((opened["finished"], opened["points"]), (True, points))
+
+    def test_it_ends_where_a_page_falls_silent(self):
+        """A browser that was killed closes no page: after three times as long the program ends too."""
+        with page("--linger", "1") as running:
+            running.post("/alive?page=lost", "{}")
+            begun = time.monotonic()
+            self.assertEqual(running.process.wait(timeout=20), 0)
+            self.assertGreater(time.monotonic() - begun, 2.5)
+
+    def test_results_are_whole_where_it_is_ended(self):
+        """Points of a sweep that runs as the program ends are kept, and the command line goes on with them."""
+        with page("e-drive") as running:
+            job = running.start("sweep", TEMPLATE, FOUR_SPEEDS, SLOW)
+            first = next(data for name, data in running.events(job) if name == "point")
+            running.process.send_signal(signal.SIGTERM)
+            self.assertEqual(running.process.wait(timeout=60), 0)
+            folder = self.kept_folder(running)
+        with page(folder) as running:
+            opened = running.get("/opened")
+        self.assertIn(first, opened["points"])
+        self.assertNotIn("error", opened)
 
     def test_its_processes_end_with_it(self):
         with page("e-drive") as running:

@@ -17,6 +17,7 @@ DECLARED = (  # lines, of these of app, types and headers of later capabilities
     ("requirements and verdicts; torque, torque over speed, K_A; load sharing, defect lines, stiffness of pairs", 890, 800, 6, 2),
     ("the page's server, templates, and what each page request may do", 1_970, 1_960, 22, 4),
     ("the core in a browser: units by a table, stand-ins for threads and files of results", 640, 640, 9, 1),
+    ("bounds on what the page's server reads of a connection, and its pages by name", 160, 160, 2, 1),
 )
 LIMITS = {name: least + sum(row[1 + i] for row in DECLARED) for i, (name, least) in enumerate(BASE.items())}
 LIMITS["headers with a single includer, %"] = 20.0

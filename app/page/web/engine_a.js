@@ -34,8 +34,10 @@ export function engine(location, opened) {
   const body = ({command, case_text, settings = [], options = {}}) =>
       ({command, case_text, settings, options});
 
-  setInterval(() => fetched('/alive', {method: 'POST'}).catch(() => {}), ALIVE_EVERY);
-  addEventListener('pagehide', () => navigator.sendBeacon(`/closed?token=${encodeURIComponent(token)}`));
+  const page = crypto.randomUUID();  // among several that the program serves
+  setInterval(() => fetched(`/alive?page=${page}`, {method: 'POST'}).catch(() => {}), ALIVE_EVERY);
+  addEventListener(
+      'pagehide', () => navigator.sendBeacon(`/closed?page=${page}&token=${encodeURIComponent(token)}`));
 
   return {
     name: 'A',
@@ -52,8 +54,12 @@ export function engine(location, opened) {
 
     save: opened.writable ? async (file, text) => (await posted('/save', {file, text})).json() : null,
 
-    report: async (request) =>
-        (await posted('/report', {case_text: request.case_text, settings: request.settings ?? []})).text(),
+    /** The report as HTML, or the assessor's page as the bytes of a PDF. */
+    report: async (request, form = '') => {
+      const {case_text, settings = []} = request;
+      if (form === 'pdf') return (await posted('/report?form=pdf', {case_text, settings})).blob();
+      return (await posted('/report', {case_text, settings})).text();
+    },
 
     /**
        A computation that takes its time. `continues`: the handle of one that was stopped, whose points are

@@ -71,9 +71,8 @@ export class TakeAway {
     const points = [...(session.sweep?.points ?? [])],
           name = element('input', {type: 'text', id: 'save-name', value: session.file});
     this.told = element('p', {class: 'told', role: 'status'});
-    // No script runs in it; this page may print it.
-    this.frame =
-        element('iframe', {sandbox: 'allow-same-origin allow-modals', title: 'report', hidden: true});
+    // No script runs in it.
+    this.frame = element('iframe', {sandbox: '', title: 'report', hidden: true});
     const close = element('button', {type: 'button', class: 'close', 'aria-label': 'close'}, '×');
     close.addEventListener('click', () => this.dialog.close());
     const parts = [
@@ -146,16 +145,15 @@ export class TakeAway {
   async report(form) {
     const {session} = this, stem = session.file.replace(/\.ya?ml$/, '');
     this.told.textContent = 'The report is being computed …';
-    const found = await session.engine.report(session.request('report'));
-    this.told.textContent = form ? 'Choose “Save as PDF” where the browser asks for a printer.' :
-                                   'The report is below and among the downloads.';
-    const shown = new Promise((resolve) => this.frame.addEventListener('load', resolve, {once: true}));
+    const found = await session.engine.report(session.request('report'), form);
+    this.told.textContent =
+        form ? 'The PDF is among the downloads.' : 'The report is below and among the downloads.';
+    if (form) {
+      download(`${stem}.pdf`, found, 'application/pdf');
+      return;
+    }
     this.frame.srcdoc = found;
     this.frame.hidden = false;
-    await shown;
-    if (form)
-      this.frame.contentWindow.print();
-    else
-      download(`${stem}.html`, found, 'text/html');
+    download(`${stem}.html`, found, 'text/html');
   }
 }
