@@ -148,6 +148,13 @@ bool is_left_to_full_tests(const Field& field, const Subject& subject) {
   const auto location = static_cast<std::size_t>(find_field(field.path) - all_fields().data());
   const auto unless = [&](std::size_t part, std::size_t parts) { return location % parts != part; };
   switch (analysis) {
+    case use::gears:
+    case use::fmu_bearing:
+      return unless(0, 3);
+    case use::modes_at_speed:
+      return unless(1, 3);
+    case use::fmu_gearset:
+      return unless(2, 3);
     case use::dynamic:
       return unless(0, 12);
     case use::dynamic_of_sets:
