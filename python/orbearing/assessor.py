@@ -5,6 +5,7 @@ The sections are the head of report.html and all of report.pdf. Numbers are thos
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from html import escape
 from typing import Callable
@@ -15,7 +16,8 @@ from orbearing.result_folder import Report, record, records, same
 from orbearing.tables import table
 
 LIVES = ("L10h", "L10rh", "L10mh", "L10mrh", "life_h")
-LIFE_NOTE = ("Lives hold for a reliability of 90 % unless the case states life.reliability. ISO/TS 16281:2008 has since become ISO 16281:2025.")
+NOTE_16281 = "ISO/TS 16281:2008 has since become ISO 16281:2025."
+LEAST_INFLUENCE = 0.01  # [%] of the life; assumptions below are listed without a line of their own
 DOCUMENT = "docs/requirements.md"
 FAILED_ELSEWHERE = "FAILED (below)"
 VERDICTS = {True: "passed", False: "FAILED", None: "not judged"}
@@ -133,7 +135,16 @@ def _ratings(report: Report) -> str:
         rows.append((one.symbol + unit, one.words, one.clause(balls), *numbers, _limit(verdict), _verdict(verdict, of_one_bearing)))
     head = ("Symbol", "Meaning", "Clause", *(column.head for column in columns), "Required", "Verdict")
     return section("ratings", "Ratings and lives", f"<p><strong>{escape(verdict_in_words(report))}</strong> {escape(_where(report))}</p>\n"
-                   + _judged(table(Table(head, rows))) + f"\n<p>{escape(LIFE_NOTE)}</p>")
+                   + _judged(table(Table(head, rows))) + f"\n<p>{escape(_reliability(report))} {NOTE_16281}</p>")
+
+
+def _reliability(report: Report) -> str:
+    """Of the lives: a_1 of ISO 281 is in the modified ones alone."""
+    value = report.record("influences").get("reliability")
+    stated = f"{format_number(100 * value)} %" if is_number(value) else "life.reliability of the case"
+    if stated == "90 %":
+        return "Lives hold for a reliability of 90 %."
+    return f"L10mh and L10mrh hold for a reliability of {stated} (a_1 of ISO 281), the other lives for 90 %."
 
 
 def _limit(verdict: dict | None) -> str:
@@ -195,19 +206,21 @@ def _under(spectrum: dict, before: str, key: str) -> float | None:
 
 
 def operating_row(report: Report) -> dict:
-    """The point at the case's own speed on the line that is shown; else the one with the longest life, else the first."""
+    """The point at the case's own speed, computed for the page where the sweep has none; else the one with the longest life, else the first."""
     points = report.along_speed().records("points")
     own = report.content.get("own_speed_rpm")
     alive = [point for point in points if is_number(point.get("life_h"))]
     longest = max(alive, key=lambda point: point["life_h"], default=next(iter(points), {}))
-    return next((point for point in points if same(point.get("input_speed_rpm"), own)), longest)
+    return next((point for point in points if same(point.get("input_speed_rpm"), own)), report.record("own_point") or longest)
 
 
 def _where(report: Report) -> str:
     if _single(report):
         return "Values of the bearing under the load of the case."
     speed, own = operating_row(report).get("input_speed_rpm"), report.content.get("own_speed_rpm")
-    which = "of the case" if same(speed, own) else "with the longest life of this sweep, which has no point at the speed of the case"
+    computed = not any(same(point.get("input_speed_rpm"), own) for point in report.along_speed().records("points"))
+    own_words = "of the case" + (", which the sweep does not have and which was computed for this page" if computed else "")
+    which = own_words if same(speed, own) else "with the longest life of this sweep, which has no point at the speed of the case"
     text = f"Values at the operating point {which}, {format_number(speed)} rpm input speed."
     return text + (" Under the load spectrum: lives by the rule of Palmgren and Miner; S0, p_max, kappa of the worst bin." if _spectrum(report) else "")
 
@@ -264,19 +277,31 @@ def _influences(report: Report, most: Most) -> str:
         why = str(found.get("problem") or ("No assumption has a number." if "influences" in report.content else in_time))
         return section("influences", "Assumptions by influence", f"<p>{escape(why)}</p>")
     result, unit = found.get("quantity"), found.get("unit") or ""
-    shown = sorted(rows, key=_influence, reverse=True)
-    cells = [(row.get("path"), record(reasons.get(row.get("path"))).get("value") or row.get("value"), f"{row.get('step')}", _signed(row.get("change"), unit),
+    ordered = sorted((row for row in rows if not _is_stated(record(reasons.get(row.get("path"))))), key=_influence, reverse=True)
+    shown = [row for row in ordered if abs(_relative(row, found) or 0.0) >= LEAST_INFLUENCE]
+    cells = [(row.get("path"), _short(record(reasons.get(row.get("path"))).get("value") or row.get("value")), f"{row.get('step')}", _signed(row.get("change"), unit),
               _signed(_relative(row, found)), record(reasons.get(row.get("path"))).get("reason")) for row in shown[:most.influences]]
     left = len(shown) - len(cells)
     note = (f"<p>Values that the source of the case does not give, ordered by their effect on {escape(str(result))} at the operating point, by the quasi-static model. "
             "The change is to first order.</p>")
     more = f"<p>{left} more assumed numbers have less effect.</p>" if left > 0 else ""
-    others = [row for row in report.records("assumptions") if row.get("key") not in {one.get("path") for one in rows}]
+    kept = {row.get("path") for row in shown}
+    others = [row for row in report.records("assumptions") if row.get("key") not in kept and not _is_stated(row)]
     if others:
-        names = "; ".join(f"{row.get('key')}: {row.get('value')}" for row in others)
-        more += f"<p class=\"compact\">Assumed values without an effect on {escape(str(result))}, or that are no number: {escape(names)}.</p>"
+        names = "; ".join(f"{row.get('key')}: {_short(row.get('value'))}" for row in others)
+        more += f"<p class=\"compact\">Assumed values with an effect on {escape(str(result))} below {LEAST_INFLUENCE:g} %, or that are no number: {escape(names)}.</p>"
     head = ("Assumption", "Value", "Step", f"Change of {result}", "Change [%]", "Reason")
     return section("influences", "Assumptions by influence", note + table(Table(head, cells)) + more)
+
+
+def _is_stated(assumption: dict) -> bool:
+    """A power that follows from the torque of the case."""
+    return str(assumption.get("reason") or "").startswith("input.torque")
+
+
+def _short(value: object) -> str:
+    """A value with its unit, its numbers to six digits."""
+    return re.sub(r"-?\d+\.\d{5,}(?:e[-+]?\d+)?", lambda found: f"{float(found.group()):.6g}", str(value))
 
 
 def _relative(row: dict, found: dict) -> float | None:

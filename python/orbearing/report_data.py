@@ -36,10 +36,18 @@ class Program:
         """Points of the bearing, as `--bearing-points` of the command report takes them."""
         return self._ask("report", self._folder, bearing_points=json.dumps(wanted))
 
+    def point_of_case(self) -> dict:
+        """At the speed of the case, by the quasi-static model."""
+        return next(iter(records(self._ask("run", self._folder / "case.resolved.yaml").get("points"))), {})
+
     def life_at(self, rpm: float, settings: list[str]) -> float | None:
         """Of one bearing of the case with these settings, by the quasi-static model [h]."""
         found = self._ask("sweep", self._folder / "case.resolved.yaml", set=[*settings, f"sweep={{input.speed: [{rpm!r} rpm]}}"])
         return found["points"][0]["life_h"]
+
+    def reliability(self) -> float | None:
+        """Of the modified lives."""
+        return record(self.inputs().get("life.reliability")).get("value")
 
     def influences(self, assumed: list[str], result: str = "") -> dict:
         """Effect of each assumed number on a result of the run, by the quasi-static model: that of `orbearing sensitivities`."""
@@ -95,7 +103,18 @@ def influences(content: dict, program: Program) -> dict:
         found = program.influences(assumed, life)
     except (CaseError, ComputationError) as error:
         return {"problem": f"The influence of assumptions is not computed: {error}"}
-    return {**found, "unit": "h" if life else found.get("unit")}
+    return {**found, "unit": "h" if life else found.get("unit"), "reliability": program.reliability()}
+
+
+def own_point(content: dict, program: Program) -> dict:
+    """The operating point of the case where the sweep has no point at its speed: computed by the quasi-static model; else empty."""
+    own = content.get("own_speed_rpm")
+    if content["fidelity"] != "quasi-static" or content.get("slice") or any(same(point.get("input_speed_rpm"), own) for point in records(content.get("points"))):
+        return {}
+    try:
+        return program.point_of_case()
+    except (CaseError, ComputationError):
+        return {}
 
 
 def complete(content: dict, program: Program, every_effect: bool = False) -> dict:
@@ -111,8 +130,9 @@ def complete(content: dict, program: Program, every_effect: bool = False) -> dic
     at_rest = bearing.under(effects.at_rest(inputs, shown["set"]), fine)
     _add_effects_of_assumptions(content)
     content["influences"] = influences(content, program)
+    content["own_point"] = own_point(content, program)
     content["published"] = published(content, lambda rpm: program.life_at(rpm, shown["settings"]))
-    content["fine"] = {"speed_rpm": fine.tolist(), **{name: _column(at_rest[0][1], name) for name in FINE}}
+    content["fine"] = {"speed_rpm": fine.tolist(), **{name: _column(at_rest[0][1], name) for name in dict.fromkeys((*FINE, record(content.get("peak")).get("life_key") or "life_h"))}}
     polar = {one["speed_rpm"]: one for one in _polar(bearing, sorted({*speeds, *(_best(content) if in_motion else [])}))}
     content["polar"] = [polar[speed] for speed in speeds]
     if "gears" in content:

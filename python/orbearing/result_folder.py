@@ -55,14 +55,14 @@ def slip_of_set(points: list[dict]) -> tuple[str, str]:
     return ("orbit_slip", "orbit") if without else ("cage_slip", "cage")
 
 
-def peak_of(points: list[dict]) -> dict:
+def peak_of(points: list[dict], life_key: str = "life_h") -> dict:
     """The longest life among these points: of the grid's, and of all where points were added to it."""
-    alive = [p for p in points if is_number(p.get("life_h")) and is_number(p.get("input_speed_rpm"))]
+    alive = [p for p in points if is_number(p.get(life_key)) and is_number(p.get("input_speed_rpm"))]
     grid = [p for p in alive if p.get("refined") is not True]
-    peak = {}
+    peak = {"life_key": life_key}
     for prefix, those in (("", grid), *([("refined_", alive)] if len(grid) < len(alive) else [])):
-        best = max(those, key=lambda p: p["life_h"], default={})
-        peak |= {f"{prefix}speed_rpm": best.get("input_speed_rpm"), f"{prefix}life_h": best.get("life_h")}
+        best = max(those, key=lambda p: p[life_key], default={})
+        peak |= {f"{prefix}speed_rpm": best.get("input_speed_rpm"), f"{prefix}life_h": best.get(life_key)}
     return peak
 
 
@@ -89,7 +89,12 @@ class Report:
         if not line:
             return self
         points = [point for point in self.records("points") if lies_on(point, line)]
-        return replace(self, content={**self.content, "points": points, "peak": peak_of(points)})
+        return replace(self, content={**self.content, "points": points, "peak": peak_of(points, self.life_key)})
+
+    @property
+    def life_key(self) -> str:
+        """The life that results go by (`life.method`)."""
+        return str(self.record("peak").get("life_key") or "life_h")
 
     @property
     def line(self) -> str:

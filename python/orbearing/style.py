@@ -77,14 +77,19 @@ def plain_logarithmic(axis, labelled=(1, 2, 5)) -> None:
     axis.set_minor_formatter(NullFormatter())
 
 
-def life_axis(axes: Axes) -> None:
+def life_label(life_key: str = "life_h") -> str:
+    """Of an axis of lives: "life of one bearing (h)", "L10mh of one bearing (h)"."""
+    return f"{'life' if life_key == 'life_h' else life_key} of one bearing (h)"
+
+
+def life_axis(axes: Axes, life_key: str = "life_h") -> None:
     """Logarithmic, with labels at 1, 2 and 5 of each decade where they have room."""
     axes.set_yscale("log")
     low, high = axes.get_ylim()
     labelled = (1, 2, 5) if high < 1e3 * low else (1,)
     axes.yaxis.set_major_locator(LogLocator(subs=labelled, numticks=20))
     axes.yaxis.set_minor_formatter(NullFormatter())
-    axes.set_ylabel("life of one bearing (h)")
+    axes.set_ylabel(life_label(life_key))
     thousands(axes.yaxis)
 
 

@@ -18,7 +18,7 @@ CAMPBELL_SIZE = (4.6, 4.4)
 
 def block(report: Report) -> FigureBlock:
     """Both pictures; where no point has a life, a sentence in their place."""
-    speed, life = report.point_column("input_speed_rpm"), report.point_column("life_h")
+    speed, life = report.point_column("input_speed_rpm"), report.point_column(report.life_key)
     if not np.any(np.isfinite(speed) & (life > 0)):
         return FigureBlock("life", TITLE, missing="No point of this sweep has a life, so there is no curve to show.")
     pictures = [_whole_range(report)]
@@ -30,8 +30,9 @@ def block(report: Report) -> FigureBlock:
         pictures.append(campbell)
     points = report.records("points")
     table = columns_table(
-        ("input speed (rpm)", "life of one bearing (h)", "life of all bearings (h)", "nearest resonance", "status"),
-        speed, life, report.point_column("system_life_h"), [resonance_of(p) for p in points],
+        ("input speed (rpm)", style.life_label(report.life_key), style.life_label(report.life_key).replace("one bearing", "all bearings"),
+         "nearest resonance", "status"),
+        speed, life, report.point_column(f"system_{report.life_key}"), [resonance_of(p) for p in points],
         [f"{p.get('status')}, added" if p.get("refined") is True else p.get("status") for p in points],
     )
     return FigureBlock("life", TITLE, _caption(report), tuple(pictures), data=table)
@@ -50,7 +51,7 @@ def _whole_range(report: Report) -> str:
     _draw_curves(axes, report)
     _draw_failed(axes, report)
     style.speed_axis(axes)
-    style.life_axis(axes)
+    style.life_axis(axes, report.life_key)
     style.legend_above(axes, columns=1)
     return style.to_svg(figure, "life-range", "Life of one bearing over input speed, logarithmic life axis")
 
@@ -68,13 +69,13 @@ def _near_peak(report: Report) -> str:
     axes.set_title("near the peak, linear scale", loc="left")
     _draw_resonances(axes, report, low, high)
     style.speed_axis(axes)
-    axes.set_ylabel("life of one bearing (h)")
+    axes.set_ylabel(style.life_label(report.life_key))
     style.thousands(axes.yaxis)
     return style.to_svg(figure, "life-peak", "Life of one bearing near its peak, linear life axis")
 
 
 def _draw_curves(axes: Axes, report: Report) -> None:
-    fine_speed, fine_life = curve(report.record("fine"), "speed_rpm", "life_h")
+    fine_speed, fine_life = curve(report.record("fine"), "speed_rpm", report.life_key)
     if np.any(fine_life > 0):
         axes.plot(fine_speed, _positive(fine_life), color=style.BLUE, label="quasi-static, fine grid")
     _draw_points(axes, report, with_fine_curve=len(fine_speed) > 0)
@@ -87,7 +88,7 @@ def _draw_curves(axes: Axes, report: Report) -> None:
 
 def _draw_points(axes: Axes, report: Report, with_fine_curve: bool) -> None:
     """The grid's points, those added around the peak, and in motion the line through all, with its dips."""
-    speed, life = report.point_column("input_speed_rpm"), _positive(report.point_column("life_h"))
+    speed, life = report.point_column("input_speed_rpm"), _positive(report.point_column(report.life_key))
     added = np.array([point.get("refined") is True for point in report.records("points")], dtype=bool)
     colour = style.GREEN if report.is_dynamic else style.BLUE
     look = {"marker": "o", "linestyle": "", **style.points_look(int((~added).sum()), with_fine_curve)}
@@ -147,9 +148,15 @@ def _published(report: Report) -> list[dict]:
             if is_number(r.get("speed_rpm")) and is_number(r.get("life_h")) and r["life_h"] > 0]
 
 
+AT_CONSTANT_POWER = ("At constant power torque and tooth forces fall as speed rises, while the planet's centrifugal force grows with the "
+                     "square of speed: life climbs where the first rule and falls where the second does, and the peak lies between. ")
+BY_TORQUE = {"input.torque": "The torque is the same at all speeds. Tooth forces do not change, and the planet's centrifugal force grows with the square of speed. ",
+             "input.torque_curve": "Torque and tooth forces follow the torque curve of the case, and the planet's centrifugal force grows with the square of speed. "}
+
+
 def _caption(report: Report) -> str:
-    text = ("At constant power torque and tooth forces fall as speed rises, while the planet's centrifugal force grows with the "
-            "square of speed: life climbs where the first rule and falls where the second does, and the peak lies between. ")
+    duty = next((str(row.get("reason")).split(" ")[0] for row in report.records("assumptions") if row.get("key") == "input.power"), "")
+    text = BY_TORQUE.get(duty, AT_CONSTANT_POWER)
     if any(point.get("refined") is True for point in report.records("points")):
         text += "Small points were added by the sweep until the speed of the longest life was known; each of them was computed. "
     if report.is_dynamic and report.record("gears"):

@@ -56,6 +56,7 @@ def _map(speed: np.ndarray, torque: np.ndarray, share: np.ndarray, damage: np.nd
     axes.margins(0.15)  # room for circles at the edge
     style.speed_axis(axes)
     axes.set_ylabel("input torque (N m)")
+    style.thousands(axes.yaxis)
     return style.to_svg(figure, f"{SLUG}-map", "Bins over input speed and torque: area by time, colour by damage")
 
 
