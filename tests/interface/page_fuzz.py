@@ -3,12 +3,13 @@
 in every way. The server goes on, answers a sound request right, and neither it nor its processes crash, stay behind or fill the memory.
 
 By hand and in tools/test --full, which gives it a program with sanitizers:
-    FUZZ_SECONDS=600 FUZZ_SEED=1 ORBEARING=build/asan/bin/orbearing tests/interface/page_fuzz.py
+    FUZZ_SECONDS=600 FUZZ_SEED=1 ORBEARING=build/asan/bin/orbearing python3 tests/interface/page_fuzz.py
 A finding names its seed and round: FUZZ_SEED=1 FUZZ_ROUND=17 begins there.
 """
 
 import concurrent.futures
 import contextlib
+import copy
 import json
 import os
 import pathlib
@@ -35,8 +36,10 @@ MOST_MEMORY = 1.5e9  # bytes, of the server or of one of its processes
 MOST_PROCESSES = 8 + 8 + 4 + 1  # requests, jobs, idle ones, lives as opened
 TEMPLATES = {one.stem: one.read_text(encoding="utf-8") for one in sorted((CASES / "templates").glob("*.yaml"))}
 KEYS = sorted(set(re.findall(r'"([a-z_0-9]{2,40})": ?\{', (CASES / "case.schema.json").read_text(encoding="utf-8"))))
-OPTIONS = ("fidelity", "gears", "jobs", "grid_only", "continue", "profile", "tilts", "drops", "spectrum", "shares", "tolerance", "starts", "speed", "result", "by",
-           "vary", "noise", "seed", "motion", "samples", "output", "resume", "folders", "pdf", "set", "worker")
+OPTIONS = {"run": ("fidelity", "gears"), "sweep": ("fidelity", "jobs", "grid_only", "continue"), "modes": ("speed",),
+           "crown": ("profile", "tilts", "drops", "spectrum", "shares", "tolerance", "tilt_tolerance", "distribution", "life", "of", "starts", "jobs"),
+           "sensitivities": ("result", "by", "fidelity", "jobs"), "signals": ("vary", "fidelity", "noise", "seed", "jobs"), "validate": ("motion", "samples", "jobs")}
+FOREIGN = ("output", "resume", "folders", "pdf", "set", "worker", "json", "", "fidelity", "speed", "-o", "help")
 COMMANDS = ("check", "check", "check", "check", "run", "run", "run", "sweep", "crown", "mesh", "modes", "stiffness", "sensitivities", "signals", "validate", "report",
             "fmu", "open")
 PATHS = ("/", "/opened", "/templates", "/schema/case", "/schema/result", "/schema/x", "/web/app.js", "/web/../open.cpp", "/lib/a/b.js", "/jobs/0001/events",
@@ -49,6 +52,11 @@ WORDS = ("", "~", "null", "true", "[]", "{}", "[1, [2, [3]]]", "&a [*a, *a]", "*
          "{from: 1 rpm, to: 1e9 rpm, step: 1e-9 rpm}", "{from: 1 rpm, to: 2 rpm, count: 1000000000}", "{file: ../secret.csv}", "{file: /etc/passwd}", "{file: case.yaml}",
          "{file: /dev/zero}", "<script>alert(1)</script>", "%s%n%s", "{}{0}{:>99999999}", "\u202e", "x" * 5000, "[" * 3000, "{a: " * 3000)
 VALUES = (None, True, False, 0, -1, 1e308, -1e-320, 2**63, 2**64, 10**400, "", "x", "\0", "\ud800", "é", [], {}, [[]], {"": {}}, [None] * 50, "a" * 100000)
+
+
+def odd_value(rng, *more):
+    """One that is not shared: what it is put into is changed later on."""
+    return copy.deepcopy(rng.choice((*VALUES, *more)))
 
 
 def hostile_value(rng):
@@ -90,7 +98,8 @@ def settings(rng):
 def sound_body(rng):
     body = {"command": rng.choice(COMMANDS), "case_text": broken_case(rng), "settings": settings(rng)}
     if rng.random() < 0.5:
-        body["options"] = {rng.choice(OPTIONS): rng.choice((*VALUES, "quasi-static", "dynamic", 1, 2, "6000 rpm", "[0 um, 4 um]", "load.radial"))
+        names = FOREIGN if rng.random() < 0.1 else OPTIONS.get(body["command"], FOREIGN)
+        body["options"] = {rng.choice(names): hostile_value(rng) if rng.random() < 0.4 else odd_value(rng, "quasi-static", "dynamic", 1, 2, "6000 rpm", "[0 um, 4 um]", "load.radial")
                            for _ in range(rng.choice((1, 1, 2)))}
     if body["command"] in ("sweep", "run") and rng.random() < 0.9:  # seldom one that takes long
         body["options"] = {"fidelity": "quasi-static", **({"jobs": 1} if body["command"] == "sweep" else {})}
@@ -112,11 +121,11 @@ def broken_tree(rng, body):
         container, key = rng.choice(places(body) or [(body, "x")])
         how = rng.randrange(4)
         if how == 0 and isinstance(container, dict):
-            container[rng.choice(("", "command", "continue", "folder", "pdf", "given", "\0", "x" * 3000))] = rng.choice(VALUES)
+            container[rng.choice(("", "command", "continue", "folder", "pdf", "given", "\0", "x" * 3000))] = odd_value(rng)
         elif how == 1 and isinstance(container, dict):
             container.pop(key, None)
         else:
-            container[key] = rng.choice(VALUES)
+            container[key] = odd_value(rng)
     return body
 
 
@@ -148,31 +157,32 @@ def broken_text(rng, text):
     return bytes(data)
 
 
-def path_and_body(rng, jobs):
-    """Of a request that computes, converts or saves."""
+def path_and_body(rng, jobs, broken):
+    """Of a request that computes, converts or saves; `broken`: its JSON too."""
     kind = rng.choice(("/request",) * 8 + ("/jobs",) * 3 + ("/units", "/units", "/save", "/save", "/report", "/alive"))
     body = sound_body(rng)
     if kind == "/jobs" and rng.random() < 0.4:
-        body["continue"] = rng.choice((*jobs, *VALUES, "9999"))
+        body["continue"] = odd_value(rng, *jobs, *jobs, "9999")
     elif kind == "/units":
         body = {"value": hostile_value(rng), "unit": rng.choice(UNITS)[1:]}
     elif kind == "/save":
         body = {"file": rng.choice(("a.yaml", "b.txt", "../a.yaml", "/tmp/a.yaml", ".yaml", "a\0.yaml", "x" * 200, "case.yaml", "c.html", "a/b.csv")), "text": hostile_value(rng)}
     elif kind == "/report":
         kind += rng.choice(("", "?form=pdf", "?form=", "?form=pdf&form=x"))
-        body = {"job": rng.choice((*jobs, *VALUES))} if rng.random() < 0.5 else {"case_text": broken_case(rng).replace("step", "stop"), "settings": settings(rng)}
+        body = {"job": odd_value(rng, *jobs)} if rng.random() < 0.5 else {"case_text": broken_case(rng).replace("step", "stop"), "settings": settings(rng)}
         if not LONG:
             body["settings"] = ["no.such=input"]  # a page takes its time
-    return kind, broken_text(rng, json.dumps(broken_tree(rng, body), ensure_ascii=rng.random() < 0.5).encode(errors="surrogatepass"))
+    data = json.dumps(broken_tree(rng, body) if broken else body, ensure_ascii=rng.random() < 0.5).encode(errors="surrogatepass")
+    return kind, broken_text(rng, data) if broken else data
 
 
 def token_of(rng, page):
-    return rng.choice((page.token,) * 12 + (page.token[:-1], page.token.upper(), "0" * 32, "", page.token + "\0", "a" * 9000))
+    return rng.choice((page.token,) * 40 + (page.token[:-1], page.token.upper(), "0" * 32, "", page.token + "\0", "a" * 9000))
 
 
 def lines_of_head(rng, page, path):
     """Lines behind the first, most of them right."""
-    lines = [f"Host: {rng.choice((f'127.0.0.1:{page.port}',) * 15 + (f'localhost:{page.port}', 'example.org', '', f'127.0.0.1:{page.port + 1}', '[::1]'))}"]
+    lines = [f"Host: {rng.choice((f'127.0.0.1:{page.port}',) * 40 + (f'localhost:{page.port}', 'example.org', '', f'127.0.0.1:{page.port + 1}', '[::1]'))}"]
     if "token=" not in path:
         lines.append(rng.choice(("X-Orbearing-Token: {}", "X-Orbearing-Token: {}", "x-orbearing-token:{}", f"Cookie: a=b; orbearing_token_{page.port}={{}}; c",
                                  f"Cookie: {';' * 50}orbearing_token_{page.port}={{}}")).format(token_of(rng, page)))
@@ -202,12 +212,19 @@ def chunked(rng, body):
     return size + b"\r\n" + body + b"\r\n" + rng.choice((b"0\r\n\r\n", b"0\r\nA: b\r\n\r\n", b""))
 
 
-def one_request(rng, page, jobs):
-    """Bytes of one request."""
-    if rng.random() < 0.04:
+def sound_request(rng, page, jobs):
+    """Bytes of one whose head is right: what is odd is its JSON, or its case and settings alone."""
+    path, body = path_and_body(rng, jobs, rng.random() < 0.4)
+    head = f"POST {path} HTTP/1.1\r\nHost: 127.0.0.1:{page.port}\r\nX-Orbearing-Token: {page.token}\r\nContent-Length: {len(body)}\r\n\r\n"
+    return head.encode() + body
+
+
+def wild_request(rng, page, jobs):
+    """Bytes of one whose head is odd."""
+    if rng.random() < 0.1:
         return bytes(rng.randrange(256) for _ in range(rng.choice((1, 20, 3000))))
-    if rng.random() < 0.75:
-        method, (path, body) = "POST", path_and_body(rng, jobs)
+    if rng.random() < 0.5:
+        method, (path, body) = "POST", path_and_body(rng, jobs, True)
     else:
         method, path, body = rng.choice(METHODS), rng.choice((*PATHS, *(f"/jobs/{job}/events" for job in jobs), *(f"/jobs/{job}" for job in jobs))), b""
         if rng.random() < 0.2:
@@ -219,8 +236,8 @@ def one_request(rng, page, jobs):
         body = chunked(rng, body)
     elif method == "POST" or rng.random() < 0.1:
         lines += length_of(rng, body)
-    first = f"{method} {path} {rng.choice(('HTTP/1.1',) * 12 + ('HTTP/1.0', 'HTTP/2.0', 'HTTP/9', '', 'http/1.1'))}"
-    ends = rng.choice(("\r\n",) * 15 + ("\n", "\r", "\r\n\r\n"))
+    first = f"{method} {path} {rng.choice(('HTTP/1.1',) * 20 + ('HTTP/1.0', 'HTTP/2.0', 'HTTP/9', '', 'http/1.1'))}"
+    ends = rng.choice(("\r\n",) * 20 + ("\n", "\r", "\r\n\r\n"))
     return (ends.join([first, *lines, ""]) + ends).encode("utf-8", "surrogateescape") + body
 
 
@@ -228,12 +245,13 @@ class Sent:
     """What goes through one connection: bytes in parts, and whether it is cut."""
 
     def __init__(self, rng, page, jobs):
-        data = b"".join(one_request(rng, page, jobs) for _ in range(rng.choice((1,) * 12 + (2, 3))))
-        if rng.random() < 0.08:
+        wild = rng.random() < 0.35
+        data = b"".join(wild_request(rng, page, jobs) for _ in range(rng.choice((1,) * 12 + (2, 3)))) if wild else sound_request(rng, page, jobs)
+        if rng.random() < 0.05:
             data = data[:rng.randrange(len(data) + 1)]
         at = sorted(rng.randrange(len(data) + 1) for _ in range(rng.choice((0, 0, 0, 1, 3))))
         self.parts = [data[begin:end] for begin, end in zip([0, *at], [*at, len(data)])]
-        self.end = rng.choice(("read",) * 16 + ("cut", "half", "first"))
+        self.end = rng.choice(("read",) * 20 + ("cut", "half", "first"))
 
     def answer(self, port):
         """Sends it; the bytes that came back in time."""
@@ -260,14 +278,21 @@ class Sent:
         return f"{self.end}: {shown[:1500]!r}{f' and more, {len(shown)} bytes' if len(shown) > 1500 else ''}"
 
 
-def processes_of(pid):
-    found = subprocess.run(["ps", "-o", "pid=,rss=", "--ppid", str(pid)], capture_output=True, text=True, check=False).stdout.split()
-    return {int(one): int(kilobytes) * 1024 for one, kilobytes in zip(found[::2], found[1::2])}
-
-
 def memory_of(pid):
+    """The most that a process held, in bytes."""
     with open(f"/proc/{pid}/status", encoding="utf-8") as status:
-        return next(int(line.split()[1]) * 1024 for line in status if line.startswith("VmRSS"))
+        return max((int(line.split()[1]) * 1024 for line in status if line.startswith("VmHWM")), default=0)
+
+
+def processes_of(pid):
+    """The children that it has at this moment, with their memory."""
+    found = {}
+    for task in os.listdir(f"/proc/{pid}/task"):
+        with contextlib.suppress(OSError), open(f"/proc/{pid}/task/{task}/children", encoding="utf-8") as children:
+            for child in children.read().split():
+                with contextlib.suppress(OSError):
+                    found[int(child)] = memory_of(child)
+    return found
 
 
 class Server:

@@ -4,6 +4,7 @@
 import concurrent.futures
 import contextlib
 import importlib.util
+import io
 import json
 import os
 import pathlib
@@ -589,10 +590,19 @@ class FromPython(unittest.TestCase):
         orbearing = package()
         case = orbearing.load(CASES / "templates" / "roller-bearing.yaml")
         case["load.radial"] = "9 kN"
-        with orbearing.open(case, browser=False) as running:
+        printed = io.StringIO()
+        with contextlib.redirect_stdout(printed), orbearing.open(case, browser=False) as running:
             with urllib.request.urlopen(running.address, timeout=60) as document:
                 lives = lives_in(document.read().decode())
             self.assertEqual(lives["L10mrh"], round(case.run()["L10mrh"]))
+            save = urllib.request.Request(running.address.replace("/?", "/save?"), json.dumps({"file": "mine.yaml", "text": ROLLERS}).encode())
+            urllib.request.urlopen(save, timeout=60).close()
+        folder = pathlib.Path(re.fullmatch(r"saved files are kept in (\S+)\n", printed.getvalue()).group(1))
+        self.addCleanup(shutil.rmtree, folder)
+        self.assertEqual((folder / "mine.yaml").read_text(encoding="utf-8"), ROLLERS)
+        with contextlib.redirect_stdout(printed), orbearing.open(case, browser=False) as running:
+            running.close()  # once more behind it
+        self.assertEqual(printed.getvalue().count("\n"), 1)
         with self.assertRaisesRegex(orbearing.CaseError, "found no such file, folder or template"):
             orbearing.open("nothing", browser=False)
 
