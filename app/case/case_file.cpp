@@ -58,7 +58,9 @@ std::string key_hint(const std::string& key, const std::string& prefix, const Ca
   const std::vector<std::string> siblings = keys_under(prefix, shape);
   const std::string near = nearest_word(key, siblings);
   if (!near.empty()) return fmt::format("a known key is required; did you mean '{}{}'?", prefix, near);
-  return fmt::format("one of {} is required", fmt::join(siblings, ", "));
+  const bool is_number = !key.empty() && key.find_first_not_of("0123456789") == std::string::npos;
+  return fmt::format("one of {} is required{}", fmt::join(siblings, ", "),
+                     is_number ? "; a number takes a decimal point, not a comma" : "");
 }
 
 class Resolver {

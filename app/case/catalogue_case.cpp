@@ -166,6 +166,9 @@ class CatalogueCase {
       put("bearing.roller_length", millimetres(inside.length), inferred);
     else
       put("bearing.contact_angle", fmt::format("{:g} deg", kDegree * entry_->contact_angle), published);
+    if (entry_->family == catalogue::Family::angular_contact)
+      put_default(catalogue_keys::kClearance, "0 um",
+                  "default: without load the balls touch at the nominal contact angle");
     put("bearing.pitch_diameter", millimetres(inside.pitch_diameter), inferred);
     if (entry_->family != catalogue::Family::needle_cage) {
       put("bearing.bore", millimetres(entry_->bore), published);
@@ -210,7 +213,10 @@ class CatalogueCase {
       put_default("bearing.cage.guide_land_diameter",
                   millimetres(inside.pitch_diameter + land * inside.diameter), reason);
     const bool needles = entry_->family == catalogue::Family::needle_cage;
-    put_default("bearing.cage.width", millimetres((needles ? 1.0 : share_of_width) * entry_->width), reason);
+    double width = (needles ? 1.0 : share_of_width) * entry_->width;
+    if (width <= inside.length)
+      width = 0.5 * (inside.length + entry_->width);  // rollers longer than is usual
+    put_default("bearing.cage.width", millimetres(width), reason);
   }
 
   void fill_class() {
@@ -372,7 +378,10 @@ void check_class(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   const auto add_error = [&](std::string found, std::string required) {
     add_error_at(in, catalogue_keys::kClass, std::move(found), std::move(required), mistakes);
   };
-  if (in.has(catalogue_keys::kState) && in.choice(catalogue_keys::kState) == "operating")
+  // A class that its table does not have leaves the default, which is no mistake of the case.
+  const auto state = in.assumed().find(catalogue_keys::kState);
+  const bool stated = state == in.assumed().end();
+  if (stated && in.has(catalogue_keys::kState) && in.choice(catalogue_keys::kState) == "operating")
     add_error("a clearance class beside bearing.clearance_state: operating",
               "a class is that of a bearing on the shelf: bearing.clearance_state: unmounted, or a radial "
               "clearance in "

@@ -93,14 +93,18 @@ std::string bare(const std::string& text) {
 }
 
 // The choice that `text` is but for spaces, hyphens and size of letters, or else the longest one that it
-// begins with; empty where there is none.
+// begins or ends with, or that ends with it: "VG 220" of "ISO VG 220", "17/15/12" of "-/15/12"; empty where
+// there is none.
 std::string likely_choice(const Field& field, const std::string& text) {
   const std::string given = bare(text);
   std::string likely;
   for (const std::string& choice : field.choices) {
     const std::string known = bare(choice);
     if (known == given) return choice;
-    if (given.starts_with(known) && known.size() > bare(likely).size()) likely = choice;
+    constexpr std::size_t least_letters = 4;  // of an end that is no accident
+    const bool same_end = std::min(given.size(), known.size()) >= least_letters &&
+                          (given.ends_with(known) || known.ends_with(given));
+    if ((given.starts_with(known) || same_end) && known.size() > bare(likely).size()) likely = choice;
   }
   return likely;
 }

@@ -244,25 +244,27 @@ namespace {
 
 constexpr std::size_t most_rows = 48;  // shown; about a screen
 
-/// Columns shown besides the swept axes, which a planet bearing's life hangs on.
-const std::vector<std::string>& main_columns() {
-  static const std::vector<std::string> names = {
-      "input_speed_rpm",  "carrier_speed_rpm", "planet_load_N",   "centrifugal_load_N",
-      "inner_load_max_N", "outer_load_max_N",  "inner_life_Mrev", "outer_life_Mrev",
-      "life_h",           "system_life_h"};
-  return names;
+/// Columns shown besides the swept axes: what affects the life of a planet bearing, and the life that results
+/// go by.
+std::vector<std::string> main_columns(const std::string& life) {
+  return {"input_speed_rpm",    "carrier_speed_rpm", "planet_load_N",
+          "centrifugal_load_N", "inner_load_max_N",  "outer_load_max_N",
+          "inner_life_Mrev",    "outer_life_Mrev",   life,
+          "system_" + life};
 }
 
-/// Columns with their unit on a line below: "planet_load_N" is "planet load" over "[N]".
+/// Columns with their unit on a line below: "planet_load_N" is "planet load" over "[N]", "L10mh" is in hours.
 std::pair<std::string, std::string> heading(const std::string& name) {
   const std::size_t unit = name.rfind('_');
+  if (name.find("L10") != std::string::npos && name.ends_with('h'))
+    return {unit == std::string::npos ? name : "system " + name.substr(unit + 1), "[h]"};
   std::string words = name.substr(0, unit);
   std::replace(words.begin(), words.end(), '_', ' ');
   return {words, unit == std::string::npos ? "" : "[" + name.substr(unit + 1) + "]"};
 }
 
 std::vector<std::string> shown_columns(const TableHead& head) {
-  std::vector<std::string> names = main_columns();
+  std::vector<std::string> names = main_columns(head.life);
   const auto axes = head.names.begin() + static_cast<std::ptrdiff_t>(head.first_axis);
   names.insert(names.begin() + 1, axes, axes + static_cast<std::ptrdiff_t>(head.axes));
   return names;

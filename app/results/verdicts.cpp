@@ -35,6 +35,10 @@ bool is_worse(const Requirement& requirement, double value, double other) {
   return requirement.at_most ? value > other : value < other;
 }
 
+bool is_life(const std::string& key) {
+  return key == "life_h" || (key.starts_with("L10") && key.ends_with("h"));
+}
+
 bool needs_oil(const std::string& key) {
   return key == "L10mh" || key == "L10mrh" || key == "kappa";
 }
@@ -76,6 +80,8 @@ Verdict verdict_of(const Requirement& requirement, const std::vector<Sample>& sa
     if (!std::isnan(verdict.value) && !is_worse(requirement, value, verdict.value)) continue;
     verdict.value = value;
     verdict.at = sample.at;
+    verdict.of_shortest =
+        is_life(requirement.key) && std::isfinite(sample.value("shortest_" + requirement.key));
   }
   // One point that fails decides; that all pass can be said of all points alone.
   if (verdict.points_failed > 0)
@@ -102,10 +108,6 @@ double worst_of_sets(const std::vector<std::string>& sets, bool at_most,
   for (const std::string& set : sets) values.push_back(in("sets." + set + "."));
   if (std::ranges::any_of(values, [](double value) { return std::isnan(value); })) return described::kAbsent;
   return at_most ? std::ranges::max(values) : std::ranges::min(values);
-}
-
-bool is_life(const std::string& key) {
-  return key == "life_h" || (key.starts_with("L10") && key.ends_with("h"));
 }
 
 // Of the bearing with the shortest life, where planets or their bearings are loaded unevenly.
@@ -200,11 +202,13 @@ std::string verdicts_text(const std::vector<Verdict>& verdicts) {
     const bool named = requirement.name == "life";
     const std::string value = std::isfinite(one.value) ? fmt::format("{:.6g}", one.value) : "-";
     const char* judged = !one.passed ? "not judged" : *one.passed ? "passed" : "FAILED";
-    text += fmt::format("{:<26} {:>12} {:>8} {:>12.6g} {:<4} {}{}{}\n",
-                        named ? fmt::format("life ({})", requirement.key) : requirement.name, value,
-                        bound_text(requirement), requirement.limit, requirement.unit, judged,
-                        one.at.empty() ? "" : (one.points > 1 ? ", worst at " : ", at ") + one.at,
-                        one.reason.empty() ? "" : ": " + one.reason);
+    text +=
+        fmt::format("{:<26} {:>12} {:>8} {:>12.6g} {:<4} {}{}{}\n",
+                    named ? fmt::format("life ({}{})", one.of_shortest ? "shortest " : "", requirement.key)
+                          : requirement.name,
+                    value, bound_text(requirement), requirement.limit, requirement.unit, judged,
+                    one.at.empty() ? "" : (one.points > 1 ? ", worst at " : ", at ") + one.at,
+                    one.reason.empty() ? "" : ": " + one.reason);
   }
   return text;
 }

@@ -19,6 +19,7 @@ struct Verdict {
   std::optional<bool> passed;         // none: not computed
   std::string at;                     // operating point or bin of that value; empty: the only one
   std::string reason;                 // why there is no value, or none that is finite; else empty
+  bool of_shortest = false;           // of bearings that carry unlike loads, that with the shortest life
   std::size_t points = 1;             // that were judged
   std::size_t points_failed = 0;      // of them, those that do not meet the requirement
 };

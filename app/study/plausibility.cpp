@@ -25,6 +25,9 @@ constexpr double kNone = std::numeric_limits<double>::infinity();
 constexpr double kStaticPressureMPa = per_mega * rating::static_pressure(rating::RollingElement::roller);
 constexpr double kMillimetresPerMinute = 1e3 * 30.0 / constants::pi;  // mm rpm per m rad/s
 
+constexpr double kMostTilt = 3.0;  // [mrad]
+const std::string kOverTilted =
+    "more than makers allow; state load.tilt where the shaft and its other bearing hold the ring";
 const std::string kSkidding = "less than a hundredth of C, below which rolling elements skid";
 
 void add_meshes(const gearset::PlanetarySet& set, const gearset::WorkingGeometry& geometry,
@@ -45,7 +48,8 @@ void add_motion(const study::NamedSet& set, std::vector<Observation>& found) {
 void add_gears_alone(const ResolvedCase& in, std::vector<Observation>& found) {
   const study::PlanetaryDrivetrain drivetrain = drivetrain_without_gear_set(in);
   const gearset::WorkingGeometry geometry = gearset::working_geometry(drivetrain.set);
-  add_meshes(drivetrain.set, geometry, gearset::mean_loads(drivetrain.set, geometry, drivetrain.drive), found);
+  add_meshes(drivetrain.set, geometry, gearset::mean_loads(drivetrain.set, geometry, drivetrain.drive),
+             found);
 }
 
 // Of a bearing by itself: the speed of its rings against each other.
@@ -80,6 +84,11 @@ const std::vector<PlausibleRange>& plausible_ranges() {
        {1.0, "which no machine is built for: check load, speed and their units"},
        {1e7, "over a thousand years: check load, speed and their units"},
        {1e-3, 1e12, "check power, speed and their units"}},
+      // Makers allow 1 mrad to cylindrical rollers, 0.6 to 3 mrad to deep-groove balls.
+      {{{"tilt_mrad"}, "load", "tilt of the inner ring", "mrad"},
+       {-kMostTilt, kOverTilted},
+       {kMostTilt, kOverTilted},
+       {-kNone, kNone, ""}},
       // A molecule of oil is about 1 nm long; films of rolling contacts are 0.01 to 5 um.
       {{{"film_inner_um", "film_outer_um", "h_min_um"}, "film", "least film", "um"},
        {1e-3, "thinner than a molecule of oil"},

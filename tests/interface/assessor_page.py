@@ -92,6 +92,18 @@ class Verdicts(unittest.TestCase):
         self.assertRegex(text.stdout, r"life \(L10h\) +[0-9.]+ at least +1e\+08 h +FAILED")
         self.assertRegex(text.stdout, r"S0 +[0-9.]+ at least +1 +passed")
 
+    def test_tables_show_the_life_that_results_go_by(self):
+        values = ["life.method=iso-281", *required(life="60000 h", life_key="L10mh")]
+        found, text = answer("run", WIND, *values), run("run", WIND, *settings(values)).stdout
+        point = found["points"][0]
+        lines = text.splitlines()
+        head = next(number for number, line in enumerate(lines) if line.startswith("input speed"))
+        self.assertRegex(lines[head], r"outer life +L10mh +system L10mh +status")
+        self.assertRegex(lines[head + 1], r"\[h\] +\[h\] *$")
+        row = lines[head + 2].split()
+        self.assertEqual(row[-3:-1], [f"{point[key]:.0f}" for key in ("L10mh", "system_L10mh")])
+        self.assertRegex(text, r"life \(shortest L10mh\) +%.6g " % point["shortest_L10mh"])
+
     def test_any_of_them_and_none(self):
         self.assertNotIn("verdicts", answer("run", REDUCER))
         self.assertEqual(list(verdicts_of("run", REDUCER, "requirements.S0=2")), ["S0"])

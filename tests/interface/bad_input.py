@@ -269,6 +269,8 @@ class BadInput(unittest.TestCase):
             "lubricant.grade=ISO VG 321": r"did you mean 'ISO VG 320'",
             "bearing.designation=NU 2242": r"NU 2242', which no line of the catalogue has; .*nearest: NU 2240, .*number, diameter and pitch diameter",
             "lubricant.grade=ISO VG 3": r"ISO VG 3' is none of the choices",
+            "lubricant.grade=VG 220": r"'VG 220' is none of the choices \(did you mean 'ISO VG 220'\?\)",
+            "life.cleanliness=17/15/12": r"\(did you mean '-/15/12'\?\)",
             "gearset.teeth.ring=90": r"gearset\.teeth\.ring: found 90, where sun \+ 2 planet = 37 \+ 2 x 22 = 81",
         }
         for setting, pattern in remedies.items():

@@ -124,6 +124,30 @@ class Catalogue(unittest.TestCase):
                 self.assertIn(words, message)
                 self.assertNotIn("designation: ", message)
 
+    # Issue 47, "Done when": what stumbled when it was tried, a maker's bearing beyond the usual.
+    def test_a_bearing_with_long_rollers_beyond_the_table_of_classes(self):
+        head = OWN.splitlines()[1].replace(" [kN]", "_kN").replace(", ", ";")
+        self.own(f"{head}\nPRB 220;cylindrical-roller;220;385;155;262,5;2100;3650;310;ACME;\n")  # as a spreadsheet writes it
+        wind = (CASES / "templates" / "wind-stage.yaml").read_text(encoding="utf-8")
+        before, cage = wind[:wind.index("  type: cyl")], wind[wind.index("  laminae:"):wind.index("  cage:")]
+        text = before.replace("face_width: 280", "face_width: 330") + "  catalogue: own.csv\n  designation: PRB 220\n  per_planet: 2\n  cage: {material: brass}\n" + cage
+        found = answer("check", self.case(text + "  radial_clearance: 110 um\n"))
+        width, length = value_of(found, "bearing.cage.width"), value_of(found, "bearing.roller_length")
+        self.assertGreater(length, 0.76 * 0.155)
+        self.assertAlmostEqual(width, 0.5 * (length + 0.155), delta=1e-9)
+        # K_gamma of planets whose tilt is computed, too.
+        self.assertGreater(value_of(found, "one_pin_off.load_share"), 1.0)
+        self.assertIsNone(value_of(found, "one_pin_off.shortest_life"))
+        told = self.refused(self.case(text + "  clearance_class: C3\n"))
+        self.assertEqual([line for line in told.splitlines() if "clearance_class" in line and "beside" in line], [])
+        self.assertIn("for which the table of clearance classes was entered", told)
+
+    def test_an_angular_contact_bearing_takes_no_clearance(self):
+        text = BALLS.replace("radial_clearance: 20 um", "first_element_angle: 0 deg").format("7210 B", "")
+        found = answer("check", self.case(text))
+        self.assertEqual(value_of(found, "bearing.radial_clearance"), 0.0)
+        self.assertAlmostEqual(value_of(found, "bearing.free_contact_angle"), 40.0, delta=1e-6)
+
     def test_a_table_may_stand_in_the_case_itself(self):
         table = ", catalogue: " + json.dumps(OWN)
         self.assertEqual(answer("run", self.case(ROLLERS.format("NU 3205", table)))["C_N"], 40000)

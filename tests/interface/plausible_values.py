@@ -74,6 +74,13 @@ class PlausibleValues(unittest.TestCase):
         row = dict(zip(*(line.split(",") for line in (self.folder / "r" / "sweep.csv").read_text(encoding="utf-8").splitlines()[:2])))
         self.assertGreater(float(row["life_h"]), 1e12)
 
+    def test_a_ring_that_tilts_freely(self):
+        found = program.answer("run", BALLS, "load.radial=4 kN", "load.axial=1 kN")
+        warned = program.warned(found, "load: tilt of the inner ring")
+        self.assertEqual(bool(warned), abs(found["tilt_mrad"]) > 3.0)
+        self.assertTrue(program.warned(program.answer("run", BALLS, "load.tilt=-3.5 mrad"), "load: tilt of the inner ring below -3 mrad"))
+        self.assertFalse(program.warned(program.answer("run", BALLS, "load.tilt=0 mrad"), "load: tilt of the inner ring"))
+
     def test_single_bearings(self):
         found = program.answer("run", STATIC, "load.radial=4e7 N")
         self.assertRegex(found["status"], r"^implausible: C/P 0\.00121.* \(at least 0\.2: the load is several times the rating C\)$")

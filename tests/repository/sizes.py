@@ -18,6 +18,7 @@ DECLARED = (  # lines, of these of app, types and headers of later capabilities
     ("the page's server, templates, and what each page request may do", 1_970, 1_960, 22, 4),
     ("the core in a browser: units by a table, stand-ins for threads and files of results", 640, 640, 9, 1),
     ("bounds on what the page's server reads of a connection, and its pages by name", 160, 160, 2, 1),
+    ("lives that results go by in tables, K_gamma beside a computed tilt, bounds of tilts, proposals in refusals", 50, 50, 0, 0),
 )
 LIMITS = {name: least + sum(row[1 + i] for row in DECLARED) for i, (name, least) in enumerate(BASE.items())}
 LIMITS["headers with a single includer, %"] = 20.0
