@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace orbearing::app {
@@ -12,6 +13,7 @@ struct LoadBin {
   double power = 0.0;  // [W]
   double speed = 0.0;  // [rad/s]  of the driving member
   double share = 0.0;  // [-]      of the time
+  std::string file{};  // record that it was made of; empty: none is named
 
   /// A drivetrain at rest uses up no life: such a bin counts as time alone and is not computed. Below the
   /// least speed that a case can have, 0.001 rpm, it is at rest.
@@ -24,6 +26,7 @@ struct LoadBin {
 struct LoadSpectrum {
   std::vector<LoadBin> bins;  // shares add up to 1
   double hours = 0.0;         // [h]  in all; 0 where shares were given
+  double minimum_load = 0.0;  // [-]  P/C below which rolling elements may skid
   std::size_t lines = 0;      // as often it is computed: once for each combination of the other swept values
 
   /// Numbers of the bins that turn, in order.
@@ -32,6 +35,14 @@ struct LoadSpectrum {
     for (std::size_t i = 0; i < bins.size(); ++i)
       if (bins[i].turns()) numbers.push_back(i);
     return numbers;
+  }
+  /// Records that bins name, each once, in the order of the bins.
+  std::vector<std::string> files() const {
+    std::vector<std::string> names;
+    for (const LoadBin& bin : bins)
+      if (!bin.file.empty() && std::find(names.begin(), names.end(), bin.file) == names.end())
+        names.push_back(bin.file);
+    return names;
   }
   /// Operating points that it adds to a sweep.
   std::size_t points() const { return lines == 0 ? 0 : lines * rotating().size(); }

@@ -16,8 +16,8 @@ struct Row {
   std::string path;
   std::string value;
   std::string unit;
-  std::string status;    // given, assumed or derived
-  std::string remark;    // reason or meaning
+  std::string status;  // given, assumed or derived
+  std::string remark;  // reason or meaning
 };
 
 std::string status(const ResolvedCase& resolved, const std::string& path) {
@@ -71,7 +71,8 @@ std::string line(const Row& row, const std::array<std::size_t, 4>& widths) {
 using described::Record;
 
 // Rows as lists; those of which some columns are left out, with the names of what they have.
-void describe_rows(Record& record, const Field& field, const std::vector<double>& list) {
+void describe_rows(Record& record, const Field& field, const FieldValue& value) {
+  const std::vector<double>& list = value.list;
   const std::size_t columns = field.columns.size();
   std::vector<std::vector<double>> rows;
   for (std::size_t i = 0; i < list.size(); i += columns)
@@ -83,8 +84,13 @@ void describe_rows(Record& record, const Field& field, const std::vector<double>
   }
   record.table("value", "row", "in SI", rows, [&](Record& row, const std::vector<double>& numbers) {
     for (std::size_t k = 0; k < columns; ++k)
-      if (const ListColumn& column = field.columns[k]; column.one_of == 0 || numbers[k] != 0.0)
-        row.value(column_key(column), {}, "", numbers[k]);
+      if (const ListColumn& column = field.columns[k];
+          (column.one_of == 0 && !column.optional) || numbers[k] != 0.0) {
+        if (column.text)
+          row.value(column_key(column), "", text_numbered(value.texts, numbers[k]));
+        else
+          row.value(column_key(column), {}, "", numbers[k]);
+      }
   });
 }
 
@@ -104,7 +110,7 @@ void describe_value(Record& record, const ResolvedCase& resolved, const Input& i
       return add(resolved.flag(path));
     case Kind::list:
       if (field->element == Kind::text) return add(resolved.texts(path));
-      if (!field->columns.empty()) return describe_rows(record, *field, resolved.list(path));
+      if (!field->columns.empty()) return describe_rows(record, *field, resolved.value(path));
       record.array("value", {}, "in SI", {"element"}, resolved.list(path));
       return;
     case Kind::choice:

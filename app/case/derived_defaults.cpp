@@ -121,6 +121,12 @@ std::optional<DerivedDefault> required_life(const ValuesOfSet& value) {
   return DerivedDefault{"L10mh", "the modified rating life of ISO 281, which includes oil and cleanliness"};
 }
 
+// Planet bearings have rollers.
+std::optional<DerivedDefault> minimum_load(const ValuesOfSet& value) {
+  if (!value.has({kSpectrumPath})) return std::nullopt;
+  return DerivedDefault{"0.02", "makers' rule of thumb for roller bearings [SKFMinimumLoad]"};
+}
+
 struct DefaultRule {
   std::string_view path;
   std::string_view text;
@@ -143,7 +149,9 @@ constexpr DefaultRule default_rules[] = {
      "a solid pin that fills the bore of the inner ring, between the middles of both walls of the carrier, "
      "shared by the bearings of a planet; each of several sets has its own",
      pin_stiffness_of_bearing},
-    {"requirements.life_key", "L10mh, where requirements.life is given", required_life, true}};
+    {"requirements.life_key", "L10mh, where requirements.life is given", required_life, true},
+    {"life.minimum_load", "0.02, where spectrum is given: makers' rule of thumb for roller bearings",
+     minimum_load, true}};
 
 void fill_one(CaseData& data, const std::string& prefix, const DefaultRule& rule) {
   const std::string path(rule.path);

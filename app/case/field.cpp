@@ -176,10 +176,10 @@ FieldReading read_scalar(const Field& field, const Entry& entry) {
   return bad(describe(entry) + " is not a list", field);
 }
 
-// One quantity of a row.
+// One quantity, or text, of a row.
 Field field_of_column(const Field& field, const ListColumn& column) {
   Field one = field;
-  one.kind = column.dimension.si.empty() ? Kind::number : Kind::quantity;
+  one.kind = column.text ? Kind::text : column.dimension.si.empty() ? Kind::number : Kind::quantity;
   one.dimension = column.dimension;
   one.range = column.range;
   one.columns.clear();
@@ -265,15 +265,17 @@ FieldReading read_named_row(const Field& field, const Entry& entry) {
   std::vector<std::string> texts;
   for (const ListColumn& column : field.columns) {
     const Member* member = find_member(entry, column_key(column));
-    if (member == nullptr && column.one_of > 0) {
+    if (member == nullptr && (column.one_of > 0 || column.optional)) {
       value.list.push_back(0.0);
       continue;
     }
     if (member == nullptr) return bad_row(entry, "a row without '" + column_key(column) + "'", field);
     FieldReading reading = read_cell(field, column, member->value);
     if (!reading.good) return reading;
-    texts.push_back(column_key(column) + ": " + reading.value.given);
-    value.list.push_back(reading.value.number);
+    const std::string& given = reading.value.given;
+    texts.push_back(column_key(column) + ": " + (column.text ? quoted_scalar(given) : given));
+    if (column.text) value.texts.push_back(given);
+    value.list.push_back(column.text ? static_cast<double>(value.texts.size()) : reading.value.number);
   }
   value.given = fmt::format("{{{}}}", fmt::join(texts, ", "));
   return good(std::move(value));
@@ -283,6 +285,17 @@ FieldReading read_row(const Field& field, const Entry& entry) {
   return entry.shape == Entry::Shape::block ? read_named_row(field, entry) : read_listed_row(field, entry);
 }
 
+// Texts of a row get the numbers that they have among those of all rows.
+void number_texts(const Field& field, FieldValue& row, std::vector<std::string>& texts) {
+  for (std::size_t i = 0; i < field.columns.size(); ++i) {
+    if (!field.columns[i].text || row.list[i] == 0.0) continue;
+    const std::string text = text_numbered(row.texts, row.list[i]);
+    const auto known = std::find(texts.begin(), texts.end(), text);
+    row.list[i] = static_cast<double>(known - texts.begin() + 1);
+    if (known == texts.end()) texts.push_back(text);
+  }
+}
+
 FieldReading read_rows(const Field& field, const Entry& entry) {
   if (entry.shape != Entry::Shape::list || entry.items.empty()) return bad(describe(entry) + " found", field);
   FieldValue value;
@@ -290,6 +303,7 @@ FieldReading read_rows(const Field& field, const Entry& entry) {
   for (const Entry& item : entry.items) {
     FieldReading reading = read_row(field, item);
     if (!reading.good) return reading;
+    number_texts(field, reading.value, value.texts);
     texts.push_back(reading.value.given);
     value.list.insert(value.list.end(), reading.value.list.begin(), reading.value.list.end());
   }
@@ -322,6 +336,7 @@ std::string rows_text(const Field& field) {
   std::vector<std::string> names, examples;
   const bool blocks = has_choices(field);
   for (const ListColumn& column : field.columns) {
+    if (column.optional) continue;
     const std::string name = column.one_of > 0 ? keys_of_group(field, column.one_of) : column.name;
     if (std::find(names.begin(), names.end(), name) != names.end()) continue;
     names.push_back(name);

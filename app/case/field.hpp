@@ -33,6 +33,8 @@ struct ListColumn {
   Range range{};
   int one_of = 0;  // of the columns with this number, if above 0, a row has one; the others read 0
   std::string_view unit_of_number{};  // unit of a number without one, where the name says it; none: refused
+  bool text = false;      // holds texts: a row's number is that of its text in FieldValue::texts, from 1
+  bool optional = false;  // a row may be without it and reads 0 then
 };
 
 struct Field {
@@ -58,10 +60,15 @@ struct FieldValue {
   std::string given;                 // as written, in the form that the resolved case repeats
   double number = 0.0;               // [SI] quantity; plain for number and integer; 1 or 0 for flag
   std::vector<double> list;          // [SI] list; of rows one after the other
-  std::vector<std::string> texts{};  // list of texts
+  std::vector<std::string> texts{};  // list of texts; of a column of texts, each text once
 
   bool operator==(const FieldValue&) const = default;
 };
+
+/// The text of a column of texts that has this number in a row; empty for 0.
+inline std::string text_numbered(const std::vector<std::string>& texts, double number) {
+  return number > 0.0 ? texts[static_cast<std::size_t>(number) - 1] : std::string();
+}
 
 /// Whether its values are numbers, with or without unit.
 inline bool is_numeric(const Field& field) {
@@ -79,8 +86,8 @@ struct FieldReading {
 /// Checks one entry of the case against its field: kind, unit, finiteness, range.
 FieldReading read_field(const Field& field, const Entry& entry);
 
-/// The same for a number of the program [SI], written as `text`; none: as a case says it in SI. Numeric fields
-/// only.
+/// The same for a number of the program [SI], written as `text`; none: as a case says it in SI. Numeric
+/// fields only.
 FieldReading read_field_number(const Field& field, double value, std::string text = "");
 
 /// Whether some columns of its rows are left out, so that rows are blocks.

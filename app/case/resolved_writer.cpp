@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "app/case/catalogue_case.hpp"
@@ -17,11 +16,6 @@ namespace orbearing::app {
 
 namespace {
 
-// JSON's strings are YAML's double-quoted ones.
-std::string quoted(const std::string& text) {
-  return nlohmann::json(text).dump();
-}
-
 std::string write_texts(const std::vector<std::string>& texts) {
   std::vector<std::string> written;
   for (const std::string& text : texts) written.push_back(write_scalar(text));
@@ -29,7 +23,7 @@ std::string write_texts(const std::vector<std::string>& texts) {
 }
 
 std::string write_value(const Field& field, const std::string& given) {
-  if (field.kind == Kind::text) return quoted(given);
+  if (field.kind == Kind::text) return quoted_scalar(given);
   if (field.kind == Kind::list) return given;
   return write_scalar(given);
 }
@@ -67,7 +61,8 @@ std::string write_scalar(const std::string& text) {
       !text.empty() && (std::isalnum(static_cast<unsigned char>(text.front())) != 0 ||
                         (text.size() > 1 && std::isdigit(static_cast<unsigned char>(text[1])) != 0));
   const bool ends_well = !text.empty() && text.back() != ' ';
-  return begins_well && ends_well && std::all_of(text.begin(), text.end(), is_safe) ? text : quoted(text);
+  return begins_well && ends_well && std::all_of(text.begin(), text.end(), is_safe) ? text
+                                                                                    : quoted_scalar(text);
 }
 
 std::string write_resolved(const ResolvedCase& resolved) {
@@ -90,7 +85,7 @@ std::string write_resolved(const ResolvedCase& resolved) {
   text += write_uncertain(resolved.uncertain());
   if (!resolved.assumed().empty()) text += "assumed:\n";
   for (const auto& [path, reason] : resolved.assumed())
-    text += fmt::format("  {}: {}\n", path, quoted(reason));
+    text += fmt::format("  {}: {}\n", path, quoted_scalar(reason));
   return text;
 }
 

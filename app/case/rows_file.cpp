@@ -35,10 +35,17 @@ std::vector<std::string> keys_of(const Field& field) {
   return keys;
 }
 
-bool has_unit(const Field& field, const std::string& key) {
-  return std::any_of(field.columns.begin(), field.columns.end(), [&](const ListColumn& column) {
-    return column_key(column) == key && !column.dimension.si.empty();
-  });
+std::vector<std::string> required_keys_of(const Field& field) {
+  std::vector<std::string> keys;
+  for (const ListColumn& column : field.columns)
+    if (!column.optional) keys.push_back(column_key(column));
+  return keys;
+}
+
+const ListColumn* column_of(const Field& field, const std::string& key) {
+  const auto found = std::find_if(field.columns.begin(), field.columns.end(),
+                                  [&](const ListColumn& column) { return column_key(column) == key; });
+  return found == field.columns.end() ? nullptr : &*found;
 }
 
 // Places in it outlive the reader.
@@ -71,7 +78,7 @@ class RowsReader {
   std::string required() const {
     return fmt::format(
         "a first line with the names {}, their units behind them, as in '{}_{}', and a row below is required",
-        fmt::join(keys_of(field_), ", "), column_key(field_.columns.front()),
+        fmt::join(required_keys_of(field_), ", "), column_key(field_.columns.front()),
         field_.columns.front().dimension.customary);
   }
 
@@ -116,14 +123,22 @@ class RowsReader {
   }
 
   // A column whose name says the unit may repeat it: hours, hours_h.
-  bool takes_unit(const HeaderCell& cell) const { return has_unit(field_, cell.name); }
+  bool takes_unit(const HeaderCell& cell) const {
+    const ListColumn* column = column_of(field_, cell.name);
+    return column != nullptr && !column->dimension.si.empty();
+  }
 
   Entry row_of(TextTable& table, const std::vector<TableCell>& cells) const {
     Entry row = make_entry(Entry::Shape::block, location(table.line(), 1));
     for (std::size_t i = 0; i < cells.size(); ++i) {
+      const Location here = location(table.line(), cells[i].column);
+      if (column_of(field_, header_[i].name)->text) {
+        if (!cells[i].text.empty())
+          row.members.push_back({header_[i].name, here, make_scalar(cells[i].text, true, here)});
+        continue;
+      }
       const std::string number = table.number_text(cells[i]);
       const std::string text = header_[i].unit.empty() ? number : number + " " + header_[i].unit;
-      const Location here = location(table.line(), cells[i].column);
       row.members.push_back({header_[i].name, here, make_scalar(text, false, here)});
     }
     return row;

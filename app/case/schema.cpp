@@ -33,6 +33,7 @@ Json with_range(Json schema, const Range& range) {
 Json cell_schema(const ListColumn& column) {
   const Json number = with_range({{"type", "number"}}, column.range);
   const Json quantity{{"type", "string"}, {"pattern", quantity_pattern}};
+  if (column.text) return {{"type", "string"}, {"minLength", 1}};
   if (column.dimension.si.empty()) return number;
   return column.unit_of_number.empty() ? quantity : Json{{"oneOf", {quantity, number}}};
 }
@@ -50,6 +51,7 @@ Json row_schema(const Field& field) {
   std::map<int, Json> choices;
   for (const ListColumn& column : field.columns) {
     block["properties"][column_key(column)] = cell_schema(column);
+    if (column.optional) continue;
     if (column.one_of == 0)
       block["required"].push_back(column_key(column));
     else

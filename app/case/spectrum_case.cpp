@@ -28,16 +28,17 @@ struct StatedBin {
   double speed = 0.0;   // [rad/s]
   double share = 0.0;   // [-]      0 where hours stand in its place
   double time = 0.0;    // [s]
+  double file = 0.0;    // number of its text; 0: the row names none
 
   double own_power() const { return power + torque * speed; }
 };
 
 std::vector<StatedBin> stated_bins(const ResolvedCase& resolved) {
-  constexpr std::size_t columns = 5;
+  constexpr std::size_t columns = 6;
   const std::vector<double>& list = resolved.list(kSpectrumPath);
   std::vector<StatedBin> bins;
   for (std::size_t i = 0; i + columns <= list.size(); i += columns)
-    bins.push_back({list[i], list[i + 1], list[i + 2], list[i + 3], list[i + 4]});
+    bins.push_back({list[i], list[i + 1], list[i + 2], list[i + 3], list[i + 4], list[i + 5]});
   return bins;
 }
 
@@ -184,7 +185,8 @@ Field spectrum_field() {
           .kind = Kind::list,
           .meaning =
               "load spectrum: how long which power or torque enters at which speed; share or hours, the same "
-              "for all rows; speed 0 is rest",
+              "for all rows; speed 0 is rest; file, which may be left out, names the record of a row, for "
+              "damage by file",
           .use = Use(use::lives, use::all & ~use::lives),
           .models = planetary_drivetrain,
           .element = Kind::list,
@@ -192,8 +194,21 @@ Field spectrum_field() {
                       {"torque", dimension::torque, {0.0, 1e12}, kLoad},
                       {"speed", dimension::angular_speed, {0.0, 1e6}},
                       {"share", {}, {0.0, 1.0 + kShareRoundOff}, kTime},
-                      {"hours", {"time", "s", "h", "120 h", 3600.0}, {0.0, 1e9}, kTime, "h"}},
+                      {"hours", {"time", "s", "h", "120 h", 3600.0}, {0.0, 1e9}, kTime, "h"},
+                      {.name = "file", .text = true, .optional = true}},
           .from_file = true};
+}
+
+Field minimum_load_field(const Use& use_of_runs) {
+  return {
+      .path = kMinimumLoadPath,
+      .kind = Kind::number,
+      .meaning =
+          "minimum load P/C: in rows of the spectrum below it, rolling elements may skid. Makers' rule of "
+          "thumb [SKFMinimumLoad]: 0.02 for roller bearings, 0.01 for ball bearings",
+      .use = use_of_runs.when(where_given({kSpectrumPath})),
+      .models = planetary_drivetrain,
+      .range = {.least = 0.0, .most = 1.0, .least_allowed = false}};
 }
 
 std::vector<std::string> spectrum_warnings(const ResolvedCase& resolved, const std::string& command) {
@@ -209,9 +224,10 @@ std::optional<LoadSpectrum> load_spectrum(const ResolvedCase& resolved) {
   const double time = sum_of(bins, &StatedBin::time);
   const double sum = sum_of(bins, &StatedBin::share);
   const double shares = std::abs(sum - 1.0) < kRoundOff ? 1.0 : sum;
-  LoadSpectrum spectrum{.hours = time / hour};
+  LoadSpectrum spectrum{.hours = time / hour, .minimum_load = resolved.number(kMinimumLoadPath)};
   for (const StatedBin& bin : bins)
-    spectrum.bins.push_back({bin.own_power(), bin.speed, time > 0.0 ? bin.time / time : bin.share / shares});
+    spectrum.bins.push_back({bin.own_power(), bin.speed, time > 0.0 ? bin.time / time : bin.share / shares,
+                             text_numbered(resolved.texts(kSpectrumPath), bin.file)});
   return spectrum;
 }
 

@@ -12,9 +12,12 @@ namespace orbearing::app {
 
 /// The field: rows of {power or torque, speed, share or hours}, or {file: loads.csv}.
 inline const std::string kSpectrumPath = "spectrum";
+/// P/C below which rolling elements may skid.
+inline const std::string kMinimumLoadPath = "life.minimum_load";
 
 /// Fields of the table.
 Field spectrum_field();
+Field minimum_load_field(const Use& use_of_runs);
 Field torque_field(const Use& use_of_power);
 Field torque_curve_field(const Use& use_of_power);
 

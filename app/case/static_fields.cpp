@@ -4,6 +4,7 @@
 #include "app/case/field_table.hpp"
 #include "app/case/requirements_case.hpp"
 #include "app/case/resolved_case.hpp"
+#include "app/case/spectrum_case.hpp"
 #include "bearing/equilibrium/jones_balls.hpp"
 #include "bearing/equilibrium/ring_balance.hpp"
 #include "bearing/life/rating_lives.hpp"
@@ -187,6 +188,7 @@ void add_life(std::vector<Field>& fields) {
        .choices = methods_of_life(),
        .default_text = "lundberg-palmgren",
        .default_reason = "what published cases use"});
+  fields.push_back(minimum_load_field(by_lives_of_planets()));
   Field reliability = life_number("life.reliability", "share of bearings that reach the life",
                                   {.least = 0.0, .most = 1.0, .least_allowed = false, .most_allowed = false});
   // a_1 is in L10m and L10mr, which need an oil; a bearing at rest under a load shows it by itself.
@@ -236,11 +238,11 @@ void add_life(std::vector<Field>& fields) {
        .choices = {"speed", "film"},
        .default_text = "speed",
        .default_reason = "as ISO 281 defines kappa; the film's own is its alternative"});
-  fields.push_back(optional_quantity(dimension::kinematic_viscosity, "lubricant.kinematic_viscosity",
-                                     "kinematic viscosity at running temperature, in place of kappa", rated,
-                                     {.least = 0.0, .most = 1e6, .least_allowed = false},
-                                     where_kappa_is_stated(by_rated_life())
-                                         .when(where_absent("lubricant.grade"))));
+  fields.push_back(
+      optional_quantity(dimension::kinematic_viscosity, "lubricant.kinematic_viscosity",
+                        "kinematic viscosity at running temperature, in place of kappa", rated,
+                        {.least = 0.0, .most = 1e6, .least_allowed = false},
+                        where_kappa_is_stated(by_rated_life()).when(where_absent("lubricant.grade"))));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <yaml-cpp/parser.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <sstream>
 
@@ -64,7 +65,8 @@ std::optional<std::size_t> tab_of_indentation(std::string_view text) {
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t first = std::min(text.find_first_not_of(" \t", begin), text.size());
     const std::size_t tab = text.find('\t', begin);
-    if (tab < first && first < text.size() && text[first] != '#' && text[first] != '\n' && text[first] != '\r')
+    if (tab < first && first < text.size() && text[first] != '#' && text[first] != '\n' &&
+        text[first] != '\r')
       return tab;
     begin = text.find('\n', begin);
     if (begin == std::string_view::npos) break;
@@ -249,6 +251,11 @@ const Member* find_member(const Entry& block, std::string_view key) {
 
 Member* find_member(Entry& block, std::string_view key) {
   return const_cast<Member*>(find_member(static_cast<const Entry&>(block), key));
+}
+
+// JSON's strings are YAML's double-quoted ones.
+std::string quoted_scalar(const std::string& text) {
+  return nlohmann::json(text).dump();
 }
 
 std::string describe(const Entry& entry) {

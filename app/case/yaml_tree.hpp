@@ -51,6 +51,9 @@ Entry make_scalar(std::string text, bool quoted = false, Location location = {})
 const Member* find_member(const Entry& block, std::string_view key);
 Member* find_member(Entry& block, std::string_view key);
 
+/// A text as YAML writes it in double quotes.
+std::string quoted_scalar(const std::string& text);
+
 /// What stands there, for messages: "'3 mm'", "a block", "a list", "nothing".
 std::string describe(const Entry& entry);
 

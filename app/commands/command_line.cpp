@@ -202,9 +202,8 @@ void add_signals(CLI::App& command, Options& options) {
           "--fidelity", options.fidelity,
           "quasi-static (default): the ring on balls without mass; dynamic: all of the bearing in motion")
       ->check(CLI::IsMember({"quasi-static", "dynamic"}));
-  CLI::Option* noise =
-      command.add_option("--noise", options.noise,
-                         "noise of the instrument, root mean square in m/s2; default: none");
+  CLI::Option* noise = command.add_option("--noise", options.noise,
+                                          "noise of the instrument, root mean square in m/s2; default: none");
   command.add_option("--seed", options.seed, "of the noise; default: 1")->needs(noise);
   add_jobs(command, options);
   command.add_flag("--resume", options.resume, "go on in DIR with the signals that are missing");
@@ -221,9 +220,10 @@ void add_sensitivities(CLI::App& command, Options& options) {
                   "displacement/radial_um; default: the life that results go by")
       ->type_name("KEY");
   command
-      .add_option("--by", options.by,
-                  "an input, repeatable: its numbers alone are changed, by two runs each; default: all, but in "
-                  "motion, where inputs are required")
+      .add_option(
+          "--by", options.by,
+          "an input, repeatable: its numbers alone are changed, by two runs each; default: all, but in "
+          "motion, where inputs are required")
       ->expected(1)
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
@@ -237,9 +237,8 @@ void add_spectrum(CLI::App& command, Options& options) {
       .add_option(
           "SERIES", options.folders,
           "records over time: CSV, output of OpenFAST (.out, .outb) or netCDF, with time, speed and torque "
-          "or power of the driving member")
-      ->required()
-      ->expected(1);
+          "or power of the driving member; several with --share or --hours")
+      ->required();
   const auto add_column = [&](const char* name, std::string& column, const std::string& of) {
     command.add_option(name, column, of)->check(not_empty)->type_name("COLUMN");
   };
@@ -249,17 +248,43 @@ void add_spectrum(CLI::App& command, Options& options) {
   add_column("--speed", options.columns.speed, "the same of speed; units are those of the file");
   add_column("--time", options.columns.time, "the same of time");
   command
-      .add_option("-o,--output", options.output,
-                  "CSV file for spectrum: {file: ...} of a case; replaced where it exists")
-      ->type_name("FILE.csv");
+      .add_option("--share", options.share,
+                  "of several records: the share of time of each, comma between them; the sum is 1")
+      ->check(not_empty)
+      ->type_name("S,S");
+  command.add_option("--hours", options.hours, "the same in hours, in place of shares")
+      ->check(not_empty)
+      ->type_name("H,H");
+  command
+      .add_option(
+          "-o,--output", options.output,
+          "CSV file for spectrum: {file: ...} of a case; replaced where it exists. With --case, a name "
+          "that does not end in .csv is a folder of results")
+      ->type_name("FILE.csv|DIR");
   command.add_option("--bins", options.bins, "bins of torque x bins of speed; default: 8x8")
       ->type_name("NxM");
   command
-      .add_option("--exponent", options.exponent,
-                  "power of the torque by which life falls: 4 Lundberg-Palmgren and ISO/TS 16281 of rollers, "
-                  "10/3 ISO 281 of rollers, 3 balls, up to 8 modified lives (a_ISO); default: 4. A larger power "
-                  "gives a shorter life")
+      .add_option(
+          "--exponent", options.exponent,
+          "power of the torque by which life falls: 4 Lundberg-Palmgren and ISO/TS 16281 of rollers, "
+          "10/3 ISO 281 of rollers, 3 balls, up to 8 modified lives (a_ISO); default: 4, with --case "
+          "that of the life in use (life.method, requirements.life_key). A larger power gives a shorter "
+          "life")
       ->check(CLI::Range(1.0, 50.0));
+  CLI::Option* stated =
+      command
+          .add_option(
+              "--case", options.case_file,
+              "case file: its bearings' lives under these bins, damage by bin and by file, and time in "
+              "skid risk (life.minimum_load)")
+          ->check(not_empty)
+          ->type_name("CASE");
+  add_settings(command, options);
+  add_fidelity(command, options);
+  add_jobs(command, options);
+  command.add_flag("--resume", options.resume, "go on in DIR with the bins that are missing");
+  for (const char* of_case : {"--set", "--fidelity", "--jobs", "--resume"})
+    command.get_option(of_case)->needs(stated);
 }
 
 void add_new(CLI::App& command, Options& options) {
@@ -354,9 +379,10 @@ void add_commands(CommandTable table) {
                     "affect motion alone; "
                     "takes minutes");
   validate
-      .add_option("--samples", options.samples,
-                  "samples of each case's uncertain inputs, which give the bands of the rows that somebody measured; "
-                  "default: 0, no bands")
+      .add_option(
+          "--samples", options.samples,
+          "samples of each case's uncertain inputs, which give the bands of the rows that somebody measured; "
+          "default: 0, no bands")
       ->check(CLI::Range(0, 1000000));
   add_jobs(validate, options);
   CLI::App& report =

@@ -19,7 +19,7 @@ namespace orbearing::app {
 struct Options {
   std::string case_file;
   std::vector<std::string> cases;     // validate: none means all that ship
-  std::vector<std::string> folders;   // merge, report; spectrum: the file of the record
+  std::vector<std::string> folders;   // merge, report; spectrum: files of the records
   std::vector<std::string> settings;  // path=value
   std::string output;                 // empty: with --json, nothing is written
   std::string fidelity = "quasi-static";
@@ -44,7 +44,8 @@ struct Options {
   double noise = 0.0;               // signals: root mean square [m/s^2]
   std::uint64_t seed = 1;           // signals: of the noise
   std::string bins = "8x8";         // spectrum: of torque and of speed
-  double exponent = 4.0;            // spectrum: of the life over the torque
+  std::optional<double> exponent;   // spectrum: of the life over the torque; none: by the life in use
+  std::string share, hours;         // spectrum: of each record, comma between them; empty: of one record
   RecordColumns columns;            // spectrum: names of those of the record
   CrownOptions crown;
   bool resume = false;

@@ -113,18 +113,36 @@ nlohmann::ordered_json sweep_object(const ResolvedCase& resolved, const SweepOut
   return object;
 }
 
-int present_sweep(const ResolvedCase& resolved, const SweepOutcome& outcome, const Options& options) {
+namespace {
+
+void add_found_before(const FoundBefore& before, nlohmann::ordered_json& object) {
+  if (before.record == nullptr) return;
+  nlohmann::ordered_json whole = json_of(*before.record);
+  whole.update(object);
+  whole["warnings"] = before.warnings;
+  for (const nlohmann::ordered_json& warning : object.at("warnings")) whole["warnings"].push_back(warning);
+  whole["units"].update(units_of(*before.record));
+  object = std::move(whole);
+}
+
+}  // namespace
+
+int present_sweep(const ResolvedCase& resolved, const SweepOutcome& outcome, const Options& options,
+                  const FoundBefore& before) {
   if (options.json) {
     Record form;
     nlohmann::ordered_json object = sweep_object(resolved, outcome, form);
+    add_found_before(before, object);
     print_result(std::move(object), form, options);
   } else if (!options.quiet) {
     const FoundPeak found = find_peak(outcome);
+    if (before.record != nullptr) fmt::print("{}\n", text_of(*before.record));
     fmt::print("{}{}\n{}{}", lives_text_of(resolved, outcome), sweep_table(outcome.head, outcome.rows),
                life_chart(outcome.head, outcome.rows, found.peak, glyphs_of_locale()),
                spectrum_text(outcome.header, outcome.spectra));
     if (const auto verdicts = verdicts_of(stated_requirements(resolved), outcome); !verdicts.empty())
       fmt::print("\n{}", verdicts_text(verdicts));
+    print_warnings(before.warnings);
     print_warnings(sweep_warnings(resolved, outcome, found));
   }
   if (outcome.failed == 0) return 0;

@@ -32,8 +32,15 @@ void take_points(const Options& options, SweepRequest& request);
 /// of.
 nlohmann::ordered_json sweep_object(const ResolvedCase& resolved, const SweepOutcome& outcome, Record& form);
 
-/// Prints what a finished sweep found: JSON, or the table, the chart and the peak; points that failed are
-/// reported in any case. Returns the exit code.
-int present_sweep(const ResolvedCase& resolved, const SweepOutcome& outcome, const Options& options);
+/// What a command found before its sweep.
+struct FoundBefore {
+  const Record* record = nullptr;
+  std::vector<std::string> warnings{};
+};
+
+/// Prints what a finished sweep found, behind what was found before: JSON, or the table, the chart and the
+/// peak; points that failed are reported in any case. Returns the exit code.
+int present_sweep(const ResolvedCase& resolved, const SweepOutcome& outcome, const Options& options,
+                  const FoundBefore& before = {});
 
 }  // namespace orbearing::app

@@ -1,13 +1,19 @@
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 
+#include "app/case/requirements_case.hpp"
+#include "app/case/spectrum_case.hpp"
 #include "app/commands/presentation.hpp"
 #include "app/errors.hpp"
 #include "app/results/durable_file.hpp"
 #include "app/results/record_writers.hpp"
 #include "app/results/result_row.hpp"
+#include "app/study/drivetrain_case.hpp"
+#include "app/study/fidelity.hpp"
 #include "app/study/load_series.hpp"
 #include "app/study/sweep_study.hpp"
 
@@ -18,30 +24,59 @@ namespace {
 namespace fs = std::filesystem;
 namespace dimension = described::dimension;
 
+/// Records with what was made of them.
+struct BinnedRecords {
+  std::vector<std::string> files;
+  std::vector<WeightedSeries> records{};
+  double exponent = kLineExponent;
+  BinnedSeries found{};
+};
+
 double torque_of_bin(const LoadBin& bin) {
   return bin.turns() ? bin.power / bin.speed : 0.0;
 }
 
-void describe_bin(Record& row, const LoadBin& bin) {
-  row.value("torque_N_m", dimension::torque, "of the driving member", torque_of_bin(bin));
-  row.value("speed_rpm", dimension::angular_speed, "of the driving member", bin.speed);
-  row.value("share", dimension::ratio, "of time", bin.share);
+void describe_time(Record& record, double share, double hours) {
+  record.value("share", dimension::ratio, "of time", share);
+  if (hours > 0.0) record.value("hours", dimension::hours, "of time", share * hours);
 }
 
-void describe_series(Record& record, const std::string& file, const LoadSeries& series,
-                     const BinnedSeries& found, const Options& options) {
-  record.value("series", "file", file);
-  record.value("samples", "of the record", series.time.size());
-  record.value("duration_s", dimension::time, "of the record", found.duration);
-  record.value("reversed_share", dimension::ratio, "of time, below 0", found.reversed_share);
-  record.value("torque_exponent", dimension::ratio, "of the mean torque of a bin", options.exponent);
-  record.table("bins", "bin", "of the load spectrum", found.spectrum.bins, describe_bin);
+void describe_series(Record& record, const BinnedRecords& binned) {
+  const LoadSpectrum& spectrum = binned.found.spectrum;
+  std::size_t samples = 0;
+  for (const WeightedSeries& one : binned.records) samples += one.series.time.size();
+  if (binned.files.size() == 1) record.value("series", "file", binned.files.front());
+  record.value("samples", "of the record", samples);
+  record.value("duration_s", dimension::time, "of the record", binned.found.duration);
+  record.value("reversed_share", dimension::ratio, "of time, below 0", binned.found.reversed_share);
+  record.value("torque_exponent", dimension::ratio, "of the mean torque of a bin", binned.exponent);
+  if (binned.files.size() > 1)
+    record.table("files", "file", "records", binned.records, [&](Record& row, const WeightedSeries& one) {
+      row.value("file", "record", one.file);
+      row.value("samples", "of the record", one.series.time.size());
+      row.value("duration_s", dimension::time, "of the record",
+                one.series.time.back() - one.series.time.front());
+      describe_time(row, one.share, spectrum.hours);
+    });
+  record.table("bins", "bin", "of the load spectrum", spectrum.bins, [&](Record& row, const LoadBin& bin) {
+    row.value("torque_N_m", dimension::torque, "of the driving member", torque_of_bin(bin));
+    row.value("speed_rpm", dimension::angular_speed, "of the driving member", bin.speed);
+    describe_time(row, bin.share, spectrum.hours);
+    if (!bin.file.empty()) row.value("file", "record", bin.file);
+  });
 }
 
-void write_rows(const Options& options, const std::string& series, const LoadSpectrum& spectrum) {
+// Rows for a case have a name that ends in .csv; beside a case, all else is a folder of results.
+bool keeps_rows(const Options& options) {
+  return !options.output.empty() &&
+         (options.case_file.empty() || fs::path(options.output).extension() == ".csv");
+}
+
+void write_rows(const Options& options, const LoadSpectrum& spectrum) {
   std::error_code ignored;
-  if (fs::equivalent(options.output, series, ignored))
-    throw BadInput("--output: found the record itself; required: another file");
+  for (const std::string& series : options.folders)
+    if (fs::equivalent(options.output, series, ignored))
+      throw BadInput("--output: found the record itself; required: another file");
   if (fs::is_directory(options.output, ignored))
     throw BadInput("--output: found the folder " + options.output + "; required: a file such as loads.csv");
   const fs::path folder = fs::path(options.output).parent_path();
@@ -51,18 +86,49 @@ void write_rows(const Options& options, const std::string& series, const LoadSpe
   write_aside_and_rename(options.output, spectrum_file(spectrum));
 }
 
-}  // namespace
+BinnedRecords read_records(const Options& options) {
+  BinnedRecords binned{.files = options.folders};
+  const RecordTimes times = record_times(options.share, options.hours, binned.files.size());
+  binned.found.spectrum.hours = times.hours;
+  for (std::size_t i = 0; i < binned.files.size(); ++i) {
+    const std::string& file = binned.files[i];
+    if (std::count(binned.files.begin(), binned.files.end(), file) > 1)
+      throw BadInput(fmt::format("SERIES: found {} twice; required: each file once", file));
+    binned.records.push_back({read_load_series(file, options.columns), times.shares[i],
+                              binned.files.size() > 1 ? file : std::string()});
+  }
+  return binned;
+}
 
-int spectrum_command(const Options& options) {
-  if (options.output.empty() && !options.json)
-    throw BadInput("--output: missing; required: a file for the rows, or --json to print them alone");
-  const BinCounts counts = parse_bins(options.bins);
-  const std::string& file = options.folders.front();
-  if (!options.columns.torque.empty() && !options.columns.power.empty())
-    throw BadInput("--power: found beside --torque; required: one of both");
-  const LoadSeries series = read_load_series(file, options.columns);
-  const BinnedSeries found = binned(series, counts, options.exponent);
-  std::vector<std::string> warnings = series.warnings;
+void put_bins(const Options& options, double exponent, BinnedRecords& binned) {
+  const double hours = binned.found.spectrum.hours;
+  binned.exponent = options.exponent.value_or(exponent);
+  binned.found = app::binned(binned.records, parse_bins(options.bins), binned.exponent);
+  binned.found.spectrum.hours = hours;
+}
+
+// `oil`: whether there are lives with a_ISO; without a case it is not known.
+void add_excess_warnings(const BinnedRecords& binned, bool oil, std::vector<std::string>& warnings) {
+  constexpr double noticeable = 0.01;
+  for (std::size_t i = 0; i < kLivesByPower.size(); ++i) {
+    const LivesByPower& lives = kLivesByPower[i];
+    const double excess = binned.found.excess[i];
+    if (excess <= noticeable || lives.power <= binned.exponent || (lives.of_oil && !oil)) continue;
+    warnings.push_back(
+        fmt::format("--bins: torques differ within bins: {} can come out up to {:.2g} % too long, since they "
+                    "fall by up to the power {:g} of the load and bins keep the power {:.4g}; for such lives "
+                    "take more bins of torque or --exponent {:g}",
+                    lives.names, 100.0 * excess, lives.power, binned.exponent, lives.power));
+  }
+}
+
+std::vector<std::string> warnings_of(const BinnedRecords& binned, bool oil) {
+  std::vector<std::string> warnings;
+  for (const WeightedSeries& one : binned.records)
+    for (const std::string& warning : one.series.warnings)
+      warnings.push_back(one.file.empty() || warning.starts_with(one.file) ? warning
+                                                                           : one.file + ": " + warning);
+  const BinnedSeries& found = binned.found;
   if (found.reversed_share > 0.0)
     warnings.push_back(
         fmt::format("torque or speed is below 0 for {:.4g} % of the time; it counts by its magnitude",
@@ -72,18 +138,14 @@ int spectrum_command(const Options& options) {
         "the drivetrain stands under a torque for {:.4g} % of the time, which no life counts: its row "
         "is one at rest; see static_safety for such loads",
         100.0 * found.loaded_rest_share));
-  constexpr double noticeable = 0.01;
-  if (found.steep_excess > noticeable)
-    warnings.push_back(
-        fmt::format("--bins: torques differ within bins: a modified life (a_ISO) can come out up to {:.2g} % "
-                    "too long, since it "
-                    "falls by up to the power {:g} of the load and bins keep the power {:.4g}; for such "
-                    "lives take more bins of "
-                    "torque or --exponent {:g}",
-                    100.0 * found.steep_excess, kSteepestExponent, options.exponent, kSteepestExponent));
-  if (!options.output.empty()) write_rows(options, file, found.spectrum);
+  add_excess_warnings(binned, oil, warnings);
+  return warnings;
+}
+
+int present_bins(const BinnedRecords& binned, const Options& options) {
+  const std::vector<std::string> warnings = warnings_of(binned, true);
   Record record;
-  describe_series(record, file, series, found, options);
+  describe_series(record, binned);
   if (options.json) {
     nlohmann::ordered_json object = json_of(record);
     object["warnings"] = warnings;
@@ -94,6 +156,66 @@ int spectrum_command(const Options& options) {
     print_warnings(warnings);
   }
   return 0;
+}
+
+// The largest of the lives that results and requirements go by: a larger one makes a life shorter.
+double exponent_of_case(const ResolvedCase& resolved) {
+  double exponent = exponent_of_life(life_to_go_by(resolved));
+  for (const Requirement& one : stated_requirements(resolved))
+    if (one.name == "life") exponent = std::max(exponent, exponent_of_life(one.key));
+  return exponent;
+}
+
+/// A case whose lives are those under the bins of the records.
+struct RatedCase {
+  ResolvedCase resolved;
+  std::vector<std::string> warnings{};
+};
+
+RatedCase rated_case(const Options& options) {
+  RatedCase rated{point_of(options)};
+  require_planet_bearings(rated.resolved);
+  if (!rated.resolved.has(kSpectrumPath)) return rated;
+  if (rated.resolved.location(kSpectrumPath).option)
+    throw BadInput("--set: spectrum: found beside records; required: one of both");
+  rated.warnings.push_back("spectrum: the bins of the records replace the rows of the case");
+  return rated;
+}
+
+int present_lives(const RatedCase& rated, const BinnedRecords& binned, const Options& options) {
+  const ResolvedCase& resolved = rated.resolved;
+  require_computable(resolved, options.fidelity, false);
+  SweepRequest request = sweep_request(resolved, options.fidelity);
+  if (!keeps_rows(options)) request.folder = options.output;
+  request.jobs = options.jobs;
+  request.resume = options.resume;
+  request.quiet = options.quiet;
+  Record record;
+  describe_series(record, binned);
+  std::vector<std::string> warnings = warnings_of(binned, stated_oil(resolved).has_value());
+  warnings.insert(warnings.end(), rated.warnings.begin(), rated.warnings.end());
+  return present_sweep(resolved, run_sweep(request), options, {&record, warnings});
+}
+
+}  // namespace
+
+int spectrum_command(const Options& options) {
+  const bool rated = !options.case_file.empty();
+  if (options.output.empty() && !options.json && !rated)
+    throw BadInput("--output: missing; required: a file for the rows, or --json to print them alone");
+  if (options.resume && (options.output.empty() || keeps_rows(options)))
+    throw BadInput("--resume: found without a folder; required: -o DIR, the folder to go on with");
+  parse_bins(options.bins);
+  if (!options.columns.torque.empty() && !options.columns.power.empty())
+    throw BadInput("--power: found beside --torque; required: one of both");
+  std::optional<RatedCase> of_case;
+  if (rated) of_case = rated_case(options);
+  BinnedRecords binned = read_records(options);
+  put_bins(options, of_case ? exponent_of_case(of_case->resolved) : kLineExponent, binned);
+  if (of_case)
+    of_case->resolved = of_case->resolved.with(kSpectrumPath, spectrum_rows(binned.found.spectrum));
+  if (keeps_rows(options)) write_rows(options, binned.found.spectrum);
+  return of_case ? present_lives(*of_case, binned, options) : present_bins(binned, options);
 }
 
 }  // namespace orbearing::app

@@ -24,15 +24,23 @@ constexpr std::size_t most_shards = 1'000'000;  // as many as a sweep may have p
 
 Json spectrum_line(const LoadSpectrum& spectrum) {
   Json bins = Json::array();
-  for (const LoadBin& bin : spectrum.bins) bins.push_back({bin.power, bin.speed, bin.share});
-  return {{"hours", spectrum.hours}, {"lines", spectrum.lines}, {"bins_W_rad_per_s_share", bins}};
+  for (const LoadBin& bin : spectrum.bins) {
+    bins.push_back({bin.power, bin.speed, bin.share});
+    if (!bin.file.empty()) bins.back().push_back(bin.file);
+  }
+  return {{"hours", spectrum.hours},
+          {"minimum_load", spectrum.minimum_load},
+          {"lines", spectrum.lines},
+          {"bins_W_rad_per_s_share", bins}};
 }
 
 LoadSpectrum spectrum_from(const Json& object) {
   LoadSpectrum spectrum{.hours = object.at("hours").get<double>(),
+                        .minimum_load = object.at("minimum_load").get<double>(),
                         .lines = object.at("lines").get<std::size_t>()};
   for (const Json& bin : object.at("bins_W_rad_per_s_share"))
-    spectrum.bins.push_back({bin.at(0).get<double>(), bin.at(1).get<double>(), bin.at(2).get<double>()});
+    spectrum.bins.push_back({bin.at(0).get<double>(), bin.at(1).get<double>(), bin.at(2).get<double>(),
+                             bin.size() > 3 ? bin.at(3).get<std::string>() : std::string()});
   return spectrum;
 }
 

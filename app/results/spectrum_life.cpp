@@ -8,6 +8,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "app/case/printable.hpp"
+#include "app/case/spectrum_case.hpp"
 #include "app/results/record_writers.hpp"
 #include "app/results/result_row.hpp"
 #include "app/units.hpp"
@@ -129,6 +131,31 @@ void put_lives(const ManifestHeader& header, const TableHead& head, SpectrumResu
   }
 }
 
+// That of the case, or a swept one.
+double minimum_load_of(const ManifestHeader& header, const TableHead& head, const SpectrumResult& result) {
+  for (const SpectrumBin& bin : result.bins)
+    if (const double swept = bin.row ? value_of(head, *bin.row, kMinimumLoadPath) : not_given;
+        std::isfinite(swept))
+      return swept;
+  return header.spectrum.minimum_load;
+}
+
+// Of the bearing that a row shows; of several sets, of any. At rest nothing skids.
+std::optional<bool> skid_risk_of(const ManifestHeader& header, const TableHead& head, double minimum_load,
+                                 const std::optional<ResultRow>& row) {
+  if (!row) return false;
+  std::vector<std::string> prefixes;
+  for (const std::string& set : header.sets) prefixes.push_back("sets." + set + ".");
+  if (prefixes.empty()) prefixes.emplace_back();
+  bool below = false;
+  for (const std::string& prefix : prefixes) {
+    const double load = value_of(head, *row, prefix + "P_N"), capacity = value_of(head, *row, prefix + "C_N");
+    if (std::isnan(load) || std::isnan(capacity)) return std::nullopt;
+    below = below || load < minimum_load * capacity;
+  }
+  return below;
+}
+
 std::vector<double> axis_values_of(const TableHead& head, const SpectrumResult& result) {
   for (const SpectrumBin& bin : result.bins)
     if (bin.row)
@@ -168,6 +195,30 @@ ResultRow row_at_rest(const TableHead& head, const SpectrumResult& result) {
   return row;
 }
 
+// A yes or no that may be unknown.
+void describe_risk(Record& row, const std::optional<bool>& risk) {
+  described::Entry& entry =
+      row.value("skid_risk", "whether P/C is below the minimum load", risk.value_or(false));
+  if (!risk) std::get<described::Numbers>(entry.content).values.front() = described::kAbsent;
+}
+
+// A share of the time of the spectrum; in hours where they were stated.
+void describe_time(Record& record, const LoadSpectrum& spectrum, const std::string& prefix,
+                   const std::string& meaning, double share) {
+  record.value(prefix + "share", dimension::ratio, meaning + ", of the time of the spectrum", share);
+  if (spectrum.hours > 0.0) record.value(prefix + "hours", dimension::hours, meaning, share * spectrum.hours);
+}
+
+void describe_file(Record& record, const LoadSpectrum& spectrum, const std::string& file,
+                   const BinSums& sums) {
+  record.value("file", "record that the bins were made of", file);
+  describe_time(record, spectrum, "", "of its bins", sums.share);
+  record.value("damage_share", dimension::ratio, "of the life of one bearing that results go by",
+               sums.damage_share);
+  record.value("damage_share_L10mh", dimension::ratio, "the same of L10mh", sums.modified_damage_share);
+  describe_time(record, spectrum, "skid_risk_", "with P/C below the minimum load", sums.skid_risk_share);
+}
+
 void describe_bin(Record& row, const TableHead& head, const NumberedBin& numbered) {
   const SpectrumBin& bin = numbered.result->bins[numbered.number];
   row.value("bin", "number, as stated", numbered.number + 1);
@@ -178,6 +229,8 @@ void describe_bin(Record& row, const TableHead& head, const NumberedBin& numbere
   row.value("damage_share", dimension::ratio, "of the life of one bearing that results go by",
             bin.damage_share);
   row.value("damage_share_L10mh", dimension::ratio, "the same of L10mh", bin.modified_damage_share);
+  describe_risk(row, bin.skid_risk);
+  if (!bin.bin.file.empty()) row.value("file", "record that it was made of", bin.bin.file);
   describe_row(row, head, bin.row ? *bin.row : row_at_rest(head, *numbered.result));
 }
 
@@ -202,6 +255,15 @@ void describe_result(Record& record, const ManifestHeader& header, const TableHe
     record.value("used_up", dimension::ratio, "of the life in these hours",
                  header.spectrum.hours / life_of(result, header.life));
   }
+  record.value("minimum_load", dimension::ratio, "P/C below which rolling elements may skid",
+               minimum_load_of(header, head, result));
+  describe_time(record, header.spectrum, "skid_risk_", "with P/C below the minimum load",
+                sums_of(result.bins).skid_risk_share);
+  if (const std::vector<std::string> files = header.spectrum.files(); !files.empty())
+    record.table("files", "file", "records of the load spectrum", files,
+                 [&](Record& row, const std::string& file) {
+                   describe_file(row, header.spectrum, file, sums_of(result.bins, file));
+                 });
   describe_bins(record, head, bins_of(result));
 }
 
@@ -232,12 +294,55 @@ std::string lives_under_spectrum(const SpectrumResult& result, const std::string
   return text;
 }
 
+std::string percent_text(double share) {
+  return std::isfinite(share) ? fmt::format("{:.3g}", 100.0 * share) : "-";
+}
+
+std::string hours_of_share(const LoadSpectrum& spectrum, double share) {
+  return spectrum.hours > 0.0 && std::isfinite(share) ? fmt::format("{:.5g}", share * spectrum.hours) : "-";
+}
+
+std::string risk_text(const LoadSpectrum& spectrum, double minimum_load, const SpectrumResult& result) {
+  const double share = sums_of(result.bins).skid_risk_share;
+  const std::string hours =
+      spectrum.hours > 0.0 ? fmt::format(", {} h", hours_of_share(spectrum, share)) : "";
+  return fmt::format("skid risk: P/C below {:g} (life.minimum_load) for {} % of the time{}\n", minimum_load,
+                     percent_text(share), hours);
+}
+
+std::string files_text(const LoadSpectrum& spectrum, const SpectrumResult& result) {
+  const std::vector<std::string> files = spectrum.files();
+  if (files.empty()) return "";
+  std::string text = fmt::format("{:>9} {:>9} {:>14} {:>14}  file\n", "time [%]", "uses [%]", "skid risk [%]",
+                                 "skid risk [h]");
+  for (const std::string& file : files) {
+    const BinSums sums = sums_of(result.bins, file);
+    text += fmt::format("{:>9} {:>9} {:>14} {:>14}  {}\n", percent_text(sums.share),
+                        percent_text(sums.damage_share), percent_text(sums.skid_risk_share),
+                        hours_of_share(spectrum, sums.skid_risk_share), printable(std::string_view(file)));
+  }
+  return text;
+}
+
 }  // namespace
 
 double life_of(const SpectrumResult& result, const std::string& name) {
   const auto found = std::find_if(result.lives.begin(), result.lives.end(),
                                   [&](const auto& life) { return life.first == name; });
   return found == result.lives.end() ? not_given : found->second;
+}
+
+BinSums sums_of(const std::vector<SpectrumBin>& bins, const std::string& file) {
+  BinSums sums;
+  for (const SpectrumBin& bin : bins) {
+    if (!file.empty() && bin.bin.file != file) continue;
+    const double share = bin.bin.share;
+    sums.share += share;
+    sums.damage_share += bin.damage_share;
+    sums.modified_damage_share += bin.modified_damage_share;
+    if (share > 0.0) sums.skid_risk_share += bin.skid_risk ? (*bin.skid_risk ? share : 0.0) : not_given;
+  }
+  return sums;
 }
 
 std::vector<SpectrumResult> spectrum_results(const ManifestHeader& header,
@@ -255,6 +360,8 @@ std::vector<SpectrumResult> spectrum_results(const ManifestHeader& header,
       result.failed += entry->second.row.ok() ? 0 : 1;
     }
     result.axis_values = axis_values_of(head, result);
+    const double minimum_load = minimum_load_of(header, head, result);
+    for (SpectrumBin& bin : result.bins) bin.skid_risk = skid_risk_of(header, head, minimum_load, bin.row);
     put_lives(header, head, result);
     results.push_back(std::move(result));
   }
@@ -289,7 +396,9 @@ std::string spectrum_text(const ManifestHeader& header, const std::vector<Spectr
   for (const SpectrumResult& result : results) {
     text +=
         fmt::format("\nload spectrum of {} bins, by the rule of Palmgren and Miner\n", result.bins.size()) +
-        lives_under_spectrum(result, header.life);
+        lives_under_spectrum(result, header.life) +
+        risk_text(header.spectrum, minimum_load_of(header, head, result), result) +
+        files_text(header.spectrum, result);
     for (const std::size_t i : own_axes(head))
       if (i < result.axis_values.size())
         text += fmt::format("{} = {:.10g}\n", head.names[head.first_axis + i], result.axis_values[i]);
@@ -299,11 +408,10 @@ std::string spectrum_text(const ManifestHeader& header, const std::vector<Spectr
     for (std::size_t i = 0; i < std::min(order.size(), most_bins); ++i) {
       const SpectrumBin& bin = result.bins[order[i]];
       const double life = bin.row ? life_to_go_by(head, *bin.row) : not_given;
-      text += fmt::format(
-          "{:>5} {:>11.5g} {:>11.5g} {:>12.5g} {:>9.3g} {:>12} {:>9}\n", order[i] + 1,
-          per_kilo * bin.bin.power, kRpm * bin.bin.speed, torque(bin.bin), 100.0 * bin.bin.share,
-          std::isfinite(life) ? fmt::format("{:.5g}", life) : "-",
-          std::isfinite(bin.damage_share) ? fmt::format("{:.3g}", 100.0 * bin.damage_share) : "-");
+      text += fmt::format("{:>5} {:>11.5g} {:>11.5g} {:>12.5g} {:>9.3g} {:>12} {:>9}\n", order[i] + 1,
+                          per_kilo * bin.bin.power, kRpm * bin.bin.speed, torque(bin.bin),
+                          100.0 * bin.bin.share, std::isfinite(life) ? fmt::format("{:.5g}", life) : "-",
+                          percent_text(bin.damage_share));
     }
     if (order.size() > most_bins)
       text += fmt::format("{} more bins are not shown\n", order.size() - most_bins);

@@ -3,8 +3,10 @@
 //   1/L = sum of s_i/L_i,      d_i = (s_i/L_i) L,      s_i share of time, L_i life [h] in bin i, d_i its part
 //   in the damage
 //
-// for each of the lives of one bearing, of one set and of the whole drivetrain. For lives in revolutions s_i is the
-// share of the revolutions.
+// for each of the lives of one bearing, of one set and of the whole drivetrain. For lives in revolutions s_i
+// is the share of the revolutions. Beside damage stands the time in skid risk: that of bins whose equivalent
+// load P is below the minimum load, P/C < LoadSpectrum::minimum_load, where rolling elements may skid and
+// smear.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -20,10 +22,20 @@ namespace orbearing::app {
 /// One bin with what it gave.
 struct SpectrumBin {
   LoadBin bin;
-  std::optional<ResultRow> row;        // none: at rest
+  std::optional<ResultRow> row;  // none: at rest
   double damage_share = 0.0;  // [-]  of the life of one bearing that results go by; NaN where it is not known
   double modified_damage_share = 0.0;  // [-]  the same of L10mh; NaN without an oil
+  std::optional<bool> skid_risk{};     // of any set's bearing; none: the load is not known
 };
+
+/// Bins of one record, or all of them. NaN where a bin that takes time is not known.
+struct BinSums {
+  double share = 0.0;                  // [-]  of the time
+  double damage_share = 0.0;           // [-]
+  double modified_damage_share = 0.0;  // [-]
+  double skid_risk_share = 0.0;        // [-]  of the time of the whole spectrum
+};
+BinSums sums_of(const std::vector<SpectrumBin>& bins, const std::string& file = {});
 
 /// The spectrum at one combination of the other swept values.
 struct SpectrumResult {
@@ -43,8 +55,9 @@ std::vector<SpectrumResult> spectrum_results(const ManifestHeader& header,
 /// Life called `name`; NaN where there is none of that name.
 double life_of(const SpectrumResult& result, const std::string& name);
 
-/// An object with lives, `hours` where they were stated, `used_up` of them, and `bins`; a list of such
-/// objects, each with the values of its other axes first, where there are such.
+/// An object with lives, `hours` where they were stated, `used_up` of them, time in skid risk, `files` where
+/// rows name such, and `bins`; a list of such objects, each with the values of its other axes first, where
+/// there are such.
 nlohmann::ordered_json spectrum_json(const ManifestHeader& header,
                                      const std::vector<SpectrumResult>& results);
 

@@ -1,15 +1,20 @@
 #include "app/study/load_series.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 #include "app/case/printable.hpp"
 #include "app/case/units.hpp"
+#include "app/case/yaml_tree.hpp"
 #include "app/errors.hpp"
+#include "app/results/record_writers.hpp"
 #include "app/results/result_row.hpp"
+#include "app/study/crown/crown_options.hpp"
 #include "app/study/record_file.hpp"
 #include "app/units.hpp"
 
@@ -80,24 +85,148 @@ struct Parts {
   }
 };
 
-struct Sums {
-  double time = 0.0;    // [s]
-  double turns = 0.0;   // [rad]
-  double damage = 0.0;  // [rad]  with torques over the greatest one
-  double steep = 0.0;   // [rad]  the same by kSteepestExponent
+constexpr std::size_t kPowers = kLivesByPower.size();
 
+/// Samples of a bin; torques over the greatest one.
+struct BinSamples {
+  double time = 0.0;                       // [s]
+  double turns = 0.0;                      // [rad]
+  double damage = 0.0;                     // [rad]
+  std::array<double, kPowers> by_power{};  // [rad]  the same for each of kLivesByPower
+
+  void take(double seconds, double speed, double torque, double exponent) {
+    time += seconds;
+    turns += seconds * speed;
+    damage += seconds * speed * std::pow(torque, exponent);
+    for (std::size_t i = 0; i < kPowers; ++i)
+      by_power[i] += seconds * speed * std::pow(torque, kLivesByPower[i].power);
+  }
   /// Torque over the greatest one that does the damage.
   double torque(double exponent) const { return std::pow(damage / turns, 1.0 / exponent); }
 };
 
-/// Damage of the samples over that of their bins, less 1, for a life by kSteepestExponent.
-double steep_excess(const std::map<std::pair<int, int>, Sums>& bins, double exponent) {
-  double samples = 0.0, means = 0.0;
-  for (const auto& [position, sums] : bins) {
-    samples += sums.steep;
-    means += sums.turns * std::pow(sums.torque(exponent), kSteepestExponent);
+/// Damage of samples and of the bins that stand for them, for each of kLivesByPower.
+struct BinExcess {
+  std::array<double, kPowers> samples{}, means{};
+
+  void take(const BinSamples& sums, double exponent, double weight) {
+    for (std::size_t i = 0; i < kPowers; ++i) {
+      samples[i] += weight * sums.by_power[i];
+      means[i] += weight * sums.turns * std::pow(sums.torque(exponent), kLivesByPower[i].power);
+    }
   }
-  return means > 0.0 ? samples / means - 1.0 : 0.0;
+  std::array<double, kPowers> result() const {
+    std::array<double, kPowers> excess{};
+    for (std::size_t i = 0; i < kPowers; ++i) excess[i] = means[i] > 0.0 ? samples[i] / means[i] - 1.0 : 0.0;
+    return excess;
+  }
+};
+
+/// A sample by its magnitudes.
+struct RecordSample {
+  double time;    // [s]  until the next one
+  double torque;  // [N m]
+  double speed;   // [rad/s]
+  bool reversed;
+
+  bool turns() const { return LoadBin{.speed = speed}.turns(); }
+};
+
+// The last sample lasts for no time.
+template <class Visit>
+void visit_samples(const LoadSeries& series, const Visit& visit) {
+  for (std::size_t i = 0; i + 1 < series.time.size(); ++i)
+    visit(RecordSample{series.time[i + 1] - series.time[i], std::abs(series.torque[i]),
+                       std::abs(series.speed[i]), series.torque[i] < 0.0 || series.speed[i] < 0.0});
+}
+
+double duration_of(const LoadSeries& series) {
+  return series.time.back() - series.time.front();
+}
+
+/// What the samples that turn are cut into.
+struct BinGrid {
+  Parts torques;
+  Parts speeds;
+  double greatest_torque() const { return torques.most > 0.0 ? torques.most : 1.0; }
+};
+
+BinGrid grid_of(const std::vector<WeightedSeries>& records, const BinCounts& counts) {
+  BinGrid grid{{.count = counts.torque}, {.count = counts.speed}};
+  bool any = false;
+  for (const WeightedSeries& record : records)
+    visit_samples(record.series, [&](const RecordSample& sample) {
+      if (!sample.turns()) return;
+      grid.torques.take(sample.torque, !any);
+      grid.speeds.take(sample.speed, !any);
+      any = true;
+    });
+  if (!any) throw BadInput("record: found a drivetrain at rest; required: a speed above 0 at some time");
+  return grid;
+}
+
+void add_bins(const WeightedSeries& record, const BinGrid& grid, double exponent, BinnedSeries& result,
+              BinExcess& excess) {
+  const double duration = duration_of(record.series), greatest = grid.greatest_torque();
+  std::map<std::pair<int, int>, BinSamples> bins;
+  double rest = 0.0, reversed = 0.0, loaded_rest = 0.0;  // [s]
+  visit_samples(record.series, [&](const RecordSample& sample) {
+    if (!sample.turns()) {
+      rest += sample.time;
+      loaded_rest += sample.torque > kNoise * greatest ? sample.time : 0.0;
+      return;
+    }
+    reversed += sample.reversed ? sample.time : 0.0;
+    bins[{grid.torques.of(sample.torque), grid.speeds.of(sample.speed)}].take(
+        sample.time, sample.speed, sample.torque / greatest, exponent);
+  });
+  result.duration += duration;
+  result.reversed_share += record.share * reversed / duration;
+  result.loaded_rest_share += record.share * loaded_rest / duration;
+  for (const auto& [position, sums] : bins) {
+    const double speed = sums.turns / sums.time;
+    result.spectrum.bins.push_back({greatest * sums.torque(exponent) * speed, speed,
+                                    record.share * (sums.time / duration), record.file});
+    excess.take(sums, exponent, record.share / duration);
+  }
+  if (rest > 0.0) result.spectrum.bins.push_back({0.0, 0.0, record.share * (rest / duration), record.file});
+}
+
+constexpr double kSumRoundOff = 1e-6;  // of a sum of shares that were rounded for typing
+
+std::vector<double> numbers_of(const std::string& option, const std::string& text, std::size_t files) {
+  std::vector<double> numbers;
+  for (const std::string& part : parts_of(text, ',')) {
+    const Reading<double> number = read_number(part);
+    if (!number.value || *number.value < 0.0)
+      throw BadInput(
+          fmt::format("{}: found {}; required: numbers from 0, comma between them", option, quote(part)));
+    numbers.push_back(*number.value);
+  }
+  if (numbers.size() != files)
+    throw BadInput(fmt::format("{}: found {} numbers for {} files; required: one for each file", option,
+                               numbers.size(), files));
+  return numbers;
+}
+
+/// A row of a spectrum as files and cases write it.
+struct WrittenRow {
+  double torque;  // [N m]
+  double speed;   // [rpm]
+  double time;    // share [-] or hours [h]
+  std::string file;
+};
+
+std::vector<WrittenRow> written_rows(const LoadSpectrum& spectrum) {
+  std::vector<WrittenRow> rows;
+  for (const LoadBin& bin : spectrum.bins)
+    rows.push_back({in_table_unit(bin.turns() ? bin.power / bin.speed : 0.0, 1.0), speed_in_rpm(bin.speed),
+                    spectrum.hours > 0.0 ? bin.share * spectrum.hours : bin.share, bin.file});
+  return rows;
+}
+
+const char* time_column(const LoadSpectrum& spectrum) {
+  return spectrum.hours > 0.0 ? "hours" : "share";
 }
 
 }  // namespace
@@ -129,55 +258,66 @@ BinCounts parse_bins(const std::string& text) {
   return counts;
 }
 
-BinnedSeries binned(const LoadSeries& series, const BinCounts& counts, double exponent) {
-  const auto magnitudes = [&](std::size_t i) {
-    return LoadBin{.power = std::abs(series.torque[i] * series.speed[i]), .speed = std::abs(series.speed[i])};
+RecordTimes record_times(const std::string& shares, const std::string& hours, std::size_t files) {
+  if (!shares.empty() && !hours.empty())
+    throw BadInput("--hours: found beside --share; required: one of both");
+  if (shares.empty() && hours.empty()) {
+    if (files > 1)
+      throw BadInput(
+          fmt::format("--share: missing beside {} files; required: the share of time of each file, as in "
+                      "--share 0.3,0.7, "
+                      "or the hours, as in --hours 1000,5000",
+                      files));
+    return {{1.0}};
+  }
+  const bool by_share = hours.empty();
+  RecordTimes times{numbers_of(by_share ? "--share" : "--hours", by_share ? shares : hours, files)};
+  const double sum = std::accumulate(times.shares.begin(), times.shares.end(), 0.0);
+  if (by_share && std::abs(sum - 1.0) > kSumRoundOff)
+    throw BadInput(fmt::format("--share: found a sum of {:.8g}; required: 1; --hours need no sum", sum));
+  if (!(sum > 0.0))
+    throw BadInput("--hours: found a sum of 0; required: hours above 0 for at least one file");
+  for (double& share : times.shares) share /= sum;
+  if (!by_share) times.hours = sum;
+  return times;
+}
+
+double exponent_of_life(const std::string& life) {
+  const auto falls = [&](const LivesByPower& one) {
+    return std::string_view(one.names).find(life) != std::string::npos;
   };
-  Parts torques{.count = counts.torque}, speeds{.count = counts.speed};
-  bool any = false;
-  const std::size_t last = series.time.size() - 1;  // the last sample lasts for no time
-  for (std::size_t i = 0; i < last; ++i) {
-    if (!magnitudes(i).turns()) continue;
-    torques.take(std::abs(series.torque[i]), !any);
-    speeds.take(std::abs(series.speed[i]), !any);
-    any = true;
-  }
-  if (!any) throw BadInput("record: found a drivetrain at rest; required: a speed above 0 at some time");
-  const double greatest = torques.most > 0.0 ? torques.most : 1.0;
-  std::map<std::pair<int, int>, Sums> bins;
-  BinnedSeries result{.duration = series.time.back() - series.time.front()};
-  double rest = 0.0;
-  for (std::size_t i = 0; i < last; ++i) {
-    const double time = series.time[i + 1] - series.time[i];
-    const double speed = std::abs(series.speed[i]), torque = std::abs(series.torque[i]);
-    if (!magnitudes(i).turns()) {
-      rest += time;
-      if (torque > kNoise * greatest) result.loaded_rest_share += time / result.duration;
-      continue;
-    }
-    if (series.speed[i] < 0.0 || series.torque[i] < 0.0) result.reversed_share += time / result.duration;
-    Sums& sums = bins[{torques.of(torque), speeds.of(speed)}];
-    sums.time += time;
-    sums.turns += time * speed;
-    sums.damage += time * speed * std::pow(torque / greatest, exponent);
-    sums.steep += time * speed * std::pow(torque / greatest, kSteepestExponent);
-  }
-  for (const auto& [position, sums] : bins) {
-    const double speed = sums.turns / sums.time;
-    const double torque = greatest * sums.torque(exponent);
-    result.spectrum.bins.push_back({torque * speed, speed, sums.time / result.duration});
-  }
-  result.steep_excess = steep_excess(bins, exponent);
-  if (rest > 0.0) result.spectrum.bins.push_back({0.0, 0.0, rest / result.duration});
+  return std::find_if(kLivesByPower.begin(), kLivesByPower.end(), falls)->power;
+}
+
+BinnedSeries binned(const LoadSeries& series, const BinCounts& counts, double exponent) {
+  return binned(std::vector<WeightedSeries>{{series}}, counts, exponent);
+}
+
+BinnedSeries binned(const std::vector<WeightedSeries>& records, const BinCounts& counts, double exponent) {
+  const BinGrid grid = grid_of(records, counts);
+  BinnedSeries result;
+  BinExcess excess;
+  for (const WeightedSeries& record : records) add_bins(record, grid, exponent, result, excess);
+  result.excess = excess.result();
   return result;
 }
 
 std::string spectrum_file(const LoadSpectrum& spectrum) {
-  std::string text = "torque_N_m,speed_rpm,share\n";
-  for (const LoadBin& bin : spectrum.bins)
-    text += fmt::format("{},{},{}\n", in_table_unit(bin.turns() ? bin.power / bin.speed : 0.0, 1.0),
-                        speed_in_rpm(bin.speed), bin.share);
+  const bool named = !spectrum.files().empty();
+  std::string text = fmt::format("torque_N_m,speed_rpm,{}{}\n", time_column(spectrum), named ? ",file" : "");
+  for (const WrittenRow& row : written_rows(spectrum))
+    text +=
+        fmt::format("{},{},{}{}\n", row.torque, row.speed, row.time, named ? "," + csv_field(row.file) : "");
   return text;
+}
+
+std::string spectrum_rows(const LoadSpectrum& spectrum) {
+  std::vector<std::string> rows;
+  for (const WrittenRow& row : written_rows(spectrum))
+    rows.push_back(fmt::format("{{torque: {} N.m, speed: {} rpm, {}: {}{}}}", row.torque, row.speed,
+                               time_column(spectrum), row.time,
+                               row.file.empty() ? "" : ", file: " + quoted_scalar(row.file)));
+  return fmt::format("[{}]", fmt::join(rows, ", "));
 }
 
 }  // namespace orbearing::app

@@ -1,4 +1,4 @@
-// A record of torque and speed over time, made into a load spectrum by bins of both.
+// Records of torque and speed over time, made into a load spectrum by bins of both.
 //
 // A sample lasts until the next one. Of a bin the speed n is the mean over time and the torque T that which
 // does the same damage as all samples of the bin to a bearing whose life goes by T^-p, so that the sums over
@@ -13,6 +13,7 @@
 // (kSteepestExponent).
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -34,6 +35,23 @@ struct LoadSeries {
 /// of times that do not rise.
 LoadSeries read_load_series(const std::filesystem::path& file, const RecordColumns& columns = {});
 
+/// How long the drivetrain runs as each of several records shows.
+struct RecordTimes {
+  std::vector<double> shares;  // [-]  of the time; they add up to 1
+  double hours = 0.0;          // [h]  in all; 0 where shares were stated
+};
+
+/// From the texts of --share and --hours, numbers with commas between them, of which several files need one.
+/// Throws BadInput that names the option.
+RecordTimes record_times(const std::string& shares, const std::string& hours, std::size_t files);
+
+/// A record among several.
+struct WeightedSeries {
+  LoadSeries series;
+  double share = 1.0;  // [-]  of the time
+  std::string file{};  // that its bins name; empty: none
+};
+
 /// How many bins of torque and of speed.
 struct BinCounts {
   int torque = 8;
@@ -47,26 +65,45 @@ inline constexpr double kLineExponent = 4.0;
 /// balls.
 inline constexpr double kSteepestExponent = 8.0;
 
+/// Lives that fall by the same power of the load, for bearings with rollers.
+struct LivesByPower {
+  double power;
+  const char* names;
+  bool of_oil;  // lives with a_ISO
+};
+inline constexpr std::array<LivesByPower, 3> kLivesByPower{{{10.0 / 3.0, "L10h", false},
+                                                            {kLineExponent, "life_h and L10rh", false},
+                                                            {kSteepestExponent, "L10mh and L10mrh", true}}};
+/// The power of one of these lives.
+double exponent_of_life(const std::string& life);
+
 /// "8x8", torque first. Throws BadInput that names the option.
 BinCounts parse_bins(const std::string& text);
 
-/// A spectrum of bins, by rising torque, then speed; those without time are left out, time at rest comes
-/// last.
+/// A spectrum of bins, record by record, by rising torque, then speed; those without time are left out, time
+/// at rest comes last.
 struct BinnedSeries {
   LoadSpectrum spectrum;
-  double duration = 0.0;        // [s]
+  double duration = 0.0;        // [s]  of all records
   double reversed_share = 0.0;  // [-]  of the time, with torque against the speed or both against their sign:
                                 // counted by magnitude
   double loaded_rest_share = 0.0;  // [-]  of the time, at rest under a torque, which uses up no life
-  double steep_excess = 0.0;       // [-]  by how much a life by kSteepestExponent would come out too long
+  std::array<double, kLivesByPower.size()> excess{};  // [-]  by how much lives by kLivesByPower would come
+                                                      // out too long
 };
 
 /// Bins of equal width between the least and the greatest torque and speed of all samples that turn. Torques
 /// and speeds count by their magnitude: a load that turns round presses the same rollers from the other side.
 /// Torques of a bin are averaged by `exponent` [-]. Throws BadInput where nothing ever turns.
 BinnedSeries binned(const LoadSeries& series, const BinCounts& counts, double exponent = kLineExponent);
+/// The same of several records, whose bins have the same edges.
+BinnedSeries binned(const std::vector<WeightedSeries>& records, const BinCounts& counts,
+                    double exponent = kLineExponent);
 
-/// Rows as a case takes them: torque_N_m, speed_rpm, share.
+/// Rows as the file of a case takes them: torque_N_m, speed_rpm, share or hours, and file where bins name
+/// one.
 std::string spectrum_file(const LoadSpectrum& spectrum);
+/// The same as a case writes them.
+std::string spectrum_rows(const LoadSpectrum& spectrum);
 
 }  // namespace orbearing::app

@@ -141,7 +141,7 @@ ManifestHeader manifest_header(const ResolvedCase& resolved, const std::string& 
           .points = points};
 }
 
-SweepRequest sweep_request(const ResolvedCase& resolved, const std::string& fidelity) {
+void require_planet_bearings(const ResolvedCase& resolved) {
   if (resolved.model() != planetary_drivetrain)
     throw BadInput(resolved.origin("model") + ": model: found " + resolved.choice("model") +
                    "; required: planetary-drivetrain, for the life of its planet bearings" +
@@ -154,6 +154,10 @@ SweepRequest sweep_request(const ResolvedCase& resolved, const std::string& fide
   if (resolved.shape().several && bearing_set_names(resolved).empty())
     throw BadInput(resolved.file() +
                    ": sets: found no set with a bearing; required: at least one, for its life");
+}
+
+SweepRequest sweep_request(const ResolvedCase& resolved, const std::string& fidelity) {
+  require_planet_bearings(resolved);
   SweepRequest request;
   for (std::size_t i = 0; i < sweep_size(resolved); ++i)
     request.points.push_back(point_of(resolved, sweep_point(resolved, i)));

@@ -10,9 +10,12 @@
 
 namespace orbearing::app {
 
+/// Throws BadInput where the case's model has no operating points, or no bearing whose life they could give.
+void require_planet_bearings(const ResolvedCase& resolved);
+
 /// The grid of the sweep of `resolved`, or its one operating point where the case has no sweep; folder, jobs
-/// and the like, and whether the peak is refined, are left to the caller. Throws BadInput where the case's
-/// model has no sweep.
+/// and the like, and whether the peak is refined, are left to the caller. Throws as
+/// require_planet_bearings().
 SweepRequest sweep_request(const ResolvedCase& resolved, const std::string& fidelity);
 
 /// Its point at another speed [rpm] on the line of speeds of the point that `settings` make.

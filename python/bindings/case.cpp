@@ -36,7 +36,8 @@ const app::Field& field_at(const Case& core, const std::string& path) {
 }
 
 // Rows as a case writes them: a list of all columns, or the names of those that the row has.
-py::list rows_of(const app::Field& field, const std::vector<double>& numbers) {
+py::list rows_of(const app::Field& field, const app::FieldValue& value) {
+  const std::vector<double>& numbers = value.list;
   py::list rows;
   const std::size_t columns = field.columns.size();
   for (std::size_t i = 0; i + columns <= numbers.size(); i += columns) {
@@ -44,8 +45,13 @@ py::list rows_of(const app::Field& field, const std::vector<double>& numbers) {
     py::dict named;
     for (std::size_t k = 0; k < columns; ++k) {
       all.append(numbers[i + k]);
-      if (field.columns[k].one_of == 0 || numbers[i + k] != 0.0)
-        named[py::str(app::column_key(field.columns[k]))] = numbers[i + k];
+      const app::ListColumn& column = field.columns[k];
+      if ((column.one_of != 0 || column.optional) && numbers[i + k] == 0.0) continue;
+      const py::str key(app::column_key(column));
+      if (column.text)
+        named[key] = app::text_numbered(value.texts, numbers[i + k]);
+      else
+        named[key] = numbers[i + k];
     }
     rows.append(app::has_choices(field) ? py::object(named) : py::object(all));
   }
@@ -70,7 +76,7 @@ py::object value_of(const Case& core, const std::string& path) {
       return py::str(core.content().text(path));
     case app::Kind::list:
       if (field.element == app::Kind::text) return py::cast(core.content().texts(path));
-      if (!field.columns.empty()) return rows_of(field, core.content().list(path));
+      if (!field.columns.empty()) return rows_of(field, core.content().value(path));
       if (field.element == app::Kind::integer) {
         const std::vector<double>& whole = core.content().list(path);
         return py::cast(std::vector<long>(whole.begin(), whole.end()));
@@ -211,7 +217,8 @@ void add_case(py::module_& module) {
       .def("name", [](const Case& core) { return core.content().text("name"); })
       .def("model", [](const Case& core) { return core.content().choice("model"); });
   module.def("si_units", &si_units, py::arg("path"),
-             "(unit, [(column, unit), ...]) of the numbers at a path, in SI, empty where they have none; None where no "
+             "(unit, [(column, unit), ...]) of the numbers at a path, in SI, empty where they have none; "
+             "None where no "
              "input has that path.");
   module.def(
       "load",

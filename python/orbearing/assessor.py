@@ -247,6 +247,8 @@ def _bearings(report: Report) -> str:
 
 
 def _damage(report: Report, most: Most) -> str:
+    from orbearing.figures.load_spectrum import files_table, skid_text
+
     spectrum = _spectrum(report)
     bins = records(spectrum.get("bins"))
     if not bins:
@@ -260,7 +262,10 @@ def _damage(report: Report, most: Most) -> str:
     hours = spectrum.get("hours")
     used = f" In {format_number(hours)} h the spectrum uses {format_number(100 * spectrum['used_up'])} % of the life." if is_number(hours) and is_number(spectrum.get("used_up")) else ""
     note = (f"<p>{len(bins)} bins, largest damage first. Torque and speed of the driving member. Results go by {escape(life)} (life.method): "
-            f"{format_number(spectrum.get(life))} h for one bearing, {format_number(spectrum.get('system_' + life))} h for all bearings.{used}</p>")
+            f"{format_number(spectrum.get(life))} h for one bearing, {format_number(spectrum.get('system_' + life))} h for all bearings.{used} {escape(skid_text(spectrum))}</p>")
+    by_file, more = files_table(spectrum, most.bins), len(records(spectrum.get("files"))) - most.bins
+    left += table(by_file) if by_file else ""
+    left += f"<p>{more} more records with less damage are in --json.</p>" if more > 0 else ""
     return section("damage", "Load spectrum and damage by bin", note + table(Table(head, rows)) + left)
 
 

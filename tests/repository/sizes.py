@@ -13,7 +13,7 @@ KINDS = {".hpp", ".cpp", ".inl", ".ipp", ".in"}
 BASE = {"lines": 83_200, "lines of app": 28_900, "types": 1_207, "headers": 340}  # when results, analyses and laws were stated once
 DECLARED = (  # lines, of these of app, types and headers of later capabilities
     ("the catalogue as a table that users extend, needle roller and cage assemblies", 740, 650, 8, 1),
-    ("OpenFAST and spreadsheet tables, damage by file, hours in skid risk", 790, 790, 9, 2),
+    ("OpenFAST and spreadsheet tables, several records with --case, damage by file, hours in skid risk", 1_380, 1_370, 20, 2),
     ("requirements and verdicts; torque, torque over speed, K_A; load sharing, defect lines, stiffness of pairs", 890, 800, 6, 2),
     ("the page's server, templates, and what each page request may do", 1_970, 1_960, 22, 4),
     ("the core in a browser: units by a table, stand-ins for threads and files of results", 640, 640, 9, 1),

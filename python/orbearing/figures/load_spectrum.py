@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from orbearing import style
-from orbearing.blocks import FigureBlock, columns_table, format_number, format_quantity, is_number
+from orbearing.blocks import FigureBlock, Table, columns_table, format_number, format_quantity, is_number
 from orbearing.result_folder import Report, lies_on, numbers, record, records
 
 SLUG, TITLE = "load-spectrum", "Load spectrum and what it uses up"
@@ -29,12 +29,31 @@ def block(report: Report) -> FigureBlock:
     places = [float(number) for number, one in enumerate(records(result.get("bins")), start=1) if one.get("speed_rpm")]
     data = columns_table(("bin", "speed (rpm)", "torque (N m)", "share of time", "share of damage", f"{key} at this bin alone (h)"),
                          places, speed, torque, share, damage, life)
-    return FigureBlock(SLUG, TITLE, _caption(result, share, uses), pictures, data=data)
+    return FigureBlock(SLUG, TITLE, _caption(result, share, uses), pictures, summary=files_table(result), data=data)
 
 
 def life_key(result: dict) -> str:
     """The life that damage and results go by: `life.method` of the case."""
     return result.get("life_key") or "life_h"
+
+
+def skid_text(result: dict) -> str:
+    """Time in skid risk, in words."""
+    share, hours = result.get("skid_risk_share"), result.get("skid_risk_hours")
+    if not is_number(share):
+        return ""
+    in_hours = f", {format_quantity(hours, 'h')}" if is_number(hours) else ""
+    return f"Skid risk, P/C below {format_number(result.get('minimum_load'))} (life.minimum_load): {format_number(100 * share, 3)} % of the time{in_hours}."
+
+
+def files_table(result: dict, most: int | None = None) -> Table | None:
+    """Time, damage and skid risk of the records that the rows name, largest damage first."""
+    files = sorted(records(result.get("files")), key=lambda one: -(one.get("damage_share") or 0.0))[:most]
+    names = ("share", "damage_share", "damage_share_L10mh", "skid_risk_share")
+    percent = [[100 * one[name] if is_number(one.get(name)) else None for name in names] for one in files]
+    head = ("Record", "Time [%]", f"Damage by {life_key(result)} [%]", "Damage by L10mh [%]", "Skid risk [% of time]", "Skid risk [h]")
+    rows = [(str(one.get("file")), *shares, one.get("skid_risk_hours")) for one, shares in zip(files, percent)]
+    return Table(head, rows) if rows else None
 
 
 def spectrum_of(report: Report) -> dict:
@@ -81,4 +100,5 @@ def _caption(result: dict, share: np.ndarray, damage: np.ndarray) -> str:
             f"{format_quantity(result.get('system_' + key), 'h')}; bin {worst + 1} of those that turn takes {format_number(100 * share[worst], 3)} % of the "
             f"time and {format_number(100 * damage[worst], 3)} % of the life.")
     others = [f"{name} {format_quantity(result.get(name), 'h')}" for name in LIVES if name != key and is_number(result.get(name))]
-    return text + (f" The other lives of one bearing under the spectrum: {', '.join(others)}." if others else "")
+    text += f" The other lives of one bearing under the spectrum: {', '.join(others)}." if others else ""
+    return f"{text} {skid_text(result)}".rstrip()

@@ -477,6 +477,7 @@ inline const std::map<std::string, Change>& stated_changes() {
       {"measured.radial_y", {"[1227 Hz, 1647 Hz, 1248 Hz]"}},
       {"identification.contact_angle", {"30 deg"}},
       {"response.position", {"40 mm"}},
+      {"life.minimum_load", {"0.03", {"spectrum=[{power: 140 kW, speed: 17000 rpm, share: 1}]"}}},
       {"requirements.life", {"1000 h"}},
       {"requirements.life_key", {"L10rh", {"requirements.life=1000 h"}}},
       {"requirements.contact_pressure_max", {"1500 MPa"}},

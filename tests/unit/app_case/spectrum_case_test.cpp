@@ -55,8 +55,22 @@ TEST(SpectrumCase, HoursNeedNoSum) {
   EXPECT_NEAR(found.bins[1].share, 1000.0 / 1300.0, 1e-15);
 }
 
+// Issue 47, item 2: rows may name the record that they come from.
+TEST(SpectrumCase, RowsMayNameARecord) {
+  const LoadSpectrum found = spectrum_of(
+      "spectrum=[{power: 1 kW, speed: 60 rpm, share: 0.5, file: \"b: 1.csv\"}, {power: 1 kW, speed: 60 rpm, "
+      "share: 0.25}, "
+      "{power: 1 kW, speed: 60 rpm, share: 0.125, file: a}, {power: 1 kW, speed: 60 rpm, share: 0.125, file: "
+      "'b: 1.csv'}]");
+  const std::vector<std::string> right{"b: 1.csv", "", "a", "b: 1.csv"};
+  for (std::size_t i = 0; i < right.size(); ++i) EXPECT_EQ(found.bins[i].file, right[i]);
+  EXPECT_EQ(found.minimum_load, 0.02);
+  EXPECT_THAT(message("[{power: 1 kW, speed: 60 rpm, share: 1, file: ''}]"),
+              HasSubstr("file: an empty text"));
+}
+
 TEST(SpectrumCase, WrittenOutItIsReadAgain) {
-  const ResolvedCase resolved = shipped({kTwoRows});
+  const ResolvedCase resolved = shipped({kTwoRows.substr(0, kTwoRows.size() - 2) + ", file: 'b: \"1.csv'}]"});
   const ResolvedCase again = parse_case(write_resolved(resolved), "again.yaml", {});
   EXPECT_EQ(again.list(kSpectrumPath), resolved.list(kSpectrumPath));
   EXPECT_EQ(write_resolved(again), write_resolved(resolved));
@@ -183,7 +197,8 @@ TEST_F(SpectrumFile, WrongOnesAreReportedByFileLineAndColumn) {
               StartsWith(file + ":2:1: spectrum: '6.000', whose mark"));
   EXPECT_THAT(fault_of("speed_rpm,torque_N_m,share\n6000,238,\xff\n"), HasSubstr(":2:10: spectrum: share: "));
   EXPECT_THAT(setting_mistakes({"spectrum={file: nothing.csv}"}), Contains(HasSubstr("nothing.csv")));
-  EXPECT_THAT(setting_mistakes({"spectrum={fil: loads.csv}"}), Contains(HasSubstr("{file: NAME.csv} is required")));
+  EXPECT_THAT(setting_mistakes({"spectrum={fil: loads.csv}"}),
+              Contains(HasSubstr("{file: NAME.csv} is required")));
 }
 
 }  // namespace

@@ -81,6 +81,42 @@ TEST(SpectrumLife, WithoutLoadIsInfiniteAndOfABinThatFailedNotKnown) {
   EXPECT_EQ(failed.failed, 1U);
 }
 
+// Issue 47, item 2: by hand, from P and C of the rows.
+TEST(SpectrumLife, SumsDamageAndSkidRiskByFile) {
+  ManifestHeader header = fake_sweep::fake_header(0);
+  header.spectrum = {
+      .bins = {{4e4, 100.0, 0.5, "a"}, {3e4, 100.0, 0.2, "b"}, {1.0, 100.0, 0.1, "b"}, {0.0, 0.0, 0.2, "b"}},
+      .minimum_load = 0.02,
+      .lines = 1};
+  header.points = 3;
+  std::map<std::size_t, ManifestEntry> entries;
+  const auto put = [&](std::size_t point, double hours, double load) {
+    study::PointResult result;
+    result.life_hours = hours;
+    result.rating.lives.dynamic_capacity = 1e5;
+    result.rating.lives.dynamic_load = load;
+    entries[point].row = result_row(result, {});
+  };
+  put(0, 1000.0, 2001.0);
+  put(1, 4000.0, 1999.0);
+  put(2, 1e9, 0.0);
+  const auto results = [&] { return spectrum_results(header, entries).front(); };
+  const SpectrumResult found = results();
+  EXPECT_EQ(found.bins[0].skid_risk, false);
+  EXPECT_EQ(found.bins[1].skid_risk, true);
+  EXPECT_EQ(found.bins[3].skid_risk, false);  // at rest
+  const BinSums a = sums_of(found.bins, "a"), b = sums_of(found.bins, "b"), all = sums_of(found.bins);
+  EXPECT_EQ(a.skid_risk_share, 0.0);
+  EXPECT_NEAR(b.skid_risk_share, 0.3, kRoundOff);
+  EXPECT_NEAR(all.skid_risk_share, 0.3, kRoundOff);
+  EXPECT_NEAR(b.share, 0.5, kRoundOff);
+  EXPECT_NEAR(a.damage_share, 0.5 / 1000.0 * life_of(found, "life_h"), kRoundOff);
+  EXPECT_NEAR(a.damage_share + b.damage_share, 1.0, kRoundOff);
+  put(1, 4000.0, std::numeric_limits<double>::quiet_NaN());
+  EXPECT_FALSE(results().bins[1].skid_risk);
+  EXPECT_TRUE(std::isnan(sums_of(results().bins).skid_risk_share));
+}
+
 TEST(SpectrumLife, NeedsAllPointsAsAShardHasNot) {
   ManifestHeader header = fake_sweep::fake_header(2);
   header.spectrum = {.bins = {{4e4, 100.0, 0.5}, {4e4, 200.0, 0.5}}, .lines = 1};
@@ -94,7 +130,8 @@ TEST(SpectrumLife, OfASweepStandsBesideItsTable) {
   const fake_sweep::TemporaryFolder location;
   const auto request_of = [&](const std::string& folder, std::optional<Shard> shard) {
     SweepRequest request = fake_sweep::fake_request(location / folder, 6);
-    request.header.spectrum = {.bins = {{4e4, 100.0, 0.25}, {4e4, 0.0, 0.25}, {4e4, 102.0, 0.5}}, .lines = 1};
+    request.header.spectrum = {.bins = {{4e4, 100.0, 0.25, "a"}, {4e4, 0.0, 0.25}, {4e4, 102.0, 0.5, "b, c"}},
+                               .lines = 1};
     request.header.shard = shard;
     return request;
   };

@@ -20,7 +20,7 @@ namespace {
 using fake_sweep::TemporaryFolder;
 using testing::HasSubstr;
 
-constexpr double kExponent = 4.0;  // of lives by Lundberg and Palmgren, which sweeps and spectra go by
+constexpr double kExponent = 4.0;    // of lives by Lundberg and Palmgren, which sweeps and spectra go by
 constexpr double kRoundOff = 1e-12;  // relative, of sums over some hundred samples
 
 // Uneven times, torque and speed that vary by themselves.
@@ -74,7 +74,8 @@ double life_over_that_of_record(const LoadSeries& series, const BinCounts& count
   double record = 0.0;
   const double duration = series.time.back() - series.time.front();
   for (std::size_t i = 0; i + 1 < series.time.size(); ++i)
-    record += (series.time[i + 1] - series.time[i]) / duration * series.speed[i] * std::pow(series.torque[i], p);
+    record +=
+        (series.time[i + 1] - series.time[i]) / duration * series.speed[i] * std::pow(series.torque[i], p);
   double bins = 0.0;
   for (const LoadBin& bin : binned(series, counts, kept).spectrum.bins)
     if (bin.turns()) bins += bin.share * bin.speed * std::pow(bin.power / bin.speed, p);
@@ -101,9 +102,29 @@ TEST(LoadSeries, FewBinsNeverLengthenALife) {
 
 TEST(LoadSeries, WhatAModifiedLifeCanGainByWideBinsIsTheDamageByItsSteepestPower) {
   const LoadSeries two{{0.0, 1.0, 2.0}, {1.0, 3.0, 3.0}, {100.0, 100.0, 100.0}};
-  EXPECT_NEAR(binned(two, {1, 1}).steep_excess, (1.0 + 6561.0) / 2.0 / (41.0 * 41.0) - 1.0, 1e-12);
-  EXPECT_NEAR(binned(two, {2, 1}).steep_excess, 0.0, 1e-12);
-  EXPECT_NEAR(binned(two, {1, 1}, kSteepestExponent).steep_excess, 0.0, 1e-12);
+  EXPECT_NEAR(binned(two, {1, 1}).excess.back(), (1.0 + 6561.0) / 2.0 / (41.0 * 41.0) - 1.0, 1e-12);
+  EXPECT_NEAR(binned(two, {2, 1}).excess.back(), 0.0, 1e-12);
+  EXPECT_NEAR(binned(two, {1, 1}, kSteepestExponent).excess.back(), 0.0, 1e-12);
+}
+
+// Issue 47, item 2: a table of design load cases.
+TEST(LoadSeries, OfSeveralCountByTheirShareAndNotByTheirLength) {
+  const LoadSeries brief{{0.0, 1.0, 2.0}, {1.0, 3.0, 3.0}, {100.0, 100.0, 100.0}};
+  const LoadSeries lengthy{{0.0, 1000.0, 2000.0}, {3.0, 3.0, 3.0}, {100.0, 0.0, 0.0}};
+  const BinnedSeries found = binned({{brief, 0.9, "brief"}, {lengthy, 0.1, "lengthy"}}, {2, 1});
+  const std::vector<LoadBin> right{{100.0, 100.0, 0.45, "brief"},
+                                   {300.0, 100.0, 0.45, "brief"},
+                                   {300.0, 100.0, 0.05, "lengthy"},
+                                   {0.0, 0.0, 0.05, "lengthy"}};
+  ASSERT_EQ(found.spectrum.bins.size(), right.size());
+  for (std::size_t i = 0; i < right.size(); ++i) {
+    EXPECT_NEAR(found.spectrum.bins[i].power, right[i].power, kRoundOff * 300.0);
+    EXPECT_NEAR(found.spectrum.bins[i].share, right[i].share, kRoundOff);
+    EXPECT_EQ(found.spectrum.bins[i].file, right[i].file);
+  }
+  EXPECT_EQ(found.duration, 2002.0);
+  EXPECT_NEAR(found.loaded_rest_share, 0.05, kRoundOff);
+  EXPECT_EQ(found.spectrum.files(), (std::vector<std::string>{"brief", "lengthy"}));
 }
 
 TEST(LoadSeries, OfAConstantLoadGivesOneBin) {
@@ -199,8 +220,9 @@ TEST(LoadSeries, RowsMustFitTheirHead) {
   EXPECT_THAT(fault("0,1500,5,1591,25\n1,1500,5,1592,25\n"),
               testing::AllOf(HasSubstr("a.csv:2:10: found 5 values"), HasSubstr("decimal comma"),
                              HasSubstr("required: a row of 3 values")));
-  EXPECT_THAT(fault("0,1500,1591\n1,1500,1592,7.5\n"),
-              testing::AllOf(HasSubstr("a.csv:3:13: found 4 values"), testing::Not(HasSubstr("decimal comma"))));
+  EXPECT_THAT(
+      fault("0,1500,1591\n1,1500,1592,7.5\n"),
+      testing::AllOf(HasSubstr("a.csv:3:13: found 4 values"), testing::Not(HasSubstr("decimal comma"))));
   EXPECT_THAT(fault("0,1500,1591\n1,1500\n"), HasSubstr("a.csv:3:1: found 2 values"));
   EXPECT_EQ(fault("\"0,0\",\"1500,5\",\"1591,25\"\n\"1,0\",\"1500,5\",\"1591,25\"\n"), "");
 }
@@ -228,7 +250,8 @@ TEST(LoadSeries, PowersAtRestAreRefused) {
     fake_sweep::write(position / "a.csv", "time_s,speed_rpm,power_kW\n" + rows);
     return fault_of(position / "a.csv");
   };
-  EXPECT_THAT(fault("0,6000,100\n1,0,5\n2,6000,100\n"), HasSubstr("a.csv:3: found a power of 5000 W at speed 0"));
+  EXPECT_THAT(fault("0,6000,100\n1,0,5\n2,6000,100\n"),
+              HasSubstr("a.csv:3: found a power of 5000 W at speed 0"));
   EXPECT_EQ(fault("0,6000,100\n1,0,0.05\n2,6000,100\n"), "") << "noise of a record at rest";
 }
 
@@ -250,8 +273,8 @@ class Packed {
     check(nc_def_var(file_, name, type, 1, &time_, &variable));
     check(nc_put_att_text(file_, variable, "units", std::strlen(units), units));
     for (const auto& [key, numbers] : attributes)
-      check(nc_put_att_double(file_, variable, key.c_str(), key == "_FillValue" ? type : NC_DOUBLE, numbers.size(),
-                              numbers.data()));
+      check(nc_put_att_double(file_, variable, key.c_str(), key == "_FillValue" ? type : NC_DOUBLE,
+                              numbers.size(), numbers.data()));
     check(nc_put_var_double(file_, variable, values.data()));
     return variable;
   }
@@ -267,13 +290,15 @@ TEST(LoadSeries, NetcdfIsUnpackedAndNothingMissingIsTaken) {
   const TemporaryFolder position;
   {
     Packed file(position / "packed.nc");
-    file.put("speed", NC_SHORT, "rpm", {1000, 1100, 1200}, {{"scale_factor", {0.5}}, {"add_offset", {1000.0}}});
+    file.put("speed", NC_SHORT, "rpm", {1000, 1100, 1200},
+             {{"scale_factor", {0.5}}, {"add_offset", {1000.0}}});
     file.put("torque", NC_SHORT, "kN m", {100, 110, 120}, {{"scale_factor", {0.1}}});
   }
   const LoadSeries series = read_load_series(position / "packed.nc");
   EXPECT_NEAR(series.torque[1], 11e3, 1e-9);
   EXPECT_NEAR(series.speed[1], 1550.0 * 2.0 * M_PI / 60.0, 1e-9);
-  const auto fault = [&](const std::vector<double>& torque, const std::map<std::string, std::vector<double>>& with) {
+  const auto fault = [&](const std::vector<double>& torque,
+                         const std::map<std::string, std::vector<double>>& with) {
     {
       Packed file(position / "masked.nc");
       file.put("speed", NC_DOUBLE, "rpm", {1000, 1100, 1200});
