@@ -142,14 +142,14 @@ fs::path Jobs::folder_for(const Json& request) {
   return temporary_ / fmt::format("{}-{}", command, last_ + 1);
 }
 
-std::string Jobs::start(const Json& request) {
+std::string Jobs::start(const Json& request, const fs::path& results) {
   const std::scoped_lock lock(naming_);
   const auto is_running = [](const auto& one) { return !one.second->ended(); };
   if (static_cast<std::size_t>(std::ranges::count_if(jobs_, is_running)) >= most_running)
     throw ComputationFailed(fmt::format("{} jobs run already; stop one of them", most_running));
-  const fs::path folder = folder_for(request);
+  const fs::path folder = results.empty() ? folder_for(request) : results;
   Json asked = request;
-  asked.erase("continue");
+  for (const char* key : {"continue", "results"}) asked.erase(key);
   if (!folder.empty()) asked["folder"] = folder.string();
   auto job = std::make_shared<Job>(workers_.fresh(), asked, folder);
   while (jobs_.size() >= most_kept + most_running) jobs_.erase(std::ranges::find_if_not(jobs_, is_running));
@@ -176,7 +176,9 @@ std::vector<fs::path> Jobs::end() {
   std::error_code ignored;
   for (const auto& [name, job] : jobs_) {
     while (!job->ended()) std::this_thread::sleep_for(patience / 10);
-    if (job->folder().empty() || std::ranges::find(kept, job->folder()) != kept.end()) continue;
+    if (temporary_.empty() || job->folder().parent_path() != temporary_ ||
+        std::ranges::find(kept, job->folder()) != kept.end())
+      continue;  // a folder that was opened stays
     if (job->has_points())
       kept.push_back(job->folder());
     else

@@ -79,9 +79,10 @@ class Jobs {
   Jobs& operator=(const Jobs&) = delete;
   ~Jobs();
 
-  /// Begins one and returns its name. "continue" in the request names one that was stopped. Throws BadInput,
-  /// and ComputationFailed where too many run.
-  std::string start(const Json& request);
+  /// Begins one and returns its name. "continue" in the request names one that was stopped; `results` is a
+  /// folder of results that its sweep goes on in, else empty. Throws BadInput, and ComputationFailed where too
+  /// many run.
+  std::string start(const Json& request, const std::filesystem::path& results = {});
   /// None where there is none of that name.
   std::shared_ptr<Job> find(const std::string& name);
   bool running();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <functional>
 #include <vector>
 
 #include "app/case/case_file.hpp"
@@ -86,6 +87,13 @@ Json printed_result(const Opened& opened, const ResolvedCase& resolved) {
   return fs::exists(file) ? Json::parse(read_file(file)) : Json();
 }
 
+// Those by which `sweep --resume` goes on.
+Json options_of(const ManifestHeader& header) {
+  Json options{{"fidelity", header.fidelity}, {"grid_only", !header.refined}};
+  if (header.continued) options["continue"] = to_string(*header.continued);
+  return options;
+}
+
 Json results_json(const Opened& opened) {
   const Manifest manifest = read_results(opened.folder);
   if (!manifest.header) return {{"finished", false}, {"points", Json::array()}};
@@ -104,7 +112,10 @@ Json results_json(const Opened& opened) {
   object["missing"] = missing_json(missing, manifest);
   object["points"] = std::move(points);
   Record form;
-  if (missing.none()) object["result"] = sweep_object(resolved, outcome, form);
+  if (missing.none())
+    object["result"] = sweep_object(resolved, outcome, form);
+  else if (!manifest.header->shard)
+    object["options"] = options_of(*manifest.header);
   return object;
 }
 
@@ -126,6 +137,64 @@ Json opened_json(const Opened& opened) {
   return object;
 }
 
+namespace {
+
+bool is_plain_name(const std::string& name) {
+  const auto is_plain = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '.';
+  };
+  return !name.empty() && name.front() != '.' && name.size() <= 100 && std::ranges::all_of(name, is_plain);
+}
+
+fs::path parent_of_results(const Opened& opened) {
+  return opened.folder.empty() ? fs::current_path() : opened.folder;
+}
+
+// No link, which could lead elsewhere.
+bool holds_results(const fs::path& folder) {
+  std::error_code ignored;
+  return fs::is_directory(fs::symlink_status(folder, ignored)) &&
+         fs::is_regular_file(fs::symlink_status(folder / manifest_name, ignored));
+}
+
+Json line_of_folder(const fs::path& folder) try {
+  const Manifest manifest = read_results(folder);
+  return {{"name", folder.filename().string()},
+          {"case", printable(manifest.header->case_name)},
+          {"fidelity", manifest.header->fidelity},
+          {"points", manifest.entries.size()},
+          {"of", std::max(manifest.header->own_points(), manifest.entries.size())}};
+} catch (const std::exception&) {
+  return nullptr;  // nothing to go on with
+}
+
+}  // namespace
+
+Json result_folders_json(const Opened& opened) {
+  constexpr std::size_t most = 40;
+  std::vector<std::pair<fs::file_time_type, fs::path>> found;
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(parent_of_results(opened), ignored))
+    if (is_plain_name(entry.path().filename().string()) && holds_results(entry.path()))
+      found.emplace_back(fs::last_write_time(entry.path() / manifest_name, ignored), entry.path());
+  std::ranges::sort(found, std::greater{});
+  Json list = Json::array();
+  for (const auto& [time, folder] : found)
+    if (Json line = line_of_folder(folder); !line.is_null() && list.size() < most)
+      list.push_back(std::move(line));
+  return list;
+}
+
+Opened results_within(const Opened& opened, const std::string& name) {
+  if (name.empty() && opened.kind == "results") return opened;
+  const fs::path folder = parent_of_results(opened) / name;
+  if (!is_plain_name(name) || !holds_results(folder))
+    throw BadInput(fmt::format(
+        "request: results: found {}; required: the name of a folder of results in the one that was opened",
+        quote(name)));
+  return opened_folder(folder);
+}
+
 Json templates_json() {
   Json list = Json::array();
   for (const std::string& name : template_names()) {
@@ -136,13 +205,9 @@ Json templates_json() {
 }
 
 void save(const Opened& opened, const std::string& file, const std::string& text) {
-  const auto is_plain = [](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '.';
-  };
   const std::string ending = fs::path(file).extension().string();
   const std::vector<std::string> endings{".yaml", ".yml", ".csv", ".json", ".html", ".txt"};
-  if (file.empty() || file.front() == '.' || file.size() > 100 || !std::ranges::all_of(file, is_plain) ||
-      std::ranges::find(endings, ending) == endings.end())
+  if (!is_plain_name(file) || std::ranges::find(endings, ending) == endings.end())
     throw BadInput(fmt::format(
         "request: file: found {}; required: a plain name of letters, digits, '_', '-' and '.' that ends "
         "in one of {}",

@@ -22,8 +22,16 @@ struct Opened {
 Opened opened_as(const std::string& what);
 
 /// What the page is given of it; of a folder of results, finished or still computed, with "finished",
-/// "points" and, where they are whole, "result" as --json prints it. Reads the folder anew.
+/// "points" and, where they are whole, "result" as --json prints it; else "options" that go on with it. Reads
+/// the folder anew.
 Json opened_json(const Opened& opened);
+
+/// Folders of results in the folder that was opened (else in the one where the program was started), newest
+/// first: name, case, fidelity, points found and of how many.
+Json result_folders_json(const Opened& opened);
+
+/// One of these by its name, or by "" the folder of results that was opened. Throws BadInput.
+Opened results_within(const Opened& opened, const std::string& name);
 
 /// Templates with name, title, purpose and text.
 Json templates_json();

@@ -331,8 +331,15 @@ class PageServer {
     server_.Get("/schema/(case|result)", [](const Asked& asked, Response& response) {
       answer_file(response, {shipped_cases()}, asked.matches[1].str() + ".schema.json");
     });
-    server_.Get("/opened", [this](const Asked&, Response& response) {
-      answer_json(response, opened_json(settings_.opened));
+    // By `results` a folder of results within the one that was opened.
+    server_.Get("/opened", [this](const Asked& asked, Response& response) {
+      answer_json(response,
+                  opened_json(asked.has_param("results")
+                                  ? results_within(settings_.opened, asked.get_param_value("results"))
+                                  : settings_.opened));
+    });
+    server_.Get("/folders", [this](const Asked&, Response& response) {
+      answer_json(response, result_folders_json(settings_.opened));
     });
     server_.Get("/templates",
                 [](const Asked&, Response& response) { answer_json(response, templates_json()); });
@@ -407,12 +414,24 @@ class PageServer {
   }
 
   void start_job(const Asked&, const Json& body, Response& response) {
-    require_sound_request(body, {"continue"});
+    require_sound_request(body, {"continue", "results"});
     try {
-      answer_json(response, {{"job", jobs_.start(body)}}, 202);
+      answer_json(response, {{"job", jobs_.start(body, folder_of_results(body))}}, 202);
     } catch (const ComputationFailed& error) {
       refuse_with(response, 429, error.what());
     }
+  }
+
+  // That whose sweep is gone on with; empty: none.
+  fs::path folder_of_results(const Json& body) const {
+    if (!body.contains("results")) return {};
+    const Json& name = body["results"];
+    if (!name.is_string() || body.contains("continue") || body.at("command") != "sweep")
+      throw BadInput(
+          "request: results: found no name, or another command than sweep, or continue; required: the name "
+          "of a "
+          "folder whose sweep is gone on with");
+    return results_within(settings_.opened, name.get<std::string>()).folder;
   }
 
   void stop_job(const Asked& asked, Response& response) {

@@ -273,6 +273,17 @@ const char* kind_name(ModeKind kind) {
   return "planet";
 }
 
+ModeShape shape_of(const Mode& mode) {
+  Eigen::VectorXcd shape = mode.shapes.col(0);
+  Eigen::Index largest = 0;
+  shape.cwiseAbs().maxCoeff(&largest);
+  shape /= std::complex<double>(shape[largest]);
+  const auto rows = [](const Eigen::VectorXd& values) -> Eigen::MatrixX3d {
+    return values.reshaped<Eigen::RowMajor>(values.size() / 3, 3);
+  };
+  return {rows(shape.real()), rows(Eigen::VectorXd::Zero(shape.size()) - shape.imag())};
+}
+
 void describe(Record& record, const ModeStudy& study) {
   record.table("modes", "mode", "natural modes", study.modes, [&](Record& row, const Mode& mode) {
     row.value("frequency_Hz", dimension::cycles, "natural frequency", mode.frequency);
@@ -281,6 +292,15 @@ void describe(Record& record, const ModeStudy& study) {
     row.value("growth_per_s", dimension::growth, "rate at which the motion grows", mode.growth);
     row.value("over_planet_frequency", dimension::ratio, "over that of a planet on its bearing alone",
               mode.frequency / study.planet_frequency);
+    const ModeShape shape = shape_of(mode);
+    const std::vector<described::Along> along{"member", "direction"};
+    row.array("shape", dimension::ratio,
+              "x, y and rotation times radius of sun, ring, carrier and planets over the largest; of planets "
+              "outward and tangential",
+              along, shape.position)
+        .detail = true;
+    row.array("shape_quarter", dimension::ratio, "the same a quarter of a period later", along, shape.quarter)
+        .detail = true;
   });
 }
 

@@ -47,6 +47,15 @@ struct ModeStudy {
 };
 void describe(described::Record& record, const ModeStudy& study);
 
+/// Displacements of the first of a mode's shapes over the largest of them: a row (x, y, u) for sun, ring,
+/// carrier and each planet, as the state has them. Those of a planet are outward and in the sense of carrier
+/// rotation; u is a rotation times the member's radius.
+struct ModeShape {
+  Eigen::MatrixX3d position;  // [-]  (members, 3)  where the largest has its largest value
+  Eigen::MatrixX3d quarter;   // [-]  (members, 3)  a quarter of a period later; zero of modes at rest
+};
+ModeShape shape_of(const gearset::dynamics::Mode& mode);
+
 /// At rest, or in the frame of the carrier at the speed of the model.
 ModeStudy mode_study(const gearset::dynamics::SetModel& model, bool at_speed = false);
 

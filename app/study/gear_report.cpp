@@ -89,7 +89,7 @@ using gearset::dynamics::SetModel;
 constexpr std::size_t kFewestRuns = 45;  // a resonance is narrower than a usual step of the sweep
 constexpr int kShapesOfKind = 2;
 constexpr long kSpectrumPeriods = 32;  // of the series: lines 1/32 of an order apart
-constexpr double kStill = 1e-3;  // of the largest frequency: a mode below is a free rotation
+constexpr double kStill = 1e-3;        // of the largest frequency: a mode below is a free rotation
 
 // The speeds of the sweep with as many in equal steps between as make kFewestRuns.
 std::vector<double> with_speeds_between(const std::vector<double>& speeds) {
@@ -168,11 +168,8 @@ Json meetings_json(const ResolvedCase& resolved, const std::vector<SpeedPoint>& 
 
 // The real part of a shape whose largest component is made real: how the members stand at one instant.
 std::vector<double> snapshot_of(const Mode& mode) {
-  const Eigen::VectorXcd shape = mode.shapes.col(0);
-  Eigen::Index largest = 0;
-  shape.cwiseAbs().maxCoeff(&largest);
-  const Eigen::VectorXd real = (shape / shape[largest]).real();
-  return {real.begin(), real.end()};
+  const auto flat = shape_of(mode).position.reshaped<Eigen::RowMajor>();
+  return {flat.begin(), flat.end()};
 }
 
 Json mode_shapes(const SetModel& model) {

@@ -22,7 +22,7 @@ import tutorial
 ROOT = Path(__file__).resolve().parents[2]
 FOLDERS = ("mechanics", "gearset", "bearing", "coupling", "app", "python", "cases", "tests", "benchmarks", "docs")
 FRONT = ("README.md", "CHANGELOG.md", "REFERENCES.md", "CONTRIBUTING.md")
-PICTURES = (".png", ".svg")
+PICTURES = (".png", ".jpg", ".svg")
 _GENERATED = re.compile(r"^<!-- generated: (?P<name>[\w-]+) ?(?P<arguments>.*?) -->$", re.M)
 
 

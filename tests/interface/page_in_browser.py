@@ -23,6 +23,9 @@ import unittest
 
 from program import CASES, run
 
+sys.path.insert(0, str(CASES.parent / "docs" / "page"))
+import pictures  # noqa: E402
+
 try:
     from selenium import webdriver
     from selenium.webdriver.chrome.service import Service
@@ -255,7 +258,15 @@ class PageSteps:
                          {"wind-stage", "e-drive", "industrial", "roller-bearing", "ball-bearing", "duplex", "defect"})
         self.open_template("industrial")
         self.assertEqual(self.text, (CASES / "templates" / "industrial.yaml").read_text())
+        self.assert_pictures_show_this_page()
         self.assert_numbers_of_the_command_line()
+
+    def assert_pictures_show_this_page(self):
+        """Item 7: pictures in README and guide have the parts that the page has now; docs/page/pictures.py makes them."""
+        here = self.script(pictures.PARTS)
+        for file in sorted(pictures.FOLDER.glob("*.jpg")):
+            self.assertEqual(pictures.parts_in(file), here, f"{file.name} shows another page: make the pictures anew by docs/page/pictures.py")
+            self.assertLess(file.stat().st_size, pictures.LARGEST)
 
     def test_every_template_computes(self):
         for name in ("wind-stage", "e-drive", "roller-bearing", "ball-bearing", "duplex"):
@@ -287,6 +298,28 @@ class PageSteps:
         Select(row.find_element(By.CSS_SELECTOR, ".unit")).select_by_value("mm")
         self.until(lambda: self.find("[id='in-bearing.radial_clearance']").get_attribute("value") == "0.07", "the value is converted")
         self.assertIn("radial_clearance: 0.07 mm", self.text)
+
+    def press_chip(self, selector):
+        """A real press of the mouse: the row opens or closes under it."""
+        webdriver.ActionChains(self.driver).move_to_element(self.find(selector)).click().perform()
+        self.computed()
+
+    def test_power_or_torque_and_the_catalogue(self):
+        self.open_text(MOVING)
+        self.press_chip("[data-instead='input.torque']")
+        torque = float(re.search(r"^input: \{speed: 9000 rpm, torque: (\S+) N\.m\}", self.text, re.M)[1])
+        self.assertAlmostEqual(torque * 9000 * 3.141592653589793 / 30 / 150e3, 1.0, places=11)
+        self.assert_numbers_of_the_command_line()
+        self.press_chip("[data-instead='input.torque_curve']")
+        self.assertEqual(re.findall(r"\[(\d+) rpm, ", self.text), ["8000", "9000", "10000"])
+        self.assert_numbers_of_the_command_line()
+        self.write(MOVING.replace("  rollers: 15          # in each bearing\n  roller_diameter: 5.24 mm\n  roller_length: 5.7 mm\n  pitch_diameter: 35.64 mm\n", "  designation: NU 2051\n")
+                   .replace("  bore: 25 mm\n  outside_diameter: 47 mm\n  width: 11.9 mm\n  cage: {inner_diameter: 33.44 mm, outer_diameter: 38.54 mm, width: 9 mm, density: 1310 kg/m3, guide_land_diameter: 38.88 mm}\n", ""))
+        offered = [one.get_attribute("data-take") for one in self.all(".row.bad [data-take]")]
+        self.assertEqual(offered, re.search(r"nearest: ([^.]*)", self.program("check").stderr)[1].split(", "))
+        self.press_chip("[data-take='NU 205']")
+        self.assertIn("designation: NU 205\n", self.text)
+        self.assertFalse(self.all(".row.bad, #errors .error"))
 
     def test_two_mistakes_are_shown_at_their_fields_and_mended(self):
         self.open_template("wind-stage")
@@ -451,7 +484,9 @@ class PageSteps:
         self.open_card("modes")
         self.until(lambda: self.all("#card-modes circle[data-y]"), "the modes are computed")
         shown = {float(one.get_attribute("data-y")) for one in self.all("#card-modes circle[data-x='9000']")}
-        self.assertEqual(shown, {mode["frequency_Hz"] for mode in self.answer("modes", "--speed", "9000 rpm")["modes"]} - {0.0})
+        modes = [mode for mode in self.answer("modes", "--speed", "9000 rpm")["modes"] if mode["frequency_Hz"] > 0]
+        self.assertEqual(shown, {mode["frequency_Hz"] for mode in modes})
+        self.assert_shape_of(modes)
         card = self.open_card("mesh")
         self.until(lambda: card.find_elements(By.CSS_SELECTOR, "table"), "the meshes are computed")
         first = self.answer("mesh")["meshes"][0]
@@ -463,6 +498,19 @@ class PageSteps:
         assumed = [one["path"] for one in self.answer("check")["inputs"] if one["standing"] != "given"]
         largest = max(assumed, key=lambda path: abs(effects.get(path) or 0.0))
         self.assertEqual(card.find_element(By.CSS_SELECTOR, "tbody th").text, largest)
+
+    def assert_shape_of(self, modes):
+        """The drawing of the second mode that is chosen: members where `modes --json` has them, to the scale that it states."""
+        self.until(lambda: self.all("#mode-choice option"), "the modes at the cursor are listed")
+        Select(self.find("#mode-choice")).select_by_index(1)
+        mode = modes[0] if modes[0]["multiplicity"] > 1 else modes[1]
+        self.assertEqual(self.numbers(self.find("#card-modes .halves"))[0], mode["frequency_Hz"])
+        distance = next(one["value"] for one in self.answer("check")["derived"] if one["path"] == "gearset.centre_distance")
+        place = lambda name: [float(one) for one in re.match(r"translate\((\S+) (\S+)\)", self.find(f"#card-modes {name}").get_attribute("transform")).groups()]  # noqa: E731
+        for name, row, rest in ((".sun-moved", 0, 0.0), (".ring-moved", 1, 0.0), (".planet-moved", 3, distance)):
+            x, y = place(name)
+            self.assertAlmostEqual(-y, rest + 0.22 * distance * mode["shape"][row][0], delta=1e-3)
+            self.assertAlmostEqual(-x, 0.22 * distance * mode["shape"][row][1], delta=1e-3)
 
     def test_what_is_taken_away(self):
         self.open_text(MOVING)
@@ -550,6 +598,37 @@ class EngineA(PageSteps, unittest.TestCase):
     @classmethod
     def tearDownClass(cls):
         cls.judge_traffic()
+
+    def test_a_folder_of_results_is_continued(self):
+        """Item 6: an unfinished sweep is listed at the start, shown, and gone on with in its folder; a crown folder is shown."""
+        place = self.folder / "work"
+        place.mkdir()
+        (place / "case.yaml").write_text(MOVING)
+        whole = json.loads(run("sweep", place / "case.yaml", "-o", place / "half", "--grid-only", "--json").stdout)
+        self.assertEqual(run("crown", place / "case.yaml", "-o", place / "crown", "--drops", "0 um, 4 um, 8 um", "--tilts", "0 mrad", "--quiet").returncode, 0)
+        manifest = place / "half" / "manifest.jsonl"
+        manifest.write_text("".join(manifest.read_text().splitlines(keepends=True)[:-1]))
+        server = Server(folder=place)
+        self.addCleanup(server.stop)
+        self.driver.get(server.address)
+        self.until(lambda: self.all("[data-folder=half]"), "the folders are listed")
+        self.assertIn("quasi-static, 2 of 3 points", self.find("[data-folder=half]").text)
+        self.find("[data-folder=half]").click()
+        card = self.find("#card-motion")
+        told = lambda: card.find_element(By.CSS_SELECTOR, ".told").text  # noqa: E731
+        self.until(lambda: "2 of 3 points" in told(), "the folder is shown")
+        self.computed()
+        card.find_elements(By.CSS_SELECTOR, ".player button")[2].click()
+        self.until(lambda: "Done: 3 points" in told(), "the sweep is done")
+        with (place / "half" / "sweep.csv").open() as file:
+            self.assertEqual([float(row["life_h"]) for row in csv.DictReader(file)], [point["life_h"] for point in whole["points"]])
+        self.find("#to-start").click()
+        self.until(lambda: "3 of 3 points" in self.find("[data-folder=half]").text, "the folder has all points")
+        self.until(lambda: self.all("[data-folder=crown]"), "the crown is listed")
+        self.find("[data-folder=crown]").click()
+        self.until(lambda: self.all("#card-crown table"), "the crown is shown")
+        stated = json.loads((place / "crown" / "crown.json").read_text())
+        self.assertEqual(self.numbers(self.find("#card-crown"))[0], (stated.get("recommended") or stated["optimum"])["drop_um"])
 
 
 if __name__ == "__main__":

@@ -24,6 +24,8 @@ REQUESTS = (
     ("/jobs", {"command": "sweep", "case_text": CASE, "continue": "0001"}),
     ("/request", {"command": "run", "case_text": CASE, "options": {"fidelity": [[[[[[[[1]]]]]]]]}}),
     ("/request", {f"key{i}": 1 for i in range(201)}),
+    ("/jobs", {"command": "sweep", "case_text": CASE, "results": "../results"}),
+    ("/jobs", {"command": "run", "case_text": CASE, "results": "results"}),
     ("/units", {}),
     ("/units", {"value": "three mm", "unit": "um"}),
     ("/units", {"value": "3 mm", "unit": "N"}),

@@ -1,5 +1,5 @@
 // The page: start, form, text and results about one session.
-import {AssumptionsCard, CrownCard, GearsCard, LifeCard, LoadsCard, MachineCard, MeshCard, ModesCard, MoreCard, MotionCard, PointCard, PressureCard, ResultCard, SpectrumCard} from './cards.js';
+import {AssumptionsCard, CrownCard, GearsCard, LifeCard, LoadsCard, MachineCard, MeshCard, ModesCard, MoreCard, MotionCard, PointCard, PressureCard, ResultCard, RollerLoadsCard, SpectrumCard} from './cards.js';
 import {element, figure, readable} from './dom.js';
 import {engineFor} from './engine.js';
 import {Form} from './form.js';
@@ -30,14 +30,16 @@ class Page {
     this.form = new Form(at('form'), caseSchema, {
       changed: (text) => this.session.setText(text, 'form'),
       convert: (value, unit) => engine.units(value, unit),
+      instead: (key, other) => this.session.instead(key, other),
+      save: engine.save,
     });
     this.crown = new CrownCard((crown) => this.putCrown(crown));
     this.motion = new MotionCard();
     const machine = new MachineCard(), focus = (key) => this.form.focus(key);
     this.cards = [
-      new LifeCard(), new LoadsCard(), machine, new GearsCard(machine), new ResultCard(), new PressureCard(),
-      this.motion, new SpectrumCard(), this.crown, new MoreCard(), new ModesCard(), new MeshCard(),
-      new AssumptionsCard(focus), new PointCard()
+      new LifeCard(), new LoadsCard(), machine, new GearsCard(machine), new ResultCard(),
+      new RollerLoadsCard(), new PressureCard(), this.motion, new SpectrumCard(), this.crown, new MoreCard(),
+      new MeshCard(), new AssumptionsCard(focus), new ModesCard(), new PointCard()
     ];
     this.variants = new Variants(this.session);
     this.layOut();
@@ -106,6 +108,7 @@ class Page {
       }));
     }
     at('templates').querySelector('button')?.focus();
+    await this.listFolders();
   }
 
   showWork() {
@@ -122,25 +125,63 @@ class Page {
     return opened;
   }
 
-  /** Results of the folder that was opened, finished or still computed. */
-  showFolder(opened) {
+  async listFolders() {
+    const found = (await this.engine.folders?.()) ?? [];
+    at('folders').hidden = found.length === 0;
+    at('folder-list').replaceChildren(...found.map(({name, case: about, fidelity, points, of}) => {
+      const button = element(
+          'button', {type: 'button', 'data-folder': name}, element('strong', {}, name),
+          element('span', {}, `${about}, ${fidelity}, ${points} of ${of} points`));
+      button.addEventListener('click', async () => this.openResults(await this.engine.results(name), name));
+      return element('li', {}, button);
+    }));
+  }
+
+  /** A folder of results, of which `name` is '' for the one that was opened. */
+  async openResults(opened, name = '') {
+    await this.open(opened.text, opened.file);
+    this.showFolder(opened, name);
+  }
+
+  /** Its results, finished or still computed. */
+  showFolder(opened, name) {
     const {session} = this;
-    if (opened.points) {
-      session.motion = opened.points;
-      session.motionFidelity = opened.fidelity === 'quasi-static' ? 'in the folder' : opened.fidelity;
-      session.tell('motion');
-      this.motion.told.textContent = `Folder ${opened.name}: ${opened.points.length} points${
-          opened.finished ? '' : '; its sweep is not finished'}.`;
-    }
-    if (opened.result?.recommended) {
+    if (opened.error) at('errors').append(element('p', {class: 'error'}, opened.error));
+    if (opened.points) this.showPoints(opened, name);
+    if (opened.result?.recommended || opened.result?.straight) {
       this.crown.element.open = true;
-      this.crown.draw(session, opened.result);
+      this.crown.show(session);
+      this.crown.given(session, opened.result);
     } else if (opened.result && !opened.points) {
       session.run = opened.result;
       session.tell('results');
     }
-    if (opened.finished === false && this.engine.reopened)
-      setTimeout(async () => this.showFolder(await this.engine.reopened()), FOLDER_EVERY);
+    if (opened.finished === false && this.engine.results)
+      setTimeout(() => this.followFolder(opened, name), FOLDER_EVERY);
+  }
+
+  showPoints({points, fidelity, finished, missing, options, name: called}, name) {
+    const {session, motion} = this;
+    session.motion = points;
+    session.motionFidelity = fidelity === 'quasi-static' ? 'in the folder' : fidelity;
+    if (session.fidelities.includes(fidelity)) session.setFidelity(fidelity);
+    session.tell('motion');
+    motion.told.textContent = finished ? `Folder ${called}: ${points.length} points.` :
+        options ? `Folder ${called}: ${missing?.found ?? points.length} of ${
+                      missing?.of ?? '?'} points. Continue computes the others in this folder.` :
+                  `Folder ${called}: ${missing?.text ?? 'no points yet'}`;
+    if (options) motion.offer(session, name, options);
+  }
+
+  // While another program computes in it; what is computed here tells of itself.
+  async followFolder(opened, name) {
+    const {session, motion} = this;
+    if (motion.handle || session.text !== opened.text) return;
+    const now = await this.engine.results(name);
+    if (motion.handle || session.text !== opened.text) return;
+    if (now.points?.length === opened.points?.length && now.finished === opened.finished)
+      return void setTimeout(() => this.followFolder(opened, name), FOLDER_EVERY);
+    this.showFolder(now, name);
   }
 
   showText(by) {
@@ -269,7 +310,7 @@ async function begin() {
   document.body.dataset.engine = engine.name;
   if (opened?.text) {
     const first = page.open(opened.text, opened.file);
-    if (opened.kind === 'results') first.then(() => page.showFolder(opened));
+    if (opened.kind === 'results') first.then(() => page.showFolder(opened, ''));
   } else
     await page.showStart();
   document.body.classList.add('ready');

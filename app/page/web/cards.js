@@ -5,11 +5,12 @@ import {element, figure, readable} from './dom.js';
 import {GearsView} from './gears_view.js';
 import {nameOf, pointTable, resultTable} from './results.js';
 import {gearSet, planetBearing, singleBearing} from './scene.js';
+import {ShapeView} from './shape_view.js';
 
 const COLOURS = ['c1', 'c2', 'c3', 'c4', 'c5', 'c6', 'c7', 'c8'];
 const LIVES = /^(life_h|L10r?h|L10mr?h)$/;
-const PARTS_OF_LOAD =
-    /^(planet_load|tangential_load|centrifugal_load|radial_mesh_load|(inner|outer)_load_(max|rms))_N$/;
+const PARTS_OF_LOAD = /^(planet_load|tangential_load|centrifugal_load|radial_mesh_load)_N$/;
+const LOADS_OF_ROLLER = /^(inner|outer)_load_(max|rms)_N$/;
 const SLIPS = /(^|_)slip$/;
 const LOSSES = /^power_loss/;
 const isNumber = (value) => typeof value === 'number' && Number.isFinite(value);
@@ -145,7 +146,13 @@ export class LifeCard extends CurveCard {
 
 export class LoadsCard extends CurveCard {
   constructor() {
-    super('loads', 'Loads over speed', PARTS_OF_LOAD, {y: 'load of one bearing, of a roller'});
+    super('loads', 'Load of the bearing and its parts', PARTS_OF_LOAD, {y: 'load of one bearing', log: null});
+  }
+}
+
+export class RollerLoadsCard extends CurveCard {
+  constructor() {
+    super('roller-loads', 'Load of the rollers', LOADS_OF_ROLLER, {y: 'load of one roller', log: null});
   }
 }
 
@@ -199,6 +206,14 @@ export class MotionCard extends Card {
     this.stopped = null;
   }
 
+  /** A folder whose sweep is not finished: `Continue` goes on in it. */
+  offer(session, folder, options) {
+    this.session = session;
+    this.text = session.text;
+    this.stopped = {folder, options};
+    this.proceed.disabled = false;
+  }
+
   get fidelity() { return this.session.fidelity === 'quasi-static' ? 'dynamic' : this.session.fidelity; }
 
   show(session, what) {
@@ -250,10 +265,13 @@ export class MotionCard extends Card {
   async run(from) {
     const {session} = this, kept = from ? session.motion : [];
     session.motion = [...kept];
-    session.motionFidelity = this.fidelity;
+    if (!from?.options) session.motionFidelity = this.fidelity;
     this.text = session.text;
     const settings = session.sweptSpeeds().length > 1 ? [] : [`sweep={input.speed: [${session.cursor} rpm]}`];
-    const request = session.request('sweep', settings, {fidelity: this.fidelity, grid_only: true});
+    const folder = from?.folder;
+    const request = folder === undefined ?
+        session.request('sweep', settings, {fidelity: this.fidelity, grid_only: true}) :
+        {...session.request('sweep', [], from.options), results: folder};
     for (const button of [this.start, this.proceed]) button.disabled = true;
     this.stop.disabled = false;
     this.told.textContent = 'Starting …';
@@ -277,7 +295,7 @@ export class MotionCard extends Card {
           },
           point: (point) => put([point]),
         },
-        from);
+        folder === undefined ? from : null);
     try {
       const result = await this.handle.done;
       if (result.points) put(result.points);
@@ -423,6 +441,12 @@ class AskedCard extends Card {
     if (this.text !== session.text) this.ask(session);
   }
 
+  /** A result that is there already, of the case as it is. */
+  given(session, result) {
+    this.text = session.text;
+    this.draw(session, result);
+  }
+
   async ask(session) {
     if (this.asking) return;
     this.asking = true;
@@ -451,39 +475,71 @@ const KINDS = {
   planet: 'c3'
 };
 
+// Each mode by what it is: of a kind the first, the second ... by frequency.
+const ranked = (modes) => {
+  const rank = {};
+  return modes.filter((mode) => mode.frequency_Hz > 0)
+      .flatMap(
+          (mode) => Array.from(
+              {length: mode.multiplicity},
+              () => ({mode, name: `${mode.kind} ${(rank[mode.kind] = (rank[mode.kind] ?? 0) + 1)}`})));
+};
+
+/**
+ * Natural frequencies over speed with orders of the mesh frequency, and the shape of a mode at the cursor.
+ */
 export class ModesCard extends AskedCard {
-  constructor() { super('modes', 'Campbell diagram'); }
+  constructor() { super('modes', 'Campbell diagram and mode shapes', {column: 'wide'}); }
 
   fits(session) {
     return session.model === 'planetary-drivetrain' && session.known.input('input.speed') !== undefined &&
         session.check.inputs.some((input) => input.used_by.includes('modes --speed'));
   }
 
+  at(session, speed) { return session.engine.answer(session.request('modes', [], {speed: `${speed} rpm`})); }
+
   async request(session) {
     const found = [];
     for (const speed of session.speeds(CAMPBELL_SPEEDS))
-      found.push(
-          {speed, ...(await session.engine.answer(session.request('modes', [], {speed: `${speed} rpm`})))});
+      found.push({speed, modes: ranked((await this.at(session, speed)).modes)});
     return found;
   }
 
-  draw(session, found) {
-    this.chart ??= new Chart(this.shown, {
+  prepare(session) {
+    if (this.chart) return;
+    this.choice = element('select', {id: 'mode-choice'});
+    this.choice.addEventListener('change', () => this.drawShape(this.session));
+    const curves = element('div'), shape = element('div');
+    this.shown.classList.add('halves');
+    this.shown.append(curves, shape);
+    this.chart = new Chart(curves, {
       title: 'Natural frequencies over speed',
-      height: 320,
-      moved: (x) => session.setCursor(Number(x.toPrecision(5)))
+      height: 420,
+      moved: (x) => session.setCursor(Number(x.toPrecision(5))),
+      picked: (x, y) => this.choose(y)
     });
-    const kinds = [...new Set(found.flatMap((one) => one.modes.map((mode) => mode.kind)))];
-    const series = kinds.map(
-        (kind, i) => ({
-          key: kind,
-          label: `${kind} mode`,
-          colour: KINDS[kind] ?? COLOURS[3 + i],
-          only: true,
-          points: found.flatMap(
-              ({speed, modes}) => modes.filter((mode) => mode.kind === kind && mode.frequency_Hz > 0)
-                                      .map((mode) => [speed, mode.frequency_Hz]))
-        }));
+    curves.append(element('p', {class: 'hint'}, 'Press on a curve for the shape of its mode.'));
+    shape.append(element('label', {class: 'inline'}, 'Mode at the cursor ', this.choice));
+    this.view = new ShapeView(shape);
+  }
+
+  draw(session, found) {
+    this.prepare(session);
+    const names = [...new Set(found.flatMap((one) => one.modes.map(({name}) => name)))], named = new Set();
+    const series = names.map((name) => {
+      const kind = name.split(' ')[0], label = named.has(kind) ? '' : `${kind} mode`;
+      named.add(kind);
+      return {
+        key: name,
+        label,
+        title: `${name.split(' ')[1]}. ${kind} mode`,
+        colour: KINDS[kind] ?? 'c4',
+        dots: true,
+        points: found.flatMap(
+            ({speed, modes}) =>
+                modes.filter((one) => one.name === name).map(({mode}) => [speed, mode.frequency_Hz]))
+      };
+    });
     const top = Math.max(...series.flatMap((one) => one.points.map(([, y]) => y)));
     const mesh = session.known.derived.get('gearset.dynamics.mesh_frequency'),
           own = (session.known.input('input.speed') * 30) / Math.PI;
@@ -496,8 +552,9 @@ export class ModesCard extends AskedCard {
           dash: order === 1 ? null :
               order === 2   ? '6 3' :
                               '2 3',
-          points:
-              found.map(({speed}) => [speed, (order * mesh * speed) / own]).filter(([, y]) => y <= 1.05 * top)
+          points: [session.range()[0], session.range()[1]]
+                      .map((speed) => Math.min(speed, (1.05 * top * own) / (order * mesh)))
+                      .map((speed) => [speed, (order * mesh * speed) / own])
         });
     this.chart.set({
       series,
@@ -505,9 +562,57 @@ export class ModesCard extends AskedCard {
       y: {label: 'frequency', unit: 'Hz'},
       cursor: session.cursor
     });
+    this.askShape(session);
   }
 
-  follow(session) { this.chart?.setCursor(session.cursor); }
+  follow(session) {
+    this.chart?.setCursor(session.cursor);
+    if (this.chart && !session.errors.length) this.askShape(session);
+  }
+
+  // Of several cursors that come fast the last one is computed.
+  async askShape(session) {
+    this.wanted = session.cursor;
+    if (this.shaping) return;
+    this.shaping = true;
+    try {
+      while (this.wanted !== null) {
+        const speed = this.wanted;
+        this.wanted = null;
+        this.modes = ranked((await this.at(session, speed)).modes);
+      }
+      this.list();
+      this.drawShape(session);
+    } catch (error) {
+      if (!error.errors) throw error;
+      this.told.textContent = error.errors.join(' ');
+    } finally {
+      this.shaping = false;
+    }
+  }
+
+  list() {
+    const kept = this.choice.value;
+    this.choice.replaceChildren(...this.modes.map(
+        ({mode, name}) => element('option', {value: name}, `${name}: ${readable(mode.frequency_Hz, 4)} Hz`)));
+    this.choice.value = this.modes.some(({name}) => name === kept) ? kept : this.modes[0]?.name ?? '';
+    if (this.near !== undefined) this.choose(this.near);
+  }
+
+  choose(frequency) {
+    this.near = this.shaping || !this.modes ? frequency : undefined;
+    if (!this.modes?.length) return;
+    const distance = ({mode}) => Math.abs(mode.frequency_Hz - frequency);
+    this.choice.value =
+        this.modes.reduce((one, other) => (distance(other) < distance(one) ? other : one)).name;
+    this.drawShape(this.session);
+  }
+
+  drawShape(session) {
+    const found = this.modes.find(({name}) => name === this.choice.value),
+          scene = gearSet(session.known, session.point, '');
+    if (found && scene) this.view.set(scene, found.mode);
+  }
 }
 
 export class MeshCard extends AskedCard {

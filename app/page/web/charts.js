@@ -36,12 +36,13 @@ const isNumber = (value) => typeof value === 'number' && Number.isFinite(value);
 /**
  * A chart in `root`. set({series, x, y, cursor, marks}) draws: series [{key, label, points: [[x, y]], colour
  * (class c1 to c8), dash, dots, title}], x and y {label, unit, log}, marks [{x, label}]. `moved(x)` is called
- * where the cursor is dragged.
+ * where the cursor is dragged, `picked(x, y)` where it is pressed.
  */
 export class Chart {
-  constructor(root, {title, moved = null, height = HEIGHT}) {
+  constructor(root, {title, moved = null, picked = null, height = HEIGHT}) {
     this.root = root;
     this.moved = moved;
+    this.picked = picked;
     this.height = height;
     this.title = title;
     this.legend = element('div', {class: 'legend'});
@@ -60,9 +61,18 @@ export class Chart {
       this.svg.addEventListener('pointerdown', (event) => {
         this.svg.setPointerCapture(event.pointerId);
         to(event);
+        if (this.picked && this.scale) this.picked(...this.placeOf(event));
       });
       this.svg.addEventListener('pointermove', to);
     }
+  }
+
+  // Values at a place of the pointer, on linear axes.
+  placeOf(event) {
+    const box = this.svg.getBoundingClientRect(), {x, y} = this.scale, bottom = this.height - MARGIN.bottom;
+    const right = (event.clientX - box.left - MARGIN.left) / (this.width - MARGIN.left - MARGIN.right),
+          up = (bottom - (event.clientY - box.top)) / (bottom - MARGIN.top);
+    return [x.low + right * (x.high - x.low), y.low + up * (y.high - y.low)];
   }
 
   set(state) {

@@ -42,8 +42,10 @@ export function engine(location, opened) {
   return {
     name: 'A',
     opened: async () => opened,
-    /** What was opened, read anew: of a folder whose sweep goes on. */
-    reopened: () => json('/opened'),
+    /** Folders of results beside the case: {name, case, fidelity, points, of}. */
+    folders: () => json('/folders'),
+    /** One of them, or by '' the folder that was opened, as it is now. */
+    results: (name) => json(`/opened?results=${encodeURIComponent(name)}`),
     templates: () => json('/templates'),
     schema: (which) => json(`/schema/${which}`),
 
@@ -70,6 +72,7 @@ export function engine(location, opened) {
       const handle = {id: null};
       const jobs = (async () => {
         const asked = body(request);
+        if (request.results !== undefined) asked.results = request.results;
         if (continues) asked.continue = await continues.job;
         return (await (await posted('/jobs', asked)).json()).job;
       })();

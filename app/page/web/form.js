@@ -18,21 +18,24 @@ const GROUPS = [
 const groupOf = (block) => (GROUPS.find(([, blocks]) => blocks.includes(block)) ?? GROUPS.at(-1))[0];
 const MANY_CHOICES = 14;  // beyond which a list is searched by typing
 const SLIDER_STEPS = 200;
-const LINE = 44;  // letters in a line of a list or mapping
+const LINE = 36;  // letters in a line of a list or mapping
 
 const spaced = (key) => key.replaceAll('_', ' ');
 const labelOf = (field) => (field.path.length > 1 ? field.path.slice(1) : field.path).map(spaced).join(' · ');
 
 /**
  * `changed(text)` is called with the new text of the case, `dragging` true while a slider moves;
- * `convert(value, unit)` as the engine's units.
+ * `convert(value, unit)` as the engine's units; `instead(key, other)` is the value (YAML) by which another
+ * input says the same, or null; `save(name, text)` keeps a file beside the case, where there is a folder.
  */
 export class Form {
-  constructor(root, schema, {changed, convert}) {
+  constructor(root, schema, {changed, convert, instead = () => null, save = null}) {
     this.root = root;
     this.schema = schema;
     this.changed = changed;
     this.convert = convert;
+    this.instead = instead;
+    this.save = save;
     this.text = '';
     this.rows = new Map();
     this.shape = '';
@@ -41,6 +44,26 @@ export class Form {
     this.errors = new Map();
     this.filter = '';
     this.shown = new Set();
+    this.keepStill();
+  }
+
+  // A row opens where the focus goes, but not while a button of the mouse is down: what is pressed would move
+  // away from under the pointer.
+  keepStill() {
+    let down = false, next = null;
+    const open = (row) => {
+      next = row;
+      if (down || !row) return;
+      for (const one of this.root.querySelectorAll('.row.open')) one.classList.toggle('open', one === row);
+      row.classList.add('open');
+    };
+    addEventListener('pointerdown', () => (down = true), {capture: true});
+    for (const end of ['pointerup', 'pointercancel'])
+      addEventListener(end, () => {
+        down = false;
+        setTimeout(() => open(next));
+      }, {capture: true});
+    this.root.addEventListener('focusin', (event) => open(event.target.closest('.row')));
   }
 
   /** Shows a text; false where it cannot be read as a tree: then the text alone is edited. */
@@ -162,13 +185,34 @@ export class Form {
     row.element = element(
         'div', {class: 'row', 'data-key': field.key}, row.label,
         element('span', {class: 'value'}, row.control, row.unit, row.reset), row.slider, row.meaning,
-        row.note);
+        row.note, field.lines ? this.fileOf(row) : null);
     row.control.addEventListener('change', () => this.commit(row));
     row.unit?.addEventListener('change', () => this.changeUnit(row));
     row.reset.addEventListener('click', () => this.takeOut(row));
     if (row.slider) this.listen(row);
     this.rows.set(field.key, row);
     return row.element;
+  }
+
+  // A table from a file of this computer: kept beside the case, else within its text.
+  fileOf(row) {
+    const file =
+        element('input', {type: 'file', accept: '.csv,text/csv', 'aria-label': `file of ${row.field.key}`});
+    file.addEventListener('change', async () => {
+      const [given] = file.files;
+      file.value = '';
+      if (!given) return;
+      const text = await given.text();
+      try {
+        const value = this.save ? (await this.save(given.name, text)).file : text;
+        this.state(
+            row.field, yaml.scalarText(value, {flow: this.isInFlow(row.field.path), words: true}), false);
+      } catch (error) {
+        row.note.replaceChildren(element('p', {class: 'error'}, (error.errors ?? [error.message]).join(' ')));
+        row.looks = null;
+      }
+    });
+    return element('label', {class: 'button file'}, 'CSV file …', file);
   }
 
   controlOf(field, id) {
@@ -180,13 +224,13 @@ export class Form {
         select.append(element('option', {value}, value));
       return select;
     }
-    if (field.kind === 'choice') {
+    if (field.kind === 'choice' || (field.kind === 'text' && field.values.length)) {
       const list =
           element('datalist', {id: `${id}-list`}, ...field.values.map((value) => element('option', {value})));
       this.root.append(list);
       return element('input', {...common, type: 'text', list: `${id}-list`, placeholder: 'type to search'});
     }
-    if (field.kind === 'structure') return element('textarea', {...common, rows: 1});
+    if (field.kind === 'structure' || field.lines) return element('textarea', {...common, rows: 1});
     return element('input', {
       ...common,
       type: 'text',
@@ -222,16 +266,50 @@ export class Form {
     const looks = [row.state, unused, reason, ...errors].join('\n');
     if (looks === row.looks) return;
     row.looks = looks;
-    row.element.className = `row ${row.state} ${field.kind}${errors.length ? ' bad' : ''}`;
+    row.element.className = `row ${row.state} ${field.kind}${errors.length ? ' bad' : ''}${
+        row.element.classList.contains('open') ? ' open' : ''}`;
     row.control.setAttribute('aria-invalid', String(errors.length > 0));
     row.reset.hidden = !node || field.kind === 'fixed';
     row.element.classList.toggle('unused', unused);
     row.note.replaceChildren(
-        ...errors.map((text) => element('p', {class: 'error'}, text)),
+        ...errors.map((text) => element('p', {class: 'error'}, text)), ...this.nearestOf(row, errors),
+        ...this.othersOf(row, node),
         ...(unused ? [element('p', {class: 'unused-note'}, `Not used by ${this.fidelity}`)] : []),
         ...(reason && (node || input) ?
                 [element('p', {class: 'reason'}, node ? `Assumed: ${reason}` : reason)] :
                 []));
+  }
+
+  // Names of the list that a message offers.
+  nearestOf(row, errors) {
+    const offered = errors.flatMap((text) => /nearest: ([^.]*)/.exec(text)?.[1].split(', ') ?? [])
+                        .filter((name) => row.field.values.includes(name));
+    if (!offered.length) return [];
+    return [element('p', {class: 'offers'}, 'Take ', ...offered.map((name) => {
+      const take = element('button', {type: 'button', class: 'chip', 'data-take': name}, name);
+      take.addEventListener('click', () => {
+        row.control.value = name;
+        this.commit(row);
+      });
+      return take;
+    }))];
+  }
+
+  // Inputs that a case may state in place of this one.
+  othersOf(row, node) {
+    const others = node ? alternativesOf(this.schema, this.model, row.field.path) : [];
+    if (!others.length) return [];
+    return [element('p', {class: 'offers'}, 'Instead: ', ...others.map((path) => {
+      const other = this.rows.get(path.join('.'));
+      const take = element(
+          'button', {type: 'button', class: 'chip', 'data-instead': path.join('.')}, spaced(path.at(-1)));
+      take.addEventListener('click', () => {
+        const value = this.instead(row.field.key, path.join('.'));
+        if (value) this.state(other.field, value, false);
+        this.focus(path.join('.'));
+      });
+      return take;
+    }))];
   }
 
   put(row, value) {
@@ -247,7 +325,7 @@ export class Form {
     const {field} = row;
     if (field.kind !== 'quantity') {
       row.control.value = value;
-      if (field.kind === 'structure')
+      if (row.control.tagName === 'TEXTAREA')
         row.control.rows = Math.min(
             8,
             value.split('\n').reduce((rows, line) => rows + Math.max(1, Math.ceil(line.length / LINE)), 0) ||
@@ -309,7 +387,8 @@ export class Form {
   commit(row, dragging = false) {
     const {field} = row, value = row.control.value.trim();
     row.dirty = false;
-    if (value === '' && field.kind !== 'text') return this.takeOut(row);
+    if (value === '' && (field.kind !== 'text' || field.values.length || field.lines))
+      return this.takeOut(row);
     let source = value;
     if (field.kind === 'quantity') {
       const whole = quantityOf(value);
@@ -407,7 +486,7 @@ export class Form {
       }
       for (const block of group.querySelectorAll('.block'))
         block.hidden = ![...block.querySelectorAll('.row')].some((line) => !line.hidden);
-      for (const chip of group.querySelectorAll('.chip')) {
+      for (const chip of group.querySelectorAll('.shows .chip')) {
         chip.textContent =
             `${chip.dataset.state === 'default' ? 'Defaults' : 'Not stated'} (${count[chip.dataset.state]})`;
         chip.hidden = !count[chip.dataset.state];

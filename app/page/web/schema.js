@@ -1,6 +1,8 @@
 // What the schema of case files says of each input: kind, limits, unit, meaning. The form follows from it.
 
 const QUANTITY = /\((?:an?|a list, each element an?) ([a-z -]+?) like '([^']+)'/;
+const MANY_EXAMPLES = 10;       // of a text: a catalogue, which is searched by typing
+const LINES = /several lines/;  // of a text that may be a table
 const NUMBER = /^\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(.*?)\s*$/;
 
 /** "150 kW" -> {number: "150", unit: "kW"}; null where it does not begin with a number. */
@@ -35,7 +37,8 @@ function fieldOf(path, part, required) {
     block: path[0],
     kind: kindOf(part),
     required,
-    values: part.enum ?? [],
+    values: part.enum ?? (part.examples?.length > MANY_EXAMPLES ? part.examples : []),
+    lines: LINES.test(part.description ?? ''),
     meaning: meaningOf(part.description),
     requirement: requirementOf(part.description),
     dimension: quantity?.[1] ?? '',
@@ -91,15 +94,24 @@ export function orderAt(schema, model, path) {
   return Object.keys(part?.properties ?? {});
 }
 
-/** Inputs of which the schema allows one beside `path` at most: input.power beside input.torque. */
+const INSTEAD = /\bin place of\b/;
+
+/**
+ * Inputs of which a case states one beside `path` at most: input.power beside input.torque. The schema has
+ * them as a choice of one, or says of all but the first that they are in place of it.
+ */
 export function alternativesOf(schema, model, path) {
   let part = schema.$defs[model];
   for (const key of path.slice(0, -1)) part = part?.properties?.[key];
-  const lists = [part, ...(part?.allOf ?? [])].map((one) => one?.oneOf).filter(Boolean);
+  const parts = [part, ...(part?.allOf ?? [])], properties = part?.properties ?? {};
   const single = (one) => (one.required?.length === 1 && !one.properties ? one.required[0] : null);
-  const choices = lists.map((list) => list.map(single))
-                      .filter((list) => list.every(Boolean))
-                      .find((list) => list.includes(path.at(-1)));
+  const namesOf = (list) => (list.every(single) ? list.map(single) : []);
+  const replaces = (names) =>
+      names.slice(1).every((name) => INSTEAD.test(properties[name]?.description ?? ''));
+  const choices = [
+    ...parts.map((one) => one?.oneOf).filter(Boolean).map(namesOf),
+    ...parts.map((one) => one?.anyOf).filter(Boolean).map(namesOf).filter(replaces)
+  ].find((names) => names.includes(path.at(-1)));
   return (choices ?? []).filter((key) => key !== path.at(-1)).map((key) => [...path.slice(0, -1), key]);
 }
 

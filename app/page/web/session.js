@@ -91,6 +91,24 @@ export class Session extends EventTarget {
         (name) => named.has(`--fidelity ${name}`));
   }
 
+  /**
+   * Power, torque and torque over speed of the same shaft, one from another, as text of a case; else null.
+   */
+  instead(key, other) {
+    const at = (path) => this.known?.input(path), speed = at('input.speed'),
+          power = at('input.power') ?? at('input.torque') * speed;
+    if (!/^input\.(power|torque|torque_curve)$/.test(key) || !(power > 0) || !speed) return null;
+    const digits = (value, count = 9) => Number(value.toPrecision(count)),
+          torque = (at) => `${digits((power * RPM) / at, 12)} N.m`, own = speed * RPM;
+    const rows = [...new Set([this.range()[0], own, this.range()[1]])].sort((one, next) => one - next);
+    const texts = {
+      'input.power': `${digits(power / 1e3)} kW`,
+      'input.torque': torque(own),
+      'input.torque_curve': `[${rows.map((rpm) => `[${digits(rpm)} rpm, ${torque(rpm)}]`).join(', ')}]`
+    };
+    return texts[other] ?? null;
+  }
+
   get setting() { return this.cursor === null ? [] : [`input.speed=${this.cursor} rpm`]; }
 
   /** Speeds of the life curve [rpm]: those that the case sweeps, else about its own. */
