@@ -406,6 +406,8 @@ export class PressureCard extends Card {
     if (what === 'cursor') return;
     this.chart ??= new Chart(this.body, {title: 'Pressure along the roller', height: 220});
     const series = this.curves(session), pressure = series.length > 0;
+    this.element.querySelector('h3').textContent =
+        `${pressure ? 'Pressure' : 'Load'} along the most loaded roller`;
     this.chart.set({
       series: pressure ? series : this.laminae(session),
       x: {label: 'position along the roller', unit: 'mm'},
