@@ -387,7 +387,7 @@ export class PressureCard extends Card {
             })));
   }
 
-  fits(session) { return this.curves(session).length > 0 || this.laminae(session) !== null; }
+  fits(session) { return session.overSpeed || this.laminae(session) !== null; }
 
   laminae({run}) {
     const rows = run?.lamina_loads_N, places = run?.steps?.lamina_places_mm;
@@ -405,11 +405,13 @@ export class PressureCard extends Card {
   show(session, what) {
     if (what === 'cursor') return;
     this.chart ??= new Chart(this.body, {title: 'Pressure along the roller', height: 220});
-    const series = this.curves(session), pressure = series.length > 0;
+    const series = this.curves(session), laminae = series.length ? null : this.laminae(session),
+          pressure = laminae === null;
     this.element.querySelector('h3').textContent =
         `${pressure ? 'Pressure' : 'Load'} along the most loaded roller`;
     this.chart.set({
-      series: pressure ? series : this.laminae(session),
+      series: laminae ?? series,
+      empty: 'No slices of a roller: state bearing · laminae, such as 30',
       x: {label: 'position along the roller', unit: 'mm'},
       y: pressure ? {label: 'pressure', unit: 'MPa'} : {label: 'load of a lamina', unit: 'N'}
     });
@@ -680,10 +682,11 @@ export class CrownCard extends AskedCard {
             'Range with 95 % of the life',
             element('span', {}, figure(best.least_drop_um, 'um'), ' to ', figure(best.most_drop_um, 'um'))
           ],
-          ['Rollers', best.rollers]);
+          ['Life there, by half-space pressures', figure(best.half_space_life_h, 'h')],
+          ['of straight rollers', figure(straight.half_space_life_h, 'h')], ['Rollers', best.rollers]);
     rows.push(
-        ['Life there (Lundberg-Palmgren)', figure(known.life_h, 'h')],
-        ['Life of straight rollers', figure(straight.life_h, 'h')],
+        ['Life there, by laminae', figure(known.life_h, 'h')],
+        ['of straight rollers', figure(straight.life_h, 'h')],
         ['Peak pressure there', figure(known.peak_pressure_MPa, 'MPa')],
         ['Peak pressure of straight rollers', figure(straight.peak_pressure_MPa, 'MPa')]);
     const table = element(
@@ -703,17 +706,26 @@ export class CrownCard extends AskedCard {
     ].sort((a, b) => a.drop_um - b.drop_um);
     const series = (key) => [{
       key,
-      label: key === 'life_h' ? 'life' : 'peak pressure',
+      label: key === 'life_h' ? 'life by laminae' : 'peak pressure',
       colour: key === 'life_h' ? 'c1' : 'c2',
       points: drops.map((point) => [point.drop_um, point[key]]),
       dots: true
     }];
     const x = {label: 'drop at the end of a roller', unit: 'um'},
           marks = [{x: known.drop_um, label: 'recommended'}];
-    new Chart(charts, {title: 'Life over the crown\'s drop', height: 200})
-        .set({series: series('life_h'), x, y: {label: 'life', unit: 'h'}, marks});
-    new Chart(charts, {title: 'Peak pressure over the crown\'s drop', height: 200})
-        .set({series: series('peak_pressure_MPa'), x, y: {label: 'pressure', unit: 'MPa'}, marks});
+    const chart = (title, drawn, y) =>
+        new Chart(charts, {title, height: 200}).set({series: drawn, x, y: {label: y[0], unit: y[1]}, marks});
+    if (best?.curve)
+      chart(
+          'Life by half-space pressures over the crown\'s drop', [{
+            key: 'life_share',
+            label: 'life by half-space pressures, which the recommendation goes by',
+            colour: 'c3',
+            points: best.curve.map((point) => [point.drop_um, 100 * point.life_share])
+          }],
+          ['of the longest', '%']);
+    chart('Life by laminae over the crown\'s drop', series('life_h'), ['life', 'h']);
+    chart('Peak pressure over the crown\'s drop', series('peak_pressure_MPa'), ['pressure', 'MPa']);
   }
 }
 

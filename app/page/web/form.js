@@ -257,7 +257,9 @@ export class Form {
   fill(row) {
     const {field} = row, node = this.stated(field), input = this.inputs.get(field.key),
           errors = this.errors.get(field.key) ?? [];
-    row.state = node ? 'stated' : input ? 'default' : field.required ? 'missing' : 'absent';
+    // A resolved case, which stands in a folder of results, states its defaults as such.
+    const isDefault = node ? this.reasonOf(field).startsWith('default: ') : Boolean(input);
+    row.state = isDefault ? 'default' : node ? 'stated' : field.required ? 'missing' : 'absent';
     const value = this.valueOf(field), busy = document.activeElement === row.control && row.dirty;
     const unused = Boolean(this.fidelity && input?.not_modelled_by?.includes(`--fidelity ${this.fidelity}`)),
           reason = node ? this.reasonOf(field) : (input?.reason ?? '');
