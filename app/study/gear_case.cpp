@@ -274,10 +274,13 @@ const char* kind_name(ModeKind kind) {
 }
 
 ModeShape shape_of(const Mode& mode) {
-  Eigen::VectorXcd shape = mode.shapes.col(0);
-  Eigen::Index largest = 0;
-  shape.cwiseAbs().maxCoeff(&largest);
-  shape /= std::complex<double>(shape[largest]);
+  constexpr double alike = 1e-6;  // relative
+  const Eigen::VectorXd reach = mode.shapes.rowwise().norm();
+  const auto most =
+      std::ranges::find_if(reach, [&](double r) { return r >= (1.0 - alike) * reach.maxCoeff(); });
+  const Eigen::Index largest = most - reach.begin();
+  const Eigen::VectorXcd shape =
+      mode.shapes * mode.shapes.row(largest).adjoint() / (reach[largest] * reach[largest]);
   const auto rows = [](const Eigen::VectorXd& values) -> Eigen::MatrixX3d {
     return values.reshaped<Eigen::RowMajor>(values.size() / 3, 3);
   };

@@ -571,6 +571,10 @@ class PageSteps:
             self.width(pixels)
             self.assertLessEqual(self.script("return document.documentElement.scrollWidth"), pixels)
             self.assertTrue(self.find("#tiles").is_displayed())
+        self.find("#to-text").click()
+        for pixels in WIDTHS:
+            self.width(pixels)
+            self.assertLessEqual(self.script("return document.documentElement.scrollWidth"), pixels, "with the text beside the form")
         for scheme in ("light", "dark"):
             self.scheme(scheme)
             self.assertEqual(self.script(CONTRAST), [], scheme)
