@@ -69,9 +69,8 @@ bool Job::take(Message message) {
     return false;
   }
   const std::scoped_lock lock(writing_);
-  if (message.event == "progress") {
-    progress_ = event_text("", "progress", message.data);
-    ++progresses_;
+  if (message.event == "progress" || message.event == "motion") {
+    latest_[message.event] = {++number_of_latest_, event_text("", message.event.c_str(), message.data)};
     written_.notify_all();
   } else {
     points_.push_back(message.data);
@@ -96,14 +95,15 @@ void Job::add(const char* event, const Json& data) {
   written_.notify_all();
 }
 
-NewEvents Job::events(std::size_t from, std::size_t progress) {
+NewEvents Job::events(std::size_t from, std::size_t latest) {
   std::unique_lock lock(writing_);
   written_.wait_for(lock, patience,
-                    [&] { return ended_ || events_.size() > from || progresses_ != progress; });
-  NewEvents found{{}, events_.size(), progresses_, ended_};
+                    [&] { return ended_ || events_.size() > from || number_of_latest_ != latest; });
+  NewEvents found{{}, events_.size(), number_of_latest_, ended_};
   for (std::size_t i = std::min(from, events_.size()); i < events_.size(); ++i)
     found.texts.push_back(events_[i]);
-  if (progresses_ != progress && !ended_) found.texts.push_back(progress_);
+  for (const auto& [name, one] : latest_)
+    if (one.number > latest && !ended_) found.texts.push_back(one.text);
   return found;
 }
 

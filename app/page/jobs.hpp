@@ -15,7 +15,7 @@ namespace orbearing::app::page {
 struct NewEvents {
   std::vector<std::string> texts;  // of a stream of server-sent events
   std::size_t next = 0;            // place of the next one
-  std::size_t progress = 0;        // number of the progress that was given last
+  std::size_t latest = 0;          // number of the last one given of those of which only the latest counts
   bool ended = false;              // no further event follows
 };
 
@@ -27,8 +27,8 @@ class Job {
   Job& operator=(const Job&) = delete;
   ~Job();
 
-  /// Waits a moment for events behind `from`; `progress` is the number of the last one seen.
-  NewEvents events(std::size_t from, std::size_t progress);
+  /// Waits a moment for events behind `from`; `latest` is that of the former ones.
+  NewEvents events(std::size_t from, std::size_t latest);
   void stop() { stopping_ = true; }
   bool ended();
   bool has_points();
@@ -64,8 +64,12 @@ class Job {
   std::mutex writing_;
   std::condition_variable written_;
   std::vector<std::string> events_;
-  std::string progress_;
-  std::size_t progresses_ = 0;
+  struct Latest {
+    std::size_t number;
+    std::string text;
+  };
+  std::map<std::string, Latest> latest_;  // of progress and motion, which replace what was before
+  std::size_t number_of_latest_ = 0;
   Json points_ = Json::array();
   bool ended_ = false;
   std::thread following_;

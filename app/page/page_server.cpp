@@ -454,7 +454,7 @@ class PageServer {
     Job::Reader reader;
     Slot slot;
     std::size_t next;
-    std::size_t progress = 0;
+    std::size_t latest = 0;
     Clock::time_point spoke = Clock::now();
 
     Reading(std::shared_ptr<Job> read, std::atomic<int>& taken, std::size_t from)
@@ -475,7 +475,7 @@ class PageServer {
   bool tell_events(Reading& reading, httplib::DataSink& sink) {
     if (ending_ || !sink.is_writable()) return false;
     presence_.sign();
-    const NewEvents found = reading.job->events(reading.next, reading.progress);
+    const NewEvents found = reading.job->events(reading.next, reading.latest);
     std::string text;
     for (const std::string& one : found.texts) text += one;
     if (text.empty() && Clock::now() - reading.spoke > heartbeat) text = ":\n\n";
@@ -484,7 +484,7 @@ class PageServer {
       if (!sink.write(text.data(), text.size())) return false;
     }
     reading.next = found.next;
-    reading.progress = found.progress;
+    reading.latest = found.latest;
     if (found.ended) sink.done();
     return true;
   }

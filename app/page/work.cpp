@@ -11,6 +11,7 @@
 
 #include "app/case/printable.hpp"
 #include "app/errors.hpp"
+#include "app/page/motion_event.hpp"
 #include "app/page/workers.hpp"
 #include "app/results/durable_file.hpp"
 #include "mechanics/cancellation.hpp"
@@ -139,6 +140,8 @@ std::string report_of(const Json& asked, Server& server) {
 void answer_request(const Json& asked, Server& server) {
   if (asked.at("command") == "report") return server.tell("end", {{"code", 0}}, report_of(asked, server));
   Pace pace;
+  const system::ObservedMotions motions(
+      [&](const system::MotionProgress& now) { server.tell("motion", motion_event(now)); });
   const Answer found = answer(request_of(asked, server, pace));
   // As the command prints it.
   server.tell("end", {{"code", found.code}, {"errors", found.failures}},

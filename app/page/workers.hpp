@@ -21,7 +21,7 @@ using Json = nlohmann::ordered_json;
 /// that touch no file. `more` are further keys that are allowed. Throws BadInput with every mistake.
 void require_sound_request(const Json& request, const std::vector<std::string>& more = {});
 
-/// What a process sends: "progress", "point", and last of all "end".
+/// What a process sends: "progress", "motion", "point", and last of all "end".
 struct Message {
   std::string event;
   Json data;            // of "end": code, errors, stopped

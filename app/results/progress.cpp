@@ -49,11 +49,15 @@ std::string motion_text(double time, double most) {
 }
 
 Progress::Progress(std::size_t kept, std::size_t all, bool shown, std::string doing)
-    : kept_(kept), all_(all), shown_(shown && ::isatty(STDERR_FILENO) == 1), doing_(std::move(doing)),
+    : kept_(kept),
+      all_(all),
+      shown_(shown && ::isatty(STDERR_FILENO) == 1),
+      doing_(std::move(doing)),
       observer_(observer_of_thread),
       done_(kept) {
   show(kept);
-  if (shown_ && !observer_) motions_.emplace([this](double time, double most) { show_motion(time, most); });
+  if (shown_ && !observer_)
+    motions_.emplace([this](const system::MotionProgress& now) { show_motion(now.time, now.most); });
 }
 
 Progress::~Progress() {

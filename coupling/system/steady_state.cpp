@@ -90,9 +90,9 @@ class Recorder {
 // Gathers what bearings in motion show.
 class Observation {
  public:
-  /// `most` [s]: the latest time that it will come to.
-  Observation(Motion& motion, const SteadyStateOptions& options, double most)
-      : motion_(motion), options_(options), most_(most) {
+  /// `most` [s]: the latest time that it will come to. `rolling_cage_speed` [rad/s]: for those who watch.
+  Observation(Motion& motion, const SteadyStateOptions& options, double most, double rolling_cage_speed)
+      : motion_(motion), options_(options), most_(most), rolling_cage_speed_(rolling_cage_speed) {
     motion_.take_snapshot(0, snapshot_);
     for (int b = 0; b < motion_.bearings(); ++b)
       collectors_.emplace_back(snapshot_.angle.size(), options.bins, uneven_laminae(snapshot_.laminae));
@@ -151,7 +151,9 @@ class Observation {
       if (counts) add(time, of(b));
       if (recorded) recorder.take(sample, time, snapshot_);
     }
-    tell_of_motion(time, most_);
+    if (!watched_.is_due()) return;
+    motion_.take_snapshot(0, snapshot_);
+    watched_.tell({time, most_, rolling_cage_speed_, snapshot_});
   }
   StatisticsCollector& of(int b) { return collectors_[static_cast<std::size_t>(b)]; }
   void add(double time, StatisticsCollector& collector) const {
@@ -163,7 +165,9 @@ class Observation {
 
   Motion& motion_;
   const SteadyStateOptions& options_;
-  double most_;  // [s]
+  double most_;                // [s]
+  double rolling_cage_speed_;  // [rad/s]
+  WatchedMotion watched_;
   Snapshot snapshot_;
   std::vector<StatisticsCollector> collectors_;
 };
@@ -175,7 +179,8 @@ class Windows {
   Windows(Motion& motion, const RollingSpeeds& rolling, const SteadyStateOptions& options)
       : motion_(motion),
         revolution_(two_pi / std::abs(rolling.cage)),
-        observation_(motion, options, revolution_ * (options.most_windows + options.observed_windows)),
+        observation_(motion, options, revolution_ * (options.most_windows + options.observed_windows),
+                     rolling.cage),
         per_window_(motion.shows_steps() ? options.series_samples : options.samples_per_window) {
     times_.interval = revolution_ / static_cast<double>(per_window_);
   }
@@ -199,7 +204,7 @@ class Windows {
   Motion& motion_;
   double revolution_;  // [s]  of the cage at its kinematic speed
   Observation observation_;
-  long per_window_;    // samples
+  long per_window_;  // samples
   OutputTimes times_;
 };
 
@@ -366,7 +371,8 @@ SteadyStateResult run_up(const bearing::Bearing& bearing, const bearing::Operati
   const long samples = samples_of(model, options, duration);
   try {
     OutputTimes times{0.0, duration / static_cast<double>(samples), samples};
-    result.bearings = Observation(motion, options, duration).through(times, samples, &result.series);
+    result.bearings = Observation(motion, options, duration, model.kinematic_cage_speed)
+                          .through(times, samples, &result.series);
     result.statistics = pooled(result.bearings);
   } catch (const std::runtime_error& error) {
     result.completed = false;

@@ -41,6 +41,9 @@ if not (CHROMIUM and DRIVER):
     sys.exit(77)
 
 SECONDS = 120  # a machine that computes other things besides
+ROUND_OFF = 1e-12  # functions of the C library round differently in a browser; lives go with high powers of loads
+SEARCHED = 1e-6  # roots and best values of an iteration that ends at a tolerance
+LEAST_PACE = 0.1  # revolutions of the cage a second, shown while they are computed
 LIVES = ("life_h", "L10h", "L10rh", "L10mh", "L10mrh")
 WIDTHS = (360, 1000, 1600)
 # A sweep of few speeds in motion, so that it can be stopped between them.
@@ -135,6 +138,7 @@ class PageSteps:
 
     address = ""
     origins = []  # of further servers of a test
+    allowed = allowed_in_motion = 0.0  # relative difference from the numbers of the command line: none
     requests = set()
     console = []
 
@@ -241,6 +245,20 @@ class PageSteps:
         self.assertEqual(done.returncode, 0, done.stderr)
         return json.loads(done.stdout)
 
+    def assert_same(self, shown, expected, what=None, allowed=None):
+        """A number that is shown, or several, beside those of the command line."""
+        allowed = self.allowed if allowed is None else allowed
+        if isinstance(expected, (list, tuple)):
+            self.assertEqual(len(shown), len(expected), what)
+            for one, other in zip(shown, expected):
+                self.assert_same(one, other, what, allowed)
+        elif allowed and isinstance(expected, float):
+            self.assertLessEqual(abs(shown - expected), allowed * abs(expected), what)
+            if allowed <= ROUND_OFF:
+                self.assertEqual(f"{shown:.6g}", f"{expected:.6g}", what)  # the digits that the command line shows
+        else:
+            self.assertEqual(shown, expected, what)
+
     def cursor(self):
         return float(self.find("#cursor-value .figure").get_attribute("data-value"))
 
@@ -250,13 +268,13 @@ class PageSteps:
         tiles = {tile.get_attribute("data-key"): tile.find_element(By.CSS_SELECTOR, ".figure").get_attribute("data-value") for tile in self.all("#tiles .tile")}
         self.assertTrue(set(LIVES) <= set(tiles))
         for key, value in tiles.items():
-            self.assertEqual(float(value) if value else None, point[key], key)
+            self.assert_same(float(value) if value else None, point[key], key)
         self.script("document.getElementById('card-point').open = true")
         self.until(lambda: self.all("#card-point td[data-key=L10h]"), "all results are shown")
         cells = self.script("return [...document.querySelectorAll('#card-point .tall td[data-key]')].map((cell) => [cell.dataset.key, cell.querySelector('.figure')?.dataset.value ?? cell.textContent])")
         self.assertGreater(len(cells), 30)
         for key, value in cells:
-            self.assertEqual(float(value) if isinstance(point[key], (int, float)) else value, point[key], key)
+            self.assert_same(float(value) if isinstance(point[key], (int, float)) else value, point[key], key)
 
     def test_a_template_is_opened(self):
         self.assertEqual({one.get_attribute("data-template") for one in self.all("#templates button")},
@@ -380,7 +398,7 @@ class PageSteps:
         self.assert_numbers_of_the_command_line()
         loads = self.answer("run", "--set", "input.speed=8000 rpm")["roller_loads"][0]
         first = self.find("#card-bearing .bar.inner[data-element='1']")
-        self.assertEqual(float(first.get_attribute("data-load")), loads["inner_load_N"][0])
+        self.assert_same(float(first.get_attribute("data-load")), loads["inner_load_N"][0])
 
     def test_the_life_curve_is_that_of_a_sweep(self):
         self.open_text(MOVING)
@@ -395,7 +413,7 @@ class PageSteps:
             for key, value in point.items():
                 self.assertEqual(row[key], "" if value is None else row[key])
                 if isinstance(value, float):
-                    self.assertEqual(float(row[key]), value, key)
+                    self.assert_same(float(row[key]), value, key)
 
     def export(self, button, column):
         """Column of the CSV file that a button of the dialog saves."""
@@ -415,16 +433,35 @@ class PageSteps:
         start, stop, proceed = card.find_elements(By.CSS_SELECTOR, ".player button")
         start.click()
         told = lambda: card.find_element(By.CSS_SELECTOR, ".told").text  # noqa: E731
+        self.assert_drawn_while_computed(card)
         self.until(lambda: "1 of 3 points" in told(), "one point is done")
         stop.click()
         self.until(lambda: "Stopped" in told(), "the sweep has stopped")
         kept = int(re.search(r"Stopped: (\d)", told())[1])
         self.assertTrue(1 <= kept < 3, told())
+        self.assertIn("revolutions of the cage", card.find_element(By.CSS_SELECTOR, ".live").text)
         proceed.click()
         self.until(lambda: "Done: 3 points" in told(), "the sweep is done")
         drawn = {float(circle.get_attribute("data-x")): float(circle.get_attribute("data-y")) for circle in self.all("#card-motion [data-series=cage_slip] circle")}
         expected = {point["input_speed_rpm"]: point["cage_slip"] for point in self.answer("sweep", "--grid-only", "--fidelity", "dynamic")["points"]}
-        self.assertEqual(drawn, expected)
+        self.assertEqual(set(drawn), set(expected))
+        for speed, slip in expected.items():
+            self.assert_same(drawn[speed], slip, f"cage slip at {speed} rpm", self.allowed_in_motion)
+
+    def assert_drawn_while_computed(self, card):
+        """Issue 46: rollers and cage of a bearing in motion move while it is computed, beside the pace of the computation."""
+        live = lambda selector: card.find_element(By.CSS_SELECTOR, f".live {selector}")  # noqa: E731
+        self.until(lambda: live("svg").is_displayed(), "the bearing in motion is drawn")
+        place = lambda: live(".element.first").get_attribute("transform")  # noqa: E731
+        first, cage = place(), live(".cage").get_attribute("transform")
+        self.until(lambda: place() != first and live(".cage").get_attribute("transform") != cage, "rollers and cage move")
+        self.assertTrue(any(float(bar.get_attribute("data-load")) > 0.0 for bar in card.find_elements(By.CSS_SELECTOR, ".live .bar.inner")))
+        data = lambda name: float(card.find_element(By.CSS_SELECTOR, ".live").get_attribute(f"data-{name}") or 0.0)  # noqa: E731
+        self.until(lambda: "At most" in live(".told").text and data("pace") > 0.0, "the pace is shown")
+        told = live(".told").text
+        print(f"engine {self.script('return document.body.dataset.engine')}: {told}")
+        self.assertRegex(told, r"^At [\d\u202f]+ rpm: .* s of motion, .* revolutions of the cage, slip .* %\. Computed at .* revolutions a second, .* times real time\. At most .* s to go\.$")
+        self.assertGreater(data("pace"), LEAST_PACE)
 
     def test_two_variants_are_pinned_and_compared(self):
         self.open_text(MOVING)
@@ -437,7 +474,7 @@ class PageSteps:
         inputs = [[cell.text for cell in row.find_elements(By.CSS_SELECTOR, "th, td")] for row in self.all(".inputs-differ tr")]
         self.assertEqual(inputs, [["bearing.radial_clearance", "10 um", "10 um", "30 um"]])
         shown = {row.find_element(By.CSS_SELECTOR, "th").text: [float(one.get_attribute("data-value")) for one in row.find_elements(By.CSS_SELECTOR, ".figure")] for row in self.all(".results-differ tr")}
-        self.assertEqual(shown["L10rh"], [first["L10rh"], first["L10rh"], second["L10rh"]])
+        self.assert_same(shown["L10rh"], [first["L10rh"], first["L10rh"], second["L10rh"]])
         self.assertEqual({key.get_attribute("data-series") for key in self.all("#card-life .curve[data-series^='life_h']")}, {"life_h", "life_h A", "life_h B"})
 
     def test_the_rollers_are_played_and_moved(self):
@@ -474,9 +511,9 @@ class PageSteps:
         self.open_text(MOVING.replace("gearset:\n", f"{bins}gearset:\n", 1))
         expected = self.answer("sweep", "--grid-only")["spectrum"]
         shown = self.numbers(self.open_card("spectrum"))
-        self.assertEqual(shown[-1], expected["life_h"])
+        self.assert_same(shown[-1], expected["life_h"])
         for i, one in enumerate(expected["bins"]):
-            self.assertEqual(shown[6 * i:6 * i + 6], [one["power_kW"], one["torque_N_m"], one["speed_rpm"], 100 * one["share"], 100 * one["damage_share"], one["life_h"]])
+            self.assert_same(shown[6 * i:6 * i + 6], [one["power_kW"], one["torque_N_m"], one["speed_rpm"], 100 * one["share"], 100 * one["damage_share"], one["life_h"]])
 
     def test_crown_modes_mesh_and_assumptions(self):
         self.open_text(MOVING)
@@ -484,7 +521,7 @@ class PageSteps:
         card.find_element(By.CSS_SELECTOR, "button").click()
         self.until(lambda: card.find_elements(By.CSS_SELECTOR, "table"), "the crown is computed")
         best = self.answer("crown", "--set", "input.speed=9000 rpm")["recommended"]
-        self.assertEqual(self.numbers(card)[:4], [best["drop_um"], best["least_drop_um"], best["most_drop_um"], best["half_space_life_h"]])
+        self.assert_same(self.numbers(card)[:4], [best["drop_um"], best["least_drop_um"], best["most_drop_um"], best["half_space_life_h"]], allowed=self.allowed and SEARCHED)
         take = card.find_element(By.XPATH, ".//button[contains(., 'Put this drop')]")
         self.script("arguments[0].scrollIntoView({block: 'center'})", take)
         take.click()
@@ -495,12 +532,12 @@ class PageSteps:
         self.until(lambda: self.all("#card-modes circle[data-y]"), "the modes are computed")
         shown = {float(one.get_attribute("data-y")) for one in self.all("#card-modes circle[data-x='9000']")}
         modes = [mode for mode in self.answer("modes", "--speed", "9000 rpm")["modes"] if mode["frequency_Hz"] > 0]
-        self.assertEqual(shown, {mode["frequency_Hz"] for mode in modes})
+        self.assert_same(sorted(shown), sorted({mode["frequency_Hz"] for mode in modes}), allowed=self.allowed and SEARCHED)
         self.assert_shape_of(modes)
         card = self.open_card("mesh")
         self.until(lambda: card.find_elements(By.CSS_SELECTOR, "table"), "the meshes are computed")
         first = self.answer("mesh")["meshes"][0]
-        self.assertEqual(self.numbers(card)[:4], [first[key] for key in ("contact_ratio", "mean_N_per_m", "min_N_per_m", "max_N_per_m")])
+        self.assert_same(self.numbers(card)[:4], [first[key] for key in ("contact_ratio", "mean_N_per_m", "min_N_per_m", "max_N_per_m")], allowed=self.allowed and SEARCHED)
         card = self.open_card("assumptions")
         card.find_element(By.CSS_SELECTOR, "button").click()
         self.until(lambda: "Life changes" in card.text, "effects are computed")
@@ -514,7 +551,7 @@ class PageSteps:
         self.until(lambda: self.all("#mode-choice option"), "the modes at the cursor are listed")
         Select(self.find("#mode-choice")).select_by_index(1)
         mode = modes[0] if modes[0]["multiplicity"] > 1 else modes[1]
-        self.assertEqual(self.numbers(self.find("#card-modes .halves"))[0], mode["frequency_Hz"])
+        self.assert_same(self.numbers(self.find("#card-modes .halves"))[0], mode["frequency_Hz"], allowed=self.allowed and SEARCHED)
         distance = next(one["value"] for one in self.answer("check")["derived"] if one["path"] == "gearset.centre_distance")
         place = lambda name: [float(one) for one in re.match(r"translate\((\S+) (\S+)\)", self.find(f"#card-modes {name}").get_attribute("transform")).groups()]  # noqa: E731
         for name, row, rest in ((".sun-moved", 0, 0.0), (".ring-moved", 1, 0.0), (".planet-moved", 3, distance)):
@@ -534,7 +571,9 @@ class PageSteps:
         self.find("#take-json").click()
         file = self.folder / "wind-stage.json"
         self.until(file.exists, "the result is there")
-        self.assertEqual(json.loads(file.read_text())["points"], self.answer("run", "--set", "input.speed=9000.0 rpm")["points"])
+        taken, expected = json.loads(file.read_text())["points"], self.answer("run", "--set", "input.speed=9000.0 rpm")["points"]
+        self.assertEqual([[*point] for point in taken], [[*point] for point in expected])
+        self.assert_same([*taken[0].values()], [*expected[0].values()])
 
     def test_the_keyboard_alone(self):
         first = self.find("#templates button")

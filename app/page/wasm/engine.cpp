@@ -3,13 +3,12 @@
 #include <emscripten.h>
 
 #include <fmt/format.h>
-#include <chrono>
 #include <cstdlib>
 #include <cstring>
 #include <nlohmann/json.hpp>
 
 #include "app/case/units.hpp"
-#include "coupling/system/motion_progress.hpp"
+#include "app/page/motion_event.hpp"
 #include "mechanics/cancellation.hpp"
 #include "orbearing/errors.hpp"
 #include "orbearing/request.hpp"
@@ -17,7 +16,7 @@
 // engine_worker.js passes them on to the page.
 EM_JS(void, tell_progress, (double done, double all, const char* doing),
       { Module.progress({done : done, all : all, doing : UTF8ToString(doing)}); });
-EM_JS(void, tell_motion, (double time, double most), { Module.motion({time_s : time, most_s : most}); });
+EM_JS(void, tell_motion, (const char* event), { Module.motion(JSON.parse(UTF8ToString(event))); });
 
 namespace {
 
@@ -41,25 +40,9 @@ Request request_of(const Json& asked) {
   return request;
 }
 
-/// Looks at the clock, so that no more than ten messages a second go to the page.
-class Seldom {
- public:
-  bool due() {
-    const auto now = std::chrono::steady_clock::now();
-    if (now - last_ < std::chrono::milliseconds(100)) return false;
-    last_ = now;
-    return true;
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_{};
-};
-
 std::string computed(const Json& asked) {
-  Seldom seldom;
-  const system::ObservedMotions motions([&](double time, double most) {
-    if (seldom.due()) tell_motion(time, most);
-  });
+  const system::ObservedMotions motions(
+      [](const system::MotionProgress& now) { tell_motion(app::page::motion_event(now).dump().c_str()); });
   const Answer answer = orbearing::answer(request_of(asked));
   return fmt::format(R"({{"code": {}, "failures": {}, "result": {}}})", answer.code,
                      Json(answer.failures).dump(), answer.result);

@@ -1,5 +1,5 @@
-// The bearing to scale: rings, cage, rolling elements that rotate at the speed of the cursor, and a bar for
-// the load of each.
+// The bearing to scale: rings, cage, rolling elements, and a bar for the load of each. At the cursor they
+// rotate at its speed; of a bearing in motion they stand as computed.
 //
 // x upward, y to the left, angles from x towards y. In a planet x points outward from the axis of the
 // carrier, and the carrier rotates in the sense from x to y where its speed is positive.
@@ -8,52 +8,12 @@ import {drawn, element, figure, readable} from './dom.js';
 const BAR = 0.34, ROOM = 1.2 + BAR;  // longest bar and half the picture, in outside radii
 const DEGREE = Math.PI / 180;
 
-export class BearingView {
-  constructor(root) {
-    this.svg = drawn('svg', {
-      class: 'machine bearing',
-      role: 'img',
-      'aria-label': 'Bearing to scale with the load of each roller'
-    });
-    this.play = element('button', {type: 'button', class: 'play', 'aria-pressed': 'false'}, 'Play');
-    this.pace = element(
-        'select', {'aria-label': 'pace of the animation'},
-        ...[4, 8, 16, 40].map((seconds) => element('option', {value: seconds}, `${seconds} s`)));
-    this.instant = element(
-        'input', {type: 'range', min: 0, max: 1000, value: 0, 'aria-label': 'revolution of the cage'});
-    this.told = element('p', {class: 'told'});
-    root.append(
-        this.svg,
-        element(
-            'div', {class: 'player'}, this.play, this.instant,
-            element('label', {class: 'inline'}, 'one revolution of the cage in ', this.pace)),
-        this.told);
-    this.playing = false;
-    this.turn = 0;  // revolutions of the cage (of the rollers without one)
-    this.play.addEventListener('click', () => this.setPlaying(!this.playing));
-    this.instant.addEventListener('input', () => {
-      this.turn = Math.floor(this.turn) + Number(this.instant.value) / 1000;
-      this.place();
-    });
-    this.pace.addEventListener('change', () => this.tell());
+/** `set` says what is drawn (scene.js), `draw` where it stands. */
+export class BearingDrawing {
+  constructor(root, label) {
+    this.svg = drawn('svg', {class: 'machine bearing', role: 'img', 'aria-label': label});
+    root.append(this.svg);
     this.scene = null;
-  }
-
-  setPlaying(on) {
-    this.playing = on;
-    this.play.textContent = on ? 'Pause' : 'Play';
-    this.play.setAttribute('aria-pressed', String(on));
-    this.last = null;
-    if (on) requestAnimationFrame((now) => this.step(now));
-  }
-
-  step(now) {
-    if (!this.playing) return;
-    if (this.last !== null) this.turn += (now - this.last) / 1000 / Number(this.pace.value);
-    this.last = now;
-    this.instant.value = String(Math.round(1000 * (this.turn - Math.floor(this.turn))));
-    this.place();
-    requestAnimationFrame((next) => this.step(next));
   }
 
   /**
@@ -65,10 +25,7 @@ export class BearingView {
     const same = this.scene && JSON.stringify(this.scene.size) === JSON.stringify(scene.size) &&
         this.scene.planet === scene.planet;
     this.scene = scene;
-    this.largest = Math.max(...scene.loads.inner, ...scene.loads.outer, 0);
     if (!same) this.build();
-    this.place();
-    this.tell();
   }
 
   at(radius, angle) { return [-radius * Math.sin(angle), -radius * Math.cos(angle)]; }
@@ -135,6 +92,95 @@ export class BearingView {
     return group;
   }
 
+  /**
+   * `turned` {inner, outer, cage} in degrees, `cage` [x, y] in mm from the middle, `elements` [{angle
+   * (radians), turned (degrees), loads {inner, outer} in N}]; the longest bar is `largest` N.
+   */
+  draw({turned, cage = [0, 0], elements, largest}) {
+    const {size} = this.scene, rotated = (degrees) => `rotate(${(-degrees % 360).toFixed(3)})`,
+          reach = largest > 0 ? (BAR * size.outside) / 2 / largest : 0;
+    this.outerRing.setAttribute('transform', rotated(turned.outer));
+    this.innerRing.setAttribute('transform', rotated(turned.inner));
+    this.cage.setAttribute(
+        'transform', `translate(${(-cage[1]).toFixed(4)} ${(-cage[0]).toFixed(4)}) ${rotated(turned.cage)}`);
+    elements.forEach(({angle, turned: spun, loads}, j) => {
+      const [x, y] = this.at(size.pitch / 2, angle), group = this.elements[j];
+      group.setAttribute('transform', `translate(${x.toFixed(4)} ${y.toFixed(4)}) ${rotated(spun)}`);
+      group.style.setProperty(
+          '--share', largest > 0 ? Math.min(1, Math.max(loads.outer, loads.inner) / largest) : 0);
+      for (const [race, foot, sign] of [
+               ['outer', (1.03 * size.outside) / 2, 1], ['inner', (0.97 * size.inner) / 2, -1]]) {
+        const [x1, y1] = this.at(foot, angle), [x2, y2] = this.at(foot + sign * reach * loads[race], angle),
+                   bar = this.bars[race][j];
+        for (const [name, value] of Object.entries({x1, y1, x2, y2}))
+          bar.setAttribute(name, value.toFixed(4));
+        bar.dataset.load = loads[race];
+      }
+    });
+    const right = (1.1 + BAR) * size.outside / 2, low = right, long = (BAR * size.outside) / 2;
+    this.scaleBar.replaceChildren(
+        ...(largest > 0 ?
+                [
+                  drawn('line', {x1: right - long, y1: low, x2: right, y2: low}),
+                  drawn(
+                      'text', {x: right, y: low - size.outside / 60, 'text-anchor': 'end'},
+                      `${readable(largest)} N`)
+                ] :
+                []));
+  }
+}
+
+/** The bearing at the cursor, which is played. */
+export class BearingView {
+  constructor(root) {
+    this.drawing = new BearingDrawing(root, 'Bearing to scale with the load of each roller');
+    this.play = element('button', {type: 'button', class: 'play', 'aria-pressed': 'false'}, 'Play');
+    this.pace = element(
+        'select', {'aria-label': 'pace of the animation'},
+        ...[4, 8, 16, 40].map((seconds) => element('option', {value: seconds}, `${seconds} s`)));
+    this.instant = element(
+        'input', {type: 'range', min: 0, max: 1000, value: 0, 'aria-label': 'revolution of the cage'});
+    this.told = element('p', {class: 'told'});
+    root.append(
+        element(
+            'div', {class: 'player'}, this.play, this.instant,
+            element('label', {class: 'inline'}, 'one revolution of the cage in ', this.pace)),
+        this.told);
+    this.playing = false;
+    this.turn = 0;  // revolutions of the cage (of the rollers without one)
+    this.play.addEventListener('click', () => this.setPlaying(!this.playing));
+    this.instant.addEventListener('input', () => {
+      this.turn = Math.floor(this.turn) + Number(this.instant.value) / 1000;
+      this.place();
+    });
+    this.pace.addEventListener('change', () => this.tell());
+    this.scene = null;
+  }
+
+  setPlaying(on) {
+    this.playing = on;
+    this.play.textContent = on ? 'Pause' : 'Play';
+    this.play.setAttribute('aria-pressed', String(on));
+    this.last = null;
+    if (on) requestAnimationFrame((now) => this.step(now));
+  }
+
+  step(now) {
+    if (!this.playing) return;
+    if (this.last !== null) this.turn += (now - this.last) / 1000 / Number(this.pace.value);
+    this.last = now;
+    this.instant.value = String(Math.round(1000 * (this.turn - Math.floor(this.turn))));
+    this.place();
+    requestAnimationFrame((next) => this.step(next));
+  }
+
+  set(scene) {
+    this.scene = scene;
+    this.drawing.set(scene);
+    this.place();
+    this.tell();
+  }
+
   // Load at an angle, between the angles of the results.
   loadAt(race, angle) {
     const {angles} = this.scene.loads, values = this.scene.loads[race];
@@ -147,42 +193,23 @@ export class BearingView {
 
   place() {
     if (!this.scene) return;
-    const {size, speeds} = this.scene, cage = speeds.cage || 1, sense = Math.sign(cage),
-                 orbit = 2 * Math.PI * this.turn * sense;
+    const {size, speeds, loads} = this.scene, cage = speeds.cage || 1, sense = Math.sign(cage),
+                         orbit = 2 * Math.PI * this.turn * sense, first = (loads.angles[0] ?? 0) * DEGREE;
     const turned = (speed) => (360 * this.turn * sense * speed) / cage;
-    const rotate = (group, degrees) => group.setAttribute('transform', `rotate(${(-degrees).toFixed(3)})`);
-    rotate(this.outerRing, turned(speeds.outer));
-    rotate(this.innerRing, turned(speeds.inner));
-    rotate(this.cage, (orbit / DEGREE) % 360);
-    const first = (this.scene.loads.angles[0] ?? 0) * DEGREE;
-    const reach = this.largest > 0 ? (BAR * size.outside) / 2 / this.largest : 0;
-    this.elements.forEach((group, j) => {
-      const angle = first + orbit + (2 * Math.PI * j) / size.count, [x, y] = this.at(size.pitch / 2, angle);
-      const loads = {outer: this.loadAt('outer', angle), inner: this.loadAt('inner', angle)};
-      group.setAttribute(
-          'transform',
-          `translate(${x.toFixed(4)} ${y.toFixed(4)}) rotate(${(-turned(speeds.spin) % 360).toFixed(3)})`);
-      group.style.setProperty(
-          '--share', this.largest > 0 ? Math.max(loads.outer, loads.inner) / this.largest : 0);
-      for (const [race, foot, sign] of [
-               ['outer', (1.03 * size.outside) / 2, 1], ['inner', (0.97 * size.inner) / 2, -1]]) {
-        const [x1, y1] = this.at(foot, angle), [x2, y2] = this.at(foot + sign * reach * loads[race], angle),
-                   bar = this.bars[race][j];
-        for (const [name, value] of Object.entries({x1, y1, x2, y2}))
-          bar.setAttribute(name, value.toFixed(4));
-        bar.dataset.load = loads[race];
-      }
+    this.drawing.draw({
+      turned: {inner: turned(speeds.inner), outer: turned(speeds.outer), cage: orbit / DEGREE},
+      elements: Array.from(
+          {length: size.count},
+          (_, j) => {
+            const angle = first + orbit + (2 * Math.PI * j) / size.count;
+            return {
+              angle,
+              turned: turned(speeds.spin),
+              loads: {outer: this.loadAt('outer', angle), inner: this.loadAt('inner', angle)}
+            };
+          }),
+      largest: Math.max(...loads.inner, ...loads.outer, 0)
     });
-    const right = (1.1 + BAR) * size.outside / 2, low = right, long = (BAR * size.outside) / 2;
-    this.scaleBar.replaceChildren(
-        ...(this.largest > 0 ?
-                [
-                  drawn('line', {x1: right - long, y1: low, x2: right, y2: low}),
-                  drawn(
-                      'text', {x: right, y: low - size.outside / 60, 'text-anchor': 'end'},
-                      `${readable(this.largest)} N`)
-                ] :
-                []));
   }
 
   tell() {

@@ -3,6 +3,7 @@ import {BearingView} from './bearing_view.js';
 import {Chart} from './charts.js';
 import {element, figure, readable} from './dom.js';
 import {GearsView} from './gears_view.js';
+import {LiveMotion} from './live_motion.js';
 import {nameOf, pointTable, resultTable} from './results.js';
 import {gearSet, planetBearing, singleBearing} from './scene.js';
 import {ShapeView} from './shape_view.js';
@@ -191,9 +192,10 @@ export class MotionCard extends Card {
     this.bar = element('progress', {max: 1, value: 0, 'aria-label': 'progress of the dynamic run'});
     this.told = element('p', {class: 'told', role: 'status'});
     this.about = element('p', {class: 'hint'});
+    this.live = new LiveMotion();
     this.body.append(
         this.about, element('div', {class: 'player'}, this.start, this.stop, this.proceed, this.bar),
-        this.told);
+        this.told, this.live.element);
     this.slips = element('div');
     this.losses = element('div');
     this.charts = element(
@@ -275,6 +277,7 @@ export class MotionCard extends Card {
     for (const button of [this.start, this.proceed]) button.disabled = true;
     this.stop.disabled = false;
     this.told.textContent = 'Starting …';
+    this.live.begin(session);
     const put = (points) => {
       for (const point of points)
         session.motion =
@@ -284,16 +287,14 @@ export class MotionCard extends Card {
     let all = 0;
     this.handle = session.engine.start(
         request, {
-          progress: ({done, all: count, seconds_left: left, doing, motion}) => {
+          progress: ({done, all: count, seconds_left: left, doing}) => {
             all = count;
             this.bar.value = count ? done / count : 0;
             this.told.textContent = `${doing ? `${doing} ` : ''}${done} of ${count} points done${
-                isNumber(left) ? `, ${readable(left, 2)} s to go` : ''}${
-                isNumber(motion?.real_time_factor) ?
-                    `, ${readable(motion.real_time_factor, 2)} times real time` :
-                    ''}`;
+                isNumber(left) ? `, ${readable(left, 2)} s to go` : ''}`;
           },
           point: (point) => put([point]),
+          motion: (now) => this.live.show(now),
         },
         folder === undefined ? from : null);
     try {
@@ -308,6 +309,7 @@ export class MotionCard extends Card {
       this.stopped = session.motion.length ? this.handle : null;
       this.told.textContent = (error.errors ?? [error.message]).join(' ');
     }
+    this.live.end();
     this.handle = null;
     this.start.disabled = false;
     this.stop.disabled = true;

@@ -67,7 +67,7 @@ export function engine(location, opened) {
        A computation that takes its time. `continues`: the handle of one that was stopped, whose points are
        kept.
      */
-    start(request, {progress = () => {}, point = () => {}} = {}, continues = null) {
+    start(request, {progress = () => {}, point = () => {}, motion = () => {}} = {}, continues = null) {
       let source = null, stopped = false;
       const handle = {id: null};
       const jobs = (async () => {
@@ -89,6 +89,7 @@ export function engine(location, opened) {
               settle(event.data === undefined ? null : JSON.parse(event.data));
             };
             source.addEventListener('progress', (event) => progress(JSON.parse(event.data)));
+            source.addEventListener('motion', (event) => motion(JSON.parse(event.data)));
             source.addEventListener('point', (event) => point(JSON.parse(event.data)));
             source.addEventListener('result', end(resolve));
             source.addEventListener('stopped', end((kept) => resolve({...kept, stopped: true})));

@@ -70,32 +70,14 @@ async function compiled(url) {
   }
 }
 
-/** Passes on how far a computation is, with the time to go by the points done since the beginning. */
-class Progress {
-  constructor(show) {
-    this.show = show;
-    this.begin = performance.now();
-    this.last = {done: 0, all: 1, doing: '', seconds_left: null};
-  }
+/** How far a computation is, with the time to go by the points done since the beginning. */
+class Pace {
+  constructor() { this.begin = performance.now(); }
 
-  points({done, all, doing}) {
+  report({done, all, doing}) {
     this.first ??= done;
     const seconds = (performance.now() - this.begin) / 1e3, since = done - this.first;
-    this.last = {done, all, doing, seconds_left: since > 0 ? seconds / since * (all - done) : null};
-    this.show(this.last);
-  }
-
-  /** Of a point in motion, how far it is [s] and may go [s], and how fast that is beside real time. */
-  motion({time_s, most_s}) {
-    const now = performance.now(), former = this.motions ?? {time_s: Infinity};
-    if (time_s < former.time_s) this.motions = {time_s, at: now};
-    const factor = (time_s - this.motions.time_s) / ((now - this.motions.at) / 1e3);
-    const doing = `A point at ${time_s.toPrecision(3)} s of motion, at most ${most_s.toPrecision(3)} s;`;
-    this.show({
-      ...this.last,
-      doing,
-      motion: {time_s, most_s, real_time_factor: Number.isFinite(factor) ? factor : null}
-    });
+    return {done, all, doing, seconds_left: since > 0 ? seconds / since * (all - done) : null};
   }
 }
 
@@ -122,7 +104,7 @@ export function engine() {
        A computation that takes its time, in a worker of its own. `continues`: the handle of one that was
        stopped.
      */
-    start(request, {progress = () => {}, point = () => {}} = {}, continues = null) {
+    start(request, {progress = () => {}, point = () => {}, motion = () => {}} = {}, continues = null) {
       const core = new Core(folder, module);
       const sweep = request.command === 'sweep';
       const kept = sweep ? [...continues?.kept ?? []] : undefined;
@@ -130,12 +112,12 @@ export function engine() {
           (kept ?? []).slice(1).map((line) => JSON.parse(line).row);  // the first line is the sweep's
       let stop = null;
       const stopped = new Promise((resolve) => stop = () => resolve({points: rows(), stopped: true}));
-      const told = new Progress(progress);
+      const pace = new Pace();
       rows().forEach(point);
       const done = core.answer(body(request), {
         kept,
-        progress: (one) => told.points(one),
-        motion: (one) => told.motion(one),
+        progress: (one) => progress(pace.report(one)),
+        motion,
         lines: (lines) => {
           for (const line of lines) {
             kept.push(line);
