@@ -30,7 +30,7 @@ export class LiveMotion {
   /** No further event follows; what was shown last stays. */
   end() {
     if (!this.now) return;
-    this.drawCurve();
+    if (this.slips.length > 1) this.drawCurve();
     this.tell(false);
   }
 
@@ -45,11 +45,11 @@ export class LiveMotion {
     this.now = now;
     this.at = at;
     this.largest = Math.max(this.largest, ...now.inner_load_N, ...now.outer_load_N);
-    this.slips.push([now.cage_turned_deg / TURN, 1 - now.cage_rpm / now.rolling_cage_rpm]);
+    this.slips.push([this.turns(now), 1 - now.cage_rpm / now.rolling_cage_rpm]);
     if (this.slips.length > MOST_POINTS) this.slips = this.slips.filter((_, i) => i % 2 === 0);
     this.draw();
     this.tell(true);
-    if (at - this.drewCurve > CHART_EVERY) this.drawCurve();
+    if (this.slips.length > 1 && at - this.drewCurve > CHART_EVERY) this.drawCurve();
   }
 
   // False where no drawing of the case has as many rollers.
@@ -69,8 +69,12 @@ export class LiveMotion {
     this.drewCurve = 0;
     this.now = this.first = now;
     this.firstAt = at;
+    this.zero = now.cage_turned_deg - 6 * now.cage_rpm * now.time_s;
     return true;
   }
+
+  // Revolutions of the cage since the motion began.
+  turns(now) { return Math.abs(now.cage_turned_deg - this.zero) / TURN; }
 
   draw() {
     const {now} = this;
@@ -87,22 +91,24 @@ export class LiveMotion {
   }
 
   tell(goesOn) {
-    const {now, first} = this, seconds = (this.at - this.firstAt) / 1e3, passed = now.time_s - first.time_s;
-    const slip = 1 - now.cage_rpm / now.rolling_cage_rpm, factor = passed / seconds,
-          pace = Math.abs(now.cage_turned_deg - first.cage_turned_deg) / TURN / seconds;
+    const {now, first} = this, seconds = (this.at - this.firstAt) / 1e3,
+                slip = 1 - now.cage_rpm / now.rolling_cage_rpm,
+                factor = (now.time_s - first.time_s) / seconds,
+                pace = (this.turns(now) - this.turns(first)) / seconds;
     const known = factor > 0 && Number.isFinite(factor);
     this.element.dataset.factor = known ? factor : '';
     this.element.dataset.pace = known ? pace : '';
-    const parts =
-        [`${this.rpm ? `At ${readable(this.rpm)} rpm: ` : ''}${readable(now.time_s, 3)} s of motion, ${
-            readable(
-                Math.abs(now.cage_turned_deg) / TURN,
-                3)} revolutions of the cage, slip ${readable(100 * slip, 2)} %.`];
-    if (known)
-      parts.push(
-          `Computed at ${readable(pace, 2)} revolutions a second, ${readable(factor, 2)} times real time.`);
-    if (known && goesOn) parts.push(`At most ${readable((now.most_s - now.time_s) / factor, 2)} s to go.`);
-    this.told.textContent = parts.join(' ');
+    const parts = [
+      this.rpm ? `At ${readable(this.rpm)} rpm:` : '', `${readable(now.time_s, 3)} s of motion,`,
+      `${readable(this.turns(now), 3)} revolutions of the cage, slip ${readable(100 * slip, 2)} %.`
+    ];
+    if (known) {
+      parts.push(`Computed at ${readable(pace, 2)} revolutions a second,`);
+      parts.push(`${readable(factor, 2)} times real time.`);
+    }
+    if (known && goesOn)
+      parts.push(`At most ${readable((now.most_s - now.time_s) / factor, 2)} s to go in this run.`);
+    this.told.textContent = parts.filter(Boolean).join(' ');
   }
 
   drawCurve() {
