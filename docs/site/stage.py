@@ -155,8 +155,14 @@ def validation_guide(folder: Path) -> str:
     return text
 
 
+def explorer(_, path: str, text: str) -> str:
+    """A link to the page with its core in the browser, where the site has it."""
+    there = (Path(os.environ.get("ORBEARING_EXPLORER", "/nowhere")) / "index.html").exists()
+    return f'<p class="explorer"><a href="{path}">{text}</a></p>' if there else ""
+
+
 GENERATED = {"commands": commands, "section": section, "file": file, "inputs": inputs, "assumptions": assumptions,
-             "life-peak": life_peak, "topics": topics,
+             "life-peak": life_peak, "topics": topics, "explorer": explorer,
              "validation-guide": validation_guide}
 
 
