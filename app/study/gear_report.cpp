@@ -168,7 +168,8 @@ Json meetings_json(const ResolvedCase& resolved, const std::vector<SpeedPoint>& 
 
 // The real part of a shape whose largest component is made real: how the members stand at one instant.
 std::vector<double> snapshot_of(const Mode& mode) {
-  const auto flat = shape_of(mode).position.reshaped<Eigen::RowMajor>();
+  const ModeShape shape = shape_of(mode);
+  const Eigen::VectorXd flat = shape.position.reshaped<Eigen::RowMajor>();
   return {flat.begin(), flat.end()};
 }
 
