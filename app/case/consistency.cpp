@@ -171,13 +171,13 @@ void check_error_lists(Checker& check, const ResolvedCase& resolved) {
 void check_roller_circle(Checker& check, const ResolvedCase& resolved) {
   if (!check.has({"bearing.rollers", "bearing.roller_diameter", "bearing.pitch_diameter"})) return;
   const int rollers = check.count("bearing.rollers");
-  const double spacing =
-      check.length("bearing.pitch_diameter") * std::sin(constants::pi / rollers);  // [m]
-  const double diameter = check.length("bearing.roller_diameter");                                     // [m]
-  if (diameter >= spacing) {
+  const double spacing = check.length("bearing.pitch_diameter") * std::sin(constants::pi / rollers);  // [m]
+  const double diameter = check.length("bearing.roller_diameter");                                    // [m]
+  constexpr double round_off = 1e-12;  // rollers that touch fit
+  if (diameter > spacing * (1.0 + round_off)) {
     check.add_error(
         "bearing.rollers", fmt::format("{} rollers do not fit around the pitch circle", rollers),
-        fmt::format("a roller diameter ({:.4g} mm) less than the distance of their centres, {:.4g} mm, is "
+        fmt::format("a roller diameter ({:.6g} mm) of at most the distance of their centres, {:.6g} mm, is "
                     "required; take fewer or thinner rollers",
                     1e3 * diameter, 1e3 * spacing));
   } else if (check.has({"bearing.cage.pocket_clearance"}) && !is_full_complement(resolved)) {

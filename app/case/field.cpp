@@ -18,8 +18,18 @@ FieldReading good(FieldValue value) {
   return {true, std::move(value), {}};
 }
 
+// What to state instead where a source has what the field cannot hold.
+std::string remedy(const Field& field) {
+  if (field.path.starts_with("parallel_stage."))
+    return "; there is one stage on this side: state several as one of the same ratio in lowest terms, "
+           "[82, 23] and [88, 22] as [328, 23]";
+  if (field.path == "pair.teeth")
+    return "; of a gear inside a ring, state the ring mesh in a case with model: planetary-drivetrain";
+  return {};
+}
+
 FieldReading bad(std::string found, const Field& field) {
-  return {false, {}, {std::move(found), requirement(field) + " is required"}};
+  return {false, {}, {std::move(found), requirement(field) + " is required" + remedy(field)}};
 }
 
 std::string with_unit(double value, const Field& field) {

@@ -174,7 +174,10 @@ void add_crown(CLI::App& command, Options& options) {
 
 void add_fmu(CLI::App& command, Options& options) {
   add_case(command, options);
-  command.add_option("-o,--output", options.output, "file of the FMU; replaced where it exists")
+  command
+      .add_option("-o,--output", options.output,
+                  "file of the FMU; FILE.ssp: a package of gear set, bearings and parameters (SSP 1.0). "
+                  "Replaced where it exists")
       ->required()
       ->type_name("FILE.fmu");
   command.add_option("--fmi", options.fmi, "version of the interface: 2 (default) or 3")

@@ -6,7 +6,9 @@
 #include "app/case/resolved_writer.hpp"
 #include "app/case/unused_inputs.hpp"
 #include "app/commands/presentation.hpp"
+#include "app/commands/python_part.hpp"
 #include "app/errors.hpp"
+#include "app/resources.hpp"
 #include "app/results/durable_file.hpp"
 #include "app/study/fmu_model.hpp"
 #include "app/study/planetary_case.hpp"
@@ -22,7 +24,7 @@ namespace fs = std::filesystem;
 void require_file_name(const fs::path& file) {
   std::error_code ignored;
   if (file.extension() != ".fmu" || fs::is_directory(file, ignored))
-    throw BadInput("--output: found '" + file.string() + "'; required: a file that ends with .fmu");
+    throw BadInput("--output: found '" + file.string() + "'; required: a file that ends with .fmu or .ssp");
 }
 
 fmu::DescriptionOptions description_options(const ResolvedCase& resolved, const Options& options) {
@@ -94,10 +96,30 @@ void write_fmu(const fs::path& file, const std::string& content) {
   }
 }
 
+// A system of both FMUs and their parameters; written by the Python part.
+int write_system(const Options& options) {
+  if (options.fmi != "2" || options.model != "bearing")
+    throw BadInput(fmt::format(
+        "--output: found '{}' beside {}; required: without it, since a package of SSP 1.0 "
+        "holds the gear set and the bearing, by FMI 2.0",
+        options.output, options.fmi != "2" ? "--fmi " + options.fmi : "--model " + options.model));
+  std::vector<std::string> words{options.case_file, "--output", options.output};
+  for (const std::string& setting : options.settings) words.insert(words.end(), {"--set", setting});
+  if (options.json) words.push_back("--json");
+  if (options.quiet) words.push_back("--quiet");
+  const int code = run_python("orbearing.ssp", words);
+  if (code == not_started)
+    throw ComputationFailed(
+        fmt::format("fmu: {} is required for files that end with .ssp, with numpy (Debian: python3-numpy)",
+                    resources().interpreter.string()));
+  return code;
+}
+
 }  // namespace
 
 int fmu_command(const Options& options) {
   const fs::path file = options.output;
+  if (file.extension() == ".ssp" && !options.given) return write_system(options);
   require_file_name(file);
   const ResolvedCase resolved = point_of(options);
   const std::vector<std::string> unused =

@@ -18,6 +18,7 @@
 #include "app/study/ball_study.hpp"
 #include "app/study/crown/crown_study.hpp"
 #include "app/study/defect_study.hpp"
+#include "app/study/duplex_study.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/study/report_data.hpp"
 #include "app/study/static_study.hpp"
@@ -106,14 +107,15 @@ void require_results(const fs::path& folder, const ResolvedCase& resolved, const
     throw BadInput(folder.string() +
                    ": found no finished point; required: at least one. Give its command again with --resume");
   if (resolved.model() == planetary_drivetrain && !is_defect(resolved) && !sweep && !holds_crown(folder))
-    throw BadInput(fmt::format("{}: found results of '{}'; required: a sweep, a run or a crowning study that is complete "
-                               "({}), of which pages are drawn",
-                               folder.string(), printable(manifest.header->fidelity), crown_file_name));
+    throw BadInput(fmt::format(
+        "{}: found results of '{}'; required: a sweep, a run or a crowning study that is complete "
+        "({}), of which pages are drawn",
+        folder.string(), printable(manifest.header->fidelity), crown_file_name));
 }
 
-// Whether the folder holds the run of a single bearing under a static load.
+// Whether the folder holds the run of a single bearing under a static load, or of a duplex pair.
 bool is_static_run(const ResolvedCase& resolved, const Manifest& manifest) {
-  if (!is_static_bearing(resolved)) return false;
+  if (!is_static_bearing(resolved) && !is_duplex(resolved)) return false;
   const Analysis* analysis = analysis_of(resolved);
   return analysis != nullptr && manifest.header && manifest.header->fidelity == analysis->name;
 }
@@ -123,7 +125,8 @@ nlohmann::ordered_json data_of(const ResolvedCase& resolved, const Manifest& man
   const fs::path folder = options.folders.front();
   if (is_defect(resolved)) return published_data(folder / defect_file_name, "defect");
   if (is_ball_run(resolved)) return published_data(folder / ball_file_name, "balls");
-  if (is_static_run(resolved, manifest)) return {{"static", printed_json(resolved, *analysis_of(resolved))}};
+  if (is_static_run(resolved, manifest))
+    return {{is_duplex(resolved) ? "pair" : "static", printed_json(resolved, *analysis_of(resolved))}};
   if (holds_crown(folder)) return crown_data(resolved, folder);
   return sweep_data(resolved, manifest, options);
 }
@@ -153,8 +156,8 @@ int report_of(const Options& options) {
       !is_static_run(resolved, manifest))
     throw BadInput(
         folder.string() + ": found results of the model " + resolved.choice("model") +
-        "; required: a sweep, a crowning study, the run of a roller or ball bearing or of a bearing with "
-        "scratches, of which pages are drawn");
+        "; required: a sweep, a crowning study, the run of a roller or ball bearing, of a duplex pair or of "
+        "a bearing with scratches, of which pages are drawn");
   if (manifest.header && manifest.header->fidelity == "gears")
     throw BadInput(folder.string() +
                    ": found the motion of gears alone (run --gears); required: a sweep or a run of "

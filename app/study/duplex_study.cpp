@@ -7,9 +7,11 @@
 #include <limits>
 #include <stdexcept>
 
+#include "app/case/static_case.hpp"
 #include "app/errors.hpp"
 #include "app/units.hpp"
 #include "bearing/duplex/pair.hpp"
+#include "bearing/life/basic_life.hpp"
 
 namespace orbearing::app {
 
@@ -199,6 +201,25 @@ PairPoint balanced(const ResolvedCase& in) {
   return point;
 }
 
+// The shaft rotates; both rows have the ratings of one bearing.
+PairLives lives_of(const ResolvedCase& in, const bearing::equilibrium::RingState& state) {
+  namespace rating = bearing::rating;
+  bearing::Bearing bearing = duplex_bearing_of(in);
+  bearing.motions = {bearing::RaceMotion::rotating, bearing::RaceMotion::stationary};
+  const rating::BearingRating rated = rating::bearing_rating(bearing, stated_ratings_of(in));
+  const Eigen::ArrayXd& outer = state.outer_load.size() > 0 ? state.outer_load : state.contact_load;
+  const Eigen::Index balls = bearing.element_count();
+  const auto of_row = [&](Eigen::Index first) {
+    return rating::rating_lives(rated, {}, {state.contact_load.segment(first, balls), {}},
+                                {outer.segment(first, balls), {}});
+  };
+  const std::array rows{of_row(0), of_row(balls)};
+  const Eigen::Array2d lives(rows[0].reference.bearing, rows[1].reference.bearing);
+  const rating::RatingLives& shorter = rows[lives[0] <= lives[1] ? 0 : 1];
+  return {{shorter, shorter.reference.bearing, in.quantity("operation.shaft_speed"), state.largest_pressure},
+          rating::system_life(lives, rating::weibull_slope(rating::RollingElement::ball))};
+}
+
 using described::each;
 using described::Record;
 namespace dimension = described::dimension;
@@ -362,8 +383,16 @@ void describe(Record& record, const Response& response) {
   }
 }
 
+void describe(Record& record, const PairLives& lives) {
+  describe(record, lives.row);
+  record.value("system_L10r_Mrev", dimension::revolutions, "reference rating life of both rows", lives.pair);
+  record.value("system_L10rh", dimension::hours, "reference rating life of both rows",
+               lives.row.speed != 0.0 ? bearing::hours(lives.pair, lives.row.speed) : described::kAbsent);
+}
+
 void describe(Record& record, const DuplexStudy& study) {
   describe(record, study.point);
+  describe(record, study.lives);
   if (!study.over_speed.empty())
     record.table("over_speed", "speed", "the pair at operation.speeds", study.over_speed).file =
         "modes_over_speed.csv";
@@ -405,6 +434,7 @@ std::vector<PairAtSpeed> pair_over_speed(const ResolvedCase& in) {
 
 DuplexStudy duplex_study(const ResolvedCase& in) {
   DuplexStudy study{.point = pair_point(in), .over_speed = pair_over_speed(in)};
+  study.lives = lives_of(in, study.point.state);
   study.warnings = study.point.warnings;
   if (in.has("measured.preload")) study.identification = identification_of(in);
   if (study.identification) warn(*study.identification, study.warnings);

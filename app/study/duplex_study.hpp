@@ -9,6 +9,7 @@
 
 #include "app/case/check_table.hpp"
 #include "app/case/duplex_case.hpp"
+#include "app/results/life_table.hpp"
 
 namespace orbearing::app {
 
@@ -94,8 +95,15 @@ struct PairAtSpeed {
 /// With the ball that has the largest load on the inner race.
 void describe(described::Record& row, const PairAtSpeed& at);
 
+/// By ISO/TS 16281, which needs the loads of the balls alone; P of ISO 281 is not held for rows that lean.
+struct PairLives {
+  BearingLives row;                          // the row with the shorter life, under its preload
+  double pair = bearing::rating::kNotRated;  // [rev]  of both rows
+};
+
 struct DuplexStudy {
   PairPoint point;
+  PairLives lives;
   std::vector<PairAtSpeed> over_speed;           // where the case states speeds
   std::optional<Identification> identification;  // where the case holds measured frequencies
   Response response;

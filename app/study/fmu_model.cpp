@@ -168,7 +168,7 @@ on the planet; reverse them on the carrier. The planet's inertia is not in the b
 are. All communication steps greater than 0 are legal; inside a step a displacement goes on with the velocity given
 beside it, unless its own derivative by time was set, and it stands there afterwards until it is set again. A step
 over which the inputs leave what the model can follow is discarded; the log then says &quot;step too long&quot; and which
-length would be accepted.</p>
+length would be accepted. The library for Linux requires glibc 2.29 or newer (2019).</p>
 <table><tr><th>name</th><th>unit</th><th>meaning</th></tr>
 {3}</table></body></html>
 )";

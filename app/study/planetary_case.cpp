@@ -297,16 +297,33 @@ std::vector<study::NamedSet> bearing_sets(const ResolvedCase& resolved) {
 
 namespace {
 
-std::vector<Derived> quantities_without_bearing(const ResolvedCase& resolved) {
-  std::vector<Derived> rows;
-  if (!resolved.shape().teeth) return rows;
-  const study::PlanetaryDrivetrain drivetrain = drivetrain_of(resolved);
+gearset::WorkingGeometry add_gears_alone(const study::PlanetaryDrivetrain& drivetrain,
+                                         std::vector<Derived>& rows) {
   study::DrivetrainGeometry geometry;
   geometry.gears = gearset::working_geometry(drivetrain.set);
   geometry.planet_mass = gearset::planet_body(drivetrain.set, geometry.gears).mass;
   add_gears(drivetrain, geometry, rows);
-  add_motion(drivetrain.set, gearset::mean_loads(drivetrain.set, geometry.gears, drivetrain.drive), rows);
+  return geometry.gears;
+}
+
+std::vector<Derived> quantities_without_bearing(const ResolvedCase& resolved) {
+  std::vector<Derived> rows;
+  if (!resolved.shape().teeth) return rows;
+  const study::PlanetaryDrivetrain drivetrain = drivetrain_of(resolved);
+  const gearset::WorkingGeometry gears = add_gears_alone(drivetrain, rows);
+  add_motion(drivetrain.set, gearset::mean_loads(drivetrain.set, gears, drivetrain.drive), rows);
   return rows;
+}
+
+// Of several sets those without a bearing; their speeds and torques are in the flow of power.
+void add_sets_without_bearing(const ResolvedCase& resolved, std::vector<Derived>& rows) {
+  for (const std::string& name : resolved.shape().sets) {
+    if (resolved.has(set_prefix(name) + "bearing.rollers")) continue;
+    std::vector<Derived> of_set;
+    add_gears_alone(drivetrain_of(resolved.of_set(name)), of_set);
+    for (Derived& row : of_set)
+      rows.push_back({set_prefix(name) + row.path, row.value, row.unit, row.meaning});
+  }
 }
 
 // [m]  IT7 of ISO 286-1: 16 i, i = 0.45 D^(1/3) + 0.001 D in um, D in mm.
@@ -363,6 +380,7 @@ std::vector<Derived> derived_quantities(const ResolvedCase& resolved) {
       rows.push_back(std::move(row));
     }
   }
+  add_sets_without_bearing(resolved, rows);
   return rows;
 }
 

@@ -295,9 +295,22 @@ void warn_of_loose_rings(StaticStudy& study) {
                       "xyz"[axis]));
 }
 
+// P and P0 of ISO 281 and ISO 76 are by factors X and Y of grooves up to these radii.
+void warn_of_open_grooves(const ResolvedCase& in, StaticStudy& study) {
+  constexpr double inner_limit = 0.52, outer_limit = 0.53;  // groove radius over ball diameter
+  if (!in.has("bearing.inner_osculation")) return;
+  const double inner = in.number("bearing.inner_osculation"), outer = in.number("bearing.outer_osculation");
+  if (inner <= inner_limit && outer <= outer_limit) return;
+  study.warnings.push_back(fmt::format(
+      "bearing.inner_osculation, bearing.outer_osculation: {:.4g} and {:.4g}; the factors X and Y of ISO "
+      "281 hold for at most {:.2f} and {:.2f}, as rolling bearings have: prefer L10r to L10",
+      inner, outer, inner_limit, outer_limit));
+}
+
 void warn(const ResolvedCase& in, StaticStudy& study) {
   const rating::Ratings& ratings = study.ratings;
   for (std::string& text : oil_warnings(in)) study.warnings.push_back(std::move(text));
+  warn_of_open_grooves(in, study);
   if (ratings.gamma > ratings.slenderness_limit && !in.has("bearing.dynamic_capacity"))
     study.warnings.push_back(fmt::format(
         "bearing: D cos(alpha)/d_m is {:.3g}; the table of f_c in ISO 281 ends at {:.2g}: its formula is "

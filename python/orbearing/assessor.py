@@ -86,7 +86,7 @@ def sections(report: Report, most: Most = Most()) -> list[str]:
     """The sections in their order; none where the result has no rated bearing."""
     if not is_rated(report):
         return []
-    parts = (_ratings(report), _requirements(report), _bearings(report), _damage(report, most), _influences(report, most), _warnings(report), _versions(report))
+    parts = (_ratings(report), _requirements(report), _pair(report), _bearings(report), _damage(report, most), _influences(report, most), _warnings(report), _versions(report))
     return [part for part in parts if part]
 
 
@@ -171,6 +171,8 @@ def _judged_at(verdict: dict) -> str:
 
 def _columns(report: Report) -> list[Column]:
     if _single(report):
+        if _is_pair(report):
+            return [Column("One row", report.content.get), Column("All rows", lambda key: _of_all(report.content, key))]
         return [Column("One bearing", report.content.get)] if "L10_Mrev" in report.content else []
     row, spectrum = operating_row(report), _spectrum(report)
     sets = sorted({key.split(".")[1] for key in row if key.startswith("sets.") and key.endswith(".L10h")})
@@ -215,6 +217,8 @@ def operating_row(report: Report) -> dict:
 
 
 def _where(report: Report) -> str:
+    if _is_pair(report):
+        return "Values under the preload of the case alone. P and L10h of ISO 281 require a load from outside and are not computed; L10rh is by the load of each ball."
     if _single(report):
         return "Values of the bearing under the load of the case."
     speed, own = operating_row(report).get("input_speed_rpm"), report.content.get("own_speed_rpm")
@@ -223,6 +227,21 @@ def _where(report: Report) -> str:
     which = own_words if same(speed, own) else "with the longest life of this sweep, which has no point at the speed of the case"
     text = f"Values at the operating point {which}, {format_number(speed)} rpm input speed."
     return text + (" Under the load spectrum: lives by the rule of Palmgren and Miner; S0, p_max, kappa of the worst bin." if _spectrum(report) else "")
+
+
+def _pair(report: Report) -> str:
+    """Of a duplex pair: what the preload does, and the stiffness and natural frequencies of the shaft."""
+    if not _is_pair(report):
+        return ""
+    get = report.content.get
+    names = (("approach_um", "approach of each row [µm]"), ("contact_angle_deg", "contact angle, inner race [deg]"), ("outer_contact_angle_deg", "contact angle, outer race [deg]"),
+             ("inner_load_max_N", "largest load of a ball, inner race [N]"), ("outer_load_max_N", "largest load of a ball, outer race [N]"))
+    matrix = get("stiffness_matrix") or []
+    diagonal = [(f"stiffness, {words}", row[index]) for index, (row, words) in
+                enumerate(zip(matrix, ("x [N/m]", "y [N/m]", "z [N/m]", "tilt in xz [N m/rad]", "tilt in yz [N m/rad]")))]
+    rows = [(words, get(key)) for key, words in names if is_number(get(key))] + diagonal
+    modes = [(one.get("kind"), one.get("frequency_Hz")) for one in report.records("modes")]
+    return section("pair", "The pair under its preload", table(Table(("Quantity", "Value"), rows)) + table(Table(("Natural mode of the shaft", "Frequency [Hz]"), modes)))
 
 
 def _bearings(report: Report) -> str:
@@ -341,8 +360,12 @@ def _single(report: Report) -> bool:
     return "points" not in report.content
 
 
+def _is_pair(report: Report) -> bool:
+    return "system_L10r_Mrev" in report.content
+
+
 def _has_balls(report: Report) -> bool:
-    return str(report.content.get("model") or "").startswith("ball")
+    return _is_pair(report) or str(report.content.get("model") or "").startswith("ball")
 
 
 def _spectrum(report: Report) -> dict:

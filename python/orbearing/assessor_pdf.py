@@ -21,8 +21,8 @@ LEVELS = ((assessor.Most(), True), (assessor.Most(), False), (assessor.Most(12, 
 
 
 def rated(report: Report) -> Report:
-    """What the sections are made of: a sweep, or what the run of a single bearing printed."""
-    for kind in ("static", "balls"):
+    """What the sections are made of: a sweep, or what the run of a single bearing or of a pair printed."""
+    for kind in ("static", "balls", "pair"):
         if report.record(kind):
             return Report(report.record(kind), report.folder)
     return report

@@ -25,7 +25,7 @@ def build(folder: Path) -> str:
 
 def build_all(folder: Path, program: str = "", every_effect: bool = False, quiet: bool = True, pdf: bool = False) -> dict[str, str | bytes]:
     """Every page by its name below the result folder; the report itself comes last."""
-    from orbearing import animation, assessor_pdf, ball_page, crown_page, defect_page, report_data, static_page, style
+    from orbearing import animation, assessor_pdf, ball_page, crown_page, defect_page, pair_page, report_data, static_page, style
     from orbearing.page import page
     from orbearing.result_folder import Report, read_report
 
@@ -35,11 +35,14 @@ def build_all(folder: Path, program: str = "", every_effect: bool = False, quiet
         report = Report(report_data.complete(report.content, asked, every_effect), folder)
     elif study := report.record("static"):
         report = Report({"static": {**study, "influences": report_data.influences(study, asked)}}, folder)
+    elif pair := report.record("pair"):
+        report = Report({"pair": {**pair, "influences": report_data.influences(pair, asked, pair_page.life_key(pair))}}, folder)
     if report is not given:
         pages["report.json"] = json.dumps(report.content, indent=1, ensure_ascii=False) + "\n"
     blocks = blocks_of(report)
     with style.context():
-        for kind, draw in (("crown", crown_page.page), ("defect", defect_page.page), ("balls", ball_page.page), ("static", static_page.page)):
+        for kind, draw in (("crown", crown_page.page), ("defect", defect_page.page), ("balls", ball_page.page), ("static", static_page.page),
+                           ("pair", pair_page.page)):
             if report.record(kind):
                 pages["report.html"] = draw(report, blocks)
         if "report.html" not in pages:
@@ -63,8 +66,9 @@ def blocks_of(report) -> list:
             return list(defect.blocks(report, read_only_point(report.folder)))
         if report.record("balls"):
             return list(ball_motion.blocks(report, read_only_point(report.folder)))
-        if report.record("static"):
-            return [static_loads.block(report)]
+        for kind in ("static", "pair"):
+            if report.record(kind):
+                return [static_loads.block(report, kind)]
         return figures.blocks_of(report)
 
 

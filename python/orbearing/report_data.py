@@ -95,15 +95,15 @@ class _Bearing:
         return [(change, points) for change, points in zip(changes, found) if points is not None]
 
 
-def influences(content: dict, program: Program) -> dict:
-    """The same for all assumptions of a result, on the life that the case requires or that results go by; `problem` where there is none."""
-    life = next((str(one.get("key")) for one in records(content.get("verdicts")) if one.get("requirement") == "life"), "")
+def influences(content: dict, program: Program, life: str = "") -> dict:
+    """The same for all assumptions of a result, on `life`, else the one that the case requires or that results go by; `problem` where there is none."""
+    life = life or next((str(one.get("key")) for one in records(content.get("verdicts")) if one.get("requirement") == "life"), "")
     assumed = [str(row.get("key")) for row in records(content.get("assumptions"))]
     try:
         found = program.influences(assumed, life)
     except (CaseError, ComputationError) as error:
         return {"problem": f"The influence of assumptions is not computed: {error}"}
-    return {**found, "unit": "h" if life else found.get("unit"), "reliability": program.reliability()}
+    return {**found, "unit": found.get("unit") if not life else "Mrev" if life.endswith("Mrev") else "h", "reliability": program.reliability()}
 
 
 def own_point(content: dict, program: Program) -> dict:

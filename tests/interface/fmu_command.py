@@ -11,6 +11,8 @@ import unittest
 import xml.etree.ElementTree as xml
 import zipfile
 
+from fmu_library import OLDEST_GLIBC
+
 CASES = pathlib.Path(os.environ.get("ORBEARING_SOURCE_DIR", ".")) / "cases"
 REDUCER = CASES / "reducer_150kW" / "case.yaml"
 LIBRARIES = pathlib.Path(os.environ["ORBEARING"]).resolve().parents[1] / "lib" / "orbearing" / "fmu"
@@ -48,6 +50,9 @@ class FmuCommand(unittest.TestCase):
                     for name in ("resources/model.txt", "documentation/index.html",
                                  "documentation/licenses/license.txt"):
                         self.assertIn(name, archive.namelist())
+                    # Issue 47, public case fmu_glibc: the FMU states the oldest C library.
+                    page = archive.read("documentation/index.html").decode()
+                    self.assertIn("glibc {}.{} or newer".format(*OLDEST_GLIBC), page)
                     self.assertEqual(answer["inputs"], len(root.findall(".//*[@causality='input']")))
 
     def test_windows_library_is_inside_or_its_lack_is_reported(self):

@@ -1,4 +1,4 @@
-"""Loads of the rolling elements of a bearing under a static load."""
+"""Loads of the rolling elements of a bearing under a static load, or of the first row of a pair."""
 
 from __future__ import annotations
 
@@ -11,10 +11,12 @@ from orbearing.result_folder import Report, numbers
 SLUG, TITLE = "element-loads", "Loads of the rolling elements"
 
 
-def block(report: Report) -> FigureBlock:
-    """A bar for each rolling element at its angle from the line of the load."""
-    study = Report(report.record("static"), report.folder)
+def block(report: Report, kind: str = "static") -> FigureBlock:
+    """A bar for each rolling element at its angle from the line of the load; `kind`: static or pair."""
+    study = Report(report.record(kind), report.folder)
     load = numbers(study.content.get("contact_loads_N"))
+    if kind == "pair":
+        load = load[:len(load) // 2]
     if not len(load):
         return FigureBlock(SLUG, TITLE, missing="This result has no loads of rolling elements.")
     stated = numbers(study.record("steps").get("element_angles_deg"))
@@ -22,7 +24,8 @@ def block(report: Report) -> FigureBlock:
     angle = (angle + 180.0) % 360.0 - 180.0
     order = np.argsort(angle, kind="stable")
     most = format_quantity(float(load.max()), "N", 4)
-    caption = (f"Load of each rolling element on the inner race by its angle from the line of the radial load. Largest load: {most}. "
+    whose = "of the first row under the preload" if kind == "pair" else "by its angle from the line of the radial load"
+    caption = (f"Load of each rolling element on the inner race {whose}. Largest load: {most}. "
                f"{int((load > 0).sum())} of {len(load)} elements carry load.")
     data = columns_table(("angle (deg)", "load (N)"), angle[order], load[order])
     return FigureBlock(SLUG, TITLE, caption, (_draw(angle[order], load[order]),), data=data)
