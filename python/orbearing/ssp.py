@@ -17,7 +17,7 @@ from pathlib import Path
 from orbearing import _core
 from orbearing.case import Case, PathLike, load
 from orbearing.errors import CaseError, ComputationError
-from orbearing.terminal import finished, place_of, settings_of
+from orbearing.terminal import exit_code, finished, settings_of
 
 NAMESPACES = {name: f"http://ssp-standard.org/SSP1/SystemStructure{end}" for name, end in
               (("ssd", "Description"), ("ssc", "Common"), ("ssv", "ParameterValues"))}
@@ -190,7 +190,7 @@ def _store(file: Path, content: dict[str, bytes]) -> None:
                     archive.writestr(zipfile.ZipInfo(name, LONG_AGO), data, zipfile.ZIP_DEFLATED)
             whole.replace(file)
     except OSError as error:
-        raise ComputationError(f"--output: {place_of(error)}: cannot be written: {error.strerror}; no package was written") from None
+        raise ComputationError(f"--output: {error.filename or file}: cannot be written: {error.strerror}; no package was written") from None
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -202,21 +202,13 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("--json", action="store_true", help="print the result as one JSON object")
     parser.add_argument("--quiet", action="store_true", help="print nothing but errors")
     options = parser.parse_args(arguments)
-    try:
-        settings = settings_of(options.set)
-        _core.load(options.case, settings)  # its messages name --set
-        package = write(load(options.case, dict(settings)), options.output)
-    except CaseError as error:
-        print(error, file=sys.stderr)
-        return 2
-    except ComputationError as error:
-        print(error, file=sys.stderr)
-        return 1
-    _report(package, options)
-    return 0
+    return exit_code("orbearing fmu", lambda: _run(options), "numpy (Debian: python3-numpy)")
 
 
-def _report(package: Package, options: argparse.Namespace) -> None:
+def _run(options: argparse.Namespace) -> int:
+    settings = settings_of(options.set)
+    _core.load(options.case, settings)  # its messages name --set
+    package = write(load(options.case, dict(settings)), options.output)
     if options.json:
         import json
 
@@ -225,6 +217,7 @@ def _report(package: Package, options: argparse.Namespace) -> None:
         print(f"{package.file}: SSP 1.0, gear set and {package.planets} bearings by FMI 2.0, {package.connections} connections, {package.parameters} parameters")
         for text in package.warnings:
             print(f"warning: {text}")
+    return 0
 
 
 if __name__ == "__main__":

@@ -40,6 +40,21 @@ lubricant: {{grade: ISO VG 68, temperature: 70 degC}}
 life: {{cleanliness: -/17/14}}
 requirements: {{life: 20000 h, life_key: L10mrh, contact_pressure_max: 2500 MPa, S0: 2, kappa: 1}}
 """
+PAIR = """name: pair
+source: catalogue
+model: duplex-pair
+arrangement: back-to-back
+preload: 1500 N
+bearing: {designation: 7210 B, radial_clearance: 0 um}
+spindle: {mass: 6 kg, first_lever: 20 mm, second_lever: 20 mm, diameter: 50 mm, density: 7850 kg/m3}
+operation: {shaft_speed: 1500 rpm}
+"""
+ROW = """name: row
+source: catalogue
+model: ball-bearing
+load: {radial: 0 N, axial: 1500 N}
+bearing: {designation: 7210 B, radial_clearance: 0 um}
+"""
 LIVES = ("L10h", "L10rh", "L10mh", "L10mrh", "life_h")
 DIGITS = 5  # of a number on the page
 MOST_PAGES = 8
@@ -353,6 +368,34 @@ class SingleBearings(unittest.TestCase):
 
     def test_ball_bearing(self):
         self.check(*self.made("ball-bearing", "6208", "4000 N"), "ISO 281:2007, 5.1")
+
+    def test_duplex_pair(self):
+        """Ratings and lives of a row as of a single bearing under the preload; of both rows by e = 10/9."""
+        with tempfile.TemporaryDirectory() as place:
+            case, row, folder = (pathlib.Path(place) / name for name in ("pair.yaml", "row.yaml", "out"))
+            case.write_text(PAIR, encoding="utf-8")
+            row.write_text(ROW, encoding="utf-8")
+            found, alone = answer("run", case, options=["-o", str(folder)]), answer("run", row)
+            resting = answer("run", case, "operation.shaft_speed=0 rpm")
+            result = run("report", folder, *(["--pdf"] if weasyprint else []))
+            self.assertEqual(result.returncode, 0, result.stderr)
+            page = (folder / "report.html").read_text(encoding="utf-8")
+            if weasyprint and shutil.which("pdftotext"):
+                self.assertLessEqual(pdf_text(folder / "report.pdf").count("\f"), 3)
+        for key in ("C_N", "C0_N", "Cu_N", "L10r_Mrev", "contact_pressure_max_MPa"):
+            self.assertAlmostEqual(resting[key] / alone[key], 1.0, delta=1e-6, msg=key)
+        self.assertAlmostEqual(resting["system_L10r_Mrev"] / (resting["L10r_Mrev"] * 2 ** -0.9), 1.0, 9)
+        self.assertIsNone(resting["L10rh"])
+        self.assertAlmostEqual(found["L10rh"] / (found["L10r_Mrev"] * 1e6 / (60 * 1500)), 1.0, 9)
+        self.assertEqual((found["P_N"], found["L10h"]), (None, None))
+        rows = {row[0].split(" [")[0]: row for row in rows_of(page, "ratings")[1:]}
+        for symbol, column, key in (("C", 3, "C_N"), ("L10rh", 3, "L10rh"), ("L10rh", 4, "system_L10rh"), ("p_max", 3, "contact_pressure_max_MPa")):
+            self.assertAlmostEqual(number(rows[symbol][column]), printed(found[key]), delta=1e-9 * found[key], msg=key)
+        self.assertEqual(rows["C"][2], "ISO 281:2007, 5.1")
+        state = {row[0]: row[1] for row in rows_of(page, "pair")}
+        self.assertAlmostEqual(number(state["approach of each row [µm]"]), printed(found["approach_um"]), 9)
+        self.assertAlmostEqual(number(state["stiffness, z [N/m]"]), printed(found["stiffness_matrix"][2][2]), delta=1e4)
+        self.assertIn('<section id="element-loads">', page)
 
     def test_results_without_lives_have_no_pdf(self):
         with tempfile.TemporaryDirectory() as place:

@@ -127,6 +127,17 @@ class InFmpy(unittest.TestCase):
             print(f"{fmu.model}, FMI {fmu.version}.0: largest relative difference {worst:.1e}")
             self.assertLess(worst, ROUND_OFF)
 
+    def test_a_package_is_read_and_simulated(self):
+        """Issue 47, item 8. FMPy knows no LinearTransformation, so that a planet has one bearing here."""
+        file = pathlib.Path(self.place.name, "one.ssp")
+        subprocess.run([os.environ["ORBEARING"], "fmu", CASE, "-o", file, "--quiet", "--set", "bearing.per_planet=1"], check=True)
+        system = fmpy.ssp.ssd.read_ssd(str(file)).system
+        self.assertEqual((len(system.elements), len(system.connections)), (5, 40))
+        rows = fmpy.ssp.simulation.simulate_ssp(str(file), stop_time=10e-6, step_size=1e-6)
+        for i in range(1, 5):
+            self.assertGreater(abs(rows[f"bearing_{i}.force.y"][-1]), 1e3)  # both meshes press with 2129 N
+            self.assertEqual(rows[f"bearing_{i}.force.y"][-1], rows[f"gears.planet[{i}].force.y"][-1])
+
     def test_slopes_of_inputs_are_felt_as_by_the_machine(self):
         for fmu in self.each():
             if fmu.model != "bearing" or fmu.version != 2:  # FMI 3.0 has none
@@ -221,6 +232,7 @@ if __name__ == "__main__":
         import fmpy
         import fmpy.fmi2
         import fmpy.fmi3
+        import fmpy.ssp.simulation
         import fmpy.validation
     except ImportError:
         python = interpreter_with(FMPY)
