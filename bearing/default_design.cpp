@@ -11,11 +11,15 @@ namespace orbearing::bearing {
 
 namespace {
 
+// Metals rebound with 1 - a v, a = 0.08 to 0.32 s/m [HuntCrossley1975]; in the middle 3/2 a is 0.3 s/m.
+constexpr double metal_damping = 0.3;  // [s/m]
+constexpr double polymer_damping = 1.0;
+
 constexpr std::array<CageMaterial, 4> default_materials{{
-    {"glass-filled polyamide", 1310.0, 6e9},  // moist and warm; dry and cold 8e9
-    {"aluminium", 2700.0, 70e9},
-    {"steel", 7850.0, 206e9},
-    {"brass", 8500.0, 105e9},
+    {"glass-filled polyamide", 1310.0, 6e9, polymer_damping},  // moist and warm; dry and cold 8e9
+    {"aluminium", 2700.0, 70e9, metal_damping},
+    {"steel", 7850.0, 206e9, metal_damping},
+    {"brass", 8500.0, 105e9, metal_damping},
 }};
 
 constexpr double cage_poisson_ratio = 0.35;  // [-]  between polymers and metals; affects the shear alone
@@ -50,6 +54,10 @@ const CageMaterial& cage_material(std::string_view name) {
 double default_pocket_clearance(double roller_diameter, double pitch_diameter, int rollers) {
   const double gap = gap_between_rollers(roller_diameter, pitch_diameter, rollers);
   return std::max(0.0, std::min(roller_diameter / 50.0, 0.5 * gap));
+}
+
+double default_land_play(double element_diameter) {
+  return 0.06 * element_diameter;
 }
 
 double cage_bar_thickness(double roller_diameter, double pocket_clearance, double pitch_diameter,

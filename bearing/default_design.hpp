@@ -11,6 +11,7 @@ struct CageMaterial {
   std::string_view name;
   double density = 0.0;         // [kg/m^3]
   double youngs_modulus = 0.0;  // [Pa]
+  double damping = 0.0;         // [s/m]  share by which the load of a contact grows per speed of approach
 };
 
 /// The usual cage material nearest in density: glass-filled polyamide (warm), aluminium, steel or brass.
@@ -23,6 +24,9 @@ const CageMaterial& cage_material(std::string_view name);
 /// Play of a roller in its pocket in diametral measure: a fiftieth of its diameter, at most half of the gap
 /// between neighbours on the pitch circle. [m]; 0 where the rollers touch
 double default_pocket_clearance(double roller_diameter, double pitch_diameter, int rollers);
+
+/// Play of a cage on its land, in diametral measure. Assumption: 6 % of the diameter of a roller or ball. [m]
+double default_land_play(double element_diameter);
 
 /// A bar between two pockets, held at both ends by the side rings of the cage.
 struct CageBar {

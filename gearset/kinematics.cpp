@@ -40,7 +40,7 @@ void require_sound(const PlanetarySet& set, const Drive& drive) {
     throw std::invalid_argument(
         "the driven member is the fixed one; drive another member or fix another one");
   }
-  mechanics::require_positive(drive.speed, "speed of the driven member");
+  mechanics::require_positive(drive.motor_speed(), "speed of the driven member");
 }
 
 }  // namespace

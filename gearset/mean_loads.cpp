@@ -47,11 +47,11 @@ MeanLoads mean_loads(const PlanetarySet& set, const WorkingGeometry& geometry, c
 
 MeanLoads mean_loads(const PlanetarySet& set, const WorkingGeometry& geometry, const MemberRatios& ratios,
                      const Drive& drive) {
-  mechanics::require_positive(drive.speed, "speed of the motor");
+  mechanics::require_positive(drive.motor_speed(), "speed of the motor");
   mechanics::require_positive(drive.power, "power of the motor");
   const double sense = ratios.speed.carrier < 0.0 ? -1.0 : 1.0;
-  const double speed = sense * drive.speed;                 // [rad/s]
-  const double torque = sense * drive.load_power() / drive.speed;  // [N m]
+  const double speed = sense * drive.motor_speed();                        // [rad/s]
+  const double torque = sense * drive.load_power() / drive.motor_speed();  // [N m]
   return loads_of(set, geometry,
                   {speed * ratios.speed.sun, speed * ratios.speed.ring, speed * ratios.speed.carrier,
                    speed * ratios.speed.planet_relative},

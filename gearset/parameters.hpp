@@ -211,19 +211,36 @@ void describe(Visitor& visit, ParallelStages& m) {
           "teeth of a parallel stage between planetary sets and load: the gear on their shaft and its mate"));
 }
 
+/// Whose speed a drive states. Motor and load are the shafts by which power enters and leaves, parallel
+/// stages included.
+enum class SpeedOf { motor, load, sun, ring, carrier, planet };
+
+constexpr described::Names<SpeedOf, 6> names_of(SpeedOf) {
+  return {{{SpeedOf::motor, "motor"},
+           {SpeedOf::load, "load"},
+           {SpeedOf::sun, "sun"},
+           {SpeedOf::ring, "ring"},
+           {SpeedOf::carrier, "carrier"},
+           {SpeedOf::planet, "planet"}}};
+}
+
 /// The power that enters the set, and where. The member that is neither fixed nor driven delivers.
 struct Drive {
   Member member = Member::sun;
   double power = 0.0;  // [W]
-  double speed =
-      0.0;  // [rad/s]  of the driven member, relative to the housing; of the motor before a stage in front
+  double speed = 0.0;  // [rad/s]  of `speed_of`, relative to the housing; of a planet relative to its pin
   ParallelStages parallel{};
   double application_factor = 1.0;  // [-]  K_A of ISO 6336-1
+  SpeedOf speed_of = SpeedOf::motor;
+  double motor_ratio =
+      1.0;  // [-]  speed of the motor over `speed`: of the driven member, or before a stage in front
 
   /// That teeth and bearings are loaded by. [W]
   double load_power() const { return application_factor * power; }
+  /// [rad/s]
+  double motor_speed() const { return speed * motor_ratio; }
   /// Of the driven member itself, behind a stage in front. Eq. (40) of gearset/README.md. [rad/s]
-  double driven_speed() const { return speed * parallel.front[0] / parallel.front[1]; }
+  double driven_speed() const { return motor_speed() * parallel.front[0] / parallel.front[1]; }
 };
 
 template <class Visitor>
@@ -242,10 +259,13 @@ void describe(Visitor& visit, Drive& m) {
             {.models = set, .range = {0.1, 10.0}, .reason = "input.power is the load that acts"}),
       field(m.speed, "input.speed", Physics::planet,
             "speed of the driven member relative to the housing; before a parallel stage in front of it that "
-            "of the "
-            "motor",
+            "of the motor; of another member where input.speed_of names it",
             {.models = set, .required_by = set, .dimension = dimension::angular_speed, .range = {1e-3, 1e6}}),
-      part(m.parallel));
+      field(m.speed_of, "input.speed_of", Physics::planet,
+            "whose speed input.speed is, in sweeps, torque curves and spectra too: motor and load are the "
+            "shafts by which power enters and leaves; planet: relative to its pin",
+            {.models = set, .reason = "power, torque and speed are those of one shaft"}),
+      apart(m.motor_ratio), part(m.parallel));
 }
 
 /// The rack of one gear of a set.

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 
 #include "app/case/described_case.hpp"
 #include "app/case/field_table.hpp"
 #include "app/case/printable.hpp"
+#include "app/case/spectrum_case.hpp"
 #include "gearset/drivetrain/arrangement_checks.hpp"
 #include "gearset/drivetrain/power_flow.hpp"
 
@@ -131,6 +133,78 @@ Mistake mistake_of(const ResolvedCase& resolved, const Arrangement& arrangement,
 Arrangement arrangement_of(const ResolvedCase& resolved) {
   return with_parallel_stages(resolved.shape().several ? several(resolved) : one(resolved),
                               from_case<gearset::ParallelStages>(resolved));
+}
+
+namespace {
+
+using gearset::SpeedOf;
+
+/// Of the member that `drive` states over that of the motor. [-]  0: it stands still
+double ratio_to_motor(const ResolvedCase& resolved, SpeedOf member) {
+  const Arrangement arrangement = arrangement_of(resolved);
+  const gearset::PowerFlow flow = gearset::power_flow(arrangement);
+  const gearset::Speeds& speeds = flow.sets.front().speed;
+  switch (member) {
+    case SpeedOf::motor:
+      break;
+    case SpeedOf::load: {
+      const auto load = std::ranges::find_if(arrangement.shafts, &gearset::Shaft::load);
+      return flow.shafts.at(static_cast<std::size_t>(load - arrangement.shafts.begin())).speed;
+    }
+    case SpeedOf::sun:
+      return speeds.sun;
+    case SpeedOf::ring:
+      return speeds.ring;
+    case SpeedOf::carrier:
+      return speeds.carrier;
+    case SpeedOf::planet:
+      return speeds.planet_relative;
+  }
+  return 1.0;
+}
+
+bool is_of_several(SpeedOf member) {
+  return member == SpeedOf::motor || member == SpeedOf::load;
+}
+
+constexpr double kStill = 1e-9;  // [-]  of the motor's speed: what round-off leaves of none
+
+// What states the torque of the shaft whose speed is input.speed; empty: nothing.
+std::string stated_torque(const ResolvedCase& in) {
+  for (const std::string* path : {&kTorquePath, &kTorqueCurvePath})
+    if (is_stated(in, *path)) return *path;
+  if (!in.has(kSpectrumPath)) return {};
+  constexpr std::size_t columns = 5, torque = 1;
+  const std::vector<double>& rows = in.list(kSpectrumPath);
+  for (std::size_t i = torque; i < rows.size(); i += columns)
+    if (rows[i] != 0.0) return kSpectrumPath;
+  return {};
+}
+
+}  // namespace
+
+gearset::Drive drive_of(const ResolvedCase& resolved) {
+  auto drive = from_case<gearset::Drive>(resolved);
+  const bool whole = resolved.shape().several || resolved.has("input.member");
+  if (whole && drive.speed_of != SpeedOf::motor)
+    drive.motor_ratio = 1.0 / std::abs(ratio_to_motor(resolved, drive.speed_of));
+  return drive;
+}
+
+void check_speed_of(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
+  if (!resolved.has(kSpeedOfPath) || !mistakes.empty()) return;
+  const SpeedOf member = from_case<gearset::Drive>(resolved).speed_of;
+  if (member == SpeedOf::motor) return;
+  const std::string& name = resolved.choice(kSpeedOfPath);
+  if (resolved.shape().several && !is_of_several(member))
+    return add_error_at(resolved, kSpeedOfPath, name + " of several sets", "motor or load is required",
+                        mistakes);
+  if (const std::string torque = stated_torque(resolved); member == SpeedOf::planet && !torque.empty())
+    return add_error_at(resolved, kSpeedOfPath, "planet beside " + torque,
+                        "the speed of a shaft, whose torque it is, or input.power is required", mistakes);
+  if (std::abs(ratio_to_motor(resolved, member)) < kStill)
+    add_error_at(resolved, kSpeedOfPath, name + ", which stands still", "a member that rotates is required",
+                 mistakes);
 }
 
 void check_arrangement(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {

@@ -17,4 +17,12 @@ gearset::Arrangement arrangement_of(const ResolvedCase& resolved);
 /// follow; the latter only where teeth and shafts are whole. For cases of several sets.
 void check_arrangement(const ResolvedCase& resolved, std::vector<Mistake>& mistakes);
 
+/// Power, speed and where they enter, with the speed of the motor by kinematics where the case states that of
+/// another member. Of one of several sets by ResolvedCase::of_set() input.speed stands for the motor's.
+gearset::Drive drive_of(const ResolvedCase& resolved);
+
+/// Objects to the speed of a member that stands still, of one member among several sets, and to the torque of
+/// a planet.
+void check_speed_of(const ResolvedCase& resolved, std::vector<Mistake>& mistakes);
+
 }  // namespace orbearing::app

@@ -202,16 +202,11 @@ class CatalogueCase {
   void fill_default_cage(const catalogue::Inside& inside) {
     if ((model_ & described::in_motion) == 0) return;  // others need none
     const std::string reason = "default: a usual cage of a bearing of this section, guided at the outer ring";
-    constexpr double inward = 0.4, outward = 0.5, land = 0.56, share_of_width = 0.76;
+    constexpr double inward = 0.4, outward = 0.5, share_of_width = 0.76;
     put_default("bearing.cage.inner_diameter", millimetres(inside.pitch_diameter - inward * inside.diameter),
                 reason);
     put_default("bearing.cage.outer_diameter", millimetres(inside.pitch_diameter + outward * inside.diameter),
                 reason);
-    // Without a land the cage falls out of the middle; one around a stated cage is the user's to state.
-    const auto outer = data_.values.find(prefix_ + "bearing.cage.outer_diameter");
-    if (outer != data_.values.end() && outer->second.from_default)
-      put_default("bearing.cage.guide_land_diameter",
-                  millimetres(inside.pitch_diameter + land * inside.diameter), reason);
     const bool needles = entry_->family == catalogue::Family::needle_cage;
     double width = (needles ? 1.0 : share_of_width) * entry_->width;
     if (width <= inside.length)

@@ -232,6 +232,7 @@ void check_guide_land(Checker& check) {
                   "bearing.cage.outer_diameter"}))
     return;
   const double land = check.length("bearing.cage.guide_land_diameter");
+  if (land == 0.0) return;  // rollers or balls guide the cage
   if (check.choice("bearing.cage.guidance") == "outer")
     check.ordered("bearing.cage.guide_land_diameter", "a land around the cage: the cage's outer diameter",
                   check.length("bearing.cage.outer_diameter"), land);
@@ -369,6 +370,7 @@ void check_consistency(const ResolvedCase& resolved, std::vector<Mistake>& mista
   // The oil is that of all sets.
   check_grade(resolved, mistakes);
   check_torque(resolved, mistakes);
+  check_speed_of(resolved, mistakes);
   check_cleanliness(resolved, mistakes);
   check_spectrum(resolved, mistakes);
 }

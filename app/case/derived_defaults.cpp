@@ -11,6 +11,7 @@
 #include "app/case/settings.hpp"
 #include "app/case/spectrum_case.hpp"
 #include "bearing/default_design.hpp"
+#include "gearset/dynamics/bodies.hpp"
 
 namespace orbearing::app {
 
@@ -30,6 +31,7 @@ class ValuesOfSet {
     return std::all_of(paths.begin(), paths.end(), [this](std::string_view path) { return find(path); });
   }
   double operator()(std::string_view path) const { return find(path)->value.number; }
+  const std::string& choice(std::string_view path) const { return find(path)->value.given; }
 
  private:
   // What all sets share stands at the top.
@@ -94,6 +96,90 @@ std::optional<DerivedDefault> touch_down_stiffness(const ValuesOfSet& value) {
                   material.name)};
 }
 
+std::optional<DerivedDefault> guide_land(const ValuesOfSet& value) {
+  const bool balls = value.has({"bearing.balls"});
+  const std::string_view diameter = balls ? "bearing.ball_diameter" : "bearing.roller_diameter",
+                         length = balls ? diameter : "bearing.roller_length";
+  if (!value.has({diameter, length, "bearing.pitch_diameter", "bearing.cage.guidance", "bearing.cage.width",
+                  "bearing.cage.inner_diameter", "bearing.cage.outer_diameter"}) ||
+      value("bearing.cage.width") <= value(length))
+    return std::nullopt;
+  const bool outside = value.choice("bearing.cage.guidance") == "outer";
+  const double side = outside ? 1.0 : -1.0;
+  const double cage = value(outside ? "bearing.cage.outer_diameter" : "bearing.cage.inner_diameter");
+  const double raceway = value("bearing.pitch_diameter") + side * value(diameter);
+  const double play = std::min(bearing::default_land_play(value(diameter)), 0.5 * side * (raceway - cage));
+  if (!(play > 0.0)) return std::nullopt;
+  return DerivedDefault{
+      fmt::format("{:.9g} mm", 1e3 * (cage + side * play)),
+      fmt::format("a play of {:.3g} mm, 6 % of the {}'s diameter, at most half of that to the "
+                  "{} raceway",
+                  1e3 * play, balls ? "ball" : "roller", outside ? "outer" : "inner")};
+}
+
+std::optional<DerivedDefault> pocket_damping(const ValuesOfSet& value) {
+  if (!value.has({"bearing.cage.density"})) return std::nullopt;
+  const bearing::CageMaterial& material = bearing::default_cage_material(value("bearing.cage.density"));
+  return DerivedDefault{fmt::format("{:g} s/m", material.damping),
+                        fmt::format("{}, the usual cage material nearest in density", material.name)};
+}
+
+// Of teeth: none where the case states masses and springs in their place.
+std::optional<gearset::PlanetarySet> teeth_of(const ValuesOfSet& value) {
+  if (!value.has({"gearset.teeth.sun", "gearset.teeth.planet", "gearset.teeth.ring", "gearset.module",
+                  "gearset.helix_angle", "gearset.pressure_angle", "material.youngs_modulus"}))
+    return std::nullopt;
+  const auto teeth = [&](std::string_view path) { return static_cast<int>(value(path)); };
+  gearset::PlanetarySet set{.sun_teeth = teeth("gearset.teeth.sun"),
+                            .planet_teeth = teeth("gearset.teeth.planet"),
+                            .ring_teeth = teeth("gearset.teeth.ring"),
+                            .module = value("gearset.module"),
+                            .helix_angle = value("gearset.helix_angle")};
+  set.rack.pressure_angle = value("gearset.pressure_angle");
+  return set;
+}
+
+constexpr std::string_view sun_support_rule =
+    "an overhung shaft of half the sun's diameter, 2.5 of its diameters long: proportional to size and "
+    "modulus, "
+    "1e8 N/m for a sun of 111 mm in steel";
+constexpr std::string_view ring_support_rule =
+    "a ring bolted to its housing: proportional to size and modulus, 1e9 N/m for a ring of 237 mm in steel";
+constexpr std::string_view carrier_support_rule =
+    "two bearings of the carrier: proportional to size and modulus, 5e8 N/m at a centre distance of 88.5 mm "
+    "in "
+    "steel";
+
+std::optional<DerivedDefault> support_of(const ValuesOfSet& value, gearset::Member member,
+                                         std::string_view reason) {
+  const std::optional<gearset::PlanetarySet> set = teeth_of(value);
+  if (!set) return std::nullopt;
+  return DerivedDefault{stiffness_text(gearset::dynamics::default_support_stiffness(
+                            *set, member, value("material.youngs_modulus"))),
+                        std::string(reason)};
+}
+
+std::optional<DerivedDefault> sun_support(const ValuesOfSet& value) {
+  return support_of(value, gearset::Member::sun, sun_support_rule);
+}
+std::optional<DerivedDefault> ring_support(const ValuesOfSet& value) {
+  return support_of(value, gearset::Member::ring, ring_support_rule);
+}
+std::optional<DerivedDefault> carrier_support(const ValuesOfSet& value) {
+  return support_of(value, gearset::Member::carrier, carrier_support_rule);
+}
+
+std::optional<DerivedDefault> backlash(const ValuesOfSet& value) {
+  const std::optional<gearset::PlanetarySet> set = teeth_of(value);
+  if (!set) return std::nullopt;
+  return DerivedDefault{
+      fmt::format("{:.6g} mm", 1e3 * gearset::dynamics::default_backlash(*set)),
+      fmt::format(
+          "least backlash recommended by ISO/TR 10064-2, 2/3 (0.06 + 0.0005 a + 0.03 m_n) mm normal to "
+          "the teeth: a {:.4g} mm, m_n {:.4g} mm",
+          1e3 * gearset::dynamics::reference_centre_distance(*set), 1e3 * set->module)};
+}
+
 // Walls of the carrier as its mass has them: both together the plate ratio times the face width.
 std::optional<DerivedDefault> pin_stiffness_of_bearing(const ValuesOfSet& value) {
   if (!value.has({"bearing.bore", "bearing.per_planet", "gearset.face_width", "material.youngs_modulus",
@@ -132,6 +218,7 @@ struct DefaultRule {
   std::string_view text;
   Rule apply;
   bool at_rest = false;  // also of bearings that are not moved in time
+  bool always = true;    // a structure of parameters needs the value
 };
 
 // In an order in which each finds what it follows from.
@@ -145,13 +232,39 @@ constexpr DefaultRule default_rules[] = {
     {"bearing.cage.touch_down_stiffness",
      "a fifth of the modulus of the usual cage material nearest in density times the cage's width",
      touch_down_stiffness},
+    {.path = "bearing.cage.guide_land_diameter",
+     .text = "a play of 6 % of the diameter of a roller or ball, at most half of that to the raceway",
+     .apply = guide_land,
+     .always = false},
+    {.path = "bearing.cage.pocket_damping",
+     .text = "1 s/m of polyamide, 0.3 s/m of metals, by the usual cage material nearest in density",
+     .apply = pocket_damping,
+     .always = false},
+    {.path = "gearset.dynamics.sun.support_stiffness",
+     .text = sun_support_rule,
+     .apply = sun_support,
+     .always = false},
+    {.path = "gearset.dynamics.ring.support_stiffness",
+     .text = ring_support_rule,
+     .apply = ring_support,
+     .always = false},
+    {.path = "gearset.dynamics.carrier.support_stiffness",
+     .text = carrier_support_rule,
+     .apply = carrier_support,
+     .always = false},
+    {.path = "gearset.dynamics.backlash",
+     .text =
+         "least backlash recommended by ISO/TR 10064-2, 2/3 (0.06 + 0.0005 a + 0.03 m_n) mm normal to the "
+         "teeth",
+     .apply = backlash,
+     .always = false},
     {"support.stiffness",
      "a solid pin that fills the bore of the inner ring, between the middles of both walls of the carrier, "
      "shared by the bearings of a planet; each of several sets has its own",
      pin_stiffness_of_bearing},
-    {"requirements.life_key", "L10mh, where requirements.life is given", required_life, true},
+    {"requirements.life_key", "L10mh, where requirements.life is given", required_life, true, false},
     {"life.minimum_load", "0.02, where spectrum is given: makers' rule of thumb for roller bearings",
-     minimum_load, true}};
+     minimum_load, true, false}};
 
 void fill_one(CaseData& data, const std::string& prefix, const DefaultRule& rule) {
   const std::string path(rule.path);
@@ -159,11 +272,12 @@ void fill_one(CaseData& data, const std::string& prefix, const DefaultRule& rule
   const std::string full = field != nullptr && in_each_set(*field) ? prefix + path : path;
   const auto stored = data.values.find(full);
   if (stored != data.values.end() && !stored->second.from_default) return;
+  const std::optional<DerivedDefault> derived = rule.apply(ValuesOfSet(data, prefix));
+  if (!derived && !field->default_text.empty()) return;  // nothing is there for it to follow from
   if (stored != data.values.end()) {
     data.assumed.erase(full);
     data.values.erase(stored);
   }
-  const std::optional<DerivedDefault> derived = rule.apply(ValuesOfSet(data, prefix));
   if (!derived) return;
   FieldReading reading = read_field_text(*field, derived->text);
   if (!reading.good) return;  // of a design beyond what the field takes: it wants a value of its own
@@ -177,6 +291,11 @@ std::string_view default_rule(std::string_view path) {
   for (const DefaultRule& rule : default_rules)
     if (rule.path == path) return rule.text;
   return {};
+}
+
+bool follows_always(std::string_view path) {
+  return std::ranges::any_of(default_rules,
+                             [&](const DefaultRule& rule) { return rule.always && rule.path == path; });
 }
 
 void fill_derived_defaults(CaseData& data) {

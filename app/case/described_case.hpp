@@ -26,7 +26,7 @@ class DescribedCase {
   void operator()(Member& member, const described::Facts& facts) {
     if ((facts.details.models & in_.model()) == 0) return;
     // What follows from other values must have done so.
-    if (in_.has(facts.path) || (!default_rule(facts.path).empty() && !is_of_missing_cage(facts.path)))
+    if (in_.has(facts.path) || (follows_always(facts.path) && !is_of_missing_cage(facts.path)))
       read(member, facts);
   }
 

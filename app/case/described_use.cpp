@@ -1,5 +1,5 @@
-// Who uses the fields whose rows stand beside their members: use_of() of field_use.hpp. Beside the other pairs of
-// this folder it has no header of its own, since what it asks of a case stands above the fields.
+// Who uses the fields whose rows stand beside their members: use_of() of field_use.hpp. Beside the other
+// pairs of this folder it has no header of its own, since what it asks of a case stands above the fields.
 #include <algorithm>
 #include <initializer_list>
 #include <iterator>
@@ -89,7 +89,7 @@ unsigned leaving_out(described::Physics physics) {
 // How single parameters differ from what their physics says.
 struct Exception {
   std::string_view path;
-  unsigned refused_by = 0;  // analyses that ought to take it and cannot
+  unsigned refused_by = 0;       // analyses that ought to take it and cannot
   unsigned not_modelled_by = 0;  // analyses that vary it themselves, or do not need it
   unsigned unused_by = 0;        // analyses that ought to include it and leave it out
 };
@@ -173,7 +173,7 @@ Use also_used(Use use, unsigned analyses) {
 // axis.
 Use with_mesh_loads(const Use& use, std::string_view path) {
   const bool makes_them = path == "input.power" || path == "input.application_factor" ||
-                          path == "input.speed" || path == "parallel_stage.front";
+                          path == "input.speed" || path == "input.speed_of" || path == "parallel_stage.front";
   return makes_them ? also_used(use, use::mesh) : use;
 }
 
@@ -309,11 +309,15 @@ Use with_springs(const Use& use, const described::Facts& facts) {
   if (is_one_of(path, {"gearset.web.thickness", "gearset.web.rim"}))
     return use.limited(use::gears_in_motion | use::natural | use::quasi_static,
                        {where_true(teeth_make_meshes, "where the stiffness of a mesh is not given")});
-  if (is_one_of(path, {"material.youngs_modulus", "material.poisson_ratio"}))
+  if (path == "material.youngs_modulus")
+    return use.limited(use::bearings_as_springs,
+                       {where_true(modulus_makes_springs, "where a stiffness is not given")});
+  if (path == "material.poisson_ratio")
     return use.limited(use::bearings_as_springs,
                        {where_true(material_makes_springs, "where a stiffness is not given")});
-  if (is_one_of(path, {"input.power", "input.application_factor", "input.speed", "parallel_stage.front"}))
-    return use.limited(path == "input.speed" || path == "parallel_stage.front" ? use::modes : use::natural,
+  const bool of_speed = is_one_of(path, {"input.speed", "input.speed_of", "parallel_stage.front"});
+  if (of_speed || is_one_of(path, {"input.power", "input.application_factor"}))
+    return use.limited(of_speed ? use::modes : use::natural,
                        {where_true(loads_make_springs, "where a stiffness depends on the load")});
   if (is_one_of(path, {"inertia.coriolis", "inertia.carrier_centrifugal"}))
     return use.limited(use::modes, {where_bearings_make_springs()});

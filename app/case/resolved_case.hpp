@@ -20,6 +20,7 @@ namespace orbearing::app {
 
 /// The field that a sweep over speed varies.
 inline const std::string kSpeedPath = "input.speed";
+inline const std::string kSpeedOfPath = "input.speed_of";
 inline const std::string kPowerPath = "input.power";
 inline const std::string kTorquePath = "input.torque";             // in place of the power
 inline const std::string kTorqueCurvePath = "input.torque_curve";  // likewise
@@ -81,7 +82,7 @@ struct StoredValue {
   Location location;
   bool from_default = false;
   std::vector<Location> item_locations{};  // list: of its elements, where they stand apart
-  std::string replaced{};            // as written, where another input stands in its place
+  std::string replaced{};                  // as written, where another input stands in its place
 };
 
 /// An order of paths that seldom has to read them.

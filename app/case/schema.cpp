@@ -117,7 +117,8 @@ Json field_schema(const Field& field) {
   if (field.path.ends_with(catalogue_keys::kDesignation)) schema["examples"] = built_in_designations();
   if (const std::string_view rule = default_rule(field.path); !rule.empty())
     schema["description"] = schema["description"].get<std::string>() + "; left out: " + std::string(rule);
-  if (!field.default_text.empty()) schema["default"] = default_value(field);
+  else if (!field.default_text.empty())
+    schema["default"] = default_value(field);
   return schema;
 }
 

@@ -1,6 +1,7 @@
 #include "app/case/use_conditions.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 
@@ -130,6 +131,14 @@ bool material_makes_springs(const ResolvedCase& in, std::string_view set) {
   const bool films = in.has("film.enabled") && in.flag("film.enabled");
   return teeth_make_meshes(in, set) || is_chosen(in, "gearset.planet_rim", "elastic") ||
          (bearings_make_springs(in, set) && (pins || films));
+}
+
+bool modulus_makes_springs(const ResolvedCase& in, std::string_view set) {
+  if (material_makes_springs(in, set)) return true;
+  return in.shape().teeth &&
+         std::ranges::any_of(std::array{"sun", "ring", "carrier"}, [&](const char* member) {
+           return !is_stated(in, in_set(set, "gearset.dynamics.") + member + ".support_stiffness");
+         });
 }
 
 bool fits_are_warm(const ResolvedCase& in, std::string_view set) {

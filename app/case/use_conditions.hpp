@@ -60,6 +60,8 @@ bool loads_make_springs(const ResolvedCase& in, std::string_view set);
 bool teeth_make_meshes(const ResolvedCase& in, std::string_view set);
 /// Whether a spring of the set follows from the elasticity of the material.
 bool material_makes_springs(const ResolvedCase& in, std::string_view set);
+/// Whether a spring of the set follows from its modulus: those, and supports.
+bool modulus_makes_springs(const ResolvedCase& in, std::string_view set);
 /// Whether a part of a fit has another temperature than that of the sizes.
 bool fits_are_warm(const ResolvedCase& in, std::string_view set);
 /// Whether the input speed does not grow.

@@ -13,6 +13,7 @@
 #include "app/study/gear_case.hpp"
 #include "app/study/mesh_study.hpp"
 #include "app/study/planetary_case.hpp"
+#include "app/study/sensitivity.hpp"
 
 namespace orbearing::app {
 
@@ -54,6 +55,8 @@ int check_command(const Options& options) {
     for (std::string& warning : cage_warnings(resolved)) checked.warnings.push_back(std::move(warning));
     for (std::string& warning : clearance_warnings(resolved)) checked.warnings.push_back(std::move(warning));
   }
+  for (std::string& warning : default_warnings(resolved, checked.derived))
+    checked.warnings.push_back(std::move(warning));
   for (const Derived& row : catalogue_quantities(resolved)) checked.derived.push_back(row);
   for (std::string& warning : inferred_warnings(resolved)) checked.warnings.push_back(std::move(warning));
   for (std::string& warning : uncertain_warnings(resolved)) checked.warnings.push_back(std::move(warning));

@@ -223,8 +223,8 @@ void describe_bin(Record& row, const TableHead& head, const NumberedBin& numbere
   const SpectrumBin& bin = numbered.result->bins[numbered.number];
   row.value("bin", "number, as stated", numbered.number + 1);
   row.value("power_kW", dimension::power, "that enters", bin.bin.power);
-  row.value("torque_N_m", dimension::torque, "of the driving member", torque(bin.bin));
-  row.value("speed_rpm", dimension::angular_speed, "of the driving member", bin.bin.speed);
+  row.value("torque_N_m", dimension::torque, "of the shaft whose speed is input.speed", torque(bin.bin));
+  row.value("speed_rpm", dimension::angular_speed, "input.speed of the bin", bin.bin.speed);
   row.value("share", dimension::ratio, "of time", bin.bin.share);
   row.value("damage_share", dimension::ratio, "of the life of one bearing that results go by",
             bin.damage_share);

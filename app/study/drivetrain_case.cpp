@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "app/case/arrangement_case.hpp"
 #include "app/case/catalogue_case.hpp"
 #include "app/case/described_case.hpp"
 #include "app/case/oil_case.hpp"
@@ -83,10 +84,10 @@ study::RatedBearing rated_bearing(const ResolvedCase& in) {
 }  // namespace
 
 study::PlanetaryDrivetrain drivetrain_without_gear_set(const ResolvedCase& in) {
-  if (!in.has("bearing.rollers")) return {.set = set_of(in), .drive = from_case<gearset::Drive>(in)};
+  if (!in.has("bearing.rollers")) return {.set = set_of(in), .drive = drive_of(in)};
   study::PlanetaryDrivetrain out = from_case<study::PlanetaryDrivetrain>(in);
   out.set = set_of(in);
-  out.drive = from_case<gearset::Drive>(in);
+  out.drive = drive_of(in);
   if (is_full_complement(in)) out.bearing.cage = {};  // what is stated of one has no effect
   out.inertia = out.dynamics.inertia;
   out.lubricant = out.dynamics.lubricant;

@@ -87,9 +87,16 @@ void add_motion(const gearset::PlanetarySet& set, const gearset::MeanLoads& gear
   rows.push_back({"operation.thrust.ring", held.ring, "N", "from the housing on the ring"});
 }
 
+void add_motor_speed(const gearset::Drive& drive, std::vector<Derived>& rows) {
+  if (drive.speed_of != gearset::SpeedOf::motor)
+    rows.push_back({"operation.motor_speed", kRpm * drive.motor_speed(), "rpm",
+                    "of the shaft by which the power enters, from input.speed of input.speed_of"});
+}
+
 void add_duty(const study::PlanetaryDrivetrain& drivetrain, const study::BearingDuty& duty,
               std::vector<Derived>& rows) {
   add_motion(drivetrain.set, duty.gears, rows);
+  add_motor_speed(drivetrain.drive, rows);
   const std::string whose =
       drivetrain.uneven_planets ? "; planets carry unlike loads, this is their mean" : "";
   rows.push_back({"operation.bore_load_x", duty.point.bore_load.x(), "N",
@@ -169,11 +176,12 @@ std::vector<std::string> cage_warnings(const ResolvedCase& resolved) {
     const std::string set = input.path.substr(0, set_prefix_length(input.path));
     const std::string land = set + "bearing.cage.guide_land_diameter",
                       complement = set + "bearing.complement";
-    if (resolved.has(land) || (resolved.has(complement) && resolved.choice(complement) == "full")) continue;
-    warnings.push_back(
-        land +
-        ": not stated; no land guides the cage in motion (--fidelity dynamic and above), only its "
-        "pockets hold it, and it may come out");
+    if (!resolved.has(land) || resolved.quantity(land) != 0.0 ||
+        (resolved.has(complement) && resolved.choice(complement) == "full"))
+      continue;
+    warnings.push_back(land +
+                       ": 0; no land guides the cage in motion (--fidelity dynamic and above), only its "
+                       "pockets hold it, and it may come out");
   }
   return warnings;
 }
@@ -285,6 +293,7 @@ std::vector<study::NamedSet> bearing_sets(const ResolvedCase& resolved) {
   for (const std::string& name : bearing_set_names(resolved)) {
     study::PlanetaryDrivetrain drivetrain = drivetrain_of(resolved.of_set(name));
     const auto position = static_cast<std::size_t>(std::find(all.begin(), all.end(), name) - all.begin());
+    drivetrain.drive = drive_of(resolved);
     drivetrain.in_arrangement = flow.sets[position];
     drivetrain.gear_set = nullptr;      // a model of one set, which knows neither its place nor its share
     drivetrain.uneven_planets = false;  // without that model none shares its load unevenly; the case warns
@@ -312,6 +321,7 @@ std::vector<Derived> quantities_without_bearing(const ResolvedCase& resolved) {
   const study::PlanetaryDrivetrain drivetrain = drivetrain_of(resolved);
   const gearset::WorkingGeometry gears = add_gears_alone(drivetrain, rows);
   add_motion(drivetrain.set, gearset::mean_loads(drivetrain.set, gears, drivetrain.drive), rows);
+  add_motor_speed(drivetrain.drive, rows);
   return rows;
 }
 
@@ -387,8 +397,8 @@ std::vector<Derived> derived_quantities(const ResolvedCase& resolved) {
 PowerTable power_table(const ResolvedCase& resolved) {
   const gearset::Arrangement arrangement = arrangement_of(resolved);
   const gearset::PowerFlow flow = gearset::power_flow(arrangement);
-  const double speed = resolved.quantity("input.speed");
-  const double power = resolved.quantity("input.power");
+  const gearset::Drive drive = drive_of(resolved);
+  const double speed = drive.motor_speed(), power = drive.power;
   PowerTable table;
   for (const gearset::MemberFlow& member : flow.members)
     table.rows.push_back(

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
+#include "app/case/unused_inputs.hpp"
 #include "app/errors.hpp"
 #include "app/results/record_writers.hpp"
 #include "app/results/result_row.hpp"
@@ -47,6 +49,108 @@ double gain_at_best(const ChangeResult& reference, const ChangeResult& result) {
 }
 
 }  // namespace
+
+namespace {
+
+constexpr double kWorthKnowing = 0.1;  // [-]  of a life
+constexpr double kMore = 0.1;          // [-]  of a default
+constexpr std::size_t kMostWarnings = 3;
+
+/// With parts that take seconds replaced by those that take none.
+ResolvedCase simplified(const ResolvedCase& in) {
+  std::vector<Setting> settings;
+  for (const Input& input : in.inputs()) {
+    if (!in.has(input.path)) continue;
+    if (input.field->path == "gearset.planet_rim" && in.choice(input.path) == "elastic")
+      settings.push_back({input.path, "rigid"});
+    if (input.field->path == "bearing.tilt_state" && in.choice(input.path) == "computed")
+      settings.push_back({input.path, "stated"});
+  }
+  const ResolvedCase one = in.without_sweep();
+  return settings.empty() ? one : one.with(settings);
+}
+
+/// NaN where there is none.
+double life_at_rest(const ScalarResult& life, const ResolvedCase& in) {
+  try {
+    return life.compute(in).number;
+  } catch (const std::exception&) {  // check tells that elsewhere, or it is no case
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+}
+
+// K_A is 1 by the meaning of the power, not by an estimate.
+bool is_estimate(const ResolvedCase& in, const Input& input, const ScalarResult& life) {
+  return in.has(input.path) && in.origin(input.path) == "default" && is_numeric(*input.field) &&
+         input.field->kind != Kind::integer && in.value(input.path).number != 0.0 &&
+         input.path != "input.application_factor" &&
+         use_status_in_row(in, input, life.analysis) == UseStatus::used;
+}
+
+/// Of the life, by more of one number; NaN where another input decides it or there is no such case.
+double effect_of_more(const ResolvedCase& in, const std::string& path, const ScalarResult& life,
+                      double here) {
+  const double more = (1.0 + kMore) * in.value(path).number;
+  constexpr double round_off = 1e-9;
+  try {
+    const ResolvedCase other = in.with(path, more);
+    if (std::abs(other.value(path).number / more - 1.0) > round_off)
+      return std::numeric_limits<double>::quiet_NaN();
+    return life_at_rest(life, other) / here - 1.0;
+  } catch (const BadInput&) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+}
+
+void warn_of_defaults(const ResolvedCase& in, const ScalarResult& life, std::vector<std::string>& warnings) {
+  const double here = life_at_rest(life, in);
+  std::vector<std::pair<double, std::string>> effects;
+  if (std::isfinite(here) && here > 0.0)
+    for (const Input& input : in.inputs())
+      if (is_estimate(in, input, life))
+        if (const double effect = effect_of_more(in, input.path, life, here);
+            std::abs(effect) >= kWorthKnowing)
+          effects.emplace_back(effect, input.path);
+  std::ranges::stable_sort(effects, std::ranges::greater{},
+                           [](const auto& one) { return std::abs(one.first); });
+  if (effects.size() > kMostWarnings) effects.resize(kMostWarnings);
+  for (const auto& [effect, path] : effects)
+    warnings.push_back(
+        fmt::format("{}: not stated; with {:g} % more than the default, {}, {} changes by {:+.0f} %", path,
+                    100.0 * kMore, in.given(path), life.quantity, 100.0 * effect));
+}
+
+void warn_of_load_sharing(const ResolvedCase& in, const std::vector<Derived>& derived,
+                          std::vector<std::string>& warnings) {
+  const auto value = [&](std::string_view path) {
+    const auto row = std::ranges::find(derived, path, &Derived::path);
+    return row == derived.end() ? std::numeric_limits<double>::quiet_NaN() : row->value;
+  };
+  const double share = value("one_pin_off.load_share"), shortest = value("one_pin_off.shortest_life");
+  if (!std::isfinite(shortest)) return;
+  const double even = life_at_rest(scalar_result(in, "", "life_h"), in);
+  if (!(shortest < (1.0 - kWorthKnowing) * even)) return;
+  warnings.push_back(fmt::format(
+      "gearset.dynamics.pin_error: not stated; planets share the load evenly. One pin off by its tolerance, "
+      "js7 of "
+      "ISO 286-1, gives K_gamma {:.3g} and a shortest life_h of {:.5g} h, {:+.0f} % against {:.5g} h",
+      share, shortest, 100.0 * (shortest / even - 1.0), even));
+}
+
+}  // namespace
+
+std::vector<std::string> default_warnings(const ResolvedCase& resolved, const std::vector<Derived>& derived) {
+  std::vector<std::string> warnings;
+  try {
+    const ResolvedCase in = simplified(resolved);
+    const ScalarResult life = scalar_result(in);
+    if (!life.is_at_rest()) return {};
+    warn_of_load_sharing(in, derived, warnings);
+    warn_of_defaults(in, life, warnings);
+  } catch (const BadInput&) {  // a case without a life
+  }
+  return warnings;
+}
 
 LifeCurve life_curve(const ChangeResult& result) {
   LifeCurve curve;

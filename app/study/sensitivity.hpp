@@ -62,4 +62,11 @@ std::string motion_line(const MotionPlan& plan, const ChangeResult& reference, c
 void describe_reading(described::Record& row, const std::string& case_name, const MotionPlan& plan,
                       const ChangeResult& reference, const ChangeResult& result);
 
+// What a life hangs on that the case does not state.
+
+/// Warnings of `check`: the defaults of which a tenth more changes the life at rest by at least a tenth, the
+/// three largest effects first, and what one pin off by its tolerance costs where `derived` has it. None for
+/// cases without a life at rest. Rims are taken as rigid and tilts as stated, which keeps it fast.
+std::vector<std::string> default_warnings(const ResolvedCase& resolved, const std::vector<Derived>& derived);
+
 }  // namespace orbearing::app

@@ -29,7 +29,9 @@ std::array<NamedRace, 2> races_of(const Result& result) {
 }
 
 void describe_loads_and_lives(Record& record, const PointResult& point) {
-  record.value("input_speed_rpm", dimension::angular_speed, "speed of the driving member", point.input_speed);
+  record.value("input_speed_rpm", dimension::angular_speed,
+               "input.speed: speed of the driving member, or of that which input.speed_of names",
+               point.input_speed);
   record.value("carrier_speed_rpm", dimension::angular_speed, "speed of the planet carrier",
                point.carrier_speed);
   record.value("planet_load_N", dimension::force,

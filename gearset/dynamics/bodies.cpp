@@ -76,4 +76,29 @@ SetBodies set_bodies(const PlanetarySet& set, const WorkingGeometry& geometry, c
   return bodies;
 }
 
+double reference_centre_distance(const PlanetarySet& set) {
+  return 0.5 * set.module * (set.sun_teeth + set.planet_teeth) / std::cos(set.helix_angle);
+}
+
+double default_support_stiffness(const PlanetarySet& set, Member member, double youngs_modulus) {
+  struct Known {
+    double stiffness;  // [N/m]
+    double size;       // [m]
+  };
+  constexpr double steel = 206e9;  // [Pa]
+  const auto similar = [&](const Known& known, double size) {
+    return known.stiffness * (size / known.size) * (youngs_modulus / steel);
+  };
+  const double transverse_module = set.module / std::cos(set.helix_angle);
+  if (member == Member::sun) return similar({1e8, 0.111}, transverse_module * set.sun_teeth);
+  if (member == Member::ring) return similar({1e9, 0.237}, transverse_module * set.ring_teeth);
+  return similar({5e8, 0.0885}, reference_centre_distance(set));
+}
+
+double default_backlash(const PlanetarySet& set) {
+  const double normal = 2.0 / 3.0 * (0.06e-3 + 0.0005 * reference_centre_distance(set) + 0.03 * set.module);
+  const double base_helix = std::asin(std::sin(set.helix_angle) * std::cos(set.rack.pressure_angle));
+  return normal / std::cos(base_helix);
+}
+
 }  // namespace orbearing::gearset::dynamics

@@ -7,7 +7,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from program import CASES, REDUCER, answer, run, settings
+from program import CASES, REDUCER, SETS, answer, run, settings
 
 RPM = math.pi / 30.0
 POWER, SPEED = 150e3, 6000.0  # [W], [rpm] of the reducer
@@ -98,6 +98,82 @@ class Duty(unittest.TestCase):
         bins = f"spectrum=[{{torque: {TORQUE:.12g} N.m, speed: 6000 rpm, share: 1}}]"
         found = answer("run", REDUCER, torque(), bins)
         self.assert_near(found["spectrum"]["life_h"], found["points"][0]["life_h"])
+
+
+class SpeedOfAnyMember(unittest.TestCase):
+    """Issue 47, item 3: input.speed_of."""
+
+    assert_near = Duty.assert_near
+
+    Z = {"sun": 37, "planet": 22, "ring": 79}  # of the reducer: the ring is held, the sun driven
+    SUN = SPEED * RPM  # [rad/s]
+    CARRIER = SUN * Z["sun"] / (Z["sun"] + Z["ring"])
+    PLANET = (SUN - CARRIER) * Z["sun"] / Z["planet"]  # relative to its pin
+    ROUND_OFF = 1e-12
+
+    def stated(self, member, speed):
+        return f"input.speed_of={member}", f"input.speed={speed!r} rad/s"
+
+    def assert_same(self, found, right):
+        """All numbers but the stated speed itself."""
+        self.assertEqual(found.keys(), right.keys())
+        for key, value in right.items():
+            if isinstance(value, float) and key != "input_speed_rpm":
+                self.assertLessEqual(abs(found[key] - value), self.ROUND_OFF * abs(value) * 100, key)
+
+    def refusal(self, *values, case=REDUCER):
+        result = run("check", case, *settings(values))
+        self.assertEqual(result.returncode, 2, result.stdout)
+        return result.stderr
+
+    def test_each_member_gives_the_result_of_the_converted_speed(self):
+        right = answer("run", REDUCER)["points"][0]
+        for member, speed in (("motor", self.SUN), ("load", self.CARRIER), ("carrier", self.CARRIER), ("sun", self.SUN), ("planet", self.PLANET)):
+            with self.subTest(member):
+                found = answer("run", REDUCER, *self.stated(member, speed))["points"][0]
+                self.assertAlmostEqual(found["input_speed_rpm"] * RPM / speed, 1.0, 12)
+                self.assert_same(found, right)
+
+    def test_sweep_torque_and_spectrum_are_those_of_the_member(self):
+        """The carrier's torque at half the speed: half the power."""
+        grid = ("--grid-only",)
+        sweep = "sweep={input.speed: [%r rad/s, %r rad/s]}"
+        torque = f"input.torque={POWER / self.CARRIER!r} N.m"
+        bins = "spectrum=[{torque: %r N.m, speed: %r rad/s, share: 0.5}, {power: 75 kW, speed: %r rad/s, share: 0.5}]"
+        right = answer("sweep", REDUCER, sweep % (0.5 * self.SUN, self.SUN), f"input.torque={POWER / self.SUN!r} N.m",
+                       bins % (POWER / self.SUN, self.SUN, 0.5 * self.SUN), options=grid)
+        found = answer("sweep", REDUCER, *self.stated("carrier", self.CARRIER), sweep % (0.5 * self.CARRIER, self.CARRIER), torque,
+                       bins % (POWER / self.CARRIER, self.CARRIER, 0.5 * self.CARRIER), options=grid)
+        for one, other in zip(found["points"], right["points"], strict=True):
+            self.assert_same(one, other)
+        self.assertAlmostEqual(found["peak"]["speed_rpm"] * self.SUN / self.CARRIER / right["peak"]["speed_rpm"], 1.0, 12)
+        self.assert_near(found["spectrum"]["life_h"], right["spectrum"]["life_h"])
+
+    def test_conversion_follows_teeth_and_parallel_stages(self):
+        """Teeth that another value changes, and stages before and behind: the load's speed is that of the last shaft."""
+        stages = ("parallel_stage.front=[20, 63]", "parallel_stage.behind=[70, 25]", "gearset.planets=2", "gearset.teeth.sun=39", "gearset.teeth.ring=81")
+        carrier = self.SUN * 20 / 63 * 39 / (39 + 81)
+        right = answer("run", REDUCER, *stages)["points"][0]
+        self.assert_same(answer("run", REDUCER, *stages, *self.stated("load", carrier * 70 / 25))["points"][0], right)
+        self.assert_same(answer("run", REDUCER, *stages, *self.stated("carrier", carrier))["points"][0], right)
+        checked = answer("check", REDUCER, *stages, *self.stated("carrier", carrier))
+        rows = {row["path"]: row["value"] for row in checked["derived"]}
+        self.assertAlmostEqual(rows["operation.motor_speed"] / SPEED, 1.0, 12)
+        flow = next(row["speed_rpm"] for row in checked["power_flow"] if row["set"] == "gearset" and row["member"] == "carrier")
+        self.assertAlmostEqual(abs(flow) * RPM / carrier, 1.0, 12)
+
+    def test_load_of_several_sets(self):
+        out = next(row["speed_rpm"] for row in answer("check", SETS)["power_flow"] if row["shaft"] == "output")
+        right = answer("run", SETS)["points"][0]
+        found = answer("run", SETS, "input.speed_of=load", f"input.speed={abs(out)!r} rpm")["points"][0]
+        self.assertAlmostEqual(found["life_h"] / right["life_h"], 1.0, 9)
+
+    def test_what_cannot_be_is_refused(self):
+        self.assertIn("input.speed_of: ring, which stands still; a member that rotates is required", self.refusal("input.speed_of=ring"))
+        self.assertIn("input.speed_of: planet beside input.torque; the speed of a shaft", self.refusal("input.speed_of=planet", "input.torque=1 N.m"))
+        self.assertIn("planet beside spectrum", self.refusal("input.speed_of=planet", "spectrum=[{torque: 1 N.m, speed: 60 rpm, share: 1}]"))
+        self.assertIn("input.speed_of: carrier of several sets; motor or load is required", self.refusal("input.speed_of=carrier", case=SETS))
+        self.assertIn("one of motor, load, sun, ring, carrier, planet is required", self.refusal("input.speed_of=pin"))
 
 
 class SingleRuns(unittest.TestCase):

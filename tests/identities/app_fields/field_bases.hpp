@@ -277,6 +277,7 @@ inline const std::map<std::string, Change>& stated_changes() {
   both.insert(both.end(), gears_run_up.begin(), gears_run_up.end());
   static const std::map<std::string, Change> all{
       {"input.member", {"carrier"}},
+      {"input.speed_of", {"load"}},
       {"input.torque", {"77 N.m"}},
       {"input.torque_curve", {"[{speed: 1 rpm, torque: 70 N.m}, {speed: 1e6 rpm, torque: 70 N.m}]"}},
       {"spectrum", {"[{power: 140 kW, speed: 17000 rpm, share: 1}]"}},

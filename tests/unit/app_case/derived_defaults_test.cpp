@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <regex>
 
 #include "app/case/resolved_writer.hpp"
@@ -19,16 +20,27 @@ using testing::HasSubstr;
 // Defaults are written in six significant digits: half a unit of the sixth, of a number that begins 1.00000,
 // is the largest share that writing can take.
 constexpr double kSixDigits = 5e-6;
-const std::vector<std::string> kDerived{"bearing.cage.pocket_clearance", "bearing.cage.pocket_stiffness",
-                                        "bearing.cage.touch_down_stiffness", "support.stiffness"};
+const std::vector<std::string> kOfBearing{"bearing.cage.pocket_clearance", "bearing.cage.pocket_stiffness",
+                                          "bearing.cage.touch_down_stiffness", "support.stiffness",
+                                          "bearing.cage.guide_land_diameter"};
+// Issue 47, item 5.
+const std::vector<std::string> kSupports{"gearset.dynamics.sun.support_stiffness",
+                                         "gearset.dynamics.ring.support_stiffness",
+                                         "gearset.dynamics.carrier.support_stiffness"};
+
+std::vector<std::string> all_derived() {
+  std::vector<std::string> all = kOfBearing;
+  all.insert(all.end(), kSupports.begin(), kSupports.end());
+  return all;
+}
 
 // The shipped case without the values that it states in place of these defaults.
 ResolvedCase left_out(const std::string& file = shipped_path(),
                       const std::vector<std::string>& settings = {}) {
   const std::regex stated(
-      R"(\n *(pocket_clearance|pocket_stiffness|touch_down_stiffness|support|stiffness):[^\n]*)"),
+      R"(\n *(pocket_clearance|pocket_stiffness|touch_down_stiffness|guide_land_diameter|dynamics|support|stiffness):[^\n]*)"),
       reasons(
-          R"(\n  [a-z.]*(pocket_clearance|pocket_stiffness|touch_down_stiffness|support.stiffness):[^\n]*)");
+          R"(\n  [a-z.]*(pocket_clearance|pocket_stiffness|touch_down_stiffness|backlash|support.stiffness):[^\n]*)");
   return parse_case(std::regex_replace(std::regex_replace(text_of(file), reasons, ""), stated, ""),
                     "case.yaml", settings);
 }
@@ -45,14 +57,13 @@ ResolvedCase scaled(double factor) {
                                               {"bearing.width", millimetres(11.9)},
                                               {"bearing.cage.inner_diameter", millimetres(33.44)},
                                               {"bearing.cage.outer_diameter", millimetres(38.54)},
-                                              {"bearing.cage.width", millimetres(9.0)},
-                                              {"bearing.cage.guide_land_diameter", millimetres(38.88)}});
+                                              {"bearing.cage.width", millimetres(9.0)}});
 }
 
 // Each is a length, or modulus times length: everything ten times larger makes it ten times larger.
 TEST(DerivedDefaults, ScaleWithTheBearing) {
   const ResolvedCase small = left_out(), large = scaled(10.0);
-  for (const std::string& path : kDerived)
+  for (const std::string& path : all_derived())
     EXPECT_NEAR(large.quantity(path) / small.quantity(path), 10.0, 20.0 * kSixDigits) << path;  // of both
 }
 
@@ -73,17 +84,54 @@ TEST(DerivedDefaults, AreTheClosedFormsOfTheParts) {
               kSixDigits);
 }
 
+// Issue 47, item 5: those of the published reducer, a steel set of 111, 237 and 88.5 mm.
+TEST(DerivedDefaults, SupportsAreThoseOfTheReducerAndFollowTheModulus) {
+  const ResolvedCase steel = left_out(), soft = steel.with("material.youngs_modulus", "103 GPa");
+  const std::vector<double> right{1e8, 1e9, 5e8};
+  for (std::size_t i = 0; i < kSupports.size(); ++i) {
+    EXPECT_NEAR(steel.quantity(kSupports[i]) / right[i], 1.0, kSixDigits) << kSupports[i];
+    EXPECT_NEAR(soft.quantity(kSupports[i]) / right[i], 0.5, kSixDigits) << kSupports[i];
+  }
+}
+
+// Issue 47, item 5: 2/3 (0.06 + 0.0005 a + 0.03 m_n) mm normal to the teeth, which helical ones slope.
+TEST(DerivedDefaults, BacklashIsTheLeastThatIsRecommended) {
+  const double a = 1.5 * (37 + 22), normal = 2e-3 / 3.0 * (0.06 + 0.0005 * a + 0.03 * 3.0);
+  EXPECT_NEAR(left_out().quantity("gearset.dynamics.backlash") / normal, 1.0, kSixDigits);
+  const ResolvedCase wind = read_case(ORBEARING_SOURCE_DIR "/cases/wind_stage_750kW/case.yaml", {});
+  const double helix = 7.5 * 3.141592653589793 / 180.0, alpha = 20.0 * 3.141592653589793 / 180.0;
+  const double distance = 5.0 * (21 + 39) / std::cos(helix);
+  const double of_wind = 2e-3 / 3.0 * (0.06 + 0.0005 * distance + 0.03 * 10.0);
+  EXPECT_NEAR(wind.quantity("gearset.dynamics.backlash") * std::cos(std::asin(std::sin(helix) * std::cos(alpha))) /
+                  of_wind,
+              1.0, 2.0 * kSixDigits);
+  EXPECT_EQ(shipped().quantity("gearset.dynamics.backlash"), 0.1e-3);
+}
+
+// Issue 47, item 5.
+TEST(DerivedDefaults, GuideLandHasAPlayAndMayBeNone) {
+  const ResolvedCase resolved = left_out();
+  const char* land = "bearing.cage.guide_land_diameter";
+  EXPECT_NEAR(resolved.quantity(land), 38.54e-3 + 0.06 * 5.24e-3, 1e-9);
+  EXPECT_NEAR(resolved.with("bearing.cage.guidance", "inner").quantity(land), 33.44e-3 - 0.06 * 5.24e-3, 1e-9);
+  // Half of the way to the outer raceway of 40.88 mm.
+  EXPECT_NEAR(resolved.with("bearing.cage.outer_diameter", "40.8 mm").quantity(land), 40.84e-3, 1e-9);
+  EXPECT_EQ(resolved.with(land, "0 mm").quantity(land), 0.0);
+}
+
 TEST(DerivedDefaults, FollowTheCagesMaterial) {
   const ResolvedCase polyamide = left_out(), brass = polyamide.with("bearing.cage.density", "8500 kg/m3");
   for (const char* path : {"bearing.cage.pocket_stiffness", "bearing.cage.touch_down_stiffness"}) {
     EXPECT_NEAR(brass.quantity(path) / polyamide.quantity(path), 105.0 / 6.0, 40.0 * kSixDigits) << path;
     EXPECT_THAT(brass.assumed().at(path), HasSubstr("brass")) << path;
   }
+  EXPECT_EQ(polyamide.quantity("bearing.cage.pocket_damping"), 1.0);
+  EXPECT_EQ(brass.quantity("bearing.cage.pocket_damping"), 0.3);
 }
 
 TEST(DerivedDefaults, SayHow) {
   const ResolvedCase resolved = left_out();
-  for (const std::string& path : kDerived) EXPECT_EQ(resolved.origin(path), "default") << path;
+  for (const std::string& path : all_derived()) EXPECT_EQ(resolved.origin(path), "default") << path;
   EXPECT_THAT(resolved.assumed().at("support.stiffness"), HasSubstr("default: a solid pin of 25 mm, 35 mm"));
 }
 
@@ -112,7 +160,7 @@ TEST(DerivedDefaults, EachOfSeveralSetsHasItsOwnPin) {
 // Without bearings there is nothing to derive.
 TEST(DerivedDefaults, BelongToBearings) {
   const ResolvedCase gears = read_case(ORBEARING_SOURCE_DIR "/cases/lin_parker_1999/case.yaml", {});
-  for (const std::string& path : kDerived) EXPECT_FALSE(gears.has(path)) << path;
+  for (const std::string& path : kOfBearing) EXPECT_FALSE(gears.has(path)) << path;
 }
 
 }  // namespace
