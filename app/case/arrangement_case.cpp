@@ -174,7 +174,8 @@ std::string stated_torque(const ResolvedCase& in) {
   for (const std::string* path : {&kTorquePath, &kTorqueCurvePath})
     if (is_stated(in, *path)) return *path;
   if (!in.has(kSpectrumPath)) return {};
-  constexpr std::size_t columns = 5, torque = 1;
+  constexpr std::size_t torque = 1;
+  const std::size_t columns = find_field(kSpectrumPath)->columns.size();
   const std::vector<double>& rows = in.list(kSpectrumPath);
   for (std::size_t i = torque; i < rows.size(); i += columns)
     if (rows[i] != 0.0) return kSpectrumPath;
