@@ -131,7 +131,8 @@ enum class Physics {
   single_bearing_run,  // a ball bearing by itself in time
   defect,              // a bearing with scratches in motion
   one_contact,         // the film of a contact by itself
-  exchange             // windows of a co-simulation
+  exchange,            // windows of a co-simulation
+  carrier_body         // the carrier in three dimensions, held by its own bearings
 };
 
 /// What an FMU shows of a member.

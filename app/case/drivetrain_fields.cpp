@@ -5,6 +5,7 @@
 #include "app/case/field_table.hpp"
 #include "app/case/spectrum_case.hpp"
 #include "gearset/parameters.hpp"
+#include "gearset/spatial/spatial_set.hpp"
 
 namespace orbearing::app::table {
 
@@ -47,16 +48,18 @@ void add_checks(std::vector<Field>& fields) {
   const Use checked(use::of_a_drivetrain, 0);
   fields.push_back({.path = "gearset.centre_distance",
                     .kind = Kind::quantity,
-                    .meaning = "check alone: working centre distance of a drawing; refused where teeth, module and "
-                               "shifts give another by more than 0.01 mm",
+                    .meaning =
+                        "check alone: working centre distance of a drawing; refused where teeth, module and "
+                        "shifts give another by more than 0.01 mm",
                     .use = checked,
                     .models = planetary_drivetrain,
                     .dimension = dimension::length,
                     .range = positive(1e5)});
   fields.push_back({.path = "gearset.profile_shift.planet",
                     .kind = Kind::number,
-                    .meaning = "check alone: profile shift of a planet, in modules; refused where the common centre "
-                               "distance gives another by more than 0.005",
+                    .meaning =
+                        "check alone: profile shift of a planet, in modules; refused where the common centre "
+                        "distance gives another by more than 0.005",
                     .use = checked,
                     .models = planetary_drivetrain,
                     .range = {-2.0, 2.0}});
@@ -72,6 +75,7 @@ void add_drivetrain_fields(std::vector<Field>& fields) {
   fields.insert(behind + 1, torque_curve_field(use_of_power));
   fields.push_back(spectrum_field());
   add_described(fields, gearset::PlanetarySet{});
+  add_described(fields, gearset::spatial::CarrierMounting{});
   add_bodies(fields);
   add_checks(fields);
 }

@@ -123,6 +123,7 @@ constexpr std::pair<use::Analysis, const char*> kNames[] = {
     {use::spin_film, "run of a contact that rolls and spins"},
     {use::stiffness, "stiffness of a single bearing"},
     {use::planet_stiffness, "stiffness of a planet bearing"},
+    {use::carrier, "carrier"},
 };
 
 }  // namespace

@@ -38,7 +38,8 @@ enum Analysis : unsigned {
   spin_film = 1u << 20,  // run of a contact that rolls and spins
   stiffness = 1u << 21,  // of a single bearing
   planet_stiffness = 1u << 22,
-  planet_defect = 1u << 23  // run of a drivetrain with a scratched planet bearing
+  planet_defect = 1u << 23,  // run of a drivetrain with a scratched planet bearing
+  carrier = 1u << 24         // the carrier as a body, over a revolution
 };
 
 /// Analyses that share their physics.
@@ -51,7 +52,7 @@ inline constexpr unsigned rollers_in_motion = in_time | fmu_bearing;
 inline constexpr unsigned rollers_at_rest = quasi_static | crown | planet_stiffness;
 inline constexpr unsigned gears_in_motion = one_set_in_time | gears | fmu_gearset;
 inline constexpr unsigned of_a_drivetrain =
-    lives | gears | natural | mesh | fmu_bearing | fmu_gearset | planet_stiffness | planet_defect;
+    lives | gears | natural | mesh | fmu_bearing | fmu_gearset | planet_stiffness | planet_defect | carrier;
 inline constexpr unsigned single_bearing_equilibrium = static_load | stiffness;  // of a single bearing
 inline constexpr unsigned duplex = duplex_modes | duplex_run;
 inline constexpr unsigned all =

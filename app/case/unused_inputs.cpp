@@ -237,7 +237,8 @@ unsigned analyses_that_fit(const ResolvedCase& resolved) {
       allowed = use::quasi_static | use::dynamic_of_sets | use::crown | use::planet_stiffness;
     else if (shape.bearing)
       allowed = use::of_a_drivetrain &
-                ~unsigned{use::dynamic_of_sets | (shape.defect ? 0u : unsigned{use::planet_defect})};
+                ~unsigned{use::dynamic_of_sets | (shape.defect ? 0u : unsigned{use::planet_defect}) |
+                          (resolved.has("gearset.carrier.bearing_positions") ? 0u : unsigned{use::carrier})};
     else
       allowed = shape.teeth ? use::bearings_as_springs | use::mesh : use::natural;
   }

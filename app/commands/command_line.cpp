@@ -351,6 +351,12 @@ void add_commands(CommandTable table) {
   add_crown(table.add("crown", "roller profile trade study and optimum", crown_command), options);
   add_case(table.add("mesh", "mesh stiffness over a mesh period, contact ratio, phases", mesh_command),
            options);
+  add_case(
+      table.add("carrier",
+                "loads and lives of each planet bearing over a revolution of the carrier, which is held by "
+                "its own bearings",
+                carrier_command),
+      options);
   CLI::App& modes = table.add(
       "modes", "natural frequencies of gears, or of a shaft on a pair of bearings, and what each mode is",
       modes_command);
@@ -417,7 +423,7 @@ void require_known_command(const CLI::App& program, const std::string& word) {
   if (word.empty() || word.front() == '-' || known(program, word)) return;
   throw BadInput(fmt::format(
       "orbearing: found the command {}; required: new, open, check, run, sweep, merge, crown, mesh, "
-      "modes, stiffness, sensitivities, fmu, signals, spectrum, study, uncertainty, convert, "
+      "carrier, modes, stiffness, sensitivities, fmu, signals, spectrum, study, uncertainty, convert, "
       "validate or report",
       word));
 }

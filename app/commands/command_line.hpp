@@ -32,13 +32,13 @@ struct Options {
   int jobs = 0;                          // 0: one for each core
   bool every_effect = false;             // report: all effects of the motion in time
   bool pdf = false;                      // report: the assessor's page as well
-  bool data_only = false;           // report: what its page is made of is the result, and no page is drawn
+  bool data_only = false;  // report: what its page is made of is the result, and no page is drawn
   std::string
-      bearing_points;  // report: in place of that, these points of the bearing, as the page asks for them
-  bool motion = false;              // validate: what assumptions are worth in motion, alone
-  int samples = 0;                  // validate: of uncertain inputs, for the bands of measured rows
-  bool gears = false;               // run: without the dynamics of bearings
-  std::string fmi = "2";            // fmu: version of the interface
+      bearing_points;     // report: in place of that, these points of the bearing, as the page asks for them
+  bool motion = false;    // validate: what assumptions are worth in motion, alone
+  int samples = 0;        // validate: of uncertain inputs, for the bands of measured rows
+  bool gears = false;     // run: without the dynamics of bearings
+  std::string fmi = "2";  // fmu: version of the interface
   std::string model = "bearing";    // fmu: "bearing" or "gearset"
   std::vector<std::string> varied;  // signals: path=[value, value]
   double noise = 0.0;               // signals: root mean square [m/s^2]
@@ -78,6 +78,7 @@ int merge_command(const Options& options);
 int crown_command(const Options& options);
 int fmu_command(const Options& options);
 int mesh_command(const Options& options);
+int carrier_command(const Options& options);
 int modes_command(const Options& options);
 int stiffness_command(const Options& options);
 int sensitivities_command(const Options& options);

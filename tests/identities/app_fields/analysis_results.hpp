@@ -13,6 +13,7 @@
 #include "app/results/record_writers.hpp"
 #include "app/results/result_row.hpp"
 #include "app/results/verdicts.hpp"
+#include "app/study/carrier_study.hpp"
 #include "app/study/ball_study.hpp"
 #include "app/study/crown/crown_study.hpp"
 #include "app/study/defect_study.hpp"
@@ -165,6 +166,8 @@ inline std::string result_of(const ResolvedCase& in, use::Analysis analysis) {
       return modes_result(in, analysis == use::modes_at_speed);
     case use::mesh:
       return record_text(mesh_study(in));
+    case use::carrier:
+      return record_text(carrier_study(in));
     case use::fmu_bearing:
       return machine_result(bearing_numbers(in), true);
     case use::fmu_gearset:

@@ -22,6 +22,12 @@ inline const std::string kGears = R"(gearset:
   dynamics: {observed_periods: 8, settling_periods: 100}
 )";
 
+/// Below gears: bearings that hold the carrier.
+inline const std::string kCarrier = R"(  carrier:
+    bearing_positions: [-30 mm, 30 mm]
+    bearing_stiffness: [2e8 N/m, 2e8 N/m]
+)";
+
 inline const std::string kBearing = R"(bearing:
   type: cylindrical-roller
   per_planet: 1
@@ -217,7 +223,7 @@ inline std::string rollers_case() {
 
 inline const std::vector<Base>& bases() {
   static const std::vector<Base> all{
-      {"bearing_in_a_set", kDrivetrain + kGears + kBearing + kShortRun},
+      {"bearing_in_a_set", kDrivetrain + kGears + kCarrier + kBearing + kShortRun},
       // What pins load is seen at rest, and in motion as one system; modes, meshes and a bearing by itself
       // cannot feel them, gears by themselves do in the case before, and the other rungs in motion know the
       // same fields and take much longer.
@@ -275,7 +281,16 @@ inline const std::map<std::string, Change>& stated_changes() {
                                                "gearset.dynamics.damping_ratio.support=0.001"};
   std::vector<std::string> both = run_up;
   both.insert(both.end(), gears_run_up.begin(), gears_run_up.end());
+  const std::vector<std::string> inclined{"gearset.carrier.axis_tilt=5 deg", "gearset.helix_angle=7 deg"};
   static const std::map<std::string, Change> all{
+      {"gearset.carrier.bearing_positions", {"[-30 mm, 27 mm]"}},
+      {"gearset.carrier.bearing_stiffness", {"[2e8 N/m, 3e8 N/m]"}},
+      {"gearset.carrier.bearing_axial_stiffness", {"[1e7 N/m, 1e8 N/m]", inclined}},
+      {"gearset.carrier.bearing_clearance", {"[10 um, 20 um]"}},
+      {"gearset.carrier.centre_of_mass", {"5 mm"}},
+      {"gearset.carrier.axis_tilt", {"6 deg"}},
+      {"gearset.carrier.rotor_force", {"[100 N, 0 N, 0 N]"}},
+      {"gearset.carrier.rotor_moment", {"[5 N.m, 0 N.m]"}},
       {"input.member", {"carrier"}},
       {"input.speed_of", {"load"}},
       {"input.torque", {"77 N.m"}},

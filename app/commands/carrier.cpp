@@ -1,0 +1,16 @@
+#include "app/case/unused_inputs.hpp"
+#include "app/commands/kept_result.hpp"
+#include "app/commands/presentation.hpp"
+#include "app/study/carrier_study.hpp"
+
+namespace orbearing::app {
+
+int carrier_command(const Options& options) {
+  const ResolvedCase resolved = point_of(options);
+  const CarrierStudy study = carrier_study(resolved);
+  present_record(resolved, record_of(study), joined(require_used(resolved, use::carrier), study.warnings),
+                 options);
+  return 0;
+}
+
+}  // namespace orbearing::app

@@ -1,0 +1,354 @@
+#include "gearset/spatial/spatial_balance.hpp"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <stdexcept>
+
+namespace orbearing::gearset::spatial {
+
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+using Row = Eigen::Matrix<double, 1, 6>;  // of a body's six coordinates
+using Imbalance = mechanics::Imbalance<Eigen::Dynamic>;
+
+enum Body : int { housing = -1, carrier = 0, sun = 1, first_planet = 2 };
+
+// How far a point of a body moves along a direction, by its coordinates.
+struct Motion {
+  int body = housing;
+  Row row = Row::Zero();
+};
+
+// A spring along one direction between two bodies; a flank only presses.
+struct Spring {
+  Motion one, other;       // deflection: one - other
+  double stiffness = 0.0;  // [N/m]
+  bool presses_only = false;
+};
+
+// A radial bearing with clearance.
+struct RadialSpring {
+  Motion one[2], other[2];
+  Vector2d offset = Vector2d::Zero();  // [m]  of `other` where it is assembled
+  double stiffness = 0.0;              // [N/m]
+  double clearance = 0.0;              // [m]
+};
+
+struct Assembly {
+  std::vector<Spring> springs;       // meshes first: per planet its sun slices, then its ring slices
+  std::vector<RadialSpring> radial;  // rows of planets, planet by planet, then those of carrier and sun
+  VectorXd force;                    // [N]  applied
+  double lever = 1.0;                // [m]  of the rotations
+  double scale = 0.0;                // [N]
+};
+
+Vector3d radial_of(double angle) {
+  return {std::cos(angle), std::sin(angle), 0.0};
+}
+Vector3d tangential_of(double angle) {
+  return {-std::sin(angle), std::cos(angle), 0.0};
+}
+
+// Displacement along `direction` of the point at `arm` from the middle of the body.
+Motion motion_of(int body, const Vector3d& direction, const Vector3d& arm, double lever) {
+  Motion motion{.body = body};
+  motion.row << direction.transpose(), arm.cross(direction).transpose() / lever;
+  return motion;
+}
+
+class Builder {
+ public:
+  Builder(const SpatialSet& set, const SpatialLoad& load, double angle, int slices)
+      : set_(set), load_(load), angle_(angle), slices_(slices) {
+    made_.lever = set.centre_distance;
+    made_.force = VectorXd::Zero(6 * (first_planet + planets()));
+    made_.scale = std::abs(load.torque) / set.centre_distance;
+  }
+
+  Assembly built() {
+    for (int p = 0; p < planets(); ++p) add_meshes(p);
+    for (int p = 0; p < planets(); ++p) add_pin(p);
+    for (const CarrierBearing& bearing : set_.carrier_bearings) add_housing_bearing(carrier, bearing);
+    add_housing_bearing(sun, {.radial_stiffness = set_.sun_radial_stiffness});
+    add_axial(sun, housing, Vector3d::Zero(), Vector3d::Zero(), set_.sun_axial_stiffness);
+    add_loads();
+    return made_;
+  }
+
+ private:
+  int planets() const { return static_cast<int>(set_.angles.size()); }
+
+  void add_meshes(int planet) {
+    const double drive = load_.torque < 0.0 ? -1.0 : 1.0;
+    for (const bool inner : {true, false})
+      for (int slice = 0; slice < slices_; ++slice) add_slice(planet, inner, drive, slice);
+  }
+
+  // The force of a flank on the planet: against the sense in which the carrier is driven, apart from the
+  // other gear, and along the axis as the helix asks, opposite in the two meshes.
+  void add_slice(int planet, bool inner, double sense, int slice) {
+    const SpatialMesh& mesh = inner ? set_.sun : set_.ring;
+    const double angle = set_.angles[planet], width = set_.face_width / slices_;
+    const Vector3d outward = radial_of(angle);
+    const double side = inner ? 1.0 : -1.0;
+    const Vector3d transverse = -sense * std::cos(mesh.pressure_angle) * tangential_of(angle) +
+                                side * std::sin(mesh.pressure_angle) * outward;
+    const Vector3d normal =
+        std::cos(mesh.base_helix) * transverse + side * sense * std::sin(mesh.base_helix) * Vector3d::UnitZ();
+    const double height = (slice + 0.5) * width - 0.5 * set_.face_width;
+    const double radius = set_.planet_base_radius / std::cos(mesh.pressure_angle);  // working
+    const Vector3d on_planet = -side * radius * outward + height * Vector3d::UnitZ();
+    Spring spring{.one = motion_of(first_planet + planet, -normal, on_planet, made_.lever),
+                  .stiffness = mesh.stiffness * width,
+                  .presses_only = true};
+    if (inner)
+      spring.other = motion_of(sun, -normal, set_.centre_distance * outward + on_planet, made_.lever);
+    made_.springs.push_back(spring);
+  }
+
+  void add_pin(int planet) {
+    const double angle = set_.angles[planet];
+    const Vector3d pin = set_.centre_distance * radial_of(angle);
+    const int body = first_planet + planet;
+    for (const PlanetBearing& bearing : set_.planet_bearings) {
+      const Vector3d height = bearing.position * Vector3d::UnitZ();
+      RadialSpring spring{.stiffness = bearing.radial_stiffness, .clearance = bearing.clearance};
+      if (set_.pin_errors.cols() > planet) spring.offset = set_.pin_errors.col(planet);
+      const Vector3d directions[2]{radial_of(angle), tangential_of(angle)};
+      for (int i = 0; i < 2; ++i) {
+        spring.one[i] = motion_of(body, directions[i], height, made_.lever);
+        spring.other[i] = motion_of(carrier, directions[i], pin + height, made_.lever);
+      }
+      made_.radial.push_back(spring);
+    }
+    add_axial(body, carrier, Vector3d::Zero(), pin, set_.planet_axial_stiffness);
+  }
+
+  void add_housing_bearing(int body, const CarrierBearing& bearing) {
+    const Vector3d height = bearing.position * Vector3d::UnitZ();
+    RadialSpring spring{.stiffness = bearing.radial_stiffness, .clearance = bearing.clearance};
+    spring.one[0] = motion_of(body, Vector3d::UnitX(), height, made_.lever);
+    spring.one[1] = motion_of(body, Vector3d::UnitY(), height, made_.lever);
+    made_.radial.push_back(spring);
+    add_axial(body, housing, height, height, bearing.axial_stiffness);
+  }
+
+  void add_axial(int one, int other, const Vector3d& at_one, const Vector3d& at_other, double stiffness) {
+    if (stiffness == 0.0) return;
+    made_.springs.push_back({.one = motion_of(one, Vector3d::UnitZ(), at_one, made_.lever),
+                             .other = motion_of(other, Vector3d::UnitZ(), at_other, made_.lever),
+                             .stiffness = stiffness});
+  }
+
+  // From the housing's frame into the carrier's.
+  Vector3d turned(const Vector3d& standing) const {
+    return Eigen::AngleAxisd(-angle_, Vector3d::UnitZ()) * standing;
+  }
+
+  void add_force(int body, const Vector3d& force, const Vector3d& arm, const Vector3d& moment) {
+    made_.force.segment<3>(6 * body) += force;
+    made_.force.segment<3>(6 * body + 3) += (arm.cross(force) + moment) / made_.lever;
+  }
+
+  void add_loads() {
+    const double down = load_.gravity * std::cos(load_.axis_tilt),
+                 along = load_.gravity * std::sin(load_.axis_tilt);
+    const Vector3d weight = turned({0.0, -down, -along});  // of a kilogram
+    const Vector3d none = Vector3d::Zero();
+    add_force(carrier, set_.carrier_mass * weight, set_.carrier_centre * Vector3d::UnitZ(),
+              load_.torque * Vector3d::UnitZ());
+    add_force(carrier, turned(load_.rotor.force), none, turned(load_.rotor.moment));
+    add_force(sun, set_.sun_mass * weight, none, none);
+    for (int p = 0; p < planets(); ++p)
+      add_force(first_planet + p,
+                set_.planet_mass *
+                    (weight + load_.speed * load_.speed * set_.centre_distance * radial_of(set_.angles[p])),
+                none, none);
+    made_.scale = std::max(made_.scale, made_.force.norm());
+  }
+
+  const SpatialSet& set_;
+  const SpatialLoad& load_;
+  double angle_;
+  int slices_;
+  Assembly made_;
+};
+
+double moved(const Motion& motion, const VectorXd& position) {
+  return motion.body == housing ? 0.0 : motion.row.dot(position.segment<6>(6 * motion.body));
+}
+
+double deflection(const Spring& spring, const VectorXd& position) {
+  const double deflected = moved(spring.one, position) - moved(spring.other, position);
+  return spring.presses_only ? std::max(0.0, deflected) : deflected;
+}
+
+Vector2d deflection(const RadialSpring& spring, const VectorXd& position) {
+  Vector2d apart;
+  for (int i = 0; i < 2; ++i)
+    apart[i] = moved(spring.one[i], position) - moved(spring.other[i], position) - spring.offset[i];
+  return apart;
+}
+
+// What it compresses beyond its clearance.
+double compression(const RadialSpring& spring, const Vector2d& apart) {
+  return std::max(0.0, apart.norm() - spring.clearance);
+}
+
+void add_row(const Motion& one, const Motion& other, double force, VectorXd& forces) {
+  if (one.body != housing) forces.segment<6>(6 * one.body) -= force * one.row.transpose();
+  if (other.body != housing) forces.segment<6>(6 * other.body) += force * other.row.transpose();
+}
+
+// Stiffness between two directions of a pair of bodies.
+void add_stiffness(const Motion& one, const Motion& other, const Motion& one2, const Motion& other2,
+                   double stiffness, Eigen::MatrixXd& matrix) {
+  const auto add = [&](const Motion& a, const Motion& b, double sign) {
+    if (a.body == housing || b.body == housing) return;
+    matrix.block<6, 6>(6 * a.body, 6 * b.body) += sign * stiffness * a.row.transpose() * b.row;
+  };
+  add(one, one2, 1.0);
+  add(other, other2, 1.0);
+  add(one, other2, -1.0);
+  add(other, one2, -1.0);
+}
+
+void add_spring(const Spring& spring, const VectorXd& position, Imbalance& sum) {
+  const double deflected = deflection(spring, position);
+  if (deflected == 0.0) return;
+  add_row(spring.one, spring.other, spring.stiffness * deflected, sum.force);
+  add_stiffness(spring.one, spring.other, spring.one, spring.other, spring.stiffness, sum.stiffness);
+}
+
+void add_radial(const RadialSpring& spring, const VectorXd& position, Imbalance& sum) {
+  const Vector2d apart = deflection(spring, position);
+  const double distance = apart.norm(), compressed = compression(spring, apart);
+  // Without clearance it is a plain spring, also where its parts are concentric.
+  const double across = spring.clearance == 0.0 ? spring.stiffness
+                        : compressed > 0.0      ? spring.stiffness * compressed / distance
+                                                : 0.0;
+  if (across == 0.0) return;
+  const Vector2d line = distance > 0.0 ? Vector2d(apart / distance) : Vector2d::Zero();
+  Eigen::Matrix2d local = across * Eigen::Matrix2d::Identity();
+  local += (spring.stiffness - across) * line * line.transpose();
+  for (int i = 0; i < 2; ++i) {
+    add_row(spring.one[i], spring.other[i], spring.stiffness * compressed * line[i], sum.force);
+    for (int j = 0; j < 2; ++j)
+      add_stiffness(spring.one[i], spring.other[i], spring.one[j], spring.other[j], local(i, j),
+                    sum.stiffness);
+  }
+}
+
+constexpr int kHeld = 6 * sun + 5;  // the sun's rotation about its axis: its shaft bears the torque
+
+Imbalance imbalance_of(const Assembly& assembly, const VectorXd& position) {
+  Imbalance sum{.force = assembly.force,
+                .stiffness = Eigen::MatrixXd::Zero(assembly.force.size(), assembly.force.size()),
+                .scale = assembly.scale};
+  for (const Spring& spring : assembly.springs) add_spring(spring, position, sum);
+  for (const RadialSpring& spring : assembly.radial) add_radial(spring, position, sum);
+  return sum;
+}
+
+Imbalance searched(const Assembly& assembly, const VectorXd& position) {
+  Imbalance sum = imbalance_of(assembly, position);
+  sum.force[kHeld] = 0.0;
+  sum.stiffness.row(kHeld).setZero();
+  sum.stiffness.col(kHeld).setZero();
+  return sum;
+}
+
+// Sum of the normal forces of a mesh and its largest force per width over the mean, from the spring `at`.
+void read_mesh(const Assembly& assembly, const VectorXd& position, std::size_t at, int slices, double& sum,
+               double& face_load) {
+  Eigen::ArrayXd force(slices);
+  for (int i = 0; i < slices; ++i) {
+    const Spring& spring = assembly.springs[at + static_cast<std::size_t>(i)];
+    force[i] = spring.stiffness * deflection(spring, position);
+  }
+  sum = force.sum();
+  face_load = sum > 0.0 ? force.maxCoeff() / force.mean() : 0.0;
+}
+
+void read_bearings(const Assembly& assembly, const SpatialSet& set, SpatialBalance& found) {
+  const auto planets = static_cast<Eigen::Index>(set.angles.size());
+  const auto rows = static_cast<Eigen::Index>(set.planet_bearings.size());
+  found.bearing_radial.resize(rows, planets);
+  found.bearing_tangential.resize(rows, planets);
+  const auto force_of = [&](Eigen::Index i) {
+    const RadialSpring& spring = assembly.radial[static_cast<std::size_t>(i)];
+    const Vector2d apart = deflection(spring, found.position);
+    const double compressed = compression(spring, apart);
+    return compressed > 0.0 ? Vector2d(-spring.stiffness * compressed * apart.normalized())
+                            : Vector2d(0.0, 0.0);
+  };
+  for (Eigen::Index p = 0; p < planets; ++p)
+    for (Eigen::Index r = 0; r < rows; ++r) {
+      const Vector2d force = force_of(p * rows + r);
+      found.bearing_radial(r, p) = force[0];
+      found.bearing_tangential(r, p) = force[1];
+    }
+  found.bearing_load =
+      (found.bearing_radial.array().square() + found.bearing_tangential.array().square()).sqrt();
+  found.carrier_bearing.resize(static_cast<Eigen::Index>(set.carrier_bearings.size()));
+  for (Eigen::Index i = 0; i < found.carrier_bearing.size(); ++i)
+    found.carrier_bearing[i] = force_of(planets * rows + i).norm();
+}
+
+void read_meshes(const Assembly& assembly, int planets, int slices, SpatialBalance& found) {
+  found.sun_mesh = found.ring_mesh = Eigen::ArrayXd::Zero(planets);
+  found.sun_face_load = found.ring_face_load = Eigen::ArrayXd::Zero(planets);
+  for (int p = 0; p < planets; ++p) {
+    const auto at = static_cast<std::size_t>(2 * slices * p);
+    read_mesh(assembly, found.position, at, slices, found.sun_mesh[p], found.sun_face_load[p]);
+    read_mesh(assembly, found.position, at + static_cast<std::size_t>(slices), slices, found.ring_mesh[p],
+              found.ring_face_load[p]);
+  }
+}
+
+}  // namespace
+
+mechanics::Imbalance<Eigen::Dynamic> imbalance(const SpatialSet& set, const SpatialLoad& load, double angle,
+                                               int slices, const VectorXd& position) {
+  return imbalance_of(Builder(set, load, angle, slices).built(), position);
+}
+
+double energy(const SpatialSet& set, const SpatialLoad& load, double angle, int slices,
+              const VectorXd& position) {
+  const Assembly assembly = Builder(set, load, angle, slices).built();
+  double sum = -assembly.force.dot(position);
+  for (const Spring& spring : assembly.springs)
+    sum += 0.5 * spring.stiffness * std::pow(deflection(spring, position), 2);
+  for (const RadialSpring& spring : assembly.radial)
+    sum += 0.5 * spring.stiffness * std::pow(compression(spring, deflection(spring, position)), 2);
+  return sum;
+}
+
+SpatialBalance balance(const SpatialSet& set, const SpatialLoad& load, double angle, int slices,
+                       const VectorXd& start) {
+  const Assembly assembly = Builder(set, load, angle, slices).built();
+  SpatialBalance found;
+  found.position =
+      start.size() == assembly.force.size() ? start : VectorXd::Zero(assembly.force.size()).eval();
+  const mechanics::SearchLimits limits{.reach = 0.01 * set.centre_distance,
+                                       .size = 1e-6 * set.centre_distance};
+  Imbalance at;
+  found.search = mechanics::find_balance<Eigen::Dynamic>(
+      [&](const VectorXd& position) { return searched(assembly, position); }, limits, found.position, at);
+  if (!found.search.converged)
+    throw std::runtime_error(
+        "the set in three dimensions finds no balance: weight, rotor or pin errors lift gears off their "
+        "driving "
+        "flanks; required: more torque on the carrier");
+  read_meshes(assembly, static_cast<int>(set.angles.size()), slices, found);
+  read_bearings(assembly, set, found);
+  found.carrier_shift = found.position.segment<3>(0);
+  found.carrier_tilt = found.position.segment<3>(3) / assembly.lever;
+  found.sun_torque = -imbalance_of(assembly, found.position).force[kHeld] * assembly.lever;
+  return found;
+}
+
+}  // namespace orbearing::gearset::spatial

@@ -1,0 +1,43 @@
+// Balance at rest of a planetary set in three dimensions, at one angle of the carrier.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "gearset/spatial/spatial_set.hpp"
+#include "mechanics/convex_search.hpp"
+
+namespace orbearing::gearset::spatial {
+
+/// What carries the loads at one angle of the carrier. Directions are those of the carrier's frame, for a
+/// planet radially outward and tangentially in the sense of positive rotation.
+struct SpatialBalance {
+  Eigen::MatrixXd bearing_load;                  // [N]  (rows of a pin, planets)  radial, its magnitude
+  Eigen::MatrixXd bearing_radial;                // [N]  (rows, planets)  of the pin on the planet, outward
+  Eigen::MatrixXd bearing_tangential;            // [N]  (rows, planets)
+  Eigen::ArrayXd sun_mesh, ring_mesh;            // [N]  (planets)  sum of the normal forces
+  Eigen::ArrayXd sun_face_load, ring_face_load;  // [-]  (planets)  largest load per width over its mean
+  Eigen::VectorXd carrier_bearing;               // [N]  radial load of each
+  Eigen::Vector3d carrier_shift = Eigen::Vector3d::Zero();  // [m]
+  Eigen::Vector3d carrier_tilt = Eigen::Vector3d::Zero();   // [rad]
+  double sun_torque = 0.0;                                  // [N m]  by which the sun is held
+  Eigen::VectorXd position;  // of all coordinates [m], a start for the next angle
+  mechanics::SearchReport search;
+};
+
+/// Coordinates of the search: for carrier, sun and each planet three displacements and three rotations at the
+/// lever of the centre distance. The energy is convex, so there is one balance. Gear teeth are cut into
+/// `slices` over the face width; only the flanks that drive touch.
+/// @param angle [rad] of the carrier in the housing; its first planet is upward at 90 degrees
+/// @param start coordinates of a neighbouring balance, or none
+/// @throws std::runtime_error where no balance is found
+SpatialBalance balance(const SpatialSet& set, const SpatialLoad& load, double angle, int slices,
+                       const Eigen::VectorXd& start = {});
+
+/// Force [N] out of balance and stiffness at any `position`, as the search sees them: for tests.
+mechanics::Imbalance<Eigen::Dynamic> imbalance(const SpatialSet& set, const SpatialLoad& load, double angle,
+                                               int slices, const Eigen::VectorXd& position);
+/// The energy [J] whose negative slope it is.
+double energy(const SpatialSet& set, const SpatialLoad& load, double angle, int slices,
+              const Eigen::VectorXd& position);
+
+}  // namespace orbearing::gearset::spatial

@@ -1,0 +1,132 @@
+// A planetary set in three dimensions at rest: what holds carrier, planets and sun, and what loads them.
+// The ring is fixed to the housing. Axial positions are from the middle of the face width, toward the side to
+// which the axis of rotation z points.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "mechanics/described.hpp"
+
+namespace orbearing::gearset::spatial {
+
+/// A bearing of the carrier in the housing.
+struct CarrierBearing {
+  double position = 0.0;          // [m]    axial
+  double radial_stiffness = 0.0;  // [N/m]
+  double axial_stiffness = 0.0;   // [N/m]  0: it locates nothing
+  double clearance = 0.0;         // [m]    radial: half of the difference of diameters
+};
+
+/// One row of rolling elements between planet and pin, the pin's own compliance included.
+struct PlanetBearing {
+  double position = 0.0;          // [m]    axial
+  double radial_stiffness = 0.0;  // [N/m]
+  double clearance = 0.0;         // [m]    radial
+};
+
+/// One of the two meshes of a planet.
+struct SpatialMesh {
+  double stiffness = 0.0;       // [N/m2]  mean, along the normal of the flank and per face width
+  double pressure_angle = 0.0;  // [rad]   working, transverse
+  double base_helix = 0.0;      // [rad]   positive: the sun's teeth are right-handed
+};
+
+/// Forces and moments of the rotor on the carrier, in a frame that stands with the housing: x across, y
+/// upward, z along the axis. They act on the axis, at the middle of the face width.
+struct RotorLoad {
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();   // [N]
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();  // [N m]  without the torque, which is `torque`
+};
+
+struct SpatialSet {
+  std::vector<double> angles;       // [rad]  of the planets on the carrier
+  double centre_distance = 0.0;     // [m]
+  double face_width = 0.0;          // [m]    common to sun, planets and ring
+  double planet_base_radius = 0.0;  // [m]
+  SpatialMesh sun, ring;
+  std::vector<PlanetBearing> planet_bearings;  // the same on each pin
+  double planet_axial_stiffness = 0.0;         // [N/m]  between planet and pin
+  std::vector<CarrierBearing> carrier_bearings;
+  double sun_axial_stiffness = 0.0;          // [N/m]  its spline or bearing
+  double sun_radial_stiffness = 0.0;         // [N/m]  of its shaft, in the middle of the face; 0: it floats
+  double planet_mass = 0.0, sun_mass = 0.0;  // [kg]   their middles are those of the face width
+  double carrier_mass = 0.0;                 // [kg]   with what hangs on it
+  double carrier_centre = 0.0;               // [m]    axial position of its centre of mass
+  Eigen::Matrix2Xd pin_errors;               // [m]  (radial and tangential, planets); none: without columns
+};
+
+struct SpatialLoad {
+  double torque = 0.0;     // [N m]  on the carrier about z; the sun bears it
+  double speed = 0.0;      // [rad/s]  of the carrier
+  double gravity = 0.0;    // [m/s2]  toward -y of the housing
+  double axis_tilt = 0.0;  // [rad]  of z over the horizontal
+  RotorLoad rotor;
+};
+
+/// What a case states of the carrier as a body: how the housing holds it, and what acts on it beside torque.
+struct CarrierMounting {
+  std::vector<double> positions;         // [m]    (bearings)  axial
+  std::vector<double> radial_stiffness;  // [N/m]  (bearings)
+  std::vector<double>
+      axial_stiffness;               // [N/m]  (bearings) or empty: the first locates as stiffly as radially
+  std::vector<double> clearances;    // [m]    (bearings) or empty: none; of diameters, as catalogues have it
+  double centre_of_mass = 0.0;       // [m]
+  double axis_tilt = 0.0;            // [rad]
+  double gravity = 9.80665;          // [m/s2]
+  std::vector<double> rotor_force;   // [N]    (3) or empty
+  std::vector<double> rotor_moment;  // [N m]  (2) or empty
+};
+
+template <class Visitor>
+void describe(Visitor& visit, CarrierMounting& m) {
+  using namespace described;
+  constexpr Dimension acceleration{"acceleration", "m/s2", "m/s2", "9.81 m/s2"};
+  const std::string block = "gearset.carrier.";
+  const auto list = [&](std::vector<double>& member, const std::string& name, const std::string& meaning,
+                        const Dimension& of, double least, double most, std::string_view beside) {
+    return field(
+        member, block + name, Physics::carrier_body, meaning,
+        {.models = planetary_drivetrain, .dimension = of, .range = {least, most}, .where = {.path = beside}});
+  };
+  constexpr std::string_view held = "gearset.carrier.bearing_positions";
+  const auto number = [&](double& member, const std::string& name, const std::string& meaning,
+                          const Dimension& of, Range range, std::string_view reason) {
+    return field(member, block + name, Physics::carrier_body, meaning,
+                 {.models = planetary_drivetrain,
+                  .dimension = of,
+                  .range = range,
+                  .reason = reason,
+                  .where = {.path = held}});
+  };
+  members(
+      visit, m,
+      list(m.positions, "bearing_positions",
+           "places of the carrier's bearings along its axis, from the middle of the face", dimension::length,
+           -1e5, 1e5, {}),
+      list(m.radial_stiffness, "bearing_stiffness", "radial stiffness of each bearing of the carrier",
+           dimension::stiffness, 1.0, 1e13, held),
+      list(m.axial_stiffness, "bearing_axial_stiffness",
+           "axial stiffness of each bearing of the carrier, 0: it locates nothing; the first as stiff as "
+           "radially if absent",
+           dimension::stiffness, 0.0, 1e13, held),
+      list(m.clearances, "bearing_clearance",
+           "radial internal clearance of each bearing of the carrier; none if absent",
+           dimension::small_length, 0.0, 1e5, held),
+      number(m.centre_of_mass, "centre_of_mass",
+             "place of the carrier's centre of mass along its axis, from the middle of the face",
+             dimension::length, {-1e5, 1e5}, "between its walls"),
+      number(m.axis_tilt, "axis_tilt", "angle of the axis over the horizontal", dimension::angle,
+             {-90.0, 90.0}, "a horizontal gearbox"),
+      number(m.gravity, "gravity", "acceleration of gravity, 0: without weight", acceleration, {0.0, 100.0},
+             "standard gravity"),
+      list(m.rotor_force, "rotor_force",
+           "force of the rotor on the carrier at the middle of the face: across, upward, along the axis",
+           dimension::force, -1e9, 1e9, held),
+      list(m.rotor_moment, "rotor_moment",
+           "moment of the rotor on the carrier about the middle of the face: about the axis across and the "
+           "upward one",
+           dimension::torque, -1e9, 1e9, held));
+}
+
+}  // namespace orbearing::gearset::spatial
