@@ -43,7 +43,8 @@ FOREIGN = ("output", "resume", "folders", "pdf", "set", "worker", "json", "", "f
 COMMANDS = ("check", "check", "check", "check", "run", "run", "run", "sweep", "crown", "mesh", "modes", "stiffness", "sensitivities", "signals", "validate", "report",
             "fmu", "open")
 PATHS = ("/", "/opened", "/templates", "/schema/case", "/schema/result", "/schema/x", "/web/app.js", "/web/../open.cpp", "/lib/a/b.js", "/jobs/0001/events",
-         "/jobs/0002", "/jobs/99999999999999999999/events", "/request", "/jobs", "/report", "/report?form=pdf", "/units", "/save", "/alive", "/nothing", "*", "")
+         "/jobs/0002", "/jobs/99999999999999999999/events", "/request", "/jobs", "/report", "/report?form=pdf", "/units", "/save", "/alive", "/nothing", "/folders",
+         "/opened?results=", "/opened?results=..%2F..", "/opened?results=results%00", "*", "")
 METHODS = ("GET", "GET", "GET", "POST", "POST", "HEAD", "DELETE", "PUT", "OPTIONS", "CONNECT", "PRI", "get", "", "G\0T", "POST" * 50)
 NUMBERS = ("0", "-0.0", "-1", "1", "2", "3.5", "1e308", "-1e308", "1e-320", "1e999", ".nan", ".inf", "-.inf", "NaN", "9" * 400, "18446744073709551616",
            "4294967296", "2147483648", "1000000", "0x10", "1_000", "1e", "--1", "٣")
@@ -167,6 +168,8 @@ def path_and_body(rng, jobs, broken):
     body = sound_body(rng)
     if kind == "/jobs" and rng.random() < 0.4:
         body["continue"] = odd_value(rng, *jobs, *jobs, "9999")
+    if kind == "/jobs" and rng.random() < 0.2:
+        body["results"] = odd_value(rng, "", "..", "results", "/tmp")
     elif kind == "/units":
         body = {"value": hostile_value(rng), "unit": rng.choice(UNITS)[1:]}
     elif kind == "/save":
