@@ -96,6 +96,7 @@ class LoadSpectrum(unittest.TestCase):
         page = (out / "report.html").read_text(encoding="utf-8")
         self.assertIn("Load spectrum and what it uses up", page)
         self.assertIn("load-spectrum-map", page)
+        self.assertIn("Skid risk, P/C below 0.02 (life.minimum_load): ", page)  # issue 47, item 2
 
     def test_crown(self):
         found = self.answer("crown", CASE, *settings(SHIPPED, "bearing.rollers=7"), "--drops", "0 um, 3 um, 6 um", "--tilts", "0 mrad, 1 mrad", "--starts", 1)
