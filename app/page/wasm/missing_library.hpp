@@ -155,6 +155,12 @@ constexpr auto mismatch(Range&& range, Other&& other) {
   const auto [one, two] = std::mismatch(std::begin(range), std::end(range), std::begin(other), std::end(other));
   return FirstApart<std::decay_t<decltype(one)>, std::decay_t<decltype(two)>>{one, two};
 }
+template <class Range, class Less = Before, class Part = Same>
+void stable_sort(Range&& range, Less less = {}, Part part = {}) {
+  std::stable_sort(std::begin(range), std::end(range), [&](const auto& a, const auto& b) {
+    return std::invoke(less, std::invoke(part, a), std::invoke(part, b));
+  });
+}
 template <class Range, class Value>
 constexpr void replace(Range&& range, const Value& former, const Value& later) {
   std::replace(std::begin(range), std::end(range), former, later);
