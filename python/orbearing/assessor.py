@@ -154,7 +154,8 @@ def _limit(verdict: dict | None) -> str:
 def _requirements(report: Report) -> str:
     verdicts = report.records("verdicts")
     if not verdicts:
-        return section("requirements", "Requirements", f"<p>None. A block requirements in the case gives verdicts ({DOCUMENT}).</p>")
+        why = "A duplex pair takes no block requirements." if _is_pair(report) else f"A block requirements in the case gives verdicts ({DOCUMENT})."
+        return section("requirements", "Requirements", f"<p>None. {why}</p>")
     rows = [(one.get("requirement"), one.get("key"), _limit(one), one.get("value"), VERDICTS[one.get("passed")], _judged_at(one)) for one in verdicts]
     note = ("<p>The value is the worst of all operating points of this result. Under a load spectrum a life is that of the whole spectrum, every other value "
             "is that of the worst bin. Where bearings carry unlike loads, the bearing with the shortest life decides.</p>")
