@@ -159,37 +159,6 @@ std::vector<std::string> either_of(std::string_view values) {
   return found;
 }
 
-// The carrier as a body takes of a case what its natural frequencies do, at rest: masses, mean meshes and
-// bearings as springs. Torque, places of the bearings and errors of the pins count there besides, moments of
-// inertia and what holds the members in their planes do not.
-Use with_carrier_body(Use use, std::string_view path) {
-  constexpr std::string_view dynamics = "gearset.dynamics.";
-  const auto is_one = [&](std::initializer_list<std::string_view> paths) {
-    return std::find(paths.begin(), paths.end(), path) != paths.end();
-  };
-  if (path.starts_with("gearset.carrier.")) return use;
-  for (unsigned* status : {&use.by, &use.not_modelled_by, &use.refused_by}) {
-    *status &= ~unsigned{use::carrier};
-    if ((*status & use::modes) != 0) *status |= use::carrier;
-  }
-  for (Way& way : use.ways)
-    if ((way.by & use::modes) != 0) way.by |= use::carrier;
-  const bool added =
-      is_one({"input.power", "input.application_factor", "input.speed", "gearset.dynamics.pin_error.radial",
-              "gearset.dynamics.pin_error.tangential", "bearing.axial_places"});
-  if (added) return use.used_too(use::carrier, std::vector<Condition>{});
-  const bool left_out =
-      path.starts_with(dynamics) &&
-      (path.ends_with(".equivalent_mass") ||
-       (path.ends_with(".support_stiffness") && path != "gearset.dynamics.sun.support_stiffness") ||
-       path.ends_with(".torsional_stiffness") || path == "gearset.dynamics.ring.mass");
-  if (!left_out) return use;
-  use.by &= ~unsigned{use::carrier};
-  use.not_modelled_by |= use::carrier;
-  for (Way& way : use.ways) way.by &= ~unsigned{use::carrier};
-  return use;
-}
-
 Exception exception_of(std::string_view path) {
   for (const Exception& exception : exceptions)
     if (exception.path == path) return exception;
@@ -424,9 +393,7 @@ Use with_other_ways(const Use& use, std::string_view path) {
 
 }  // namespace
 
-namespace {
-
-Use use_without_carrier_body(const described::Facts& facts) {
+Use use_of(const described::Facts& facts) {
   const Exception but = exception_of(facts.path);
   const unsigned without = leaving_out(facts.physics) | but.unused_by;
   const unsigned by = holding(facts.physics) & ~(but.refused_by | but.not_modelled_by | but.unused_by);
@@ -444,12 +411,6 @@ Use use_without_carrier_body(const described::Facts& facts) {
       use.when(only.value.empty() ? where_given(paths)
                                   : Condition{.paths = paths, .values = either_of(only.value)}),
       facts.path);
-}
-
-}  // namespace
-
-Use use_of(const described::Facts& facts) {
-  return with_carrier_body(use_without_carrier_body(facts), facts.path);
 }
 
 Condition where_bearings_make_springs() {

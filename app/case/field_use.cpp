@@ -15,8 +15,9 @@ Use with_planet_defect(const Use& use, std::string_view path) {
   if (is_one_of({"defect.", "signal."})) return more;
   unsigned* const statuses[] = {&more.by, &more.not_modelled_by, &more.refused_by};
   for (unsigned* status : statuses) *status &= ~unsigned{use::planet_defect};
-  if (is_one_of({"life.", "requirements.", "spectrum", "lubricant.kinematic", "simulation.observed", "simulation.most_rev",
-                 "simulation.load_drift", "simulation.cage_drift", "bearing.fatigue_load_limit",
+  if (is_one_of({"life.", "requirements.", "spectrum", "lubricant.kinematic", "simulation.observed",
+                 "simulation.most_rev", "simulation.load_drift", "simulation.cage_drift",
+                 "bearing.fatigue_load_limit",
                  "bearing.neighbour_friction"})) {  // of bearings without a cage, which is refused
     more.not_modelled_by |= use::planet_defect;
     return more;
@@ -32,6 +33,37 @@ Use with_planet_defect(const Use& use, std::string_view path) {
         std::none_of(way.conditions.begin(), way.conditions.end(), is_to_a_life))
       way.by |= use::planet_defect;
   return more;
+}
+
+// The carrier as a body takes of a case what its natural frequencies do, at rest: masses, mean meshes and
+// bearings as springs. Torque, places of the bearings and errors of the pins count there besides, moments of
+// inertia and what holds the members in their planes do not.
+Use with_carrier_body(Use use, std::string_view path) {
+  constexpr std::string_view dynamics = "gearset.dynamics.";
+  const auto is_one = [&](std::initializer_list<std::string_view> paths) {
+    return std::find(paths.begin(), paths.end(), path) != paths.end();
+  };
+  if (path.starts_with("gearset.carrier.")) return use;
+  for (unsigned* status : {&use.by, &use.not_modelled_by, &use.refused_by}) {
+    *status &= ~unsigned{use::carrier};
+    if ((*status & use::modes) != 0) *status |= use::carrier;
+  }
+  for (Way& way : use.ways)
+    if ((way.by & use::modes) != 0) way.by |= use::carrier;
+  const bool added =
+      is_one({"input.power", "input.application_factor", "input.speed", "gearset.dynamics.pin_error.radial",
+              "gearset.dynamics.pin_error.tangential", "bearing.axial_places"});
+  if (added) return use.used_too(use::carrier, std::vector<Condition>{});
+  const bool left_out =
+      path.starts_with(dynamics) &&
+      (path.ends_with(".equivalent_mass") ||
+       (path.ends_with(".support_stiffness") && path != "gearset.dynamics.sun.support_stiffness") ||
+       path.ends_with(".torsional_stiffness") || path == "gearset.dynamics.ring.mass");
+  if (!left_out) return use;
+  use.by &= ~unsigned{use::carrier};
+  use.not_modelled_by |= use::carrier;
+  for (Way& way : use.ways) way.by &= ~unsigned{use::carrier};
+  return use;
 }
 
 Condition where(std::string path, std::vector<std::string> values) {

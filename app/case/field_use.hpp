@@ -104,15 +104,19 @@ struct Use {
   /// Wherever `analyses` use it so far, one of `either` has to hold besides.
   Use limited(unsigned analyses, const std::vector<Condition>& either) const;
 
-  unsigned by;          // it changes their results
-  unsigned not_modelled_by;  // it is not modelled there: their results are equal to the last bit
-  unsigned refused_by;  // they ought to and cannot: exit code 2
+  unsigned by;                          // it changes their results
+  unsigned not_modelled_by;             // it is not modelled there: their results are equal to the last bit
+  unsigned refused_by;                  // they ought to and cannot: exit code 2
   std::vector<Condition> conditions{};  // of `by`: all must hold, else the value is warned of
   std::vector<Way> ways{};              // besides
 };
 
 /// With the scratched planet bearing: it is moved as by monolithic, and has no life.
 Use with_planet_defect(const Use& use, std::string_view path);
+/// With the carrier as a body: of a case counts what natural frequencies at rest do, but for moments of
+/// inertia and what holds members in their planes; torque, places of bearings and errors of the pins count
+/// besides.
+Use with_carrier_body(Use use, std::string_view path);
 
 /// Who uses a field whose row stands beside its member: the analyses that hold the physics by which it is
 /// used, but for those that cannot take it.

@@ -1,11 +1,10 @@
 #include "coupling/study/carrier_revolution.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <string>
 
 #include "bearing/life/basic_life.hpp"
 #include "coupling/study/tilting_planet.hpp"
@@ -20,19 +19,19 @@ namespace dimension = described::dimension;
 namespace spatial = gearset::spatial;
 constexpr auto kRoller = bearing::rating::RollingElement::roller;
 
-void require_length(const std::vector<double>& list, std::size_t length, const char* name, bool may_lack) {
+void require_length(const std::vector<double>& list, std::size_t length, const std::string& name,
+                    bool may_lack) {
   if (list.size() == length || (may_lack && list.empty())) return;
-  throw std::invalid_argument(fmt::format("gearset.carrier.{}: found {} values; required: {}{}", name,
-                                          list.size(), may_lack ? "none or " : "", length));
+  throw std::invalid_argument("gearset.carrier." + name + ": found " + std::to_string(list.size()) +
+                              " values; required: " + (may_lack ? "none or " : "") + std::to_string(length));
 }
 
 void require_lists(const spatial::CarrierMounting& mounting) {
   const std::size_t bearings = mounting.positions.size();
   if (bearings < 2)
-    throw std::invalid_argument(fmt::format(
-        "gearset.carrier.bearing_positions: found {} values; required: at least two bearings, which hold the "
-        "carrier against tilting",
-        bearings));
+    throw std::invalid_argument("gearset.carrier.bearing_positions: found " + std::to_string(bearings) +
+                                " values; required: at least two bearings, which hold the carrier against "
+                                "tilting");
   require_length(mounting.radial_stiffness, bearings, "bearing_stiffness", false);
   require_length(mounting.axial_stiffness, bearings, "bearing_axial_stiffness", true);
   require_length(mounting.clearances, bearings, "bearing_clearance", true);
