@@ -360,4 +360,17 @@ std::string columns_text(const std::vector<ColumnHead>& heads) {
   return text;
 }
 
+std::vector<std::string> parts_of(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  std::size_t from = 0;
+  for (;;) {
+    const std::size_t to = text.find(separator, from);
+    std::string part = text.substr(from, to == std::string::npos ? to : to - from);
+    const std::size_t first = part.find_first_not_of(" \t"), last = part.find_last_not_of(" \t");
+    parts.push_back(first == std::string::npos ? "" : part.substr(first, last - first + 1));
+    if (to == std::string::npos) return parts;
+    from = to + 1;
+  }
+}
+
 }  // namespace orbearing::app

@@ -61,8 +61,8 @@ std::string missing_reason(const std::string& key, const LifeValue& value) {
   if (key == "largest_load_share")
     return "all planets carry the same load in this case; state errors of the pins, as "
            "gearset.dynamics.pin_error.tangential";
-  return "the equivalent loads of ISO 281 and ISO 76 are included for a nominal contact angle of zero only; "
-         "a life by L10rh or L10mrh does not require them";
+  return "ISO 281 and ISO 76 have equivalent loads for nominal contact angles of 0, 15, 20, 25, 30, 35, 40 "
+         "and 45 degrees; a life by L10rh or L10mrh does not require them";
 }
 
 Verdict verdict_of(const Requirement& requirement, const std::vector<Sample>& samples) {

@@ -9,12 +9,12 @@
 #include <numeric>
 
 #include "app/case/printable.hpp"
+#include "app/case/text_table.hpp"
 #include "app/case/units.hpp"
 #include "app/case/yaml_tree.hpp"
 #include "app/errors.hpp"
 #include "app/results/record_writers.hpp"
 #include "app/results/result_row.hpp"
-#include "app/study/crown/crown_options.hpp"
 #include "app/study/record_file.hpp"
 #include "app/units.hpp"
 

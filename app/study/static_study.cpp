@@ -318,8 +318,8 @@ void warn(const ResolvedCase& in, StaticStudy& study) {
         ratings.gamma, ratings.slenderness_limit));
   if (std::isnan(study.lives.dynamic_load))
     study.warnings.push_back(
-        "L10: the factors X and Y of ISO 281 are held for a nominal contact angle of zero; L10r has no need "
-        "of them");
+        "L10: ISO 281 has factors X and Y for nominal contact angles of 0, 15, 20, 25, 30, 35, 40 and 45 "
+        "degrees; L10r does not require them");
   if (in.model() == roller_bearing && !in.has("bearing.laminae"))
     study.warnings.push_back(fmt::format(
         "bearing.laminae: not given; {} are taken, and lives depend on their number", default_laminae));

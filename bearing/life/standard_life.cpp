@@ -1,11 +1,15 @@
 #include "bearing/life/standard_life.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "bearing/life/ball_capacity.hpp"
 #include "bearing/life/life_modification.hpp"
 #include "bearing/life/reference_life.hpp"
 #include "bearing/life/roller_capacity.hpp"
+#include "bearing/units.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::bearing::rating {
 
@@ -14,6 +18,51 @@ namespace {
 // Where the standard's tables of f_c end [-].
 constexpr double kRollerTable = 0.30;
 constexpr double kBallTable = 0.40;
+
+// Factors of one row of angular-contact balls, [ISO281] and [ISO76].
+struct AngularFactors {
+  double degrees;
+  double limit;         // [-]  e: up to this F_a/F_r the axial load has no effect; 0: by the load
+  double radial;        // [-]  X
+  double axial;         // [-]  Y; 0: by the load
+  double static_axial;  // [-]  Y_0
+};
+
+constexpr std::array<AngularFactors, 7> kAngular{{{15.0, 0.0, 0.44, 0.0, 0.46},
+                                                  {20.0, 0.57, 0.43, 1.00, 0.42},
+                                                  {25.0, 0.68, 0.41, 0.87, 0.38},
+                                                  {30.0, 0.80, 0.39, 0.76, 0.33},
+                                                  {35.0, 0.95, 0.37, 0.66, 0.29},
+                                                  {40.0, 1.14, 0.35, 0.57, 0.26},
+                                                  {45.0, 1.34, 0.33, 0.50, 0.22}}};
+
+// Null at other angles than those of the table: the standards do not interpolate.
+const AngularFactors* angular_factors(double contact_angle) {
+  constexpr double round_off = 1e-6;  // [deg]
+  const double degrees = contact_angle * 180.0 / constants::pi;
+  const auto found = std::find_if(kAngular.begin(), kAngular.end(), [&](const AngularFactors& one) {
+    return std::abs(one.degrees - degrees) < round_off;
+  });
+  return found == kAngular.end() ? nullptr : &*found;
+}
+
+struct AxialFactors {
+  double limit;  // [-]  e
+  double axial;  // [-]  Y
+};
+
+// Linear over F_a/(i Z D^2); beyond the table its end values hold.
+AxialFactors axial_factors_at_15_degrees(const BallSet& set, double axial) {
+  constexpr std::array<double, 9> load{0.172, 0.345, 0.689, 1.03, 1.38, 2.07, 3.45, 5.17, 6.89};  // [N/mm^2]
+  constexpr std::array<double, 9> limit{0.38, 0.40, 0.43, 0.46, 0.47, 0.50, 0.55, 0.56, 0.56};
+  constexpr std::array<double, 9> share{1.47, 1.40, 1.30, 1.23, 1.19, 1.12, 1.02, 1.00, 1.00};
+  const double area = kMillimetres * kMillimetres * set.diameter * set.diameter;  // [mm^2]
+  const double at = std::clamp(axial / (set.rows * set.balls * area), load.front(), load.back());
+  std::size_t next = 1;
+  while (next + 1 < load.size() && load[next] < at) ++next;
+  const double part = (at - load[next - 1]) / (load[next] - load[next - 1]);
+  return {std::lerp(limit[next - 1], limit[next], part), std::lerp(share[next - 1], share[next], part)};
+}
 
 double factor_of(const RollerSet& set) {
   return roller_capacity_factor(gamma(set), set.reduction_factor);
@@ -52,15 +101,22 @@ Ratings ratings_of(const Bearing& bearing, const StatedRatings& stated) {
 
 std::optional<double> equivalent_load(const Bearing& bearing, double radial, double axial) {
   if (bearing.has_rollers()) return radial;
-  if (bearing.contact_angle() != 0.0) return std::nullopt;
-  return deep_groove_equivalent_load(ball_set(bearing), radial, axial);
+  const BallSet set = ball_set(bearing);
+  if (set.contact_angle == 0.0) return deep_groove_equivalent_load(set, radial, axial);
+  const AngularFactors* factors = angular_factors(set.contact_angle);
+  if (factors == nullptr) return std::nullopt;
+  const auto [limit, share] = factors->axial == 0.0 ? axial_factors_at_15_degrees(set, axial)
+                                                    : AxialFactors{factors->limit, factors->axial};
+  return axial > limit * radial ? std::max(radial, factors->radial * radial + share * axial) : radial;
 }
 
 std::optional<double> static_equivalent_load(const Bearing& bearing, double radial, double axial) {
-  constexpr double radial_share = 0.6, axial_share = 0.5;  // X_0, Y_0 of deep-groove bearings
   if (bearing.has_rollers()) return radial;
-  if (bearing.contact_angle() != 0.0) return std::nullopt;
-  return std::max(radial, radial_share * radial + axial_share * axial);
+  constexpr double deep_radial = 0.6, deep_axial = 0.5, angular_radial = 0.5;  // X_0, Y_0; X_0
+  if (bearing.contact_angle() == 0.0) return std::max(radial, deep_radial * radial + deep_axial * axial);
+  const AngularFactors* factors = angular_factors(bearing.contact_angle());
+  if (factors == nullptr) return std::nullopt;
+  return std::max(radial, angular_radial * radial + factors->static_axial * axial);
 }
 
 BearingLife reference_life(const Bearing& bearing, const ContactCapacities& capacities,

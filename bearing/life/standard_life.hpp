@@ -36,7 +36,7 @@ struct Ratings {
 Ratings ratings_of(const Bearing& bearing, const StatedRatings& stated = {});
 
 /// Equivalent load P of [ISO281] [N] under `radial` and `axial` [N]; none for balls of a nominal contact
-/// angle other than zero, whose factors X and Y are not held.
+/// angle that its table of X and Y does not have.
 std::optional<double> equivalent_load(const Bearing& bearing, double radial, double axial);
 
 /// Static equivalent load P_0 of [ISO76] [N], never less than the radial load; none as above.

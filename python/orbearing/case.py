@@ -200,12 +200,6 @@ class Case:
         """Writes an FMU: one bearing of one planet, or the gear set."""
         return self._compute("fmu", Result, output=path, fmi=str(fmi), model=model)
 
-    def ssp(self, path: PathLike) -> "Package":
-        """Writes gear set, planet bearings and their parameters as one system of FMUs: a package of SSP 1.0."""
-        from orbearing.ssp import write
-
-        return write(self, path)
-
     def bearing(self) -> "Bearing":
         """A planet bearing of this case that the caller moves, as the FMU would be moved, in this process."""
         from orbearing.machine import Bearing

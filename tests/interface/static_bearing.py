@@ -193,7 +193,24 @@ class Balls(unittest.TestCase):
             with self.subTest(setting):
                 found = run(BALL, setting, "load.axial=1500 N")
                 self.assertGreater(found["L10r_Mrev"], 0.0)
-        self.assertIsNone(run(BALL, "bearing.contact_angle=25 deg", "load.axial=1500 N")["L10_Mrev"])
+        self.assertIsNone(run(BALL, "bearing.contact_angle=22 deg", "load.axial=1500 N")["L10_Mrev"])
+
+    # Issue 47, "Done when": a 7210 pair, from dimensions to an assessor's page.
+    def test_equivalent_loads_of_angular_contact(self):
+        """By hand with the factors of makers' catalogues, which are those of ISO 281 and ISO 76, one row."""
+        held = ["load.tilt=0 mrad", "operation.shaft_speed=3000 rpm"]
+        for angle, radial, axial, dynamic, static in ((40, 1500, 2500, 0.35 * 1500 + 0.57 * 2500, 1500), (40, 1500, 1200, 1500, 1500),
+                                                      (25, 1000, 3000, 0.41 * 1000 + 0.87 * 3000, 0.5 * 1000 + 0.38 * 3000),
+                                                      (30, 1000, 3000, 0.39 * 1000 + 0.76 * 3000, 0.5 * 1000 + 0.33 * 3000)):
+            found = run(BALL, f"bearing.contact_angle={angle} deg", f"load.radial={radial} N", f"load.axial={axial} N", *held)
+            self.assertAlmostEqual(found["P_N"], dynamic, delta=1e-9 * dynamic)
+            self.assertAlmostEqual(found["P0_N"], static, delta=1e-9 * static)
+            self.assertAlmostEqual(found["L10_Mrev"], (found["C_N"] / dynamic) ** 3, delta=1e-9 * found["L10_Mrev"])
+        # 15 degrees: e and Y follow the axial load over Z D^2, here 0.689 N/mm^2 of seven balls of 11.5 mm.
+        axial = 0.689 * 7 * 11.5**2
+        found = run(BALL, "bearing.contact_angle=15 deg", f"load.radial={axial!r} N", f"load.axial={axial!r} N", *held)
+        self.assertAlmostEqual(found["P_N"], (0.44 + 1.30) * axial, delta=1e-9 * axial)
+        self.assertAlmostEqual(found["P0_N"], axial, delta=1e-9 * axial)
 
     def test_loose_rings_and_steep_contacts_are_reported(self):
         jones = CASES / "jones_218" / "case.yaml"

@@ -10,6 +10,7 @@
 #include "app/case/printable.hpp"
 #include "app/case/set_case.hpp"
 #include "app/case/spectrum_case.hpp"
+#include "app/case/text_table.hpp"
 #include "app/errors.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/units.hpp"
@@ -50,19 +51,6 @@ void append_range(const std::string& option, const std::string& text, const Dime
 }
 
 }  // namespace
-
-std::vector<std::string> parts_of(const std::string& text, char separator) {
-  std::vector<std::string> parts;
-  std::size_t from = 0;
-  for (;;) {
-    const std::size_t to = text.find(separator, from);
-    std::string part = text.substr(from, to == std::string::npos ? to : to - from);
-    const std::size_t first = part.find_first_not_of(" \t"), last = part.find_last_not_of(" \t");
-    parts.push_back(first == std::string::npos ? "" : part.substr(first, last - first + 1));
-    if (to == std::string::npos) return parts;
-    from = to + 1;
-  }
-}
 
 std::vector<double> quantity_list(const std::string& option, const std::string& text,
                                   const Dimension& dimension, const ListRange& range,

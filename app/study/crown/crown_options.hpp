@@ -13,9 +13,6 @@ namespace orbearing::app {
 
 // Lists of quantities on the command line: "0 mrad, 1 mrad" or "0 um : 16 um : 2 um".
 
-/// Parts between commas, without the blanks around them.
-std::vector<std::string> parts_of(const std::string& text, char separator);
-
 /// What values of a list may be.
 struct ListRange {
   double least = 0.0, most = 0.0;  // [dimension.si]

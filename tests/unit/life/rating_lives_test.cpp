@@ -218,6 +218,7 @@ TEST(StaticEquivalentLoad, IsNeverLessThanTheRadialLoad) {
   const Bearing angular{.elements = Balls{.count = 7, .diameter = 11.5e-3, .contact_angle = 0.3},
                         .pitch_diameter = 43.5e-3};
   EXPECT_FALSE(static_equivalent_load(angular, 1000.0, 500.0));
+  EXPECT_FALSE(equivalent_load(angular, 1000.0, 500.0));
 }
 
 }  // namespace
