@@ -17,7 +17,7 @@ Use with_planet_defect(const Use& use, std::string_view path) {
   for (unsigned* status : statuses) *status &= ~unsigned{use::planet_defect};
   if (is_one_of({"life.", "requirements.", "spectrum", "lubricant.kinematic", "simulation.observed",
                  "simulation.most_rev", "simulation.load_drift", "simulation.cage_drift",
-                 "bearing.fatigue_load_limit",
+                 "bearing.fatigue_load_limit", "bearing.static_capacity",
                  "bearing.neighbour_friction"})) {  // of bearings without a cage, which is refused
     more.not_modelled_by |= use::planet_defect;
     return more;
@@ -44,16 +44,25 @@ Use with_carrier_body(Use use, std::string_view path) {
     return std::find(paths.begin(), paths.end(), path) != paths.end();
   };
   if (path.starts_with("gearset.carrier.")) return use;
+  if (is_one({"gearset.planet_rim", "gearset.fixed"})) {  // springs that are linked, a ring that turns
+    use.refused_by |= use::carrier;
+    use.by &= ~unsigned{use::carrier};
+    use.not_modelled_by &= ~unsigned{use::carrier};
+    return use;
+  }
   for (unsigned* status : {&use.by, &use.not_modelled_by, &use.refused_by}) {
     *status &= ~unsigned{use::carrier};
     if ((*status & use::modes) != 0) *status |= use::carrier;
   }
   for (Way& way : use.ways)
     if ((way.by & use::modes) != 0) way.by |= use::carrier;
-  const bool added =
-      is_one({"input.power", "input.application_factor", "input.speed", "gearset.dynamics.pin_error.radial",
-              "gearset.dynamics.pin_error.tangential", "bearing.axial_places"});
-  if (added) return use.used_too(use::carrier, std::vector<Condition>{});
+  if (path == "bearing.axial_places") return use.used_too(use::carrier, std::vector<Condition>{});
+  if (is_one({"input.power", "input.application_factor", "input.speed", "gearset.dynamics.pin_error.radial",
+              "gearset.dynamics.pin_error.tangential"})) {
+    use.by |= use::carrier;
+    use.not_modelled_by &= ~unsigned{use::carrier};
+    return use;
+  }
   const bool left_out =
       path.starts_with(dynamics) &&
       (path.ends_with(".equivalent_mass") ||

@@ -1,5 +1,7 @@
 // Fields of one bearing under a static load: balls and grooves, loads, speeds, and what the standard life
 // asks.
+#include <span>
+
 #include "app/case/described_fields.hpp"
 #include "app/case/field_table.hpp"
 #include "app/case/requirements_case.hpp"
@@ -159,6 +161,11 @@ void add_capacities(std::vector<Field>& fields) {
   fields.push_back(optional_quantity(dimension::force, "bearing.fatigue_load_limit",
                                      "fatigue load limit C_u; without it that of ISO 281 by C_0", rated,
                                      above_zero, by_fatigue_limit()));
+  for (Field& field : std::span(fields).last(3)) {  // of each row of a pair too
+    field.models |= duplex_pair;
+    field.use.by |= use::duplex_run;
+    field.use.not_modelled_by |= use::duplex_modes;
+  }
 }
 
 Field life_number(std::string path, std::string meaning, Range range) {

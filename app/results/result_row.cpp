@@ -17,7 +17,7 @@ using study::PointResult;
 constexpr double rpm_per_rad_s = 9.549296585513721;  // 30 / pi
 
 /// Messages of libraries may hold line ends or bytes that are not UTF-8; tables and JSON need neither.
-std::string printable(const std::string& status) {
+std::string without_breaks(const std::string& status) {
   if (status.empty()) return "failed without a reason";
   const nlohmann::json text = status;
   std::string clean =
@@ -110,7 +110,7 @@ void add_sets(const PointResult& result, std::size_t sets, ResultRow& row) {
 ResultRow result_row(const PointResult& result, const std::vector<double>& axis_values,
                      const std::vector<std::string>& sets) {
   ResultRow row;
-  row.status = printable(result.status);
+  row.status = without_breaks(result.status);
   add_numbers(row_of(result), row.ok(), row);
   row.values.push_back(not_given);  // refined
   for (const double value : axis_values) row.values.push_back(in_table_unit(value, 1.0));

@@ -109,7 +109,8 @@ void describe(Visitor& visit, CarrierMounting& m) {
       list(m.axial_stiffness, "bearing_axial_stiffness",
            "axial stiffness of each bearing of the carrier, 0: it locates nothing; the first as stiff as "
            "radially if absent",
-           dimension::stiffness, 0.0, 1e13, held),
+           dimension::stiffness, 0.0, 1e13,
+           "gearset.helix_angle|gearset.carrier.axis_tilt|gearset.carrier.rotor_force"),
       list(m.clearances, "bearing_clearance",
            "radial internal clearance of each bearing of the carrier; none if absent",
            dimension::small_length, 0.0, 1e5, held),

@@ -18,7 +18,7 @@ import threading
 import time
 import unittest
 
-from page_in_browser import LEAST_PACE, ROUND_OFF, SEARCHED, PageSteps, browser
+from page_in_browser import ROUND_OFF, SEARCHED, PageSteps, browser
 from program import CASES, LEFT_TO_FULL, REDUCER, WIND, run, settings
 
 SOURCE = pathlib.Path(os.environ["ORBEARING_SOURCE_DIR"])
@@ -26,6 +26,7 @@ FOLDER = pathlib.Path(os.environ.get("ORBEARING_EXPLORER", SOURCE / "build" / "s
 LARGEST = 5e6  # bytes of the engine
 SECONDS = 600
 MOST_SECONDS = 3.0  # until lives are shown
+LEAST_SHARE = 0.02  # of the pace of the program, whose engine has wider packs and more cores
 
 # Life at the best crown beside that of a search which ended elsewhere on the same flat top.
 FLAT = 1e-4
@@ -242,7 +243,8 @@ class EngineB(unittest.TestCase):
         motion, turned = (sum(one[key] for one in ends) for key in ("time_s", "turned"))
         print(f"motion: {motion:.3f} s, {turned:.1f} revolutions of the cage in {told['seconds']:.1f} s, {motion / told['seconds']:.3g} times real time, "
               f"{turned / told['seconds']:.2f} revolutions a second; by the program {motion / seconds:.3g} times real time")
-        self.assertGreater(turned / told["seconds"], LEAST_PACE)
+        pace_over_program = seconds / told["seconds"]
+        self.assertGreater(pace_over_program, LEAST_SHARE)
 
     def test_the_engine_is_small_and_asks_nobody(self):
         self.assertLess((FOLDER / "web" / "engine_wasm.wasm").stat().st_size, LARGEST)

@@ -144,7 +144,7 @@ class Reports(InAFolder):
     @unittest.skipUnless(PLOTS, "numpy and matplotlib are required")
     def test_nothing_is_interpolated(self):
         """Issue 52, item 1: 10,504 h were printed for the 49,356 h that are computed at 6000 rpm."""
-        folder = self.sweep("two", "--grid-only", *program.settings(("sweep={input.speed: [3000 rpm, 9000 rpm]}", *program.BRIEF_GEARS)))
+        folder = self.sweep("two", "--grid-only", "--set", "sweep={input.speed: [3000 rpm, 9000 rpm]}")
         text, data, _ = self.page_of(folder)
         life = program.answer("run", REDUCER, "input.speed=6000 rpm")["points"][0]["life_h"]
         self.assertAlmostEqual(data["published"][0]["ours_h"] / life, 1, delta=1e-12)

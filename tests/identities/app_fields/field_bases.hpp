@@ -19,7 +19,7 @@ inline const std::string kGears = R"(gearset:
   module: 3 mm
   profile_shift: {sun: 0.2618, ring: 0.4146}
   face_width: 28 mm
-  dynamics: {observed_periods: 8, settling_periods: 100}
+  dynamics: {observed_periods: 8, settling_periods: 100, backlash: 0.1 mm}
 )";
 
 /// Below gears: bearings that hold the carrier.

@@ -119,7 +119,7 @@ TEST(Consistency, AcceptsLimits) {
 TEST(Consistency, PointsAtTheFile) {
   const std::string text = replaced(text_of(shipped_path()), "rollers: 15", "rollers: 25");
   EXPECT_THAT(mistakes(text),
-              ElementsAre(StartsWith("case.yaml:24:12: bearing.rollers: 25 rollers do not fit")));
+              ElementsAre(StartsWith("case.yaml:25:12: bearing.rollers: 25 rollers do not fit")));
 }
 
 TEST(Consistency, IsLeftOutWhereValuesAreBad) {
