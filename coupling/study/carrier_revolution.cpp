@@ -76,6 +76,20 @@ BearingOverRevolution over_revolution(const Eigen::ArrayXd& load, int planet, do
   return over;
 }
 
+// A row of rollers holds its planet against tilting: springs along the rollers take the place of one.
+constexpr int kRowParts = 5;
+
+double row_load(const spatial::SpatialBalance& at, int row, int planet) {
+  const auto sum = [&](const Eigen::MatrixXd& parts) {
+    return parts.col(planet).segment(row * kRowParts, kRowParts).sum();
+  };
+  return std::hypot(sum(at.bearing_radial), sum(at.bearing_tangential));
+}
+
+double row_position(const spatial::SpatialSet& set, int row) {
+  return set.planet_bearings[static_cast<std::size_t>(row * kRowParts + kRowParts / 2)].position;
+}
+
 // What one angle adds to the largest of all.
 void widen(const spatial::SpatialBalance& at, CarrierRevolution& revolution) {
   const auto to = [](double& largest, double value) { largest = std::max(largest, value); };
@@ -164,10 +178,12 @@ spatial::SpatialSet spatial_set(const PlanetaryDrivetrain& drivetrain,
                           .pin_errors = from.pin_error};
   if (set.angles.empty())
     for (int n = 0; n < from.planets; ++n) set.angles.push_back(2.0 * std::numbers::pi * n / from.planets);
+  const double part = 1.0 / kRowParts, length = drivetrain.bearing.rollers().length;
   for (const double position : axial_positions(drivetrain))
-    set.planet_bearings.push_back(
-        {.position = position,
-         .radial_stiffness = from.planet.bearing_stiffness / drivetrain.bearings_per_planet});
+    for (int i = 0; i < kRowParts; ++i)
+      set.planet_bearings.push_back(
+          {.position = position + ((i + 0.5) * part - 0.5) * length,
+           .radial_stiffness = part * from.planet.bearing_stiffness / drivetrain.bearings_per_planet});
   return set;
 }
 
@@ -189,7 +205,7 @@ CarrierRevolution carrier_revolution(const spatial::SpatialSet& set, const spati
                                      double dynamic_capacity, double speed,
                                      const RevolutionOptions& options) {
   const auto planets = static_cast<int>(set.angles.size()),
-             rows = static_cast<int>(set.planet_bearings.size());
+             rows = static_cast<int>(set.planet_bearings.size()) / kRowParts;
   CarrierRevolution revolution;
   revolution.expected_load = std::abs(load.torque) / (planets * rows * set.centre_distance);
   revolution.angle =
@@ -199,14 +215,13 @@ CarrierRevolution carrier_revolution(const spatial::SpatialSet& set, const spati
   spatial::SpatialBalance at;
   for (int i = 0; i < options.angles; ++i) {
     at = spatial::balance(set, load, revolution.angle[i], options.slices, at.position);
-    revolution.load.row(i) = at.bearing_load.reshaped().transpose();
+    for (int b = 0; b < planets * rows; ++b) revolution.load(i, b) = row_load(at, b % rows, b / rows);
     of_carrier.row(i) = at.carrier_bearing.transpose();
     widen(at, revolution);
   }
   for (int b = 0; b < planets * rows; ++b)
-    revolution.bearings.push_back(over_revolution(
-        revolution.load.col(b), b / rows, set.planet_bearings[static_cast<std::size_t>(b % rows)].position,
-        dynamic_capacity, speed));
+    revolution.bearings.push_back(over_revolution(revolution.load.col(b), b / rows,
+                                                  row_position(set, b % rows), dynamic_capacity, speed));
   for (Eigen::Index i = 0; i < of_carrier.cols(); ++i)
     revolution.carrier_bearings.push_back({set.carrier_bearings[static_cast<std::size_t>(i)].position,
                                            of_carrier.col(i).minCoeff(), of_carrier.col(i).maxCoeff()});

@@ -60,7 +60,8 @@ struct CarrierRevolution {
 void describe(described::Record& record, const CarrierRevolution& revolution);
 
 /// The set in three dimensions as case and derived model have it. Springs of the planet bearings are linear
-/// about their mean load; meshes have their mean stiffness, spread evenly over the face width.
+/// about their mean load and spread along the rollers; meshes have their mean stiffness, spread evenly over
+/// the face width.
 /// @throws std::invalid_argument where lists of `mounting` do not fit together
 gearset::spatial::SpatialSet spatial_set(const PlanetaryDrivetrain& drivetrain,
                                          const gearset::dynamics::SetModel& model, double base_helix_angle,

@@ -342,7 +342,7 @@ SpatialBalance balance(const SpatialSet& set, const SpatialLoad& load, double an
     throw std::runtime_error(
         "the set in three dimensions finds no balance: weight, rotor or pin errors lift gears off their "
         "driving "
-        "flanks; required: more torque on the carrier");
+        "flanks or tilt a planet; required: more torque on the carrier, or wider bearings");
   read_meshes(assembly, static_cast<int>(set.angles.size()), slices, found);
   read_bearings(assembly, set, found);
   found.carrier_shift = found.position.segment<3>(0);

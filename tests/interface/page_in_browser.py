@@ -591,6 +591,7 @@ class PageSteps:
             self.press(Keys.TAB)
             reached.add(self.script("return document.activeElement.id || document.activeElement.className || document.activeElement.tagName"))
         self.assertTrue({"play"} <= reached, sorted(reached))
+        self.until(lambda: self.find("#cursor").is_displayed(), "the cursor over speed")
         self.find("#cursor").send_keys(Keys.ARROW_RIGHT)
         self.computed()
         self.assert_numbers_of_the_command_line()
