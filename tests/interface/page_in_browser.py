@@ -358,8 +358,10 @@ class PageSteps:
             self.assertTrue(any(line.endswith(f" {key}: {text}") for line in told), f"{key}: {text} is not among {told}")
             self.assertEqual(row.find_element(By.CSS_SELECTOR, "input").get_attribute("aria-invalid"), "true")
         self.enter("bearing.rollers", "16")
+        self.enter("bearing.radial_clearance", "70,5")  # a decimal comma is no unit: the number is mended where it stands
+        self.assertTrue(self.all(".row.bad"))
         self.enter("bearing.radial_clearance", "70")
-        self.assertFalse(self.all(".row.bad, #errors .error"))
+        self.assertEqual([row.text for row in self.all(".row.bad, #errors .error")], [])
         self.assert_numbers_of_the_command_line()
 
     def test_text_and_form_are_one(self):
@@ -527,6 +529,8 @@ class PageSteps:
         take.click()
         self.computed()
         self.assertIn("  profile:\n    kind: iso16281\n    drop: ", self.text)
+        self.assertIn("  laminae: ", self.text)
+        self.assertFalse(self.all(".row.bad, #errors .error"))
         self.write(MOVING)
         self.open_card("modes")
         self.until(lambda: self.all("#card-modes circle[data-y]"), "the modes are computed")

@@ -33,7 +33,7 @@ class Page {
       instead: (key, other) => this.session.instead(key, other),
       save: engine.save,
     });
-    this.crown = new CrownCard((crown) => this.putCrown(crown));
+    this.crown = new CrownCard((crown, laminae) => this.putCrown(crown, laminae));
     this.motion = new MotionCard();
     const machine = new MachineCard(), focus = (key) => this.form.focus(key);
     this.cards = [
@@ -292,8 +292,11 @@ class Page {
     }));
   }
 
-  putCrown({drop_um: drop, profile}) {
+  // A profile acts on laminae: a case that does not cut its rollers takes as many as the crown did.
+  putCrown({drop_um: drop, profile}, laminae) {
     let text = this.session.text;
+    if (!yaml.nodeAt(yaml.parse(text), ['bearing', 'laminae']))
+      text = yaml.withValue(text, ['bearing', 'laminae'], `${laminae}`);
     const node = yaml.nodeAt(yaml.parse(text), ['bearing', 'profile', 'kind']);
     if (!node || node.value === 'straight')
       text = yaml.withValue(text, ['bearing', 'profile', 'kind'], profile);

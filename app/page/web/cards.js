@@ -699,7 +699,7 @@ export class CrownCard extends AskedCard {
                 ([name, value]) =>
                     element('tr', {}, element('th', {scope: 'row'}, name), element('td', {}, value)))));
     const take = element('button', {type: 'button'}, 'Put this drop into the case');
-    take.addEventListener('click', () => this.apply(known));
+    take.addEventListener('click', () => this.apply(known, result.laminae));
     const charts = element('div');
     this.shown.replaceChildren(table, take, charts);
     const drops = [

@@ -3,7 +3,8 @@
 const QUANTITY = /\((?:an?|a list, each element an?) ([a-z -]+?) like '([^']+)'/;
 const MANY_EXAMPLES = 10;       // of a text: a catalogue, which is searched by typing
 const LINES = /several lines/;  // of a text that may be a table
-const NUMBER = /^\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(.*?)\s*$/;
+// A unit begins with no comma: "3,5" is a mistake in the number.
+const NUMBER = /^\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*((?:[^\s,.\d].*?)?)\s*$/;
 
 /** "150 kW" -> {number: "150", unit: "kW"}; null where it does not begin with a number. */
 export function quantityOf(text) {
