@@ -58,7 +58,8 @@ Use with_carrier_body(Use use, std::string_view path) {
     if ((way.by & use::modes) != 0) way.by |= use::carrier;
   if (path == "bearing.axial_places") return use.used_too(use::carrier, std::vector<Condition>{});
   if (is_one({"input.power", "input.application_factor", "input.speed", "gearset.dynamics.pin_error.radial",
-              "gearset.dynamics.pin_error.tangential"})) {
+              "gearset.dynamics.pin_error.tangential", "bearing.dynamic_capacity",
+              "life.reduction_factor"})) {
     use.by |= use::carrier;
     use.not_modelled_by &= ~unsigned{use::carrier};
     return use;

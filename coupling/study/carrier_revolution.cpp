@@ -33,7 +33,6 @@ void require_lists(const spatial::CarrierMounting& mounting) {
                                 " values; required: at least two bearings, which hold the carrier against "
                                 "tilting");
   require_length(mounting.radial_stiffness, bearings, "bearing_stiffness", false);
-  require_length(mounting.axial_stiffness, bearings, "bearing_axial_stiffness", true);
   require_length(mounting.clearances, bearings, "bearing_clearance", true);
   require_length(mounting.rotor_force, 3, "rotor_force", true);
   require_length(mounting.rotor_moment, 2, "rotor_moment", true);
@@ -43,12 +42,9 @@ std::vector<spatial::CarrierBearing> carrier_bearings(const spatial::CarrierMoun
   std::vector<spatial::CarrierBearing> bearings;
   for (std::size_t i = 0; i < mounting.positions.size(); ++i) {
     const double radial = mounting.radial_stiffness[i];
-    const double axial = !mounting.axial_stiffness.empty() ? mounting.axial_stiffness[i]
-                         : i == 0                          ? radial
-                                                           : 0.0;
     bearings.push_back({.position = mounting.positions[i],
                         .radial_stiffness = radial,
-                        .axial_stiffness = axial,
+                        .axial_stiffness = i == 0 ? radial : 0.0,
                         .clearance = mounting.clearances.empty() ? 0.0 : 0.5 * mounting.clearances[i]});
   }
   return bearings;

@@ -68,8 +68,6 @@ struct SpatialLoad {
 struct CarrierMounting {
   std::vector<double> positions;         // [m]    (bearings)  axial
   std::vector<double> radial_stiffness;  // [N/m]  (bearings)
-  std::vector<double>
-      axial_stiffness;               // [N/m]  (bearings) or empty: the first locates as stiffly as radially
   std::vector<double> clearances;    // [m]    (bearings) or empty: none; of diameters, as catalogues have it
   double centre_of_mass = 0.0;       // [m]
   double axis_tilt = 0.0;            // [rad]
@@ -104,13 +102,9 @@ void describe(Visitor& visit, CarrierMounting& m) {
       list(m.positions, "bearing_positions",
            "places of the carrier's bearings along its axis, from the middle of the face", dimension::length,
            -1e5, 1e5, {}),
-      list(m.radial_stiffness, "bearing_stiffness", "radial stiffness of each bearing of the carrier",
+      list(m.radial_stiffness, "bearing_stiffness",
+           "radial stiffness of each bearing of the carrier; the first locates it as stiffly",
            dimension::stiffness, 1.0, 1e13, held),
-      list(m.axial_stiffness, "bearing_axial_stiffness",
-           "axial stiffness of each bearing of the carrier, 0: it locates nothing; the first as stiff as "
-           "radially if absent",
-           dimension::stiffness, 0.0, 1e13,
-           "gearset.helix_angle|gearset.carrier.axis_tilt|gearset.carrier.rotor_force"),
       list(m.clearances, "bearing_clearance",
            "radial internal clearance of each bearing of the carrier; none if absent",
            dimension::small_length, 0.0, 1e5, held),
