@@ -150,23 +150,13 @@ constexpr std::string_view carrier_support_rule =
     "in "
     "steel";
 
-std::optional<DerivedDefault> support_of(const ValuesOfSet& value, gearset::Member member,
-                                         std::string_view reason) {
+template <gearset::Member member, const std::string_view& reason>
+std::optional<DerivedDefault> support(const ValuesOfSet& value) {
   const std::optional<gearset::PlanetarySet> set = teeth_of(value);
   if (!set) return std::nullopt;
   return DerivedDefault{stiffness_text(gearset::dynamics::default_support_stiffness(
                             *set, member, value("material.youngs_modulus"))),
                         std::string(reason)};
-}
-
-std::optional<DerivedDefault> sun_support(const ValuesOfSet& value) {
-  return support_of(value, gearset::Member::sun, sun_support_rule);
-}
-std::optional<DerivedDefault> ring_support(const ValuesOfSet& value) {
-  return support_of(value, gearset::Member::ring, ring_support_rule);
-}
-std::optional<DerivedDefault> carrier_support(const ValuesOfSet& value) {
-  return support_of(value, gearset::Member::carrier, carrier_support_rule);
 }
 
 std::optional<DerivedDefault> backlash(const ValuesOfSet& value) {
@@ -242,15 +232,15 @@ constexpr DefaultRule default_rules[] = {
      .always = false},
     {.path = "gearset.dynamics.sun.support_stiffness",
      .text = sun_support_rule,
-     .apply = sun_support,
+     .apply = support<gearset::Member::sun, sun_support_rule>,
      .always = false},
     {.path = "gearset.dynamics.ring.support_stiffness",
      .text = ring_support_rule,
-     .apply = ring_support,
+     .apply = support<gearset::Member::ring, ring_support_rule>,
      .always = false},
     {.path = "gearset.dynamics.carrier.support_stiffness",
      .text = carrier_support_rule,
-     .apply = carrier_support,
+     .apply = support<gearset::Member::carrier, carrier_support_rule>,
      .always = false},
     {.path = "gearset.dynamics.backlash",
      .text =

@@ -6,24 +6,43 @@
 
 namespace orbearing::app {
 
+namespace {
+
+// What an analysis does with a field stands in one of these.
+constexpr unsigned Use::*kStatuses[]{&Use::by, &Use::not_modelled_by, &Use::refused_by};
+
+void put(Use& use, use::Analysis analysis, unsigned Use::*status) {
+  for (unsigned Use::*other : kStatuses) use.*other &= ~unsigned{analysis};
+  use.*status |= analysis;
+}
+
+// `analysis` does with a field what `leader` does, its ways apart.
+void follow(Use& use, use::Analysis analysis, use::Analysis leader) {
+  for (unsigned Use::*status : kStatuses) {
+    use.*status &= ~unsigned{analysis};
+    if ((use.*status & leader) != 0) use.*status |= analysis;
+  }
+}
+
+bool begins_with_one_of(std::string_view path, std::initializer_list<std::string_view> parts) {
+  return std::any_of(parts.begin(), parts.end(),
+                     [&](std::string_view part) { return path.starts_with(part); });
+}
+
+}  // namespace
+
 Use with_planet_defect(const Use& use, std::string_view path) {
   Use more = use;
-  const auto is_one_of = [&](std::initializer_list<std::string_view> parts) {
-    return std::any_of(parts.begin(), parts.end(),
-                       [&](std::string_view part) { return path.starts_with(part); });
-  };
-  if (is_one_of({"defect.", "signal."})) return more;
-  unsigned* const statuses[] = {&more.by, &more.not_modelled_by, &more.refused_by};
-  for (unsigned* status : statuses) *status &= ~unsigned{use::planet_defect};
-  if (is_one_of({"life.", "requirements.", "spectrum", "lubricant.kinematic", "simulation.observed",
-                 "simulation.most_rev", "simulation.load_drift", "simulation.cage_drift",
-                 "bearing.fatigue_load_limit", "bearing.static_capacity",
-                 "bearing.neighbour_friction"})) {  // of bearings without a cage, which is refused
-    more.not_modelled_by |= use::planet_defect;
+  if (begins_with_one_of(path, {"defect.", "signal."})) return more;
+  if (begins_with_one_of(path,
+                         {"life.", "requirements.", "spectrum", "lubricant.kinematic", "simulation.observed",
+                          "simulation.most_rev", "simulation.load_drift", "simulation.cage_drift",
+                          "bearing.fatigue_load_limit", "bearing.static_capacity",
+                          "bearing.neighbour_friction"})) {  // of bearings without a cage, which is refused
+    put(more, use::planet_defect, &Use::not_modelled_by);
     return more;
   }
-  for (unsigned* status : statuses)
-    if ((*status & use::monolithic) != 0) *status |= use::planet_defect;
+  follow(more, use::planet_defect, use::monolithic);
   const auto is_to_a_life = [](const Condition& condition) {
     return std::any_of(condition.paths.begin(), condition.paths.end(),
                        [](const std::string& other) { return other.starts_with("life."); });
@@ -35,9 +54,6 @@ Use with_planet_defect(const Use& use, std::string_view path) {
   return more;
 }
 
-// The carrier as a body takes of a case what its natural frequencies do, at rest: masses, mean meshes and
-// bearings as springs. Torque, places of the bearings and errors of the pins count there besides, moments of
-// inertia and what holds the members in their planes do not.
 Use with_carrier_body(Use use, std::string_view path) {
   constexpr std::string_view dynamics = "gearset.dynamics.";
   const auto is_one = [&](std::initializer_list<std::string_view> paths) {
@@ -45,34 +61,23 @@ Use with_carrier_body(Use use, std::string_view path) {
   };
   if (path.starts_with("gearset.carrier.")) return use;
   if (is_one({"gearset.planet_rim", "gearset.fixed"})) {  // springs that are linked, a ring that turns
-    use.refused_by |= use::carrier;
-    use.by &= ~unsigned{use::carrier};
-    use.not_modelled_by &= ~unsigned{use::carrier};
+    put(use, use::carrier, &Use::refused_by);
     return use;
   }
-  for (unsigned* status : {&use.by, &use.not_modelled_by, &use.refused_by}) {
-    *status &= ~unsigned{use::carrier};
-    if ((*status & use::modes) != 0) *status |= use::carrier;
+  if (path.starts_with(dynamics) &&
+      (path.ends_with(".equivalent_mass") || path.ends_with(".torsional_stiffness") ||
+       is_one({"gearset.dynamics.ring.mass", "gearset.dynamics.ring.support_stiffness",
+               "gearset.dynamics.carrier.support_stiffness"}))) {
+    put(use, use::carrier, &Use::not_modelled_by);
+    return use;
   }
+  follow(use, use::carrier, use::modes);
   for (Way& way : use.ways)
     if ((way.by & use::modes) != 0) way.by |= use::carrier;
   if (path == "bearing.axial_places") return use.used_too(use::carrier, std::vector<Condition>{});
   if (is_one({"input.power", "input.application_factor", "input.speed", "gearset.dynamics.pin_error.radial",
-              "gearset.dynamics.pin_error.tangential", "bearing.dynamic_capacity",
-              "life.reduction_factor"})) {
-    use.by |= use::carrier;
-    use.not_modelled_by &= ~unsigned{use::carrier};
-    return use;
-  }
-  const bool left_out =
-      path.starts_with(dynamics) &&
-      (path.ends_with(".equivalent_mass") ||
-       (path.ends_with(".support_stiffness") && path != "gearset.dynamics.sun.support_stiffness") ||
-       path.ends_with(".torsional_stiffness") || path == "gearset.dynamics.ring.mass");
-  if (!left_out) return use;
-  use.by &= ~unsigned{use::carrier};
-  use.not_modelled_by |= use::carrier;
-  for (Way& way : use.ways) way.by &= ~unsigned{use::carrier};
+              "gearset.dynamics.pin_error.tangential", "bearing.dynamic_capacity", "life.reduction_factor"}))
+    put(use, use::carrier, &Use::by);
   return use;
 }
 

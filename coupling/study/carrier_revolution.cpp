@@ -8,6 +8,7 @@
 
 #include "bearing/life/basic_life.hpp"
 #include "coupling/study/tilting_planet.hpp"
+#include "gearset/planet_angles.hpp"
 #include "mechanics/record.hpp"
 
 namespace orbearing::study {
@@ -155,7 +156,7 @@ spatial::SpatialSet spatial_set(const PlanetaryDrivetrain& drivetrain,
   require_lists(mounting);
   const gearset::dynamics::SetParameters& from = model.parameters;
   const double width = drivetrain.set.face_width;
-  spatial::SpatialSet set{.angles = from.planet_angles,
+  spatial::SpatialSet set{.angles = gearset::angles_of_planets(drivetrain.set),
                           .centre_distance = from.carrier.radius,
                           .face_width = width,
                           .planet_base_radius = from.planet.radius,
@@ -172,8 +173,6 @@ spatial::SpatialSet spatial_set(const PlanetaryDrivetrain& drivetrain,
                           .carrier_mass = from.carrier.mass,
                           .carrier_centre = mounting.centre_of_mass,
                           .pin_errors = from.pin_error};
-  if (set.angles.empty())
-    for (int n = 0; n < from.planets; ++n) set.angles.push_back(2.0 * std::numbers::pi * n / from.planets);
   const double part = 1.0 / kRowParts, length = drivetrain.bearing.rollers().length;
   for (const double position : axial_positions(drivetrain))
     for (int i = 0; i < kRowParts; ++i)
