@@ -489,11 +489,15 @@ class PageServer {
     return true;
   }
 
-  // Of a case, or of a job's results. As HTML it is text: the page shows it in a frame that runs no script.
+  // Of a case, over its speeds or (of=point) at one operating point, or of a job's results. As HTML it is
+  // text: the page shows it in a frame that runs no script.
   void answer_report(const Asked& asked, const Json& body, Response& response) {
     const bool pdf = asked.get_param_value("form") == "pdf";
     const char* kind = pdf ? "application/pdf" : "text/plain; charset=utf-8";
-    Json request{{"command", "report"}, {"pdf", pdf}};
+    const std::string of = asked.get_param_value("of");
+    if (!of.empty() && of != "point" && of != "speeds")
+      return refuse_with(response, 400, "of=: a report is of the point or of the speeds");
+    Json request{{"command", "report"}, {"pdf", pdf}, {"of_point", of == "point"}};
     const Slot slot(computing_);
     if (!slot) return refuse_with(response, 429, "more than 8 requests at once");
     if (body.is_object() && body.contains("job")) {

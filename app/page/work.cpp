@@ -121,8 +121,8 @@ Request request_of(const Json& asked, Server& server, Pace& pace) {
   return request;
 }
 
-// The page of a folder of results, those of the request where it states a case: a drivetrain over its speeds,
-// a bearing at its load.
+// The page of a folder of results, those of the request where it states a case: a drivetrain over its speeds
+// or at one operating point, a bearing at its load.
 std::string report_of(const Json& asked, Server& server) {
   const fs::path folder = asked.at("folder").get<std::string>();
   const bool pdf = asked.at("pdf").get<bool>();
@@ -130,7 +130,8 @@ std::string report_of(const Json& asked, Server& server) {
   if (asked.contains("case_text")) {
     Json computed = asked;
     const Case opened = Case::parse(asked["case_text"].get<std::string>());
-    computed["command"] = opened.text("model") == "planetary-drivetrain" ? "sweep" : "run";
+    const bool swept = opened.text("model") == "planetary-drivetrain" && !asked.value("of_point", false);
+    computed["command"] = swept ? "sweep" : "run";
     answer(request_of(computed, server, pace));
   }
   answer({.command = "report", .options = Json{{"folders", {folder.string()}}, {"pdf", pdf}}.dump()});

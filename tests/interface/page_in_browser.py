@@ -357,12 +357,25 @@ class PageSteps:
             key, text = row.get_attribute("data-key"), row.find_element(By.CSS_SELECTOR, ".error").text
             self.assertTrue(any(line.endswith(f" {key}: {text}") for line in told), f"{key}: {text} is not among {told}")
             self.assertEqual(row.find_element(By.CSS_SELECTOR, "input").get_attribute("aria-invalid"), "true")
+        self.assertEqual(self.find("#mend span").text, "2 to mend; results are those of the last valid case")
+        self.find("#mend button").click()  # stays in sight where the form is scrolled
+        self.assertEqual(self.driver.switch_to.active_element.get_attribute("name"), "bearing.rollers")
         self.enter("bearing.rollers", "16")
         self.enter("bearing.radial_clearance", "70,5")  # a decimal comma is no unit: the number is mended where it stands
         self.assertTrue(self.all(".row.bad"))
         self.enter("bearing.radial_clearance", "70")
         self.assertEqual([row.text for row in self.all(".row.bad, #errors .error")], [])
+        self.assertFalse(self.find("#mend").is_displayed())
         self.assert_numbers_of_the_command_line()
+
+    def test_tab_goes_from_a_value_to_the_next_and_an_emptied_field_is_taken_out(self):
+        self.open_template("wind-stage")
+        self.assertIn("laminae:", self.text)
+        self.script("arguments[0].focus()", self.find("[id='in-bearing.laminae']"))
+        self.press(Keys.TAB)
+        self.assertNotIn("reset", self.driver.switch_to.active_element.get_attribute("class"))
+        self.enter("bearing.laminae", Keys.DELETE)
+        self.assertNotIn("laminae:", self.text)
 
     def test_text_and_form_are_one(self):
         self.open_text(MOVING)
@@ -651,6 +664,23 @@ class EngineA(PageSteps, unittest.TestCase):
         self.until(file.exists, "the PDF is there")
         self.assertEqual(file.read_bytes()[:5], b"%PDF-")
         self.find("#take .close").click()
+
+    def test_a_report_covers_the_operating_point_or_all_speeds(self):
+        """Verdicts are those of what the report covers: the point at the cursor, or the worst of the speeds."""
+        self.open_text(MOVING + "requirements: {life: 1 h}\n")
+        self.find("#to-take").click()
+        pages = {}
+        for scope in ("point", "speeds"):
+            Select(self.find("#take-scope")).select_by_value(scope)
+            self.find("#take-report").click()
+            file = self.folder / "wind-stage.html"
+            self.until(file.exists, "the report is there")
+            self.until(lambda: not list(self.folder.glob("*.crdownload")), "the download ends")
+            pages[scope] = file.read_text()
+            file.unlink()
+        self.find("#take .close").click()
+        self.assertNotIn("points fail", pages["point"])
+        self.assertEqual([text.count('id="life_curve"') for text in pages.values()], [0, 1])
 
     @classmethod
     def tearDownClass(cls):

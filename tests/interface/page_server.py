@@ -449,6 +449,7 @@ class Reports(Shared):
         self.assertEqual((wrong[0], wrong[1]["code"]), (422, 2))
         self.assertRegex(wrong[1]["errors"][0], r"^case\.yaml:\d+:\d+: load\.radial: ")
         self.assertEqual(self.page.post("/report?form=pdf", {"job": "9999"})[0], 404)
+        self.assertEqual(self.page.post("/report?of=all", {"case_text": ROLLERS})[0], 400)
 
 
 class Results(unittest.TestCase):

@@ -77,6 +77,13 @@ class Page {
       document.body.classList.toggle('with-text', on);
       if (on) at('yaml').focus();
     });
+    at('mend').querySelector('button').addEventListener('click', () => {
+      const {key, line} = session.errors[0], row = this.form.fieldFor(key);
+      if (row)
+        this.form.focus(row);
+      else if (line)
+        this.showLine(line);
+    });
     at('to-start').addEventListener('click', () => this.showStart());
     at('back').addEventListener('click', () => this.showWork());
     at('to-take').addEventListener('click', () => this.take.open());
@@ -210,12 +217,16 @@ class Page {
     if (what === 'failed')
       for (const card of this.cards) card.session = session;
     document.body.classList.toggle('stale', session.errors.length > 0 || Boolean(session.failure));
+    const mend = session.errors.length ?
+        `${session.errors.length} to mend; results are those of the last valid case` :
+        '';
+    at('mend').hidden = !mend;
+    at('mend').querySelector('span').textContent = mend;
     if (what === 'idle')
-      at('state').textContent = session.errors.length ?
-          `${session.errors.length} to mend; results are those of the last valid case` :
-          session.failure   ? 'failed' :
-          session.took.case ? `computed in ${readable(session.took.case, 3)} ms` :
-                              '';
+      at('state').textContent = mend ? mend :
+          session.failure            ? 'failed' :
+          session.took.case          ? `computed in ${readable(session.took.case, 3)} ms` :
+                                       '';
   }
 
   showErrors() {

@@ -701,7 +701,13 @@ export class CrownCard extends AskedCard {
     const take = element('button', {type: 'button'}, 'Put this drop into the case');
     take.addEventListener('click', () => this.apply(known, result.laminae));
     const charts = element('div');
-    this.shown.replaceChildren(table, take, charts);
+    const told = best ?
+        element(
+            'p', {class: 'told'},
+            'Half-space pressures contain the pressure peaks at the ends of the rollers; laminae, on which the ' +
+                'life of the curve stands, do not.') :
+        '';
+    this.shown.replaceChildren(table, told, take, charts);
     const drops = [
       ...new Map(points.filter((point) => isNumber(point.life_h)).map((point) => [point.drop_um, point]))
           .values()
@@ -779,7 +785,9 @@ export class SpectrumCard extends Card {
 /** Inputs that the source does not give; with their effect on the life where it was computed. */
 export class AssumptionsCard extends AskedCard {
   constructor(focus) {
-    super('assumptions', 'Assumptions and warnings', {button: 'Sort by effect on life', column: 'left'});
+    super(
+        'assumptions', 'Assumptions and warnings',
+        {button: 'Compute the effects on life and sort', column: 'left'});
     this.focus = focus;
     this.list = element('div');
     this.body.append(this.list);

@@ -56,11 +56,13 @@ export function engine(location, opened) {
 
     save: opened.writable ? async (file, text) => (await posted('/save', {file, text})).json() : null,
 
-    /** The report as HTML, or the assessor's page as the bytes of a PDF. */
-    report: async (request, form = '') => {
-      const {case_text, settings = []} = request;
-      if (form === 'pdf') return (await posted('/report?form=pdf', {case_text, settings})).blob();
-      return (await posted('/report', {case_text, settings})).text();
+    /** The report as HTML, or the assessor's page as the bytes of a PDF; `of` 'point' or 'speeds'. */
+    report: async (request, form = '', of = 'speeds') => {
+      const {case_text, settings = []} = request,
+                                   response = await posted(
+                                       `/report?of=${of}${form ? `&form=${form}` : ''}`,
+                                       {case_text, settings});
+      return form ? response.blob() : response.text();
     },
 
     /**

@@ -166,7 +166,8 @@ export class Form {
         'button', {
           type: 'button',
           class: 'reset',
-          title: 'Take it out of the case',
+          title: 'Take it out of the case (or empty the field)',
+          tabindex: -1,  // from a value Tab goes to the next one
           'aria-label': `take ${labelOf(field)} out of the case`
         },
         '×');

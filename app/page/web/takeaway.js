@@ -1,5 +1,5 @@
 // What leaves the page: case file, command line, Python lines, CSV, JSON, report, PDF.
-import {download, element} from './dom.js';
+import {download, element, readable} from './dom.js';
 
 const quoted = (text) => (/^[\w./=-]+$/.test(text) ? text : `'${text.replace(/'/g, '\'\\\'\'')}'`);
 
@@ -71,6 +71,11 @@ export class TakeAway {
     const points = [...(session.sweep?.points ?? [])],
           name = element('input', {type: 'text', id: 'save-name', value: session.file});
     this.told = element('p', {class: 'told', role: 'status'});
+    // Verdicts on requirements are those of what the report covers.
+    this.scope = element(
+        'select', {id: 'take-scope', 'aria-label': 'what the report covers'},
+        element('option', {value: 'point'}, `Report at ${readable(session.cursor ?? 0, 5)} rpm`),
+        element('option', {value: 'speeds'}, 'Report over all speeds'));
     // No script runs in it.
     this.frame = element('iframe', {sandbox: '', title: 'report', hidden: true});
     const close = element('button', {type: 'button', class: 'close', 'aria-label': 'close'}, '×');
@@ -97,6 +102,7 @@ export class TakeAway {
                       `${stem}.json`, `${JSON.stringify(session.run, null, 2)}\n`, 'application/json'),
                   {id: 'take-json'}) :
               null,
+          session.engine.report && session.overSpeed ? this.scope : null,
           session.engine.report ? button('Report', () => this.report(''), {id: 'take-report'}) : null,
           session.engine.report ? button('Report as PDF', () => this.report('pdf'), {id: 'take-pdf'}) : null,
           button(
@@ -145,7 +151,9 @@ export class TakeAway {
   async report(form) {
     const {session} = this, stem = session.file.replace(/\.ya?ml$/, '');
     this.told.textContent = 'The report is being computed …';
-    const found = await session.engine.report(session.request('report'), form);
+    const of = session.overSpeed ? this.scope.value : 'speeds';
+    const found = await session.engine.report(
+        session.request('report', of === 'point' ? session.setting : []), form, of);
     this.told.textContent =
         form ? 'The PDF is among the downloads.' : 'The report is below and among the downloads.';
     if (form) {
