@@ -54,8 +54,7 @@ void add_case(CLI::App& command, Options& options) {
 }
 
 CLI::Option& add_output(CLI::App& command, Options& options) {
-  return *command
-              .add_option("-o,--output", options.output, "folder of the results; made where it is missing")
+  return *command.add_option("-o,--output", options.output, "folder of the results; created if missing")
               ->check([](const std::string& name) { return std::string(name.empty() ? "empty name" : ""); })
               ->type_name("DIR");
 }
@@ -63,15 +62,14 @@ CLI::Option& add_output(CLI::App& command, Options& options) {
 void add_output_or_json(CLI::App& command, Options& options) {
   add_output(command, options)
       .description(
-          "folder of the results; made where it is missing. With --json it may be left out: then "
-          "nothing is written");
+          "folder of the results; created if missing. Optional with --json: nothing is written without it");
 }
 
 void add_fidelity(CLI::App& command, Options& options) {
   command
       .add_option("--fidelity", options.fidelity,
-                  "quasi-static (default); dynamic: the gears drive the bearing; co-simulated or monolithic: "
-                  "gears and all bearings act on each other")
+                  "quasi-static (default); dynamic: the gears drive the bearing in time; co-simulated or "
+                  "monolithic: gears and all bearings act on each other")
       ->each([&options](const std::string&) { options.fidelity_given = true; })
       ->check(CLI::IsMember(fidelity_names()));
 }
@@ -80,21 +78,20 @@ void add_computing(CLI::App& command, Options& options) {
   add_case(command, options);
   add_output_or_json(command, options);
   add_fidelity(command, options);
-  command.add_flag("--resume", options.resume, "go on in DIR with the points that are missing");
+  command.add_flag("--resume", options.resume, "continue in DIR with the missing points");
 }
 
 void add_peak(CLI::App& command, Options& options) {
   add_jobs(command, options);
-  command.add_flag(
-      "--grid-only", options.grid_only,
-      "the points that the case lists and no more; without it points are added until the speed of "
-      "the longest life is known to 10 rpm in motion, to 2 rpm quasi-static");
+  command.add_flag("--grid-only", options.grid_only,
+                   "compute only the points that the case lists; default: add points until the uncertainty "
+                   "of the speed of the longest life is 10 rpm in motion, 2 rpm quasi-static");
 }
 
 void add_sweep(CLI::App& command, Options& options) {
   add_computing(command, options);
   add_peak(command, options);
-  command.add_option("--shard", options.shard, "compute part i of n, to be joined by merge")
+  command.add_option("--shard", options.shard, "compute part i of n; join the parts by merge")
       ->type_name("i/n");
   command
       .add_option(
@@ -113,33 +110,33 @@ const CLI::Validator not_empty(
 void add_crown_choices(CLI::App& command, CrownOptions& crown) {
   command
       .add_option("--profile", crown.profiles,
-                  "kinds of profile, comma between them: chamfer, circular, straight-circular, lundberg, "
-                  "johns-gohar, iso16281, fujiwara-kawase; default: the case's, else iso16281")
-      ->check(not_empty);
-  command
-      .add_option("--tilts", crown.tilts,
-                  "stated tilts of the planet's bore on its pin: a list or FROM : TO : STEP; default: none, "
-                  "tilts are "
-                  "computed from planet, pin and bearings (where that cannot be: \"0 mrad, 1 mrad, 2 mrad\")")
+                  "kinds of profile, separated by commas: chamfer, circular, straight-circular, lundberg, "
+                  "johns-gohar, iso16281, fujiwara-kawase; default: that of the case, else iso16281")
       ->check(not_empty);
   command
       .add_option(
-          "--drops", crown.drops,
-          "relief of one roller at the outermost of 40 laminae: the same with lengths; default: 17 from 0 to "
-          "about three times that of ISO/TS 16281")
+          "--tilts", crown.tilts,
+          "stated tilts of the planet's bore on its pin: a list or FROM : TO : STEP; default: none, tilts "
+          "are computed from planet, pin and bearings (if not possible: \"0 mrad, 1 mrad, 2 mrad\")")
+      ->check(not_empty);
+  command
+      .add_option("--drops", crown.drops,
+                  "relief of one roller at the outermost of 40 laminae: a list or FROM : TO : STEP of "
+                  "lengths; default: 17 from 0 to about three times that of ISO/TS 16281")
       ->check(not_empty);
   command.add_flag("--spectrum", crown.spectrum,
-                   "all speeds that the case sweeps, for equal times, in place of its one speed");
+                   "all speeds of the sweep, for equal times, instead of the one speed of the case");
   command
       .add_option("--shares", crown.shares,
-                  "with --spectrum: shares of the time, one for each speed, comma between them")
+                  "with --spectrum: shares of the time, one for each speed, separated by commas")
       ->check(not_empty);
 }
 
 void add_crown_aims(CLI::App& command, CrownOptions& crown) {
   command
       .add_option("--tolerance", crown.tolerance,
-                  "the recommended drop is for drops that miss by this, plus and minus, e.g. \"1 um\"")
+                  "tolerance of the drop, plus and minus, that the recommended drop takes into account, e.g. "
+                  "\"1 um\"")
       ->check(not_empty);
   command
       .add_option("--tilt-tolerance", crown.tilt_tolerance,
@@ -148,18 +145,18 @@ void add_crown_aims(CLI::App& command, CrownOptions& crown) {
       ->check(not_empty);
   command
       .add_option("--distribution", crown.distribution,
-                  "how likely misses within the tolerances are: normal (three standard deviations, cut off; "
-                  "default), uniform, or worst (the ends alone; all there is for stated tilts)")
+                  "distribution of deviations within the tolerances: normal (cut off at three standard "
+                  "deviations; default), uniform, or worst (the limits only; the only one for stated tilts)")
       ->check(CLI::IsMember({"normal", "uniform", "worst"}));
   command
-      .add_option(
-          "--life", crown.life,
-          "lundberg-palmgren (straight and untilted it is the life of a sweep) or iso16281 (with its stress "
-          "riser at the ends); default: by life.method of the case")
+      .add_option("--life", crown.life,
+                  "lundberg-palmgren (the life of a sweep for straight rollers without tilt) or iso16281 "
+                  "(with its stress riser at the ends); default: by life.method of the case")
       ->check(CLI::IsMember({"lundberg-palmgren", "iso16281"}));
-  command.add_option("--of", crown.of_set, "of several sets, the one whose planet bearing is studied")
+  command
+      .add_option("--of", crown.of_set, "the set of the studied planet bearing, if the case has several sets")
       ->type_name("SET");
-  command.add_option("--starts", crown.starts, "random starts of the search for the best; default: 10")
+  command.add_option("--starts", crown.starts, "random starts of the search for the best crown; default: 10")
       ->check(CLI::Range(1, 1000));
 }
 
@@ -169,15 +166,15 @@ void add_crown(CLI::App& command, Options& options) {
   add_crown_choices(command, options.crown);
   add_crown_aims(command, options.crown);
   add_jobs(command, options);
-  command.add_flag("--resume", options.resume, "where DIR holds this very study, show it again");
+  command.add_flag("--resume", options.resume, "if DIR holds exactly this study, show its results again");
 }
 
 void add_fmu(CLI::App& command, Options& options) {
   add_case(command, options);
   command
       .add_option("-o,--output", options.output,
-                  "file of the FMU; FILE.ssp: a package of gear set, bearings and parameters (SSP 1.0). "
-                  "Replaced where it exists")
+                  "file of the FMU; FILE.ssp: a package of gear set, bearings and parameters (SSP 1.0). An "
+                  "existing file is replaced")
       ->required()
       ->type_name("FILE.fmu");
   command.add_option("--fmi", options.fmi, "version of the interface: 2 (default) or 3")
@@ -194,8 +191,8 @@ void add_signals(CLI::App& command, Options& options) {
   add_output_or_json(command, options);
   command
       .add_option("--vary", options.varied,
-                  "path=[value, value]: what differs from signal to signal; repeatable, all combinations; "
-                  "default: defect.race, all that can be scratched")
+                  "path=[value, value]: input that is varied from signal to signal; repeatable, all "
+                  "combinations; default: defect.race, all elements that can be scratched")
       ->expected(1)
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
@@ -203,36 +200,35 @@ void add_signals(CLI::App& command, Options& options) {
   command
       .add_option(
           "--fidelity", options.fidelity,
-          "quasi-static (default): the ring on balls without mass; dynamic: all of the bearing in motion")
+          "quasi-static (default): the ring on balls without mass; dynamic: the whole bearing in motion")
       ->check(CLI::IsMember({"quasi-static", "dynamic"}));
   CLI::Option* noise = command.add_option("--noise", options.noise,
-                                          "noise of the instrument, root mean square in m/s2; default: none");
-  command.add_option("--seed", options.seed, "of the noise; default: 1")->needs(noise);
+                                          "noise of the instrument, root mean square [m/s2]; default: none");
+  command.add_option("--seed", options.seed, "seed of the noise; default: 1")->needs(noise);
   add_jobs(command, options);
-  command.add_flag("--resume", options.resume, "go on in DIR with the signals that are missing");
+  command.add_flag("--resume", options.resume, "continue in DIR with the missing signals");
 }
 
 void add_sensitivities(CLI::App& command, Options& options) {
   add_case(command, options);
   add_output(command, options)
-      .description("folder for sensitivities.csv and sensitivities.json; without it nothing is written");
+      .description("folder for sensitivities.csv and sensitivities.json; nothing is written without it");
   add_fidelity(command, options);
   command
       .add_option("--result", options.result,
-                  "key of any other number that run --json prints, of those within others as "
-                  "displacement/radial_um; default: the life that results go by")
+                  "key of another number that run --json prints; a number within another one as "
+                  "displacement/radial_um; default: the life selected by life.method")
       ->type_name("KEY");
   command
-      .add_option(
-          "--by", options.by,
-          "an input, repeatable: its numbers alone are changed, by two runs each; default: all, but in "
-          "motion, where inputs are required")
+      .add_option("--by", options.by,
+                  "only this input, repeatable: two runs for each of its numbers; default: all inputs; "
+                  "required in motion")
       ->expected(1)
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->type_name("PATH");
   add_jobs(command, options);
-  command.add_flag("--resume", options.resume, "where DIR holds this very table, show it again");
+  command.add_flag("--resume", options.resume, "if DIR holds exactly this table, show it again");
 }
 
 void add_spectrum(CLI::App& command, Options& options) {
@@ -246,46 +242,43 @@ void add_spectrum(CLI::App& command, Options& options) {
     command.add_option(name, column, of)->check(not_empty)->type_name("COLUMN");
   };
   add_column("--torque", options.columns.torque,
-             "name of the column of torque; default: one that begins with torque");
-  add_column("--power", options.columns.power, "the same of power, in place of torque");
-  add_column("--speed", options.columns.speed, "the same of speed; units are those of the file");
-  add_column("--time", options.columns.time, "the same of time");
+             "name of the column of torque; default: a column whose name begins with torque");
+  add_column("--power", options.columns.power, "name of the column of power, instead of torque");
+  add_column("--speed", options.columns.speed, "name of the column of speed; units are those of the file");
+  add_column("--time", options.columns.time, "name of the column of time");
   command
-      .add_option("--share", options.share,
-                  "of several records: the share of time of each, comma between them; the sum is 1")
+      .add_option("--share", options.share, "time share of each record, separated by commas; the sum is 1")
       ->check(not_empty)
       ->type_name("S,S");
-  command.add_option("--hours", options.hours, "the same in hours, in place of shares")
+  command
+      .add_option("--hours", options.hours, "hours of each record, separated by commas, instead of --share")
       ->check(not_empty)
       ->type_name("H,H");
   command
-      .add_option(
-          "-o,--output", options.output,
-          "CSV file for spectrum: {file: ...} of a case; replaced where it exists. With --case, a name "
-          "that does not end in .csv is a folder of results")
+      .add_option("-o,--output", options.output,
+                  "CSV file for spectrum: {file: ...} of a case; an existing file is replaced. With --case, "
+                  "a name that does not end in .csv is a folder of results")
       ->type_name("FILE.csv|DIR");
   command.add_option("--bins", options.bins, "bins of torque x bins of speed; default: 8x8")
       ->type_name("NxM");
   command
-      .add_option(
-          "--exponent", options.exponent,
-          "power of the torque by which life falls: 4 Lundberg-Palmgren and ISO/TS 16281 of rollers, "
-          "10/3 ISO 281 of rollers, 3 balls, up to 8 modified lives (a_ISO); default: 4, with --case "
-          "that of the life in use (life.method, requirements.life_key). A larger power gives a shorter "
-          "life")
+      .add_option("--exponent", options.exponent,
+                  "exponent p of life over torque, life ~ 1/torque^p: 4 Lundberg-Palmgren and ISO/TS 16281 "
+                  "of rollers, 10/3 ISO "
+                  "281 of rollers, 3 balls, up to 8 modified lives (a_ISO); default: 4, with --case that of "
+                  "the life in use (life.method, requirements.life_key). A larger p gives a shorter life")
       ->check(CLI::Range(1.0, 50.0));
   CLI::Option* stated =
       command
-          .add_option(
-              "--case", options.case_file,
-              "case file: its bearings' lives under these bins, damage by bin and by file, and time in "
-              "skid risk (life.minimum_load)")
+          .add_option("--case", options.case_file,
+                      "case file: compute the lives of its bearings under these bins, damage by bin and by "
+                      "file, and time in skid risk (life.minimum_load)")
           ->check(not_empty)
           ->type_name("CASE");
   add_settings(command, options);
   add_fidelity(command, options);
   add_jobs(command, options);
-  command.add_flag("--resume", options.resume, "go on in DIR with the bins that are missing");
+  command.add_flag("--resume", options.resume, "continue in DIR with the missing bins");
   for (const char* of_case : {"--set", "--fidelity", "--jobs", "--resume"})
     command.get_option(of_case)->needs(stated);
 }
@@ -293,8 +286,7 @@ void add_spectrum(CLI::App& command, Options& options) {
 void add_new(CLI::App& command, Options& options) {
   command.add_option("TEMPLATE", options.template_name, fmt::format("{}", fmt::join(template_names(), ", ")))
       ->required();
-  command.add_option("FILE", options.output, "case file to be made; one that exists is left as it is")
-      ->required();
+  command.add_option("FILE", options.output, "new case file; an existing file is not changed")->required();
 }
 
 void add_open(CLI::App& command, Options& options) {
@@ -302,10 +294,11 @@ void add_open(CLI::App& command, Options& options) {
       .add_option("WHAT", options.case_file,
                   "case file, folder of results, or template (" +
                       fmt::format("{}", fmt::join(template_names(), ", ")) +
-                      "); default: the choice of these")
+                      "); default: the page offers these")
       ->type_name("CASE|TEMPLATE|DIR");
-  command.add_flag("--no-browser", options.no_browser, "print the address of the page, and open no browser");
-  command.add_option("--port", options.port, "port on the loopback address; default: one that is free")
+  command.add_flag("--no-browser", options.no_browser,
+                   "print the address of the page and do not open a browser");
+  command.add_option("--port", options.port, "port on the loopback address; default: any free port")
       ->check(CLI::Range(1, 65535));
   command.add_option("--linger", options.linger)->group("")->check(CLI::Range(1, 3600));
   command.add_flag("--worker", options.worker)->group("");
@@ -319,8 +312,8 @@ struct CommandTable {
 
   CLI::App& add(const char* name, const char* purpose, Command command) {
     CLI::App& sub = *program.add_subcommand(name, purpose);
-    sub.add_flag("--json", options.json, "print the result as one JSON object and nothing else");
-    sub.add_flag("--quiet", options.quiet, "print nothing but errors");
+    sub.add_flag("--json", options.json, "print only the result, as one JSON object");
+    sub.add_flag("--quiet", options.quiet, "print errors only");
     sub.callback([&into = chosen, command] { into = command; });  // the table is gone when this runs
     return sub;
   }
@@ -334,64 +327,68 @@ void add_python_commands(CLI::App& program) {
 
 void add_commands(CommandTable table) {
   Options& options = table.options;
-  add_new(table.add("new", "a commented case file to begin from", new_command), options);
-  add_open(table.add("open", "the page: forms, figures and variants in a browser", open_command), options);
-  add_case(table.add("check", "resolve and print every input of a case", check_command), options);
-  CLI::App& run = table.add("run", "the case's analysis at its operating point", run_command);
+  add_new(table.add("new", "write a commented case file as a start", new_command), options);
+  add_open(table.add("open", "open the page with forms, figures and variants in a browser", open_command),
+           options);
+  add_case(table.add("check", "print every input of a case with its value and source", check_command),
+           options);
+  CLI::App& run = table.add("run", "compute the case at its operating point", run_command);
   add_computing(run, options);
-  run.add_flag(
-      "--gears", options.gears,
-      "the vibration of the gears alone, their bearings as springs; so in any case without a bearing");
-  add_sweep(table.add("sweep", "all operating points of the case", sweep_command), options);
+  run.add_flag("--gears", options.gears,
+               "vibration of the gears only, with bearings as springs; default for a case without a bearing");
+  add_sweep(table.add("sweep", "compute all operating points of the case", sweep_command), options);
   CLI::App& merge = table.add("merge", "join the shards of a sweep", merge_command);
   add_settings(merge, options);
   merge.add_option("DIR", options.folders, "folders of the shards")->required();
   add_output(merge, options).required();
   add_peak(merge, options);
-  add_crown(table.add("crown", "roller profile trade study and optimum", crown_command), options);
+  add_crown(
+      table.add("crown", "roller crowning study: life and pressure over the crown drop, recommended drop",
+                crown_command),
+      options);
   add_case(table.add("mesh", "mesh stiffness over a mesh period, contact ratio, phases", mesh_command),
            options);
   add_case(
       table.add("carrier",
-                "loads and lives of each planet bearing over a revolution of the carrier, which is held by "
-                "its own bearings",
+                "loads and lives of each planet bearing over a revolution of a carrier on its own bearings",
                 carrier_command),
       options);
   CLI::App& modes = table.add(
-      "modes", "natural frequencies of gears, or of a shaft on a pair of bearings, and what each mode is",
+      "modes", "natural frequencies and kinds of modes of gears, or of a shaft on a pair of bearings",
       modes_command);
   add_case(modes, options);
-  modes.add_option(
-      "--speed", options.speed,
-      "speed of the driven member (of the carrier where the set has no teeth), e.g. \"6000 rpm\"; "
-      "of a shaft on a pair of bearings, in place of operation.shaft_speed; default: at rest");
+  modes.add_option("--speed", options.speed,
+                   "speed of the driven member (of the carrier if the set has no teeth), e.g. \"6000 rpm\"; "
+                   "of a shaft on a pair of bearings, instead of operation.shaft_speed; default: at rest");
   CLI::App& stiffness = table.add(
       "stiffness", "5 x 5 stiffness of a bearing over speed and load, for rotor dynamics", stiffness_command);
   add_case(stiffness, options);
   add_output_or_json(stiffness, options);
-  stiffness.add_flag("--resume", options.resume, "where DIR holds this very table, show it again");
-  add_sensitivities(table.add("sensitivities", "derivatives of the life by every number of the case",
+  stiffness.add_flag("--resume", options.resume, "if DIR holds exactly this table, show it again");
+  add_sensitivities(table.add("sensitivities", "sensitivity of the life to every number of the case",
                               sensitivities_command),
                     options);
-  add_fmu(table.add("fmu", "the planet bearing or the gear set for other simulation tools", fmu_command),
-          options);
+  add_fmu(
+      table.add("fmu", "export the planet bearing or the gear set for other simulation tools (FMI 2.0, 3.0)",
+                fmu_command),
+      options);
   add_signals(table.add("signals", "labelled vibration signals of scratched bearings", signals_command),
               options);
-  add_spectrum(table.add("spectrum", "a load spectrum from a record over time, by bins of torque and speed",
+  add_spectrum(table.add("spectrum", "load spectrum from records over time, by bins of torque and speed",
                          spectrum_command),
                options);
-  CLI::App& validate = table.add("validate", "published numbers beside ours", validate_command);
+  CLI::App& validate =
+      table.add("validate", "compare published numbers with those of the program", validate_command);
   add_settings(validate, options);
-  validate.add_option("CASE", options.cases, "case files or folders; default: all that ship");
+  validate.add_option("CASE", options.cases,
+                      "case files or folders; default: all cases supplied with the program");
   validate.add_flag("--motion", options.motion,
-                    "in place of the published numbers: change of life at the peak by the assumptions that "
-                    "affect motion alone; "
-                    "takes minutes");
+                    "instead of published numbers: change of life at the peak by the assumptions that affect "
+                    "only motion; takes minutes");
   validate
       .add_option(
           "--samples", options.samples,
-          "samples of each case's uncertain inputs, which give the bands of the rows that somebody measured; "
-          "default: 0, no bands")
+          "samples of each case's uncertain inputs for the bands of measured rows; default: 0, no bands")
       ->check(CLI::Range(0, 1000000));
   add_jobs(validate, options);
   CLI::App& report =
@@ -405,11 +402,10 @@ void add_commands(CommandTable table) {
   report.add_option("DIR", options.folders, "folder of a run or sweep")->required()->expected(1);
   report
       .add_option("--with", options.other,
-                  "folder of the same sweep continued the other way: both branches are drawn")
+                  "folder of the same sweep, continued in the other direction: both branches are drawn")
       ->type_name("DIR2");
-  report.add_flag(
-      "--every-effect", options.every_effect,
-      "of a dynamic sweep: what each single effect is worth, not only the chief ones; takes minutes");
+  report.add_flag("--every-effect", options.every_effect,
+                  "of a dynamic sweep: effect of every model term, not only of the main ones; takes minutes");
 }
 
 bool known(const CLI::App& program, const std::string& word) {

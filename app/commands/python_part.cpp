@@ -30,9 +30,9 @@ class LeftToTheChild {
   void (*terminate_)(int);
 };
 
-// Runs the module that its first argument names as `python3 -m` does, yet without the working folder among the
-// places where Python finds modules: a file json.py that lies there is not the user's wish to run it. (The option -P
-// does the same from Python 3.11 on.)
+// Runs the module that its first argument names as `python3 -m` does, yet without the working folder among
+// the places where Python finds modules: a file json.py that lies there is not the user's wish to run it.
+// (The option -P does the same from Python 3.11 on.)
 constexpr const char* start_isolated =
     "import sys\n"
     "sys.path[:] = [place for place in sys.path if place]\n"
@@ -75,11 +75,11 @@ int run_python(const std::string& module, const std::vector<std::string>& argume
 
 const std::vector<PythonCommand>& python_commands() {
   static const std::vector<PythonCommand> all{
-      {"study", "many variants of a case, in parallel and over many machines, in one store",
+      {"study", "compute many variants of a case on one or several machines, into one file",
        "orbearing.studies"},
-      {"uncertainty", "how far the life is known: its band, and which input to measure first",
+      {"uncertainty", "uncertainty of the life: its band, and which input to measure first",
        "orbearing.uncertainties"},
-      {"convert", "cases from a REXS file of another gearbox program, and results back into it",
+      {"convert", "convert a REXS file of another gearbox program to cases, and write results back into it",
        "orbearing.rexs"}};
   return all;
 }

@@ -22,25 +22,25 @@ MOST_ROWS = 40  # of variants on a terminal
 def parser() -> argparse.ArgumentParser:
     """The options; their names are those of the other commands where they mean the same."""
     made = argparse.ArgumentParser(prog="orbearing study", allow_abbrev=False,
-                                   description="Many variants of a case, each over the speeds of its own sweep, in one store: DIR/study.nc.")
+                                   description="Compute many variants of a case, each over the speeds of its own sweep, into one file: DIR/study.nc.")
     made.add_argument("case", metavar="CASE", help="case file")
-    made.add_argument("-o", "--output", metavar="DIR", help="folder of the study; made where it is missing. With --json it may be left out: then nothing is written")
+    made.add_argument("-o", "--output", metavar="DIR", help="folder of the study; created if missing. Optional with --json: nothing is written without it")
     made.add_argument("--vary", metavar="PATH=[...]", action="append", default=[],
-                      help="path=[value, value] or path={from: ..., to: ..., step: ...} (or count: ...); of a sample path={from: ..., to: ...}, or a list of "
-                           "which each is as likely; repeatable")
-    made.add_argument("--table", metavar="ROWS.csv", help="rows of values that go together, beside what --vary lists; the head names their paths: "
+                      help="path=[value, value] or path={from: ..., to: ..., step: ...} (or count: ...); for a sample path={from: ..., to: ...}, or a list of "
+                           "equally likely values; repeatable")
+    made.add_argument("--table", metavar="ROWS.csv", help="rows of values that are varied together, in addition to --vary; the head names their paths: "
                                                           "\"path\" over values with their units, or \"path (unit)\" over numbers")
-    made.add_argument("--sampler", choices=("grid", "sobol", "lhs"), default="grid", help="how --vary is read: all combinations (default), scrambled Sobol points, or a Latin hypercube")
-    made.add_argument("--samples", type=_count, help="of sobol (a power of two) and lhs")
-    made.add_argument("--seed", type=int, help="of sobol and lhs; default: 1")
-    made.add_argument("--points", choices=("none", "peak", "all"), default="none", help="which points get a file of their own, DIR/points/*.nc; default: none")
-    made.add_argument("--fidelity", choices=("quasi-static", "dynamic", "co-simulated", "monolithic"), default="quasi-static", help="as of a sweep; default: quasi-static")
+    made.add_argument("--sampler", choices=("grid", "sobol", "lhs"), default="grid", help="use of --vary: all combinations (grid, default), scrambled Sobol points, or a Latin hypercube")
+    made.add_argument("--samples", type=_count, help="number of samples of sobol (a power of two) and lhs")
+    made.add_argument("--seed", type=int, help="seed of sobol and lhs; default: 1")
+    made.add_argument("--points", choices=("none", "peak", "all"), default="none", help="points with a separate file DIR/points/*.nc; default: none")
+    made.add_argument("--fidelity", choices=("quasi-static", "dynamic", "co-simulated", "monolithic"), default="quasi-static", help="as for sweep; default: quasi-static")
     made.add_argument("--jobs", type=_count, help="threads; default: one for each core")
-    made.add_argument("--scheduler", metavar="tcp://HOST:PORT", help="Dask scheduler whose workers compute")
-    made.add_argument("--resume", action="store_true", help="go on in DIR with the points that are missing")
+    made.add_argument("--scheduler", metavar="tcp://HOST:PORT", help="Dask scheduler of the workers for the computation")
+    made.add_argument("--resume", action="store_true", help="continue in DIR with the missing points")
     made.add_argument("--set", metavar="PATH=VALUE", dest="settings", action="append", default=[], help="replace one independent value; repeatable")
-    made.add_argument("--json", action="store_true", help="print the result as one JSON object and nothing else")
-    made.add_argument("--quiet", action="store_true", help="print nothing but errors")
+    made.add_argument("--json", action="store_true", help="print only the result, as one JSON object")
+    made.add_argument("--quiet", action="store_true", help="print errors only")
     return made
 
 

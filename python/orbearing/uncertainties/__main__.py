@@ -20,25 +20,25 @@ from orbearing.uncertainties.settings import Settings
 def parser() -> argparse.ArgumentParser:
     """The options; their names are those of the other commands where they mean the same."""
     made = argparse.ArgumentParser(prog="orbearing uncertainty", allow_abbrev=False,
-                                   description="How far the life of a case is known whose block 'uncertain:' says what is not: bands of life over speed, the "
+                                   description="Uncertainty of the life of a case whose block 'uncertain:' has the uncertain inputs: bands of life over speed, the "
                                                "peak's speed and life, Sobol indices, and which value to measure first.")
     made.add_argument("case", metavar="CASE", help="case file")
-    made.add_argument("-o", "--output", metavar="DIR", help="folder of the results; made where it is missing. With --json it may be left out: then nothing is written")
-    made.add_argument("--samples", type=int, default=Settings.samples, help="lives at the operating point; default: %(default)s")
-    made.add_argument("--curves", type=int, default=Settings.curves, help="whole curves of life over speed, each with its peak; default: %(default)s")
+    made.add_argument("-o", "--output", metavar="DIR", help="folder of the results; created if missing. Optional with --json: nothing is written without it")
+    made.add_argument("--samples", type=int, default=Settings.samples, help="number of lives at the operating point; default: %(default)s")
+    made.add_argument("--curves", type=int, default=Settings.curves, help="number of curves of life over speed, each with its peak; default: %(default)s")
     made.add_argument("--index-samples", type=int, default=Settings.index_samples,
-                      help="rows of the design behind the indices at the operating point, (inputs + 2) lives each; default: %(default)s")
+                      help="number of rows of the design for the Sobol indices at the operating point, (inputs + 2) lives each; default: %(default)s")
     made.add_argument("--method", choices=METHODS, default=Settings.method,
                       help="independent points, a Latin hypercube, or Sobol's sequence shifted at random; default: %(default)s")
-    made.add_argument("--seed", type=int, default=Settings.seed, help="of all designs; default: %(default)s")
-    made.add_argument("--speeds", metavar="LIST", help="input speeds with their unit, comma between them, e.g. \"3000 rpm, 6000 rpm\"; default: those that the case sweeps")
-    made.add_argument("--life", metavar="COLUMN", help="which life of the sweep's table; default: L10mrh where the case rates its oil, else life_h")
-    made.add_argument("--motion", type=int, default=0, metavar="N", help="samples at percentiles of the life that are computed in motion too")
+    made.add_argument("--seed", type=int, default=Settings.seed, help="seed of all designs; default: %(default)s")
+    made.add_argument("--speeds", metavar="LIST", help="input speeds with their unit, separated by commas, e.g. \"3000 rpm, 6000 rpm\"; default: those of the case's sweep")
+    made.add_argument("--life", metavar="COLUMN", help="column of the life in the sweep's table; default: L10mrh if the case rates its oil, else life_h")
+    made.add_argument("--motion", type=int, default=0, metavar="N", help="number of samples at percentiles of the life that are also computed in motion")
     made.add_argument("--jobs", type=int, default=0, help="threads; default: one for each core")
-    made.add_argument("--resume", action="store_true", help="go on in DIR with the lives that are missing")
+    made.add_argument("--resume", action="store_true", help="continue in DIR with the missing lives")
     made.add_argument("--set", metavar="PATH=VALUE", dest="settings", action="append", default=[], help="replace one independent value; repeatable")
-    made.add_argument("--json", action="store_true", help="print the result as one JSON object and nothing else")
-    made.add_argument("--quiet", action="store_true", help="print nothing but errors")
+    made.add_argument("--json", action="store_true", help="print only the result, as one JSON object")
+    made.add_argument("--quiet", action="store_true", help="print errors only")
     return made
 
 
