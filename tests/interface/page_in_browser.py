@@ -357,7 +357,7 @@ class PageSteps:
             key, text = row.get_attribute("data-key"), row.find_element(By.CSS_SELECTOR, ".error").text
             self.assertTrue(any(line.endswith(f" {key}: {text}") for line in told), f"{key}: {text} is not among {told}")
             self.assertEqual(row.find_element(By.CSS_SELECTOR, "input").get_attribute("aria-invalid"), "true")
-        self.assertEqual(self.find("#mend span").text, "2 to mend; results are those of the last valid case")
+        self.assertEqual(self.find("#mend span").text, "2 errors: the results are those of the last valid case")
         self.find("#mend button").click()  # stays in sight where the form is scrolled
         self.assertEqual(self.driver.switch_to.active_element.get_attribute("name"), "bearing.rollers")
         self.enter("bearing.rollers", "16")

@@ -1,6 +1,6 @@
 // The page: start, form, text and results about one session.
 import {AssumptionsCard, CrownCard, GearsCard, LifeCard, LoadsCard, MachineCard, MeshCard, ModesCard, MoreCard, MotionCard, PointCard, PressureCard, ResultCard, RollerLoadsCard, SpectrumCard} from './cards.js';
-import {element, figure, readable} from './dom.js';
+import {element, errorCount, figure, readable} from './dom.js';
 import {engineFor} from './engine.js';
 import {Form} from './form.js';
 import {Meanings} from './results.js';
@@ -218,7 +218,7 @@ class Page {
       for (const card of this.cards) card.session = session;
     document.body.classList.toggle('stale', session.errors.length > 0 || Boolean(session.failure));
     const mend = session.errors.length ?
-        `${session.errors.length} to mend; results are those of the last valid case` :
+        `${errorCount(session.errors.length)}: the results are those of the last valid case` :
         '';
     at('mend').hidden = !mend;
     at('mend').querySelector('span').textContent = mend;

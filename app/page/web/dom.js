@@ -66,3 +66,6 @@ export function download(name, content, type) {
   link.remove();
   setTimeout(() => URL.revokeObjectURL(url), 10e3);
 }
+
+/** How many there are, in words. */
+export const errorCount = (count) => `${count} ${count === 1 ? 'error' : 'errors'}`;

@@ -1,5 +1,5 @@
 // The form: one row for each input that the schema names, in groups; its values are those of the case's text.
-import {element} from './dom.js';
+import {element, errorCount} from './dom.js';
 import {alternativesOf, fieldsOf, orderAt, quantityOf, unitsOf} from './schema.js';
 import * as yaml from './yaml_text.js';
 
@@ -494,7 +494,7 @@ export class Form {
             `${chip.dataset.state === 'default' ? 'Defaults' : 'Not stated'} (${count[chip.dataset.state]})`;
         chip.hidden = !count[chip.dataset.state];
       }
-      group.querySelector('.mark').textContent = count.bad ? `${count.bad} to mend` : '';
+      group.querySelector('.mark').textContent = count.bad ? errorCount(count.bad) : '';
       group.hidden = words.length > 0 && !count.seen;
       if (count.bad || (words.length && count.seen)) group.open = true;
     }
