@@ -186,9 +186,9 @@ class Rating {
   }
 
   /// Radial load of the whole on one bore [N], as PointResult::planet_load.
-  double load_of(const BearingDuty& duty) const {
-    return bearing::total_bore_load(drivetrain_.bearing, geometry_.bearing, duty.point, drivetrain_.inertia)
-        .norm();
+  double load_of(const BearingDuty& duty) const { return load_vector_of(duty).norm(); }
+  Eigen::Vector2d load_vector_of(const BearingDuty& duty) const {
+    return bearing::total_bore_load(drivetrain_.bearing, geometry_.bearing, duty.point, drivetrain_.inertia);
   }
 
   const PlanetaryDrivetrain& drivetrain() const { return drivetrain_; }
@@ -250,17 +250,18 @@ Eigen::Vector2d mean_bore_force(const RaceStatistics& outer, const Eigen::ArrayX
   return rollers * Eigen::Vector2d((load * angle.cos()).mean(), (load * angle.sin()).mean());
 }
 
-// Loads [N] of bearings whose mean is `mean`, as their rollers carry.
-std::vector<double> shared_loads(double mean, const std::vector<WindowStatistics>& means,
-                                 const Eigen::ArrayXd& angle, int rollers) {
-  std::vector<double> loads;
-  double sum = 0.0;
+// Loads [N] of bearings as their rollers carry, whose mean force is that of `duty`. A couple between bearings
+// of a planet adds to the loads of all of them: their mean is then larger than the load of the mean force.
+std::vector<double> shared_loads(const Rating& rating, const BearingDuty& duty,
+                                 const std::vector<WindowStatistics>& means, const Eigen::ArrayXd& angle) {
+  std::vector<Eigen::Vector2d> forces;
+  Eigen::Vector2d rest = -rating.load_vector_of(duty);  // of friction and damping, alike for all
   for (const WindowStatistics& one : means) {
-    loads.push_back(mean_bore_force(one.outer, angle, rollers).norm());
-    sum += loads.back();
+    forces.push_back(mean_bore_force(one.outer, angle, rating.drivetrain().bearing.rollers().count));
+    rest -= forces.back() / static_cast<double>(means.size());
   }
-  const double count = static_cast<double>(loads.size());
-  for (double& load : loads) load = sum > 0.0 ? mean * count * load / sum : mean;
+  std::vector<double> loads;
+  for (const Eigen::Vector2d& force : forces) loads.push_back((force + rest).norm());
   return loads;
 }
 
@@ -304,7 +305,7 @@ std::size_t shortest_lived(const std::vector<PlanetResult>& planets) {
 
 // Bearing by bearing of a planet whose tilt is computed: their means, the loads on their bores [N], and tilts
 // of bore against pin.
-void put_seats(const Rating& rating, const Eigen::ArrayXd& angle, const std::vector<WindowStatistics>& means,
+void put_seats(const Rating& rating, const std::vector<WindowStatistics>& means,
                const std::vector<double>& loads, const std::vector<Eigen::Vector2d>& tilts,
                PointResult& result) {
   const PlanetaryDrivetrain& drivetrain = rating.drivetrain();
@@ -315,12 +316,11 @@ void put_seats(const Rating& rating, const Eigen::ArrayXd& angle, const std::vec
     const Rating::Lives one = rating.of(means[k], loads[k]);
     lives.push_back(one.hours);
     rated.push_back(one.rated_hours);
-    result.seats.push_back(
-        {.position = positions[k],
-         .load = mean_bore_force(means[k].outer, angle, drivetrain.bearing.rollers().count).norm(),
-         .tilt = tilts[k],
-         .life_hours = one.hours,
-         .rated_hours = one.rated_hours});
+    result.seats.push_back({.position = positions[k],
+                            .load = loads[k],
+                            .tilt = tilts[k],
+                            .life_hours = one.hours,
+                            .rated_hours = one.rated_hours});
   }
   const int planets = drivetrain.set.planets;
   result.system_life_hours = bearing::system_life(life_together(lives), planets);
@@ -354,13 +354,12 @@ PointResult quasi_static_point(const PlanetaryDrivetrain& drivetrain, const Driv
                          as_vector(bearings.front().loads.race_form)};
   const bool seated = drivetrain.seats.tilt == TiltState::computed;
   const std::vector<double> loads =
-      seated ? shared_loads(rating.load_of(duties.front()), means, angle, drivetrain.bearing.rollers().count)
-             : loads_of(rating, duties);
+      seated ? shared_loads(rating, duties.front(), means, angle) : loads_of(rating, duties);
   put_life(rating, all, loads, result);
   if (seated) {
     std::vector<Eigen::Vector2d> tilts;
     for (const QuasiStaticBearing& one : bearings) tilts.push_back(one.tilt);
-    put_seats(rating, angle, means, loads, tilts, result);
+    put_seats(rating, means, loads, tilts, result);
   } else if (duties.size() > 1) {
     put_planets(rating, angle, means, loads, result);
     put_system_life(drivetrain, result);
@@ -473,10 +472,9 @@ PointResult seated_point(const PlanetaryDrivetrain& drivetrain, const Drivetrain
   }
   const Rating rating(drivetrain, geometry, mean_duty(drivetrain, duty));
   const Eigen::ArrayXd angle = position_angles(means.front().outer.mean_load.size());
-  const std::vector<double> loads =
-      shared_loads(rating.load_of(duty), means, angle, drivetrain.bearing.rollers().count);
+  const std::vector<double> loads = shared_loads(rating, duty, means, angle);
   PointResult result = dynamic_point(rating, loads, together(runs, means));
-  put_seats(rating, angle, means, loads, tilts, result);
+  put_seats(rating, means, loads, tilts, result);
   return result;
 }
 
@@ -539,7 +537,7 @@ PointResult coupled_point(const PlanetaryDrivetrain& drivetrain, const Drivetrai
   const Rating rating(drivetrain, geometry, mean_duty(drivetrain, duty));
   const Eigen::ArrayXd angle = position_angles(run.statistics.outer.mean_load.size());
   const auto loads_under = [&](const std::vector<WindowStatistics>& means) {
-    return shared_loads(rating.load_of(duty), means, angle, drivetrain.bearing.rollers().count);
+    return shared_loads(rating, duty, means, angle);
   };
   const std::vector<double> loads = loads_under(run.bearings);
   PointResult result = dynamic_point(rating, loads, run);

@@ -88,7 +88,7 @@ struct PlanetResult {
 /// One bearing of a planet whose tilt is computed.
 struct SeatResult {
   double position = 0.0;                           // [m]    along the axis, from the middle of the face
-  double load = 0.0;                               // [N]    of its rollers on the bore
+  double load = 0.0;                               // [N]    on its bore, mean over time
   Eigen::Vector2d tilt = Eigen::Vector2d::Zero();  // [rad]  of its bore against the pin, outward and ahead
   double life_hours = 0.0;                         // [h]
   bearing::rating::RatedHours rated_hours{};

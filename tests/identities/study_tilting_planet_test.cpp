@@ -1,6 +1,7 @@
 // Issue 16, Build 2, in a point of the drivetrain: the reducer's planet on its own pin.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "coupling/study/operating_point.hpp"
@@ -100,6 +101,33 @@ TEST(TiltingPlanet, HoldsWhatHelicalTeethOverturn) {
     EXPECT_NEAR(point.axial_mesh_force / axial, 1.0, 1e-12);
     EXPECT_NEAR(point.sun_thrust / axial, -drivetrain.set.planets, 1e-12);
   }
+}
+
+// P and P_0 are those of the forces that the bearings carry: the couple of helical teeth loads both of them more,
+// though the sum of their forces stays.
+TEST(TiltingPlanet, RatesEachBearingUnderTheLoadThatItCarries) {
+  PlanetaryDrivetrain drivetrain = tilting_reducer();
+  drivetrain.set.helix_angle = 0.25;
+  const DrivetrainGeometry geometry = derive(drivetrain);
+  const bearing::laminae::PlanetOnPinResult planet =
+      tilting_planet(drivetrain, bearing_duty(drivetrain, geometry));
+  const PointResult point = evaluate(drivetrain, geometry);
+  constexpr double p = 10.0 / 3.0;
+  double sum = 0.0, powers = 0.0, largest = 0.0;
+  ASSERT_EQ(point.seats.size(), 2u);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const SeatResult& seat = point.seats[k];
+    EXPECT_NEAR(seat.load / planet.bearings[k].total_bore_load.norm(), 1.0, 1e-9);
+    EXPECT_NEAR(seat.rated_hours.basic * std::pow(seat.load, p) /
+                    (point.rating.hours.basic * std::pow(point.rating.lives.dynamic_load, p)),
+                1.0, 1e-9);
+    sum += seat.load;
+    powers += 0.5 * std::pow(seat.load, p);
+    largest = std::max(largest, seat.load);
+  }
+  EXPECT_GT(sum, 2.02 * point.planet_load);
+  EXPECT_NEAR(point.rating.lives.dynamic_load / std::pow(powers, 1.0 / p), 1.0, 1e-9);
+  EXPECT_NEAR(point.rating.lives.static_load / largest, 1.0, 1e-12);
 }
 
 // Issue 44, item 16. Flanks of the sun's mesh lie on the line (sin a, cos a) from outward to ahead, those of the ring's on
