@@ -60,9 +60,16 @@ std::vector<Row> all_rows(const ResolvedCase& resolved, const std::vector<Derive
   return rows;
 }
 
+// Of a table within a case its beginning.
+std::string shortened(const std::string& value) {
+  constexpr std::size_t most = 120;
+  const std::string text = printable(value);
+  return text.size() <= most ? text : text.substr(0, most) + " ... (all with --json)";
+}
+
 std::string line(const Row& row, const std::array<std::size_t, 4>& widths) {
   std::string text =
-      fmt::format("{:{}}  {:{}}  {:{}}  {:{}}  {}", printable(row.path), widths[0], printable(row.value),
+      fmt::format("{:{}}  {:{}}  {:{}}  {:{}}  {}", printable(row.path), widths[0], shortened(row.value),
                   widths[1], printable(row.unit), widths[2], row.status, widths[3], printable(row.remark));
   text.erase(text.find_last_not_of(' ') + 1);
   return text + "\n";

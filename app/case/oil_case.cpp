@@ -49,7 +49,8 @@ void put_where_absent(CaseData& data, const std::string& path, const std::string
 namespace {
 
 constexpr const char *kGrade = "lubricant.grade", *kIndex = "lubricant.viscosity_index",
-                     *kTemperature = "lubricant.temperature";
+                     *kTemperature = "lubricant.temperature", *kDynamic = "lubricant.viscosity",
+                     *kKinematic = "lubricant.kinematic_viscosity";
 
 // A field that follows from the grade: its path, its value as it would be written in a case, and why.
 struct OilProperty {
@@ -76,11 +77,10 @@ std::vector<OilProperty> properties_of(const std::string& grade, const bearing::
   const bearing::Lubricant lubricant = bearing::lubricant_at(oil, temperature);
   const std::string reason = fmt::format("default: a mineral oil {} of viscosity index {:g} at {:g} degC",
                                          grade, oil.viscosity_index, temperature);
-  return {{"lubricant.viscosity", fmt::format("{} Pa.s", lubricant.viscosity), reason},
-          {"lubricant.pressure_viscosity", fmt::format("{} GPa-1", 1e9 * lubricant.pressure_viscosity),
-           reason},
-          {"lubricant.kinematic_viscosity",
-           fmt::format("{} mm2/s", 1e6 * bearing::kinematic_viscosity(oil, temperature)), reason}};
+  return {
+      {kDynamic, fmt::format("{} Pa.s", lubricant.viscosity), reason},
+      {"lubricant.pressure_viscosity", fmt::format("{} GPa-1", 1e9 * lubricant.pressure_viscosity), reason},
+      {kKinematic, fmt::format("{} mm2/s", 1e6 * bearing::kinematic_viscosity(oil, temperature)), reason}};
 }
 
 }  // namespace
@@ -97,6 +97,12 @@ void fill_from_grade(CaseData& data, Model model) {
     return found == data.values.end() ? nullptr : &found->second.value.number;
   };
   const double *index = number(kIndex), *temperature = number(kTemperature);
+  if (const double* kinematic = number(kKinematic);
+      grade == data.values.end() && kinematic != nullptr && (find_field(kDynamic)->models & model) != 0) {
+    const double density = density_that_counts(number);
+    put_where_absent(data, kDynamic, fmt::format("{:.6g} Pa.s", density * *kinematic),
+                     fmt::format("default: {} times a density of {:g} kg/m3", kKinematic, density));
+  }
   if (grade == data.values.end() || index == nullptr || temperature == nullptr) return;
   const std::string name = grade->second.value.given;
   std::vector<OilProperty> properties;

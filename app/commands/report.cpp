@@ -22,6 +22,7 @@
 #include "app/study/fidelity.hpp"
 #include "app/study/report_data.hpp"
 #include "app/study/static_study.hpp"
+#include "app/study/sweep_study.hpp"
 
 namespace orbearing::app {
 
@@ -170,7 +171,8 @@ int report_of(const Options& options) {
   require_results(folder, resolved, manifest);
   const fs::path page = folder / page_name;
   if (options.pdf) require_lives(folder, resolved);
-  const nlohmann::ordered_json data = data_of(resolved, manifest, options);
+  nlohmann::ordered_json data = data_of(resolved, manifest, options);
+  data["given"] = given_json(resolved);
   if (options.data_only) {
     print_object(data, options);
     return 0;

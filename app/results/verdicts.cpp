@@ -92,12 +92,28 @@ Verdict verdict_of(const Requirement& requirement, const std::vector<Sample>& sa
   return verdict;
 }
 
-std::vector<Verdict> verdicts_at(const std::vector<Requirement>& requirements,
-                                 const std::vector<Sample>& of_lives, const std::vector<Sample>& of_others) {
+// What requirements are judged by: lives, the sharing of load, all else.
+struct Samples {
+  std::vector<Sample> of_lives, of_sharing, of_others;
+};
+
+std::vector<Verdict> verdicts_at(const std::vector<Requirement>& requirements, const Samples& samples) {
   std::vector<Verdict> verdicts;
   for (const Requirement& one : requirements)
-    verdicts.push_back(verdict_of(one, one.name == "life" ? of_lives : of_others));
+    verdicts.push_back(verdict_of(one, one.name == "life"         ? samples.of_lives
+                                       : one.name == "load_share" ? samples.of_sharing
+                                                                  : samples.of_others));
   return verdicts;
+}
+
+// Errors of pins count for little where the torque is large: a gear rating takes K_gamma at full load.
+const SpectrumBin* of_largest_torque(const SpectrumResult& result) {
+  const SpectrumBin* largest = nullptr;
+  const auto torque = [](const SpectrumBin& one) { return std::abs(one.bin.power / one.bin.speed); };
+  for (const SpectrumBin& one : result.bins)
+    if (one.row && one.bin.share > 0.0 && (largest == nullptr || torque(one) > torque(*largest)))
+      largest = &one;
+  return largest;
 }
 
 // Of one bearing in all sets the worst; `in` gives that of one set by its prefix.
@@ -215,21 +231,26 @@ std::string verdicts_text(const std::vector<Verdict>& verdicts) {
 
 std::vector<Verdict> verdicts_of(const std::vector<Requirement>& requirements, const LifeValue& value) {
   const std::vector<Sample> only{{value, ""}};
-  return verdicts_at(requirements, only, only);
+  return verdicts_at(requirements, {only, only, only});
 }
 
 std::vector<Verdict> verdicts_of(const std::vector<Requirement>& requirements, const SweepOutcome& outcome) {
   if (requirements.empty()) return {};
-  std::vector<Sample> of_lives, of_points;
+  Samples samples;
   for (const SpectrumResult& result : outcome.spectra) {
-    of_lives.push_back(sample_of(outcome, result));
-    for (std::size_t i = 0; i < result.bins.size(); ++i)
-      if (const SpectrumBin& bin = result.bins[i]; bin.row && bin.bin.share > 0.0)
-        of_points.push_back(sample_of(outcome, *bin.row, fmt::format("bin {}, ", i + 1)));
+    samples.of_lives.push_back(sample_of(outcome, result));
+    const SpectrumBin* largest = of_largest_torque(result);
+    for (std::size_t i = 0; i < result.bins.size(); ++i) {
+      const SpectrumBin& bin = result.bins[i];
+      if (!bin.row || !(bin.bin.share > 0.0)) continue;
+      samples.of_others.push_back(sample_of(outcome, *bin.row, fmt::format("bin {}, ", i + 1)));
+      if (&bin == largest) samples.of_sharing.push_back(samples.of_others.back());
+    }
   }
-  if (!outcome.spectra.empty()) return verdicts_at(requirements, of_lives, of_points);
-  for (const ResultRow& row : outcome.rows) of_points.push_back(sample_of(outcome, row));
-  return verdicts_at(requirements, of_points, of_points);
+  if (!outcome.spectra.empty()) return verdicts_at(requirements, samples);
+  for (const ResultRow& row : outcome.rows) samples.of_others.push_back(sample_of(outcome, row));
+  samples.of_lives = samples.of_sharing = samples.of_others;
+  return verdicts_at(requirements, samples);
 }
 
 }  // namespace orbearing::app

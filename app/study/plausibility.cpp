@@ -7,6 +7,8 @@
 #include <functional>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <string_view>
+#include <utility>
 
 #include "app/study/drivetrain_case.hpp"
 #include "app/study/planetary_case.hpp"
@@ -152,10 +154,31 @@ void collect(const nlohmann::ordered_json& value, const std::string& key, std::v
   for (const auto& [inner, one] : value.items()) collect(one, value.is_object() ? inner : key, found);
 }
 
+// ISO 281 knows neither clearance nor tilt. Empty where the lives by the loads of all elements are not far
+// shorter.
+std::string uneven_text(const std::vector<Observation>& observed) {
+  constexpr double far_shorter = 0.5;
+  const auto value = [&](std::string_view key) {
+    const auto found = std::ranges::find(observed, key, &Observation::key);
+    return found == observed.end() ? std::numeric_limits<double>::quiet_NaN() : found->value;
+  };
+  for (const auto& [reference, basic] : {std::pair{"L10mrh", "L10mh"}, std::pair{"L10rh", "L10h"}})
+    if (const double ratio = value(reference) / value(basic); std::isfinite(ratio))
+      return ratio < far_shorter
+                 ? fmt::format(
+                       "life: {} is {:.2g} % of {}. Clearance, preload, tilt or profile load the rolling "
+                       "elements unevenly, which {} does not include. Check them; design by {}",
+                       reference, 100.0 * ratio, basic, basic, reference)
+                 : "";
+  return "";
+}
+
 }  // namespace
 
 Judgement judge(const std::vector<Observation>& observed) {
   Judgement judgement;
+  if (std::string uneven = uneven_text(observed); !uneven.empty())
+    judgement.warnings.push_back(std::move(uneven));
   for (const Observation& one : observed) {
     const PlausibleRange* range = range_of(one.key);
     if (range == nullptr || !std::isfinite(one.value)) continue;

@@ -79,11 +79,11 @@ double life_at_rest(const ScalarResult& life, const ResolvedCase& in) {
   }
 }
 
-// K_A is 1 by the meaning of the power, not by an estimate.
+// K_A is 1 by the meaning of the power and L10 is that of 90 %: neither is an estimate.
 bool is_estimate(const ResolvedCase& in, const Input& input, const ScalarResult& life) {
   return in.has(input.path) && in.origin(input.path) == "default" && is_numeric(*input.field) &&
          input.field->kind != Kind::integer && in.value(input.path).number != 0.0 &&
-         input.path != "input.application_factor" &&
+         input.path != "input.application_factor" && input.path != "life.reliability" &&
          use_status_in_row(in, input, life.analysis) == UseStatus::used;
 }
 

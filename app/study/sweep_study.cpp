@@ -220,6 +220,14 @@ nlohmann::ordered_json assumptions_json(const ResolvedCase& resolved) {
   return list;
 }
 
+nlohmann::ordered_json given_json(const ResolvedCase& resolved) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const auto& [path, field] : resolved.inputs())
+    if (resolved.has(path) && !resolved.is_replaced(path) && !resolved.assumed().contains(path))
+      list.push_back({{"key", path}, {"value", resolved.given(path)}});
+  return list;
+}
+
 nlohmann::ordered_json versions_json() {
   return {{"orbearing", program_version},
           {"instruction_set", instruction_set},

@@ -38,8 +38,9 @@ double axis_value(const ResolvedCase& resolved, const std::string& path);
 /// BadInput, with every mistake, where the points have no motion (fidelity) or no neighbour (axes).
 void continue_from_neighbours(const ResolvedCase& resolved, Direction direction, SweepRequest& request);
 
-/// `assumptions` and `versions` as results carry them.
+/// `assumptions` and `versions` as results carry them, and what the case states as it is written.
 nlohmann::ordered_json assumptions_json(const ResolvedCase& resolved);
+nlohmann::ordered_json given_json(const ResolvedCase& resolved);
 nlohmann::ordered_json versions_json();
 
 }  // namespace orbearing::app

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -77,6 +78,13 @@ double distance(const Parts& a, const Parts& b) {
   return sum;
 }
 
+// "NU210" as "NU 210".
+std::string without_blanks(std::string_view designation) {
+  std::string text;
+  std::ranges::copy_if(designation, std::back_inserter(text), [](char c) { return c != ' '; });
+  return text;
+}
+
 }  // namespace
 
 std::string full_name(const Entry& entry, std::string_view designation) {
@@ -86,9 +94,10 @@ std::string full_name(const Entry& entry, std::string_view designation) {
 }
 
 const Entry* find(const std::vector<Entry>& entries, std::string_view designation) {
+  const std::string wanted = without_blanks(designation);
   for (const Entry& entry : entries)
     for (const std::string& known : entry.designations)
-      if (known == designation) return &entry;
+      if (without_blanks(known) == wanted) return &entry;
   return nullptr;
 }
 

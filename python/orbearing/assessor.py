@@ -17,6 +17,7 @@ from orbearing.tables import table
 
 LIVES = ("L10h", "L10rh", "L10mh", "L10mrh", "life_h")
 NOTE_16281 = "ISO/TS 16281:2008 has since become ISO 16281:2025."
+RELIABILITY = "life.reliability"  # 90 % is what defines L10: no uncertain value
 LEAST_INFLUENCE = 0.01  # [%] of the life; assumptions below are listed without a line of their own
 DOCUMENT = "docs/requirements.md"
 FAILED_ELSEWHERE = "FAILED (below)"
@@ -86,7 +87,7 @@ def sections(report: Report, most: Most = Most()) -> list[str]:
     """The sections in their order; none where the result has no rated bearing."""
     if not is_rated(report):
         return []
-    parts = (_ratings(report), _requirements(report), _pair(report), _bearings(report), _damage(report, most), _influences(report, most), _warnings(report), _versions(report))
+    parts = (_ratings(report), _requirements(report), _given(report), _pair(report), _bearings(report), _damage(report, most), _influences(report, most), _warnings(report), _versions(report))
     return [part for part in parts if part]
 
 
@@ -157,9 +158,23 @@ def _requirements(report: Report) -> str:
         why = "A duplex pair takes no block requirements." if _is_pair(report) else f"A block requirements in the case gives verdicts ({DOCUMENT})."
         return section("requirements", "Requirements", f"<p>None. {why}</p>")
     rows = [(one.get("requirement"), one.get("key"), _limit(one), one.get("value"), VERDICTS[one.get("passed")], _judged_at(one)) for one in verdicts]
-    note = ("<p>The value is the worst of all operating points of this result. Under a load spectrum a life is that of the whole spectrum, every other value "
-            "is that of the worst bin. Where bearings carry unlike loads, the bearing with the shortest life decides.</p>")
+    note = "" if _single(report) else (
+        "<p>The value is the worst of all operating points of this result. Under a load spectrum a life is that of the whole spectrum, load_share is that of the bin "
+        "with the largest torque, every other value is that of the worst bin. Where bearings carry unlike loads, the bearing with the shortest life decides.</p>")
     return section("requirements", "Requirements", note + _judged(table(Table(("Requirement", "Result", "Required", "Value", "Verdict", "Worst at, or why not judged"), rows))))
+
+
+def _given(report: Report) -> str:
+    """What the case states, block by block, as it is written there."""
+    blocks: dict[str, list[str]] = {}
+    for one in report.records("given"):
+        block, _, key = str(one.get("key")).partition(".")
+        if block in ("name", "model"):  # in the heading
+            continue
+        blocks.setdefault(block, []).append(f"{key} {_shorter(one.get('value'))}".strip())
+    rows = [(block, "; ".join(values)) for block, values in blocks.items()]
+    note = "<p>Values of the case, as they are written there. All other values are in the list of assumptions.</p>"
+    return section("given", "Given", note + table(Table(("Block", "Values"), rows))) if rows else ""
 
 
 def _judged_at(verdict: dict) -> str:
@@ -182,9 +197,16 @@ def _columns(report: Report) -> list[Column]:
     speed = f"{format_number(row.get('input_speed_rpm'))} rpm"
     named = [(f"One bearing of set {name}", f"sets.{name}.") for name in sets] or [("One bearing", "")]
     columns = [] if spectrum and sets else [Column(f"{words}, {speed}", lambda key, before=before: row.get(before + key)) for words, before in named]
+    if any(is_number(row.get(f"shortest_{life}")) for life in LIVES[:4]):
+        columns = [Column(one.head.replace("One bearing", "Mean of bearings"), one.number) for one in columns]
+        columns.append(Column(f"Worst bearing, {speed}", lambda key: row.get(f"shortest_{key}") if key in LIVES else " "))
     if not spectrum:
         return [*columns, Column(f"All bearings, {speed}", lambda key: _of_all(row, key))]
-    columns += [Column(f"{words}, load spectrum", lambda key, before=before: _under(spectrum, before, key)) for words, before in named]
+    unlike = any(is_number(spectrum.get(f"shortest_{life}")) for life in LIVES[:4])
+    columns += [Column(f"{words.replace('One bearing', 'Mean of bearings') if unlike else words}, load spectrum", lambda key, before=before: _under(spectrum, before, key))
+                for words, before in named]
+    if unlike:
+        columns.append(Column("Worst bearing, load spectrum", lambda key: spectrum.get(f"shortest_{key}") if key in LIVES else " "))
     return [*columns, Column("All bearings, load spectrum", lambda key: _of_all(spectrum, key))]
 
 
@@ -253,7 +275,7 @@ def _bearings(report: Report) -> str:
     parts = []
     for kind, title, load, loads in (("bearing", "Bearing of a planet", "bearing_load", ()), ("planet", "Planet", "planet_bearing_load", ("planet_load_share",))):
         columns = point.get(load, *loads, *(f"{kind}_{life}" for life in ("L10h", "life")))
-        if columns is None or any(column.ndim != 1 for column in columns):
+        if columns is None or any(column.ndim != 1 or len(column) < 2 for column in columns):
             continue
         lives = [point.values.get(f"{kind}_{life}") for life in ("L10h", "L10rh", "L10mh", "L10mrh", "life")]
         rows = [(index + 1, *(float(column[index]) for column in (columns[0], *columns[1:1 + len(loads)])), *(None if life is None else float(life[index]) for life in lives))
@@ -267,7 +289,7 @@ def _bearings(report: Report) -> str:
 
 
 def _damage(report: Report, most: Most) -> str:
-    from orbearing.figures.load_spectrum import files_table, skid_text
+    from orbearing.figures.load_spectrum import damage_columns, files_table, skid_text
 
     spectrum = _spectrum(report)
     bins = records(spectrum.get("bins"))
@@ -275,9 +297,9 @@ def _damage(report: Report, most: Most) -> str:
         return ""
     life = spectrum.get("life_key") or "life_h"
     order = sorted(bins, key=lambda one: -(one.get("damage_share") or 0.0))
-    rows = [(f"{one.get('bin')}", one.get("power_kW"), one.get("torque_N_m"), one.get("speed_rpm"), _percent(one.get("share")), one.get(life), _percent(one.get("damage_share")),
-             _percent(one.get("damage_share_L10mh"))) for one in order[:most.bins]]
-    head = ("Bin", "Power [kW]", "Torque [N m]", "Speed [rpm]", "Time [%]", f"{life} [h]", f"Damage by {life} [%]", "Damage by L10mh [%]")
+    rows = [(f"{one.get('bin')}", one.get("power_kW"), one.get("torque_N_m"), one.get("speed_rpm"), _percent(one.get("share")), one.get(life),
+             *(_percent(one.get(name)) for name in damage_columns(life).values())) for one in order[:most.bins]]
+    head = ("Bin", "Power [kW]", "Torque [N m]", "Speed [rpm]", "Time [%]", f"{life} [h]", *damage_columns(life))
     left = f"<p>{len(order) - most.bins} more bins with less damage are in spectrum.csv.</p>" if len(order) > most.bins else ""
     hours = spectrum.get("hours")
     used = f" In {format_number(hours)} h the spectrum uses {format_number(100 * spectrum['used_up'])} % of the life." if is_number(hours) and is_number(spectrum.get("used_up")) else ""
@@ -302,7 +324,7 @@ def _influences(report: Report, most: Most) -> str:
         why = str(found.get("problem") or ("No assumption has a number." if "influences" in report.content else in_time))
         return section("influences", "Assumptions by influence", f"<p>{escape(why)}</p>")
     result, unit = found.get("quantity"), found.get("unit") or ""
-    ordered = sorted((row for row in rows if not _is_stated(record(reasons.get(row.get("path"))))), key=_influence, reverse=True)
+    ordered = sorted((row for row in rows if not _is_stated(record(reasons.get(row.get("path")))) and row.get("path") != RELIABILITY), key=_influence, reverse=True)
     shown = [row for row in ordered if abs(_relative(row, found) or 0.0) >= LEAST_INFLUENCE]
     cells = [(row.get("path"), _short(record(reasons.get(row.get("path"))).get("value") or row.get("value")), f"{row.get('step')}", _signed(row.get("change"), unit),
               _signed(_relative(row, found)), record(reasons.get(row.get("path"))).get("reason")) for row in shown[:most.influences]]
@@ -310,11 +332,13 @@ def _influences(report: Report, most: Most) -> str:
     note = (f"<p>Values that the source of the case does not give, ordered by their effect on {escape(str(result))} at the operating point, by the quasi-static model. "
             "The change is to first order.</p>")
     more = f"<p>{left} more assumed numbers have less effect.</p>" if left > 0 else ""
-    kept = {row.get("path") for row in shown}
-    others = [row for row in report.records("assumptions") if row.get("key") not in kept and not _is_stated(row)]
-    if others:
-        names = "; ".join(f"{row.get('key')}: {_short(row.get('value'))}" for row in others)
-        more += f"<p class=\"compact\">Assumed values with an effect on {escape(str(result))} below {LEAST_INFLUENCE:g} %, or that are no number: {escape(names)}.</p>"
+    small, varied = {row.get("path") for row in ordered} - {row.get("path") for row in shown}, {row.get("path") for row in ordered}
+    assumed = [row for row in report.records("assumptions") if not _is_stated(row)]
+    for words, those in ((f"Assumed values with an effect on {result} below {LEAST_INFLUENCE:g} %", [row for row in assumed if row.get("key") in small]),
+                         ("Assumed choices, and values that were not varied", [row for row in assumed if row.get("key") not in varied])):
+        if those:
+            names = "; ".join(f"{row.get('key')}: {_short(row.get('value'))}" for row in those)
+            more += f"<p class=\"compact\">{escape(words)}: {escape(names)}.</p>"
     head = ("Assumption", "Value", "Step", f"Change of {result}", "Change [%]", "Reason")
     return section("influences", "Assumptions by influence", note + table(Table(head, cells)) + more)
 
@@ -322,6 +346,15 @@ def _influences(report: Report, most: Most) -> str:
 def _is_stated(assumption: dict) -> bool:
     """A power that follows from the torque of the case."""
     return str(assumption.get("reason") or "").startswith("input.torque")
+
+
+MOST_LETTERS = 60  # of a list in the table of what is given
+
+
+def _shorter(value: object) -> str:
+    """The same, of a long list its beginning."""
+    text = _short(value)
+    return text if len(text) <= MOST_LETTERS or not text.startswith("[") else text[:MOST_LETTERS].rsplit(",", 1)[0] + ", …"
 
 
 def _short(value: object) -> str:

@@ -24,7 +24,7 @@ def rated(report: Report) -> Report:
     """What the sections are made of: a sweep, or what the run of a single bearing or of a pair printed."""
     for kind in ("static", "balls", "pair"):
         if report.record(kind):
-            return Report(report.record(kind), report.folder)
+            return report.of(kind)
     return report
 
 

@@ -11,7 +11,7 @@ from orbearing.result_folder import Report
 
 def page(report: Report, blocks: Sequence[FigureBlock]) -> str:
     """The whole document."""
-    study = Report(report.record("balls"), report.folder)
+    study = report.of("balls")
     return run_page.page(study, "ball bearing in time", headline(study), _summary(study), blocks)
 
 

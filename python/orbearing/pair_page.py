@@ -11,7 +11,7 @@ from orbearing.result_folder import Report
 
 def page(report: Report, blocks: Sequence[FigureBlock]) -> str:
     """The whole document."""
-    study = Report(report.record("pair"), report.folder)
+    study = report.of("pair")
     return run_page.page(study, "duplex pair under its preload", headline(study), _summary(study), blocks)
 
 

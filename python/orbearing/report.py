@@ -34,9 +34,9 @@ def build_all(folder: Path, program: str = "", every_effect: bool = False, quiet
     if "shown" in report.content:
         report = Report(report_data.complete(report.content, asked, every_effect), folder)
     elif study := report.record("static"):
-        report = Report({"static": {**study, "influences": report_data.influences(study, asked)}}, folder)
+        report = Report({**report.content, "static": {**study, "influences": report_data.influences(study, asked)}}, folder)
     elif pair := report.record("pair"):
-        report = Report({"pair": {**pair, "influences": report_data.influences(pair, asked, pair_page.life_key(pair))}}, folder)
+        report = Report({**report.content, "pair": {**pair, "influences": report_data.influences(pair, asked, pair_page.life_key(pair))}}, folder)
     if report is not given:
         pages["report.json"] = json.dumps(report.content, indent=1, ensure_ascii=False) + "\n"
     blocks = blocks_of(report)

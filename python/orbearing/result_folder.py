@@ -76,6 +76,10 @@ class Report:
     def record(self, key: str) -> dict:
         return record(self.content.get(key))
 
+    def of(self, kind: str) -> Report:
+        """What the run of a single bearing or of a pair printed, with what its case states."""
+        return Report({**self.record(kind), "given": self.content.get("given")}, self.folder)
+
     def records(self, key: str) -> list[dict]:
         return records(self.content.get(key))
 

@@ -11,7 +11,7 @@ from orbearing.result_folder import Report
 
 def page(report: Report, blocks: Sequence[FigureBlock]) -> str:
     """The whole document."""
-    study = Report(report.record("static"), report.folder)
+    study = report.of("static")
     return run_page.page(study, "bearing under a static load", headline(study), _summary(study), blocks)
 
 

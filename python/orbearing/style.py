@@ -12,7 +12,7 @@ import matplotlib
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.figure import Figure
-from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullFormatter
 
 from orbearing.drawn import Panel, panels_of
 
@@ -99,8 +99,13 @@ def panel(size: tuple[float, float] = PANEL) -> tuple[Figure, Axes]:
     return figure, figure.add_subplot()
 
 
+MOST_SPEEDS = 6  # labels that stand apart at half the width of a page
+
+
 def speed_axis(axes: Axes) -> None:
     axes.set_xlabel("input speed (rpm)")
+    if axes.get_xscale() == "linear":
+        axes.xaxis.set_major_locator(MaxNLocator(MOST_SPEEDS))
     thousands(axes.xaxis)
 
 

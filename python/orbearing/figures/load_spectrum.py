@@ -25,11 +25,11 @@ def block(report: Report) -> FigureBlock:
     if not len(speed):
         return FigureBlock(SLUG, TITLE, missing="The spectrum has no bin that turns.")
     uses = np.nan_to_num(damage)
-    pictures = (_map(speed, torque, share, uses), _bars(share, uses))
-    places = [float(number) for number, one in enumerate(records(result.get("bins")), start=1) if one.get("speed_rpm")]
+    places = [number for number, one in enumerate(records(result.get("bins")), start=1) if one.get("speed_rpm")]
+    pictures = (_map(speed, torque, share, uses), _bars(places, share, uses))
     data = columns_table(("bin", "speed (rpm)", "torque (N m)", "share of time", "share of damage", f"{key} at this bin alone (h)"),
-                         places, speed, torque, share, damage, life)
-    return FigureBlock(SLUG, TITLE, _caption(result, share, uses), pictures, summary=files_table(result), data=data)
+                         [float(place) for place in places], speed, torque, share, damage, life)
+    return FigureBlock(SLUG, TITLE, _caption(result, places, share, uses), pictures, summary=files_table(result), data=data)
 
 
 def life_key(result: dict) -> str:
@@ -49,11 +49,16 @@ def skid_text(result: dict) -> str:
 def files_table(result: dict, most: int | None = None) -> Table | None:
     """Time, damage and skid risk of the records that the rows name, largest damage first."""
     files = sorted(records(result.get("files")), key=lambda one: -(one.get("damage_share") or 0.0))[:most]
-    names = ("share", "damage_share", "damage_share_L10mh", "skid_risk_share")
-    percent = [[100 * one[name] if is_number(one.get(name)) else None for name in names] for one in files]
-    head = ("Record", "Time [%]", f"Damage by {life_key(result)} [%]", "Damage by L10mh [%]", "Skid risk [% of time]", "Skid risk [h]")
+    columns = {"Time [%]": "share", **damage_columns(life_key(result)), "Skid risk [% of time]": "skid_risk_share"}
+    percent = [[100 * one[name] if is_number(one.get(name)) else None for name in columns.values()] for one in files]
+    head = ("Record", *columns, "Skid risk [h]")
     rows = [(str(one.get("file")), *shares, one.get("skid_risk_hours")) for one, shares in zip(files, percent)]
     return Table(head, rows) if rows else None
+
+
+def damage_columns(life: str) -> dict[str, str]:
+    """Heads of columns with the name of their share: of the life that results go by, and of L10mh, which is often the same."""
+    return {f"Damage by {life} [%]": "damage_share"} | ({} if life == "L10mh" else {"Damage by L10mh [%]": "damage_share_L10mh"})
 
 
 def spectrum_of(report: Report) -> dict:
@@ -79,25 +84,25 @@ def _map(speed: np.ndarray, torque: np.ndarray, share: np.ndarray, damage: np.nd
     return style.to_svg(figure, f"{SLUG}-map", "Bins over input speed and torque: area by time, colour by damage")
 
 
-def _bars(share: np.ndarray, damage: np.ndarray) -> str:
+def _bars(bins: list[int], share: np.ndarray, damage: np.ndarray) -> str:
     figure, axes = style.panel((5.0, 4.3))
     first = np.argsort(-damage, kind="stable")[:MOST_BARS]
     place = np.arange(len(first))
     axes.barh(place - 0.2, 100 * share[first], height=0.38, color=style.SKY, label="time")
     axes.barh(place + 0.2, 100 * damage[first], height=0.38, color=style.VERMILION, label="damage")
-    axes.set_yticks(place, [f"{index + 1}" for index in first])
+    axes.set_yticks(place, [f"{bins[index]}" for index in first])
     axes.invert_yaxis()
     axes.set_xlabel("share (%)")
-    axes.set_ylabel("bin that turns, in the order of the spectrum")
+    axes.set_ylabel("bin, in the order of the spectrum")
     style.legend_above(axes)
     return style.to_svg(figure, f"{SLUG}-bars", "Shares of time and of damage of the bins that use up most")
 
 
-def _caption(result: dict, share: np.ndarray, damage: np.ndarray) -> str:
+def _caption(result: dict, bins: list[int], share: np.ndarray, damage: np.ndarray) -> str:
     worst, key = int(np.argmax(damage)), life_key(result)
     text = (f"Left: each circle is a bin, its area the share of time, its colour the share of the damage by the rule of Palmgren and Miner. Right: "
             f"the bins that use up most. By {key} one bearing reaches {format_quantity(result.get(key), 'h')} under the spectrum, all together "
-            f"{format_quantity(result.get('system_' + key), 'h')}; bin {worst + 1} of those that turn takes {format_number(100 * share[worst], 3)} % of the "
+            f"{format_quantity(result.get('system_' + key), 'h')}; bin {bins[worst]} takes {format_number(100 * share[worst], 3)} % of the "
             f"time and {format_number(100 * damage[worst], 3)} % of the life.")
     others = [f"{name} {format_quantity(result.get(name), 'h')}" for name in LIVES if name != key and is_number(result.get(name))]
     text += f" The other lives of one bearing under the spectrum: {', '.join(others)}." if others else ""
