@@ -173,6 +173,12 @@ class Verdicts(unittest.TestCase):
 
     def test_load_sharing_is_judged_where_pins_are_off_their_places(self):
         pins = "gearset.dynamics.pin_error.tangential=[20 um, 0 um, 0 um, 0 um]"
+        bins = "spectrum=[{power: 15 kW, speed: 6000 rpm, share: 0.6}, {power: 150 kW, speed: 6000 rpm, share: 0.4}]"
+        under = answer("run", REDUCER, pins.replace("20 um", "2 um"), bins, "requirements.load_share=1.2")
+        light, full = (one["largest_load_share"] for one in under["spectrum"]["bins"])
+        self.assertGreater(light, 1.2 * full)
+        self.assertEqual(under["verdicts"][0]["value"], full)  # at the largest torque
+        self.assertIn("bin 2", under["verdicts"][0]["at"])
         found = answer("run", REDUCER, pins, "requirements.load_share=1.01")
         self.assertEqual(found["verdicts"][0]["value"], found["points"][0]["largest_load_share"])
         self.assertFalse(found["verdicts"][0]["passed"])
@@ -206,8 +212,8 @@ class Page(unittest.TestCase):
 
     def test_the_first_table_has_the_numbers_of_json_with_their_clauses(self):
         head, *rows = rows_of(self.page, "ratings")
-        self.assertEqual(head, ["Symbol", "Meaning", "Clause", "One bearing, 22 rpm", "One bearing, load spectrum", "All bearings, load spectrum", "Required",
-                                "Verdict"])
+        self.assertEqual(head, ["Symbol", "Meaning", "Clause", "Mean of bearings, 22 rpm", "Worst bearing, 22 rpm", "Mean of bearings, load spectrum",
+                                "Worst bearing, load spectrum", "All bearings, load spectrum", "Required", "Verdict"])
         keys = {"C": "C_N", "C0": "C0_N", "Cu": "Cu_N", "P": "P_N", "P0": "P0_N", "L10h": "L10h", "L10rh": "L10rh", "L10mh": "L10mh", "L10mrh": "L10mrh",
                 "life_h": "life_h", "S0": "S0", "p_max": "contact_pressure_max_MPa", "kappa": "kappa", "e_C": "e_C", "a_ISO": "a_ISO"}
         by_symbol = {row[0].split(" [")[0]: row for row in rows}
@@ -221,14 +227,16 @@ class Page(unittest.TestCase):
             self.equals(row[3], point[key], symbol)
             bins = [one[key] for one in spectrum["bins"] if one.get(key) is not None]
             if key in LIVES:
-                self.equals(row[4], spectrum[key], symbol)
-                self.equals(row[5], spectrum[f"system_{key}"], symbol)
+                for column, value in ((4, point[f"shortest_{key}"]), (5, spectrum[key]), (6, spectrum[f"shortest_{key}"]), (7, spectrum[f"system_{key}"])):
+                    self.equals(row[column], value, symbol)
             elif key in ("C_N", "C0_N", "Cu_N"):
-                self.equals(row[4], point[key], symbol)
+                self.equals(row[5], point[key], symbol)
             elif key in worst:
-                self.equals(row[4], worst[key](bins), symbol)
+                self.equals(row[5], worst[key](bins), symbol)
             else:
-                self.assertEqual(row[4], "\u2013", symbol)
+                self.assertEqual(row[5], "\u2013", symbol)
+            if key not in LIVES:
+                self.assertEqual((row[4], row[6]), (" ", " "), symbol)
         self.assertEqual([by_symbol[symbol][-1] for symbol in ("L10mh", "p_max", "S0", "kappa", "K_gamma", "P")],
                          ["FAILED", "FAILED", "passed", "passed", "not judged", " "])
 
@@ -251,6 +259,24 @@ class Page(unittest.TestCase):
             if one["value"] is not None:
                 self.assertAlmostEqual(number(row[3]), printed(one["value"]), delta=1e-9 * one["value"])
             self.assertIn(one["at"] or one["reason"], row[5])
+
+    def test_what_the_case_states_is_given_and_the_rest_is_assumed(self):
+        given = {row[0]: row[1] for row in rows_of(self.page, "given")[1:]}
+        self.assertEqual(given["input"], "member carrier; power 750 kW")
+        self.assertIn("teeth.sun 21", given["gearset"])
+        self.assertTrue(given["spectrum"].startswith("[{power: 750 kW"), given["spectrum"])
+        self.assertIn("life 175000 h", given["requirements"])
+        assumed = {one["key"] for one in self.found["assumptions"]}
+        stated = {f"{block}.{value.split(' ')[0]}" for block, values in given.items() for value in values.split("; ")}
+        self.assertFalse(assumed & stated)
+        for key in ("life.reliability", "gearset.addendum"):
+            self.assertIn(key, assumed)
+        # Choices are no small effects, and 90 % defines L10.
+        self.assertNotIn("life.reliability", [row[0] for row in rows_of(self.page, "influences")])
+        text = html.unescape(re.sub(r"<[^>]*>", "", re.search(r'<section id="influences">.*?</section>', self.page, re.S).group(0)))
+        small, choices = text.split("Assumed choices, and values that were not varied: ")
+        self.assertIn("gearset.tooth_contact: stepped", choices)
+        self.assertIn("Assumed values with an effect on L10mh below 0.01 %: ", small)
 
     def test_bins_stand_by_their_damage(self):
         rows = rows_of(self.page, "damage")[1:]
@@ -292,7 +318,7 @@ class Page(unittest.TestCase):
         self.assertEqual(self.made["pdf"], str(self.folder / "report.pdf"))
         text = pdf_text(self.folder / "report.pdf")
         self.assertLessEqual(text.count("\f"), MOST_PAGES)
-        for slug, numbers in (("ratings", slice(3, 6)), ("requirements", slice(3, 4)), ("unlike-bearings", slice(1, None)), ("damage", slice(None)), ("influences", slice(3, 5))):
+        for slug, numbers in (("ratings", slice(3, 8)), ("requirements", slice(3, 4)), ("given", slice(0, 1)), ("unlike-bearings", slice(1, None)), ("damage", slice(None)), ("influences", slice(3, 5))):
             for row in rows_of(self.page, slug)[1:]:
                 for cell in row[numbers]:
                     if cell.strip(" \u2013"):
@@ -364,7 +390,24 @@ class SingleBearings(unittest.TestCase):
         self.assertIn('<section id="element-loads">', page)
 
     def test_roller_bearing(self):
-        self.check(*self.made("roller-bearing", "NU 210", "8000 N"), "ISO 281:2007, 7.1")
+        found, page = self.made("roller-bearing", "NU 210", "8000 N")
+        self.check(found, page, "ISO 281:2007, 7.1")
+        self.assertEqual({row[0]: row[1] for row in rows_of(page, "given")[1:]},
+                         {"source": "catalogue", "bearing": "designation NU 210; clearance_class CN", "load": "radial 8000 N", "operation": "shaft_speed 1500 rpm",
+                          "lubricant": "grade ISO VG 68; temperature 70 degC", "life": "cleanliness -/17/14",
+                          "requirements": "life 20000 h; life_key L10mrh; contact_pressure_max 2500 MPa; S0 2; kappa 1"})
+        same = self.made("roller-bearing", "NU210", "8000 N")[0]
+        self.assertEqual(same["L10mrh"], found["L10mrh"])
+
+    def test_lives_by_all_loads_far_below_those_of_the_catalogue_are_warned_of(self):
+        with tempfile.TemporaryDirectory() as place:
+            case = pathlib.Path(place, "case.yaml")
+            case.write_text(SINGLE.format(model="roller-bearing", designation="NU 210", load="8000 N").replace("clearance_class: CN", "radial_clearance: -60 um"))
+            tight, free = answer("run", case), answer("run", case, "bearing.radial_clearance=20 um")
+        warned = [[text for text in found["warnings"] if text.startswith("life: L10mrh is ")] for found in (tight, free)]
+        self.assertLess(tight["L10mrh"], 0.5 * tight["L10mh"])
+        self.assertIn(f"{100 * tight['L10mrh'] / tight['L10mh']:.2g} % of L10mh", warned[0][0])
+        self.assertEqual(warned[1], [])
 
     def test_ball_bearing(self):
         self.check(*self.made("ball-bearing", "6208", "4000 N"), "ISO 281:2007, 5.1")
