@@ -63,15 +63,6 @@ def commands(_) -> str:
     return "\n\n".join([code(front), *(f"## orbearing {name}\n\n{code(program(name, '--help'))}" for name in names)])
 
 
-def section(_, file: str, title: str) -> str:
-    """A section of another document, by its title, without the title."""
-    text = (ROOT / file).read_text(encoding="utf-8")
-    found = re.search(rf"^(#+) {re.escape(title)}$\n(?P<body>.*?)(?=^#+ |\Z)", text, re.S | re.M)
-    if not found:
-        raise SystemExit(f"{file} has no section '{title}'")
-    return found["body"].strip("\n")
-
-
 def file(_, path: str, language: str = "text") -> str:
     """A file as it stands."""
     return code((ROOT / path).read_text(encoding="utf-8").rstrip("\n"), language)
@@ -131,15 +122,24 @@ def life_peak(folder: Path) -> str:
     pyplot.close(figure)
     peak = sweep.peak
     return (f"![Life of one planet bearing over input speed, 150 kW held constant](life_peak.png)\n\n"
-            f"A planet bearing of the reducer of 150 kW lives longest, {peak['refined_life_h']:,.0f} h, at {peak['refined_speed_rpm']:,.0f} rpm.")
+            f"Longest life of a planet bearing of the 150 kW reducer: {peak['refined_life_h']:,.0f} h (`life_h`, quasi-static) "
+            f"at {peak['refined_speed_rpm']:,.0f} rpm of the sun.")
+
+
+def pages_of_first_page(caption: str = "") -> list[str]:
+    """Documents in the contents of docs/index.md, relative to docs; those of one caption."""
+    text = (ROOT / "docs" / "index.md").read_text(encoding="utf-8")
+    contents = re.findall(r"^```\{toctree\}\n:caption: ([^\n]*)\n:maxdepth: 1\n\n(.*?)^```$", text, re.M | re.S)
+    return [name for title, names in contents if caption in ("", title) for name in names.split()]
 
 
 def topics(_) -> str:
-    """A contents of the documents in docs/ that are no frame of the site."""
-    frame = {"README", "index", "theory"}
-    names = [f"../{name.stem}" for name in sorted((ROOT / "docs").glob("*.md")) if name.stem not in frame]
-    names += [f"../{name.parent.name}/{name.stem}" for name in sorted((ROOT / "docs").glob("*/*.md"))
-              if name.parent.name not in ("guide", "tutorials")]
+    """A contents of the documents in docs/ that are no frame of the site and not in the contents of its first page."""
+    frame = {"README", "index", "theory", *pages_of_first_page()}
+    documents_there = [*sorted((ROOT / "docs").glob("*.md")), *sorted((ROOT / "docs").glob("*/*.md"))]
+    stems = [name.relative_to(ROOT / "docs").with_suffix("").as_posix() for name in documents_there
+             if name.parent.name not in ("guide", "tutorials")]
+    names = [f"../{stem}" for stem in stems if stem not in frame]
     return "```{toctree}\n:hidden:\n:maxdepth: 1\n\n" + "\n".join(names) + "\n```"
 
 
@@ -161,7 +161,7 @@ def explorer(_, path: str, text: str) -> str:
     return f'<p class="explorer"><a href="{path}">{text}</a></p>' if there else ""
 
 
-GENERATED = {"commands": commands, "section": section, "file": file, "inputs": inputs, "assumptions": assumptions,
+GENERATED = {"commands": commands, "file": file, "inputs": inputs, "assumptions": assumptions,
              "life-peak": life_peak, "topics": topics, "explorer": explorer,
              "validation-guide": validation_guide}
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """tools/site: the documentation site builds without a warning, has its tutorials with outputs, and fetches nothing.
 
-Issue 18, Build 7: documentation site. What the guide says of values and commands is tried every day, the pages by
-tools/test --full: tutorials.py runs what they run every day. Skipped where Sphinx or its reader of Markdown is missing. Needs
+Issue 18, Build 7: documentation site. Issue 51, Build 1 and 2: front page and guide. What README and guide say of values and
+commands is tried every day, the pages by tools/test --full: tutorials.py runs what they run every day. Skipped where Sphinx or its reader of Markdown is missing. Needs
 ORBEARING and ORBEARING_SOURCE_DIR.
 """
 
@@ -23,7 +23,50 @@ from virtual_environment import skip
 SOURCE = pathlib.Path(os.environ["ORBEARING_SOURCE_DIR"])
 # Words that a shell block of the guide begins with and that are no calls of the program.
 NOT_RUN = ("tools/", "pip ", "cmake ", "PYTHONPATH=", "build/release/bin/orbearing --help",
-           "build/release/bin/orbearing open")  # which serves until its page is closed
+           "build/release/bin/orbearing open", "orbearing open")  # which serves until its page is closed
+PLACEHOLDER = re.compile(r"\b(CASE|DIR|SERIES|A|B)\b")  # of a command that shows a form
+BRIEF = {"uncertainty": ("--samples", "64", "--curves", "4", "--index-samples", "16")}
+LONGEST_README, LONGEST_LINE = 90, 120
+# Terms that a reader searches for: the site's index of words lists each for the glossary.
+TERMS = ("L10h", "L10rh", "L10mh", "L10mrh", "BPFO", "BPFI", "BSF", "FTF", "K_gamma", "K_A", "kappa", "e_C", "a_ISO", "S0", "C0", "Cu",
+         "load zone", "skidding", "torque", "clearance")
+
+
+def stage_module():
+    sys.path.insert(0, str(SOURCE / "docs" / "site"))
+    return importlib.import_module("stage")
+
+
+def text_of(name):
+    return (SOURCE / name).read_text(encoding="utf-8")
+
+
+def without_fences(text):
+    return re.sub(r"^```\w.*?^```$", "", text, flags=re.M | re.S)
+
+
+class Calls:
+    """Calls of the program, in the order of a page, in a folder of its own with the cases."""
+
+    reported = False  # a report takes seconds: one a day
+
+    def __init__(self, test):
+        place = tempfile.TemporaryDirectory()
+        test.addCleanup(place.cleanup)
+        self.test, self.folder = test, pathlib.Path(place.name)
+        (self.folder / "cases").symlink_to(SOURCE / "cases")
+
+    def run(self, line):
+        """What it prints; None where tools/test --full runs it."""
+        words = shlex.split(line.split(" #")[0])
+        command = words[1]
+        if LEFT_TO_FULL and (command == "fmu" or command == "report" and Calls.reported):
+            return None
+        Calls.reported = Calls.reported or command == "report"
+        done = subprocess.run([os.environ["ORBEARING"], *words[1:], *BRIEF.get(command, ())], cwd=self.folder, capture_output=True, text=True,
+                              check=False)
+        self.test.assertEqual(done.returncode, 0, f"{line}: {done.stderr}")
+        return done.stdout
 
 
 def build(folder):
@@ -48,9 +91,7 @@ class Site(unittest.TestCase):
         self.assertEqual((self.built.returncode, self.built.stderr), (0, ""))
 
     def test_every_document_of_the_repository_is_a_page(self):
-        sys.path.insert(0, str(SOURCE / "docs" / "site"))
-        stage = importlib.import_module("stage")
-        for name in stage.documents():
+        for name in stage_module().documents():
             if name.suffix == ".md":
                 self.assertTrue((self.html / name).with_suffix(".html").exists(), name)
 
@@ -67,8 +108,22 @@ class Site(unittest.TestCase):
     def test_the_first_page_shows_the_peak_and_leads_on(self):
         first = self.page("docs/index.html")
         self.assertIn("life_peak.png", first)
-        self.assertRegex(first, r"lives longest, [0-9,]+ h, at [0-9,]+ rpm")
+        self.assertRegex(first, r"Longest life of a planet bearing of the 150 kW reducer: [0-9,]+ h .* at [0-9,]+ rpm")
         self.assertIn("docs/index.html", self.page("index.html"))
+
+    def test_search_finds_the_terms_in_the_glossary(self):
+        """Words of the index are stems, in small letters."""
+        index = (self.html / "searchindex.js").read_text(encoding="utf-8")
+        names = json.loads(re.search(r'docnames:(\[.*?\])', index)[1])
+        glossary = names.index("docs/guide/glossary")
+        from sphinx.search.en import SearchEnglish
+
+        language = SearchEnglish({})
+        for word in (word for term in TERMS for word in term.split()):
+            found = re.search(rf'["{{,]{re.escape(language.stem(word.lower()))}"?:(\[[0-9,]*\]|[0-9]+)', index[index.index(",terms:"):])
+            self.assertIsNotNone(found, word)
+            pages = json.loads(found[1])
+            self.assertIn(glossary, pages if isinstance(pages, list) else [pages], word)
 
     def test_every_command_and_key_has_its_place(self):
         commands = self.page("docs/guide/commands.html")
@@ -118,21 +173,126 @@ class Guide(unittest.TestCase):
             done = run("check", REDUCER, "--quiet", *settings(f"{path}={value}" for path, value in stated))
             self.assertEqual(done.returncode, 0, done.stderr)
 
+    def test_no_page_is_made_of_parts_of_another(self):
+        """The guide is the source: generated parts come from the program, its schemas and its results."""
+        generated = set(stage_module().GENERATED)
+        for page in sorted((SOURCE / "docs").rglob("*.md")):
+            for name, arguments in re.findall(r"^<!-- generated: ([\w-]+) ?(.*?) -->$", page.read_text(encoding="utf-8"), re.M):
+                self.assertIn(name, generated, page)
+                self.assertNotIn(".md", arguments, page)
+
     def test_commands_of_the_guide_run(self):
         """The lines of indented blocks that call the program, in their order on the page; not those of blocks in another language."""
-        pages = [SOURCE / "docs" / "index.md", *sorted((SOURCE / "docs" / "guide").glob("*.md"))]
-        pages = [page for page in pages if page.name != "commands.md"]  # the list of all commands, long ones too, with what each gives
-        texts = [re.sub(r"^```\w.*?^```$", "", page.read_text(encoding="utf-8"), flags=re.M | re.S) for page in pages]
-        lines = [line.strip() for text in texts for line in text.splitlines() if line.startswith("    ")]
-        wanted = [line.split("#")[0].strip() for line in lines if not line.startswith(NOT_RUN)]
-        calls = [shlex.split(line) for line in wanted if line.split()[:1] in (["orbearing"], ["build/release/bin/orbearing"])]
-        self.assertEqual(len(wanted), len(calls), wanted)
-        self.assertGreaterEqual(len(calls), 2)
+        pages = ["docs/index.md", *sorted(f"docs/guide/{page.name}" for page in (SOURCE / "docs" / "guide").glob("*.md"))]
+        pages.remove("docs/guide/commands.md")  # the list of all commands, long ones too, with what each gives
+        tried = 0
+        for page in pages:
+            with self.subTest(page):
+                lines = [line.strip() for line in without_fences(text_of(page)).splitlines() if line.startswith("    ")]
+                wanted = [line for line in lines if not line.startswith(NOT_RUN)]
+                calls = [line for line in wanted if line.split()[0] in ("orbearing", "build/release/bin/orbearing")]
+                self.assertEqual(wanted, calls)
+                place = Calls(self)
+                for line in calls:
+                    place.run(line)
+                tried += len(calls)
+        self.assertGreaterEqual(tried, 20)
+
+    def test_commands_that_a_task_begins_with_run(self):
+        """Of the pages of tasks outside of the guide: the first block that calls the program. multibody_example.py runs those of FMUs."""
+        tasks = [name for name in stage_module().pages_of_first_page("Tasks") if not name.startswith(("guide/", "multibody/"))]
+        self.assertGreaterEqual(len(tasks), 5)
+        for name in tasks:
+            with self.subTest(name):
+                blocks = re.findall(r"(?:^    .*\n)+", without_fences(text_of(f"docs/{name}.md")), re.M)
+                first = next(block for block in blocks if block.strip().startswith("orbearing "))
+                lines = [line.strip() for line in first.splitlines()]
+                self.assertTrue(all(line.startswith("orbearing ") for line in lines), lines)
+                self.assertIsNone(PLACEHOLDER.search(lines[0]))
+                place = Calls(self)
+                for line in lines:
+                    if not PLACEHOLDER.search(line):
+                        place.run(line)
+
+    def test_tasks_and_questions_lead_to_pages(self):
+        """Each page begins with a question or a task, and each question of a newcomer has a short answer with a link."""
+        stage = stage_module()
+        for name in stage.pages_of_first_page("Tasks"):
+            self.assertRegex(text_of(f"docs/{name}.md"), r"^# .*[:?]", name)
+        parts = re.split(r"^## ", text_of("docs/guide/questions.md"), flags=re.M)
+        self.assertGreaterEqual(len(parts) - 1, 10)
+        for part in parts[1:]:
+            title, _, answer = part.partition("\n")
+            self.assertTrue(title.endswith("?"), title)
+            self.assertIn("](", answer, title)
+            self.assertIn(f"[{title}](#", parts[0], title)
+
+    def test_links_between_documents_lead_somewhere(self):
+        """Those of the front page too, as the repository's host shows them; GitHub's own names of sections are not looked up."""
+        for page in (SOURCE / "README.md", *sorted((SOURCE / "docs").rglob("*.md"))):
+            text = re.sub(r"^```.*?^```$|`[^`\n]*`", "", page.read_text(encoding="utf-8"), flags=re.M | re.S)
+            for address in re.findall(r"\]\(([^)#:]+)(?:#[^)]*)?\)", text):
+                self.assertTrue((page.parent / address).exists(), f"{page.relative_to(SOURCE)}: {address}")
+
+
+class FrontPage(unittest.TestCase):
+    """README.md: short, and true of this program."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.text = text_of("README.md")
+
+    def test_it_is_short(self):
+        lines = self.text.splitlines()
+        self.assertLessEqual(len(lines), LONGEST_README)
+        for line in lines:
+            self.assertLessEqual(len(line), LONGEST_LINE, line)
+
+    def test_its_commands_run(self):
+        """The first with the output that is shown, then those of the table, from top to bottom in one folder."""
+        place = Calls(self)
+        first, shown = re.search(r"^    (build/release/bin/orbearing .*)\n\n```text\n(.*?)^```$", self.text, re.M | re.S).groups()
+        printed = iter(place.run(first).splitlines())
+        for line in shown.splitlines():
+            self.assertTrue(line == "..." or line in printed, f"{first} does not print, or not in this order: {line}")
+        rows = re.findall(r"^\| [^|]+ \| `(orbearing [^`]+)` \| \[[^]]+\]\(docs/.*\) \|$", self.text, re.M)
+        self.assertGreaterEqual(len(rows), 12)
+        for line in rows:
+            if not line.startswith(NOT_RUN):
+                self.assertIsNone(PLACEHOLDER.search(line), line)
+                place.run(line)
+
+    def test_its_python_runs(self):
+        block, = re.findall(r"^```python\n(.*?)^```$", self.text, re.M | re.S)
+        self.assertLessEqual(len(block.splitlines()), 6)
         with tempfile.TemporaryDirectory() as folder:
             (pathlib.Path(folder) / "cases").symlink_to(SOURCE / "cases")
-            for call in calls:
-                done = subprocess.run([os.environ["ORBEARING"], *call[1:]], cwd=folder, capture_output=True, text=True, check=False)
-                self.assertEqual(done.returncode, 0, f"{call}: {done.stderr}")
+            paths = os.pathsep.join([str(pathlib.Path(os.environ["ORBEARING"]).resolve().parents[1] / "python"), os.environ.get("PYTHONPATH", "")])
+            done = subprocess.run([sys.executable, "-c", block], cwd=folder, capture_output=True, text=True, check=False,
+                                  env={**os.environ, "PYTHONPATH": paths, "MPLBACKEND": "agg"})
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stdout, r"^[0-9.]+ \[")
+
+    def test_its_pictures_are_made_by_a_script(self):
+        for picture in re.findall(r"!\[[^]]*\]\(([^)]+)\)", self.text):
+            script = (SOURCE / picture).parent / "pictures.py"
+            self.assertTrue((SOURCE / picture).exists(), picture)
+            self.assertIn(f'"{pathlib.Path(picture).name}"', script.read_text(encoding="utf-8"))
+
+    def test_counts_of_published_values_are_those_of_the_last_record(self):
+        """docs/validation.txt ends with them; the worst misses are computed from the rows."""
+        record = text_of("docs/validation.txt")
+        for kind, name in (("measurement", "measurement"), ("program", "program"), ("worked-example", "worked example")):
+            total, rest = re.search(rf"^  {kind} +([0-9]+): (.*)$", record, re.M).groups()
+            counts = {word: number for number, word in re.findall(r"([0-9]+) (missed|reproduced)", rest)}
+            self.assertIn(f"| {name} | {total} | {counts['reproduced']} | {counts['missed']} |", self.text)
+
+    def test_it_names_the_worst_misses(self):
+        rows = json.loads(text_of("docs/validation/rows.json"))["rows"]
+        for kind, case in (("measurement", "wind_stage_750kW"), ("program", "reducer_150kW"), ("worked-example", "rolling_ball_film")):
+            missed = [row for row in rows if row["evidence"] == kind and row["verdict"] == "missed" and not row["memory"]]
+            worst = max(missed, key=lambda row: abs(row["ours"] / row["published"] - 1.0))
+            self.assertEqual(worst["case"], case, f"name the worst miss in README: {worst['meaning']}, {worst['ours']} / {worst['published']}")
 
 
 if __name__ == "__main__":
