@@ -114,21 +114,19 @@ void describe(Visitor& visit, Mounting& m) {
   members(
       visit, m,
       field(m.rings, "bearing.rings", Physics::balance,
-            "rings of a planet bearing: both, the outer one with rollers that run on the pin, or none, with "
-            "rollers that run on the pin and in the planet's bore",
+            "rings of a planet bearing: both; outer, with rollers on the pin; or none, with rollers on the "
+            "pin and in the planet's bore",
             {.models = planetary_drivetrain, .reason = "as most bearings are bought"}),
       field(m.state, "bearing.clearance_state", Physics::balance,
-            "whether bearing.radial_clearance is that of the running bearing, or that of the bearing on the "
-            "shelf, from which "
-            "fits, temperatures and speeds make it",
+            "state of bearing.radial_clearance: running bearing, or unmounted bearing, from which fits, "
+            "temperatures and speeds give the running clearance",
             {.models = planetary_drivetrain, .reason = "published clearances are those of running bearings"}),
       apart(m.unmounted_clearance),
       interference(m.inner_interference, "bearing.fit.inner_interference",
-                   "by how much the pin is larger than the bore of the inner ring, before it is pressed in; "
-                   "negative: loose"),
-      interference(m.outer_interference, "bearing.fit.outer_interference",
-                   "by how much the outer ring is larger than the bore of the planet, before it is pressed "
-                   "in; negative: loose"),
+                   "interference of pin and inner ring bore before assembly, in diameter; negative: loose"),
+      interference(
+          m.outer_interference, "bearing.fit.outer_interference",
+          "interference of outer ring and planet bore before assembly, in diameter; negative: loose"),
       field(m.pin_bore, "bearing.fit.pin_bore", Physics::balance, "diameter of the hole in the pin",
             {.models = planetary_drivetrain,
              .dimension = dimension::length,

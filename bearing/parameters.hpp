@@ -222,11 +222,11 @@ void describe(Visitor& visit, CylindricalRollers& m) {
       length(m.diameter, "bearing.roller_diameter", "diameter of a roller"),
       length(m.length, "bearing.roller_length", "effective contact length of a roller"),
       field(m.laminae, "bearing.laminae", Physics::life,
-            "laminae into which each contact is cut, for profile and misalignment",
+            "number of laminae of each contact, for profile and misalignment",
             {.models = with_rollers, .range = {1, 200}}),
       field(
           m.diameter_deviation, "bearing.roller_diameter_deviation", Physics::motion,
-          "by how much single rollers are larger than roller_diameter, from the first on",
+          "diameter of each roller minus roller_diameter, from the first roller on",
           {.models = planetary_drivetrain, .dimension = dimension::small_length, .range = {-1000.0, 1000.0}}),
       internal(m.profile, "bearing.profile"));
 }
@@ -279,8 +279,8 @@ void describe(Visitor& visit, Bearing& m) {
                   .fmu = InFmu::parameter});
   };
   const auto bore = of_rings(m.inner.seat_diameter, "bearing.bore", Physics::pin,
-                             "bore of the inner ring, and diameter of the pin, whose stiffness follows from "
-                             "it where support.stiffness is left out");
+                             "bore of the inner ring and diameter of the pin; without support.stiffness the "
+                             "pin stiffness is derived from it");
   const auto outside = of_rings(m.outer.seat_diameter, "bearing.outside_diameter", Physics::planet,
                                 "outside diameter of the outer ring");
   const bool grooved = !m.has_rollers();
@@ -315,7 +315,7 @@ void describe(Visitor& visit, Bearing& m) {
             {.models = roller_bearing | with_balls | roller_defect,
              .dimension = dimension::angle,
              .range = {-360.0, 360.0},
-             .reason = "the first one stands on the line of the radial load"}));
+             .reason = "the first one is on the line of the radial load"}));
 }
 
 /// Which inertial loads of the carrier frame act on the bodies in it.

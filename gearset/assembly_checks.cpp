@@ -13,7 +13,7 @@ namespace orbearing::gearset {
 namespace {
 
 // Beyond these a shift is a slip of the pen: the rack would cut no usable tooth.
-constexpr double largest_shift = 2.0;                                                        // [module]
+constexpr double largest_shift = 2.0;                                    // [module]
 constexpr double largest_pressure_angle = 45.0 * constants::pi / 180.0;  // [rad]
 
 std::string found(double value, const std::string& required) {
@@ -38,8 +38,7 @@ void check_shift(double shift, const std::string& position, Warnings& problems) 
 
 void check_fillet(const BasicRack& rack, const std::string& block, Warnings& problems) {
   const double tangent = std::tan(rack.pressure_angle);
-  const double half_tip =
-      constants::pi / 4.0 - (rack.addendum + rack.clearance) * tangent;  // [module]
+  const double half_tip = constants::pi / 4.0 - (rack.addendum + rack.clearance) * tangent;  // [module]
   const double largest = half_tip / (1.0 / std::cos(rack.pressure_angle) - tangent);
   if (largest <= 0.0) {
     problems.push_back({block + ".addendum", found(rack.addendum,
@@ -93,12 +92,12 @@ void check_spacing(const PlanetarySet& set, Warnings& problems) {
   const int sum = set.sun_teeth + set.ring_teeth;
   if (sum % set.planets == 0) return;
   const std::string nearest = nearest_to_even(set);
-  problems.push_back({"gearset.planets",
-                      "found " + std::to_string(set.planets) +
-                          " equally spaced planets; a divisor of sun + ring teeth = " + std::to_string(sum) +
-                          " is required; change the number of planets or the teeth, or state "
-                          "gearset.planet_angles" +
-                          (nearest.empty() ? "" : ": " + nearest + " are nearest to equal steps")});
+  problems.push_back(
+      {"gearset.planets",
+       "found " + std::to_string(set.planets) +
+           " equally spaced planets; a divisor of sun + ring teeth = " + std::to_string(sum) +
+           " is required. Change the number of planets or the teeth, or state gearset.planet_angles" +
+           (nearest.empty() ? "" : ": " + nearest + " are nearest to equal steps")});
 }
 
 // Eq. (24).
@@ -143,12 +142,12 @@ void check_tooth_sum(const PlanetarySet& set, Warnings& problems) {
   constexpr int by_shifts = 2;  // teeth that usual shifts make up
   const int sum = set.sun_teeth + 2 * set.planet_teeth;
   if (std::abs(set.ring_teeth - sum) <= by_shifts) return;
-  problems.push_back(
-      {"gearset.teeth.ring",
-       "found " + std::to_string(set.ring_teeth) +
-           ", where sun + 2 planet = " + std::to_string(set.sun_teeth) + " + 2 x " +
-           std::to_string(set.planet_teeth) + " = " + std::to_string(sum) +
-           "; tooth numbers that add up, or nearly so, are required: shifts make up a tooth or two"});
+  problems.push_back({"gearset.teeth.ring", "found " + std::to_string(set.ring_teeth) +
+                                                ", where sun + 2 planet = " + std::to_string(set.sun_teeth) +
+                                                " + 2 x " + std::to_string(set.planet_teeth) + " = " +
+                                                std::to_string(sum) +
+                                                "; a ring with about this number of teeth is required. "
+                                                "Profile shifts compensate one or two teeth"});
 }
 
 void check_geometry(const PlanetarySet& set, Warnings& problems) {

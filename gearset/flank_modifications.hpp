@@ -62,8 +62,8 @@ void describe(Visitor& visit, FlankModifications& m) {
   const std::string relief = "tip relief of the ", crown = "lead crown of the ";
   members(visit, m,
           field(m.contact, "gearset.tooth_contact", Physics::central_teeth,
-                "stepped: pairs of teeth touch all at once at the ends of the path of contact, whatever the "
-                "load; loaded: as deflection closes the gaps before and after them",
+                "stepped: tooth pairs enter and leave contact at the ends of the path of contact, at any "
+                "load; loaded: deflection also closes the gaps before and after",
                 {.models = set, .reason = "as published models have it; loaded teeth are smoother"}),
           removed(m.sun_relief, "tip_relief.sun", relief + "sun, normal to its flank at the tip"),
           removed(m.planet_relief, "tip_relief.planet", relief + "planet"),
@@ -75,7 +75,7 @@ void describe(Visitor& visit, FlankModifications& m) {
                  .reason = "within the part of the path where two pairs carry",
                  .where = loaded}),
           field(m.relief_form, "gearset.tip_relief.form", Physics::central_teeth,
-                "how the relief grows towards the tip",
+                "shape of the relief towards the tip",
                 {.models = set,
                  .reason = "straight in the diagram of the profile, as drawings have it",
                  .where = loaded}),

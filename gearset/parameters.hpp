@@ -158,9 +158,8 @@ void describe(Visitor& visit, PlanetarySet& m) {
             {.models = set, .reason = "the usual reduction gear"}),
       count(m.planets, "gearset.planets", "number of planets", {1, 24}),
       field(m.planet_angles, "gearset.planet_angles", Physics::positions,
-            "places of the planets on the carrier, anticlockwise from the first, which stands at 0 deg: "
-            "whole steps "
-            "of 360 deg/(sun + ring teeth), rounded by at most 0.005 deg; equal steps all round if absent",
+            "angular positions of the planets, anticlockwise from the first one at 0 deg. Whole steps of 360 "
+            "deg/(sun + ring teeth), rounded by at most 0.005 deg; equal steps if absent",
             {.models = set, .dimension = dimension::angle, .range = {0.0, 360.0, true, false}}),
       count(m.sun_teeth, "gearset.teeth.sun", "teeth of the sun", {5, 2000}),
       count(m.planet_teeth, "gearset.teeth.planet", "teeth of a planet", {5, 2000}),
@@ -175,8 +174,8 @@ void describe(Visitor& visit, PlanetarySet& m) {
       apart(m.density), helix_row(m.helix_angle, "gearset.", Physics::planet, set, "sun"),
       field(
           m.sun_thrust, "gearset.sun_thrust", Physics::thrust,
-          "what the axial bearing of the sun stands on: the housing, or the carrier, whose own bearing "
-          "passes the thrust on",
+          "support of the sun's axial bearing: the housing, or the carrier, whose own bearing transmits the "
+          "thrust",
           {.models = set, .reason = "the sun's shaft has its own bearing", .where = {"gearset.helix_angle"}}),
       part(m.sun_heights, [&] { describe_heights(visit, m.sun_heights, "sun", Physics::central_teeth); }),
       part(m.planet_heights, [&] { describe_heights(visit, m.planet_heights, "planet", Physics::planet); }),
@@ -249,20 +248,20 @@ void describe(Visitor& visit, Drive& m) {
   constexpr unsigned set = planetary_drivetrain;
   members(
       visit, m,
-      field(m.member, "input.member", Physics::planet, "member that the power enters by",
+      field(m.member, "input.member", Physics::planet, "member by which the power enters",
             {.models = set, .reason = "the usual reduction gear"}),
-      field(m.power, "input.power", Physics::carrier, "power that enters",
+      field(m.power, "input.power", Physics::carrier, "input power",
             {.models = set, .required_by = set, .dimension = dimension::power, .range = {1e-6, 1e7}}),
       field(m.application_factor, "input.application_factor", Physics::carrier,
             "K_A of ISO 6336-1: teeth and bearings carry the loads of this multiple of the power; with a "
             "spectrum 1",
             {.models = set, .range = {0.1, 10.0}, .reason = "input.power is the load that acts"}),
       field(m.speed, "input.speed", Physics::planet,
-            "speed of the driven member relative to the housing; before a parallel stage in front of it that "
-            "of the motor; of another member where input.speed_of names it",
+            "speed of the driven member relative to the housing; with a parallel stage in front, speed of "
+            "the motor; speed of another member if input.speed_of names it",
             {.models = set, .required_by = set, .dimension = dimension::angular_speed, .range = {1e-3, 1e6}}),
       field(m.speed_of, "input.speed_of", Physics::planet,
-            "whose speed input.speed is, in sweeps, torque curves and spectra too: motor and load are the "
+            "member whose speed is input.speed, also in sweeps, torque curves and spectra. motor, load: the "
             "shafts by which power enters and leaves; planet: relative to its pin",
             {.models = set, .reason = "power, torque and speed are those of one shaft"}),
       apart(m.motor_ratio), part(m.parallel));

@@ -228,7 +228,7 @@ void ToothWarnings::undercut(const ExternalTooth& tooth, const std::string& gear
   if (!tooth.undercut) return;
   list.push_back({position, "the " + gear + " is undercut: its profile shift " + decimal(tooth.shift, 4) +
                                 " lies below the limit " + decimal(least_shift_without_undercut(tooth), 4) +
-                                "; its involute begins at a radius of " + millimetres(tooth.form_radius) +
+                                ". Its involute begins at a radius of " + millimetres(tooth.form_radius) +
                                 " (base circle " + millimetres(tooth.base_radius) +
                                 ") and the path of contact ends there"});
 }
@@ -241,9 +241,9 @@ void ToothWarnings::reach(double reached, const ExternalTooth& tooth, const std:
   const std::string limit =
       reached < -tolerance ? "base circle, where there is no involute" : "form circle, into the root fillet";
   list.push_back({position, "the tips of the " + other + " reach below the " + gear + "'s " + limit +
-                                "; the path of contact ends at the " + gear + "'s form radius " +
+                                ". The path of contact ends at the " + gear + "'s form radius " +
                                 millimetres(tooth.form_radius) +
-                                ", and the tips need relief or a smaller addendum"});
+                                ", and the tips require relief or a smaller addendum"});
 }
 
 void ToothWarnings::clearance(double clearance, double module, const std::string& tip,

@@ -45,8 +45,8 @@ double ring_mesh_shift(const PlanetarySet& set, double centre_distance) {
 
 [[noreturn]] void no_common_centre_distance() {
   throw std::domain_error(
-      "no planet shift gives the sun mesh and the ring mesh one centre distance; "
-      "bring the ring's teeth closer to sun + 2 planet teeth, or change the shifts of sun and ring");
+      "no planet shift gives both meshes the same centre distance. Choose ring teeth closer to sun + 2 "
+      "planet teeth, or change the shifts of sun and ring");
 }
 
 // The planet's shift drops out of the sum of both meshes' equations, which grows with the distance. Eq. (4).

@@ -204,7 +204,7 @@ void check_speed_of(const ResolvedCase& resolved, std::vector<Mistake>& mistakes
     return add_error_at(resolved, kSpeedOfPath, "planet beside " + torque,
                         "the speed of a shaft, whose torque it is, or input.power is required", mistakes);
   if (std::abs(ratio_to_motor(resolved, member)) < kStill)
-    add_error_at(resolved, kSpeedOfPath, name + ", which stands still", "a member that rotates is required",
+    add_error_at(resolved, kSpeedOfPath, name + ", which is stationary", "a member that rotates is required",
                  mistakes);
 }
 

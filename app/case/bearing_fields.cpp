@@ -39,8 +39,8 @@ void add_profile_shape(std::vector<Field>& fields) {
   fields.push_back(
       {.path = "bearing.profile.design_load",
        .kind = Kind::quantity,
-       .meaning = "load of one roller for which lundberg, johns-gohar and fujiwara-kawase are laid "
-                  "out; left out: the load that goes with the drop",
+       .meaning = "design load of one roller for lundberg, johns-gohar and fujiwara-kawase; left out: the "
+                  "load that corresponds to the drop",
        .use = Use(use::lives | use::fmu_bearing | use::single_bearing_equilibrium | use::planet_stiffness,
                   use::bearings_as_springs | use::mesh)
                   .when(where("bearing.profile.kind", {"lundberg", "johns-gohar", "fujiwara-kawase"}))
@@ -159,12 +159,12 @@ void add_form(std::vector<Field>& fields, const std::string& block, const std::s
 }
 
 void add_forms(std::vector<Field>& fields) {
-  add_form(fields, "bearing.inner_race.out_of_roundness", "the pin's race, standing in the carrier",
+  add_form(fields, "bearing.inner_race.out_of_roundness", "the pin's race, stationary in the carrier",
            of_out_of_roundness());
-  add_form(fields, "bearing.inner_race.waviness", "the pin's race, turning with it", of_waviness());
-  add_form(fields, "bearing.outer_race.out_of_roundness", "the bore's race, standing in the carrier",
+  add_form(fields, "bearing.inner_race.waviness", "the pin's race, rotating with it", of_waviness());
+  add_form(fields, "bearing.outer_race.out_of_roundness", "the bore's race, stationary in the carrier",
            of_out_of_roundness());
-  add_form(fields, "bearing.outer_race.waviness", "the bore's race, turning with it", of_waviness());
+  add_form(fields, "bearing.outer_race.waviness", "the bore's race, rotating with it", of_waviness());
 }
 
 }  // namespace

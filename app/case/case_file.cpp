@@ -47,7 +47,7 @@ std::vector<std::string> keys_under(const std::string& prefix, const CaseShape& 
 std::string key_hint(const std::string& key, const std::string& prefix, const CaseShape& shape) {
   const std::string set = prefix.substr(0, set_prefix_length(prefix));
   if (!set.empty() && key == "fixed")
-    return "a member stands by being on a shaft with 'ground'; a known key is required";
+    return "a known key is required. A member is stationary on a shaft with 'ground'";
   // The right name in the wrong block is likelier than a slip of the keyboard.
   for (const Field& field : all_fields()) {
     if (!set.empty() && !in_each_set(field)) continue;
@@ -325,7 +325,7 @@ class Resolver {
         continue;
       others.push_back(set + giver.paths.front() + (giver.values.empty() ? "" : ": " + giver.values.front()));
     }
-    return others.empty() ? "" : fmt::format(", or {} in its place", fmt::join(others, " or "));
+    return others.empty() ? "" : fmt::format(", or {} instead", fmt::join(others, " or "));
   }
 
   // A full complement of rollers has no cage.

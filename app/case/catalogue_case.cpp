@@ -225,7 +225,7 @@ class CatalogueCase {
           fmt::format("default: middle of class {}, {:g} to {:g} um (ISO 5753)", name->given,
                       per_micro * range.least, per_micro * range.most));
       put_default(catalogue_keys::kState, "unmounted",
-                  "default: a clearance class is that of a bearing on the shelf");
+                  "default: a clearance class is for an unmounted bearing");
     } catch (const std::invalid_argument&) {  // check_catalogue_bearing() says it
     }
   }
@@ -311,14 +311,12 @@ std::optional<ConsistencyMessage> unknown_designation(const std::string& name, c
   constexpr std::size_t shown = 5;
   const bool rollers = (model & with_rollers) != 0;
   return ConsistencyMessage{
-      fmt::format("{}, which no line of {} has", quote(name),
-                  table == nullptr ? "the catalogue" : "both catalogues"),
-      fmt::format(
-          "a designation as it is listed is required, a suffix only where the list has it; nearest: {}. Of "
-          "another bearing, state a row of its own (bearing.catalogue: FILE), or number, diameter and pitch "
-          "diameter of its {}",
-          fmt::join(catalogue::nearest(designations_of(table, rollers), name, shown), ", "),
-          rollers ? "rollers" : "balls")};
+      fmt::format("{} is not in {}", quote(name), table == nullptr ? "the catalogue" : "both catalogues"),
+      fmt::format("a listed designation is required, with a suffix only if listed; nearest: {}. "
+                  "For another bearing, state your own row (bearing.catalogue: FILE), or number, diameter "
+                  "and pitch diameter of its {}",
+                  fmt::join(catalogue::nearest(designations_of(table, rollers), name, shown), ", "),
+                  rollers ? "rollers" : "balls")};
 }
 
 namespace {
@@ -378,9 +376,8 @@ void check_class(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   const bool stated = state == in.assumed().end();
   if (stated && in.has(catalogue_keys::kState) && in.choice(catalogue_keys::kState) == "operating")
     add_error("a clearance class beside bearing.clearance_state: operating",
-              "a class is that of a bearing on the shelf: bearing.clearance_state: unmounted, or a radial "
-              "clearance in "
-              "place of the class, is required");
+              "bearing.clearance_state: unmounted, or a radial clearance instead of the class, is required. "
+              "A class is for an unmounted bearing");
   if (in.has(catalogue_keys::kRings) && in.choice(catalogue_keys::kRings) != "both")
     add_error("a clearance class of a bearing without both rings",
               "bearing.radial_clearance, of pin, rollers and bore together, is required");
@@ -498,10 +495,10 @@ std::string inferred_warning(const std::string& path, const std::string& name,
   const char* element = catalogue::has_rollers(entry.family) ? "roller" : "ball";
   return fmt::format(
       "{}: the inside of {} is inferred from its printed ratings, not measured: {} {}s of {:.4g} mm on "
-      "{:.4g} "
-      "mm (C by them is {:.1f} % {} the printed one). Pass frequencies of the races are uncertain by about "
+      "{:.4g} mm. C computed from them is {:.1f} % {} the printed one. Pass frequencies of the races are "
+      "uncertain by about "
       "0.5 "
-      "% and those of a {} by 2 %; with one {} more or less, by {:.0f} %. State the {}s in place of the "
+      "% and those of a {} by 2 %; with one {} more or less, by {:.0f} %. State the {}s instead of the "
       "designation where they are known",
       path, catalogue::full_name(entry, name), inside.elements, element, per_milli * inside.diameter,
       per_milli * inside.pitch_diameter, 100.0 * std::abs(inside.dynamic_rating / entry.dynamic_rating - 1.0),

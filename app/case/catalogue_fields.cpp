@@ -121,28 +121,26 @@ void add_catalogue_fields(std::vector<Field>& fields) {
        .models = bought},
       {.path = catalogue_keys::kCatalogue,
        .kind = Kind::text,
-       .meaning = "file of bearings (CSV) in which the designation is sought before the project's own "
-                  "catalogue; several lines: the table itself",
+       .meaning = "file of bearings (CSV), searched for the designation before the project's own catalogue; "
+                  "several lines: the table itself",
        .use = by_designation.when(where_given({catalogue_keys::kDesignation})),
        .models = bought},
       choice(catalogue_keys::kClass,
-             "clearance class of the bearing on the shelf, ISO 5753; the middle of its range is taken",
+             "clearance class of the unmounted bearing, ISO 5753; the middle of its range is used",
              use_of_any(fields, {catalogue_keys::kClearance}), with_rollers | single_ball_bearing,
              names_of_classes()),
       choice(catalogue_keys::kPinClass,
-             "tolerance class of the pin under the inner ring, ISO 286, in place of its interference: the "
-             "middle of "
-             "what a bearing of normal accuracy has on it",
+             "tolerance class (ISO 286) of the pin under the inner ring, instead of its interference: mean "
+             "interference with a bearing of normal accuracy",
              use_of_row(fields, catalogue_keys::kInnerFit), planetary_drivetrain, catalogue::shaft_classes()),
       choice(catalogue_keys::kPlanetClass,
-             "tolerance class of the planet's bore around the outer ring, ISO 286, in place of its "
-             "interference: "
-             "the middle of what a bearing of normal accuracy has in it",
+             "tolerance class (ISO 286) of the planet's bore around the outer ring, instead of its "
+             "interference: mean interference with a bearing of normal accuracy",
              use_of_row(fields, catalogue_keys::kOuterFit), planetary_drivetrain, catalogue::hole_classes()),
-      choice(catalogue_keys::kMaterial, "material of the cage, in place of its density",
+      choice(catalogue_keys::kMaterial, "material of the cage, instead of its density",
              use_of_any(fields, {catalogue_keys::kDensity}), with_rollers | described::balls_in_time,
              {"polyamide", "steel", "brass", "aluminium"}),
-      choice(catalogue_keys::kComplement, "whether a cage keeps the rollers apart, or they touch one another",
+      choice(catalogue_keys::kComplement, "rollers separated by a cage, or in contact with one another",
              use_of_complement(fields), with_rollers, {"caged", "full"})};
   for (Field& field : fields)
     if (field.path == catalogue_keys::kRings) field.use = use_of_rings(fields);

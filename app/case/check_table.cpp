@@ -145,7 +145,7 @@ void describe_input(Record& row, const ResolvedCase& resolved, const Input& inpu
   row.value("given", "as the case states it", resolved.given(input.path));
   row.value("standing", "given or assumed", status(resolved, input.path));
   row.value("reason", "of what is assumed", reason(resolved, input.path));
-  row.value("origin", "where it stands", resolved.origin(input.path));
+  row.value("origin", "location in the case", resolved.origin(input.path));
 }
 
 // What is given and not modelled, analysis by analysis.
@@ -187,7 +187,7 @@ void describe_check(Record& record, const ResolvedCase& resolved, const std::vec
   record.value("model", "what is computed", resolved.choice("model"));
   record.table("inputs", "input", "what the case states", inputs,
                [&](Record& row, const Input& input) { describe_input(row, resolved, input); });
-  record.table("derived", "quantity", "what follows from it", derived, [](Record& row, const Derived& one) {
+  record.table("derived", "quantity", "derived quantities", derived, [](Record& row, const Derived& one) {
     row.value("path", "name", one.path);
     row.value("value", {}, "in its unit", one.value);
     row.value("unit", "of the value", one.unit);

@@ -77,7 +77,7 @@ void check_traction(Checker& check) {
   for (const auto& [law, name] : names_of(TractionLaw{}))
     if (nature_of(law).of_rollers) of_rollers.push_back(name);
   if (std::ranges::find(of_rollers, stated) != of_rollers.end()) return;
-  check.add_error("traction.law", fmt::format("'{}', a law of balls", stated),
+  check.add_error("traction.law", fmt::format("'{}', a traction model for balls", stated),
                   fmt::format("{} is required for rollers", fmt::join(of_rollers, " or ")));
 }
 
@@ -175,11 +175,10 @@ void check_roller_circle(Checker& check, const ResolvedCase& resolved) {
   const double diameter = check.length("bearing.roller_diameter");                                    // [m]
   constexpr double round_off = 1e-12;  // rollers that touch fit
   if (diameter > spacing * (1.0 + round_off)) {
-    check.add_error(
-        "bearing.rollers", fmt::format("{} rollers do not fit around the pitch circle", rollers),
-        fmt::format("a roller diameter ({:.6g} mm) of at most the distance of their centres, {:.6g} mm, is "
-                    "required; take fewer or thinner rollers",
-                    1e3 * diameter, 1e3 * spacing));
+    check.add_error("bearing.rollers", fmt::format("{} rollers do not fit around the pitch circle", rollers),
+                    fmt::format("a roller diameter ({:.6g} mm) of at most their centre distance, {:.6g} mm, "
+                                "is required. Use fewer or thinner rollers",
+                                1e3 * diameter, 1e3 * spacing));
   } else if (check.has({"bearing.cage.pocket_clearance"}) && !is_full_complement(resolved)) {
     check.ordered("bearing.cage.pocket_clearance",
                   "room for bars between the pockets: a roller with its play",
@@ -286,7 +285,7 @@ void check_contact(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   }
   if (in.choice("film.solver") != "reynolds")
     add_error_at(in, "contact.length", "a line contact beside film.solver: " + in.choice("film.solver"),
-                 "film.solver: reynolds is required: the regressions know ellipses alone", mistakes);
+                 "film.solver: reynolds is required: the regressions are for ellipses only", mistakes);
   if (!in.has("points")) return;
   const std::vector<double>& rows = in.list("points");
   for (std::size_t i = 2; i < rows.size(); i += 3)

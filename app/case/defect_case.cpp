@@ -16,7 +16,8 @@ namespace orbearing::app {
 namespace {
 
 void check_scratch_profile(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
-  if (in.choice("defect.form") != "profile" || (in.has("defect.profile") && in.list("defect.profile").size() >= 3))
+  if (in.choice("defect.form") != "profile" ||
+      (in.has("defect.profile") && in.list("defect.profile").size() >= 3))
     return;
   add_error_at(in, "defect.form", "'profile' without three depths in defect.profile",
                "at least three, at even places from edge to edge, are required", mistakes);
@@ -36,7 +37,7 @@ void check_scratch(const ResolvedCase& in, const char* element, std::vector<Mist
   const double widest = 0.5 * in.quantity(diameter);
   if (in.quantity("defect.width") > widest)
     add_error_at(in, "defect.width",
-                 fmt::format("{} for {}s that sink between its edges", in.given("defect.width"), element),
+                 fmt::format("{} for {}s that enter between its edges", in.given("defect.width"), element),
                  fmt::format("at most half a {} diameter, {:.4g} mm, is required", element, 1e3 * widest),
                  mistakes);
 }
@@ -123,9 +124,10 @@ bearing::balls::MotionParameters scratched_motion_of(const ResolvedCase& in) {
                            "bearing.cage.density"})
     if (!in.has(path)) missing.emplace_back(path);
   if (!missing.empty())
-    throw BadInput(fmt::format("--fidelity: found dynamic for a case without {}; required: all of them, since "
-                               "the cage moves too, or no --fidelity",
-                               fmt::join(missing, ", ")));
+    throw BadInput(
+        fmt::format("--fidelity: found dynamic for a case without {}; required: all of them, since "
+                    "the cage moves too, or no --fidelity",
+                    fmt::join(missing, ", ")));
   return from_case<bearing::balls::MotionParameters>(in);
 }
 
@@ -146,7 +148,8 @@ std::optional<diagnosis::Band> stated_band_of(const ResolvedCase& in) {
 void check_defect(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   if (is_planet_defect(in)) {
     if (!in.has("defect.race"))
-      mistakes.push_back({{}, "defect.race", {"a block defect without it", "outer, inner, roller or none is required"}});
+      mistakes.push_back(
+          {{}, "defect.race", {"a block defect without it", "outer, inner, roller or none is required"}});
     check_planet_surface(in, mistakes);
     check_location(in, mistakes);
     return;

@@ -223,7 +223,7 @@ constexpr DefaultRule default_rules[] = {
      "a fifth of the modulus of the usual cage material nearest in density times the cage's width",
      touch_down_stiffness},
     {.path = "bearing.cage.guide_land_diameter",
-     .text = "a play of 6 % of the diameter of a roller or ball, at most half of that to the raceway",
+     .text = "a clearance of 6 % of the roller or ball diameter, at most half of that to the raceway",
      .apply = guide_land,
      .always = false},
     {.path = "bearing.cage.pocket_damping",

@@ -38,7 +38,7 @@ void add_bodies(std::vector<Field>& fields) {
                          bodies, {1.005, 20.0}, "1.15",
                          "a rim of some five modules; affects mesh stiffness and mass of the ring"));
   fields.push_back(ratio("gearset.planet_bore_ratio",
-                         "bore of a planet that has no given bearing, as a share of module x (teeth - 2.5)",
+                         "bore of a planet without a stated bearing, as a share of module x (teeth - 2.5)",
                          planet, {0.02, 0.98}, "0.7",
                          "room for roller bearings under a rim of a few modules"));
 }
@@ -48,18 +48,16 @@ void add_checks(std::vector<Field>& fields) {
   const Use checked(use::of_a_drivetrain, 0);
   fields.push_back({.path = "gearset.centre_distance",
                     .kind = Kind::quantity,
-                    .meaning =
-                        "check alone: working centre distance of a drawing; refused where teeth, module and "
-                        "shifts give another by more than 0.01 mm",
+                    .meaning = "check only: working centre distance of a drawing; refused if teeth, module "
+                               "and shifts give a value more than 0.01 mm away",
                     .use = checked,
                     .models = planetary_drivetrain,
                     .dimension = dimension::length,
                     .range = positive(1e5)});
   fields.push_back({.path = "gearset.profile_shift.planet",
                     .kind = Kind::number,
-                    .meaning =
-                        "check alone: profile shift of a planet, in modules; refused where the common centre "
-                        "distance gives another by more than 0.005",
+                    .meaning = "check only: profile shift of a planet, in modules; refused if the common "
+                               "centre distance gives a value more than 0.005 away",
                     .use = checked,
                     .models = planetary_drivetrain,
                     .range = {-2.0, 2.0}});

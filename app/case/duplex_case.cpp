@@ -160,7 +160,7 @@ void check_duplex(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
       (in.quantity("operation.shaft_speed") != 0.0 || in.has("operation.speeds")))
     add_error_at(in, in.has("operation.speeds") ? "operation.speeds" : "operation.shaft_speed",
                  "a shaft that turns, beside stiffness: linear",
-                 "nonlinear is required: the linear formulas know no speed", mistakes);
+                 "nonlinear is required: the linear formulas include no speed", mistakes);
   check_shaft(in, mistakes);
   check_measured(in, mistakes);
   check_identification(in, mistakes);

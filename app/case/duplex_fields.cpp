@@ -38,7 +38,7 @@ Field under(Condition condition, Field field) {
 void add_preload(std::vector<Field>& fields) {
   fields.push_back({.path = "arrangement",
                     .kind = Kind::choice,
-                    .meaning = "how both bearings stand to each other",
+                    .meaning = "arrangement of both bearings",
                     .use = Use(by_both, 0),
                     .models = duplex_pair,
                     .required_by = duplex_pair,
@@ -48,8 +48,7 @@ void add_preload(std::vector<Field>& fields) {
       "0 N", "spacers alone press the rows"));
   fields.push_back(with_default(
       pair_quantity(dimension::small_length, "spacer_difference",
-                    "difference in length of the spacers by which both rows together are pressed "
-                    "further than by preload",
+                    "length difference of the spacers, which presses both rows further than the preload",
                     {-1000.0, 1000.0}),
       "0 um", "preload is stated as a load"));
   fields.push_back({.path = "stiffness",
@@ -78,13 +77,14 @@ void add_shaft(std::vector<Field>& fields) {
                           " through its mass centre; left out: that of a cylinder of spindle.diameter",
                       above_zero));
   fields.push_back(pair_quantity(dimension::length, "spindle.diameter",
-                                 "diameter of a solid cylinder that stands for the shaft", above_zero));
+                                 "diameter of a solid cylinder equivalent to the shaft", above_zero));
   fields.push_back(with_default(
       under(where_given({"spindle.diameter"}), pair_quantity(dimension::density, "spindle.density",
                                                              "density of that cylinder", {100.0, 25000.0})),
       "7850 kg/m3", "steel"));
   fields.push_back(pair_quantity(dimension::mass, "housing.mass",
-                                 "mass of a housing that is free to move; left out: it stands", above_zero));
+                                 "mass of a housing that is free to move; left out: fixed housing",
+                                 above_zero));
   fields.push_back(pair_quantity(dimension::inertia, "housing.inertia",
                                  "its inertia about a diameter through its mass centre", above_zero));
 }
@@ -157,12 +157,11 @@ void add_response(std::vector<Field>& fields) {
        .range = {.least = 0.0, .most = 1.0, .least_allowed = false},
        .default_text = "0.005",
        .default_reason = "steel, by the source of the model"});
-  fields.push_back(
-      with_default(pair_quantity(dimension::length, "response.position",
-                                 "where the shaft is struck and its motion across is taken, from its "
-                                 "mass centre towards the first row",
-                                 {-1e4, 1e4}, use::duplex_run),
-                   "0 mm", "at the mass centre"));
+  fields.push_back(with_default(pair_quantity(dimension::length, "response.position",
+                                              "position of the impact and of the measured motion across the "
+                                              "shaft, from its mass centre towards the first row",
+                                              {-1e4, 1e4}, use::duplex_run),
+                                "0 mm", "at the mass centre"));
 }
 
 }  // namespace

@@ -21,10 +21,10 @@ FieldReading good(FieldValue value) {
 // What to state instead where a source has what the field cannot hold.
 std::string remedy(const Field& field) {
   if (field.path.starts_with("parallel_stage."))
-    return "; there is one stage on this side: state several as one of the same ratio in lowest terms, "
-           "[82, 23] and [88, 22] as [328, 23]";
+    return ". There is one stage on this side: state several stages as one of the same ratio in lowest "
+           "terms, [82, 23] and [88, 22] as [328, 23]";
   if (field.path == "pair.teeth")
-    return "; of a gear inside a ring, state the ring mesh in a case with model: planetary-drivetrain";
+    return ". For a gear inside a ring, state the ring mesh in a case with model: planetary-drivetrain";
   return {};
 }
 
@@ -238,7 +238,7 @@ std::string keys_of_group(const Field& field, int group) {
   return fmt::format("{}", fmt::join(keys, " or "));
 }
 
-// The first key that no column has, or that stands twice; nothing where all is well.
+// The first key that no column has, or that is listed twice; nothing where all is well.
 std::optional<FieldReading> wrong_key(const Field& field, const Entry& row) {
   for (std::size_t i = 0; i < row.members.size(); ++i) {
     const std::string& key = row.members[i].key;

@@ -184,7 +184,7 @@ const Field& shaft_field() {
   static const Field field{
       .path = "shafts",
       .kind = Kind::list,
-      .meaning = "what turns as one: members as in 'reduction.sun', and motor, load or ground",
+      .meaning = "parts that rotate together: members as in 'reduction.sun', and motor, load or ground",
       .use = Use(use::lives | use::planet_stiffness, 0),
       .models = planetary_drivetrain,
       .element = Kind::text};

@@ -54,13 +54,13 @@ void add_run(std::vector<Field>& fields) {
        "0 s",
        "no run-up"}));
   Field observed = number({"observed_periods",
-                           "mesh periods that are averaged once steady",
+                           "number of mesh periods for the means of the steady state",
                            of_run,
                            {1, 1000000},
                            "200",
                            "many turns of the slowest vibration"});
   Field settling = number({"settling_periods",
-                           "mesh periods allowed to become steady",
+                           "maximum number of mesh periods to reach a steady state",
                            of_run,
                            {100, 10000000},
                            "4000",

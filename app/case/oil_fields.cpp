@@ -31,14 +31,14 @@ void add_oil_fields(std::vector<Field>& fields) {
   for (const int grade : bearing::kOilGrades) grades.push_back(fmt::format("ISO VG {}", grade));
   fields.push_back({.path = "lubricant.grade",
                     .kind = Kind::choice,
-                    .meaning = "viscosity grade of a mineral oil; with the temperature it stands in place of "
+                    .meaning = "viscosity grade of a mineral oil; with the temperature it replaces "
                                "lubricant.viscosity, pressure_viscosity and kinematic_viscosity",
                     .use = use,
                     .models = models,
                     .choices = grades});
   fields.push_back({.path = "lubricant.temperature",
                     .kind = Kind::quantity,
-                    .meaning = "running temperature of the oil, beside its grade",
+                    .meaning = "running temperature of the oil, stated with its grade",
                     .use = beside,
                     .models = models,
                     .dimension = described::dimension::temperature,
@@ -47,7 +47,7 @@ void add_oil_fields(std::vector<Field>& fields) {
                     .default_reason = "oil of a gearbox at full load"});
   fields.push_back({.path = "lubricant.viscosity_index",
                     .kind = Kind::number,
-                    .meaning = "viscosity index, beside the grade",
+                    .meaning = "viscosity index, stated with the grade",
                     .use = beside,
                     .models = models,
                     .range = {0.0, 100.0},

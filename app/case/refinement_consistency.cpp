@@ -48,7 +48,7 @@ void check_rim(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
         mistakes);
   if (const std::string uneven = uneven_planets_by(resolved); !uneven.empty())
     add_error_at(resolved, rim, fmt::format("elastic beside {}", uneven),
-                 "rigid is required where planets carry unlike loads", mistakes);
+                 "rigid is required where planets carry unequal loads", mistakes);
 }
 
 // Teeth under load push only, and follow from their form.
@@ -78,7 +78,7 @@ void check_tilt(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
   need(!resolved.has("gearset.planet_rim") || resolved.choice("gearset.planet_rim") == "rigid",
        "beside gearset.planet_rim: elastic", "a rigid rim is required");
   const std::string uneven = uneven_planets_by(resolved);
-  need(uneven.empty(), "beside " + uneven, "planets that carry alike are required");
+  need(uneven.empty(), "beside " + uneven, "planets with equal loads are required");
   for (const char* list : {"bearing.roller_diameter_deviation", "bearing.inner_race.waviness.amplitude",
                            "bearing.outer_race.waviness.amplitude"})
     need(!is_anywhere_nonzero(resolved, list), std::string("beside ") + list,

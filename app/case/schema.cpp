@@ -277,10 +277,9 @@ Json distribution_of(const Field& field) {
 }
 
 Json uncertain_schema(Model model) {
-  Json schema = by_path(
-      model, "uncertain",
-      "numbers that are not known for sure and how likely their values are; each element of a list by itself",
-      can_be_uncertain, distribution_of);
+  Json schema = by_path(model, "uncertain",
+                        "uncertain numbers and their distributions; each element of a list separately",
+                        can_be_uncertain, distribution_of);
   const Json row{{"type", "array"}, {"items", {{"type", "number"}, {"minimum", -1}, {"maximum", 1}}}};
   schema["properties"]["correlations"] =
       object_of({{"of", {{"type", "array"}, {"minItems", 1}, {"items", {{"type", "string"}}}}},
@@ -333,7 +332,8 @@ void add_multi_stage(Json& schema) {
   Json& with_bearing = set["required"];  // a set may go without bearings
   with_bearing.erase(std::find(with_bearing.begin(), with_bearing.end(), "bearing"));
   schema["properties"]["sets"] = named_blocks("planetary sets by name", std::move(set));
-  schema["properties"]["shafts"] = named_blocks("what turns as one, by name", field_schema(shaft_field()));
+  schema["properties"]["shafts"] =
+      named_blocks("parts that rotate together, by name", field_schema(shaft_field()));
   Json& required = schema["required"];
   for (const char* key : {"gearset", "bearing", "input"})
     required.erase(std::find(required.begin(), required.end(), key));

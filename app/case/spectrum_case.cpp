@@ -76,8 +76,8 @@ Field torque_field(const Use& use_of_power) {
   return {.path = kTorquePath,
           .kind = Kind::quantity,
           .meaning =
-              "torque on the shaft whose speed is input.speed, in place of input.power; a sweep over "
-              "speed is then one of constant torque",
+              "torque on the shaft whose speed is input.speed, instead of input.power; a sweep over speed "
+              "then has constant torque",
           .use = use_of_power,
           .models = planetary_drivetrain,
           .dimension = dimension::torque,
@@ -85,17 +85,17 @@ Field torque_field(const Use& use_of_power) {
 }
 
 Field torque_curve_field(const Use& use_of_power) {
-  return {.path = kTorqueCurvePath,
-          .kind = Kind::list,
-          .meaning =
-              "torque over speed, in place of input.power: rows in ascending order of speed, linear "
-              "between them",
-          .use = use_of_power,
-          .models = planetary_drivetrain,
-          .element = Kind::list,
-          .columns = {{"speed", dimension::angular_speed, {0.0, 1e6}},
-                      {"torque", dimension::torque, {0.0, 1e12}}},
-          .from_file = true};
+  return {
+      .path = kTorqueCurvePath,
+      .kind = Kind::list,
+      .meaning =
+          "torque over speed, instead of input.power: rows in ascending order of speed, linear between them",
+      .use = use_of_power,
+      .models = planetary_drivetrain,
+      .element = Kind::list,
+      .columns = {{"speed", dimension::angular_speed, {0.0, 1e6}},
+                  {"torque", dimension::torque, {0.0, 1e12}}},
+      .from_file = true};
 }
 
 void replace_other_duty(CaseData& data, const std::string& path) {
@@ -184,9 +184,8 @@ Field spectrum_field() {
   return {.path = kSpectrumPath,
           .kind = Kind::list,
           .meaning =
-              "load spectrum: how long which power or torque enters at which speed; share or hours, the same "
-              "for all rows; speed 0 is rest; file, which may be left out, names the record of a row, for "
-              "damage by file",
+              "load spectrum: duration of each power or torque with its speed. Use share or hours, the same "
+              "for all rows; speed 0 is rest. Optional: file, the record of a row, for damage by file",
           .use = Use(use::lives, use::all & ~use::lives),
           .models = planetary_drivetrain,
           .element = Kind::list,
@@ -242,9 +241,9 @@ void check_spectrum(const ResolvedCase& resolved, std::vector<Mistake>& mistakes
   if (time > 0.0 && shares > 0.0)
     add_error("rows with a share beside rows with hours", "one of both, the same for all rows, is required");
   else if (time <= 0.0 && std::abs(shares - 1.0) > kShareRoundOff)
-    add_error(
-        fmt::format("shares that add up to {:.8g}", shares),
-        "a sum of 1 is required; time at rest is a row of speed 0, and hours in place of share need no sum");
+    add_error(fmt::format("shares that add up to {:.8g}", shares),
+              "a sum of 1 is required; time at rest is a row of speed 0, and hours instead of share require "
+              "no sum");
   if (std::none_of(bins.begin(), bins.end(), [](const StatedBin& bin) {
         return LoadBin{.speed = bin.speed}.turns() && bin.share + bin.time > 0.0;
       }))
@@ -254,7 +253,7 @@ void check_spectrum(const ResolvedCase& resolved, std::vector<Mistake>& mistakes
       mistakes.push_back({resolved.item_location(kSpectrumPath, i),
                           kSpectrumPath,
                           {fmt::format("row {} with {:.4g} kW at speed 0", i + 1, 1e-3 * bins[i].power),
-                           "power 0, or torque in place of power, is required at rest"}});
+                           "power 0, or torque instead of power, is required at rest"}});
   for (std::size_t i = 0; i < bins.size(); ++i)
     if (bins[i].own_power() > kMostPower)
       add_error(fmt::format("row {} with {:.4g} kW", i + 1, 1e-3 * bins[i].own_power()),

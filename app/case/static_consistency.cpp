@@ -44,14 +44,13 @@ void check_balls(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
                "bearing.outer_osculation", "bearing.contact_angle", "bearing.radial_clearance"}))
     return;
   const double diameter = in.quantity("bearing.ball_diameter");
-  const double spacing = in.quantity("bearing.pitch_diameter") *
-                         std::sin(constants::pi / in.integer("bearing.balls"));
+  const double spacing =
+      in.quantity("bearing.pitch_diameter") * std::sin(constants::pi / in.integer("bearing.balls"));
   if (diameter >= spacing)
     add_error_at(
         in, "bearing.balls",
         fmt::format("{} balls do not fit around the pitch circle", in.integer("bearing.balls")),
-        fmt::format("a ball diameter ({:.4g} mm) less than the distance of their centres, {:.4g} mm, is "
-                    "required",
+        fmt::format("a ball diameter ({:.4g} mm) less than their centre distance, {:.4g} mm, is required",
                     1e3 * diameter, 1e3 * spacing),
         mistakes);
   const double openness = in.number("bearing.inner_osculation") + in.number("bearing.outer_osculation") - 1.0;

@@ -112,9 +112,8 @@ void add_operation(std::vector<Field>& fields) {
   fields.push_back(std::move(outer));
   fields.push_back({.path = "operation.speeds",
                     .kind = Kind::list,
-                    .meaning = "speeds of the inner ring over which run and stiffness tabulate the balance, "
-                               "and modes and run of a "
-                               "duplex pair its natural frequencies",
+                    .meaning = "speeds of the inner ring over which run and stiffness tabulate the "
+                               "equilibrium, and modes and run of a duplex pair its natural frequencies",
                     .use = Use(use::single_bearing_equilibrium | use::duplex, 0),
                     .models = ball_bearing | duplex_pair,
                     .dimension = dimension::angular_speed,
@@ -128,12 +127,12 @@ void add_operation(std::vector<Field>& fields) {
                     .range = positive(1e6)});
   fields.push_back({.path = "operation.turning_race",
                     .kind = Kind::choice,
-                    .meaning = "race that turns relative to the load",
+                    .meaning = "race that rotates relative to the load",
                     .use = by_any_load(),
                     .models = single_bearing,
                     .choices = {"inner", "outer"},
                     .default_text = "inner",
-                    .default_reason = "a load that stands still on a turning shaft"});
+                    .default_reason = "a stationary load on a rotating shaft"});
   fields.push_back({.path = "operation.shaft_acceleration",
                     .kind = Kind::quantity,
                     .meaning =
@@ -153,13 +152,13 @@ void add_capacities(std::vector<Field>& fields) {
                     use::stiffness | (use::of_a_drivetrain & ~unsigned{use::lives}));
   fields.push_back(optional_quantity(
       dimension::force, "bearing.dynamic_capacity",
-      "basic dynamic load rating C, for the lives by ISO 281 and ISO/TS 16281; without it that of ISO 281",
+      "basic dynamic load rating C, for the lives by ISO 281 and ISO/TS 16281; if absent, C by ISO 281",
       single_bearing | planetary_drivetrain, above_zero, by_load));
   fields.push_back(optional_quantity(dimension::force, "bearing.static_capacity",
-                                     "basic static load rating C_0; without it that of ISO 76", rated,
+                                     "basic static load rating C_0; if absent, C_0 by ISO 76", rated,
                                      above_zero, by_fatigue_limit()));
   fields.push_back(optional_quantity(dimension::force, "bearing.fatigue_load_limit",
-                                     "fatigue load limit C_u; without it that of ISO 281 by C_0", rated,
+                                     "fatigue load limit C_u; if absent, C_u by ISO 281 from C_0", rated,
                                      above_zero, by_fatigue_limit()));
   for (Field& field : std::span(fields).last(3)) {  // of each row of a pair too
     field.models |= duplex_pair;
@@ -184,19 +183,18 @@ std::vector<std::string> methods_of_life() {
 }
 
 void add_life(std::vector<Field>& fields) {
-  fields.push_back(
-      {.path = "life.method",
-       .kind = Kind::choice,
-       .meaning = "life that peaks, spectra and sensitivities go by: life_h of Lundberg and Palmgren; "
-                  "iso-281: L10mh where the oil is stated, else L10h; iso-16281: L10mrh where the oil is "
-                  "stated, else L10rh. crown goes by L10rh where it is iso-16281, else by life_h",
-       .use = by_lives_of_planets().used_too(use::crown, where("life.method", {"iso-16281"})),
-       .models = planetary_drivetrain,
-       .choices = methods_of_life(),
-       .default_text = "lundberg-palmgren",
-       .default_reason = "what published cases use"});
+  fields.push_back({.path = "life.method",
+                    .kind = Kind::choice,
+                    .meaning = "life of peaks, spectra and sensitivities. lundberg-palmgren: life_h; "
+                               "iso-281: L10mh where the oil is stated, else L10h; iso-16281: L10mrh where "
+                               "the oil is stated, else L10rh. crown uses L10rh with iso-16281, else life_h",
+                    .use = by_lives_of_planets().used_too(use::crown, where("life.method", {"iso-16281"})),
+                    .models = planetary_drivetrain,
+                    .choices = methods_of_life(),
+                    .default_text = "lundberg-palmgren",
+                    .default_reason = "what published cases use"});
   fields.push_back(minimum_load_field(by_lives_of_planets()));
-  Field reliability = life_number("life.reliability", "share of bearings that reach the life",
+  Field reliability = life_number("life.reliability", "reliability: share of bearings that reach the life",
                                   {.least = 0.0, .most = 1.0, .least_allowed = false, .most_allowed = false});
   // a_1 is in L10m and L10mr, which need an oil; a bearing at rest under a load shows it by itself.
   reliability.use =
@@ -208,14 +206,15 @@ void add_life(std::vector<Field>& fields) {
   reliability.default_text = "0.9";
   reliability.default_reason = "rating lives are those of 90 %";
   fields.push_back(reliability);
-  Field ratio = life_number("life.viscosity_ratio", "kappa of ISO 281; with it the life takes a_ISO",
-                            {.least = 0.1, .most = 1000.0});
+  Field ratio =
+      life_number("life.viscosity_ratio", "viscosity ratio kappa of ISO 281; with it the life includes a_ISO",
+                  {.least = 0.1, .most = 1000.0});
   ratio.use = where_kappa_is_stated(ratio.use);
   fields.push_back(ratio);
   fields.push_back(life_number("life.contamination_factor", "e_C of ISO 281", {0.0, 1.0}));
   fields.push_back({.path = "life.lubrication",
                     .kind = Kind::choice,
-                    .meaning = "how the bearing is lubricated, for the contamination factor",
+                    .meaning = "kind of lubrication, for the contamination factor",
                     .use = by_rated_life()
                                .when(where_absent("life.contamination_factor"))
                                .when(where_given({"life.cleanliness", "lubricant.grade",
@@ -228,8 +227,7 @@ void add_life(std::vector<Field>& fields) {
       {.path = "life.cleanliness",
        .kind = Kind::choice,
        .meaning =
-           "level of cleanliness, or the code of ISO 4406 that stands for it where oil is filtered, in "
-           "place of the contamination factor",
+           "level of cleanliness, or its ISO 4406 code for filtered oil, instead of the contamination factor",
        .use = by_rated_life(),
        .models = rated,
        .choices = {"highest", "high", "medium", "low", "lowest", "-/13/10", "-/15/12", "-/17/14", "-/19/16",
@@ -237,8 +235,8 @@ void add_life(std::vector<Field>& fields) {
   fields.push_back(
       {.path = "life.viscosity_ratio_by",
        .kind = Kind::choice,
-       .meaning = "where kappa comes from: the speed and the viscosity, or the least film that was "
-                  "computed over contact.roughness, to the power of 1.3",
+       .meaning = "source of kappa: speed and viscosity, or the ratio of the least computed film to "
+                  "contact.roughness, to the power of 1.3",
        .use = Use(use::lives & ~unsigned{use::crown}, use::of_a_drivetrain & ~unsigned{use::lives})
                   .when(where_given({"lubricant.grade", "life.cleanliness", "life.contamination_factor"})),
        .models = planetary_drivetrain,
@@ -247,7 +245,7 @@ void add_life(std::vector<Field>& fields) {
        .default_reason = "as ISO 281 defines kappa; the film's own is its alternative"});
   fields.push_back(
       optional_quantity(dimension::kinematic_viscosity, "lubricant.kinematic_viscosity",
-                        "kinematic viscosity at running temperature, in place of kappa", rated,
+                        "kinematic viscosity at running temperature, instead of kappa", rated,
                         {.least = 0.0, .most = 1e6, .least_allowed = false},
                         where_kappa_is_stated(by_rated_life()).when(where_absent("lubricant.grade"))));
 }

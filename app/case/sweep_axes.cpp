@@ -71,7 +71,7 @@ class AxisReader {
       if (!reading.good) {
         mistakes_.push_back({item.location, path_, reading.message});
       } else if (!seen.insert(reading.value.number).second) {
-        add_error(item.location, path_, describe(item) + " stands twice", "each value once is required");
+        add_error(item.location, path_, describe(item) + " is listed twice", "each value once is required");
       } else {
         axis.values.push_back(reading.value.given);
         axis.numbers.push_back(reading.value.number);

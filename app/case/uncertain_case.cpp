@@ -41,14 +41,17 @@ constexpr const char* kDeviation = "standard_deviation";
 constexpr const char* kRelativeDeviation = "relative_standard_deviation";  // [-]  of the mean's magnitude
 
 constexpr std::array<DistributionWords, 3> kDistributions{
-    {{"normal", {kDeviation, kRelativeDeviation, "mean", "from", "to"}, 0},  // one of the first two, see below
+    {{"normal",
+      {kDeviation, kRelativeDeviation, "mean", "from", "to"},
+      0},  // one of the first two, see below
      {"uniform", {"from", "to"}, 2},
      {"triangular", {"from", "peak", "to"}, 3}}};
 
 constexpr const char* required_distribution =
-    "one of {normal: {standard_deviation: ..., mean: ..., from: ..., to: ...}} (the last three may be left "
-    "out, and the first may be a number relative_standard_deviation), {uniform: {from: ..., to: ...}}, {triangular: {from: ..., peak: ..., to: ...}} or, of a radial "
-    "clearance, {class: CN}, with or without a reason, is required";
+    "one of {normal: {standard_deviation: ..., mean: ..., from: ..., to: ...}}, {uniform: {from: ..., to: "
+    "...}}, {triangular: {from: ..., peak: ..., to: ...}} or, for a radial clearance, {class: CN} is "
+    "required. For normal, mean, from and to are optional, and the number relative_standard_deviation can "
+    "replace standard_deviation. A reason is optional";
 
 // The field of one number: of a list, that of its elements.
 Field field_of_number(const Field& field) {
@@ -374,8 +377,8 @@ class UncertainCheck {
       return false;
     }
     if (in_.is_replaced(stated.path)) {
-      add_error(stated, "a number in whose place another input stands",
-                "the input that gives it is what can be uncertain; a case without it is required");
+      add_error(stated, "a number that another input replaces",
+                "a case without it is required: only the input that gives it can be uncertain");
       return false;
     }
     return stated.kind != "class" || stands_as_class(stated);
@@ -384,7 +387,7 @@ class UncertainCheck {
   bool stands_as_class(const StatedUncertain& stated) {
     const ResolvedCase set = set_of_path(in_, stated.path);
     if (!set.has(catalogue_keys::kState) || set.choice(catalogue_keys::kState) != "unmounted") {
-      add_error(stated, "a clearance class of a clearance that is not that on the shelf",
+      add_error(stated, "a clearance class of a clearance that is not unmounted",
                 "bearing.clearance_state: unmounted, with its fits, is required");
       return false;
     }
@@ -400,9 +403,9 @@ class UncertainCheck {
   // A share of a mean of 0 is no deviation. Where a setting made the mean 0, what asks for samples says so.
   bool check_deviations(const StatedUncertain& stated, const std::vector<UncertainInput>& inputs) {
     if (in_.location(stated.path).option && !stated.location.option) return true;
-    const bool sound = stated.kind != "normal" || std::all_of(inputs.begin(), inputs.end(), [](const auto& one) {
-                         return one.standard_deviation > 0.0;
-                       });
+    const bool sound =
+        stated.kind != "normal" || std::all_of(inputs.begin(), inputs.end(),
+                                               [](const auto& one) { return one.standard_deviation > 0.0; });
     if (!sound)
       add_error(stated,
                 stated.numbers.contains(kRelativeDeviation) ? "a relative_standard_deviation of a mean of 0"
@@ -420,10 +423,9 @@ class UncertainCheck {
       add_error(stated, "a mean outside 'from' and 'to'", "one between them is required");
       return false;
     }
-    add_error(stated, "a normal distribution that leaves the range of its number",
+    add_error(stated, "a normal distribution beyond the range of its number",
               requirement(*find_field(stated.path)) +
-                  " is required of all within six standard deviations of the mean; cut "
-                  "it off by from or to beside the standard deviation");
+                  " is required within six standard deviations. Limit the distribution by from or to");
     return false;
   }
 
@@ -497,7 +499,7 @@ void check_correlations(const ResolvedCase& in, std::vector<Mistake>& mistakes) 
           quote(path) + " as a path",
           fmt::format("paths of uncertain numbers, elements of lists by their index from 0, are required: {}",
                       fmt::join(known, ", ")));
-    if (!seen.insert(path).second) add_error(quote(path) + " stands twice", "each path once is required");
+    if (!seen.insert(path).second) add_error(quote(path) + " is listed twice", "each path once is required");
   }
   const auto size = static_cast<Eigen::Index>(stated.of.size());
   Eigen::MatrixXd matrix(size, size);

@@ -113,9 +113,9 @@ constexpr DataSheetUnit kDataSheetUnits[] = {{"rad/s", "1/min", "rpm"},
                                              {"N.m", "MNm", "MN.m"}};
 
 std::string_view meant_unit(std::string_view unit, std::string_view target) {
-  const auto found = std::find_if(
-      std::begin(kDataSheetUnits), std::end(kDataSheetUnits),
-      [&](const DataSheetUnit& one) { return one.target == target && one.written == unit; });
+  const auto found =
+      std::find_if(std::begin(kDataSheetUnits), std::end(kDataSheetUnits),
+                   [&](const DataSheetUnit& one) { return one.target == target && one.written == unit; });
   return found == std::end(kDataSheetUnits) ? unit : found->meant;
 }
 
@@ -181,7 +181,10 @@ Conversion round_conversion(double factor, double inverse) {
 Conversion make_conversion(std::string_view unit, std::string_view target_unit) {
   const std::lock_guard lock(udunits_mutex());
   const DecimalPoint point;
-  if (unit_system() == nullptr) return no_conversion("the unit database of udunits2 cannot be read (Debian: libudunits2-data; UDUNITS2_XML_PATH may name another)");
+  if (unit_system() == nullptr)
+    return no_conversion(
+        "the unit database of udunits2 cannot be read (Debian: libudunits2-data; UDUNITS2_XML_PATH may name "
+        "another)");
   const Unit target = parse_unit(target_unit);
   assert(target && "unit of the field table");
   const Unit parsed = is_plain_unit(unit) ? parse_unit(unit) : nullptr;
@@ -190,8 +193,7 @@ Conversion make_conversion(std::string_view unit, std::string_view target_unit) 
     return no_conversion(
         fmt::format("its unit {} does not measure the same as '{}'", quote(unit), target_unit));
   if (!same_angle_content(parsed.get(), target.get()))
-    return no_conversion(fmt::format("its unit {} does not say how much angle one unit is, as '{}' does",
-                                     quote(unit), target_unit));
+    return no_conversion(fmt::format("its unit {} states no angle, as '{}' does", quote(unit), target_unit));
   const Converter converter(ut_get_converter(parsed.get(), target.get()));
   const Converter inverse(ut_get_converter(target.get(), parsed.get()));
   if (!converter || !inverse || cv_convert_double(converter.get(), 0.0) != 0.0)
@@ -221,7 +223,8 @@ Reading<WrittenQuantity> split_quantity(std::string_view text) {
   if (digits.starts_with('+')) digits.remove_prefix(1);
   const std::string_view magnitude = digits.substr(text.starts_with('-') ? 1 : 0);
   if (text.starts_with("\u2212"))
-    return {std::nullopt, "it begins with the sign U+2212, a minus of typeset text; the minus of numbers is '-'"};
+    return {std::nullopt,
+            "it begins with the sign U+2212, a minus of typeset text; the minus of numbers is '-'"};
   // from_chars would take "inf" and "nan", and "+-3" after the plus is gone.
   if (magnitude.empty() || !(is_digit(magnitude[0]) || magnitude[0] == '.'))
     return {std::nullopt, "it does not begin with a finite number"};
@@ -252,8 +255,7 @@ Reading<double> read_quantity(std::string_view text, const Dimension& dimension)
   const Reading<WrittenQuantity> written = split_quantity(text);
   if (!written.value) return fault(written.fault);
   if (written.value->unit.empty())
-    return fault(
-        fmt::format("it has no unit; write number and unit, as in '{}'", dimension.example));
+    return fault(fmt::format("it has no unit; write number and unit, as in '{}'", dimension.example));
   return convert(written.value->value, written.value->unit, dimension.si);
 }
 

@@ -300,7 +300,7 @@ class AxisCheck {
 
   std::string required(const SweepAxis& axis) const {
     if (sweeps_ == Axes::speed) return "one value of it, under " + axis.path + ", is required";
-    return "a case without this axis is required; " + users_text(in_, {axis.path, find_field(axis.path)});
+    return "a case without this axis is required: " + users_text(in_, {axis.path, find_field(axis.path)});
   }
 
   const ResolvedCase& in_;

@@ -222,7 +222,7 @@ Entry read_yaml(std::string_view text) {
   } catch (const YAML::Exception& error) {
     if (const std::optional<std::size_t> tab = tab_of_indentation(text))
       refuse(location_at(text, *tab), "a tab in the indentation of a line",
-             "blanks in place of tabs are required");
+             "blanks instead of tabs are required");
     const auto position = static_cast<std::size_t>(std::max(error.mark.pos, 0));
     refuse(location_at(text, std::min(position, text.size())), "wrong YAML (" + error.msg + ")",
            "keys and values as 'key: value', indented by blanks, are required");

@@ -116,13 +116,13 @@ void add_crown_choices(CLI::App& command, CrownOptions& crown) {
   command
       .add_option(
           "--tilts", crown.tilts,
-          "stated tilts of the planet's bore on its pin: a list or FROM : TO : STEP; default: none, tilts "
+          "stated tilts of the planet's bore on its pin: a list or FROM : TO : STEP. Default: none, tilts "
           "are computed from planet, pin and bearings (if not possible: \"0 mrad, 1 mrad, 2 mrad\")")
       ->check(not_empty);
   command
       .add_option("--drops", crown.drops,
                   "relief of one roller at the outermost of 40 laminae: a list or FROM : TO : STEP of "
-                  "lengths; default: 17 from 0 to about three times that of ISO/TS 16281")
+                  "lengths. Default: 17 from 0 to about three times that of ISO/TS 16281")
       ->check(not_empty);
   command.add_flag("--spectrum", crown.spectrum,
                    "all speeds of the sweep, for equal times, instead of the one speed of the case");
@@ -263,10 +263,10 @@ void add_spectrum(CLI::App& command, Options& options) {
       ->type_name("NxM");
   command
       .add_option("--exponent", options.exponent,
-                  "exponent p of life over torque, life ~ 1/torque^p: 4 Lundberg-Palmgren and ISO/TS 16281 "
-                  "of rollers, 10/3 ISO "
-                  "281 of rollers, 3 balls, up to 8 modified lives (a_ISO); default: 4, with --case that of "
-                  "the life in use (life.method, requirements.life_key). A larger p gives a shorter life")
+                  "exponent p of life over torque, life ~ 1/torque^p. 4: Lundberg-Palmgren and ISO/TS 16281 "
+                  "of rollers; 10/3: ISO 281 of rollers; 3: balls; up to 8: modified lives (a_ISO). Default: "
+                  "4, with --case that of the life in use (life.method, requirements.life_key). A larger p "
+                  "gives a shorter life")
       ->check(CLI::Range(1.0, 50.0));
   CLI::Option* stated =
       command
@@ -397,7 +397,7 @@ void add_commands(CommandTable table) {
       "--pdf", options.pdf,
       "also write DIR/report.pdf: at most 8 pages of ratings, lives and verdicts for an assessor");
   report.add_flag("--data-only", options.data_only, "what the page is made of, and no page")->group("");
-  report.add_option("--bearing-points", options.bearing_points, "points that the page asks for")->group("");
+  report.add_option("--bearing-points", options.bearing_points, "points that the page requests")->group("");
   add_settings(report, options);
   report.add_option("DIR", options.folders, "folder of a run or sweep")->required()->expected(1);
   report
@@ -501,7 +501,7 @@ void require_output(const Options& options) {
   if (!options.output.empty()) return;
   if (!options.json)
     throw BadInput("--output: missing; required: a folder for the results, or --json to print them alone");
-  if (options.resume) throw BadInput("--resume: found without --output; required: the folder to go on with");
+  if (options.resume) throw BadInput("--resume: found without --output; required: the folder to continue");
 }
 
 Asked asked_by(const std::vector<std::string>& words) {

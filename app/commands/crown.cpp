@@ -35,7 +35,7 @@ std::string netcdf_of(const ManifestHeader& header, const CrownStudy& study, con
       {"program_version", header.program_version},
       {"instruction_set", header.instruction_set},
       {"options", header.fidelity},
-      {"status", study.failed == 0 ? "ok" : "some points found no balance"}};
+      {"status", study.failed == 0 ? "ok" : "some points found no static equilibrium"}};
   content.attributes.insert(content.attributes.end(), common.begin(), common.end());
   return netcdf_bytes(content);
 }
@@ -115,7 +115,8 @@ int crown_command(const Options& options) {
   for (const auto& warning : result.object["warnings"])
     if (!options.json && !options.quiet) fmt::print("warning: {}\n", printable(warning.get<std::string>()));
   if (result.failed == 0) return 0;
-  print_failures(fmt::format("crown: {} points found no balance; their status says why", result.failed),
+  print_failures(fmt::format("crown: {} points found no static equilibrium; their status gives the reason",
+                             result.failed),
                  options);
   return 1;
 }

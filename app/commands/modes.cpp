@@ -68,8 +68,8 @@ int modes_command(const Options& options) {
       require_used(resolved, speed > 0.0 ? use::modes_at_speed : use::modes);
   warnings.insert(warnings.end(), unused.begin(), unused.end());
   if (speed > 0.0 && resolved.has(kSpeedPath) && resolved.location(kSpeedPath).option)
-    warnings.push_back(fmt::format("{}: {} has no effect beside --speed, which stands in its place",
-                                   kSpeedPath, resolved.given(kSpeedPath)));
+    warnings.push_back(fmt::format("{}: {} has no effect with --speed, which replaces it", kSpeedPath,
+                                   resolved.given(kSpeedPath)));
   Record record;
   describe(record, mode_study(model, speed > 0.0));
   if (speed > 0.0)

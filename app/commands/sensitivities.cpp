@@ -34,7 +34,7 @@ void require_inputs(const ResolvedCase& resolved, const ScalarResult& result, co
     if (!resolved.has(path)) throw BadInput("--by: found " + path + "; required: an input of the case");
 }
 
-// Results of runs in motion that are done, one line of a file each, so that --resume goes on behind them.
+// Results of runs in motion that are done, one line of a file each, so that --resume continues behind them.
 class KeptRuns {
  public:
   explicit KeptRuns(const std::filesystem::path& folder) {
@@ -87,9 +87,10 @@ Derivatives derivatives_of(const ResolvedCase& resolved, const ScalarResult& res
 
 int sensitivities_command(const Options& options) {
   if (options.resume && options.output.empty())
-    throw BadInput("--resume: found without --output; required: the folder to go on with");
+    throw BadInput("--resume: found without --output; required: the folder to continue");
   const ResolvedCase resolved = point_of(options);
-  const ScalarResult result = scalar_result(resolved, options.fidelity_given ? options.fidelity : "", options.result);
+  const ScalarResult result =
+      scalar_result(resolved, options.fidelity_given ? options.fidelity : "", options.result);
   require_inputs(resolved, result, options);
   std::vector<std::string> warnings = require_used(resolved, result.analysis);
   for (std::string& text : spectrum_warnings(resolved, "sensitivities")) warnings.push_back(std::move(text));

@@ -181,7 +181,7 @@ void describe_labels(described::Record& record, const ResolvedCase& in, const De
   frequency("inner_pass_Hz", "elements over the inner race", study.turned.inner_pass);
   frequency(study.rollers ? "roller_pass_Hz" : "ball_pass_Hz", "a place of an element over either race",
             study.turned.element_pass);
-  frequency("defect_Hz", "how often a scratch is met", slower_by * met);
+  frequency("defect_Hz", "frequency of contacts with a scratch", slower_by * met);
   record.value("defect_order", dimension::ratio, "the same in a turn of the shaft",
                met / study.passing.shaft);
   frequency("sampling_rate_Hz", "samples a second", study.vibration.rate);
@@ -283,7 +283,7 @@ class SignalSet {
     } catch (const Cancelled&) {
       throw Interrupted(fmt::format(
           "signals: interrupted with {} of {} signals done; {}", done, variants_.size(),
-          folder_.path().empty() ? "nothing of it is kept without --output" : "go on with --resume"));
+          folder_.path().empty() ? "nothing of it is kept without --output" : "continue with --resume"));
     }
   }
 

@@ -115,9 +115,9 @@ void add_excess_warnings(const BinnedRecords& binned, bool oil, std::vector<std:
     const double excess = binned.found.excess[i];
     if (excess <= noticeable || lives.power <= binned.exponent || (lives.of_oil && !oil)) continue;
     warnings.push_back(
-        fmt::format("--bins: torques differ within bins: {} can come out up to {:.2g} % too long, since they "
-                    "fall by up to the power {:g} of the load and bins keep the power {:.4g}; for such lives "
-                    "take more bins of torque or --exponent {:g}",
+        fmt::format("--bins: torques differ within bins: {} can be up to {:.2g} % too long. They fall by up "
+                    "to the power {:g} of the load, and bins keep the power {:.4g}. For such lives use more "
+                    "bins of torque or --exponent {:g}",
                     lives.names, 100.0 * excess, lives.power, binned.exponent, lives.power));
   }
 }
@@ -134,10 +134,10 @@ std::vector<std::string> warnings_of(const BinnedRecords& binned, bool oil) {
         fmt::format("torque or speed is below 0 for {:.4g} % of the time; it counts by its magnitude",
                     100.0 * found.reversed_share));
   if (found.loaded_rest_share > 0.0)
-    warnings.push_back(fmt::format(
-        "the drivetrain stands under a torque for {:.4g} % of the time, which no life counts: its row "
-        "is one at rest; see static_safety for such loads",
-        100.0 * found.loaded_rest_share));
+    warnings.push_back(
+        fmt::format("the drivetrain is at rest under a torque for {:.4g} % of the time, which no life "
+                    "includes. See static_safety for such loads",
+                    100.0 * found.loaded_rest_share));
   add_excess_warnings(binned, oil, warnings);
   return warnings;
 }
@@ -204,7 +204,7 @@ int spectrum_command(const Options& options) {
   if (options.output.empty() && !options.json && !rated)
     throw BadInput("--output: missing; required: a file for the rows, or --json to print them alone");
   if (options.resume && (options.output.empty() || keeps_rows(options)))
-    throw BadInput("--resume: found without a folder; required: -o DIR, the folder to go on with");
+    throw BadInput("--resume: found without a folder; required: -o DIR, the folder to continue");
   parse_bins(options.bins);
   if (!options.columns.torque.empty() && !options.columns.power.empty())
     throw BadInput("--power: found beside --torque; required: one of both");

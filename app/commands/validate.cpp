@@ -63,7 +63,7 @@ void add_changed_inputs(const std::string& file, const std::vector<std::string>&
 }
 
 void describe_count(Record& record, const ValidationCount& count) {
-  record.value("distinct_values", "that sources print", count.published);
+  record.value("distinct_values", "published by sources", count.published);
   record.value("sources", "of them", count.sources);
   record.value("trends", "among them", count.trends);
   record.value("fitted_values", "among them, that constants of their case were identified from",

@@ -34,7 +34,7 @@ void require_varied(const app::ResolvedCase& point, const std::vector<std::strin
     if (std::none_of(inputs.begin(), inputs.end(),
                      [&](const app::Input& input) { return input.path == field; }))
       mistakes.push_back(
-          fmt::format("{}: {}: found a path that this case does not know; required: the path of a "
+          fmt::format("{}: {}: found a path that this case does not have; required: the path of a "
                       "number of the case",
                       point.file(), path));
   }

@@ -430,7 +430,7 @@ class PageServer {
       throw BadInput(
           "request: results: found no name, or another command than sweep, or continue; required: the name "
           "of a "
-          "folder whose sweep is gone on with");
+          "folder whose sweep is continued");
     return results_within(settings_.opened, name.get<std::string>()).folder;
   }
 

@@ -145,20 +145,21 @@ void describe(Record& record, const LifeTable& table) {
   const LifeValue& value =
       table.value;  // by itself: clang 14 lets no lambda capture parts of a structured binding
   const LifeWords& words = table.words;
-  record.table("lives", "rated_life", "of one bearing", life_lines(words), [&](Record& row, const LifeLine& line) {
-    row.value("key", "name among the results", line.hours);
-    row.value("hours", dimension::hours, "at the speed of the analysis", value(line.hours));
-    row.value("Mrev", in_million_revolutions, "the same in revolutions", value(line.revolutions));
-    row.value("by", "standard or method", line.by);
-  });
+  record.table(
+      "lives", "rated_life", "of one bearing", life_lines(words), [&](Record& row, const LifeLine& line) {
+        row.value("key", "name among the results", line.hours);
+        row.value("hours", dimension::hours, "at the speed of the analysis", value(line.hours));
+        row.value("Mrev", in_million_revolutions, "the same in revolutions", value(line.revolutions));
+        row.value("by", "standard or method", line.by);
+      });
   record.table("loads", "rating_value", "ratings, loads and factors", load_entries(),
                [&](Record& row, const described::Entry& entry) {
                  row.value("key", "name among the results", entry.name);
                  row.value("symbol", "of the standard", entry.symbol);
-                 row.value("value", {}, "in the unit beside", value(entry.name));
+                 row.value("value", {}, "in the stated unit", value(entry.name));
                  row.value("unit", "of the value", unit_beside(entry));
                });
-  record.value("advice", "by which life to design", design_advice(has_modified(value), words.element));
+  record.value("advice", "life to use for the design", design_advice(has_modified(value), words.element));
 }
 
 std::string lives_text(const LifeTable& table) {

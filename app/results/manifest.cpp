@@ -256,7 +256,7 @@ Manifest parse_manifest(std::string_view text, const std::string& location) {
       } catch (const std::exception&) {
         throw BadInput(fmt::format(
             "{}:{}:1: not a line that this version of the program wrote; an undamaged result folder "
-            "is required, or an empty one to start afresh",
+            "is required, or an empty one for a new start",
             location, line));
       }
     }

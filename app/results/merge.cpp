@@ -55,9 +55,10 @@ void check_alike(const std::vector<ShardResults>& shards, std::vector<std::strin
 void check_rows(const std::vector<ShardResults>& shards, std::vector<std::string>& messages) {
   for (const ShardResults& shard : shards)
     for (const DamagedLine& line : shard.manifest.damaged)
-      messages.push_back(fmt::format("{}:{}:1: differs from what its sweep wrote; required: run the shard's sweep with "
-                                     "--resume, which computes the point anew",
-                                     (shard.folder / "manifest.jsonl").string(), line.number));
+      messages.push_back(
+          fmt::format("{}:{}:1: differs from what its sweep wrote; required: run the shard's sweep with "
+                      "--resume, which computes the point again",
+                      (shard.folder / "manifest.jsonl").string(), line.number));
 }
 
 void check_unfinished(const std::vector<ShardResults>& shards, std::vector<std::string>& messages) {
@@ -104,8 +105,8 @@ void check_files(const std::vector<ShardResults>& shards, std::vector<std::strin
       const std::string fault = fault_of_point(shard.folder, entry);
       if (!fault.empty() && ++faults <= most_told)
         messages.push_back(
-            fmt::format("{}; the file as its sweep wrote it is required: run the shard's sweep with --resume, which "
-                        "computes the point anew",
+            fmt::format("{}; the file as its sweep wrote it is required: run the shard's sweep with "
+                        "--resume, which computes the point again",
                         fault));
     }
   }
@@ -130,8 +131,7 @@ void copy_points(const ShardResults& shard, bool grid_only, ResultFolder& folder
     points.push_back({point, read_file(shard.folder / entry.file), entry.row});
     if (points.size() < points_at_once) continue;
     if (stop_requested())
-      throw Interrupted(folder.path().string() +
-                        ": interrupted; nothing of the merge is kept: merge again");
+      throw Interrupted(folder.path().string() + ": interrupted; nothing of the merge is kept: merge again");
     folder.keep(std::exchange(points, {}));
   }
   folder.keep(std::move(points));
@@ -182,7 +182,8 @@ SweepOutcome merge_shards(const std::vector<fs::path>& folders, const fs::path& 
     return write_merged(shards, folder, grid_only);
   } catch (const WriteFailed& error) {
     remove_made();
-    throw ComputationFailed(error.cause + "; nothing of the merge is kept: " + error.remedy + ", then merge again");
+    throw ComputationFailed(error.cause + "; nothing of the merge is kept: " + error.remedy +
+                            ", then merge again");
   } catch (...) {
     remove_made();
     throw;

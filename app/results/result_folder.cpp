@@ -75,10 +75,9 @@ void require_usable(const fs::path& folder, const ManifestHeader& header, OpenMo
   const bool has_manifest = std::binary_search(names.begin(), names.end(), manifest_name);
   if (!has_manifest) refuse_foreign(folder, names.front());
   if (mode == OpenMode::fresh)
-    throw BadInput(
-        fmt::format("{}: holds results; a new or empty folder is required, or --resume to go on "
-                    "with these",
-                    folder.string()));
+    throw BadInput(fmt::format(
+        "{}: holds results; a new or empty folder is required, or --resume to continue with these",
+        folder.string()));
   const fs::path file = folder / manifest_name;
   const std::string text = read_file(file);
   const Manifest manifest = parse_manifest(text, file.string());
@@ -149,8 +148,8 @@ void ResultFolder::begin(const ManifestHeader& header, const std::string& resolv
   // Another sweep may have come between the look and the lock.
   if (manifest.header) require_same(folder_, *manifest.header, header);
   for (const DamagedLine& line : manifest.damaged) {
-    damaged_.push_back(fmt::format("{}:{}:1: differs from what its sweep wrote", (folder_ / manifest_name).string(),
-                                   line.number));
+    damaged_.push_back(fmt::format("{}:{}:1: differs from what its sweep wrote",
+                                   (folder_ / manifest_name).string(), line.number));
     if (line.begin < manifest.sound_bytes) manifest_.blank(line.begin, line.length);
   }
   manifest_.truncate(manifest.sound_bytes);
@@ -216,7 +215,8 @@ ResultFolder open_results(const fs::path& folder, const ManifestHeader& header,
   return opened;
 }
 
-std::map<std::string, std::string> checksums_of(const fs::path& folder, const std::vector<std::string>& names) {
+std::map<std::string, std::string> checksums_of(const fs::path& folder,
+                                                const std::vector<std::string>& names) {
   std::map<std::string, std::string> sums;
   for (const std::string& name : names) sums[name] = checksum(read_file(folder / name));
   return sums;

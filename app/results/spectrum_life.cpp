@@ -249,7 +249,7 @@ void describe_result(Record& record, const ManifestHeader& header, const TableHe
                  "under the spectrum", life);
   record.value("life_key", "life that results go by", header.life);
   if (!result.limiting_set.empty())
-    record.value("limiting_set", "whose bearings live shortest", result.limiting_set);
+    record.value("limiting_set", "the one with the shortest bearing life", result.limiting_set);
   if (header.spectrum.hours > 0.0) {
     record.value("hours", dimension::hours, "required", header.spectrum.hours);
     record.value("used_up", dimension::ratio, "of the life in these hours",

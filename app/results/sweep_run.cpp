@@ -46,7 +46,8 @@ std::vector<std::size_t> missing_points(const SweepRequest& request, const Resul
   return missing;
 }
 
-/// A failed point keeps the speed it was asked for and nothing else. One that was asked to stop has not failed.
+/// A failed point keeps the speed it was asked for and nothing else. One that was asked to stop has not
+/// failed.
 study::PointResult evaluate_with_speed(const SweepPoint& point,
                                        const std::function<study::PointResult()>& evaluate) {
   study::PointResult result;
@@ -202,7 +203,7 @@ class ContinuationPath {
     const std::vector<double> state = read_final_state(file);
     if (state.empty())
       throw BadInput(
-          fmt::format("{}: holds no final state to go on from; the file as its sweep wrote it is "
+          fmt::format("{}: holds no final state to continue from; the file as its sweep wrote it is "
                       "required: remove it and sweep with --resume",
                       file.string()));
     return Eigen::Map<const Eigen::VectorXd>(state.data(), static_cast<Eigen::Index>(state.size()));
@@ -231,7 +232,7 @@ void compute_paths(const SweepRequest& request, ResultFolder& folder) {
 
 std::string interrupted(const SweepRequest& request, const std::string& found) {
   if (request.folder.empty()) return found + "; nothing of it is kept without --output";
-  return fmt::format("{}: {}; go on with --resume", request.folder.string(), found);
+  return fmt::format("{}: {}; continue with --resume", request.folder.string(), found);
 }
 
 }  // namespace
@@ -281,7 +282,7 @@ SweepOutcome run_sweep(const SweepRequest& request) try {
   return swept(request);
 } catch (const WriteFailed& error) {
   throw ComputationFailed(error.cause + "; finished points are kept: " + error.remedy +
-                          ", then go on with --resume");
+                          ", then continue with --resume");
 }
 
 namespace {
@@ -317,8 +318,8 @@ Record sweep_form(const LifePeak& peak) {
                [](Record& row, const study::PointResult& point) {
                  study::describe_row(row, point);
                  row.value(std::string(refined_column), "whether it was added around the peak", false);
-                 row.value(std::string(limiting_set_column), "of several sets, whose bearings live shortest",
-                           point.limiting_set);
+                 row.value(std::string(limiting_set_column),
+                           "of several sets, the one with the shortest bearing life", point.limiting_set);
                  describe(row, Resonance{});
                });
   record.child("peak", "longest life over speed", peak);

@@ -163,7 +163,7 @@ const std::vector<Analysis>& all_analyses() {
       {.used = use::defect,
        .is_of = is_model<roller_defect>,
        .fidelities = {"quasi-static"},
-       .required = "none for a scratched bearing of rollers by itself, or a planetary drivetrain with a "
+       .required = "none for a single scratched bearing of rollers, or a planetary drivetrain with a "
                    "block 'defect', "
                    "where all of its bearings move",
        .name = "defect",
@@ -187,7 +187,7 @@ const std::vector<Analysis>& all_analyses() {
       {.used = use::duplex_run,
        .is_of = is_duplex,
        .fidelities = {"quasi-static"},
-       .required = "none for the model duplex-pair, which is in balance",
+       .required = "none for the model duplex-pair, which is in static equilibrium",
        .name = "duplex",
        .title = "shaft on a duplex pair",
        .json_file = "duplex.json",

@@ -50,10 +50,9 @@ std::vector<std::string> warnings_of_balls(const BallStudy& study, const bearing
                     duty.inner.duration(), observed_from));
   if (!study.run.slip_settling)
     warnings.push_back(
-        fmt::format("the slip of the cage has not settled: within the last third of the run it leaves the "
-                    "band of {:.3g} % of the "
-                    "cage's kinematic speed about its mean (simulation.settling_band); a longer "
-                    "simulation.duration may show its end",
+        fmt::format("the slip of the cage has not settled. Within the last third of the run it leaves the "
+                    "band of {:.3g} % of the cage's kinematic speed about its mean "
+                    "(simulation.settling_band). Increase simulation.duration",
                     100.0 * options.settling_band));
   return warnings;
 }
@@ -190,7 +189,7 @@ void describe_series(Record& record, const system::BallSeries& s) {
 void describe(Record& record, const BallStudy& study) {
   const system::BallMeans& m = study.run.means;
   describe(record, study.all_lives());
-  record.value("life_with_balls_h", dimension::hours, "where the balls may fail too",
+  record.value("life_with_balls_h", dimension::hours, "life with failures of the balls included",
                study.life_with_balls_hours);
   record.value("slip_settling_s", dimension::time,
                "last time at which the slip leaves its band about the mean of the last third",
@@ -214,12 +213,12 @@ void describe(Record& record, const BallStudy& study) {
   record.value("dynamic_capacity_N", dimension::force, "C_r", study.dynamic_capacity);
   if (study.stiffness)
     record.array("stiffness", {},
-                 "of the balance at the final speeds: x, y, z, tilt about x, tilt about y; SI",
+                 "of the static equilibrium at the final speeds: x, y, z, tilt about x, tilt about y; SI",
                  {"freedom", "freedom_beside"}, *study.stiffness);
   else
-    record.nothing("stiffness", "none: no balance");
+    record.nothing("stiffness", "none: no static equilibrium");
   record.value("steps", "of the integration", study.run.report.steps);
-  record.child("life_table", "lives side by side", study.life_table()).detail = true;
+  record.child("life_table", "comparison of lives", study.life_table()).detail = true;
   record.value("film_inner_um", dimension::small_length, "mean central film on the inner race", m.inner_film)
       .detail = true;
   record.value("film_outer_um", dimension::small_length, "mean central film on the outer race", m.outer_film)

@@ -45,10 +45,10 @@ bool is_defect(const ResolvedCase& resolved) {
 void require_wide_scratch(const ResolvedCase& in) {
   constexpr double least = 1e-6;  // [m]
   if (!in.has("defect.width") || in.quantity("defect.width") >= least) return;
-  throw BadInput(fmt::format(
-      "{}: defect.width: found '{}'; required: at least 1 um, below which an element sinks in by less "
-      "than the size of an atom",
-      in.origin("defect.width"), in.given("defect.width")));
+  throw BadInput(
+      fmt::format("{}: defect.width: found '{}'; required: at least 1 um, below which an element enters by "
+                  "less than the size of an atom",
+                  in.origin("defect.width"), in.given("defect.width")));
 }
 
 DefectStudy defect_study(const ResolvedCase& in, DefectRung rung, const std::function<void(double)>& progress,
@@ -103,7 +103,7 @@ std::vector<Derived> defect_quantities(const ResolvedCase& in) {
           {"defect.ball_pass_frequency", passing.element_pass, "Hz", "a place of a ball over either race"},
           {"defect.static_displacement", 1e6 * at_rest.position[0], "um", "outer ring along the load"},
           {"defect.natural_frequency", at_rest.natural_frequency, "Hz",
-           "outer ring along the load, about its static balance"}};
+           "outer ring along the load, about its static equilibrium"}};
 }
 
 namespace {
@@ -234,7 +234,7 @@ void describe_peaks(Record& record, const std::string& name, const std::string& 
                  else
                    row.value("frequency_Hz", dimension::cycles, "of the line", peak.frequency);
                  row.value("amplitude", amplitude, "Hann window", peak.amplitude);
-                 row.value("is", "what it comes from", peak.is);
+                 row.value("is", "source of the line", peak.is);
                });
 }
 
@@ -257,8 +257,8 @@ void describe_vibration(Record& record, double shaft_frequency, double cage_freq
                         bool run_up) {
   record.value("shaft_Hz", dimension::cycles, "of the shaft", shaft_frequency).variable = "shaft_frequency";
   record.value("cage_Hz", dimension::cycles, "of the cage", cage_frequency).variable = "cage_frequency";
-  record.value("defect_Hz", dimension::cycles, "how often a scratch is met", defect_frequency).variable =
-      "defect_frequency";
+  record.value("defect_Hz", dimension::cycles, "frequency of contacts with a scratch", defect_frequency)
+      .variable = "defect_frequency";
   describe_lines(record, "envelope_peaks", "orders", "envelope_peak", view.envelope_peaks, run_up);
   record.value("amplitude_unit", "of the peaks", "m/s2");
 }

@@ -396,11 +396,11 @@ void describe(described::Record& record, const Derivatives& d) {
   result.variable = d.quantity;
   std::ranges::replace(*result.variable, '/', '_');
   record.value("unit", "of the result; that of another one than a life is in its key", d.unit);
-  if (!d.of_set.empty()) record.value("of_set", "whose bearings live shortest", d.of_set);
+  if (!d.of_set.empty()) record.value("of_set", "the one with the shortest bearing life", d.of_set);
   record.table("inputs", "input", "derivatives by inputs, the largest elasticity first", d.inputs).variable =
       "";
   record.table("not_differentiable", "other_input", "inputs without a derivative", d.not_differentiable);
-  record.value("without_effect", "inputs that the result does not follow", d.without_effect);
+  record.value("without_effect", "inputs on which the result does not depend", d.without_effect);
 }
 
 std::string derivatives_csv(const Derivatives& d) {

@@ -225,7 +225,7 @@ using described::Record;
 namespace dimension = described::dimension;
 
 void describe_modes(Record& record, bool linear, const PairColumn& column) {
-  record.value("stiffness", "nonlinear balance, or the linear formulas of the source",
+  record.value("stiffness", "nonlinear equilibrium, or the linear formulas of the source",
                linear ? "linear" : "nonlinear");
   record.table("modes", "mode", "natural modes of the shaft", column.modes).variable = "";
 }
@@ -314,8 +314,9 @@ void describe(Record& record, const PairPoint& point) {
 
 void describe(Record& row, const PairAtSpeed& at) {
   row.value("speed_rpm", dimension::angular_speed, "of the shaft", at.speed);
-  row.value("status", "ok, or why there is no balance", at.modes ? "ok" : at.state.report.message);
-  row.array("", dimension::cycles, "order of natural_frequency; none: no balance",
+  row.value("status", "ok, or the reason why there is no static equilibrium",
+            at.modes ? "ok" : at.state.report.message);
+  row.array("", dimension::cycles, "order of natural_frequency; none: no static equilibrium",
             {{"mode", frequency_names()}}, frequencies(at))
       .variable = "natural_frequency";
   const bearing::equilibrium::RingState& state = at.state;
@@ -334,7 +335,7 @@ void describe(Record& row, const PairAtSpeed& at) {
 void describe(Record& record, const Identification& found) {
   record.child("identified", "from the pairs identified from", found,
                [](Record& models, const Identification& of) {
-                 models.child("nonlinear", "by the nonlinear balance", of.nonlinear);
+                 models.child("nonlinear", "by the nonlinear equilibrium", of.nonlinear);
                  models.child("linear", "by the linear formulas", of.linear);
                });
   std::vector<Prediction> predictions;

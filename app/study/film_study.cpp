@@ -97,7 +97,7 @@ void describe_line(Record& row, const FilmPoint& point) {
   row.value("h_min_DowsonHigginson_um", dimension::small_length, "least film, [DowsonHigginson1966]",
             point.least_dowson_higginson);
   add("rolling_resistance_N", dimension::force,
-      "by which the oil in the inlet holds each surface back, isothermal, of an inlet without end",
+      "rolling resistance of the oil in the inlet on each surface, isothermal, of an inlet without end",
       point.length * (line.rolling_traction + line.inlet_beyond));
 }
 

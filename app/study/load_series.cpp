@@ -62,7 +62,7 @@ std::vector<double> torque_of(const fs::path& file, const RecordTable& table) {
     const bool turns = LoadBin{.speed = std::abs(speed[i])}.turns();
     if (!turns && std::abs(power[i]) > kNoise * greatest)
       refuse_record(position_of(file, table, i), fmt::format("a power of {:g} W at speed 0", power[i]),
-                    "no power at rest, or torque_N_m in place of power");
+                    "no power at rest, or torque_N_m instead of power");
     torque[i] = turns ? power[i] / speed[i] : 0.0;
   }
   return torque;

@@ -34,8 +34,8 @@ void warn_standard(const NamedMesh& mesh, std::vector<std::string>& texts) {
   if (mesh.standard.in_range) return;
   texts.push_back(
       mesh.first + " and " + mesh.second +
-      ": profile shifts or helix outside the range of ISO 6336-1, method B (pinion's shift not "
-      "below the wheel's, sum from -0.5 to 2, helix up to 30 deg); its values are shown all the same");
+      ": profile shifts or helix outside the range of ISO 6336-1, method B. Range: pinion shift not below "
+      "wheel shift, sum -0.5 to 2, helix up to 30 deg. The values are shown nevertheless");
 }
 
 MeshStudy pair_study(const ResolvedCase& in) {

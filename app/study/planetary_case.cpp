@@ -180,8 +180,8 @@ std::vector<std::string> cage_warnings(const ResolvedCase& resolved) {
         (resolved.has(complement) && resolved.choice(complement) == "full"))
       continue;
     warnings.push_back(land +
-                       ": 0; no land guides the cage in motion (--fidelity dynamic and above), only its "
-                       "pockets hold it, and it may come out");
+                       ": 0; in motion (--fidelity dynamic and above) no land guides the cage. Only its "
+                       "pockets hold it, and it may leave the bearing");
   }
   return warnings;
 }
@@ -245,13 +245,13 @@ std::vector<std::string> overturning_warnings(const ResolvedCase& resolved) {
                   "{:.4g} and {:.4g} mm",
                   moment * positions.back() / squares, 1e3 * positions.front(), 1e3 * positions.back())
             : std::string("a moment on the one bearing");
-    warnings.push_back(fmt::format(
-        "{}gearset.helix_angle: the axial forces overturn a planet by {:.4g} N m at the case's "
-        "input, which what holds its tilt is taken to hold; on bearings on a stiff pin that would be "
-        "{}, beside {:.4g} N of both meshes on each; bearing.tilt_state: computed has it in the "
-        "balance",
-        set.name.empty() ? "" : set_prefix(set.name), moment, as_loads,
-        std::hypot(gears.tangential_force, gears.radial_force) / drivetrain.bearings_per_planet));
+    warnings.push_back(
+        fmt::format("{}gearset.helix_angle: the axial forces tilt a planet by a moment of {:.4g} N m at the "
+                    "case's input. The support of the tilt is assumed to carry this moment. On bearings on a "
+                    "stiff pin it is {}. Both meshes load each bearing with {:.4g} N. bearing.tilt_state: "
+                    "computed includes the moment in the equilibrium",
+                    set.name.empty() ? "" : set_prefix(set.name), moment, as_loads,
+                    std::hypot(gears.tangential_force, gears.radial_force) / drivetrain.bearings_per_planet));
   }
   return warnings;
 }

@@ -52,7 +52,7 @@ struct RecordHeads {
   bool whole_names = false;                                    // units are not part of the names
 };
 
-/// Throws BadInput where a quantity is missing, stands twice or has no unit of its kind.
+/// Throws BadInput where a quantity is missing, is listed twice or has no unit of its kind.
 std::vector<ChosenColumn> chosen_columns(const RecordHeads& offered, const RecordColumns& columns);
 
 RecordTable record_of_netcdf(const std::filesystem::path& file, const RecordColumns& columns);

@@ -336,7 +336,7 @@ std::string missing_text(const MissingPoints& missing, const Manifest& manifest)
   if (missing.peak_unfinished)
     return "the sweep was interrupted while its peak was refined: the speed of the longest life is that of "
            "the points so "
-           "far; go on with --resume";
+           "far; continue with --resume";
   constexpr std::size_t most_named = 12;
   std::vector<std::string> named(
       missing.labels.begin(),
@@ -346,7 +346,7 @@ std::string missing_text(const MissingPoints& missing, const Manifest& manifest)
   return fmt::format("{} of {} points of the sweep are missing{}: {}; {}", missing.labels.size(), missing.of,
                      shard ? fmt::format(" (this is shard {})", to_string(*shard)) : "",
                      fmt::join(named, "; "),
-                     shard ? "merge the shards, then report on the merged folder" : "go on with --resume");
+                     shard ? "merge the shards, then report on the merged folder" : "continue with --resume");
 }
 
 nlohmann::ordered_json missing_json(const MissingPoints& missing, const Manifest& manifest) {

@@ -241,7 +241,7 @@ void describe_reading(described::Record& row, const std::string& case_name, cons
   row.value("case", "name", case_name);
   row.value("fidelity", "of the motion", plan.fidelity);
   row.value("assumption", "key of the case", result.change.group);
-  row.value("reading", "how else it may be read", result.change.name);
+  row.value("reading", "other interpretation", result.change.name);
   row.value("settings", "of the case", result.change.settings);
   std::vector<std::pair<double, const study::PointResult*>> points;
   for (std::size_t i = 0; i < result.points.size(); ++i)
@@ -252,7 +252,7 @@ void describe_reading(described::Record& row, const std::string& case_name, cons
     point.value("status", "ok, or why the point failed", one.second->status);
   });
   row.value("best_speed_rpm", in_rpm, "of the longest life", plan.speed_rpm[best_point(result)]);
-  row.value("life_change_h", dimension::hours, "change of life at the best speed of the case as it stands",
+  row.value("life_change_h", dimension::hours, "change of life at the best speed of the unchanged case",
             gain_at_best(reference, result))
       .former = "worth_h";
 }

@@ -212,7 +212,7 @@ void describe(Record& record, const StaticStudy& study) {
       .child("modified_reference_life", "by ISO/TS 16281 with a_ISO", study.lives.modified_reference,
              describe_life)
       .detail = true;
-  record.child("life_table", "lives side by side", study.life_table()).detail = true;
+  record.child("life_table", "comparison of lives", study.life_table()).detail = true;
   if (study.steps)
     record.child("steps", "between the bearing and its reference life", *study.steps).detail = true;
   record.array("stiffness", {}, "of the inner ring: x, y, z, tilt about x, tilt about y; SI",
@@ -275,10 +275,10 @@ void warn_of_steep_contacts(StaticStudy& study) {
   const Eigen::ArrayXd loaded_angle = (study.contact_load > 0.0).select(study.contact_angle.abs(), 0.0);
   const auto beyond = (loaded_angle > normal_end).count();
   if (beyond == 0) return;
-  study.warnings.push_back(fmt::format(
-      "load: {} of {} balls bear on the inner race at more than 70 degrees (up to {:.1f}), where a usual "
-      "groove has ended; the balance takes grooves up to 90 degrees",
-      beyond, loaded_angle.size(), loaded_angle.maxCoeff() / degree));
+  study.warnings.push_back(
+      fmt::format("load: {} of {} balls touch the inner race at more than 70 degrees (up to {:.1f}), beyond "
+                  "the end of a typical groove. The equilibrium assumes grooves up to 90 degrees",
+                  beyond, loaded_angle.size(), loaded_angle.maxCoeff() / degree));
 }
 
 // One loaded element does not hold the ring across its line. Cylindrical rollers never hold it along the
@@ -324,16 +324,15 @@ void warn(const ResolvedCase& in, StaticStudy& study) {
     study.warnings.push_back(fmt::format(
         "bearing.laminae: not given; {} are taken, and lives depend on their number", default_laminae));
   if (study.lamina_load.rows() > 0 && study.lamina_load.rows() < 30)
-    study.warnings.push_back(fmt::format(
-        "bearing.laminae: {} laminae; ISO/TS 16281 asks for at least 30, and its stress riser depends on "
-        "their number",
-        study.lamina_load.rows()));
+    study.warnings.push_back(
+        fmt::format("bearing.laminae: {} laminae; ISO/TS 16281 requires at least 30, and its stress riser "
+                    "depends on their number",
+                    study.lamina_load.rows()));
   constexpr double slipping = 0.1;  // of lubricated steel
   if (study.friction > slipping)
     study.warnings.push_back(
-        fmt::format("operation: the gyroscopic moment of a ball asks for a friction of {:.2g} on a race; it "
-                    "will slip, which "
-                    "the balance does not know",
+        fmt::format("operation: the gyroscopic moment of a ball requires a friction coefficient of {:.2g} on "
+                    "a race. The ball will slip, which the equilibrium does not include",
                     study.friction));
   warn_of_steep_contacts(study);
   warn_of_loose_rings(study);

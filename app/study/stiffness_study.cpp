@@ -63,7 +63,8 @@ StiffnessStudy single_stiffness(const ResolvedCase& in) {
           "inner ring against the outer one; x along the radial load, z along the axis; load.moment_across "
           "acts about x, load.moment about -y",
       .damping =
-          "a balance has none; the film follows from speed and load alone, it has no rate of approach"};
+          "a static equilibrium has none; the film depends on speed and load only, not on the rate of "
+          "approach"};
   const std::vector<double> speeds = list_or(in, "operation.speeds", motion.speeds.inner);
   for (const double factor : list_or(in, "operation.load_factors", 1.0)) {
     for (const double speed : speeds) {
@@ -130,7 +131,7 @@ StiffnessStudy planet_stiffness_of(const ResolvedCase& in) {
       .frame =
           "bore of one planet bearing against its pin, in the carrier's frame; x outward from the sun, y "
           "along the carrier's rotation, z along the axis",
-      .damping = "rollers and cage at their kinematic speeds: a balance has none"};
+      .damping = "rollers and cage at their kinematic speeds: a static equilibrium has none"};
   for (std::size_t i = 0; i < sweep_size(in); ++i) {
     const ResolvedCase at = in.with(sweep_point(in, i)).without_sweep();
     for (const study::NamedSet& set : bearing_sets(at)) {
@@ -168,9 +169,10 @@ StiffnessStudy stiffness_study(const ResolvedCase& in) {
   } else if (is_duplex(in)) {
     study = pair_stiffness(in);
   } else {
-    throw BadInput(in.origin("model") + ": model: found " + in.choice("model") +
-                   " without a bearing in balance; required: ball-bearing without a block simulation, "
-                   "roller-bearing, duplex-pair, or planetary-drivetrain with bearings");
+    throw BadInput(
+        in.origin("model") + ": model: found " + in.choice("model") +
+        " without a bearing in static equilibrium; required: ball-bearing without a block simulation, "
+        "roller-bearing, duplex-pair, or planetary-drivetrain with bearings");
   }
   for (const StiffnessPoint& point : study.points)
     if (!point.stiffness)
@@ -201,13 +203,13 @@ void describe(Record& row, const StiffnessPoint& point) {
               {"row", "column"}, *point.stiffness);
     row.array("displacement", {}, kOfRing, {"row"}, point.displacement);
   } else {
-    row.nothing("stiffness", "no balance");
-    row.nothing("displacement", "no balance");
+    row.nothing("stiffness", "no static equilibrium");
+    row.nothing("displacement", "no static equilibrium");
   }
   if (point.largest_pressure)
     row.value("pressure_max_MPa", dimension::pressure, "after Hertz", point.largest_pressure);
   row.nothing("damping", "none");
-  row.value("status", "ok, or why there is no balance", point.status);
+  row.value("status", "ok, or the reason why there is no static equilibrium", point.status);
   row.value("series", "points that belong to one table over speed", point.series);
 }
 
@@ -221,7 +223,7 @@ void describe(Record& record, const StiffnessStudy& study) {
     units.value("moment_by_tilt", "", "N m/rad");
     units.value("displacement", "", "m, rad");
   });
-  record.value("frame", "what moves against what", study.frame);
+  record.value("frame", "relative motion", study.frame);
   record.child("damping", "of the ring", study, [](Record& damping, const StiffnessStudy& of) {
     damping.nothing("value", "none");
     damping.value("reason", "why there is none", of.damping);

@@ -186,7 +186,7 @@ void continue_from_neighbours(const ResolvedCase& resolved, Direction direction,
   std::vector<std::string> mistakes;
   if (request.header.fidelity != "dynamic")
     mistakes.push_back("--continue: found --fidelity " + request.header.fidelity +
-                       "; required: --fidelity dynamic, the one that has a state to go on from");
+                       "; required: --fidelity dynamic, the only one with a state to continue from");
   const std::vector<SweepAxis>& axes = resolved.axes();
   const bool swept = std::any_of(axes.begin(), axes.end(), [](const SweepAxis& axis) {
     return axis.path == kSpeedPath && axis.values.size() > 1;

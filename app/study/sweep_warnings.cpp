@@ -134,17 +134,18 @@ std::vector<std::string> sweep_warnings(const ResolvedCase& resolved, const Swee
     return column(row, "one_way_accepted") == 0.0 && !is_displaced(row);
   });
   if (!unsettled.empty())
-    warnings.push_back(fmt::format(
-        "one way: no law was found for the bearings that a run agrees with (columns one_way_...; where there "
-        "were fewer than {} runs, gears run away on the last one); --fidelity monolithic needs none: {}",
-        kOneWay.most_runs, unsettled));
+    warnings.push_back(
+        fmt::format("one way: no fitted model of the bearings agrees with a run (columns one_way_...). Where "
+                    "there were fewer than {} runs, the gears diverge on the last model. --fidelity "
+                    "monolithic requires no such model: {}",
+                    kOneWay.most_runs, unsettled));
   const std::string displaced = rows_where(outcome, is_displaced);
   if (!displaced.empty())
-    warnings.push_back(fmt::format(
-        "one way: the gears' mean force on the planet bearings differs by more than {:g} % from the "
-        "load under which the bearing ran (column one_way_load_difference), as where displaced "
-        "planets use up the backlash; --fidelity monolithic has it: {}",
-        100.0 * kOneWay.load_difference, displaced));
+    warnings.push_back(
+        fmt::format("one way: the gears' mean force on the planet bearings differs by more than {:g} % from "
+                    "the load of the bearing run (column one_way_load_difference). One cause: displaced "
+                    "planets use up the backlash. --fidelity monolithic includes this: {}",
+                    100.0 * kOneWay.load_difference, displaced));
   return warnings;
 }
 

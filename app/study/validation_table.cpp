@@ -144,14 +144,14 @@ void describe_comparison(Record& record, const RowOf<ValidationRow>& one) {
   record.value("tolerance", dimension::ratio, "largest deviation that is reproduced", published.tolerance);
   record.value("verdict", "reproduced, trend, missed or input missing", row->verdict);
   record.value("case", "name", table->case_name);
-  record.value("reading", "settings; empty: the case as it stands", row->reading);
+  record.value("reading", "settings; empty: the case unchanged", row->reading);
   record.value("evidence", "kind of the source", described::text_of(published.kind));
   record.value("of", "class of the quantity", published.of);
   record.value("meaning", "of the number", published.meaning);
   record.value("scatter", dimension::ratio, "standard deviation of the measurement", published.scatter);
   record.child("band", "of ours, by the uncertain inputs of the case", row->band, describe_ends);
   record.value("why", "it is missed", published.why);
-  record.value("memory", "whether it is remembered, not read", published.memory);
+  record.value("memory", "value from memory, not read in the source", published.memory);
   record.value("fitted", "whether constants of the case were identified from it", published.fitted);
 }
 
@@ -160,7 +160,7 @@ void describe_assumption(Record& record, const RowOf<Sensitivity>& one) {
   const std::optional<Derivative>& by = row->derivative;
   record.value("case", "name", table->case_name);
   record.value("assumption", "key of the case", row->change.group);
-  record.value("reading", "how else it may be read", row->change.name);
+  record.value("reading", "other interpretation", row->change.name);
   record.value("settings", "of the case", row->change.settings);
   record.value("peak_speed_rpm", in_rpm, "of the longest life under the other reading", row->peak_speed_rpm);
   record.value("peak_life_h", dimension::hours, "longest life under it", row->peak_life_h);

@@ -52,7 +52,7 @@ void describe(Visitor& visit, Scratch& m) {
   constexpr Where scratched{"defect.race", "outer|inner|ball|roller"};
   members(
       visit, m,
-      field(m.race, "defect.race", Physics::defect, "what is scratched: a race, one ball, one roller or none",
+      field(m.race, "defect.race", Physics::defect, "scratched part: a race, one ball, one roller or none",
             {.models = scratched_bearings, .required_by = single_scratched}),
       field(m.width, "defect.width", Physics::defect, "width of the scratch along the track",
             {.models = scratched_bearings,
@@ -80,7 +80,8 @@ void describe(Visitor& visit, Scratch& m) {
              .dimension = dimension::angle,
              .range = {-360.0, 360.0},
              .where = scratched}),
-      field(m.form, "defect.form", Physics::defect, "how a ball sinks between the edges of the scratch",
+      field(m.form, "defect.form", Physics::defect,
+            "form of the ball's displacement between the edges of the scratch",
             {.models = scratched_bearings,
              .reason = "the printed period of one width, level at both edges",
              .where = scratched}),
@@ -104,14 +105,14 @@ inline bool of_element(Scratched scratched) {
   return scratched == Scratched::ball || scratched == Scratched::roller;
 }
 
-/// What an element sinks on a scratch whose depths were measured at even places from edge to edge: as far as its
-/// own arc, relative to that of `race`, lets it touch none of them. The first and the last depth are those of the
-/// edges and count as zero.
+/// What an element sinks on a scratch whose depths were measured at even places from edge to edge: as far as
+/// its own arc, relative to that of `race`, lets it touch none of them. The first and the last depth are
+/// those of the edges and count as zero.
 DefectDepthTable rolled_over(const std::vector<double>& depths, double width, Race race,
                              const BearingGeometry& geometry);
 
-/// Of an element that meets `race` of a bearing of this geometry on the scratch. Throws std::invalid_argument for
-/// a measured one of less than three depths, or of one below zero.
+/// Of an element that meets `race` of a bearing of this geometry on the scratch. Throws std::invalid_argument
+/// for a measured one of less than three depths, or of one below zero.
 ScratchLaw scratch_law(const Scratch& scratch, Race race, const BearingGeometry& geometry);
 
 }  // namespace orbearing::bearing::defect

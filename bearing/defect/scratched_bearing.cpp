@@ -97,7 +97,7 @@ ScratchedMotion::ScratchedMotion(const ScratchedBearing& parameters)
   on_.setConstant(switches(), false);
   static_ = find_static_position();
   if (!static_.report.converged)
-    mechanics::refuse("radial load [N]", in_.load, "one under which the ring finds a balance");
+    mechanics::refuse("radial load [N]", in_.load, "one under which the ring finds a static equilibrium");
   set_damping();
 }
 
@@ -108,8 +108,8 @@ void ScratchedMotion::set_scratches() {
     const bool balls = std::holds_alternative<Balls>(in_.bearing.elements);
     mechanics::require((scratch.race == Scratched::ball) == balls, "scratched element",
                        std::string(balls ? "a roller" : "a ball"), balls ? "a ball" : "a roller");
-    mechanics::require(scratch.element >= 1 && scratch.element <= elements(), "scratched element", scratch.element,
-                       "one of the bearing's, counted from 1");
+    mechanics::require(scratch.element >= 1 && scratch.element <= elements(), "scratched element",
+                       scratch.element, "one of the bearing's, counted from 1");
   }
   mechanics::require_positive(scratch.width, "width of the scratch [m]");
   mechanics::require_positive(scratch.depth, "depth of the scratch [m]");

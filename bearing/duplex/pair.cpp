@@ -36,7 +36,7 @@ double approach_under(const Bearing& bearing, double preload) {
   if (preload == 0.0) return 0.0;
   const RingState state = equilibrium::balance_ring(row, RingLoad{.axial = preload});
   if (!state.report.converged)
-    throw std::runtime_error("no balance under the preload: " + state.report.message);
+    throw std::runtime_error("no static equilibrium under the preload: " + state.report.message);
   return state.axial;
 }
 

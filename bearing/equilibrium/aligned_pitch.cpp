@@ -147,7 +147,7 @@ void AlignedPitch::take(Eigen::Index first, Eigen::Index count, PitchResults& re
     report.iterations = static_cast<int>(output_.iterations[lane]);
     report.residual = output_.residual[lane];
     report.converged = output_.converged[lane] != 0.0;
-    if (!report.converged) report.message = "level rollers found no balance";
+    if (!report.converged) report.message = "aligned rollers found no static equilibrium";
   }
 }
 

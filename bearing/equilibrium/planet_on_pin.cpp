@@ -180,7 +180,7 @@ PlanetOnPinState planet_on_pin(const PlanetOnPin& planet, const OperatingPoint& 
     put_bearing(planet, k, races[k], at, lever, std::move(rollers[k]), state);
   if (!state.report.converged) {
     std::ostringstream text;
-    text << "the planet found no balance on its pin under " << point.bore_load.norm()
+    text << "the planet found no static equilibrium on its pin under " << point.bore_load.norm()
          << " N: " << state.report.residual
          << " N remain; check clearances, profiles, the pin and its errors";
     state.report.message = text.str();

@@ -36,7 +36,7 @@ std::string not_finite_text(const OperatingPoint& point) {
        << point.carrier.speed << " rad/s, " << point.carrier.acceleration << " rad/s^2 at "
        << point.carrier.orbit_radius << " m, races " << point.inner_speed << " and " << point.outer_speed
        << " rad/s, tilt (" << point.bore_tilt.transpose()
-       << ") rad; all must be finite numbers: check the inputs they were computed from";
+       << ") rad. All must be finite numbers: check the inputs of this operating point";
   return text.str();
 }
 

@@ -48,7 +48,7 @@ void settle(const RaceEquilibrium& races, Eigen::Index j, double approach, doubl
 
 std::string failure_text(const RaceEquilibrium& problem, double residual) {
   std::ostringstream text;
-  text << "the races found no balance under " << problem.load.norm() << " N: " << residual
+  text << "the races found no static equilibrium under " << problem.load.norm() << " N: " << residual
        << " N remain; check the clearance and the roller count";
   return text.str();
 }

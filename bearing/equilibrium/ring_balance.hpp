@@ -64,7 +64,7 @@ void describe(Visitor& visit, RingLoad& m) {
                  .range = {-1e9, 1e9},
                  .reason = "the load lies in one axial plane"}),
           field(m.tilt, "load.tilt", Physics::single_bearing,
-                "tilt of the inner ring in the plane of the radial load, in place of its moment",
+                "tilt of the inner ring in the plane of the radial load, instead of its moment",
                 {.models = single_bearing, .dimension = dimension::angle, .range = {-10.0, 10.0}}));
 }
 
@@ -197,7 +197,7 @@ RingState balance_ring(Row&& row, const RingLoad& load, const RingPosition& star
       limits.tolerance = limits.acceptable = std::remove_cvref_t<Row>::near;
     report = {mechanics::find_balance<5>(imbalance_at, limits, position, now)};
   }
-  if (!report.converged) report.message = "the ring found no balance on its rolling elements";
+  if (!report.converged) report.message = "the ring found no static equilibrium on its rolling elements";
   RingState state = state_at(row, position);
   state.report = report;
   return state;

@@ -222,13 +222,13 @@ RingState balance_with_inertia(const RowGroup& group, const RingLoad& load, cons
   RingState state = balance_ring(RotatingGroup{group}, load, position);
   if (state.report.converged && !group.settled()) {
     state.report.converged = false;
-    state.report.message = "a ball found no balance between its races";
+    state.report.message = "a ball found no static equilibrium between its races";
   }
   return state;
 }
 
 std::string beyond_grooves(int balls) {
-  return "no balance within the grooves: " + std::to_string(balls) +
+  return "no static equilibrium within the grooves: " + std::to_string(balls) +
          (balls == 1 ? " ball is" : " balls are") + " pressed beyond the end of a groove";
 }
 
@@ -236,7 +236,7 @@ std::string beyond_grooves(int balls) {
 struct AllForcesAt {
   RowGroup& group;
   RingPosition outer;  // [N]
-  bool held;        // the tilts are given
+  bool held;           // the tilts are given
 
   mechanics::Imbalance<Eigen::Dynamic> operator()(const Eigen::VectorXd& positions) const {
     mechanics::Imbalance<Eigen::Dynamic> sum = group.all_forces(positions);
@@ -279,8 +279,8 @@ RingState balance_along(RowGroup& group, const RingLoad& load, const RingPositio
   state.report.converged = path.converged;
   state.report.iterations = path.steps;
   if (!path.converged)
-    state.report.message =
-        lost_at_start > 0 ? beyond_grooves(lost_at_start) : "the balance was lost on the way to this speed";
+    state.report.message = lost_at_start > 0 ? beyond_grooves(lost_at_start)
+                                             : "the static equilibrium was lost on the way to this speed";
   return state;
 }
 
@@ -317,7 +317,8 @@ RingState balance_rows(const std::vector<RowOnShaft>& bearings, const RingLoad& 
   } else if (!group.has_stiffness()) {
     state.report.converged = false;
     state.report.message =
-        "no balance within the grooves that has a stiffness: a ball stands where it leaves the inner race or "
+        "no static equilibrium within the grooves that has a stiffness: a ball stands where it leaves the "
+        "inner race or "
         "comes back to it";
   }
   return state;

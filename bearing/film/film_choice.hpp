@@ -44,7 +44,7 @@ void describe(Visitor& visit, LineContact& m) {
   using namespace described;
   members(visit, m,
           field(m.length, "contact.length", Physics::one_contact,
-                "length of a line contact, in place of contact.ellipticity",
+                "length of a line contact, instead of contact.ellipticity",
                 {.models = spin_film, .dimension = dimension::length, .range = positive(1e4)}));
 }
 

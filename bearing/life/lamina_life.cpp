@@ -12,7 +12,7 @@ namespace {
 using Loads = LaminaLoads;
 
 static_assert(line_contacts.load_exponent == 4.0 && line_contacts.damage_exponent() == 4.5,
-              "means of a race that turns are of squares of squares, of one that stands times a root");
+              "means of a rotating race are of squares of squares, of a stationary one times a root");
 
 rating::ContactCapacities capacities_of(const Bearing& bearing, LifeMeasure measure,
                                         double reduction_factor) {
@@ -93,7 +93,8 @@ LaminaRating lamina_rating(const rating::ContactCapacities& capacities, const Ei
 
 LaminaRating lamina_rating(const Bearing& bearing, LifeMeasure measure, double reduction_factor) {
   const rating::ContactCapacities capacities = capacities_of(bearing, measure, reduction_factor);
-  return lamina_rating(capacities, riser_of(std::max(bearing.rollers().laminae, 1), measure), bearing.motions);
+  return lamina_rating(capacities, riser_of(std::max(bearing.rollers().laminae, 1), measure),
+                       bearing.motions);
 }
 
 BearingLife lamina_life(const LaminaRating& rating, const Loads& inner, const Loads& outer) {

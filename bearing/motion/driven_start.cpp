@@ -17,15 +17,15 @@ namespace {
 
 constexpr double kLeastForce = 1e-12;  // [N]  a bearing that nothing loads is in balance
 
-// Coordinates: the place of the pin ring, the waves of an elastic outer race, and the place of the bore where a
-// load moves it. N = 2 where there are none but the first, else Eigen::Dynamic.
+// Coordinates: the place of the pin ring, the waves of an elastic outer race, and the place of the bore where
+// a load moves it. N = 2 where there are none but the first, else Eigen::Dynamic.
 struct PinProblem {
   RaceEquilibrium races;
   Vector2 bore;
-  Vector2 own_load;                // [N]  inertial, on the pin ring
-  double stiffness_support;        // [N/m]
-  Eigen::VectorXd wave_stiffness;  // [N/m]  (waves)
-  Eigen::VectorXd wave_at_rest;    // [m]
+  Vector2 own_load;                       // [N]  inertial, on the pin ring
+  double stiffness_support;               // [N/m]
+  Eigen::VectorXd wave_stiffness;         // [N/m]  (waves)
+  Eigen::VectorXd wave_at_rest;           // [m]
   std::optional<Vector2> bore_load = {};  // [N]  under which the bore moves; none: it is held
 
   Eigen::Index waves() const { return wave_stiffness.size(); }
@@ -165,7 +165,7 @@ Eigen::VectorXd driven_start(const Bearing& bearing, const BearingModel& model,
   const PinBalance balance = balance_pin(bearing, model, parameters, motion, first_roller);
   if (!balance.rollers.report.converged) {
     std::ostringstream text;
-    text << "the pin ring found no balance with its bore at (" << motion.position.transpose()
+    text << "the pin ring found no static equilibrium with its bore at (" << motion.position.transpose()
          << ") m: " << balance.rollers.report.residual
          << " N remain; required: a displacement that rollers and support stand";
     throw std::runtime_error(text.str());

@@ -139,8 +139,8 @@ double* parameter_of(Table& profile) {
 
 [[noreturn]] void throw_no_relief(const Profile& profile) {
   throw std::invalid_argument("profile " + kind(profile) +
-                              ": found no relief at the place whose drop is asked for; required: a kind that "
-                              "falls away there. Choose another kind or a longer end");
+                              ": found no relief at the position of the required drop; required: a kind with "
+                              "relief there. Choose another kind or a longer end");
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ void describe(Visitor& visit, CoupledOptions& m) {
   using namespace described;
   rows(visit,
        field(m.order, "simulation.exchange.order", Physics::exchange,
-             "who waits for whom in a window of the co-simulation: the bearings for the gears, or nobody",
+             "order of the co-simulation in a window: bearings after gears, or both at the same time",
              {.models = planetary_drivetrain, .reason = "stable in longer windows"}),
        field(m.window, "simulation.exchange.window", Physics::exchange, "longest time between two exchanges",
              {.models = planetary_drivetrain,
@@ -73,12 +73,12 @@ void describe(Visitor& visit, CoupledOptions& m) {
               .reason = "a fraction of the stability limit: life as of one system within 2 % (reducer)",
               .written = "us"}),
        field(m.extrapolation, "simulation.exchange.extrapolation", Physics::exchange,
-             "degree of the polynomial by which forces and velocities go on in a window",
+             "degree of the polynomial that extrapolates forces and velocities in a window",
              {.models = planetary_drivetrain,
               .range = {0, 2},
               .reason = "order 2 without overshoot at impacts"}),
        field(m.iteration.most_passes, "simulation.exchange.passes", Physics::exchange,
-             "passes over a window until both sides agree, at most; 1: none is repeated",
+             "maximum number of passes over a window until both sides agree; 1: no repetition",
              {.models = planetary_drivetrain,
               .range = {1, 100},
               .reason = "short windows cost less than repeated ones"}));

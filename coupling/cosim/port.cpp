@@ -36,7 +36,7 @@ Connection joined(const NamedPosition& motion, const std::vector<NamedPosition>&
     if (other.port.gives == Gives::motion) refuse(motion.port.name, "two that give its motion");
     out.forces.push_back(other.position);
   }
-  if (out.forces.empty()) refuse(motion.port.name, "nobody that gives a force");
+  if (out.forces.empty()) refuse(motion.port.name, "no participant that gives a force");
   return out;
 }
 
@@ -60,7 +60,7 @@ std::vector<Connection> connect_by_name(const Sides& sides) {
       return other.port.name == port.port.name && other.port.gives == Gives::motion;
     };
     if (std::none_of(ports.begin(), ports.end(), same))
-      refuse(port.port.name, "nobody that gives its motion");
+      refuse(port.port.name, "no participant that gives its motion");
   }
   return out;
 }

@@ -57,7 +57,7 @@ AngleSignal resampled(const Eigen::ArrayXd& signal, const Eigen::ArrayXd& angle)
   const Eigen::ArrayXd steps = turned.tail(samples - 1) - turned.head(samples - 1);
   if (!(steps.minCoeff() > 0.0))
     throw std::invalid_argument(
-        "order tracking: found a shaft that stands or turns back; required: one that turns");
+        "order tracking: found a shaft that is stationary or turns back; required: one that rotates");
   AngleSignal out{.per_revolution = std::ceil(two_pi / steps.minCoeff())};
   // Interpolation wants neighbours on both sides.
   const Eigen::Index edge = std::min(kReach, samples / 4);

@@ -119,7 +119,7 @@ void Instance::refuse_step(double length, const std::vector<system::InputPolynom
                                        "; required under these inputs: at most about " +
                                        seconds(accepted, 4));
   throw Refused(Status::discard, "step: found " + seconds(length) + ", in which " + reason +
-                                     "; no shorter one was accepted under these inputs either");
+                                     ". No shorter step was accepted under these inputs either");
 }
 
 void Instance::step(double point, double size) {

@@ -31,7 +31,7 @@ void step_within_window(Stepper& stepper, System& system, std::vector<double>& x
                         const WindowLimits& limits, double& step, long& attempts) {
   const auto fail = [&](const char* reason) {
     std::ostringstream text;
-    text << reason << " at t = " << time << " s of a window that ends at " << end << " s";
+    text << reason << " at t = " << time << " s of the window to " << end << " s";
     throw std::runtime_error(text.str());
   };
   throw_if_stopped();

@@ -135,21 +135,20 @@ void describe(Visitor& visit, PinSeats& m) {
             "pin and the meshes",
             {.models = planetary_drivetrain, .reason = "as published models have it"}),
       field(m.axial_positions, "bearing.axial_places", Physics::at_rest,
-            "places of the bearings of a planet along its axis, from the middle of the face; evenly across "
-            "it if absent",
+            "axial positions of the bearings of a planet, from the middle of the face; equally spaced if "
+            "absent",
             {.models = planetary_drivetrain,
              .dimension = dimension::length,
              .range = {-1e4, 1e4},
              .where = computed}),
       field(m.clearance_differences, "bearing.clearance_differences", Physics::at_rest,
-            "by how much the clearance of each bearing of a planet is more than stated",
+            "clearance of each bearing of a planet minus the stated clearance",
             {.models = planetary_drivetrain,
              .dimension = dimension::small_length,
              .range = {-1000.0, 1000.0},
              .where = computed}),
       field(m.ends, "support.pin_ends", Physics::at_rest,
-            "ends by which the carrier holds a pin: it rests in both walls, or is clamped in the one at its "
-            "negative end",
+            "support of a pin in the carrier: in both walls, or clamped in the wall at its negative end",
             {.models = planetary_drivetrain,
              .reason = "planets between two walls of the carrier",
              .where = computed}),
@@ -162,9 +161,8 @@ void describe(Visitor& visit, PinSeats& m) {
              .range = positive(1e4),
              .where = computed}),
       field(m.carrier_twist, "support.carrier_twist_stiffness", Physics::at_rest,
-            "stiffness of the carrier against a twist of its wall at the positive end against that at the "
-            "negative "
-            "end, which passes the torque on; rigid if absent",
+            "torsional stiffness of the carrier between its wall at the positive end and the wall at the "
+            "negative end, which transmits the torque; rigid if absent",
             {.models = planetary_drivetrain,
              .dimension = dimension::rotating_stiffness,
              .range = positive(1e15),
@@ -236,13 +234,12 @@ void describe(Visitor& visit, PlanetaryDrivetrain& m) {
       part(m.steady_state), part(m.exchange), part(m.run_up), apart(m.gear_set), apart(m.uneven_planets),
       apart(m.rated),
       field(m.mesh_variation, "gearset.mesh_variation", Physics::gear_motion,
-            "the stiffness of a mesh varies as teeth pass, and shakes gears and planet bearings; false: it "
-            "keeps "
-            "its mean",
+            "the mesh stiffness varies over the mesh period and excites gears and planet bearings; false: "
+            "constant mean stiffness",
             {.models = planetary_drivetrain,
              .reason = "nothing left out; several sets give mean forces whatever is said here"}),
       field(m.cage_positions, "numerics.cage_positions", Physics::at_rest,
-            "positions of the roller set over one roller pitch that are averaged",
+            "number of positions of the roller set over one roller pitch for the mean",
             {.models = planetary_drivetrain,
              .range = {1, 10000},
              .reason = "evenly over one pitch, so that the place of the rollers averages out"}));

@@ -135,7 +135,7 @@ void record(double time, const SetSnapshot& now, Eigen::Index i, GearSeries& ser
   series.tangential_acceleration.col(i) = now.acceleration.row(1).transpose();
 }
 
-// [-]  of the centre distance, by which a planet stands off its pin: some ten times the clearance of any
+// [-]  of the centre distance, by which a planet is off its pin: some ten times the clearance of any
 // bearing.
 constexpr double kRunAway = 0.01;
 
@@ -151,7 +151,7 @@ void require_on_pins(const SetModel& model, double time, const Eigen::Ref<const 
     const double off = bearing_deflection(bearing, x).norm();
     if (off <= most) continue;
     std::ostringstream text;
-    text << "a planet stands " << 1e3 * off << " mm off its pin at t = " << time
+    text << "a planet is " << 1e3 * off << " mm off its pin at t = " << time
          << " s: the vibration grows without bound";
     throw RunAway(text.str());
   }

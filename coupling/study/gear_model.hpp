@@ -85,7 +85,7 @@ void describe(Visitor& visit, GearDynamicsChoice& m) {
              .reason = "the carrier's design is not given; discs that reach to the planets' rims"}),
       mesh(m.sun_mesh_stiffness, "sun"), mesh(m.ring_mesh_stiffness, "ring"),
       field(m.mesh_damping_ratio, block + "damping_ratio.mesh", Physics::gear_motion,
-            "damping of both gears turning on their mesh",
+            "damping of the rotation of both gears on their mesh",
             {.models = set, .range = {0.0, 2.0}, .reason = "usual of oiled steel gears"}),
       field(m.bearing_damping_ratio, block + "damping_ratio.bearing", Physics::gear_motion,
             "damping of a planet on its bearings; bearings of rollers have their own",
@@ -93,14 +93,13 @@ void describe(Visitor& visit, GearDynamicsChoice& m) {
       field(m.support_damping_ratio, block + "damping_ratio.support", Physics::gear_motion,
             "damping of a member on its support",
             {.models = set, .range = {0.0, 2.0}, .reason = "bolted steel structure"}),
-      field(m.backlash, block + "backlash", Physics::gear_motion,
-            "play between the flanks along the line of action",
+      field(m.backlash, block + "backlash", Physics::gear_motion, "backlash along the line of action",
             {.models = set,
              .dimension = dimension::length,
              .range = {0.0, 100.0},
              .reason = "usual of modules of a few millimetres"}),
       field(m.separation, block + "separation", Physics::gear_motion,
-            "teeth push only and can part; false: they also pull",
+            "teeth transmit compression only and can separate; false: they also transmit tension",
             {.models = set, .reason = "nothing left out"}),
       field(m.sun_error, block + "transmission_error.sun", Physics::gear_motion,
             "missing material on the flanks of the sun mesh at equal steps of a mesh period that begins as a "
@@ -113,9 +112,9 @@ void describe(Visitor& visit, GearDynamicsChoice& m) {
             "touches",
             errors),
       field(m.pin_error_radial, block + "pin_error.radial", Physics::load_sharing,
-            "how far each pin stands outward of its place", pins),
+            "radial position error of each pin, positive outward", pins),
       field(m.pin_error_tangential, block + "pin_error.tangential", Physics::load_sharing,
-            "how far each pin stands ahead of its place in the sense of rotation", pins),
+            "tangential position error of each pin, positive in the sense of rotation", pins),
       apart(m.bodies), apart(m.run_up), apart(m.frame));
 }
 

@@ -248,7 +248,7 @@ OnSprings balanced(const SetModel& model, double stiffness, PlanetSupport& suppo
   }
   std::ostringstream text;
   text << "load sharing: after " << kMostRounds << " rounds the planets' loads still change by " << change
-       << " of the largest; required: bearings and gears that find a balance";
+       << " of the largest; required: bearings and gears that find a static equilibrium";
   throw std::runtime_error(text.str());
 }
 

@@ -633,7 +633,7 @@ PointResult evaluate_from(const PlanetaryDrivetrain& drivetrain, const Drivetrai
   if (drivetrain.uneven_planets)
     throw std::invalid_argument(
         "state to start from: found one, and planets that load unevenly, where each has its own; required: "
-        "planets that carry alike, or points that start from their quasi-static states");
+        "planets with equal loads, or points that start from their quasi-static states");
   if (drivetrain.seats.tilt == TiltState::computed)
     throw std::invalid_argument(
         "state to start from: found one, and a planet whose tilt is computed, where each bearing has its "

@@ -146,7 +146,7 @@ void describe_motion(Record& record, const PointResult& point) {
   record.value("friction_moment_N_m", dimension::torque, "friction moment of the bearing on the bore",
                moving([](const DynamicRecord& d) { return d.friction_moment; }));
   describe_losses(record, point);
-  record.value("steady", dimension::ratio, "1: the means stood still; 0: they drifted to the end",
+  record.value("steady", dimension::ratio, "1: the means were steady; 0: they drifted to the end",
                moving([](const DynamicRecord& d) { return d.steady ? 1.0 : 0.0; }));
 }
 
@@ -185,29 +185,30 @@ double largest_bearing_share(const std::vector<SeatResult>& seats) {
 
 // Where planets or their bearings are unlike.
 void describe_sharing(Record& record, const PointResult& point) {
-  record.value("shortest_life_h", dimension::hours,
-               "life of the bearing that lives shortest, where planets load unevenly, their tilt is computed "
-               "or bearings act back on the gears",
-               shortest_life(point));
+  record.value(
+      "shortest_life_h", dimension::hours,
+      "shortest life of a bearing, where planets load unevenly, their tilt is computed or bearings act "
+      "on the gears",
+      shortest_life(point));
   for (const bearing::rating::RatedLife& life : bearing::rating::kRatedLives)
     record.value(std::string("shortest_") + life.name, dimension::hours,
                  std::string(life.name) +
-                     " of the bearing that has the shortest, where planets load unevenly "
-                     "or their tilt is computed",
+                     ", shortest of all bearings, where planets load unevenly or their tilt is computed",
                  shortest_rated_life(point, life.hours));
-  record.value(
-      "shortest_life_planet", dimension::ratio,
-      "planet whose bearings live shortest, counted from 1, where life_h is that of unlike planets together",
-      point.planets.empty() ? kAbsent
-                            : static_cast<double>(shortest_lived(point) - point.planets.begin() + 1));
+  record.value("shortest_life_planet", dimension::ratio,
+               "planet with the shortest bearing life, counted from 1, where life_h is that of unlike "
+               "planets together",
+               point.planets.empty()
+                   ? kAbsent
+                   : static_cast<double>(shortest_lived(point) - point.planets.begin() + 1));
   record.value("largest_load_share", dimension::ratio,
-               "mean tangential load of the planet that carries most, over the mean of all planets",
+               "mean tangential load of the most loaded planet, divided by the mean of all planets",
                largest_of(point.planets, [](const PlanetResult& planet) { return planet.load_share; }));
   record.value("largest_bearing_tilt_mrad", dimension::small_angle,
                "largest tilt of a bore against its pin, where the tilt of planets is computed",
                largest_of(point.seats, [](const SeatResult& seat) { return seat.tilt.norm(); }));
   record.value("largest_bearing_share", dimension::ratio,
-               "load of the bearing of a planet that carries most, over the mean of its bearings, likewise",
+               "load of the most loaded bearing of a planet, divided by the mean of its bearings, likewise",
                largest_bearing_share(point.seats));
   record.value("interface_energy_residual", dimension::ratio,
                "energy that the exchange of gears and bearings made or lost, over that which passed",
@@ -251,11 +252,13 @@ void describe_one_way(Record& record, const PointResult& point) {
   const auto add = [&](const char* name, const char* meaning, double value) {
     record.value(std::string("one_way_") + name, dimension::ratio, meaning, there ? value : kAbsent);
   };
-  add("runs", "runs of gears and bearing that the law between them took", fit.runs);
+  add("runs", "runs of gears and bearing for the fitted model between them", fit.runs);
   add("accepted",
-      "1: the last run agrees with the law that drove it, and the gears with its mean load; 0: not",
+      "1: the last run agrees with the fitted model that drove it, and the gears with its mean load; 0: no "
+      "agreement",
       fit.accepted ? 1.0 : 0.0);
-  add("residual", "share of the bearing force at mesh harmonics that the law leaves", fit.fitted.residual);
+  add("residual", "share of the bearing force at mesh harmonics that the fitted model does not cover",
+      fit.fitted.residual);
   add("stiffness_change", "change of the stiffness in the last run", fit.fitted.stiffness_change);
   add("damping_change", "change of the damping in the last run", fit.fitted.damping_change);
   add("load_difference",
@@ -357,7 +360,7 @@ void describe_series(Record& record, const system::BearingSeries& series) {
                series.orbit_speed);
   }
   of_rollers("roller_spin", dimension::spin, "spin relative to the carrier", series.spin);
-  along_time("power_loss_over_time", dimension::heat, "power lost in all", series.power_loss);
+  along_time("power_loss_over_time", dimension::heat, "total power loss", series.power_loss);
 }
 
 void describe_final_state(Record& record, const DynamicRecord& motion) {
@@ -366,7 +369,7 @@ void describe_final_state(Record& record, const DynamicRecord& motion) {
   for (const std::string& name : bearing::motion::variable_names(motion.layout))
     names += (names.empty() ? "" : ", ") + name;
   record.series(kFinalState, dimension::ratio,
-                "state at the end of the run, from which a neighbouring point may go on, in SI: " + names,
+                "state at the end of the run, from which a neighbouring point may continue, in SI: " + names,
                 {"state"}, motion.final_state);
 }
 

@@ -34,16 +34,16 @@ void describe(Visitor& visit, PlanetSampling& m) {
   using namespace described;
   members(
       visit, m,
-      field(m.rate, "signal.sampling_rate", Physics::defect, "samples of the vibration a second",
+      field(m.rate, "signal.sampling_rate", Physics::defect, "sampling rate of the vibration",
             {.models = scratched_bearings, .dimension = dimension::frequency}),
       field(m.revolutions, "signal.carrier_revolutions", Physics::defect,
-            "revolutions of the carrier that are sampled; lines as close as its speed over them are resolved",
+            "sampled revolutions of the carrier; frequency resolution: its speed divided by this number",
             {.models = planetary_drivetrain,
              .range = positive(1e4),
              .reason = "side bands of the carrier sixteen lines apart"}),
       field(
           m.settling_revolutions, "signal.carrier_settling", Physics::defect,
-          "revolutions of the carrier before, in which the start dies away",
+          "revolutions of the carrier before sampling, in which the start transient decays",
           {.models = planetary_drivetrain, .range = {0.0, 1e4}, .reason = "some turns of planets and cages"}),
       field(m.run_up_from, "signal.run_up_from", Physics::defect,
             "share of the speed at which the motion begins", {.models = scratched_bearings}));
@@ -68,7 +68,7 @@ void describe(Visitor& visit, ScratchedPosition& m) {
           {.models = planetary_drivetrain, .range = {1, 100}, .reason = "the first one", .where = scratched}),
       field(m.bearing, "defect.bearing", Physics::defect, "number of the scratched bearing of that planet",
             {.models = planetary_drivetrain, .range = {1, 8}, .reason = "the first one", .where = scratched}),
-      field(m.also, "defect.also", Physics::defect, "what has a scratch like that of defect.race as well",
+      field(m.also, "defect.also", Physics::defect, "further part with a scratch like that of defect.race",
             {.models = planetary_drivetrain, .reason = "one scratch", .where = scratched}),
       field(m.also_angle, "defect.also_angle", Physics::defect, "angle of that scratch, as defect.angle",
             {.models = planetary_drivetrain,

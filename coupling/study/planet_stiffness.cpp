@@ -82,7 +82,7 @@ Eigen::Matrix4d against_pins(const RimCompliance& rim, const LoadedRollers& roll
   by_position.bottomRightCorner(count, 2) = -bearings * rollers.outward.transpose();
   const auto borne = mechanics::definite_solution(moved, by_position);
   if (!borne)
-    throw std::runtime_error("elastic rim: found teeth, rim and rollers that give way against their forces");
+    throw std::runtime_error("elastic rim: found teeth, rim and rollers that deflect against their forces");
   return by_position.transpose() * *borne;
 }
 

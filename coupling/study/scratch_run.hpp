@@ -26,33 +26,32 @@ void describe(Visitor& visit, Sampling& m) {
   using namespace described;
   members(
       visit, m,
-      field(m.rate, "signal.sampling_rate", Physics::defect, "samples of the vibration a second",
+      field(m.rate, "signal.sampling_rate", Physics::defect, "sampling rate of the vibration",
             {.models = scratched_bearings,
              .dimension = dimension::frequency,
              .range = {1e-3, 1e5},
              .reason = "a usual rate of instruments, far above the vibration of the ring"}),
       field(m.revolutions, "signal.revolutions", Physics::defect,
-            "revolutions of the shaft that are sampled; lines as close as its speed over them are resolved",
+            "sampled revolutions of the shaft; frequency resolution: its speed divided by this number",
             {.models = single_scratched,
              .range = {2.0, 1e5},
              .reason = "lines a fiftieth of the shaft's frequency apart"}),
       field(m.settling_revolutions, "signal.settling_revolutions", Physics::defect,
-            "revolutions of the shaft before, in which the start dies away",
+            "revolutions of the shaft before sampling, in which the start transient decays",
             {.models = single_scratched,
              .range = {0.0, 1e5},
              .reason = "hundreds of periods of the ring's vibration"}),
-      field(
-          m.length_error, "signal.length_error", Physics::defect,
-          "allowed error of the ring's place in one step",
-          {.models = single_scratched,
-           .dimension = dimension::length,
-           .range = {1e-16, 1e-3},
-           .reason = "the vibration of a sound bearing stands clear of the error of its sampled acceleration",
-           .written = "mm"}),
+      field(m.length_error, "signal.length_error", Physics::defect,
+            "allowed error of the ring's position in one step",
+            {.models = single_scratched,
+             .dimension = dimension::length,
+             .range = {1e-16, 1e-3},
+             .reason = "the vibration of a sound bearing exceeds the error of its sampled acceleration",
+             .written = "mm"}),
       field(
           m.run_up_from, "signal.run_up_from", Physics::defect,
-          "share of the speed at which the motion begins, to rise evenly to all of it; spectra are then over "
-          "orders of the shaft, in a gear set over those of the carrier",
+          "speed at the start as a share of the speed, with a linear run-up; spectra are then over orders of "
+          "the shaft, in a gear set of the carrier",
           {.models = scratched_bearings, .range = {.least = 0.05, .most = 1.0}, .reason = "a steady speed"}));
 }
 
@@ -84,7 +83,6 @@ RingVibration sample_vibration(const bearing::defect::ScratchedBearing& scratche
 /// of the ring and the allowed error of `sampling` have no effect: contacts and oil have their own.
 RingVibration sample_vibration(const bearing::defect::ScratchedBearing& scratched,
                                const bearing::balls::MotionParameters& motion, double length_error,
-                               const Sampling& sampling,
-                               const std::function<void(double)>& progress = {});
+                               const Sampling& sampling, const std::function<void(double)>& progress = {});
 
 }  // namespace orbearing::study

@@ -24,7 +24,7 @@ Eigen::MatrixXd carrier_twist_compliance(const PlanetaryDrivetrain& drivetrain);
 /// of helical teeth are held by the torques, whatever the tilt, and give no stiffness.
 Eigen::Matrix2d mesh_tilt_stiffness(const PlanetaryDrivetrain& drivetrain);
 
-/// What a planet stands on, whatever its load, its speed, and the clearance and profiles of its bearings:
+/// What a planet is on, whatever its load, its speed, and the clearance and profiles of its bearings:
 /// derived once, used from any thread.
 struct PlanetSeat {
   std::vector<double> positions;              // [m]  (bearings)

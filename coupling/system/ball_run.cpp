@@ -229,8 +229,8 @@ void sample_series(const BallBearing& model, const bearing::BearingGeometry& geo
 
 std::optional<double> settling_time(const SlipHistory& h, double end, double band) {
   const double last_third = 2.0 / 3.0 * end;
-  const auto first = static_cast<std::size_t>(
-      std::lower_bound(h.time.begin(), h.time.end(), last_third) - h.time.begin());
+  const auto first =
+      static_cast<std::size_t>(std::lower_bound(h.time.begin(), h.time.end(), last_third) - h.time.begin());
   if (first + 1 >= h.time.size()) return std::nullopt;
   double sum = 0.0;
   for (std::size_t i = first; i + 1 < h.time.size(); ++i)
@@ -261,7 +261,7 @@ BallRunResult run_balls(const bearing::Bearing& bearing, const bearing::balls::M
                                                              options.start == Start::rest ? 0.0 : 1.0)
                                                : options.from;
   mechanics::require(static_cast<int>(x.size()) == model.layout().size(),
-                     "variables of the state to go on from", static_cast<int>(x.size()),
+                     "variables of the state to continue from", static_cast<int>(x.size()),
                      "those of the bearing");
   // Observed from a sample on.
   const long first_observed =

@@ -34,8 +34,8 @@ constexpr described::Names<BallForm, 2> names_of(BallForm) {
 
 /// What belongs to the method and to the start.
 struct BallRunOptions {
-  double duration = 1.0;  // [s]  of the whole run
-  double observed = 0.2;  // [-]  share of it at its end, over which means are taken
+  double duration = 1.0;        // [s]  of the whole run
+  double observed = 0.2;        // [-]  share of it at its end, over which means are taken
   double settling_band = 0.05;  // [-]  of the cage's kinematic speed: see settling_time()
   Start start = Start::rolling;
   int samples = 4000;           // [-]  of the whole run
@@ -65,19 +65,19 @@ void describe(Visitor& visit, BallRunOptions& m) {
              .range = {.least = 0.0, .most = 1.0, .least_allowed = false},
              .reason = "what lies before it is for settling"}),
       field(m.settling_band, "simulation.settling_band", Physics::single_bearing_run,
-            "the slip of the cage has settled when it last leaves this band, as a share of the cage's "
-            "kinematic speed, "
-            "about its mean over the last third of the run",
+            "band about the mean of the last third of the run, as a share of the cage's kinematic speed; "
+            "outside it the cage slip has not settled",
             {.models = ball_motion,
              .range = {.least = 0.0, .most = 1.0, .least_allowed = false},
              .reason = "settling times are usually stated for a band of 5 %"}),
-      field(m.start, "simulation.start", Physics::single_bearing_run, "how balls and cage move at the start",
+      field(m.start, "simulation.start", Physics::single_bearing_run, "motion of balls and cage at the start",
             {.models = ball_motion, .reason = "as at pure rolling on the rings' speeds of that instant"}),
       field(m.samples, "simulation.samples", Physics::single_bearing_run,
-            "states that are shown, evenly over the time",
+            "number of output states, at equal time steps",
             {.models = ball_motion, .range = {2, 10'000'000}, .reason = "enough for a picture"}),
       field(m.form, "simulation.form", Physics::single_bearing_run,
-            "which places have inertia: all, or as [Chen2026] prints it, by balance where contacts hold them",
+            "degrees of freedom with inertia: all, or as published in [Chen2026], with static equilibrium "
+            "where contacts hold them",
             {.models = ball_motion, .reason = "the complete equations are faster, too"}),
       field(m.published_step, "simulation.step", Physics::single_bearing_run,
             "step of the classic Runge-Kutta method",
@@ -106,22 +106,22 @@ struct BallSeries {
 
 /// Means over the observed time.
 struct BallMeans {
-  double cage_slip = 0.0;              // [-]  from the angle that the cage turned
-  double cage_speed = 0.0;             // [rad/s]
-  double inner_load_rms = 0.0;         // [N]  over all balls, unloaded time included
-  double outer_load_rms = 0.0;         // [N]
-  double inner_load_max = 0.0;         // [N]
-  double outer_load_max = 0.0;         // [N]
-  double inner_torque = 0.0;           // [N m]
-  double outer_torque = 0.0;           // [N m]
-  double inner_angle = 0.0;            // [rad]  mean contact angle, weighed by load
-  double outer_angle = 0.0;            // [rad]
-  double inner_film = 0.0;             // [m]  mean central film of loaded balls
-  double outer_film = 0.0;             // [m]
-  bearing::balls::BallPowerLoss loss;  // [W]
-  bearing::BearingLife life;           // [rev]  of the turning race, from true passages
+  double cage_slip = 0.0;                           // [-]  from the angle that the cage turned
+  double cage_speed = 0.0;                          // [rad/s]
+  double inner_load_rms = 0.0;                      // [N]  over all balls, unloaded time included
+  double outer_load_rms = 0.0;                      // [N]
+  double inner_load_max = 0.0;                      // [N]
+  double outer_load_max = 0.0;                      // [N]
+  double inner_torque = 0.0;                        // [N m]
+  double outer_torque = 0.0;                        // [N m]
+  double inner_angle = 0.0;                         // [rad]  mean contact angle, weighed by load
+  double outer_angle = 0.0;                         // [rad]
+  double inner_film = 0.0;                          // [m]  mean central film of loaded balls
+  double outer_film = 0.0;                          // [m]
+  bearing::balls::BallPowerLoss loss;               // [W]
+  bearing::BearingLife life;                        // [rev]  of the turning race, from true passages
   bearing::rating::EquivalentBallLoads equivalent;  // [N]  cube means over time, bin by bin, that lives go by
-  double balls_life = 0.0;             // [rev]  of all balls, as bearing/life/ball_failure.hpp has it
+  double balls_life = 0.0;  // [rev]  of all balls, as bearing/life/ball_failure.hpp has it
 };
 
 struct BallRunResult {
@@ -141,8 +141,9 @@ struct SlipHistory {
   std::vector<double> slip;  // [-]  share of the cage's kinematic speed
 };
 
-/// Last time [s] at which the slip leaves a band of +-`band` [-] about its mean over the last third of a run until
-/// `end` [s]; linear between the steps, 0 where it never does. None where that is within the last third.
+/// Last time [s] at which the slip leaves a band of +-`band` [-] about its mean over the last third of a run
+/// until `end` [s]; linear between the steps, 0 where it never does. None where that is within the last
+/// third.
 std::optional<double> settling_time(const SlipHistory& history, double end, double band);
 
 /// Runs `bearing` under `duty`. `capacities` are those of one contact, for the life; `progress` gets the time

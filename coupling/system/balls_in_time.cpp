@@ -57,10 +57,10 @@ void require_containment(const BallNumbers& c, const double* x) {
   for (int j = 0; j < c.balls; ++j)
     if (!(std::abs(x[j] - c.pitch_radius) < c.radius) ||
         !(std::abs(x[2 * layout.lanes() + j]) < 2.0 * c.radius))
-      throw std::runtime_error("a ball came out: it stands more than its radius off its circle");
+      throw std::runtime_error("a ball left the bearing: it is more than its radius off its circle");
   const double* cage = x + layout.cage();
   if (!(std::hypot(cage[0], cage[1]) < c.radius) || !(std::hypot(cage[3], cage[4]) < 0.5))
-    throw std::runtime_error("the cage came out of its place");
+    throw std::runtime_error("the cage left its position");
 }
 
 }  // namespace orbearing::system

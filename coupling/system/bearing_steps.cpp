@@ -163,16 +163,17 @@ std::string out_of_place(const bearing::motion::BearingModel& model,
   const double cage = model.layout.caged ? (now.cage_position - now.pin_position).norm() : 0.0;
   std::ostringstream text;
   if (cage > limit)
-    text << "the cage came out: it stands " << cage << " m beside the pin";
+    text << "the cage left the bearing: it is " << cage << " m beside the pin";
   else if (const double off = (now.radius - model.geometry.pitch_radius).abs().maxCoeff(),
            rings = std::max(now.pin_position.norm(), now.bore_position.norm());
            off > limit + rings)
-    text << "a roller came out: it stands " << off << " m off the pitch circle";
+    text << "a roller left the bearing: it is " << off << " m off the pitch circle";
   else
     return {};
   text << "; required: at most the radius of a roller, " << limit << " m";
   if (cage > limit && !model.land.present)
-    text << ". No land guides the cage: state bearing.cage.guide_land_diameter, the diameter of the ring's land that "
+    text << ". No land guides the cage: state bearing.cage.guide_land_diameter, the diameter of the ring's "
+            "land that "
             "it runs on";
   return text.str();
 }

@@ -19,11 +19,11 @@ namespace orbearing::system {
 
 // All that the future of a driven bearing depends on.
 struct DrivenState {
-  std::vector<double> x;     // padded
-  double step = 1e-6;        // [s]    to try next
-  double angle = 0.0;        // [rad]  of the bore
-  double turned = 0.0;       // [rad]  there and back
-  double step_before = 0.0;  // [s]    half of it is not counted yet
+  std::vector<double> x;                // padded
+  double step = 1e-6;                   // [s]    to try next
+  double angle = 0.0;                   // [rad]  of the bore
+  double turned = 0.0;                  // [rad]  there and back
+  double step_before = 0.0;             // [s]    half of it is not counted yet
   double start_x = 0.0, start_y = 0.0;  // [m]  of the bore under the start load
   bearing::motion::DamageSums sums{0};
 
@@ -76,7 +76,7 @@ void check_effects(const bearing::motion::DynamicsParameters& dynamics) {
   const bool published = dynamics.race.film_in_approach &&
                          dynamics.race.film_approach == bearing::FilmApproach::literature_variant;
   require(!published, "film in the approach as printed", 1.0,
-          "a film that is added, since the printed one asks for the load beforehand");
+          "a film that is added, since the published one requires the load beforehand");
 }
 
 bool finite(const InputPolynomial& polynomial) {
@@ -122,14 +122,13 @@ enum Position : std::size_t {
 
 std::vector<Input> bearing_inputs(const DrivenBearingSetup& setup) {
   using namespace bearing_input;
-  const std::string goes_on = "; inside a step it goes on with ";
+  const std::string goes_on = "; inside a step it continues with ";
   const auto displacement = [&](const char* axis, const char* sense) {
     return std::string("displacement of the planet's axis from that of its undeformed pin, ") + sense +
            goes_on + "planet.velocity." + axis;
   };
   return {
-      {"planet.displacement.x", "m", displacement("x", "outward"), setup.start_displacement.x(),
-       velocity_x},
+      {"planet.displacement.x", "m", displacement("x", "outward"), setup.start_displacement.x(), velocity_x},
       {"planet.displacement.y", "m", displacement("y", "in the sense of carrier rotation"),
        setup.start_displacement.y(), velocity_y},
       {"planet.velocity.x", "m/s", "slope of planet.displacement.x by time"},
@@ -336,9 +335,9 @@ Eigen::Vector2d DrivenBearing::position_under(const Eigen::Vector2d& load, const
   DrivenBearing trial(without_start(inside_->setup));
   Eigen::Vector2d asked = load, missing = load;
   for (int i = 0; i < kMost && missing.norm() > kEnough * load.norm(); ++i) {
-    const bearing::motion::PinBalance balance = bearing::motion::balance_pin_and_bore(
-        inside_->setup.bearing, inside_->model, inside_->setup.dynamics, there, inside_->setup.first_roller,
-        asked);
+    const bearing::motion::PinBalance balance =
+        bearing::motion::balance_pin_and_bore(inside_->setup.bearing, inside_->model, inside_->setup.dynamics,
+                                              there, inside_->setup.first_roller, asked);
     if (!balance.rollers.report.converged) break;
     there.position = balance.bore;
     trial.initialize(there);
@@ -348,7 +347,8 @@ Eigen::Vector2d DrivenBearing::position_under(const Eigen::Vector2d& load, const
   if (missing.norm() <= kEnough * load.norm()) return there.position;
   std::ostringstream text;
   text << "driven bearing: found no place of the bore under a load of (" << load.x() << ", " << load.y()
-       << ") N at the start: " << missing.norm() << " N remain; required: a load that rollers and support stand";
+       << ") N at the start: " << missing.norm()
+       << " N remain; required: a load that rollers and support stand";
   throw std::runtime_error(text.str());
 }
 
@@ -455,8 +455,8 @@ std::vector<double> DrivenBearing::values(const std::vector<double>& inputs, std
   const DrivenBearingOutput now = output(motion);
   std::vector<double> values{now.reaction.force.x(), now.reaction.force.y(), now.reaction.moment,
                              now.life_used,          now.cage_slip,          now.cage_speed,
-                             now.revolutions,        now.friction_loss,
-                             inside_->state.start_x, inside_->state.start_y};
+                             now.revolutions,        now.friction_loss,      inside_->state.start_x,
+                             inside_->state.start_y};
   for (std::size_t i = 0; i < now.inner_load.size(); ++i)
     values.insert(values.end(), {now.inner_load[i], now.outer_load[i], now.roller_angle[i]});
   return values;

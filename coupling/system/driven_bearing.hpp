@@ -27,9 +27,9 @@ struct DrivenBearingSetup {
   /// laminae only, and refused without them.
   Eigen::Vector2d bore_tilt = Eigen::Vector2d::Zero();
   bearing::ElasticRace outer_race = {};  // how the outer race bends, under mean forces of the teeth
-  double allowed_length_error = 2e-10;  // [m]    of one step; all other variables follow from it
-  long bins = 72;                       // [-]    bins on the races, for the life
-  long most_steps = 10'000'000;         // [-]    in one call of advance() before it gives up
+  double allowed_length_error = 2e-10;   // [m]    of one step; all other variables follow from it
+  long bins = 72;                        // [-]    bins on the races, for the life
+  long most_steps = 10'000'000;          // [-]    in one call of advance() before it gives up
   double planet_speed = 0.0;   // [rad/s]  of the bore relative to the carrier, at the start where nobody says
   double carrier_speed = 0.0;  // [rad/s]  the same
   Eigen::Vector2d start_load = Eigen::Vector2d::Zero();  // [N]  of the planet on the bearing, at the start
@@ -66,8 +66,8 @@ void describe(Visitor& visit, DrivenBearingSetup& m) {
               internal(m.bore_tilt.y(), "bearing.misalignment.y", "the same in the sense of carrier rotation",
                        angle)),
           together(internal(m.start_load.x(), "start_load.x",
-                            "load of the planet on the bearing at the start, outward: where nobody sets "
-                            "planet.displacement, it begins in balance under this load",
+                            "load of the planet on the bearing at the start, outward: without "
+                            "planet.displacement, it begins in static equilibrium under this load",
                             {.dimension = dimension::force, .fmu = InFmu::parameter}),
                    internal(m.start_load.y(), "start_load.y", "the same in the sense of carrier rotation",
                             {.dimension = dimension::force, .fmu = InFmu::parameter})),
@@ -135,8 +135,8 @@ class DrivenBearing final : public Participant {
   /// Rollers in balance under the displacement of the bore, all turning at pure rolling. All inputs may be
   /// zero.
   void initialize(const bearing::motion::BoreMotion& motion);
-  /// Where the bore stands with the force of a bearing that begins there being -`load` [N]; speeds of carrier and
-  /// bore are those of `motion`. Throws std::runtime_error where no balance is found.
+  /// Where the bore stands with the force of a bearing that begins there being -`load` [N]; speeds of carrier
+  /// and bore are those of `motion`. Throws std::runtime_error where no balance is found.
   Eigen::Vector2d position_under(const Eigen::Vector2d& load,
                                  const bearing::motion::BoreMotion& motion) const;
   /// From `window.begin` to its end with `inputs`, whose polynomials count from the beginning. On an error

@@ -1,6 +1,6 @@
 // A ball bearing that its own friction warms, until as much heat leaves as arises. Temperatures change over
-// minutes, the motion over milliseconds: short runs say what heat arises at given temperatures, and the network
-// of thermal_network.hpp goes on from there in long steps (averaging).
+// minutes, the motion over milliseconds: short runs say what heat arises at given temperatures, and the
+// network of thermal_network.hpp goes on from there in long steps (averaging).
 #pragma once
 
 #include <Eigen/Core>
@@ -42,24 +42,26 @@ class ThermalNetwork {
 
 /// Bodies of the network, in this order.
 inline constexpr int kWarmBodies = 5;
-inline constexpr const char* kWarmBodyNames[kWarmBodies] = {"balls", "inner_ring", "outer_ring", "oil", "housing"};
+inline constexpr const char* kWarmBodyNames[kWarmBodies] = {"balls", "inner_ring", "outer_ring", "oil",
+                                                            "housing"};
 
 /// How heat leaves. Conductances between two bodies, each an assumption of its size.
 struct HeatParameters {
   bool on = false;
-  double surroundings = 25.0;         // [degC]
-  double contact = 2.0;               // [W/K]  of balls to each ring
-  double to_oil = 3.0;                // [W/K]  of balls and of each ring to the oil
-  double fit = 20.0;                  // [W/K]  of outer ring to housing
-  double housing = 3.0;               // [W/K]  of housing to surroundings
-  double shaft = 1.0;                 // [W/K]  of inner ring by the shaft to surroundings
-  double inlet = 40.0;                // [degC]  of the oil that flows in
-  double stated_at = 70.0;            // [degC]  at which lubricant.viscosity holds
-  double viscosity_slope = 0.03;      // [1/K]  by which it falls: eta = eta_0 exp(-slope (T - T_0)) [Reynolds1886]
-  double expansion = 11.5e-6;         // [1/K]  of rings and balls
-  double sizes_at = 20.0;             // [degC]  at which sizes and clearance hold
-  double housing_capacity = 400.0;    // [J/K]
-  double oil_capacity = 5.0;          // [J/K]  of the oil in the bearing
+  double surroundings = 25.0;  // [degC]
+  double contact = 2.0;        // [W/K]  of balls to each ring
+  double to_oil = 3.0;         // [W/K]  of balls and of each ring to the oil
+  double fit = 20.0;           // [W/K]  of outer ring to housing
+  double housing = 3.0;        // [W/K]  of housing to surroundings
+  double shaft = 1.0;          // [W/K]  of inner ring by the shaft to surroundings
+  double inlet = 40.0;         // [degC]  of the oil that flows in
+  double stated_at = 70.0;     // [degC]  at which lubricant.viscosity holds
+  double viscosity_slope =
+      0.03;                    // [1/K]  by which it falls: eta = eta_0 exp(-slope (T - T_0)) [Reynolds1886]
+  double expansion = 11.5e-6;  // [1/K]  of rings and balls
+  double sizes_at = 20.0;      // [degC]  at which sizes and clearance hold
+  double housing_capacity = 400.0;  // [J/K]
+  double oil_capacity = 5.0;        // [J/K]  of the oil in the bearing
 };
 
 template <class Visitor>
@@ -75,7 +77,7 @@ void describe(Visitor& visit, HeatParameters& m) {
   const Range conductance{0.0, 1e5}, temperature{-60.0, 400.0};
   rows(visit,
        field(m.on, "heat.enabled", Physics::single_bearing_run,
-             "temperatures and the oil's viscosity follow from the friction",
+             "temperatures and the oil's viscosity are computed from the friction",
              {.models = ball_motion, .reason = "the viscosity is stated at running temperature"}),
        row(m.surroundings, "heat.surroundings", "temperature around housing and shaft",
            dimension::temperature, temperature, "a warm room"),
@@ -92,21 +94,22 @@ void describe(Visitor& visit, HeatParameters& m) {
            conductance, "a shaft of the bore's diameter"),
        row(m.inlet, "heat.inlet", "temperature of the oil that flows in", dimension::temperature, temperature,
            "a tank's"),
-       row(m.stated_at, "heat.viscosity_temperature", "temperature at which lubricant.viscosity holds",
+       row(m.stated_at, "heat.viscosity_temperature", "reference temperature of lubricant.viscosity",
            dimension::temperature, temperature, "running temperature"),
-       row(m.viscosity_slope, "heat.viscosity_slope", "share by which the viscosity falls with each kelvin",
+       row(m.viscosity_slope, "heat.viscosity_slope", "relative decrease of the viscosity per kelvin",
            dimension::per_kelvin, Range{0.0, 0.2}, "a mineral oil when warm"),
        row(m.expansion, "heat.expansion", "linear thermal expansion of rings and balls",
            dimension::per_kelvin, Range{0.0, 1e-4}, "through-hardened bearing steel"),
-       row(m.sizes_at, "heat.sizes_temperature", "temperature at which sizes and clearance are stated",
+       row(m.sizes_at, "heat.sizes_temperature", "reference temperature of sizes and clearance",
            dimension::temperature, temperature, "reference temperature of ISO 1"));
 }
 
-/// The network of a bearing: capacities of steel from the masses, 460 J/(kg K); oil takes 1.7 MJ/(m^3 K) along.
+/// The network of a bearing: capacities of steel from the masses, 460 J/(kg K); oil takes 1.7 MJ/(m^3 K)
+/// along.
 ThermalNetwork thermal_network(const bearing::balls::BallNumbers& bearing, const HeatParameters& heat);
 
-/// Heat by body [W]: what contacts of the races lose falls half to the balls and a quarter to each ring, all else
-/// to the oil.
+/// Heat by body [W]: what contacts of the races lose falls half to the balls and a quarter to each ring, all
+/// else to the oil.
 Eigen::VectorXd heat_by_body(const bearing::balls::BallPowerLoss& loss);
 
 /// `bearing` where rings and balls have these temperatures [degC, (kWarmBodies)], each free to expand with
@@ -121,14 +124,15 @@ bearing::Bearing warm_bearing(const bearing::Bearing& bearing, const HeatParamet
 /// Viscosity [Pa s] of the oil at `temperature` [degC].
 double viscosity_at(double stated, const HeatParameters& heat, double temperature);
 
-/// Says how much heat [W] arises by body at given temperatures [degC], kept for the next call where motion goes on.
+/// Says how much heat [W] arises by body at given temperatures [degC], kept for the next call where motion
+/// goes on.
 using HeatSource = std::function<Eigen::VectorXd(const Eigen::VectorXd& temperature)>;
 
 /// One instant of the way to the steady state.
 struct WarmState {
-  double time = 0.0;             // [s]
-  Eigen::VectorXd temperature;   // [degC]
-  Eigen::VectorXd heat;          // [W]
+  double time = 0.0;            // [s]
+  Eigen::VectorXd temperature;  // [degC]
+  Eigen::VectorXd heat;         // [W]
 };
 
 /// From `start` until the temperatures are steady, by steps of Heun's method on the exact solution of
@@ -139,10 +143,12 @@ std::vector<WarmState> warm_to_steady(const ThermalNetwork& network, const HeatS
                                       const Eigen::VectorXd& start, double error = 0.5, double steady = 0.05);
 
 /// Runs the bearing at the temperatures it takes on. `warming` gets the way there.
-BallRunResult run_heated_balls(const bearing::Bearing& bearing, const bearing::balls::MotionParameters& parameters,
+BallRunResult run_heated_balls(const bearing::Bearing& bearing,
+                               const bearing::balls::MotionParameters& parameters,
                                const bearing::balls::BallDuty& duty,
-                               const bearing::rating::ContactCapacities& capacities, const BallRunOptions& options,
-                               const HeatParameters& heat, std::vector<WarmState>& warming,
+                               const bearing::rating::ContactCapacities& capacities,
+                               const BallRunOptions& options, const HeatParameters& heat,
+                               std::vector<WarmState>& warming,
                                const std::function<void(double)>& progress = {});
 
 }  // namespace orbearing::system

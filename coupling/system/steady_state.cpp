@@ -359,7 +359,7 @@ SteadyStateResult run_up(const bearing::Bearing& bearing, const bearing::Operati
                          const SteadyStateOptions& options, double duration) {
   require_speed(parameters.driving, duration);
   if (options.look.windows > 0)
-    throw std::invalid_argument("look among windows: found in a run-up, which has none; required: none");
+    throw std::invalid_argument("check among windows: found in a run-up, which has none; required: none");
   const BearingModel model = bearing_model(bearing, point, parameters);
   bearing::motion::DynamicsParameters before = parameters;
   before.driving = {};

@@ -53,19 +53,19 @@ void describe(Visitor& visit, SteadyStateOptions& m) {
   rows(
       visit,
       field(m.integration.method, "simulation.integrator", Physics::motion,
-            "how the roller dynamics is integrated: linearly implicit steps, or explicit steps of order 5",
+            "integration of the roller dynamics: linearly implicit method, or explicit method of order 5",
             {.models = planetary_drivetrain, .reason = "the same means in a fraction of the time"}),
       field(m.observed_windows, "simulation.observed_revolutions", Physics::run,
-            "cage revolutions that are averaged once steady",
+            "number of cage revolutions for the means of the steady state",
             {.models = planetary_drivetrain, .range = {1, 100000}, .reason = "enough for maxima"}),
       field(m.most_windows, "simulation.most_revolutions", Physics::run,
-            "cage revolutions allowed to become steady",
+            "maximum number of cage revolutions to reach a steady state",
             {.models = planetary_drivetrain, .range = {2, 100000}, .reason = "bearings settle in a few"}),
       field(m.load_drift, "simulation.load_drift", Physics::run,
-            "steady: rms loads of two revolutions in turn differ by less",
+            "limit for a steady state: difference of the rms loads of two consecutive revolutions",
             {.models = planetary_drivetrain, .range = positive(1.0), .reason = "below what a life can tell"}),
       field(m.cage_drift, "simulation.cage_drift", Physics::run,
-            "steady: cage speeds of two revolutions in turn differ by less",
+            "limit for a steady state: difference of the cage speeds of two consecutive revolutions",
             {.models = planetary_drivetrain, .range = positive(1.0), .reason = "below what a slip can tell"}),
       length_error_row(m.allowed_length_error));
 }
@@ -106,7 +106,7 @@ struct SteadyStateResult {
   std::vector<bearing::motion::WindowStatistics> bearings;  // the same, bearing by bearing
   // Each window on the way to the steady state; but for loads and the cage's speed at its end alone.
   std::vector<bearing::motion::WindowStatistics> windows;
-  BearingSeries series;                                     // of the first bearing in the last window
+  BearingSeries series;  // of the first bearing in the last window
   RollingSpeeds rolling;
   double duration = 0.0;        // [s]  from the start to the end of what was observed
   Eigen::VectorXd final_state;  // of a bearing by itself, in the order of `layout`

@@ -181,7 +181,7 @@ void check_shaft(const Arrangement& arrangement, std::size_t index, Problems& pr
     problems.push_back({{index},
                         shaft.members,
                         "the ground beside the " + std::string(shaft.motor ? "motor" : "load"),
-                        "a shaft that either stands or carries power is required"});
+                        "a shaft that is either stationary or carries power is required"});
   if (shaft.members.empty())
     problems.push_back({{index}, {}, "no member of a set", "a shaft that turns a member is required"});
   if (shaft.members.size() == 1 && !held)
@@ -248,7 +248,7 @@ void check_speed_conflict(const Arrangement& arrangement, const SpeedSystem& sys
   problem.found = "speeds that contradict each other: " + shaft_names(arrangement, problem.shafts) +
                   " fix more than Willis' equation allows to " +
                   member_positions(arrangement, problem.members);
-  problem.required = "one of these members on a shaft that is free to turn is required";
+  problem.required = "one of these members on a free shaft is required";
   problems.push_back(std::move(problem));
 }
 
@@ -273,7 +273,7 @@ void check_torque_conflict(const Arrangement& arrangement, const TorqueSystem& s
   for (const std::size_t shaft : problem.shafts)
     add_members(arrangement.shafts[shaft].members, problem.members);
   problem.found =
-      "a load that stands still whatever the motor does: " + member_positions(arrangement, problem.members) +
+      "a load that is stationary at any motor speed: " + member_positions(arrangement, problem.members) +
       " cannot take the power";
   problem.required = "a load on a shaft that the motor turns is required";
   problems.push_back(std::move(problem));

@@ -62,8 +62,7 @@ described::Row<Member> inertia_row(Member& inertia, const std::string& body) {
 inline described::Row<double> support_row(double& stiffness, const std::string& body,
                                           std::string_view reason = {}) {
   return field(stiffness, described_body(body) + ".support_stiffness", described::Physics::gear_bodies,
-               "stiffness that holds the " + body + " in its place, 0: floating",
-               described_stiffness(reason));
+               "support stiffness of the " + body + ", 0: floating", described_stiffness(reason));
 }
 inline described::Row<double> torsional_row(double& stiffness, const std::string& body) {
   return field(stiffness, described_body(body) + ".torsional_stiffness", described::Physics::gear_bodies,

@@ -82,15 +82,15 @@ namespace {
 // What an elastic ring gives in place of the polynomials, for the end of a message.
 std::string by_elastic_ring(const MeshGear& gear, const ToothLoad& load) {
   constexpr double thinnest = 1.01;  // root over bore diameter
-  if (!sainsot_is_usable(gear.body)) return "; an elastic ring with a rigid bore takes its place";
+  if (!sainsot_is_usable(gear.body)) return ". An elastic ring with a rigid bore is used instead";
   if (gear.body.root_radius < thinnest * gear.body.body_radius)
-    return "; a body as thin as that, held at its bore, does not give way at all";
+    return ". A body this thin, held at its bore, does not deflect";
   const auto compliance = [&](const FoundationCoefficients& coefficients) {
     return foundation_compliance(coefficients, gear.body, load, gear.face_width, gear.material);
   };
   const double exact = compliance(elastic_ring_coefficients(gear.body, gear.material.poisson_ratio));
   const double more = 100.0 * (compliance(gear.foundation) / exact - 1.0);  // [%]
-  return "; an elastic ring with a rigid bore is " + decimal(std::abs(more), 0) +
+  return ". An elastic ring with a rigid bore is " + decimal(std::abs(more), 0) +
          (more > 0.0 ? " % stiffer" : " % softer");
 }
 
@@ -100,10 +100,10 @@ Warnings foundation_warnings(const MeshGear& gear, double tangent_length, const 
                              const std::string& position) {
   const auto* tooth = std::get_if<ExternalTooth>(&gear.tooth);
   if (tooth == nullptr || gear.exact || in_sainsot_range(gear.body)) return {};
-  return {{position, "the foundation of the " + name + " (root over bore diameter " +
+  return {{position, "the foundation of the " + name + " has a root over bore diameter of " +
                          decimal(gear.body.root_radius / gear.body.body_radius, 3) +
-                         ", half tooth angle at the root " + decimal(gear.body.half_angle, 3) +
-                         " rad) lies outside the range of Sainsot's formula, 1.4 to 7 and 0.01 to 0.12 rad" +
+                         " and a half tooth angle at the root of " + decimal(gear.body.half_angle, 3) +
+                         " rad. Sainsot's formula covers 1.4 to 7 and 0.01 to 0.12 rad" +
                          by_elastic_ring(gear, tooth_load(*tooth, tangent_length))}};
 }
 

@@ -340,7 +340,8 @@ SpatialBalance balance(const SpatialSet& set, const SpatialLoad& load, double an
       [&](const VectorXd& position) { return searched(assembly, position); }, limits, found.position, at);
   if (!found.search.converged)
     throw std::runtime_error(
-        "the set in three dimensions finds no balance: weight, rotor or pin errors lift gears off their "
+        "the set in three dimensions finds no static equilibrium: weight, rotor or pin errors lift gears off "
+        "their "
         "driving "
         "flanks or tilt a planet; required: more torque on the carrier, or wider bearings");
   read_meshes(assembly, static_cast<int>(set.angles.size()), slices, found);

@@ -30,7 +30,7 @@ const app::Field& field_at(const Case& core, const std::string& path) {
   for (const app::Input& input : core.content().inputs()) known.push_back(input.path);
   const std::string near = app::nearest_word(path, known);
   throw BadInput(
-      fmt::format("{}: {}: found a path that this case does not know{}; required: the path of a value "
+      fmt::format("{}: {}: found a path that this case does not have{}; required: the path of a value "
                   "of the case",
                   core.content().file(), path, near.empty() ? "" : " (did you mean '" + near + "'?)"));
 }

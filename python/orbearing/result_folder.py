@@ -142,13 +142,13 @@ class Report:
 def read_report(folder: Path) -> Report:
     """Read DIR/report.json; raises CaseError with the remedy where that cannot be done."""
     path = folder / "report.json"
-    remedy = f"run `orbearing report {folder}`, which writes it from the results of a sweep"
+    remedy = f"Run `orbearing report {folder}`, which writes it from the results of a sweep"
     try:
         content = json.loads(path.read_text(encoding="utf-8"))
     except OSError as error:
-        raise CaseError(f"{path}: cannot be read ({error.strerror}); a readable file is required; {remedy}") from error
+        raise CaseError(f"{path}: cannot be read ({error.strerror}); a readable file is required. {remedy}") from error
     except (UnicodeDecodeError, json.JSONDecodeError) as error:
-        raise CaseError(f"{path}: is not JSON ({error}); one JSON object is required; {remedy}") from error
+        raise CaseError(f"{path}: is not JSON ({error}); one JSON object is required. {remedy}") from error
     if not isinstance(content, dict):
-        raise CaseError(f"{path}: found {type(content).__name__}; one JSON object is required; {remedy}")
+        raise CaseError(f"{path}: found {type(content).__name__}; one JSON object is required. {remedy}")
     return Report(content, folder)

@@ -55,8 +55,7 @@ std::string reason(const system::SteadyStateResult& run) {
 // Steps of the longest length allowed over the cage revolutions of the run.
 double steps_of_longest_length(const MotionDraw& draw, const system::SteadyStateResult& run) {
   const auto model = motion::bearing_model(draw.bearing, draw.point, draw.parameters);
-  return kRevolutions * constants::two_pi / std::abs(run.rolling.cage) /
-         system::longest_step(model);
+  return kRevolutions * constants::two_pi / std::abs(run.rolling.cage) / system::longest_step(model);
 }
 
 constexpr const char* kHead =
@@ -126,7 +125,7 @@ TEST(CageWithoutALand, EndsWithItsReasonWhereItIsThrownOut) {
   const system::SteadyStateResult run = system::run_to_steady_state(
       draw.bearing, draw.point, draw.parameters, short_run(Method::linearly_implicit, draw.first_roller));
   EXPECT_FALSE(run.completed);
-  EXPECT_EQ(run.message.rfind("the cage came out", 0), 0u) << run.message;
+  EXPECT_EQ(run.message.rfind("the cage left the bearing", 0), 0u) << run.message;
   EXPECT_TRUE(run.final_state.allFinite());
 }
 

@@ -95,7 +95,7 @@ TEST(RandomBalances, AreFoundOrAreNone) {
       ASSERT_TRUE(state.contact_load.allFinite()) << i;
       continue;
     }
-    if (state.report.message.find("no balance within the grooves") != std::string::npos) {
+    if (state.report.message.find("no static equilibrium within the grooves") != std::string::npos) {
       ++none;
       continue;
     }
@@ -122,7 +122,7 @@ TEST(RandomBalances, TwoRowsInOnePositionBearHalfEach) {
     const RingState both = balance_rows({row, row}, twice);
     ASSERT_EQ(both.report.converged, one.report.converged) << i << ": " << both.report.message;
     if (!one.report.converged) {
-      EXPECT_NE(both.report.message.find("no balance within the grooves"), std::string::npos) << i;
+      EXPECT_NE(both.report.message.find("no static equilibrium within the grooves"), std::string::npos) << i;
       ++none;
       continue;
     }

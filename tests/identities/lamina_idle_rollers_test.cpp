@@ -1,6 +1,6 @@
 // Bearings on laminae some of whose rollers are so little loaded that one lamina or two touch: found among
-// random ones, where Newton's search led to and fro and the bearing "found no balance" with 1e-13 N
-// remaining.
+// random ones, where Newton's search led to and fro and the bearing "found no static equilibrium" with 1e-13
+// N remaining.
 #include <gtest/gtest.h>
 
 #include "coupling/study/crowning/crown_problem.hpp"

@@ -44,7 +44,7 @@ SETTINGS = {
     "no unit": ("bearing.roller_diameter=5.24", "bearing.roller_diameter", "no unit; write number and unit, as in '3 mm'"),
     "unknown unit": ("gearset.module=3 mmm", "gearset.module", "unit 'mmm' is not known"),
     "wrong dimension": ("gearset.module=3 kg", "gearset.module", "does not measure the same"),
-    "speed in hertz": ("input.speed=100 Hz", "input.speed", "how much angle"),
+    "speed in hertz": ("input.speed=100 Hz", "input.speed", "states no angle"),
     "unit on a ratio": ("life.reduction_factor=0.83 mm", "life.reduction_factor", "number without unit"),
     "infinite": ("input.power=.inf kW", "input.power", "finite number"),
     "not a number": ("life.reduction_factor=.nan", "life.reduction_factor", "finite number"),
@@ -267,7 +267,7 @@ class BadInput(unittest.TestCase):
     def test_remedies(self):
         remedies = {
             "lubricant.grade=ISO VG 321": r"did you mean 'ISO VG 320'",
-            "bearing.designation=NU 2242": r"NU 2242', which no line of the catalogue has; .*nearest: NU 2240, .*number, diameter and pitch diameter",
+            "bearing.designation=NU 2242": r"NU 2242' is not in the catalogue; .*nearest: NU 2240, .*number, diameter and pitch diameter",
             "lubricant.grade=ISO VG 3": r"ISO VG 3' is none of the choices",
             "lubricant.grade=VG 220": r"'VG 220' is none of the choices \(did you mean 'ISO VG 220'\?\)",
             "life.cleanliness=17/15/12": r"\(did you mean '-/15/12'\?\)",

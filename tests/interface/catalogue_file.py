@@ -74,9 +74,9 @@ class Catalogue(unittest.TestCase):
         for text, name, nearest in ((BALLS, "6241", "6240, 6238, 6040, 6340, 6236"), (ROLLERS, "NUP204-E", "NUP 204, "), (ROLLERS, "NJ 2242", "NJ 2240, ")):
             with self.subTest(name):
                 message = self.refused(self.case(text.format(name, "")))
-                self.assertIn(f"'{name}', which no line of the catalogue has", message)
+                self.assertIn(f"'{name}' is not in the catalogue", message)
                 self.assertIn("nearest: " + nearest, message)
-                self.assertEqual(len(message.split("nearest: ")[1].split(". Of another")[0].split(", ")), 5)
+                self.assertEqual(len(message.split("nearest: ")[1].split(". For another")[0].split(", ")), 5)
                 self.assertLess(len(message), 500)
 
     def test_a_file_of_ones_own_is_sought_first(self):

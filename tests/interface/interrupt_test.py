@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Issue 18, Build 1: Ctrl-C ends every long computation with exit code 1, long before its end; of a sweep it keeps the points that
-are finished and no other, and --resume goes on to the bytes of an undisturbed one."""
+are finished and no other, and --resume continues to the bytes of an undisturbed one."""
 
 import os
 import signal
@@ -127,7 +127,7 @@ class Resumed(unittest.TestCase):
                 self.assertIsNotNone(seconds, words)
                 self.assertEqual(code, 1, words)
                 kept = manifest_points(folder)
-                self.assertIn(f"interrupted with {len(kept)} of 3 points done; go on with --resume", words)
+                self.assertIn(f"interrupted with {len(kept)} of 3 points done; continue with --resume", words)
                 self.assertTrue(0 < len(kept) < 3, kept)
                 self.assertNotIn("interrupted", (folder / "manifest.jsonl").read_text())
                 self.assertEqual(len(list((folder / "points").iterdir())), len(kept))

@@ -230,7 +230,7 @@ class Gears(PublicCases):
         """grc_chain."""
         for value in ("[[82, 23], [88, 22]]", "[7216, 506]"):
             said = run("check", WIND, "--set", "parallel_stage.behind=" + value).stderr
-            self.assertIn("there is one stage on this side: state several as one of the same ratio in lowest terms, [82, 23] and [88, 22] as [328, 23]", said)
+            self.assertIn("There is one stage on this side: state several stages as one of the same ratio in lowest terms, [82, 23] and [88, 22] as [328, 23]", said)
         flow = answer("check", WIND, "parallel_stage.behind=[328, 23]", "input.speed=22.1 rpm")["power_flow"]
         behind = next(row["speed_rpm"] for row in flow if row["shaft"] == "behind")
         self.near(abs(behind), 1800.9, 1e-4)
@@ -253,7 +253,7 @@ class Gears(PublicCases):
     def test_pair_with_an_internal_gear(self):
         """internal_pair_KHK."""
         said = run("check", CASES / "mesh_62_62" / "case.yaml", "--set", "pair.teeth=[16, -24]").stderr
-        self.assertIn("of a gear inside a ring, state the ring mesh in a case with model: planetary-drivetrain", said)
+        self.assertIn("For a gear inside a ring, state the ring mesh in a case with model: planetary-drivetrain", said)
 
 
 class Bearings(PublicCases):

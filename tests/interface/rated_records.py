@@ -85,7 +85,7 @@ class RatedRecords(unittest.TestCase):
                 ((high, "--case", REDUCER, "--set", "spectrum=[{power: 1 kW, speed: 1000 rpm, share: 1}]"),
                  "--set: spectrum: found beside records; required: one of both"),
                 ((high, "--case", REDUCER.parents[1] / "harris_209" / "case.yaml"), "model: found roller-bearing; required: planetary-drivetrain"),
-                ((high, "--case", REDUCER, "--resume"), "--resume: found without a folder; required: -o DIR, the folder to go on with")):
+                ((high, "--case", REDUCER, "--resume"), "--resume: found without a folder; required: -o DIR, the folder to continue")):
             with self.subTest(said):
                 self.assertIn(said, self.refusal(*words, "--json"))
 

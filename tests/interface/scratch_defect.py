@@ -175,7 +175,7 @@ class Files(unittest.TestCase):
 class Refusals(unittest.TestCase):
     def test_bad_input(self):
         for setting, words in (("defect.race=cage", "none of the choices"), ("defect.width=20 mm", "half a ball diameter"),
-                               ("operation.shaft_speed=0 rpm", "a speed is required"), ("operation.shaft_speed=25 Hz", "how much angle"),
+                               ("operation.shaft_speed=0 rpm", "a speed is required"), ("operation.shaft_speed=25 Hz", "states no angle"),
                                ("signal.sampling_rate=100 rad/s", "angle"), ("signal.sampling_rate=1 kHz", "samples a revolution"),
                                ("signal.band=[4 kHz]", "lower and upper end"), ("load.radial=0 N", "radial load greater"),
                                ("bearing.balls=30", "do not fit"), ("load.axial=5 N", "does not use")):

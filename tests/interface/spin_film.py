@@ -102,7 +102,7 @@ class Contact(unittest.TestCase):
 
     def test_bad_input(self):
         for setting, words in (("points=[[1500 N, 5 m/s]]", "rows [load, rolling speed, spin]"), ("points=[1500 N]", "as a row"),
-                               ("points=[[1500 N, 5 m/s, 200 Hz]]", "how much angle"), ("points=[[-5 N, 5 m/s, 0 rad/s]]", "out of range"),
+                               ("points=[[1500 N, 5 m/s, 200 Hz]]", "states no angle"), ("points=[[-5 N, 5 m/s, 0 rad/s]]", "out of range"),
                                ("points=[[5 m, 5 m/s, 0 rad/s]]", "force"), ("points=[]", "points"), ("contact.ellipticity=-1", "out of range"),
                                ("bearing.balls=5", "does not use"), ("sweep.contact.ellipticity=[1, 2]", "a sweep of a")):
             result = call("run", FILM, "--json", "--set", setting)

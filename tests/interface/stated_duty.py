@@ -169,7 +169,7 @@ class SpeedOfAnyMember(unittest.TestCase):
         self.assertAlmostEqual(found["life_h"] / right["life_h"], 1.0, 9)
 
     def test_what_cannot_be_is_refused(self):
-        self.assertIn("input.speed_of: ring, which stands still; a member that rotates is required", self.refusal("input.speed_of=ring"))
+        self.assertIn("input.speed_of: ring, which is stationary; a member that rotates is required", self.refusal("input.speed_of=ring"))
         self.assertIn("input.speed_of: planet beside input.torque; the speed of a shaft", self.refusal("input.speed_of=planet", "input.torque=1 N.m"))
         self.assertIn("planet beside spectrum", self.refusal("input.speed_of=planet", "spectrum=[{torque: 1 N.m, speed: 60 rpm, share: 1}]"))
         self.assertIn("input.speed_of: carrier of several sets; motor or load is required", self.refusal("input.speed_of=carrier", case=SETS))

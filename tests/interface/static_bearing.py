@@ -221,7 +221,7 @@ class Balls(unittest.TestCase):
             self.assertNotIn("nothing holds", " ".join(run(case)["warnings"]))
         lost = call("run", jones, "--json", "--set", "load.radial=1000 N", "--set", "load.axial=100 N")
         self.assertEqual(lost.returncode, 1)
-        self.assertIn("no balance within the grooves", lost.stderr)
+        self.assertIn("no static equilibrium within the grooves", lost.stderr)
 
     def test_no_load_lives_for_ever(self):
         found = run(BALL, "load.radial=0 N")

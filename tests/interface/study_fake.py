@@ -52,7 +52,7 @@ class FakeCase:
 
     def value(self, path):
         if path not in FIELDS:
-            raise CaseError(f"{path}: found a path that this case does not know")
+            raise CaseError(f"{path}: found a path that this case does not have")
 
     def si(self, path, text):
         if isinstance(text, list):

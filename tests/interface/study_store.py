@@ -124,8 +124,8 @@ class Designs(unittest.TestCase):
     def test_what_cannot_be_is_refused(self):
         one = {"bearing.radial_clearance": ["0 um"]}
         for vary, options, part in (
-                ({"bearing.clearance": ["0 um"]}, {}, "does not know"), ({"bearing.radial_clearance": []}, {}, "empty list"),
-                ({"bearing.radial_clearance": ["0 um", "0 um"]}, {}, "stands twice"), ({"bearing.radial_clearance": "0 um"}, {}, "a list of values"),
+                ({"bearing.clearance": ["0 um"]}, {}, "does not have"), ({"bearing.radial_clearance": []}, {}, "empty list"),
+                ({"bearing.radial_clearance": ["0 um", "0 um"]}, {}, "is listed twice"), ({"bearing.radial_clearance": "0 um"}, {}, "a list of values"),
                 ({"bearing.radial_clearance": [5]}, {}, "unit"), ({"bearing.rollers": ["-3"]}, {}, "bearing.rollers: found '-3'"),
                 ({"bearing.radial_clearance": {"from": "0 um", "to": "5 um", "step": "2 um"}}, {}, "does not end"),
                 ({"bearing.radial_clearance": {"from": "0 um", "to": "5 mm", "count": 3}}, {}, "one unit"),
@@ -295,7 +295,7 @@ class Interrupted(InFolder):
         before = contents(folder)
         for changed, part in (({"case": FakeCase(name="other")}, "case 'fake' was found"), ({"case": FakeCase(given={"bearing.rollers": "14"})}, "hash"),
                               ({"version": "2"}, "program version"), ({"grid": {**GRID, "bearing.radial_clearance": ["0 um", "0.01 mm", "66 um", "31 um"]}}, "radial_clearance"),
-                              ({"grid": {"bearing.rollers": [14]}}, "number of points"), ({"resume": False}, "--resume to go on")):
+                              ({"grid": {"bearing.rollers": [14]}}, "number of points"), ({"resume": False}, "--resume to continue")):
             with self.subTest(part), self.assertRaises(CaseError) as caught:
                 study(folder, **{"resume": True, **changed})
             self.assertIn(part, str(caught.exception))

@@ -173,7 +173,7 @@ class Reports(InAFolder):
         self.assertIsNone(self.data_of(whole)["missing"])
         lines = (whole / "manifest.jsonl").read_bytes().splitlines(keepends=True)
         (whole / "manifest.jsonl").write_bytes(b"".join(lines[:3]))
-        self.assertIn("go on with --resume", self.data_of(whole)["missing"]["text"])
+        self.assertIn("continue with --resume", self.data_of(whole)["missing"]["text"])
         (whole / "manifest.jsonl").write_bytes(b"".join(lines[:4]))
         self.assertTrue(self.data_of(whole)["missing"]["peak_unfinished"])
         (whole / "manifest.jsonl").write_bytes(lines[0])

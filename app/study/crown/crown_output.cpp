@@ -33,7 +33,7 @@ void describe_point(Record& row, const CrownPoint& point, const std::string& pro
                     ok ? point.pressure.edge_ratio : described::kAbsent);
   row.value("profile", "kind", profile);
   describe(row, point.rated_hours);
-  row.value("status", "ok, or why there is no balance", point.status);
+  row.value("status", "ok, or the reason why there is no static equilibrium", point.status);
 }
 
 void describe_design(Record& record, const CrownDesign& design, LifeMeasure measure) {
@@ -83,7 +83,7 @@ void describe_front(Record& record, const CrownStudy& study) {
     for (const WorstOfTilts& one : study.worst[profile])
       if (one.efficient) front.emplace_back(study.request.profiles[profile], one);
   record
-      .table("front", "front", "drops of which no other lives longer at a lower pressure", front,
+      .table("front", "front", "drops for which no other drop has a longer life at a lower pressure", front,
              [](Record& row, const auto& one) {
                row.value("profile", "kind", one.first);
                row.value("drop_um", dimension::small_length, "", one.second.drop);
@@ -145,7 +145,7 @@ void describe_tolerance(Record& record, const CrownStudy& study) {
   record.value(request.computes_tilt() ? "pin_inclination_mrad" : "tilt_mrad", dimension::small_angle,
                "of tilts", request.tolerance.tilt);
   record.value("distribution", "", name_of(request.distribution));
-  record.value("half_space_life_h", dimension::hours, "worst, or of nine tenths", advice.life_hours);
+  record.value("half_space_life_h", dimension::hours, "worst case, or of nine tenths", advice.life_hours);
   record.value("quadrature_error", dimension::ratio, "", advice.quadrature_error);
 }
 
@@ -165,7 +165,7 @@ void describe_recommended(Record& record, const CrownStudy& study) {
   record.value("straight_life_share", dimension::ratio, "of the longest life, by straight rollers",
                advice.straight_life_hours / advice.life_hours);
   record.value("no_crown_needed", "whether straight rollers are sufficient", advice.no_crown_needed());
-  record.value("rollers", "to take", rollers_to_take(study));
+  record.value("rollers", "recommended rollers", rollers_to_take(study));
   record.table("missed", "missed", "drops below and above", std::array{advice.low, advice.high},
                describe_drop_life);
   record.child("by_laminae", "the best drop by laminae", advice.other, describe_drop_life);

@@ -1,5 +1,5 @@
-// What the motion of a ball bearing needs beyond that of a roller bearing. Every default is an assumption; its
-// reason stands in the row beneath.
+// What the motion of a ball bearing needs beyond that of a roller bearing. Every default is an assumption;
+// its reason stands in the row beneath.
 #pragma once
 
 #include "bearing/motion/parameters.hpp"
@@ -69,12 +69,12 @@ void describe(Visitor& visit, MixtureParameters& m) {
   using namespace described;
   members(visit, m,
           field(m.motion, "drag.mixture", Physics::motion,
-                "oil and air round the balls go round by their balance of angular momentum, or rest",
+                "oil and air around the balls rotate by their balance of angular momentum, or rest",
                 {.models = balls_in_time,
                  .reason = "balls, cage and shaft drag them along",
                  .where = {"drag.enabled", "true"}}),
           field(m.flow, "lubricant.flow", Physics::motion,
-                "oil that flows through the bearing: brought to the mixture's speed, and takes heat along",
+                "oil flow through the bearing, which is accelerated to the mixture's speed and removes heat",
                 {.models = ball_motion,
                  .dimension = dimension::flow,
                  .range = {0.0, 1000.0},
@@ -107,19 +107,19 @@ void describe(Visitor& visit, MotionParameters& m) {
   const std::string_view ring_alone = "the ring alone: a light shaft";
   members(visit, m, part(m.race), part(m.cage), part(m.drag), part(m.mixture), part(m.lubricant),
           part(m.ellipse), part(m.pocket),
-          together(
-              field(m.inner.mass, "rotor.mass", Physics::motion,
-                    "mass that moves with the inner ring, its own in it; 0: the ring's own",
-                    {.models = ball_motion,
-                     .dimension = dimension::mass,
-                     .range = {0.0, 1e6},
-                     .reason = ring_alone}),
-              field(m.inner.across, "rotor.inertia", Physics::motion,
-                    "moment of inertia about a diameter of what moves with the inner ring; 0: the ring's own",
-                    {.models = ball_motion,
-                     .dimension = dimension::inertia,
-                     .range = {0.0, 1e6},
-                     .reason = ring_alone})),
+          together(field(m.inner.mass, "rotor.mass", Physics::motion,
+                         "mass that moves with the inner ring, including the ring; 0: the ring only",
+                         {.models = ball_motion,
+                          .dimension = dimension::mass,
+                          .range = {0.0, 1e6},
+                          .reason = ring_alone}),
+                   field(m.inner.across, "rotor.inertia", Physics::motion,
+                         "moment of inertia about a diameter of the parts that move with the inner ring; 0: "
+                         "the ring only",
+                         {.models = ball_motion,
+                          .dimension = dimension::inertia,
+                          .range = {0.0, 1e6},
+                          .reason = ring_alone})),
           apart(m.outer));
 }
 

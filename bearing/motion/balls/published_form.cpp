@@ -105,7 +105,7 @@ const std::vector<double>& PublishedForm::complete(double time, const double* y)
   if (!differentiated_) differentiate(time);
   Eigen::VectorXd force = unbalanced(time);
   for (int step = 0; force.cwiseAbs().maxCoeff() > kBalanced; ++step) {
-    if (!(step < kMostSteps)) throw std::runtime_error("balls and rings find no balance");
+    if (!(step < kMostSteps)) throw std::runtime_error("balls and rings find no static equilibrium");
     const double left = force.norm();
     Eigen::VectorXd change = -slope_.solve(force);
     const double longest = change.cwiseAbs().maxCoeff();

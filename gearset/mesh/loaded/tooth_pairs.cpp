@@ -209,7 +209,7 @@ double pair_stiffness(const MeshingGears& gears, double progress, double shared)
                      gear_compliance(gears.second, touch.second).sum();
   if (!(all > shared))
     throw std::domain_error(
-        "the bodies of a pair of gears turn by more than their teeth give way in all; widen a bore that is "
+        "the bodies of a pair of gears turn by more than their teeth deflect in all; widen a bore that is "
         "narrow, or take gearset.tooth_contact: stepped");
   return 1.0 / (all - shared);
 }
@@ -363,7 +363,7 @@ Warnings edge_warnings(const SetTeeth& teeth, double force) {
     if (own <= pairs.sound) return;
     warnings.push_back(
         {"gearset.tooth_contact",
-         "teeth of " + name + " and planet give way by up to " + decimal(1e6 * own, 1) + " um; from " +
+         "teeth of " + name + " and planet deflect by up to " + decimal(1e6 * own, 1) + " um; from " +
              decimal(1e6 * pairs.sound, 1) +
              " um on a tip touches the fillet of the other gear's root, where the direction of the force is "
              "not that of the line of action; it is taken as if it were"});

@@ -252,7 +252,7 @@ def main(arguments: list[str]) -> int:
     """Compute a study; messages go to standard error."""
     options = parser().parse_args(arguments)
     signal.signal(signal.SIGTERM, signal.default_int_handler)  # a wish to stop, as SIGINT
-    stays = f"; what is done stays in {options.output}, --resume goes on" if options.output else ""
+    stays = f"; what is done stays in {options.output}, --resume continues" if options.output else ""
     packages = ("numpy, netCDF4, SciPy for samples, Dask for --scheduler; on Debian install python3-numpy python3-netcdf4 python3-scipy "
                 "python3-distributed")
     return exit_code("study", lambda: run(options), packages, stays)

@@ -128,7 +128,7 @@ def from_content(content: dict) -> Design:
 
 
 def _require_unlike(parameter: Parameter) -> None:
-    """Refuses a value that stands twice in different words, as 5 um and 0.005 mm."""
+    """Refuses a value that is listed twice in different words, as 5 um and 0.005 mm."""
     if parameter.si is None or len(parameter.si) < 2:
         return
     order = np.argsort(parameter.si, kind="stable")
@@ -378,7 +378,7 @@ class _Reader:
         texts = [_text(value) for value in values]
         twice = next((text for index, text in enumerate(texts) if text in texts[:index]), None) if len(set(texts)) < len(texts) else None
         if twice is not None:
-            raise CaseError(f"{path}: '{twice}' stands twice; each value once is required")
+            raise CaseError(f"{path}: '{twice}' is listed twice; each value once is required")
         return values
 
     def sampled(self, path: str, stated: Any, drawn: np.ndarray) -> list[Any]:

@@ -128,7 +128,7 @@ def compute_portion(engine, portion: Portion) -> Chunk:
     except KeyboardInterrupt as error:
         # The signal was meant for the worker, which had no ear for it meanwhile.
         os.kill(os.getpid(), signal.SIGTERM)
-        raise WorkerStopped("the worker was asked to stop") from error
+        raise WorkerStopped("the worker received a request to stop") from error
 
 
 class Cluster:
@@ -190,7 +190,7 @@ class Cluster:
         begin = time.monotonic()
         while not self.lanes:
             if time.monotonic() - begin > AT_FIRST_SECONDS:
-                raise Lost(f"the scheduler has had no worker for {AT_FIRST_SECONDS:.0f} s; start workers, then go on with --resume")
+                raise Lost(f"the scheduler has had no worker for {AT_FIRST_SECONDS:.0f} s; start workers, then continue with --resume")
             time.sleep(0.1)
             self._seen = 0.0
 

@@ -86,7 +86,7 @@ def _require_usable(folder: Path, header: dict, resume: bool) -> None:
         raise CaseError(f"{folder / POINTS}: found a link to {os.readlink(folder / POINTS)}; required: a folder of its own, so that nothing outside is "
                         "written to. Give another folder")
     if not resume:
-        raise CaseError(f"{folder}: holds results; a new or empty folder is required, or --resume to go on with these")
+        raise CaseError(f"{folder}: holds results; a new or empty folder is required, or --resume to continue with these")
     path = folder / JOURNAL
     if _is_torn_header(path):
         if len(names) > 1:
@@ -201,7 +201,7 @@ def read_folder(folder: Path) -> tuple[dict, Design, ResultTable]:
         raise CaseError(f"{folder}: no {JOURNAL} was found; the folder of a study is required")
     contents = journals.read(path)
     if not contents.records:
-        raise CaseError(f"{folder}: holds no results yet; go on with its study with --resume first")
+        raise CaseError(f"{folder}: holds no results yet; continue its study with --resume first")
     header = _sound_header(path, contents)
     design = from_content(json.loads(zlib.decompress(contents.records[0].payload)))
     return header, design, read_table(contents, design.points)

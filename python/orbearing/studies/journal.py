@@ -59,7 +59,7 @@ def read(path: Path) -> Contents:
             if records and data.find(END, end + 1) < 0:
                 break
             raise CaseError(f"{path}: byte {position}: not a record that this program wrote; an undamaged folder of a study is required, "
-                           "or an empty one to start afresh")
+                           "or an empty one for a new start")
         after = end + 1 + line["bytes"] + len(END)
         if after > len(data):
             break

@@ -20,8 +20,7 @@ from orbearing.uncertainties.settings import Settings
 def parser() -> argparse.ArgumentParser:
     """The options; their names are those of the other commands where they mean the same."""
     made = argparse.ArgumentParser(prog="orbearing uncertainty", allow_abbrev=False,
-                                   description="Uncertainty of the life of a case whose block 'uncertain:' has the uncertain inputs: bands of life over speed, the "
-                                               "peak's speed and life, Sobol indices, and which value to measure first.")
+                                   description="Uncertainty of the life of a case with uncertain inputs in its block 'uncertain:'. Results: bands of life over speed, speed and life of the peak, Sobol indices, and the value to measure first.")
     made.add_argument("case", metavar="CASE", help="case file")
     made.add_argument("-o", "--output", metavar="DIR", help="folder of the results; created if missing. Optional with --json: nothing is written without it")
     made.add_argument("--samples", type=int, default=Settings.samples, help="number of lives at the operating point; default: %(default)s")
@@ -48,7 +47,7 @@ def _folder(options: argparse.Namespace) -> Path | None:
         if not options.json:
             raise CaseError("--output: missing; required: a folder for the results, or --json to print them alone")
         if options.resume:
-            raise CaseError("--resume: found without --output; required: the folder to go on with")
+            raise CaseError("--resume: found without --output; required: the folder to continue")
         return None
     if not options.output:
         raise CaseError("--output: found an empty name; required: a folder")
@@ -135,7 +134,7 @@ def main(arguments: list[str]) -> int:
     """Compute a study; messages go to standard error."""
     options = parser().parse_args(arguments)
     signal.signal(signal.SIGTERM, signal.default_int_handler)  # a wish to stop, as SIGINT
-    stays = f"; what is done stays in {options.output}, --resume goes on" if options.output else ""
+    stays = f"; what is done stays in {options.output}, --resume continues" if options.output else ""
     packages = "numpy, matplotlib, OpenTURNS; on Debian install python3-numpy python3-matplotlib python3-openturns"
     return exit_code("uncertainty", lambda: run(options), packages, stays)
 

@@ -117,5 +117,4 @@ def _require_usable(folder: Path, resume: bool) -> None:
         raise CaseError(f"{folder}: found a folder that holds '{names[0]}'; required: an empty one, or one that does not exist yet")
     if not resume:
         journals.Journal(folder / JOURNAL).close()  # says so where another writes here at this moment
-        raise CaseError(f"{folder}: found a folder that holds a study of uncertainty; required: an empty one, one that does not exist yet, or --resume to "
-                        "go on with this one")
+        raise CaseError(f"{folder}: found a folder that holds a study of uncertainty; required: an empty one, one that does not exist yet, or --resume to continue with this one")

@@ -8,7 +8,8 @@
 //   load spectrum     a bin in two halves, and both bins in the other order; damage adds up
 //   elastic rim       the stiffer its material, the nearer it is to a rigid one, and nearly with its modulus
 //   laminae           the mirror again, with profiles in reverse; straight ones are as whole contacts
-//   defect            the same vibration, since it does not feel the other; or it is mirrored, or bends as above
+//   defect            the same vibration, since it does not feel the other; or it is mirrored, or bends as
+//   above
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -36,7 +37,8 @@ using testing::HasSubstr;
 using Values = std::map<std::string, std::string>;  // by path, without the set's prefix
 
 enum Feature { uneven, helical, several, oil, tilt, spectrum, rim, laminae, defect, feature_count };
-const char* const names[] = {"uneven", "helical", "several", "oil", "tilt", "spectrum", "rim", "laminae", "defect"};
+const char* const names[] = {"uneven",   "helical", "several", "oil",   "tilt",
+                             "spectrum", "rim",     "laminae", "defect"};
 
 using Features = std::set<Feature>;
 
@@ -50,13 +52,13 @@ const std::string kGears = R"(gearset:
 )";
 
 // Powers of the spectrum's bins; the first is that of the case.
-constexpr double kPower = 30.0, kLess = 24.0;        // [kW]
+constexpr double kPower = 30.0, kLess = 24.0;          // [kW]
 constexpr double kSpeed = 18000.0, kSlower = 12000.0;  // [rpm]
 
 std::string text_of(bool several_sets, double power, double speed) {
   const std::string head = fmt::format(
-      "name: pairs\nsource: none\nmodel: planetary-drivetrain\ninput: {{power: {} kW, speed: {} rpm}}\n", power,
-      speed);
+      "name: pairs\nsource: none\nmodel: planetary-drivetrain\ninput: {{power: {} kW, speed: {} rpm}}\n",
+      power, speed);
   if (!several_sets) return head + kGears + kBearing;
   const std::string set = indented(kGears) + indented(kBearing);
   return head +
@@ -71,8 +73,7 @@ Values values_of(const Features& features) {
   const auto has = [&](Feature one) { return features.contains(one); };
   if (has(uneven)) values["gearset.dynamics.pin_error.tangential"] = "[3 um, 0 um, 1 um, 0 um]";
   if (has(helical)) values["gearset.helix_angle"] = "12 deg";
-  if (has(oil))
-    values.insert({{"lubricant.grade", "ISO VG 220"}, {"life.cleanliness", "high"}});
+  if (has(oil)) values.insert({{"lubricant.grade", "ISO VG 220"}, {"life.cleanliness", "high"}});
   if (has(laminae))
     values.insert({{"bearing.laminae", "10"},
                    {"bearing.profile.kind", "table"},
@@ -86,8 +87,8 @@ Values values_of(const Features& features) {
                    {"bearing.clearance_differences", "[4 um, 0 um]"}});
   if (has(spectrum))
     values["spectrum"] = fmt::format(
-        "[{{power: {} kW, speed: {} rpm, share: 0.25}}, {{power: {} kW, speed: {} rpm, share: 0.75}}]", kPower,
-        kSpeed, kLess, kSlower);
+        "[{{power: {} kW, speed: {} rpm, share: 0.25}}, {{power: {} kW, speed: {} rpm, share: 0.75}}]",
+        kPower, kSpeed, kLess, kSlower);
   if (has(rim)) values["gearset.planet_rim"] = "elastic";
   if (has(defect))
     values.insert({{"defect.race", "outer"},
@@ -144,12 +145,14 @@ void expect_equal(double a, double b, const std::string& what, double within = 1
 
 // Columns in which no place along the axis and no sense of rotation shows.
 const std::vector<std::string> kLives{"life_h", "system_life_h", "L10mh", "system_L10mh"};
-const std::vector<std::string> kScalars{"planet_load_N", "inner_load_max_N", "inner_load_rms_N", "outer_load_max_N",
-                                        "film_inner_um", "film_outer_um", "contact_pressure_max_MPa"};
+const std::vector<std::string> kScalars{"planet_load_N",           "inner_load_max_N", "inner_load_rms_N",
+                                        "outer_load_max_N",        "film_inner_um",    "film_outer_um",
+                                        "contact_pressure_max_MPa"};
 
 void expect_like(const study::PointResult& a, const study::PointResult& b, double within) {
   for (const std::vector<std::string>* columns : {&kLives, &kScalars})
-    for (const std::string& column : *columns) expect_equal(number(a, column), number(b, column), column, within);
+    for (const std::string& column : *columns)
+      expect_equal(number(a, column), number(b, column), column, within);
 }
 
 // Lives under the spectrum and points of its bins.
@@ -204,13 +207,14 @@ void check_rotation(const Values& values) {
   }
   // Of all bearings none may fail.
   expect_equal(number(here, "system_life_h"), basic, "all planets");
-  if (here.rating.lives.oil) expect_equal(number(here, "system_L10mh"), modified, "all planets by cleanliness");
+  if (here.rating.lives.oil)
+    expect_equal(number(here, "system_L10mh"), modified, "all planets by cleanliness");
   if (values.contains("gearset.helix_angle")) {
     check_thrust(here, 4);
     Values even = values;
     even.erase("gearset.dynamics.pin_error.tangential");
-    expect_equal(number(here, "sun_thrust_N"), number(point(resolved(even)), "sun_thrust_N"), "thrust of unlike planets",
-                 1e-6);
+    expect_equal(number(here, "sun_thrust_N"), number(point(resolved(even)), "sun_thrust_N"),
+                 "thrust of unlike planets", 1e-6);
   }
 }
 
@@ -282,8 +286,8 @@ void check_laminae(Values values) {
   const study::PointResult cut = point(resolved(values));
   values.erase("bearing.laminae");
   const study::PointResult whole = point(resolved(values));
-  for (const char* column : {"inner_load_max_N", "outer_load_rms_N", "film_inner_um", "contact_pressure_max_MPa", "life_h",
-                             "system_life_h"})
+  for (const char* column : {"inner_load_max_N", "outer_load_rms_N", "film_inner_um",
+                             "contact_pressure_max_MPa", "life_h", "system_life_h"})
     expect_equal(number(cut, column), number(whole, column), column, 1e-5);
 }
 
@@ -347,7 +351,8 @@ void check_defect(Feature other, Values values) {
 // Pairs that the program refuses, with the words that name both.
 const std::map<std::pair<Feature, Feature>, std::vector<std::string>>& refused_pairs() {
   static const std::map<std::pair<Feature, Feature>, std::vector<std::string>> pairs{
-      {{uneven, tilt}, {"bearing.tilt_state", "gearset.dynamics.pin_error.tangential", "planets that carry alike"}},
+      {{uneven, tilt},
+       {"bearing.tilt_state", "gearset.dynamics.pin_error.tangential", "planets with equal loads"}},
       {{uneven, rim}, {"gearset.planet_rim", "gearset.dynamics.pin_error.tangential", "rigid is required"}},
       {{helical, rim}, {"gearset.planet_rim", "gearset.helix_angle", "rigid is required"}},
       {{several, tilt}, {"bearing.tilt_state", "computed", "stated tilts"}},
@@ -394,13 +399,15 @@ TEST_P(FeaturePair, KeepsWhatBothKeepOrIsRefused) {
       alone.erase("spectrum");
       const double a = number(point(resolved(alone, true)), "system_life_h");
       const double b = number(point(resolved(alone, true, kLess, kSlower)), "system_life_h");
-      EXPECT_NEAR(life_under_spectrum(resolved(values, true), "system_life_h") * (0.25 / a + 0.75 / b), 1.0, 1e-9);
+      EXPECT_NEAR(life_under_spectrum(resolved(values, true), "system_life_h") * (0.25 / a + 0.75 / b), 1.0,
+                  1e-9);
       return;
     }
     return check_sets(values);
   }
   if (features.contains(uneven)) check_rotation(values);
-  if (features.contains(helical) || features.contains(tilt) || features.contains(laminae)) check_mirror(values);
+  if (features.contains(helical) || features.contains(tilt) || features.contains(laminae))
+    check_mirror(values);
   if (features.contains(helical)) check_thrust(point(resolved(values)), 4);
   if (features.contains(oil)) check_oil(values);
   if (features.contains(spectrum)) check_spectrum(values);
@@ -451,8 +458,8 @@ TEST(TiltsOfAFile, HaveTheirDirections) {
     return found;
   };
   const study::PointResult point_of_one = point(resolved({{"bearing.laminae", "10"},
-                                                         {"bearing.tilt_state", "computed"},
-                                                         {"support.pin_inclination.radial", "0.03 deg"}}));
+                                                          {"bearing.tilt_state", "computed"},
+                                                          {"support.pin_inclination.radial", "0.03 deg"}}));
   const auto outward = tilts("radial"), ahead = tilts("tangential");
   EXPECT_EQ(outward.first, point_of_one.seats.at(0).tilt.x());
   EXPECT_EQ(outward.second, point_of_one.seats.at(0).tilt.y());

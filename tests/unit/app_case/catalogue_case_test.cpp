@@ -208,7 +208,7 @@ TEST(CatalogueBearing, StatedGeometryBesideADesignationHasNoEffectAndIsWarnedOf)
 
 TEST(CatalogueBearing, WhatIsNotKnownIsRefused) {
   EXPECT_THAT(mistakes(kByDesignation, {"bearing.designation=NU 9999"}),
-              ElementsAre(HasSubstr("'NU 9999', which no line of the catalogue has")));
+              ElementsAre(HasSubstr("'NU 9999' is not in the catalogue")));
   for (const char* written : {"NU204", "nu-204", "NU 204 ECP"})
     EXPECT_THAT(mistakes(kByDesignation, {std::string("bearing.designation=") + written}),
                 ElementsAre(HasSubstr("nearest: NU 204, ")))
@@ -220,7 +220,7 @@ TEST(CatalogueBearing, WhatIsNotKnownIsRefused) {
   EXPECT_THAT(mistakes(bearing_case, {"bearing.clearance_class=C3"}),
               ElementsAre(HasSubstr("bearing.designation or bearing.bore beside it is required")));
   EXPECT_THAT(mistakes(planet(kCatalogue), {"bearing.clearance_state=operating"}),
-              ElementsAre(HasSubstr("a class is that of a bearing on the shelf")));
+              ElementsAre(HasSubstr("A class is for an unmounted bearing")));
 }
 
 // Issue 44, first use 12 and 13: what would give the missing value is named.

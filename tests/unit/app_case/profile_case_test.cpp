@@ -104,7 +104,7 @@ TEST(ProfileCase, WhatCannotBeMadeIsAMistake) {
   EXPECT_THAT(of({kKind + "straight", "bearing.profile.drop=3 um"}),
               ElementsAre(HasSubstr("bearing.profile.kind")));
   EXPECT_THAT(of({kKind + "chamfer", "bearing.profile.chamfer_length=0.05 mm"}),
-              ElementsAre(HasSubstr("no relief at the place")));
+              ElementsAre(HasSubstr("no relief at the position")));
   EXPECT_THAT(of({kKind + "straight-circular", "bearing.profile.straight_length=6 mm"}),
               ElementsAre(HasSubstr("straight length")));
   EXPECT_THAT(of({kKind + "table"}), ElementsAre(HasSubstr("number of points")));

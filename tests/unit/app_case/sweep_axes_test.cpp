@@ -69,7 +69,7 @@ TEST(SweepAxes, ReportMistakes) {
   EXPECT_THAT(axis_mistakes("input.speed", "3 rpm"), ElementsAre(HasSubstr("a list of values or {from")));
   EXPECT_THAT(axis_mistakes("input.speed", "[]"), ElementsAre(HasSubstr("an empty list")));
   EXPECT_THAT(axis_mistakes("input.speed", "[1 rpm, 1 rpm, 2 mm]"),
-              ElementsAre(HasSubstr("stands twice"), HasSubstr("does not measure")));
+              ElementsAre(HasSubstr("is listed twice"), HasSubstr("does not measure")));
   EXPECT_THAT(axis_mistakes("input.speed", "{from: 1 rpm, stop: 3 rpm}"),
               ElementsAre(HasSubstr("unknown key"), HasSubstr("speed.to: missing"),
                           HasSubstr("speed.step: missing")));

@@ -93,7 +93,7 @@ TEST(DurableFile, SweepThatCanOpenNoFileSaysHowToGoOn) {
   } catch (const ComputationFailed& error) {
     EXPECT_THAT(error.what(),
                 HasSubstr("Too many open files; finished points are kept: raise the number of open files "
-                          "(ulimit -n), then go on with --resume"));
+                          "(ulimit -n), then continue with --resume"));
   }
   none.reset();
   request.resume = true;

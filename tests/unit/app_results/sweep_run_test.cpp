@@ -93,7 +93,7 @@ TEST(Sweep, UsesTheThreadsItIsGiven) {
 TEST(Sweep, InterruptedKeepsWhatIsDoneAndResumes) {
   const TemporaryFolder location;
   const std::string table = fake_sweep::fake_table(location / "reference", points);
-  EXPECT_THAT(failure_of(interrupted_request(location / "d", 30)), HasSubstr("go on with --resume"));
+  EXPECT_THAT(failure_of(interrupted_request(location / "d", 30)), HasSubstr("continue with --resume"));
   EXPECT_FALSE(fs::exists(location / "d/sweep.csv"));
   SweepRequest request = fake_request(location / "d", points);
   request.resume = true;
@@ -170,7 +170,8 @@ TEST(Sweep, JsonHasThePromisedKeysAndNullWhereNothingIsKnown) {
                  nlohmann::ordered_json::array({"a warning"}), {{"orbearing", "0.1.0"}});
   std::vector<std::string> keys;
   for (const auto& [key, value] : object.items()) keys.push_back(key);
-  EXPECT_EQ(keys, (std::vector<std::string>{"points", "peak", "assumptions", "warnings", "versions", "units"}));
+  EXPECT_EQ(keys,
+            (std::vector<std::string>{"points", "peak", "assumptions", "warnings", "versions", "units"}));
   EXPECT_EQ(object["points"].size(), 10U);
   EXPECT_TRUE(object["points"][fake_sweep::failing_point]["life_h"].is_null());
   EXPECT_TRUE(object["points"][0]["film_inner_um"].is_null());

@@ -133,7 +133,7 @@ TEST(FilmStudy, AContactIsAnEllipseOrALine) {
   struct {
     std::vector<std::string> settings;
     const char* word;
-  } const refused[]{{{"film.solver=regression"}, "the regressions know ellipses alone"},
+  } const refused[]{{{"film.solver=regression"}, "the regressions are for ellipses only"},
                     {{"points=[[684 N, 1.14 m/s, 5 rad/s]]"}, "a line contact that spins"}};
   for (const auto& one : refused) {
     try {

@@ -94,7 +94,7 @@ inline std::string said(Messages& log, int status) {
   log.list.clear();
   // How far a run came before it failed is up to its steps.
   const std::string before = "at t = ";
-  const std::size_t from = text.find(before), to = text.find(" s of a window");
+  const std::size_t from = text.find(before), to = text.find(" s of the window");
   if (from != std::string::npos && to != std::string::npos)
     text.replace(from + before.size(), to - from - before.size(), "TIME");
   return text;

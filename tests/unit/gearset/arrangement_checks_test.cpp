@@ -101,7 +101,7 @@ TEST(ArrangementProblems, NameALoadThatStandsStill) {
                              load({{0, carrier}}), ground({{1, carrier}})}};
   const auto problems = arrangement_problems(neutral);
   ASSERT_FALSE(problems.empty());
-  EXPECT_THAT(problems.front().found, HasSubstr("stands still"));
+  EXPECT_THAT(problems.front().found, HasSubstr("is stationary"));
   EXPECT_THAT(problems.front().members, ElementsAre(SetMember{0, carrier}));
 }
 

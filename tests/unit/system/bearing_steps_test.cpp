@@ -27,12 +27,12 @@ TEST_F(OutOfPlace, IsSilentInsideTheBearing) {
 
 TEST_F(OutOfPlace, NamesACageThatCameOut) {
   now.cage_position.y() -= 1.1 * limit;
-  EXPECT_EQ(out_of_place(model, x).rfind("the cage came out", 0), 0u) << out_of_place(model, x);
+  EXPECT_EQ(out_of_place(model, x).rfind("the cage left the bearing", 0), 0u) << out_of_place(model, x);
 }
 
 TEST_F(OutOfPlace, NamesARollerThatCameOut) {
   now.radius[7] -= 1.1 * limit;
-  EXPECT_EQ(out_of_place(model, x).rfind("a roller came out", 0), 0u) << out_of_place(model, x);
+  EXPECT_EQ(out_of_place(model, x).rfind("a roller left the bearing", 0), 0u) << out_of_place(model, x);
 }
 
 TEST_F(OutOfPlace, LetsPinAndBoreMoveTogether) {
