@@ -69,8 +69,8 @@ Eigen::MatrixXd pin_compliance(const PinBeam& pin, const std::vector<double>& po
   std::vector<double> breaks{0.0, pin.span};
   for (const bool moment : {false, true})
     for (const double position : positions) {
-      mechanics::require(std::abs(position) < 0.5 * pin.span, "place of a bearing on its pin [m]", position,
-                         "between the supports of the pin");
+      mechanics::require(std::abs(position) < 0.5 * pin.span, "position of a bearing on its pin [m]",
+                         position, "between the supports of the pin");
       loads.push_back({position + 0.5 * pin.span, moment});
       breaks.push_back(loads.back().position);
     }

@@ -109,7 +109,7 @@ void check_neighbours(const PlanetarySet& set, const WorkingGeometry& geometry, 
   if (tip_diameter < pitch) return;
   problems.push_back({"gearset.planets", "found planets with a tip diameter of " + millimetres(tip_diameter) +
                                              " whose axes lie " + millimetres(pitch) +
-                                             " apart; neighbours must not touch; take fewer planets"});
+                                             " apart; neighbours must not touch; use fewer planets"});
 }
 
 void check_rim(const PlanetarySet& set, const WorkingGeometry& geometry, Warnings& problems) {
@@ -118,7 +118,7 @@ void check_rim(const PlanetarySet& set, const WorkingGeometry& geometry, Warning
   problems.push_back({"bearing.outside_diameter",
                       "found a planet bore of " + millimetres(set.planet_bore) +
                           "; less than the planet's root diameter " + millimetres(root_diameter) +
-                          " is required; take a smaller bearing or a larger module"});
+                          " is required; use a smaller bearing or a larger module"});
 }
 
 void check_pointed(double tip_half_angle, const std::string& gear, Warnings& problems) {

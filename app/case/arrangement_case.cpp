@@ -201,7 +201,7 @@ void check_speed_of(const ResolvedCase& resolved, std::vector<Mistake>& mistakes
     return add_error_at(resolved, kSpeedOfPath, name + " of several sets", "motor or load is required",
                         mistakes);
   if (const std::string torque = stated_torque(resolved); member == SpeedOf::planet && !torque.empty())
-    return add_error_at(resolved, kSpeedOfPath, "planet beside " + torque,
+    return add_error_at(resolved, kSpeedOfPath, "planet together with " + torque,
                         "the speed of a shaft, whose torque it is, or input.power is required", mistakes);
   if (std::abs(ratio_to_motor(resolved, member)) < kStill)
     add_error_at(resolved, kSpeedOfPath, name + ", which is stationary", "a member that rotates is required",

@@ -80,7 +80,7 @@ void add_profile_shape(std::vector<Field>& fields) {
                                   of_profile("fujiwara-kawase"), dimension::small_length, 1000.0));
   fields.push_back({.path = "bearing.profile.x",
                     .kind = Kind::list,
-                    .meaning = "table: places from the middle of the roller, rising",
+                    .meaning = "table: ascending positions from the middle of the roller",
                     .use = Use((use::lives & ~unsigned{use::crown}) | use::fmu_bearing |
                                    use::single_bearing_equilibrium | use::planet_stiffness,
                                use::bearings_as_springs | use::mesh)
@@ -90,7 +90,7 @@ void add_profile_shape(std::vector<Field>& fields) {
                     .element = Kind::quantity});
   fields.push_back({.path = "bearing.profile.drops",
                     .kind = Kind::list,
-                    .meaning = "table: relief at those places",
+                    .meaning = "table: relief at those positions",
                     .use = Use((use::lives & ~unsigned{use::crown}) | use::fmu_bearing |
                                    use::single_bearing_equilibrium | use::planet_stiffness,
                                use::bearings_as_springs | use::mesh)

@@ -160,7 +160,7 @@ class Resolver {
     for (const char* key : {"gearset", "bearing"})
       if (const Member* own = find_member(root_, key); own != nullptr)
         add_error(own->location.option ? own->location : (sets != nullptr ? sets : shafts)->location, key,
-                  "the fields of one set beside 'sets' and 'shafts'",
+                  "the fields of one set together with 'sets' and 'shafts'",
                   "either gearset and bearing, or sets and shafts, are required");
   }
 

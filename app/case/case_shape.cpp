@@ -47,7 +47,8 @@ ConsistencyMessage unused_field(const CaseShape& shape, std::string_view path) {
   const Field* field = find_field(path);
   if (field != nullptr && is_of_defect(*field) && (shape.several || shape.bearing))
     return {"a field that a drivetrain uses where one of its bearings is scratched",
-            shape.several ? "a case of one set is required" : "defect.race beside it, or a case without it, is required"};
+            shape.several ? "a case of one set is required"
+                          : "defect.race as well, or a case without it, is required"};
   if (shape.several)
     return {"a field that a case of several sets does not use",
             "the shafts, which say where motor and ground are, are required instead"};

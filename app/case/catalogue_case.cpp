@@ -339,7 +339,7 @@ void check_designation(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   if (entry->family == catalogue::Family::needle_cage && in.has(catalogue_keys::kRings) &&
       in.choice(catalogue_keys::kRings) != "none")
     add_error_at(in, catalogue_keys::kRings,
-                 fmt::format("{} beside {}", in.choice(catalogue_keys::kRings), name),
+                 fmt::format("{} together with {}", in.choice(catalogue_keys::kRings), name),
                  "none is required: needles in a cage run on the pin and in the planet", mistakes);
   try {
     (void)known_inside(*entry);
@@ -375,7 +375,7 @@ void check_class(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   const auto state = in.assumed().find(catalogue_keys::kState);
   const bool stated = state == in.assumed().end();
   if (stated && in.has(catalogue_keys::kState) && in.choice(catalogue_keys::kState) == "operating")
-    add_error("a clearance class beside bearing.clearance_state: operating",
+    add_error("a clearance class together with bearing.clearance_state: operating",
               "bearing.clearance_state: unmounted, or a radial clearance instead of the class, is required. "
               "A class is for an unmounted bearing");
   if (in.has(catalogue_keys::kRings) && in.choice(catalogue_keys::kRings) != "both")
@@ -383,8 +383,7 @@ void check_class(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
               "bearing.radial_clearance, of pin, rollers and bore together, is required");
   const std::optional<double> bore = bore_of(in);
   if (!bore) {
-    add_error("a clearance class without a bore",
-              "bearing.designation or bearing.bore beside it is required");
+    add_error("a clearance class without a bore", "bearing.designation or bearing.bore is required as well");
     return;
   }
   try {
@@ -479,7 +478,7 @@ void check_catalogue_bearing(const ResolvedCase& in, std::vector<Mistake>& mista
 
 catalogue::ClearanceRange clearance_range_of(const ResolvedCase& in, const std::string& which) {
   const std::optional<double> bore = bore_of(in);
-  if (!bore) throw std::invalid_argument("bearing.designation or bearing.bore beside it is required");
+  if (!bore) throw std::invalid_argument("bearing.designation or bearing.bore is required as well");
   return catalogue::clearance_range(family_of(in), class_of(which), *bore);
 }
 

@@ -86,7 +86,7 @@ void check_members(Checker& check) {
   if (check.choice("input.member") != check.choice("gearset.fixed")) return;
   check.add_error("input.member",
                   fmt::format("'{}' is the fixed member (gearset.fixed)", check.choice("input.member")),
-                  "a member that turns is required");
+                  "a member that rotates is required");
 }
 
 // The checks of the gears give "what was found; what is required" and a key.
@@ -284,14 +284,15 @@ void check_contact(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
     return;
   }
   if (in.choice("film.solver") != "reynolds")
-    add_error_at(in, "contact.length", "a line contact beside film.solver: " + in.choice("film.solver"),
+    add_error_at(in, "contact.length",
+                 "a line contact together with film.solver: " + in.choice("film.solver"),
                  "film.solver: reynolds is required: the regressions are for ellipses only", mistakes);
   if (!in.has("points")) return;
   const std::vector<double>& rows = in.list("points");
   for (std::size_t i = 2; i < rows.size(); i += 3)
     if (rows[i] != 0.0) {
-      add_error_at(in, "points", "a line contact that spins", "no spin is required beside contact.length",
-                   mistakes);
+      add_error_at(in, "points", "a line contact that spins",
+                   "no spin is required together with contact.length", mistakes);
       return;
     }
 }

@@ -20,7 +20,7 @@ void check_scratch_profile(const ResolvedCase& in, std::vector<Mistake>& mistake
       (in.has("defect.profile") && in.list("defect.profile").size() >= 3))
     return;
   add_error_at(in, "defect.form", "'profile' without three depths in defect.profile",
-               "at least three, at even places from edge to edge, are required", mistakes);
+               "at least three, at equal distances from edge to edge, are required", mistakes);
 }
 
 // What is stated of the scratch itself; `element` is a ball or a roller.
@@ -53,7 +53,7 @@ void check_band(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
 
 void check_signal(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   if (in.has("operation.shaft_speed") && in.quantity("operation.shaft_speed") == 0.0)
-    add_error_at(in, "operation.shaft_speed", "a shaft that stands", "a speed is required", mistakes);
+    add_error_at(in, "operation.shaft_speed", "a stationary shaft", "a speed is required", mistakes);
   if (in.has("load.radial") && !(in.quantity("load.radial") > 0.0))
     add_error_at(in, "load.radial", "no load", "a radial load greater than 0 N is required", mistakes);
   if (!has_all(in, {"signal.sampling_rate", "signal.revolutions", "operation.shaft_speed"})) return;

@@ -259,7 +259,8 @@ Use with_other_frictions(const Use& use) {
 }
 
 Condition where_gears_run_up() {
-  return where_true(gears_run_up, "beside gearset.dynamics.run_up.duration and another run_up.from than 1");
+  return where_true(gears_run_up,
+                    "together with gearset.dynamics.run_up.duration and a run_up.from other than 1");
 }
 
 // The carrier's speed grows in a run-up, and as the master of an FMU has it.
@@ -377,7 +378,7 @@ Use with_other_ways(const Use& use, std::string_view path) {
   if (path == "contact.roughness")
     return use.used_too(use::quasi_static | use::in_time, where("life.viscosity_ratio_by", {"film"}));
   if (path == "bearing.fit.expansion")
-    return use.when(where_true(fits_are_warm, "beside a bearing.temperature"));
+    return use.when(where_true(fits_are_warm, "together with a bearing.temperature"));
   if (path == "defect.profile") return use.when(where("defect.race", {"outer", "inner", "ball", "roller"}));
   if (path == "bearing.width") return with_ring_width(use);
   if (path == "inertia.euler") return with_rotating_carrier(with_run_up(use));
@@ -414,8 +415,9 @@ Use use_of(const described::Facts& facts) {
 }
 
 Condition where_bearings_make_springs() {
-  return where_true(bearings_make_springs,
-                    "where gearset.dynamics.planet.bearing_stiffness is not given, or beside an elastic rim");
+  return where_true(
+      bearings_make_springs,
+      "where gearset.dynamics.planet.bearing_stiffness is not given, or together with an elastic rim");
 }
 
 }  // namespace orbearing::app

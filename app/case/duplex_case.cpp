@@ -19,7 +19,7 @@ constexpr std::array<const char*, 5> kMeasured{"measured.tilt_x", "measured.tilt
 // Two values that mean something together alone.
 void check_both(const ResolvedCase& in, const char* one, const char* other, std::vector<Mistake>& mistakes) {
   if (in.has(one) != in.has(other))
-    add_error_at(in, in.has(one) ? one : other, fmt::format("no {} beside it", in.has(one) ? other : one),
+    add_error_at(in, in.has(one) ? one : other, fmt::format("no {} with it", in.has(one) ? other : one),
                  "both or none are required", mistakes);
 }
 
@@ -32,7 +32,7 @@ void check_shaft(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
         "spindle.inertia_x and spindle.inertia_y, or spindle.diameter of a solid cylinder, are required",
         mistakes);
   if (in.has("spindle.diameter") && in.has("spindle.inertia_x") && !in.has("measured.preload"))
-    add_error_at(in, "spindle.diameter", "a cylinder beside the inertias of the shaft",
+    add_error_at(in, "spindle.diameter", "a cylinder together with the inertias of the shaft",
                  "one of the two is required where nothing is identified", mistakes);
 }
 
@@ -159,7 +159,7 @@ void check_duplex(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   if (has_all(in, {"stiffness", "operation.shaft_speed"}) && is_linear_pair(in) &&
       (in.quantity("operation.shaft_speed") != 0.0 || in.has("operation.speeds")))
     add_error_at(in, in.has("operation.speeds") ? "operation.speeds" : "operation.shaft_speed",
-                 "a shaft that turns, beside stiffness: linear",
+                 "a rotating shaft together with stiffness: linear",
                  "nonlinear is required: the linear formulas include no speed", mistakes);
   check_shaft(in, mistakes);
   check_measured(in, mistakes);

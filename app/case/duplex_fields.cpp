@@ -53,9 +53,8 @@ void add_preload(std::vector<Field>& fields) {
       "0 um", "preload is stated as a load"));
   fields.push_back({.path = "stiffness",
                     .kind = Kind::choice,
-                    .meaning =
-                        "stiffness of the pair: of its nonlinear equilibrium, or by the linear formulas as "
-                        "printed, with the constants under linear",
+                    .meaning = "stiffness of the pair: of its nonlinear equilibrium, or by the linear "
+                               "formulas as published, with the constants under linear",
                     .use = Use(by_both, 0),
                     .models = duplex_pair,
                     .choices = {"nonlinear", "linear"},
@@ -98,7 +97,7 @@ void add_linear(std::vector<Field>& fields) {
                             std::string(meaning) + " for the linear formulas; left out: the shaft's", range,
                             use::duplex_run));
     field = under(where_true(pair_run_has_linear_column,
-                             "where operation.shaft_speed is 0, or beside measured.preload"),
+                             "where operation.shaft_speed is 0, or together with measured.preload"),
                   std::move(field));
     field.use = field.use.used_too(use::duplex_modes,
                                    where_true(pair_has_linear_column, "where operation.shaft_speed is 0"));

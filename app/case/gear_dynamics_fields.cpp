@@ -49,7 +49,7 @@ void add_run(std::vector<Field>& fields) {
       dimension::time,
       {"run_up.duration",
        "time to reach input.speed",
-       of_run_up.used_only(use::fmu_gearset, {where_true(gears_run_up, "beside another run_up.from than 1")}),
+       of_run_up.used_only(use::fmu_gearset, {where_true(gears_run_up, "with a run_up.from other than 1")}),
        {0.0, 1e4},
        "0 s",
        "no run-up"}));

@@ -39,15 +39,15 @@ void check_rim(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
     add_error_at(resolved, rim, "elastic without a bearing", "rollers on which the rim rests are required",
                  mistakes);
   if (const char* spring = "gearset.dynamics.planet.bearing_stiffness"; resolved.has(spring))
-    add_error_at(resolved, rim, fmt::format("elastic beside {}", spring),
+    add_error_at(resolved, rim, fmt::format("elastic together with {}", spring),
                  "no stiffness of the bearings is required, which follows from their rollers", mistakes);
   if (const char* helix = "gearset.helix_angle"; resolved.has(helix) && resolved.quantity(helix) != 0.0)
     add_error_at(
-        resolved, rim, fmt::format("elastic beside {}", helix),
-        "rigid is required beside helical teeth: an elastic rim is computed in the plane of spur gears",
+        resolved, rim, fmt::format("elastic together with {}", helix),
+        "rigid is required with helical teeth: an elastic rim is computed in the plane of spur gears",
         mistakes);
   if (const std::string uneven = uneven_planets_by(resolved); !uneven.empty())
-    add_error_at(resolved, rim, fmt::format("elastic beside {}", uneven),
+    add_error_at(resolved, rim, fmt::format("elastic together with {}", uneven),
                  "rigid is required where planets carry unequal loads", mistakes);
 }
 
@@ -56,11 +56,11 @@ void check_tooth_contact(const ResolvedCase& resolved, std::vector<Mistake>& mis
   const std::string contact = "gearset.tooth_contact", separation = "gearset.dynamics.separation";
   if (!resolved.has(contact) || resolved.choice(contact) != "loaded") return;
   if (resolved.has(separation) && !resolved.flag(separation))
-    add_error_at(resolved, contact, fmt::format("loaded beside {}: false", separation),
-                 "teeth that push only are required", mistakes);
+    add_error_at(resolved, contact, fmt::format("loaded together with {}: false", separation),
+                 "teeth that transmit compression only are required", mistakes);
   for (const char* stated : {"gearset.dynamics.mesh_stiffness.sun", "gearset.dynamics.mesh_stiffness.ring"})
     if (resolved.has(stated))
-      add_error_at(resolved, contact, fmt::format("loaded beside {}", stated),
+      add_error_at(resolved, contact, fmt::format("loaded together with {}", stated),
                    "no stated mesh stiffness is required, which follows from the teeth", mistakes);
 }
 
@@ -76,12 +76,12 @@ void check_tilt(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
   need(resolved.has("bearing.laminae"), "without bearing.laminae",
        "a number of laminae, which the tilt acts on, is required");
   need(!resolved.has("gearset.planet_rim") || resolved.choice("gearset.planet_rim") == "rigid",
-       "beside gearset.planet_rim: elastic", "a rigid rim is required");
+       "together with gearset.planet_rim: elastic", "a rigid rim is required");
   const std::string uneven = uneven_planets_by(resolved);
-  need(uneven.empty(), "beside " + uneven, "planets with equal loads are required");
+  need(uneven.empty(), "together with " + uneven, "planets with equal loads are required");
   for (const char* list : {"bearing.roller_diameter_deviation", "bearing.inner_race.waviness.amplitude",
                            "bearing.outer_race.waviness.amplitude"})
-    need(!is_anywhere_nonzero(resolved, list), std::string("beside ") + list,
+    need(!is_anywhere_nonzero(resolved, list), std::string("together with ") + list,
          "equal rollers and races without waviness are required, since the tilt is that of bearings at rest");
   const auto bearings = static_cast<std::size_t>(resolved.integer("bearing.per_planet"));
   for (const char* list : {"bearing.axial_places", "bearing.clearance_differences"})
@@ -100,11 +100,11 @@ void check_positions(const ResolvedCase& resolved, std::vector<Mistake>& mistake
   const double face = resolved.quantity("gearset.face_width");
   const std::string twist = "support.carrier_twist_stiffness", ends = "support.pin_ends";
   if (resolved.has(twist) && resolved.choice(ends) == "one")
-    add_error_at(resolved, twist, resolved.given(twist) + " beside support.pin_ends: one",
+    add_error_at(resolved, twist, resolved.given(twist) + " together with support.pin_ends: one",
                  "pins between two walls are required, of which one twists against the other", mistakes);
   if (resolved.has(span) && resolved.quantity(span) < face)
     add_error_at(resolved, span,
-                 resolved.given(span) + " beside a face of " + resolved.given("gearset.face_width"),
+                 resolved.given(span) + " with a face of " + resolved.given("gearset.face_width"),
                  "at least the face, beyond which its supports lie, is required", mistakes);
   if (!resolved.has(positions) || !resolved.has("bearing.width")) return;
   const double width = resolved.quantity("bearing.width");
@@ -119,7 +119,7 @@ void check_positions(const ResolvedCase& resolved, std::vector<Mistake>& mistake
         resolved, positions,
         within ? "bearings that reach into each other" : "a bearing that reaches beyond the face",
         fmt::format(
-            "places at least their width of {:.4g} mm apart and within the face of {:.4g} mm are required",
+            "positions at least their width of {:.4g} mm apart and within the face of {:.4g} mm are required",
             1e3 * width, 1e3 * face),
         mistakes);
     return;

@@ -158,7 +158,7 @@ void check_torque(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   if (in.has(kSpectrumPath) && in.has("input.application_factor") &&
       in.number("input.application_factor") != 1.0)
     add_error("input.application_factor",
-              fmt::format("{:g} beside a spectrum", in.number("input.application_factor")),
+              fmt::format("{:g} together with a spectrum", in.number("input.application_factor")),
               "1 is required: a spectrum has the loads that act (ISO 6336-6)");
   check_curve(in, mistakes);
   std::vector<std::string> stated;
@@ -177,7 +177,7 @@ void check_torque(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
     add_error(kTorqueCurvePath, "no torque at input.speed", "a torque above 0 at each speed is required");
   for (const SweepAxis& axis : in.axes())
     if (axis.path == kPowerPath && !stated.empty() && stated.back() != kPowerPath)
-      add_error(stated.back(), "a torque beside a sweep over input.power", "one of both is required");
+      add_error(stated.back(), "a torque together with a sweep over input.power", "one of both is required");
 }
 
 Field spectrum_field() {
@@ -239,7 +239,8 @@ void check_spectrum(const ResolvedCase& resolved, std::vector<Mistake>& mistakes
   const double time = sum_of(bins, &StatedBin::time);
   const double shares = sum_of(bins, &StatedBin::share);
   if (time > 0.0 && shares > 0.0)
-    add_error("rows with a share beside rows with hours", "one of both, the same for all rows, is required");
+    add_error("rows with a share together with rows with hours",
+              "one of both, the same for all rows, is required");
   else if (time <= 0.0 && std::abs(shares - 1.0) > kShareRoundOff)
     add_error(fmt::format("shares that add up to {:.8g}", shares),
               "a sum of 1 is required; time at rest is a row of speed 0, and hours instead of share require "

@@ -15,14 +15,15 @@ namespace {
 void check_either(const ResolvedCase& in, const char* one, const char* other,
                   std::vector<Mistake>& mistakes) {
   if (in.has(one) && in.has(other))
-    add_error_at(in, other, fmt::format("a value beside {}", one), "one of the two is required", mistakes);
+    add_error_at(in, other, fmt::format("a value together with {}", one), "one of the two is required",
+                 mistakes);
 }
 
 void check_load(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   const auto has_moment = [&](const char* path) { return in.has(path) && in.quantity(path) != 0.0; };
   for (const char* moment : {"load.moment", "load.moment_across"}) {
     if (in.has("load.tilt") && has_moment(moment))
-      add_error_at(in, "load.tilt", fmt::format("a tilt beside {}", moment),
+      add_error_at(in, "load.tilt", fmt::format("a tilt together with {}", moment),
                    "either the moment, with the tilt that follows, or the tilt is required", mistakes);
     if (in.model() == roller_bearing && has_moment(moment) && in.has("bearing.laminae") &&
         in.integer("bearing.laminae") < 2)
@@ -87,7 +88,7 @@ void check_life(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   if (in.has("lubricant.kinematic_viscosity") && in.has("operation.shaft_speed") &&
       in.has("operation.outer_speed") &&
       in.quantity("operation.shaft_speed") == in.quantity("operation.outer_speed"))
-    add_error_at(in, "lubricant.kinematic_viscosity", "a viscosity for rings that do not turn",
+    add_error_at(in, "lubricant.kinematic_viscosity", "a viscosity for rings that do not rotate",
                  "operation.shaft_speed is required, from which the viscosity ratio follows", mistakes);
 }
 

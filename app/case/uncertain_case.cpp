@@ -169,9 +169,10 @@ class UncertainReader {
         add_error(block.location, fmt::format("{}.{}", path, words.numbers[i]), "missing",
                   required_distribution);
     if (words.kind == "normal" && seen.contains(kDeviation) == seen.contains(kRelativeDeviation))
-      add_error(block.location, fmt::format("{}.{}", path, kDeviation),
-                seen.contains(kDeviation) ? fmt::format("found beside {}", kRelativeDeviation) : "missing",
-                required_distribution);
+      add_error(
+          block.location, fmt::format("{}.{}", path, kDeviation),
+          seen.contains(kDeviation) ? fmt::format("found together with {}", kRelativeDeviation) : "missing",
+          required_distribution);
     if (mistakes_.size() == before) check_order(words, block.location, path);
     parts_.push_back(fmt::format("{}: {{{}}}", words.kind, fmt::join(written, ", ")));
   }
@@ -373,7 +374,7 @@ class UncertainCheck {
   bool stands(const StatedUncertain& stated) {
     if (!in_.has(stated.path)) {
       add_error(stated, "a number that the case does not have",
-                stated.path + ", the value that is expected, is required beside");
+                stated.path + ", the expected value, is required as well");
       return false;
     }
     if (in_.is_replaced(stated.path)) {

@@ -185,7 +185,7 @@ std::string condition_text(const ResolvedCase& in, const Input& input, const Con
   for (const std::string& path : condition.paths)
     if ((find_field(path)->models & in.model()) != 0) paths.push_back(beside(input.path, path));
   if (condition.absent) return fmt::format("where {} is not given", fmt::join(paths, " or "));
-  if (condition.values.empty()) return fmt::format("beside {}", fmt::join(paths, " or "));
+  if (condition.values.empty()) return fmt::format("together with {}", fmt::join(paths, " or "));
   std::vector<std::string> required;
   for (const std::string& path : paths)
     required.push_back(fmt::format("{} is {}, and here it is {}", path,
@@ -368,8 +368,9 @@ std::vector<std::string> require_used(const ResolvedCase& resolved, use::Analysi
   for (const SweepAxis& axis : resolved.axes()) {
     const bool goes_through = sweeps == Axes::all || (sweeps == Axes::speed && axis.path == kSpeedPath);
     if (goes_through && resolved.has(axis.path) && resolved.location(axis.path).option)
-      warnings.push_back(fmt::format("{}: {} has no effect beside sweep.{}, which sets it at each point",
-                                     axis.path, resolved.written(axis.path), axis.path));
+      warnings.push_back(
+          fmt::format("{}: {} has no effect together with sweep.{}, which sets it at each point", axis.path,
+                      resolved.written(axis.path), axis.path));
   }
   const AxisCheck axes(resolved, analysis, sweeps);
   for (const SweepAxis& axis : resolved.axes()) axes.add(axis, mistakes, warnings);

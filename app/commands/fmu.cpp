@@ -83,8 +83,8 @@ void require_folder_of(const fs::path& file) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (std::error_code ignored; !fs::is_directory(folder, ignored))
-    throw BadInput(fmt::format("--output: {}: cannot be made: {}; required: a place that may be written to",
-                               folder.string(), error.message()));
+    throw BadInput(fmt::format("--output: {}: cannot be made: {}; required: a writable path", folder.string(),
+                               error.message()));
   require_writable(folder);
 }
 
@@ -100,7 +100,7 @@ void write_fmu(const fs::path& file, const std::string& content) {
 int write_system(const Options& options) {
   if (options.fmi != "2" || options.model != "bearing")
     throw BadInput(fmt::format(
-        "--output: found '{}' beside {}; required: no such option, since a package of SSP 1.0 "
+        "--output: found '{}' together with {}; required: no such option, since a package of SSP 1.0 "
         "holds the gear set and the bearing, by FMI 2.0",
         options.fmi != "2" ? "--fmi " + options.fmi : "--model " + options.model, options.output));
   std::vector<std::string> words{options.case_file, "--output", options.output};

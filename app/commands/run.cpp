@@ -11,7 +11,7 @@ int run_command(const Options& options) {
   const std::string fidelity = options.fidelity_given ? options.fidelity : "";
   if (options.gears && !fidelity.empty())
     throw BadInput("--fidelity: found " + fidelity +
-                   "; required: none beside --gears, which runs the gears alone");
+                   "; required: none together with --gears, which runs the gears only");
   const Analysis* analysis = options.gears ? &gears_alone() : analysis_of(resolved, fidelity);
   if (analysis != nullptr) return run_analysis(resolved, options, *analysis);
   require_computable(resolved, options.fidelity, false);

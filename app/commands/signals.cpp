@@ -179,7 +179,7 @@ void describe_labels(described::Record& record, const ResolvedCase& in, const De
   frequency("cage_Hz", "of the cage", study.turned.cage);
   frequency("outer_pass_Hz", "elements over the outer race", study.turned.outer_pass);
   frequency("inner_pass_Hz", "elements over the inner race", study.turned.inner_pass);
-  frequency(study.rollers ? "roller_pass_Hz" : "ball_pass_Hz", "a place of an element over either race",
+  frequency(study.rollers ? "roller_pass_Hz" : "ball_pass_Hz", "a point of an element over either race",
             study.turned.element_pass);
   frequency("defect_Hz", "frequency of contacts with a scratch", slower_by * met);
   record.value("defect_order", dimension::ratio, "the same in a turn of the shaft",
@@ -335,9 +335,9 @@ void require_noise(const Options& options) {
   if (!(options.noise >= 0.0 && options.noise <= most))
     throw BadInput(fmt::format("--noise: found {}; required: 0 to 1e9 m/s2", options.noise));
   if (options.noise == 0.0 && options.seed != Options{}.seed)
-    throw BadInput(fmt::format(
-        "--seed: found {} without noise; required: --noise beside it, whose random numbers it decides",
-        options.seed));
+    throw BadInput(
+        fmt::format("--seed: found {} without noise; required: --noise, whose random numbers it determines",
+                    options.seed));
 }
 
 int signals_command(const Options& options) {

@@ -177,7 +177,7 @@ RatedCase rated_case(const Options& options) {
   require_planet_bearings(rated.resolved);
   if (!rated.resolved.has(kSpectrumPath)) return rated;
   if (rated.resolved.location(kSpectrumPath).option)
-    throw BadInput("--set: spectrum: found beside records; required: one of both");
+    throw BadInput("--set: spectrum: found together with records; required: one of both");
   rated.warnings.push_back("spectrum: the bins of the records replace the rows of the case");
   return rated;
 }
@@ -207,7 +207,7 @@ int spectrum_command(const Options& options) {
     throw BadInput("--resume: found without a folder; required: -o DIR, the folder to continue");
   parse_bins(options.bins);
   if (!options.columns.torque.empty() && !options.columns.power.empty())
-    throw BadInput("--power: found beside --torque; required: one of both");
+    throw BadInput("--power: found together with --torque; required: one of both");
   std::optional<RatedCase> of_case;
   if (rated) of_case = rated_case(options);
   BinnedRecords binned = read_records(options);

@@ -129,7 +129,8 @@ int validate_motion(const Options& options) {
   }
   if (rows.empty())
     throw BadInput(
-        "--motion: found no expected.yaml with a block 'motion' beside the cases; required: at least one");
+        "--motion: found no expected.yaml with a block 'motion' in the folders of the cases; required: at "
+        "least one");
   Record record;
   record.table("motion", "reading", "effect of each other reading in motion", rows,
                [](Record& row, const Record& of) { row = of; });

@@ -102,7 +102,7 @@ std::string remedy_of(int error) {
     case EACCES:
     case EPERM:
     case EROFS:
-      return "make it a place that may be written to";
+      return "make it a writable path";
     default:
       return "mend the cause";
   }
@@ -111,9 +111,10 @@ std::string remedy_of(int error) {
 void require_no_link(const std::filesystem::path& path) {
   std::error_code ignored;
   if (std::filesystem::is_symlink(std::filesystem::symlink_status(path, ignored)))
-    throw BadInput(fmt::format("{}: found a link to {}; required: a file or folder of its own, so that nothing outside "
-                               "is written to. Give another folder",
-                               path.string(), std::filesystem::read_symlink(path, ignored).string()));
+    throw BadInput(
+        fmt::format("{}: found a link to {}; required: a file or folder of its own, so that nothing outside "
+                    "is written to. Give another folder",
+                    path.string(), std::filesystem::read_symlink(path, ignored).string()));
 }
 
 void write_aside_and_rename(const std::vector<FileContent>& files) {

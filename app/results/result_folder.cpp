@@ -90,8 +90,8 @@ void make_folder(const fs::path& folder) {
   fs::create_directories(folder, error);
   // A trailing separator makes the call report no folder made; only the state afterwards counts.
   if (fs::is_directory(folder)) return;
-  throw BadInput(fmt::format("{}: cannot be made: {}; a place that may be written to is required",
-                             folder.string(), error.message()));
+  throw BadInput(
+      fmt::format("{}: cannot be made: {}; a writable path is required", folder.string(), error.message()));
 }
 
 void remove_leftovers(const fs::path& folder) {

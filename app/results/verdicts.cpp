@@ -189,8 +189,8 @@ Sample sample_of(const SweepOutcome& outcome, const SpectrumResult& result) {
 void describe(Record& record, const Verdict& verdict) {
   const Requirement& requirement = verdict.requirement;
   record.value("requirement", "key of the block requirements", requirement.name);
-  record.value("value", {}, "the worst result, in the unit beside", verdict.value);
-  record.value("limit", {}, "that the case requires, in the unit beside", requirement.limit);
+  record.value("value", {}, "the worst result, in the stated unit", verdict.value);
+  record.value("limit", {}, "that the case requires, in the stated unit", requirement.limit);
   if (verdict.passed)
     record.value("passed", "whether the requirement is met", *verdict.passed);
   else

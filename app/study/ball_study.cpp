@@ -168,14 +168,14 @@ void describe_series(Record& record, const system::BallSeries& s) {
   over_time("cage_slip", dimension::ratio, "1 - speed of the cage over that of pure rolling", s.cage_slip);
   over_time("cage_speed", dimension::spin, "about its axis", s.cage_speed);
   over_time("inner_speed", dimension::spin, "of the inner ring", s.inner_speed);
-  over_time("cage_x", dimension::length, "place of the cage's centre along the radial load", s.cage_x);
-  over_time("cage_y", dimension::length, "place of the cage's centre across the radial load", s.cage_y);
+  over_time("cage_x", dimension::length, "position of the cage's centre along the radial load", s.cage_x);
+  over_time("cage_y", dimension::length, "position of the cage's centre across the radial load", s.cage_y);
   over_time("pocket_load", dimension::force, "largest load of a ball on the cage since the sample before",
             s.pocket_load);
   over_time("friction_torque", dimension::torque, "that the drive of the inner ring gives", s.torque);
-  over_time("inner_x", dimension::length, "place of the inner ring along the radial load", s.inner_x);
-  over_time("inner_y", dimension::length, "place of the inner ring across the radial load", s.inner_y);
-  over_time("inner_z", dimension::length, "place of the inner ring along the axis", s.inner_z);
+  over_time("inner_x", dimension::length, "position of the inner ring along the radial load", s.inner_x);
+  over_time("inner_y", dimension::length, "position of the inner ring across the radial load", s.inner_y);
+  over_time("inner_z", dimension::length, "position of the inner ring along the axis", s.inner_z);
   over_time("first_ball_angle", dimension::angle, "of the first ball from the radial load", s.first_angle);
   over_time("first_ball_inner_load", dimension::force, "of the first ball on the inner race", s.first_inner);
   over_time("first_ball_outer_load", dimension::force, "of the first ball on the outer race", s.first_outer);

@@ -22,13 +22,12 @@ void require_carrier(const ResolvedCase& in) {
                    "; required: planetary-drivetrain with one gearset and its bearing");
   if (!in.has(kPositions))
     throw BadInput(in.file() + ": " + kPositions +
-                   ": missing; required: the places of the carrier's bearings, as [-250 mm, 250 mm]");
+                   ": missing; required: the positions of the carrier's bearings, as [-250 mm, 250 mm]");
 }
 
 void require_held_ring(const ResolvedCase& in, const gearset::dynamics::SetModel& model) {
   if (model.operation.speeds.ring == 0.0) return;
-  throw BadInput(in.file() +
-                 ": gearset.fixed: found a ring that turns; required: ring, which the housing holds");
+  throw BadInput(in.file() + ": gearset.fixed: found a rotating ring; required: ring, held by the housing");
 }
 
 }  // namespace

@@ -98,9 +98,9 @@ std::vector<Derived> defect_quantities(const ResolvedCase& in) {
   const defect::StaticPosition at_rest = defect::ScratchedMotion(scratched).static_position();
   return {{"defect.shaft_frequency", passing.shaft, "Hz", "turns of the shaft"},
           {"defect.cage_frequency", passing.cage, "Hz", "turns of the cage at pure rolling"},
-          {"defect.outer_pass_frequency", passing.outer_pass, "Hz", "balls over a place of the outer race"},
-          {"defect.inner_pass_frequency", passing.inner_pass, "Hz", "balls over a place of the inner race"},
-          {"defect.ball_pass_frequency", passing.element_pass, "Hz", "a place of a ball over either race"},
+          {"defect.outer_pass_frequency", passing.outer_pass, "Hz", "balls over a point of the outer race"},
+          {"defect.inner_pass_frequency", passing.inner_pass, "Hz", "balls over a point of the inner race"},
+          {"defect.ball_pass_frequency", passing.element_pass, "Hz", "a point of a ball over either race"},
           {"defect.static_displacement", 1e6 * at_rest.position[0], "um", "outer ring along the load"},
           {"defect.natural_frequency", at_rest.natural_frequency, "Hz",
            "outer ring along the load, about its static equilibrium"}};
@@ -123,7 +123,7 @@ void describe_passing(Record& record, const DefectStudy& study) {
       .variable = "inner_pass_frequency";
   record
       .value(study.rollers ? "roller_pass_Hz" : "ball_pass_Hz", dimension::cycles,
-             "a place of an element over either race", study.passing.element_pass)
+             "a point of an element over either race", study.passing.element_pass)
       .variable = "ball_pass_frequency";
   record
       .value("natural_frequency_Hz", dimension::cycles, "outer ring along the load",
@@ -186,8 +186,8 @@ void describe_series(Record& record, const DefectStudy& study) {
   record.series("acceleration", dimension::acceleration, "outer ring, along the load and across it",
                 {"direction", "time"}, vibration.acceleration);
   record.series("displacement", dimension::length,
-                "outer ring from the concentric place, along the load and across it", {"direction", "time"},
-                vibration.position);
+                "outer ring from the concentric position, along the load and across it",
+                {"direction", "time"}, vibration.position);
   along_time("ball_deflection", dimension::length,
              "approach of both races at the first ball, negative where it is free", vibration.ball_approach);
   along_time("ball_load", dimension::force, "load of the first ball with damping", vibration.ball_load);

@@ -153,7 +153,7 @@ std::optional<rating::StatedOil> stated_oil(const ResolvedCase& in) {
 
 std::vector<std::string> oil_warnings(const ResolvedCase& in) {
   if (!says_viscosity(in) || says_cleanliness(in)) return {};
-  return {"life.cleanliness: not given beside the oil; 'high' (-/15/12 of ISO 4406) is taken for a_ISO"};
+  return {"life.cleanliness: not given with the oil; 'high' (-/15/12 of ISO 4406) is taken for a_ISO"};
 }
 
 std::string life_to_go_by(const ResolvedCase& in) {

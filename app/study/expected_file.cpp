@@ -21,8 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array kRowKeys{"source", "kind",    "of",       "quantity", "meaning", "value",
-                              "tolerance", "scatter", "settings", "fidelity", "why",     "memory", "fitted"};
+constexpr std::array kRowKeys{"source",  "kind",     "of",       "quantity", "meaning", "value", "tolerance",
+                              "scatter", "settings", "fidelity", "why",      "memory",  "fitted"};
 
 EvidenceKind kind_of(const YAML::Node& node) {
   const auto name = node["kind"].as<std::string>("");
@@ -48,9 +48,9 @@ std::string text_of(const YAML::Node& node, const char* key) {
 double number_of(const YAML::Node& node, const char* key) {
   const Reading<double> number = read_number(node.IsScalar() ? node.Scalar() : "");
   if (!number.value)
-    throw YAML::Exception(node.Mark(), fmt::format("{}: found {}, {}", key,
-                                                   node.IsScalar() ? quote(node.Scalar()) : "no number",
-                                                   number.fault));
+    throw YAML::Exception(node.Mark(),
+                          fmt::format("{}: found {}, {}", key,
+                                      node.IsScalar() ? quote(node.Scalar()) : "no number", number.fault));
   return *number.value;
 }
 
@@ -90,7 +90,8 @@ std::string fidelity_of_row(const YAML::Node& node, const std::string& quantity)
   if (std::find(names.begin(), names.end(), name) == names.end())
     throw YAML::Exception(node["fidelity"].Mark(), "fidelity: found " + name);
   if (!result_pointer(quantity))
-    throw YAML::Exception(node["fidelity"].Mark(), "fidelity: found beside a quantity that no command gives");
+    throw YAML::Exception(node["fidelity"].Mark(),
+                          "fidelity: found together with a quantity that no command gives");
   return name;
 }
 
@@ -101,8 +102,9 @@ PublishedValue published_value(const YAML::Node& node) {
                      .of = text_of(node, "of"),
                      .quantity = text_of(node, "quantity"),
                      .meaning = text_of(node, "meaning"),
-                     .tolerance = node["tolerance"] ? positive_number(node["tolerance"], "tolerance")
-                                                    : throw YAML::Exception(node.Mark(), "tolerance: missing"),
+                     .tolerance = node["tolerance"]
+                                      ? positive_number(node["tolerance"], "tolerance")
+                                      : throw YAML::Exception(node.Mark(), "tolerance: missing"),
                      .why = node["why"].as<std::string>(""),
                      .memory = node["memory"].as<bool>(false),
                      .fitted = node["fitted"].as<bool>(false)};
@@ -120,9 +122,9 @@ NamedChange alternative(const YAML::Node& node) {
 }
 
 MotionPlan motion_plan(const YAML::Node& node) {
-  MotionPlan plan{.fidelity = node["fidelity"].as<std::string>(),
-                  .speed_rpm = {}};
-  for (const YAML::Node& speed : node["speeds_rpm"]) plan.speed_rpm.push_back(positive_number(speed, "motion.speeds_rpm"));
+  MotionPlan plan{.fidelity = node["fidelity"].as<std::string>(), .speed_rpm = {}};
+  for (const YAML::Node& speed : node["speeds_rpm"])
+    plan.speed_rpm.push_back(positive_number(speed, "motion.speeds_rpm"));
   const std::vector<std::string>& names = fidelity_names();
   if (std::find(names.begin(), names.end(), plan.fidelity) == names.end())
     throw YAML::Exception(node["fidelity"].Mark(), "motion.fidelity: found " + plan.fidelity);
@@ -175,11 +177,11 @@ ExpectedFile read_expected(const std::string& file) {
     if (root["motion"]) expected.motion = motion_plan(root["motion"]);
     return expected;
   } catch (const YAML::Exception& error) {
-    throw BadInput(
-        fmt::format("{}:{}:{}: {}; required: published numbers with source, kind (measurement, program, "
-                    "worked-example, closed-form or recomputed), of, quantity, meaning, value and tolerance, perhaps "
-                    "scatter, settings, fidelity, why, memory and fitted; and alternatives as in the shipped cases",
-                    file, error.mark.line + 1, error.mark.column + 1, error.msg));
+    throw BadInput(fmt::format(
+        "{}:{}:{}: {}; required: published numbers with source, kind (measurement, program, "
+        "worked-example, closed-form or recomputed), of, quantity, meaning, value and tolerance, perhaps "
+        "scatter, settings, fidelity, why, memory and fitted; and alternatives as in the shipped cases",
+        file, error.mark.line + 1, error.mark.column + 1, error.msg));
   }
 }
 

@@ -192,7 +192,7 @@ void warn_of_neighbours(const SpeedLine& line, bool in_motion, std::vector<std::
   const auto look_at = [&](const LivedSpeed& neighbour) {
     if (!(neighbour.life_h > 0.0))
       warnings.push_back(fmt::format(
-          "peak: the point beside it, at {:g} rpm, failed; life may rise further there", neighbour.rpm));
+          "peak: the neighbouring point, at {:g} rpm, failed; life may rise further there", neighbour.rpm));
     // Speeds are asked for in whole digits, so that halves may differ by one.
     if (std::abs(neighbour.rpm - best->rpm) > 1.5 * resolution)
       warnings.push_back(

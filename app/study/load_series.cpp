@@ -260,21 +260,21 @@ BinCounts parse_bins(const std::string& text) {
 
 RecordTimes record_times(const std::string& shares, const std::string& hours, std::size_t files) {
   if (!shares.empty() && !hours.empty())
-    throw BadInput("--hours: found beside --share; required: one of both");
+    throw BadInput("--hours: found together with --share; required: one of both");
   if (shares.empty() && hours.empty()) {
     if (files > 1)
-      throw BadInput(
-          fmt::format("--share: missing beside {} files; required: the share of time of each file, as in "
-                      "--share 0.3,0.7, "
-                      "or the hours, as in --hours 1000,5000",
-                      files));
+      throw BadInput(fmt::format(
+          "--share: missing together with {} files; required: the share of time of each file, as in "
+          "--share 0.3,0.7, "
+          "or the hours, as in --hours 1000,5000",
+          files));
     return {{1.0}};
   }
   const bool by_share = hours.empty();
   RecordTimes times{numbers_of(by_share ? "--share" : "--hours", by_share ? shares : hours, files)};
   const double sum = std::accumulate(times.shares.begin(), times.shares.end(), 0.0);
   if (by_share && std::abs(sum - 1.0) > kSumRoundOff)
-    throw BadInput(fmt::format("--share: found a sum of {:.8g}; required: 1; --hours need no sum", sum));
+    throw BadInput(fmt::format("--share: found a sum of {:.8g}; required: 1; --hours require no sum", sum));
   if (!(sum > 0.0))
     throw BadInput("--hours: found a sum of 0; required: hours above 0 for at least one file");
   for (double& share : times.shares) share /= sum;

@@ -94,12 +94,12 @@ void describe_frequencies(Record& record, const study::PlanetFrequencies& at) {
   };
   add("carrier_Hz", "turns of the carrier", at.carrier);
   add("planet_Hz", "turns of the planet relative to the carrier", at.planet);
-  add("planet_pass_Hz", "planets past a place of the ring", at.planets * at.carrier);
+  add("planet_pass_Hz", "planets past a point of the ring", at.planets * at.carrier);
   add("mesh_Hz", "teeth of both meshes", at.mesh);
   add("cage_Hz", "turns of the cage relative to the carrier", at.bearing.cage);
-  add("outer_pass_Hz", "rollers over a place of the planet's bore", at.bearing.outer_pass);
-  add("inner_pass_Hz", "rollers over a place of the pin", at.bearing.inner_pass);
-  add("roller_pass_Hz", "a place of a roller over either race", at.bearing.element_pass);
+  add("outer_pass_Hz", "rollers over a point of the planet's bore", at.bearing.outer_pass);
+  add("inner_pass_Hz", "rollers over a point of the pin", at.bearing.inner_pass);
+  add("roller_pass_Hz", "a point of a roller over either race", at.bearing.element_pass);
 }
 
 // What one instrument shows.
@@ -204,9 +204,9 @@ std::vector<Derived> planet_defect_quantities(const ResolvedCase& in) {
       {"defect.planet_frequency", at.planet, "Hz", "turns of the planet relative to the carrier"},
       {"defect.cage_frequency", at.bearing.cage, "Hz", "turns of the cage relative to the carrier"},
       {"defect.outer_pass_frequency", at.bearing.outer_pass, "Hz",
-       "rollers over a place of the planet's bore"},
-      {"defect.inner_pass_frequency", at.bearing.inner_pass, "Hz", "rollers over a place of the pin"},
-      {"defect.roller_pass_frequency", at.bearing.element_pass, "Hz", "a place of a roller over either race"},
+       "rollers over a point of the planet's bore"},
+      {"defect.inner_pass_frequency", at.bearing.inner_pass, "Hz", "rollers over a point of the pin"},
+      {"defect.roller_pass_frequency", at.bearing.element_pass, "Hz", "a point of a roller over either race"},
       {"defect.mesh_frequency", at.mesh, "Hz", "teeth of both meshes"}};
 }
 

@@ -143,7 +143,7 @@ void add_clearance(const ResolvedCase& resolved, const study::NamedSet& set, std
     rows.push_back({"bearing.clearance." + path, per_unit * value, unit, meaning});
   };
   const bearing::ClearanceChain chain = study::clearance_chain(set.drivetrain);
-  add("unmounted", chain.unmounted, per_micro, "um", "on the shelf");
+  add("unmounted", chain.unmounted, per_micro, "um", "before mounting");
   add("after_fits", chain.fitted, per_micro, "um", "mounted, cold, at rest");
   add("at_temperatures", chain.warm, per_micro, "um", "the same, warm");
   add("operating", chain.operating, per_micro, "um",

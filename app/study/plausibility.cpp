@@ -73,7 +73,7 @@ const std::vector<PlausibleRange>& plausible_ranges() {
       // [ISO281] gives a_ISO from 0.1 on and takes 4 for all above.
       {{{"kappa"}, "life", "kappa", ""},
        {rating::kLeastViscosityRatio, "where ISO 281 gives no a_ISO and no modified life"},
-       {50.0, "an oil far thicker than lubrication needs: check its viscosity and its unit"},
+       {50.0, "much more than lubrication requires: check the oil's viscosity and its unit"},
        {1e-4, 1e4, "check viscosity, temperature, speed and their units"}},
       // [ISO281] holds for P up to 0.5 C; makers' catalogues ask for a load of 0.01 C (balls) to 0.02 C
       // (rollers).

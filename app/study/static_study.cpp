@@ -290,7 +290,7 @@ void warn_of_loose_rings(StaticStudy& study) {
   for (int axis = 0; axis < axes; ++axis)
     if (held[axis] < nothing * held.maxCoeff())
       study.warnings.push_back(
-          fmt::format("stiffness: nothing holds the ring along {}: its place there is not determined, and "
+          fmt::format("stiffness: nothing holds the ring along {}: its position there is not determined, and "
                       "the matrix is singular",
                       "xyz"[axis]));
 }

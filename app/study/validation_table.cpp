@@ -138,7 +138,7 @@ void describe_comparison(Record& record, const RowOf<ValidationRow>& one) {
   const PublishedValue& published = row->published;
   record.value("source", "of the published number", published.source);
   record.value("quantity", "its name in units, which may be COMMAND:/json/pointer", published.quantity);
-  record.value("published", {}, "number that the source prints", published.value);
+  record.value("published", {}, "number in the source", published.value);
   record.value("ours", {}, "the same by this program", row->ours);
   record.value("deviation", dimension::ratio, "ours over published, less 1", row->deviation);
   record.value("tolerance", dimension::ratio, "largest deviation that is reproduced", published.tolerance);
@@ -542,7 +542,7 @@ std::string count_text(const std::vector<ValidationTable>& tables) {
 }
 
 void describe(Record& record, const std::vector<ValidationTable>& tables) {
-  record.table("rows", "row", "published numbers beside ours", rows_of_all(tables, &ValidationTable::rows),
+  record.table("rows", "row", "published and computed numbers", rows_of_all(tables, &ValidationTable::rows),
                describe_comparison);
   record.table("other_readings", "other_reading", "the same under other readings of the cases",
                rows_of_all(tables, &ValidationTable::other_readings), describe_comparison);

@@ -86,7 +86,7 @@ void describe(Visitor& visit, Scratch& m) {
              .reason = "the printed period of one width, level at both edges",
              .where = scratched}),
       field(m.profile, "defect.profile", Physics::defect,
-            "depths of a measured scratch over defect.depth, at even places from edge to edge",
+            "depths of a measured scratch divided by defect.depth, at equal distances from edge to edge",
             {.models = scratched_bearings, .range = {0.0, 1.0}, .where = {"defect.form", "profile"}}),
       field(m.element, "defect.element", Physics::defect, "number of the scratched ball or roller",
             {.models = scratched_bearings,

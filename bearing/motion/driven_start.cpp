@@ -167,7 +167,7 @@ Eigen::VectorXd driven_start(const Bearing& bearing, const BearingModel& model,
     std::ostringstream text;
     text << "the pin ring found no static equilibrium with its bore at (" << motion.position.transpose()
          << ") m: " << balance.rollers.report.residual
-         << " N remain; required: a displacement that rollers and support stand";
+         << " N remain; required: a displacement that rollers and support can carry";
     throw std::runtime_error(text.str());
   }
   const double spin = kinematic_roller_spin(model.geometry, 0.0, motion.speed);

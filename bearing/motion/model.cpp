@@ -195,7 +195,7 @@ void check(const Bearing& bearing, const BearingGeometry& geometry, const Dynami
           "more than 0");
   require(parameters.race.entrainment_scale > 0.0, "entrainment scale [m/s]",
           parameters.race.entrainment_scale, "more than 0");
-  require(nature_of(parameters.race.traction).of_rollers, "law of traction",
+  require(nature_of(parameters.race.traction).of_rollers, "traction model",
           described::text_of(parameters.race.traction), "regularised Coulomb or limiting shear for rollers");
   check_oil(parameters);
   check_form(bearing, geometry);

@@ -23,7 +23,7 @@ constexpr described::Names<TractionLaw, 3> names_of(TractionLaw) {
            {TractionLaw::ree_eyring, "ree-eyring"}}};
 }
 
-/// What a law of traction works with; the checks, the inputs used and the equations follow from it.
+/// What a traction model works with; the checks, the inputs used and the equations follow from it.
 struct TractionNature {
   bool of_rollers;  // rollers have it; balls have all
   bool shears_oil;  // it needs oil and the limiting friction; else the friction of the surfaces
@@ -162,7 +162,7 @@ void describe(Visitor& visit, RaceContactParameters& m) {
             "damping by the approach speed, or by the approach as published in [Gai2025]",
             {.models = planetary_drivetrain, .reason = "without a speed nothing is damped"}),
       field(m.lubrication, "contact.lubrication", Physics::motion,
-            "friction in the race contacts: one law, or shared by film and asperities",
+            "friction in the race contacts: one model, or shared by film and asperities",
             {.models = planetary_drivetrain, .reason = "smooth surfaces, fully parted"}),
       field(m.roughness, "contact.roughness", Physics::motion,
             "composite roughness (rms) of roller and race, for mixed lubrication and squeezed films",
@@ -281,7 +281,7 @@ void describe(Visitor& visit, CageParameters& m) {
              .fmu = InFmu::parameter}),
       internal(m.land_width, "bearing.cage.land_width"), internal(m.lands, "bearing.cage.lands"),
       field(m.guidance_film, "bearing.cage.guidance_film", Physics::motion,
-            "oil force between cage and land: with squeeze and whirl, or as [Gai2025] prints it",
+            "oil force between cage and land: with squeeze and whirl, or as published in [Gai2025]",
             {.models = planetary_drivetrain,
              .reason = "the printed force depends on the frame and lacks squeeze",
              .where = land}),

@@ -299,7 +299,7 @@ void check(const Table& profile) {
           "at least 2, with as many drops");
   for (std::size_t i = 0; i < n; ++i) {
     require(std::isfinite(profile.x[i]) && (i == 0 || profile.x[i] > profile.x[i - 1]),
-            "point of a profile [m]", profile.x[i], "finite places in rising order");
+            "point of a profile [m]", profile.x[i], "finite positions in ascending order");
     require_depth("drop of a profile [m]", profile.drop[i]);
   }
   require_depth("scale of a profile [-]", profile.scale);

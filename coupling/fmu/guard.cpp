@@ -31,7 +31,7 @@ Instance* new_instance(const char* function, const char* wrong, const char* toke
 }
 
 void require_position(const void* pointer, const char* what) {
-  if (pointer == nullptr) throw Refused(std::string(what) + ": found NULL; required: a place for it");
+  if (pointer == nullptr) throw Refused(std::string(what) + ": found NULL; required: an address for it");
 }
 
 std::vector<std::string> categories_of(std::size_t number, const char* const* list) {

@@ -77,7 +77,7 @@ void Instance::require_step(double point, double size) const {
     throw Refused("step size: found " + seconds(size) + "; required: at most " + seconds(kLongestStep) +
                   ", which ten million steps of an instance's own do not exceed");
   if (!std::isfinite(point) || std::fabs(point - state_.time) > slack(state_.time, size))
-    throw Refused("communication point: found " + seconds(point) + "; required: where the instance stands, " +
+    throw Refused("communication point: found " + seconds(point) + "; required: the time of the instance, " +
                   seconds(state_.time));
   if (!(point + size > state_.time) || !std::isfinite(point + size))
     throw Refused("step size: found " + seconds(size) + ", which does not move the time " + seconds(point));

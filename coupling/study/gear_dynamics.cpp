@@ -363,7 +363,7 @@ GearRunResult run_gears(const SetModel& model, const GearRunOptions& options) {
 GearRunResult run_gears_from(const Eigen::VectorXd& start, const SetModel& model,
                              const GearRunOptions& options) {
   if (!(model.operation.mesh_frequency > 0.0))
-    throw std::invalid_argument("mesh frequency: found 0; required: a set that turns");
+    throw std::invalid_argument("mesh frequency: found 0; required: a rotating set");
   GearRunResult result;
   result.mesh_frequency = model.operation.mesh_frequency;
   result.final_state = start;

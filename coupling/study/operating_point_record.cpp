@@ -221,7 +221,7 @@ void describe_sharing(Record& record, const PointResult& point) {
 void describe_law(Record& record, const gearset::dynamics::AffineBearing& law) {
   const auto add = [&](const std::string& name, const char* unit, const described::Dimension& of,
                        double value) {
-    record.value("one_way_" + name + unit, of, "fitted law of all bearings of a planet: one_way_" + name,
+    record.value("one_way_" + name + unit, of, "fitted model of all bearings of a planet: one_way_" + name,
                  value);
   };
   const std::array<std::string, 2> axes{"x", "y"};
@@ -269,7 +269,7 @@ void describe_one_way(Record& record, const PointResult& point) {
 
 void describe_distribution(Record& record, const LoadDistribution& loads) {
   record.series("angle", {"angle", "rad", "rad", ""},
-                "place on the race, from the outward radial direction towards carrier rotation", {"place"},
+                "position on the race, from the outward radial direction towards carrier rotation", {"place"},
                 loads.angle);
   record.series("inner_load", dimension::force, "load of a roller on the inner race", {"place"},
                 loads.inner_load);
@@ -298,7 +298,7 @@ void describe_laminae(Record& record, const LaminaRecord& laminae) {
                 {"lamina"}, laminae.lamina_position);
   by_lamina("inner_lamina_load", "load of a lamina of a roller on the inner race", laminae.inner_load);
   by_lamina("outer_lamina_load", "load of a lamina of a roller on the outer race", laminae.outer_load);
-  record.series("roller_tilt", dimension::angle, "tilt of a roller, outward at positive lamina places",
+  record.series("roller_tilt", dimension::angle, "tilt of a roller, outward at positive lamina positions",
                 {"place"}, laminae.roller_tilt);
   describe_direction(record, "bore_tilt", dimension::angle,
                      "inclination of the bore's axis against the pin's", laminae.bore_tilt);
@@ -308,7 +308,8 @@ void describe_laminae(Record& record, const LaminaRecord& laminae) {
 
 // The bearings of a planet whose tilt is computed.
 void describe(Record& row, const SeatResult& seat) {
-  row.value("place", dimension::length, "place along the axis, from the middle of the face", seat.position);
+  row.value("place", dimension::length, "position along the axis, from the middle of the face",
+            seat.position);
   row.value("load", dimension::force, "load of the rollers on the bore", seat.load);
   describe_direction(row, "tilt", dimension::angle, "tilt of the bore against the pin", seat.tilt);
   row.value("life", dimension::hours, "fatigue life of one bearing", seat.life_hours);
@@ -336,7 +337,7 @@ void describe_series(Record& record, const system::BearingSeries& series) {
     record.series(name, of, meaning, {"roller", "time"}, values);
   };
   along_time("time", dimension::time, "time since the start of the run", series.time);
-  of_rollers("roller_angle", dimension::angle, "place of each roller in the carrier frame", series.angle);
+  of_rollers("roller_angle", dimension::angle, "position of each roller in the carrier frame", series.angle);
   of_rollers("roller_inner_load", dimension::force, "load on the inner race", series.inner_load);
   of_rollers("roller_outer_load", dimension::force, "load on the outer race", series.outer_load);
   of_rollers("roller_inner_sliding", dimension::speed,

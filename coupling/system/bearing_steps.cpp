@@ -163,7 +163,7 @@ std::string out_of_place(const bearing::motion::BearingModel& model,
   const double cage = model.layout.caged ? (now.cage_position - now.pin_position).norm() : 0.0;
   std::ostringstream text;
   if (cage > limit)
-    text << "the cage left the bearing: it is " << cage << " m beside the pin";
+    text << "the cage left the bearing: it is " << cage << " m off the pin";
   else if (const double off = (now.radius - model.geometry.pitch_radius).abs().maxCoeff(),
            rings = std::max(now.pin_position.norm(), now.bore_position.norm());
            off > limit + rings)

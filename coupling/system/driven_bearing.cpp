@@ -52,7 +52,7 @@ constexpr double kSpeedStep = 1e-3;  // [rad/s]
 void check_numbers(const DrivenBearingSetup& setup) {
   require(std::isfinite(setup.orbit_radius) && setup.orbit_radius >= 0.0, "orbit radius [m]",
           setup.orbit_radius, "0 or more");
-  require(std::isfinite(setup.first_roller), "place of the first roller [rad]", setup.first_roller,
+  require(std::isfinite(setup.first_roller), "angle of the first roller [rad]", setup.first_roller,
           "a finite number");
   require(std::isfinite(setup.reduction_factor) && setup.reduction_factor > 0.0,
           "reduction factor of the life [-]", setup.reduction_factor, "more than 0");
@@ -169,8 +169,8 @@ std::vector<Output> bearing_outputs(int rollers, bool caged) {
     const std::string roller = "roller[" + std::to_string(i) + "].";
     outputs.push_back({roller + "inner_load", "N", "load between roller and pin", none, all});
     outputs.push_back({roller + "outer_load", "N", "load between roller and planet", bore, all});
-    outputs.push_back(
-        {roller + "angle", "rad", "place of the roller, from outward towards carrier rotation", none, none});
+    outputs.push_back({roller + "angle", "rad",
+                       "position of the roller, from outward towards carrier rotation", none, none});
   }
   return outputs;
 }
@@ -346,9 +346,9 @@ Eigen::Vector2d DrivenBearing::position_under(const Eigen::Vector2d& load, const
   }
   if (missing.norm() <= kEnough * load.norm()) return there.position;
   std::ostringstream text;
-  text << "driven bearing: found no place of the bore under a load of (" << load.x() << ", " << load.y()
+  text << "driven bearing: found no position of the bore under a load of (" << load.x() << ", " << load.y()
        << ") N at the start: " << missing.norm()
-       << " N remain; required: a load that rollers and support stand";
+       << " N remain; required: a load that rollers and support can carry";
   throw std::runtime_error(text.str());
 }
 

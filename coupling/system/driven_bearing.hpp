@@ -21,7 +21,7 @@ struct DrivenBearingSetup {
   bearing::Bearing bearing;
   bearing::motion::DynamicsParameters dynamics;  // no run-up, no excitation: the inputs bring them
   double orbit_radius = 0.0;                     // [m]    from the carrier's axis to the pin's
-  double first_roller = 0.0;                     // [rad]  place of the first roller at the start
+  double first_roller = 0.0;                     // [rad]  angle of the first roller at the start
   double reduction_factor = 0.83;                // [-]    of the Lundberg-Palmgren life
   /// Inclination [rad] of the bore's axis against the pin's, which stays: it runs along (x, y, 1). Affects
   /// laminae only, and refused without them.
@@ -56,7 +56,7 @@ void describe(Visitor& visit, DrivenBearingSetup& m) {
   members(visit, m, part(m.bearing), part(m.dynamics),
           internal(m.orbit_radius, "gearset.centre_distance", "from the carrier's axis to the pin's",
                    {.dimension = dimension::length, .range = {.least = 0.0}, .fmu = InFmu::parameter}),
-          internal(m.first_roller, "first_roller", "place of the first roller at the start", angle),
+          internal(m.first_roller, "first_roller", "angle of the first roller at the start", angle),
           together(
               internal(
                   m.bore_tilt.x(), "bearing.misalignment.x",

@@ -287,7 +287,7 @@ SteadyStateResult run_to_steady_state(Motion& motion, const RollingSpeeds& rolli
                                       const SteadyStateOptions& options) {
   if (rolling.cage == 0.0)
     throw std::invalid_argument(
-        "speed of the races: found a standing cage; required: races that turn the cage");
+        "speed of the races: found a stationary cage; required: races that rotate the cage");
   SteadyStateResult result;
   result.rolling = rolling;
   Windows windows(motion, rolling, options);

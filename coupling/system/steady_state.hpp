@@ -19,7 +19,7 @@ struct Look {
 
 /// What belongs to the method. A window is one revolution of the cage relative to the carrier.
 struct SteadyStateOptions {
-  double first_roller = 0.0;            // [rad]  place of the first roller at the start
+  double first_roller = 0.0;            // [rad]  angle of the first roller at the start
   double load_drift = 2e-3;             // [-]  steady: rms loads of two windows in turn differ by no more
   double cage_drift = 1e-3;             // [-]  steady: cage speeds differ by no more of the kinematic one
   int least_windows = 2;                // [-]  before the criterion is asked

@@ -180,15 +180,15 @@ void check_shaft(const Arrangement& arrangement, std::size_t index, Problems& pr
   if (shaft.ground && (shaft.motor || shaft.load))
     problems.push_back({{index},
                         shaft.members,
-                        "the ground beside the " + std::string(shaft.motor ? "motor" : "load"),
+                        "the ground together with the " + std::string(shaft.motor ? "motor" : "load"),
                         "a shaft that is either stationary or carries power is required"});
   if (shaft.members.empty())
-    problems.push_back({{index}, {}, "no member of a set", "a shaft that turns a member is required"});
+    problems.push_back({{index}, {}, "no member of a set", "a shaft that rotates a member is required"});
   if (shaft.members.size() == 1 && !held)
     problems.push_back({{index},
                         shaft.members,
                         name_of(arrangement, shaft.members.front()) + " alone, so that it floats",
-                        "another member, the motor, the load or the ground beside it is required"});
+                        "another member, the motor, the load or the ground on the same shaft is required"});
 }
 
 Shafts shafts_of(const Arrangement& arrangement, const SetMember& member) {

@@ -88,7 +88,7 @@ MatrixXd bordered_by_rotations(const MatrixXd& kept) {
 void require_steady_speed(const Operation& operation) {
   if (operation.run_up.duration > 0.0 || !(operation.mesh_frequency > 0.0))
     throw std::invalid_argument(
-        "map of a mesh period: found a run-up, or a set that stands; required: a steady speed");
+        "map of a mesh period: found a run-up, or a stationary set; required: a steady speed");
 }
 
 // Classic Runge-Kutta from `begin` to `end` [s], inside of which nothing jumps.

@@ -111,7 +111,7 @@ ARRANGEMENTS = {
     "unknown member": ("[motor, reduction.sun]", "[motor, reduktion.sun]", 10,
                        r"shafts\.input: 'reduktion\.sun' is nothing to join; .*as in 'reduction\.sun'"),
     "no shafts": ("shafts:\n", "shaft:\n", 9, r"shaft: unknown key; .*did you mean 'shafts'"),
-    "one set beside several": ("sets:\n", "gearset: {planets: 4}\nsets:\n", 16, r"gearset: the fields of one set beside"),
+    "one set beside several": ("sets:\n", "gearset: {planets: 4}\nsets:\n", 16, r"gearset: the fields of one set together with"),
     "bad name": ("  coupling:\n", "  coupling-set:\n", None, r"sets\.coupling-set: the name 'coupling-set'; a name"),
     "missing in a set": ("      rollers: 12\n", "", None, r"sets\.coupling\.bearing\.rollers: missing"),
     "fixed in a set": ("      face_width: 40 mm\n", "      face_width: 40 mm\n      fixed: ring\n", None,
@@ -122,7 +122,7 @@ ARRANGEMENTS = {
 SETTINGS_OF_SETS = {
     "teeth that cannot be assembled": ("sets.reduction.gearset.planets=5", "sets.reduction.gearset.planets", "5 equally"),
     "unknown set": ("sets.reducer.gearset.planets=4", "sets.reducer.gearset.module", "missing"),
-    "field of one set": ("gearset.planets=4", "gearset", "beside 'sets' and 'shafts'"),
+    "field of one set": ("gearset.planets=4", "gearset", "together with 'sets' and 'shafts'"),
     "driven member": ("input.member=sun", "input.member", "several sets does not use"),
     "sweep within a set": ("sweep.sets.coupling.gearset.planets=[4, 5]", "sweep.sets.coupling.gearset.planets", "5 equally"),
     "wrong unit in a set": ("sets.coupling.gearset.module=4 kg", "sets.coupling.gearset.module", "does not measure"),

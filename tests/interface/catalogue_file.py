@@ -139,7 +139,7 @@ class Catalogue(unittest.TestCase):
         self.assertGreater(value_of(found, "one_pin_off.load_share"), 1.0)
         self.assertIsNone(value_of(found, "one_pin_off.shortest_life"))
         told = self.refused(self.case(text + "  clearance_class: C3\n"))
-        self.assertEqual([line for line in told.splitlines() if "clearance_class" in line and "beside" in line], [])
+        self.assertEqual([line for line in told.splitlines() if "clearance_class" in line and "together with" in line], [])
         self.assertIn("for which the table of clearance classes was entered", told)
 
     def test_an_angular_contact_bearing_takes_no_clearance(self):

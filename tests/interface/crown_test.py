@@ -119,7 +119,7 @@ class ComputedTilt(unittest.TestCase):
         self.assertNotIn('class="missing"', page)
 
     def test_stated_and_computed_exclude_each_other(self):
-        self.assertIn("--tilts: found beside", refusal("--tilts", "1 mrad", "--set", "bearing.tilt_state=computed", "--set", "bearing.laminae=20"))
+        self.assertIn("--tilts: found together with", refusal("--tilts", "1 mrad", "--set", "bearing.tilt_state=computed", "--set", "bearing.laminae=20"))
         self.assertIn("stated tilts", refusal(*STATED, "--tolerance", "1 um", "--distribution", "uniform"))
         self.assertIn("without a tolerance", refusal("--distribution", "uniform"))
         for option in ("--tilts", "--drops", "--profile", "--tolerance", "--shares"):

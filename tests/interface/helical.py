@@ -108,7 +108,7 @@ class Helical(unittest.TestCase):
     def test_elastic_rims_are_refused(self):
         result = run("check", REDUCER, *settings((HELIX, "gearset.planet_rim=elastic")))
         self.assertEqual(result.returncode, 2)
-        self.assertIn("elastic beside gearset.helix_angle", result.stderr)
+        self.assertIn("elastic together with gearset.helix_angle", result.stderr)
 
     def test_parallel_stage(self):
         alone = answer("run", REDUCER, "inertia.carrier_centrifugal=false", "inertia.own_orbit=false")["points"][0]

@@ -117,7 +117,7 @@ class OptionsWithoutEffect(unittest.TestCase):
         motor = settings(("simulation.duration=0.005 s",))
         for fidelity in ("quasi-static", "dynamic", "monolithic"):
             said = self.refused("run", REDUCER, "--json", "--gears", "--fidelity", fidelity)
-            self.assertIn(f"--fidelity: found {fidelity}; required: none beside --gears", said)
+            self.assertIn(f"--fidelity: found {fidelity}; required: none together with --gears", said)
         said = self.refused("run", MOTOR, "--json", *motor, "--fidelity", "quasi-static")
         self.assertIn("--fidelity: found quasi-static; required: dynamic for a ball bearing in time", said)
         said = self.refused("run", PLANET_SCRATCH, "--json", "--fidelity", "quasi-static")

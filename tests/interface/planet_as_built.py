@@ -68,7 +68,7 @@ class UnequalPlanets(unittest.TestCase):
         for values in (("bearing.laminae=12", "bearing.tilt_state=computed"), ("gearset.planet_rim=elastic",)):
             refused = run("check", REDUCER, *settings([*places, *values]))
             self.assertEqual(refused.returncode, 2)
-            self.assertIn("beside gearset.planet_angles", refused.stderr)
+            self.assertIn("together with gearset.planet_angles", refused.stderr)
         several = run("check", SETS, "--set", "sets.reduction.gearset.planet_angles=[0 deg, 68.2759 deg, 180 deg, 248.2759 deg]")
         self.assertEqual(several.returncode, 2)
         self.assertIn("unequal steps in one of several sets", several.stderr)

@@ -73,9 +73,9 @@ class RatedRecords(unittest.TestCase):
     def test_shares_and_hours_that_do_not_fit_are_refused(self):
         high, low, _ = self.files.values()
         for words, said in (
-                ((high, low), "--share: missing beside 2 files; required: the share of time of each file, as in --share 0.3,0.7, or the hours, as in --hours 1000,5000"),
-                ((high, low, "--share", "0.3,0.7", "--hours", "1,2"), "--hours: found beside --share; required: one of both"),
-                ((high, low, "--share", "0.3,0.6"), "--share: found a sum of 0.9; required: 1; --hours need no sum"),
+                ((high, low), "--share: missing together with 2 files; required: the share of time of each file, as in --share 0.3,0.7, or the hours, as in --hours 1000,5000"),
+                ((high, low, "--share", "0.3,0.7", "--hours", "1,2"), "--hours: found together with --share; required: one of both"),
+                ((high, low, "--share", "0.3,0.6"), "--share: found a sum of 0.9; required: 1; --hours require no sum"),
                 ((high, low, "--share", "0,3,0,7"), "--share: found 4 numbers for 2 files; required: one for each file"),
                 ((high, low, "--share", "30%,70%"), "--share: found '30%'; required: numbers from 0, comma between them"),
                 ((high, low, "--hours", "-1,2"), "--hours: found '-1'; required: numbers from 0, comma between them"),
@@ -83,7 +83,7 @@ class RatedRecords(unittest.TestCase):
                 ((high, high, "--share", "0.3,0.7"), f"SERIES: found {high} twice; required: each file once"),
                 ((high, "--set", "input.power=1 kW"), "--set requires --case"),
                 ((high, "--case", REDUCER, "--set", "spectrum=[{power: 1 kW, speed: 1000 rpm, share: 1}]"),
-                 "--set: spectrum: found beside records; required: one of both"),
+                 "--set: spectrum: found together with records; required: one of both"),
                 ((high, "--case", REDUCER.parents[1] / "harris_209" / "case.yaml"), "model: found roller-bearing; required: planetary-drivetrain"),
                 ((high, "--case", REDUCER, "--resume"), "--resume: found without a folder; required: -o DIR, the folder to continue")):
             with self.subTest(said):

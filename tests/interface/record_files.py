@@ -141,7 +141,7 @@ class RecordFiles(unittest.TestCase):
             self.assertIn("no column 'RotTorqe' of --torque", message)
             self.assertIn("did you mean 'RotTorq'?", message)
         both = self.refusal(self.folder / "a.out", "--speed", "RotSpeed", "--torque", "RotTorq", "--power", "GenPwr")
-        self.assertIn("--power: found beside --torque; required: one of both", both)
+        self.assertIn("--power: found together with --torque; required: one of both", both)
 
     def test_damaged_binary_files_are_refused(self):
         times, rows = simulation()

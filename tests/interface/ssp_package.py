@@ -270,8 +270,8 @@ class Package(unittest.TestCase):
 
     def test_refusals(self):
         for case, options, text in (
-                (REDUCER, ("--fmi", "3"), "--output: found '--fmi 3' beside"),
-                (REDUCER, ("--model", "gearset"), "--output: found '--model gearset' beside"),
+                (REDUCER, ("--fmi", "3"), "--output: found '--fmi 3' together with"),
+                (REDUCER, ("--model", "gearset"), "--output: found '--model gearset' together with"),
                 (CASES / "lin_parker_1999" / "case.yaml", (), "bearing: found no bearing; required: a planet bearing"),
                 (CASES / "harris_209" / "case.yaml", (), "planetary-drivetrain"),
                 (REDUCER, ("--set", "bearing.rollers=0"), "--set: bearing.rollers: '0' is out of range"),

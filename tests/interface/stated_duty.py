@@ -91,7 +91,7 @@ class Duty(unittest.TestCase):
         once, more = (answer("run", REDUCER, f"input.application_factor={factor}")["points"][0] for factor in (1, 1.25))
         self.assert_near(more["tangential_load_N"], 1.25 * once["tangential_load_N"])
         said = self.refusal("input.application_factor=1.25", "spectrum=[{power: 150 kW, speed: 6000 rpm, share: 1}]")
-        self.assertIn("1.25 beside a spectrum; 1 is required", said)
+        self.assertIn("1.25 together with a spectrum; 1 is required", said)
 
     def test_spectrum_by_torque_beside_a_torque(self):
         """Bins of a spectrum state their own power; the headline is the torque's."""
@@ -170,8 +170,8 @@ class SpeedOfAnyMember(unittest.TestCase):
 
     def test_what_cannot_be_is_refused(self):
         self.assertIn("input.speed_of: ring, which is stationary; a member that rotates is required", self.refusal("input.speed_of=ring"))
-        self.assertIn("input.speed_of: planet beside input.torque; the speed of a shaft", self.refusal("input.speed_of=planet", "input.torque=1 N.m"))
-        self.assertIn("planet beside spectrum", self.refusal("input.speed_of=planet", "spectrum=[{torque: 1 N.m, speed: 60 rpm, share: 1}]"))
+        self.assertIn("input.speed_of: planet together with input.torque; the speed of a shaft", self.refusal("input.speed_of=planet", "input.torque=1 N.m"))
+        self.assertIn("planet together with spectrum", self.refusal("input.speed_of=planet", "spectrum=[{torque: 1 N.m, speed: 60 rpm, share: 1}]"))
         self.assertIn("input.speed_of: carrier of several sets; motor or load is required", self.refusal("input.speed_of=carrier", case=SETS))
         self.assertIn("one of motor, load, sun, ring, carrier, planet is required", self.refusal("input.speed_of=pin"))
 

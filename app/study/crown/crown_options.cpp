@@ -112,7 +112,7 @@ std::string reason_to_state(const ResolvedCase& resolved) {
 
 std::vector<double> tilts_of(const CrownOptions& options, bool computed, Mistakes& mistakes) {
   if (computed && !options.tilts.empty())
-    mistakes.push_back("--tilts: found beside bearing.tilt_state: computed; required: one of both");
+    mistakes.push_back("--tilts: found together with bearing.tilt_state: computed; required: one of both");
   if (computed) return {0.0};
   if (options.tilts.empty()) return {0.0, 1e-3, 2e-3};
   std::vector<double> tilts =
@@ -153,11 +153,10 @@ crowning::Distribution distribution_of(const CrownOptions& options, bool compute
                                                                                    : worst;
   if (!computed && stated != worst)
     mistakes.push_back("--distribution: found " + options.distribution +
-                       " beside stated tilts; required: worst, or computed tilts");
+                       " together with stated tilts; required: worst, or computed tilts");
   if (options.tolerance.empty() && options.tilt_tolerance.empty())
     mistakes.push_back(
-        "--distribution: found without a tolerance; required: --tolerance or "
-        "--tilt-tolerance beside it");
+        "--distribution: found without a tolerance; required: --tolerance or --tilt-tolerance as well");
   return stated;
 }
 
@@ -309,8 +308,9 @@ CrownCase crown_case(const ResolvedCase& resolved, const CrownOptions& options) 
   require_bearing(resolved);
   if (!options.tilts.empty() || states_computed_tilt(resolved)) return {resolved, {}};
   if (const std::string reason = reason_to_state(resolved); !reason.empty())
-    return {resolved,
-            {"tilts: stated, 0 to 2 mrad, and not computed beside " + reason + "; --tilts states others"}};
+    return {
+        resolved,
+        {"tilts: stated, 0 to 2 mrad, and not computed together with " + reason + "; --tilts states others"}};
   std::vector<Setting> settings{{"bearing.tilt_state", "computed"}};
   if (!resolved.has("bearing.laminae")) settings.push_back({"bearing.laminae", std::to_string(kLaminae)});
   return {resolved.with(settings), {}};

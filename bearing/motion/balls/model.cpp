@@ -124,8 +124,8 @@ RigidPointFilm pocket_oil(const Bearing& bearing, const MotionParameters& given,
   require(given.lubricant.viscosity > 0.0, "viscosity of the oil [Pa s]", given.lubricant.viscosity,
           "more than 0 for a film in the pockets");
   const double wall = 0.5 * (bearing.cage.outer_diameter - bearing.cage.inner_diameter);
-  return RigidPointFilm::between(given.lubricant.viscosity, radius, radius * (radius + play) / play, 0.5 * wall,
-                                 radius, given.cage.pocket_roughness);
+  return RigidPointFilm::between(given.lubricant.viscosity, radius, radius * (radius + play) / play,
+                                 0.5 * wall, radius, given.cage.pocket_roughness);
 }
 
 PocketNumbers pocket(const Bearing& bearing, const MotionParameters& given) {
@@ -199,7 +199,8 @@ DragNumbers drag(const Bearing& bearing, const MotionParameters& parameters) {
 // A hollow cylinder about its own middle.
 BodyNumbers hollow(double mass, double inner_radius, double outer_radius, double width) {
   const double squares = inner_radius * inner_radius + outer_radius * outer_radius;
-  return {.mass = mass, .across = mass * (squares / 4.0 + width * width / 12.0), .polar = 0.5 * mass * squares};
+  return {
+      .mass = mass, .across = mass * (squares / 4.0 + width * width / 12.0), .polar = 0.5 * mass * squares};
 }
 
 BodyNumbers ring_body(const BodyNumbers& own, const RingBodyParameters& given, const char* what) {
@@ -222,7 +223,8 @@ BallNumbers ball_numbers(const Bearing& bearing, const MotionParameters& given) 
   require(geometry.cage_mass > 0.0, "mass of the cage [kg]", geometry.cage_mass,
           "more than 0; give the cage's diameters, width and density");
   require(!nature_of(given.race.traction).shears_oil || given.lubricant.viscosity > 0.0,
-          "viscosity of the oil [Pa s]", given.lubricant.viscosity, "more than 0 for a law of sheared oil");
+          "viscosity of the oil [Pa s]", given.lubricant.viscosity,
+          "more than 0 for a traction model with sheared oil");
   BallNumbers c;
   c.balls = balls.count;
   c.radius = geometry.element_radius;

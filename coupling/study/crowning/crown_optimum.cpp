@@ -214,7 +214,7 @@ CrownOptimum best_crown(const CrownProblem& problem, const ProfileFamily& family
                         const std::vector<Member>& members, const SearchOptions& options) {
   if (problem.seat && members.size() != 1)
     throw std::invalid_argument("best crown: found " + std::to_string(members.size()) +
-                                " members beside computed tilts; required: one");
+                                " members together with computed tilts; required: one");
   const Search search{problem, family, members, options};
   const std::vector<Crown> starts = random_starts(search);
   CrownOptimum optimum;

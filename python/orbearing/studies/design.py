@@ -163,7 +163,7 @@ def design_of(core, varied: Mapping[str, Any], *, sampler: str = "grid", samples
     reader.require_known(own)
     twice = [path for path in rows if path in varied]
     if twice:
-        raise CaseError(f"{twice[0]}: found in the rows of the table and beside them; required: one of both")
+        raise CaseError(f"{twice[0]}: found in the rows of the table and outside them; required: one of both")
     parameters = [reader.parameter(path, ROW, values) for path, values in rows.items()]
     dimensions = [(ROW, len(paired))] if rows else []
     _require_few(sampler, varied, rows, axes)

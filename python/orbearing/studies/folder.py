@@ -127,7 +127,7 @@ class StudyFolder:
         try:
             folder.mkdir(parents=True, exist_ok=True)
         except OSError as error:
-            raise CaseError(f"{folder}: cannot be made: {error.strerror}; a place that may be written to is required") from error
+            raise CaseError(f"{folder}: cannot be made: {error.strerror}; a writable path is required") from error
         self._journal = journals.Journal(folder / JOURNAL)
         try:
             self._begin(resolved)

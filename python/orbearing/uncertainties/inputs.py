@@ -36,7 +36,7 @@ class UncertainNumber:
                   for key in ("value", "mean", "standard_deviation", "from", "peak", "to")}
         if number["standard_deviation"] == 0.0:
             raise CaseError(f"uncertain.{record['path']}: a standard deviation of 0 found; required: one above 0, or a mean "
-                            "other than 0 beside relative_standard_deviation")
+                            "other than 0 together with relative_standard_deviation")
         return cls(record["path"], record["distribution"], number["value"], number["mean"], number["standard_deviation"],
                    number["from"], number["peak"], number["to"], record["si_unit"], record["unit"],
                    float(record["units_per_si"]), record["given"], record["reason"])

@@ -41,7 +41,7 @@ class Store:
         try:
             folder.mkdir(parents=True, exist_ok=True)
         except OSError as error:
-            raise CaseError(f"{folder}: cannot be made: {error.strerror}; a place that may be written to is required") from error
+            raise CaseError(f"{folder}: cannot be made: {error.strerror}; a writable path is required") from error
         self._journal = journals.Journal(folder / JOURNAL)
         try:
             self._kept = self._begin(header)

@@ -218,7 +218,7 @@ TEST(CatalogueBearing, WhatIsNotKnownIsRefused) {
   EXPECT_THAT(mistakes(kBallsByDesignation, {"bearing.designation=7205 A"}),
               Contains(HasSubstr("angular-contact")));
   EXPECT_THAT(mistakes(bearing_case, {"bearing.clearance_class=C3"}),
-              ElementsAre(HasSubstr("bearing.designation or bearing.bore beside it is required")));
+              ElementsAre(HasSubstr("bearing.designation or bearing.bore is required as well")));
   EXPECT_THAT(mistakes(planet(kCatalogue), {"bearing.clearance_state=operating"}),
               ElementsAre(HasSubstr("A class is for an unmounted bearing")));
 }

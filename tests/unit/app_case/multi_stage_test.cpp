@@ -113,7 +113,7 @@ TEST(MultiStage, HaveSoundNames) {
 
 TEST(MultiStage, StandNotBesideOneSet) {
   EXPECT_THAT(setting_mistakes({"shafts.input=[motor]"}),
-              Contains(AllOf(StartsWith("--set: gearset: the fields of one set beside"),
+              Contains(AllOf(StartsWith("--set: gearset: the fields of one set together with"),
                              HasSubstr("either gearset and bearing, or sets and shafts"))));
   EXPECT_THAT(three_with("gearset.planets=4"), Contains(StartsWith("--set: gearset: the fields of one set")));
   EXPECT_THAT(mistakes(bearing_case + "sets:\n  a: {}\n"), ElementsAre(HasSubstr("sets: unknown key")));
@@ -137,7 +137,7 @@ TEST(MultiStage, NameTheMembersAtFault) {
               Contains(AllOf(StartsWith("--set: shafts.housing: "), HasSubstr("reduction.carrier on"))));
   EXPECT_THAT(three_mistakes("[transmission.carrier, load]", "[transmission.carrier, load, ground]"),
               ElementsAre(AllOf(StartsWith("case.yaml:13:11: shafts.output: "),
-                                HasSubstr("ground beside the load"))));
+                                HasSubstr("ground together with the load"))));
   // A floating member.
   EXPECT_THAT(
       three_mistakes(", transmission.ring]", "]"),

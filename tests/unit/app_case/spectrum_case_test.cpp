@@ -93,7 +93,7 @@ TEST(SpectrumCase, WrongRowsAreRefused) {
   EXPECT_THAT(message("[[150 kW, 6000 rpm, 1]]"), HasSubstr("as a row"));
   EXPECT_THAT(message("[{power: 0 kW, speed: 0 rpm, share: 1}]"), HasSubstr("a spectrum at rest"));
   EXPECT_THAT(message("[{power: 1 kW, speed: 9 rpm, share: 0.5}, {power: 1 kW, speed: 9 rpm, hours: 5}]"),
-              HasSubstr("a share beside rows with hours"));
+              HasSubstr("a share together with rows with hours"));
 }
 
 // Issue 44, item 17: a power at rest belongs to no torque.

@@ -126,7 +126,7 @@ TEST(UncertainCase, ReportsMistakesOfItsKeys) {
   EXPECT_THAT(refused("lubricant.viscosity", "{class: CN}"), ElementsAre(HasSubstr("what is no clearance")));
   EXPECT_THAT(
       refused("input.power", "{normal: {standard_deviation: 5 kW, relative_standard_deviation: 0.1}}"),
-      ElementsAre(HasSubstr("found beside relative_standard_deviation")));
+      ElementsAre(HasSubstr("found together with relative_standard_deviation")));
   EXPECT_THAT(refused("input.power", "{normal: {mean: 150 kW}}"),
               ElementsAre(HasSubstr("standard_deviation: missing")));
   EXPECT_THAT(refused("input.power", "{normal: {relative_standard_deviation: 5 kW}}"),

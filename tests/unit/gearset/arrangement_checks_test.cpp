@@ -120,7 +120,7 @@ TEST(ArrangementProblems, NameMissingAndSuperfluousPorts) {
   EXPECT_THAT(only_problem(two_motors).found, HasSubstr("motors on 'input' and 'output'"));
   Arrangement braked = reducer_alone();
   braked.shafts[2].ground = true;
-  EXPECT_THAT(only_problem(braked).found, HasSubstr("the ground beside the load"));
+  EXPECT_THAT(only_problem(braked).found, HasSubstr("the ground together with the load"));
   Arrangement empty = reducer_alone();
   empty.shafts.push_back(ground({}));
   EXPECT_THAT(only_problem(empty).found, HasSubstr("no member"));

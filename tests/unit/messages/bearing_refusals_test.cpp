@@ -81,7 +81,7 @@ TEST(BearingRefusals, BodiesAndScalesOfRollersInMotion) {
   EXPECT_ROLLERS_REFUSED("eccentricity", p.cage.largest_eccentricity = 1.0);
   EXPECT_ROLLERS_REFUSED("sliding scale", p.race.sliding_scale = 0.0);
   EXPECT_ROLLERS_REFUSED("entrainment scale", p.race.entrainment_scale = 0.0);
-  EXPECT_ROLLERS_REFUSED("law of traction", p.race.traction = motion::TractionLaw::ree_eyring);
+  EXPECT_ROLLERS_REFUSED("traction model", p.race.traction = motion::TractionLaw::ree_eyring);
   EXPECT_ROLLERS_REFUSED("speed ramp", p.driving.ramp = kNaN);
   EXPECT_ROLLERS_REFUSED("land clearance", p.cage.guide_diameter = 38e-3);
   EXPECT_ROLLERS_REFUSED("land width", b.cage.width = 5.6e-3);
