@@ -116,7 +116,7 @@ void describe(Visitor& visit, Mounting& m) {
       field(m.rings, "bearing.rings", Physics::balance,
             "rings of a planet bearing: both; outer, with rollers on the pin; or none, with rollers on the "
             "pin and in the planet's bore",
-            {.models = planetary_drivetrain, .reason = "as most bearings are bought"}),
+            {.models = planetary_drivetrain, .reason = "as most catalogue bearings"}),
       field(m.state, "bearing.clearance_state", Physics::balance,
             "state of bearing.radial_clearance: running bearing, or unmounted bearing, from which fits, "
             "temperatures and speeds give the running clearance",

@@ -83,7 +83,7 @@ void describe(Visitor& visit, Cage& m) {
                  .range = positive(25000.0),
                  .fmu = InFmu::parameter}),
           field(m.guidance, "bearing.cage.guidance", Physics::carrier, "ring that guides the cage",
-                {.models = in_time, .reason = "inertia of the carrier frame throws the cage outward"}));
+                {.models = in_time, .reason = "inertia of the carrier frame loads the cage outward"}));
 }
 
 /// Stiffness of one roller-to-race line contact.
@@ -308,7 +308,7 @@ void describe(Visitor& visit, Bearing& m) {
       field(m.contact_law, "contact.law", Physics::balance,
             "stiffness of roller and race: Palmgren's for each contact, or ISO/TS 16281's for both",
             {.models = with_rollers | roller_defect,
-             .reason = "each contact on its own, as the film needs it"}),
+             .reason = "each contact separately, as the film requires"}),
       apart(m.motions),  // of a single bearing a case states operation.turning_race
       field(m.first_element, "bearing.first_element_angle", Physics::single_bearing,
             "angle of the first rolling element from the radial load",

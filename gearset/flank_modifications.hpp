@@ -33,7 +33,7 @@ struct FlankModifications {
   double sun_crown = 0.0;     // [m]  taken off at both ends of the face, a parabola along it
   double planet_crown = 0.0;  // [m]
   double ring_crown = 0.0;    // [m]
-  double sun_slope = 0.0;   // [m]  by which flanks of sun and planet are further apart at one end of the face
+  double sun_slope = 0.0;   // [m]  additional distance of the flanks of sun and planet at one end of the face
   double ring_slope = 0.0;  // [m]  of ring and planet
 };
 
@@ -52,7 +52,7 @@ void describe(Visitor& visit, FlankModifications& m) {
   };
   const auto slope = [&](double& member, const std::string& gear) {
     return field(member, "gearset.lead_slope." + gear, Physics::central_teeth,
-                 "by how much the flanks of " + gear + " and planet are further apart at one end of the face",
+                 "additional distance of the flanks of " + gear + " and planet at one end of the face",
                  {.models = set,
                   .dimension = dimension::small_length,
                   .range = {-500.0, 500.0},

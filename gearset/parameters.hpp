@@ -70,8 +70,8 @@ void describe_heights(Visitor& visit, OwnHeights& m, const std::string& gear, de
                 "addendum of the " + gear + ", in modules; gearset.addendum if absent",
                 {.models = set, .range = {0.5, 1.5}}),
           field(m.clearance, "gearset.clearance_of." + gear, physics,
-                "how much deeper than its addendum the roots of the " + gear +
-                    " are, in modules; gearset.clearance if absent",
+                "bottom clearance of the " + gear +
+                    ", root depth minus addendum, in modules; gearset.clearance if absent",
                 {.models = set, .range = {0.0, 0.6}}));
 }
 
@@ -91,13 +91,12 @@ void describe_web(Visitor& visit, Web& m, const std::string& block, described::P
           m.thickness, block + "web.thickness", physics,
           "thickness of the disc that carries the rim, as a share of the face width; of one piece if absent",
           {.models = models, .range = {0.2, 1.2}}),
-      field(
-          m.rim, block + "web.rim", physics, "thickness of the rim under the roots, in modules",
-          {.models = models,
-           .range = {1.0, 50.0},
-           .reason =
-               "goes with the web factor of 0.862 that [Reboucas2021] has for discs of a quarter of the face",
-           .where = {block == "pair." ? "pair.web.thickness" : "gearset.web.thickness"}}));
+      field(m.rim, block + "web.rim", physics, "thickness of the rim under the roots, in modules",
+            {.models = models,
+             .range = {1.0, 50.0},
+             .reason = "corresponds to the web factor of 0.862 that [Reboucas2021] has for discs of a "
+                       "quarter of the face",
+             .where = {block == "pair." ? "pair.web.thickness" : "gearset.web.thickness"}}));
 }
 
 /// Row of a helix angle, of the block of a case to which it belongs.
@@ -155,7 +154,7 @@ void describe(Visitor& visit, PlanetarySet& m) {
   members(
       visit, m,
       field(m.fixed_member, "gearset.fixed", Physics::planet, "member held by the housing",
-            {.models = set, .reason = "the usual reduction gear"}),
+            {.models = set, .reason = "the most common reduction gear"}),
       count(m.planets, "gearset.planets", "number of planets", {1, 24}),
       field(m.planet_angles, "gearset.planet_angles", Physics::positions,
             "angular positions of the planets, anticlockwise from the first one at 0 deg. Whole steps of 360 "
@@ -249,7 +248,7 @@ void describe(Visitor& visit, Drive& m) {
   members(
       visit, m,
       field(m.member, "input.member", Physics::planet, "member by which the power enters",
-            {.models = set, .reason = "the usual reduction gear"}),
+            {.models = set, .reason = "the most common reduction gear"}),
       field(m.power, "input.power", Physics::carrier, "input power",
             {.models = set, .required_by = set, .dimension = dimension::power, .range = {1e-6, 1e7}}),
       field(m.application_factor, "input.application_factor", Physics::carrier,

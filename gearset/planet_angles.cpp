@@ -81,7 +81,7 @@ Warnings position_problems(const PlanetarySet& set) {
   for (std::size_t n = 1; n < angles.size(); ++n)
     if (!(angles[n] > angles[n - 1] && angles[n] < two_pi))
       return problem(degrees(angles[n]) + " behind " + degrees(angles[n - 1]),
-                     "angles that grow, below 360 deg, are required");
+                     "ascending angles below 360 deg are required");
   Warnings problems;
   for (const double angle : angles) {
     const double fitting = nearest_fitting(set, angle);

@@ -249,7 +249,7 @@ void ToothWarnings::reach(double reached, const ExternalTooth& tooth, const std:
 void ToothWarnings::clearance(double clearance, double module, const std::string& tip,
                               const std::string& root) {
   if (clearance >= -reach_tolerance * module) return;
-  list.push_back({position, "the tips of the " + tip + " dig into the roots of the " + root + " by " +
+  list.push_back({position, "the tips of the " + tip + " interfere with the roots of the " + root + " by " +
                                 millimetres(-clearance) + "; raise the clearance or change the shifts"});
 }
 

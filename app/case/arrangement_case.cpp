@@ -105,7 +105,7 @@ bool check_words(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
       if (!put(resolved.shape(), text, shaft))
         mistakes.push_back({resolved.item_location(path, i),
                             path,
-                            {quote(text) + " is nothing to join", joint_hint(resolved.shape(), text)}});
+                            {quote(text) + " cannot be joined", joint_hint(resolved.shape(), text)}});
     }
   }
   return mistakes.size() == before;

@@ -410,7 +410,7 @@ class Resolver {
   }
 
   static std::string unknown_assumption(const std::string& key) {
-    return find_field(key) == nullptr ? "unknown path" : "a reason for a value that is not there";
+    return find_field(key) == nullptr ? "unknown path" : "a reason for a missing value";
   }
 
   std::string assumption_hint(const std::string& key) const {

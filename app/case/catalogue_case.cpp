@@ -201,7 +201,8 @@ class CatalogueCase {
   // there.
   void fill_default_cage(const catalogue::Inside& inside) {
     if ((model_ & described::in_motion) == 0) return;  // others need none
-    const std::string reason = "default: a usual cage of a bearing of this section, guided at the outer ring";
+    const std::string reason =
+        "default: a typical cage of a bearing of this section, guided at the outer ring";
     constexpr double inward = 0.4, outward = 0.5, share_of_width = 0.76;
     put_default("bearing.cage.inner_diameter", millimetres(inside.pitch_diameter - inward * inside.diameter),
                 reason);
@@ -275,7 +276,7 @@ class CatalogueCase {
       return;
     if (!(diameter->number < pitch->number)) return;
     const std::string most = fmt::format("{}", most_rollers(pitch->number, diameter->number));
-    const std::string reason = "default: a full complement, as many as go in";
+    const std::string reason = "default: a full complement, the largest number that fits";
     if (entry_ != nullptr)
       put(catalogue_keys::kRollers, most, reason);  // the designation's own number is that of a cage
     else

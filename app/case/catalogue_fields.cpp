@@ -145,7 +145,7 @@ void add_catalogue_fields(std::vector<Field>& fields) {
   for (Field& field : fields)
     if (field.path == catalogue_keys::kRings) field.use = use_of_rings(fields);
   rows.back().default_text = "caged";
-  rows.back().default_reason = "as most bearings are bought";
+  rows.back().default_reason = "as most catalogue bearings";
   for (const std::string& path : paths_of_designation())
     add_condition(fields, path, where_absent(catalogue_keys::kDesignation));
   add_condition(fields, catalogue_keys::kClearance, where_absent(catalogue_keys::kClass));

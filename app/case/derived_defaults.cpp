@@ -81,7 +81,7 @@ std::optional<DerivedDefault> pocket_stiffness(const ValuesOfSet& value) {
   return DerivedDefault{
       stiffness_text(bearing::cage_bar_stiffness(bar)),
       fmt::format("a bar {:.3g} mm long, {:.3g} mm high and {:.3g} mm thick, clamped at both ends, of {} "
-                  "({:.3g} GPa), the usual cage material nearest in density",
+                  "({:.3g} GPa), the common cage material nearest in density",
                   1e3 * bar.length, 1e3 * bar.height, 1e3 * bar.thickness, material.name,
                   1e-9 * bar.youngs_modulus)};
 }
@@ -112,7 +112,7 @@ std::optional<DerivedDefault> guide_land(const ValuesOfSet& value) {
   if (!(play > 0.0)) return std::nullopt;
   return DerivedDefault{
       fmt::format("{:.9g} mm", 1e3 * (cage + side * play)),
-      fmt::format("a play of {:.3g} mm, 6 % of the {}'s diameter, at most half of that to the "
+      fmt::format("a clearance of {:.3g} mm, 6 % of the {}'s diameter, at most half of that to the "
                   "{} raceway",
                   1e3 * play, balls ? "ball" : "roller", outside ? "outer" : "inner")};
 }
@@ -121,7 +121,7 @@ std::optional<DerivedDefault> pocket_damping(const ValuesOfSet& value) {
   if (!value.has({"bearing.cage.density"})) return std::nullopt;
   const bearing::CageMaterial& material = bearing::default_cage_material(value("bearing.cage.density"));
   return DerivedDefault{fmt::format("{:g} s/m", material.damping),
-                        fmt::format("{}, the usual cage material nearest in density", material.name)};
+                        fmt::format("{}, the common cage material nearest in density", material.name)};
 }
 
 // Of teeth: none where the case states masses and springs in their place.

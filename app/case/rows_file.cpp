@@ -229,7 +229,7 @@ std::optional<NamedFile> read_named_file(const std::string& name, const Location
   std::error_code error;
   if (!may_be_read(file)) return none("", "a file in the folder that was opened is required");
   if (!fs::is_regular_file(file, error))
-    return none(", which is not there or no file", "a CSV file is required");
+    return none(", which is missing or no file", "a CSV file is required");
   if (fs::file_size(file, error) > largest_rows_file)
     return none(" of more than 4 MiB", "a shorter one is required");
   std::ifstream stream(file, std::ios::binary);

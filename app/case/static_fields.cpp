@@ -94,7 +94,7 @@ Field speed_of_ring(std::string path, std::string meaning) {
           .dimension = dimension::angular_speed,
           .range = {-1e6, 1e6},
           .default_text = "0 rpm",
-          .default_reason = "a ring that stands"};
+          .default_reason = "a stationary ring"};
 }
 
 void add_operation(std::vector<Field>& fields) {

@@ -197,7 +197,7 @@ Conversion make_conversion(std::string_view unit, std::string_view target_unit) 
   const Converter converter(ut_get_converter(parsed.get(), target.get()));
   const Converter inverse(ut_get_converter(target.get(), parsed.get()));
   if (!converter || !inverse || cv_convert_double(converter.get(), 0.0) != 0.0)
-    return no_conversion(fmt::format("its unit {} has a zero point of its own", quote(unit)));
+    return no_conversion(fmt::format("its unit {} has an offset zero point", quote(unit)));
   return round_conversion(cv_convert_double(converter.get(), 1.0), cv_convert_double(inverse.get(), 1.0));
 }
 

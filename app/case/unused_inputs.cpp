@@ -276,7 +276,7 @@ class AxisCheck {
       if (unmet != nullptr && !is_swept(*unmet, axis.path))
         mistakes.push_back({axis.location,
                             path,
-                            {"a sweep of what has no effect: " + idle_text(in_, input, analysis_),
+                            {"a sweep of an input that has no effect: " + idle_text(in_, input, analysis_),
                              "a case without this axis is required"}});
       return;
     }
@@ -284,7 +284,7 @@ class AxisCheck {
       mistakes.push_back(
           {axis.location,
            path,
-           {"a sweep of what " + analysis_name(analysis_) + " does not vary", required(axis)}});
+           {"a sweep of an input that " + analysis_name(analysis_) + " does not vary", required(axis)}});
     else if (axis.location.option)
       warnings.push_back(path + ": has no effect on " + analysis_name(analysis_) + "; used by sweep");
   }

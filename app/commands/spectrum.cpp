@@ -82,7 +82,7 @@ void write_rows(const Options& options, const LoadSpectrum& spectrum) {
   const fs::path folder = fs::path(options.output).parent_path();
   if (!folder.empty() && !fs::is_directory(folder, ignored))
     throw BadInput("--output: found the folder " + folder.string() +
-                   ", which is not there; required: one that is");
+                   ", which does not exist; required: an existing folder");
   write_aside_and_rename(options.output, spectrum_file(spectrum));
 }
 

@@ -143,7 +143,7 @@ void describe_levels(Record& record, const DefectStudy& study) {
   });
   record.value("contact_load_max_N", dimension::force, "largest load of an element in motion",
                study.vibration.largest_load);
-  record.child("sinking", "deepest, of an element into the scratch", study,
+  record.child("sinking", "largest depth of an element in the scratch", study,
                [](Record& of, const DefectStudy& s) {
                  of.value("inner_um", dimension::small_length, "of the inner race", s.inner_depth);
                  of.value("outer_um", dimension::small_length, "of the outer race", s.outer_depth);

@@ -116,7 +116,7 @@ ScalarResult::Value value_here(const ResolvedCase& in, const ScalarResult& resul
   if (result.unit.empty())
     throw BadInput("--result: found " + result.quantity + "; required: the key of a number that run prints");
   if (is_static_bearing(in) || result.quantity == "life_h")
-    throw ComputationFailed(in.text("name") + ": nothing is loaded; the life is without end");
+    throw ComputationFailed(in.text("name") + ": no element is loaded; the life is infinite");
   refuse_life(in, "life.method",
               in.choice("life.method") + ", by which there is no " + result.quantity + " here",
               "a case with that life, or lundberg-palmgren");

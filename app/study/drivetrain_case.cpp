@@ -131,8 +131,8 @@ bool is_helical(const ResolvedCase& resolved) {
 std::vector<std::string> planar_warnings(const ResolvedCase& resolved) {
   if (!is_helical(resolved)) return {};
   return {
-      "gearset.helix_angle: motion is that in the plane of the set; members are taken as held along their "
-      "axes and level, so that axial and tilting vibration is left out"};
+      "gearset.helix_angle: motion is that in the plane of the set; members are assumed fixed along their "
+      "axes and aligned. Axial and tilting vibration is left out"};
 }
 
 std::optional<rating::StatedOil> stated_oil(const ResolvedCase& in) {

@@ -30,16 +30,15 @@ PairColumn column_of(const duplex::Shaft& shaft, const duplex::Stiffness& stiffn
 void warn(duplex::Arrangement arrangement, PairPoint& point) {
   if (point.linear && arrangement == duplex::Arrangement::face_to_face)
     point.warnings.push_back(
-        "stiffness: linear is the source's calculation as printed: both rows approach with one axial sign, "
-        "where "
-        "rows that face each other have opposite ones");
+        "stiffness: linear is the source's calculation as published: both rows approach with the same axial "
+        "sign. Rows that face each other have opposite signs");
   if (point.state.outer_load.size() > 0)
     point.warnings.push_back(
         "operation.shaft_speed: affects the balls; the shaft's own gyroscopic moment, which would part its "
         "tilts into "
         "two whirls, is left out");
   if (!(point.state.contact_load.minCoeff() > 0.0))
-    point.warnings.push_back("preload: some balls are not pressed; the stiffness is that of the others");
+    point.warnings.push_back("preload: some balls are not loaded; the stiffness is that of the others");
 }
 
 // By the nonlinear equilibrium, whatever levers come.
@@ -155,8 +154,9 @@ void warn(const Identification& found, std::vector<std::string>& warnings) {
     warnings.push_back(
         "identification: the search for mass and lever did not end; its last values are given");
   if (found.nonlinear.fit.worst > vague)
-    warnings.push_back(fmt::format("identification: the frequencies it is from are missed by up to {:.0f} %",
-                                   100.0 * found.nonlinear.fit.worst));
+    warnings.push_back(
+        fmt::format("identification: the model deviates from the measured frequencies by up to {:.0f} %",
+                    100.0 * found.nonlinear.fit.worst));
 }
 
 Response response_of(const ResolvedCase& in, const PairPoint& point) {

@@ -60,7 +60,7 @@ FilmStudy film_study(const ResolvedCase& in) {
       if (study.points.back().lost())
         study.warnings.push_back(
             fmt::format("points: in row {} Reynolds' equation was not solved: a film too thin for the grid, "
-                        "or bodies that run through each other",
+                        "or bodies that penetrate each other",
                         study.points.size()));
       continue;
     }

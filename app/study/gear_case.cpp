@@ -129,7 +129,7 @@ std::vector<Derived> gear_dynamics_quantities(const ResolvedCase& resolved) {
   const gearset::dynamics::SetParameters& set = model.parameters;
   std::vector<Derived> rows;
   const auto add_body = [&](const std::string& member, double mass, double inertia) {
-    rows.push_back(row(member + ".mass", mass, "kg", "as the dynamics have it"));
+    rows.push_back(row(member + ".mass", mass, "kg", "as used by the dynamics"));
     rows.push_back(row(member + ".equivalent_mass", inertia, "kg", "moment of inertia / radius^2"));
   };
   add_body("sun", set.sun.mass, set.sun.inertia);

@@ -176,14 +176,12 @@ void warn_of_ends(const SpeedLine& line, std::vector<std::string>& warnings) {
   const auto best = longest_lived(line);
   if (best == line.begin())
     warnings.push_back(fmt::format(
-        "{}life falls from the lowest swept speed, {:g} rpm, on; sweep lower speeds to find where "
-        "it peaks",
+        "{}life decreases from the lowest swept speed, {:g} rpm, on; sweep lower speeds to find the peak",
         kRangeOfSpeeds, best->rpm));
   else if (best + 1 == line.end())
-    warnings.push_back(
-        fmt::format("{}life still rises at the highest swept speed, {:g} rpm; sweep higher speeds to find "
-                    "where it peaks",
-                    kRangeOfSpeeds, best->rpm));
+    warnings.push_back(fmt::format(
+        "{}life still increases at the highest swept speed, {:g} rpm; sweep higher speeds to find the peak",
+        kRangeOfSpeeds, best->rpm));
 }
 
 void warn_of_neighbours(const SpeedLine& line, bool in_motion, std::vector<std::string>& warnings) {
@@ -244,7 +242,7 @@ FoundPeak find_peak(const SweepOutcome& outcome) {
   if (line.size() < 2) return found;
   warn_of_ends(line, found.warnings);
   if (header.continued)
-    found.warnings.push_back("peak: of the grid's points; a continued sweep adds none around it");
+    found.warnings.push_back("peak: from the grid points only; a continued sweep adds no points around it");
   if (!header.refined) return found;
   put_refined(line, found.peak);
   warn_of_neighbours(line, in_time(fidelity_of(header.fidelity)), found.warnings);

@@ -238,7 +238,7 @@ LoadSeries read_load_series(const fs::path& file, const RecordColumns& columns) 
   LoadSeries series{table.values.at("time"), {}, table.values.at("speed"), std::move(table.warnings)};
   series.torque = by_torque ? table.values.at("torque") : torque_of(file, table);
   if (by_torque && table.values.contains("power"))
-    series.warnings.push_back(file.string() + ": torque and power found; torque was taken");
+    series.warnings.push_back(file.string() + ": torque and power found; torque is used");
   return series;
 }
 

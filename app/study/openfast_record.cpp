@@ -117,7 +117,7 @@ class OpenfastFile {
     if (found < required)
       refuse_damaged(fmt::format("{} bytes of {} samples, which take {}", found, samples_, required));
     if (found > required)
-      warnings_.push_back(fmt::format("{}: {} bytes behind its {} samples were not read", file_.string(),
+      warnings_.push_back(fmt::format("{}: {} bytes after its {} samples were not read", file_.string(),
                                       found - required, samples_));
   }
 

@@ -149,9 +149,9 @@ void add_clearance(const ResolvedCase& resolved, const study::NamedSet& set, std
   add("operating", chain.operating, per_micro, "um",
       "the same, at the case's speed: that of the computation");
   add("inner_seat_pressure", chain.inner_pressure, per_mega, "MPa",
-      "between pin and inner ring as they run; 0: they part");
+      "between pin and inner ring in operation; 0: they separate");
   add("outer_seat_pressure", chain.outer_pressure, per_mega, "MPa",
-      "between outer ring and planet as they run; 0: they part");
+      "between outer ring and planet in operation; 0: they separate");
   constexpr std::size_t most_speeds = 24;
   for (const SweepAxis& axis : resolved.axes()) {
     if (axis.path != kSpeedPath || axis.values.size() > most_speeds) continue;
@@ -200,12 +200,12 @@ std::vector<std::string> clearance_warnings(const ResolvedCase& resolved) {
     if (!resolved.has(state) || resolved.choice(state) != "unmounted") continue;
     if (!states_any(resolved, set, {"bearing.fit.inner_interference", "bearing.fit.outer_interference"}))
       warnings.push_back(set +
-                         "bearing.fit: no interference given; seats are taken as neither tight nor loose");
+                         "bearing.fit: no interference given; the seats are assumed neither tight nor loose");
     if (!states_any(
             resolved, set,
             {"bearing.temperature.pin", "bearing.temperature.inner_ring", "bearing.temperature.rollers",
              "bearing.temperature.outer_ring", "bearing.temperature.planet"}))
-      warnings.push_back(set + "bearing.temperature: none given; all bodies are taken at 20 degC");
+      warnings.push_back(set + "bearing.temperature: not given; all bodies are assumed at 20 degC");
   }
   return warnings;
 }

@@ -68,7 +68,7 @@ const std::vector<PlausibleRange>& plausible_ranges() {
       // Hardened steel: hardness 700 HV is 6900 MPa, [ISO76] takes 4000 MPa for a permanent mark of D/10,000.
       {{{"contact_pressure_max_MPa", "pressure_max_MPa"}, "contact", "pressure", "MPa"},
        {-kNone, ""},
-       {kStaticPressureMPa, "where rollers yield and elastic contact and life have no meaning"},
+       {kStaticPressureMPa, "where rollers yield and elastic contact and life are not valid"},
        {-kNone, 10000.0, "above the hardness of bearing steel, where no elastic contact exists"}},
       // [ISO281] gives a_ISO from 0.1 on and takes 4 for all above.
       {{{"kappa"}, "life", "kappa", ""},

@@ -181,7 +181,7 @@ void describe(Record& record, const StaticSteps& steps) {
     ring.value("moment_across_N_m", dimension::torque, "in that plane", of.lateral_moment);
   });
   record.array("element_angles_deg", dimension::angle, "from the radial load", {"element"}, steps.angle);
-  record.array("approaches_um", dimension::small_length, "negative where the rings leave play", {"element"},
+  record.array("approaches_um", dimension::small_length, "negative: clearance of the rings", {"element"},
                steps.approach);
   record.child(
       "equivalent_loads_N", "of each lamina, of balls one", steps, [](Record& loads, const StaticSteps& of) {
@@ -322,7 +322,7 @@ void warn(const ResolvedCase& in, StaticStudy& study) {
         "degrees; L10r does not require them");
   if (in.model() == roller_bearing && !in.has("bearing.laminae"))
     study.warnings.push_back(fmt::format(
-        "bearing.laminae: not given; {} are taken, and lives depend on their number", default_laminae));
+        "bearing.laminae: not given; {} are used, and lives depend on their number", default_laminae));
   if (study.lamina_load.rows() > 0 && study.lamina_load.rows() < 30)
     study.warnings.push_back(
         fmt::format("bearing.laminae: {} laminae; ISO/TS 16281 requires at least 30, and its stress riser "

@@ -76,7 +76,7 @@ StiffnessStudy single_stiffness(const ResolvedCase& in) {
   }
   if (in.model() == roller_bearing && !in.has("bearing.laminae"))
     study.warnings.push_back(fmt::format(
-        "bearing.laminae: not given; {} are taken, and stiffness depends on their number", default_laminae));
+        "bearing.laminae: not given; {} are used, and stiffness depends on their number", default_laminae));
   return study;
 }
 

@@ -72,8 +72,8 @@ std::vector<std::string> lamina_warnings(const ResolvedCase& resolved) {
         !has("bearing.misalignment.carrier_wind_up"))
       continue;
     warnings.push_back(
-        fmt::format("{}bearing.laminae: {} resolve a profile or a tilt coarsely (one not at all), which "
-                    "shows in loads and lives; {} or more are advised",
+        fmt::format("{}bearing.laminae: {} resolve a profile or a tilt coarsely (one: not at all), which "
+                    "affects loads and lives. Use {} or more",
                     prefix, resolved.integer(prefix + "bearing.laminae"), enough));
   }
   return warnings;
@@ -124,8 +124,7 @@ std::vector<std::string> sweep_warnings(const ResolvedCase& resolved, const Swee
       rows_where(outcome, [&](const ResultRow& row) { return column(row, "steady") == 0.0; });
   if (!drifting.empty())
     warnings.push_back(
-        "simulation.most_revolutions: the means still drifted when they were taken; allow more "
-        "revolutions: " +
+        "simulation.most_revolutions: the means still drifted at the end; allow more revolutions: " +
         drifting);
   const auto is_displaced = [&](const ResultRow& row) {
     return column(row, "one_way_load_difference") > kOneWay.load_difference;

@@ -140,7 +140,8 @@ void describe_comparison(Record& record, const RowOf<ValidationRow>& one) {
   record.value("quantity", "its name in units, which may be COMMAND:/json/pointer", published.quantity);
   record.value("published", {}, "number in the source", published.value);
   record.value("ours", {}, "the same by this program", row->ours);
-  record.value("deviation", dimension::ratio, "ours over published, less 1", row->deviation);
+  record.value("deviation", dimension::ratio, "computed value divided by published value, minus 1",
+               row->deviation);
   record.value("tolerance", dimension::ratio, "largest deviation that is reproduced", published.tolerance);
   record.value("verdict", "reproduced, trend, missed or input missing", row->verdict);
   record.value("case", "name", table->case_name);
@@ -149,7 +150,8 @@ void describe_comparison(Record& record, const RowOf<ValidationRow>& one) {
   record.value("of", "class of the quantity", published.of);
   record.value("meaning", "of the number", published.meaning);
   record.value("scatter", dimension::ratio, "standard deviation of the measurement", published.scatter);
-  record.child("band", "of ours, by the uncertain inputs of the case", row->band, describe_ends);
+  record.child("band", "of the computed value, by the uncertain inputs of the case", row->band,
+               describe_ends);
   record.value("why", "it is missed", published.why);
   record.value("memory", "value from memory, not read in the source", published.memory);
   record.value("fitted", "whether constants of the case were identified from it", published.fitted);

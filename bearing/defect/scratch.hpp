@@ -83,7 +83,7 @@ void describe(Visitor& visit, Scratch& m) {
       field(m.form, "defect.form", Physics::defect,
             "form of the ball's displacement between the edges of the scratch",
             {.models = scratched_bearings,
-             .reason = "the printed period of one width, level at both edges",
+             .reason = "the published period of one width, continuous at both edges",
              .where = scratched}),
       field(m.profile, "defect.profile", Physics::defect,
             "depths of a measured scratch divided by defect.depth, at equal distances from edge to edge",

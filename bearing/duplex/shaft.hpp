@@ -66,7 +66,7 @@ inline void describe(described::Record& record, const PairMode& mode) {
   record
       .value("frequency_Hz", dimension::cycles, "tilt_x, tilt_y, axial_z, radial_x, radial_y", mode.frequency)
       .variable = "natural_frequency";
-  record.value("kind", "freedom that holds most of its energy", name_of(mode.kind));
+  record.value("kind", "degree of freedom with most of its energy", name_of(mode.kind));
   record.value("multiplicity", "modes of this frequency and kind", 1);
   record
       .array("shape", {}, "x, y, z [m], tilts in the planes of x and z, y and z [rad], of modal mass 1 kg",

@@ -108,7 +108,7 @@ InstanceState state_from(const char* bytes, std::size_t size, std::uint64_t mode
     throw no_state("that of another model or version of Orbearing", "one of this very model");
   const std::string_view body(bytes + sizeof(Header), size - sizeof(Header));
   if (header.numbers != body.size() / sizeof(double) || body.size() % sizeof(double) != 0)
-    throw no_state(std::to_string(size) + " bytes", "a whole state");
+    throw no_state(std::to_string(size) + " bytes", "a complete state");
   if (header.checksum != hash_of(body)) throw no_state("changed bytes", "an unchanged state");
   std::vector<double> numbers(body.size() / sizeof(double));
   if (numbers.size() < count_of(sizes))

@@ -88,7 +88,7 @@ NumberTable table_from(std::string_view text) {
       table.rows.push_back(row_from(row, line));
     }
   }
-  throw std::invalid_argument("the model ends early: found no line 'end'; required: a whole file");
+  throw std::invalid_argument("the model ends early: found no line 'end'; required: a complete file");
 }
 
 std::uint64_t hash_of(std::string_view bytes, std::uint64_t seed) {

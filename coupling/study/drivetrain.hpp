@@ -237,7 +237,7 @@ void describe(Visitor& visit, PlanetaryDrivetrain& m) {
             "the mesh stiffness varies over the mesh period and excites gears and planet bearings; false: "
             "constant mean stiffness",
             {.models = planetary_drivetrain,
-             .reason = "nothing left out; several sets give mean forces whatever is said here"}),
+             .reason = "nothing left out; several sets always give mean forces"}),
       field(m.cage_positions, "numerics.cage_positions", Physics::at_rest,
             "number of positions of the roller set over one roller pitch for the mean",
             {.models = planetary_drivetrain,

@@ -86,7 +86,7 @@ void describe(Visitor& visit, GearDynamicsChoice& m) {
       mesh(m.sun_mesh_stiffness, "sun"), mesh(m.ring_mesh_stiffness, "ring"),
       field(m.mesh_damping_ratio, block + "damping_ratio.mesh", Physics::gear_motion,
             "damping of the rotation of both gears on their mesh",
-            {.models = set, .range = {0.0, 2.0}, .reason = "usual of oiled steel gears"}),
+            {.models = set, .range = {0.0, 2.0}, .reason = "typical of oiled steel gears"}),
       field(m.bearing_damping_ratio, block + "damping_ratio.bearing", Physics::gear_motion,
             "damping of a planet on its bearings; bearings of rollers have their own",
             {.models = set, .range = {0.0, 2.0}, .reason = "oiled roller bearings in a steel structure"}),

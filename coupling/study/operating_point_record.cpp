@@ -52,7 +52,7 @@ void describe_loads_and_lives(Record& record, const PointResult& point) {
   record.value("life_h", dimension::hours, "fatigue life of one bearing", point.life_hours);
   record.value("system_life_h", dimension::hours, "fatigue life of all planet bearings of the set together",
                point.system_life_hours);
-  record.value("cage_slip", dimension::ratio, "one less the cage's speed over its kinematic speed",
+  record.value("cage_slip", dimension::ratio, "1 minus cage speed divided by its kinematic speed",
                point.caged ? point.cage_slip : kAbsent);
   for (const auto& [race, of] : races_of(point))
     record.value("film_" + race + "_um", dimension::small_length, "least film on the " + race + " race",
@@ -138,10 +138,10 @@ void describe_losses(Record& record, const PointResult& point) {
 // Absent from the quasi-static model.
 void describe_motion(Record& record, const PointResult& point) {
   const auto moving = [&](const auto& part) { return point.dynamic ? part(*point.dynamic) : kAbsent; };
-  record.value("roller_slip", dimension::ratio, "one less the mean roller spin over that at pure rolling",
+  record.value("roller_slip", dimension::ratio, "1 minus mean roller spin divided by that at pure rolling",
                moving([](const DynamicRecord& d) { return d.roller_slip; }));
   record.value("orbit_slip", dimension::ratio,
-               "one less the mean orbital speed of the rollers over that at pure rolling, without a cage",
+               "1 minus mean orbital speed of the rollers divided by that at pure rolling, without a cage",
                moving([](const DynamicRecord& d) { return d.orbit_slip.value_or(kAbsent); }));
   record.value("friction_moment_N_m", dimension::torque, "friction moment of the bearing on the bore",
                moving([](const DynamicRecord& d) { return d.friction_moment; }));
@@ -211,7 +211,7 @@ void describe_sharing(Record& record, const PointResult& point) {
                "load of the most loaded bearing of a planet, divided by the mean of its bearings, likewise",
                largest_bearing_share(point.seats));
   record.value("interface_energy_residual", dimension::ratio,
-               "energy that the exchange of gears and bearings made or lost, over that which passed",
+               "energy error of the exchange of gears and bearings, divided by the exchanged energy",
                point.coupled ? point.coupled->energy_residual : kAbsent);
   record.value("interface_window_us", kMicroseconds, "mean time between two exchanges; 0: one system",
                point.coupled ? point.coupled->window : kAbsent);

@@ -30,7 +30,7 @@ void describe(Visitor& visit, Sampling& m) {
             {.models = scratched_bearings,
              .dimension = dimension::frequency,
              .range = {1e-3, 1e5},
-             .reason = "a usual rate of instruments, far above the vibration of the ring"}),
+             .reason = "a typical rate of instruments, far above the vibration of the ring"}),
       field(m.revolutions, "signal.revolutions", Physics::defect,
             "sampled revolutions of the shaft; frequency resolution: its speed divided by this number",
             {.models = single_scratched,

@@ -60,10 +60,10 @@ void describe(Visitor& visit, BallRunOptions& m) {
              .dimension = dimension::time,
              .range = positive(1e5)}),
       field(m.observed, "simulation.observed_share", Physics::single_bearing_run,
-            "share of the time, at its end, over which means are taken",
+            "share of the time, at its end, for the means",
             {.models = ball_motion,
              .range = {.least = 0.0, .most = 1.0, .least_allowed = false},
-             .reason = "what lies before it is for settling"}),
+             .reason = "the time before it is for settling"}),
       field(m.settling_band, "simulation.settling_band", Physics::single_bearing_run,
             "band about the mean of the last third of the run, as a share of the cage's kinematic speed; "
             "outside it the cage slip has not settled",

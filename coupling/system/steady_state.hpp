@@ -42,7 +42,7 @@ inline described::Row<double> length_error_row(double& allowed_length_error) {
                {.models = in_time,
                 .dimension = dimension::length,
                 .range = positive(0.1),
-                .reason = "coarser steps ring at contacts that close and then take longer",
+                .reason = "coarser steps oscillate at closing contacts and take longer",
                 .fmu = InFmu::parameter});
 }
 
@@ -50,24 +50,27 @@ inline described::Row<double> length_error_row(double& allowed_length_error) {
 template <class Visitor>
 void describe(Visitor& visit, SteadyStateOptions& m) {
   using namespace described;
-  rows(
-      visit,
-      field(m.integration.method, "simulation.integrator", Physics::motion,
-            "integration of the roller dynamics: linearly implicit method, or explicit method of order 5",
-            {.models = planetary_drivetrain, .reason = "the same means in a fraction of the time"}),
-      field(m.observed_windows, "simulation.observed_revolutions", Physics::run,
-            "number of cage revolutions for the means of the steady state",
-            {.models = planetary_drivetrain, .range = {1, 100000}, .reason = "enough for maxima"}),
-      field(m.most_windows, "simulation.most_revolutions", Physics::run,
-            "maximum number of cage revolutions to reach a steady state",
-            {.models = planetary_drivetrain, .range = {2, 100000}, .reason = "bearings settle in a few"}),
-      field(m.load_drift, "simulation.load_drift", Physics::run,
-            "limit for a steady state: difference of the rms loads of two consecutive revolutions",
-            {.models = planetary_drivetrain, .range = positive(1.0), .reason = "below what a life can tell"}),
-      field(m.cage_drift, "simulation.cage_drift", Physics::run,
-            "limit for a steady state: difference of the cage speeds of two consecutive revolutions",
-            {.models = planetary_drivetrain, .range = positive(1.0), .reason = "below what a slip can tell"}),
-      length_error_row(m.allowed_length_error));
+  rows(visit,
+       field(m.integration.method, "simulation.integrator", Physics::motion,
+             "integration of the roller dynamics: linearly implicit method, or explicit method of order 5",
+             {.models = planetary_drivetrain, .reason = "the same means in a fraction of the time"}),
+       field(m.observed_windows, "simulation.observed_revolutions", Physics::run,
+             "number of cage revolutions for the means of the steady state",
+             {.models = planetary_drivetrain, .range = {1, 100000}, .reason = "enough for maxima"}),
+       field(m.most_windows, "simulation.most_revolutions", Physics::run,
+             "maximum number of cage revolutions to reach a steady state",
+             {.models = planetary_drivetrain, .range = {2, 100000}, .reason = "bearings settle in a few"}),
+       field(m.load_drift, "simulation.load_drift", Physics::run,
+             "limit for a steady state: difference of the rms loads of two consecutive revolutions",
+             {.models = planetary_drivetrain,
+              .range = positive(1.0),
+              .reason = "small compared with any effect on life"}),
+       field(m.cage_drift, "simulation.cage_drift", Physics::run,
+             "limit for a steady state: difference of the cage speeds of two consecutive revolutions",
+             {.models = planetary_drivetrain,
+              .range = positive(1.0),
+              .reason = "small compared with any effect on slip"}),
+       length_error_row(m.allowed_length_error));
 }
 
 /// One window as time series. Matrices are (rollers, samples).

@@ -260,7 +260,7 @@ void check_speed_freedom(const Arrangement& arrangement, const SpeedSystem& syst
     add_members(arrangement.shafts[shaft].members, problem.members);
   }
   if (problem.shafts.empty()) return;
-  problem.found = "speeds left open: of " + member_positions(arrangement, problem.members);
+  problem.found = "speeds undetermined: of " + member_positions(arrangement, problem.members);
   problem.required = "another ground, or a member joined to another shaft, is required";
   problems.push_back(std::move(problem));
 }
@@ -292,9 +292,9 @@ void check_torque_freedom(const Arrangement& arrangement, const TorqueSystem& sy
   }
   if (problem.members.empty()) return;
   const Shafts loads = shafts_where(arrangement, &Shaft::load);
-  problem.found = loads.size() > 1 ? "torques left open: how the loads on " +
-                                         shaft_names(arrangement, loads) + " share the power does not follow"
-                                   : "torques left open: more than one way for them through " +
+  problem.found = loads.size() > 1 ? "torques undetermined: how the loads on " +
+                                         shaft_names(arrangement, loads) + " share the power is not defined"
+                                   : "torques undetermined: more than one path through " +
                                          member_positions(arrangement, problem.members);
   problem.required = loads.size() > 1
                          ? "one load is required"

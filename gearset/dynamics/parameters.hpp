@@ -67,7 +67,7 @@ inline described::Row<double> support_row(double& stiffness, const std::string& 
 inline described::Row<double> torsional_row(double& stiffness, const std::string& body) {
   return field(stiffness, described_body(body) + ".torsional_stiffness", described::Physics::gear_bodies,
                "stiffness against rotation of the " + body + ", on " + radius_of(body) + " x angle",
-               described_stiffness("free to turn; a fixed member is then held rigidly"));
+               described_stiffness("free to rotate; a fixed member is then held rigidly"));
 }
 template <class Member>
 described::Row<Member> bearing_stiffness_row(Member& stiffness) {

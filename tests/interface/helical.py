@@ -136,8 +136,8 @@ class Helical(unittest.TestCase):
 
     def test_tips_in_the_roots_of_the_ring_are_warned_of(self):
         heights = ["gearset.addendum_of.planet=1.4", "gearset.root_fillet_radius=0.1", "gearset.clearance_of.sun=0.6"]
-        self.assertTrue(warned(answer("run", WIND, *heights), "tips of the planet dig into the roots of the ring by 1.1"))
-        self.assertFalse(warned(answer("run", WIND), "dig into"))
+        self.assertTrue(warned(answer("run", WIND, *heights), "tips of the planet interfere with the roots of the ring by 1.1"))
+        self.assertFalse(warned(answer("run", WIND), "interfere with"))
 
     def test_no_stiffness_where_planets_find_their_tilt(self):
         self.assertIsNone(answer("run", WIND)["stiffness"])

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """The program's texts are short sentences of plain technical English.
 
-Measured are all messages on record (tests/interface/messages and tests/messages.txt), the help of each command, and what
-the schemas say of inputs and results. `plain_texts.py --list` writes out each long sentence and each word to avoid;
+Measured are all messages on record (tests/interface/messages and tests/messages.txt), the help of each command, what the
+schemas say of inputs and results, and the reasons and meanings that `check` gives. `plain_texts.py --list` writes out each long sentence and each word to avoid;
 `plain_texts.py --write FOLDER` writes all the texts.
 """
 
@@ -27,33 +27,32 @@ SHORTEST = 3  # words of what counts as a sentence
 AVOID = {
     r"(?:is|are|was|were) (?:it )?worth": "the effect of it, or the sensitivity to it",
     r"lives? (?:the )?(?:longest|shortest|longer|shorter)": "has the longest or shortest life",
-    r"thrown": "loaded by the centrifugal force",
-    r"(?:is|are) told|tells?|asked|asks?": "required, requested or reported",
+    r"thrown": "under centrifugal load",
+    r"told|tells?|asked|asks?|nobody": "required, requested, reported; no participant",
     r"gives? way|gave way|gives? in": "deflects",
-    r"by itself|by themselves|lone": "single, standalone or each separately",
-    r"feels?|felt": "is affected by",
-    r"knows?|believes?|believed|wants?": "includes, models or requires",
+    r"by itself|by themselves|lone": "single, standalone, separately",
+    r"feels?|felt|knows?|believes?|believed|wants?": "is affected by, includes, requires",
     r"by nature": "at this fidelity",
-    r"in (?:its|their|whose) place|in place of": "instead",
-    r"(?:in|the|no|finds?|found) balance": "static equilibrium",
-    r"at the balance|beside the balance|balance of the ring": "static equilibrium",
-    r"stands? (?:still|beside|in|in no|there|twice)|standing ring|turning ring": "is stationary, is in, is listed",
-    r"comes? out|came out": "is, results in",
+    r"beside": "together with, compared with, next to",
+    r"places?": "position, angle, point, element, path",
+    r"in (?:its|their|whose) place|in place of": "instead, replaces",
+    r"(?:in|the|a|no|finds?|found) balance": "static equilibrium",
+    r"stands? (?:still|in|in no|there|twice|to|for)|standing|turning (?:ring|cage|shaft)": "stationary, rotating; is listed; is equivalent to",
+    r"comes? out|came out": "is, results in, leaves",
     r"pressed out": "squeeze film",
     r"looks? (?:at|among)|a look": "a sample, a check",
-    r"sinks?|sunk": "enters; the depth of",
+    r"sinks?|sunk": "enters; depth",
     r"thaws?|thawed": "includes inertia",
     r"owed to": "caused by",
     r"of before": "previous",
-    r"gone over|gone on": "repeated, continued",
-    r"go(?:es)? on(?: from| with)?": "continue",
-    r"goes? with": "is proportional to, belongs to",
-    r"nobody|none of it|deserves?|holds? good|as it was": "the fact itself",
-    r"what is there|who is right|at which price": "the quantity itself",
+    r"gone over|gone on|go(?:es)? on|goes? with": "repeat, continue; is proportional to, corresponds to",
+    r"none of it|deserves?|holds? good|as it was|what is there|who is right|at which price": "the fact, the quantity",
     r"blows?|knocks?": "impacts",
     r"afresh|anew": "again, from the start",
     r"carr(?:y|ies) (?:most|alike)": "has the largest load, the same load",
-    r"law of (?:balls|rollers)": "a model for balls or rollers",
+    r"law of (?:balls|rollers|traction)|(?:fitted|one) law": "model",
+    r"nothing to join|dig into|left open|how (?:far|often|much|long)": "cannot be joined, interferes with, undetermined; the quantity",
+    r"ours": "computed value",
 }
 AVOIDED = {re.compile(rf"\b(?:{pattern})\b", re.I): instead for pattern, instead in AVOID.items()}
 
@@ -130,8 +129,22 @@ def meanings(name):
     return sorted(found)
 
 
+def checked():
+    """Reasons of defaults and meanings of derived quantities, as `check` gives them of the cases supplied."""
+    found = set()
+    for case in sorted((SOURCE / "cases").glob("*/case.yaml")):
+        answer = subprocess.run([os.environ["ORBEARING"], "check", str(case), "--json"], check=True, stdout=subprocess.PIPE,
+                                stderr=subprocess.DEVNULL)
+        record = json.loads(answer.stdout)
+        reasons = (str(row.get("reason")) for row in record["inputs"])
+        found |= {reason.removeprefix("default: ") for reason in reasons if reason.startswith("default: ")}
+        found |= {str(row["meaning"]) for row in record["derived"]}
+    return sorted(found)
+
+
 def all_texts():
-    return {"messages": messages_on_record(), "help": helps(), "inputs": meanings("case"), "results": meanings("result")}
+    return {"messages": messages_on_record(), "help": helps(), "inputs": meanings("case"), "results": meanings("result"),
+            "reasons": checked()}
 
 
 def measured(texts):

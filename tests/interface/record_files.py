@@ -153,7 +153,7 @@ class RecordFiles(unittest.TestCase):
                 damaged = whole[:at] + struct.pack("<i", count) + whole[at + 4:]
                 self.assertIn("an undamaged binary file of OpenFAST", self.refusal(self.written("d.outb", damaged), *CHOICE))
         longer = self.spectrum(self.written("l.outb", whole + b"more"), *CHOICE)
-        self.assertIn("4 bytes behind its 400 samples were not read", longer["warnings"][0])
+        self.assertIn("4 bytes after its 400 samples were not read", longer["warnings"][0])
 
     def test_spreadsheets_are_read_where_there_is_no_doubt(self):
         english = "time_s,speed_rpm,torque_N_m\n0.0,1500.5,1591.25\n1.0,1500.5,1592.25\n2.0,1400.5,1592.25\n"

@@ -241,7 +241,7 @@ crowning::LifeMeasure measure_of(const ResolvedCase& resolved, const CrownOption
 void require_bearing(const ResolvedCase& resolved) {
   if (resolved.model() != planetary_drivetrain)
     throw BadInput(resolved.origin("model") + ": model: found " + resolved.choice("model") +
-                   "; required: planetary-drivetrain, whose planet bearings crown studies");
+                   "; required: planetary-drivetrain, for the crown of its planet bearings");
   if (!resolved.shape().several && !resolved.shape().bearing)
     throw BadInput(resolved.file() +
                    ": bearing: missing; required: a planet bearing, whose rollers are crowned");

@@ -64,7 +64,7 @@ void describe_search(Record& record, const CrownSearch& search, LifeMeasure meas
              [](Record& starts, const CrownSearch& of) {
                starts.value("count", "of starts", of.ends.size());
                starts.value("in_optimum", "starts that ended in the best", of.in_best);
-               starts.table("ends", "start", "where each start ended", of.ends,
+               starts.table("ends", "start", "result of each start", of.ends,
                             [&](Record& row, const SearchEnd& end) {
                               row.value("start_um", dimension::small_length, "", end.start.drop);
                               row.value("drop_um", dimension::small_length, "", end.crown.drop);
@@ -109,7 +109,7 @@ void describe_duties(Record& record, const CrownStudy& study) {
   for (const SpectrumPoint& point : study.request.spectrum)
     if (point.speed > 0.0 && point.share > 0.0) points.push_back(point);
   std::size_t next = 0;
-  record.table("points", "duty", "what each point of the spectrum does", points,
+  record.table("points", "duty", "results of each point of the spectrum", points,
                [&](Record& row, const SpectrumPoint& point) {
                  const DutyRecord& duty = study.recommended.duties[next++];
                  describe_spectrum_point(row, study, point);

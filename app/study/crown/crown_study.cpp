@@ -138,20 +138,21 @@ void add_pressure_warning(CrownStudy& study) {
   double peak = 0.0;
   for (const DutyRecord& duty : study.recommended.duties) peak = std::max(peak, duty.pressure.peak);
   if (peak > kYield)
-    study.warnings.push_back(fmt::format(
-        "recommended: rollers press up to {:.4g} MPa; above {:g} MPa they yield, and elastic contact, "
-        "life and this advice have no meaning",
-        1e-6 * peak, 1e-6 * kYield));
+    study.warnings.push_back(
+        fmt::format("recommended: rollers press up to {:.4g} MPa; above {:g} MPa they yield, and elastic "
+                    "contact, life and this advice are not valid",
+                    1e-6 * peak, 1e-6 * kYield));
 }
 
 void add_advice_warnings(CrownStudy& study) {
   constexpr double noted = 0.01;  // of a life
   const HalfSpaceAdvice& advice = study.recommended.advice;
   if (advice.band.open)
-    study.warnings.push_back(fmt::format(
-        "recommended: the band of drops ends at {:.3g} um because greater ones were not studied; its upper end lies "
-        "beyond. Give --drops that reach further",
-        1e6 * advice.band.most));
+    study.warnings.push_back(
+        fmt::format("recommended: the band of drops ends at {:.3g} um because greater ones were not studied; "
+                    "its upper end lies "
+                    "beyond. Give --drops that reach further",
+                    1e6 * advice.band.most));
   if (advice.interpolation_error > noted)
     study.warnings.push_back(fmt::format(
         "recommended: lives between the drops at which they were computed miss by {:.2g} of themselves",

@@ -210,7 +210,7 @@ class Cluster:
         portion, tries = waiting[future]
         if future.status in ("cancelled", "lost"):
             self._scheduler()
-            raise Lost("the scheduler has forgotten what it was given: it was restarted, or the portion was cancelled")
+            raise Lost("the scheduler lost the task: it was restarted, or the task was cancelled")
         try:
             # A worker that is lost with its result in memory: the scheduler has it computed again meanwhile.
             chunk = future.result()

@@ -91,7 +91,8 @@ TEST(CaseFile, ChecksAssumptions) {
   EXPECT_THAT(mistakes(bearing_case + "assumed:\n  bearing.rollers: counted\n"), IsEmpty());
   EXPECT_THAT(mistakes(bearing_case + "assumed:\n  bearing.roller: x\n"),
               ElementsAre(HasSubstr("'bearing.rollers'")));
-  EXPECT_THAT(mistakes(bearing_case + "assumed:\n  bearing.bore: x\n"), ElementsAre(HasSubstr("not there")));
+  EXPECT_THAT(mistakes(bearing_case + "assumed:\n  bearing.bore: x\n"),
+              ElementsAre(HasSubstr("missing value")));
   EXPECT_THAT(mistakes(bearing_case + "assumed:\n  bearing.rollers:\n"),
               ElementsAre(HasSubstr("the reason")));
   EXPECT_THAT(mistakes(bearing_case + "assumed: [a]\n"), ElementsAre(HasSubstr("a block with keys")));

@@ -122,7 +122,7 @@ TEST(MultiStage, StandNotBesideOneSet) {
 TEST(MultiStage, NeedWordsThatMeanSomething) {
   EXPECT_THAT(
       three_mistakes("[motor, reduction.sun]", "[motor, reduction.son]"),
-      ElementsAre("case.yaml:10:18: shafts.input: 'reduction.son' is nothing to join; motor, load, ground "
+      ElementsAre("case.yaml:10:18: shafts.input: 'reduction.son' cannot be joined; motor, load, ground "
                   "or a member of a set, as in 'reduction.sun', is required"));
   EXPECT_THAT(three_mistakes("[motor, reduction.sun]", "motor"),
               ElementsAre(HasSubstr("shafts.input: 'motor' found")));

@@ -100,8 +100,8 @@ TEST(ToothWarnings, NameTheFault) {
   const std::vector<Fault> faults{{30, -0.9, 0.9, "the sun is undercut"},
                                   {30, -1.5, -0.7, "contact ratio of the sun mesh"},
                                   {10, -1.4, -0.2, "contact ratio of the ring mesh"},
-                                  {30, -1.5, -0.7, "tips of the planet dig into the roots of the sun"},
-                                  {30, -1.5, -0.7, "tips of the sun dig into the roots of the planet"},
+                                  {30, -1.5, -0.7, "tips of the planet interfere with the roots of the sun"},
+                                  {30, -1.5, -0.7, "tips of the sun interfere with the roots of the planet"},
                                   {30, -1.5, -0.7, "tips of the sun reach below the planet's form circle"},
                                   {20, -1.4, 0.9, "tips of the planet reach below the sun's form circle"},
                                   {20, 0.0, 0.0, "tips of the ring reach below the planet's form circle"}};
@@ -122,7 +122,8 @@ TEST(ToothWarnings, AllowTipsThatJustTouchTheRoots) {
   for (const double shift : {-0.5, -0.4, -0.3, -0.2, -0.1, 0.0, 0.1, 0.2, 0.3, 0.4, 0.5}) {
     set.sun_shift = shift;
     set.ring_shift = -shift;
-    EXPECT_EQ(listing(tooth_warnings(working_geometry(set))).find("dig into"), std::string::npos) << shift;
+    EXPECT_EQ(listing(tooth_warnings(working_geometry(set))).find("interfere with"), std::string::npos)
+        << shift;
   }
 }
 
