@@ -313,11 +313,11 @@ std::optional<ConsistencyMessage> unknown_designation(const std::string& name, c
   const bool rollers = (model & with_rollers) != 0;
   return ConsistencyMessage{
       fmt::format("{} is not in {}", quote(name), table == nullptr ? "the catalogue" : "both catalogues"),
-      fmt::format("a listed designation is required, with a suffix only if listed; nearest: {}. "
-                  "For another bearing, state your own row (bearing.catalogue: FILE), or number, diameter "
-                  "and pitch diameter of its {}",
-                  fmt::join(catalogue::nearest(designations_of(table, rollers), name, shown), ", "),
-                  rollers ? "rollers" : "balls")};
+      fmt::format(
+          "a listed designation is required, with a suffix only if listed; nearest: {}. For another bearing, "
+          "state your own row (bearing.catalogue: FILE), or number, diameter and pitch diameter of its {}",
+          fmt::join(catalogue::nearest(designations_of(table, rollers), name, shown), ", "),
+          rollers ? "rollers" : "balls")};
 }
 
 namespace {
@@ -496,10 +496,8 @@ std::string inferred_warning(const std::string& path, const std::string& name,
   return fmt::format(
       "{}: the inside of {} is inferred from its printed ratings, not measured: {} {}s of {:.4g} mm on "
       "{:.4g} mm. C computed from them is {:.1f} % {} the printed one. Pass frequencies of the races are "
-      "uncertain by about "
-      "0.5 "
-      "% and those of a {} by 2 %; with one {} more or less, by {:.0f} %. State the {}s instead of the "
-      "designation where they are known",
+      "uncertain by about 0.5 % and those of a {} by 2 %; with one {} more or less, by {:.0f} %. State the "
+      "{}s instead of the designation where they are known",
       path, catalogue::full_name(entry, name), inside.elements, element, per_milli * inside.diameter,
       per_milli * inside.pitch_diameter, 100.0 * std::abs(inside.dynamic_rating / entry.dynamic_rating - 1.0),
       inside.dynamic_rating < entry.dynamic_rating ? "below" : "above", element, element,

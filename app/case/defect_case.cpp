@@ -125,8 +125,8 @@ bearing::balls::MotionParameters scratched_motion_of(const ResolvedCase& in) {
     if (!in.has(path)) missing.emplace_back(path);
   if (!missing.empty())
     throw BadInput(
-        fmt::format("--fidelity: found dynamic for a case without {}; required: all of them, since "
-                    "the cage moves too, or no --fidelity",
+        fmt::format("--fidelity: found dynamic for a case without {}; required: all of them, since the cage "
+                    "moves too, or no --fidelity",
                     fmt::join(missing, ", ")));
   return from_case<bearing::balls::MotionParameters>(in);
 }

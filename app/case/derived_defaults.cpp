@@ -112,9 +112,9 @@ std::optional<DerivedDefault> guide_land(const ValuesOfSet& value) {
   if (!(play > 0.0)) return std::nullopt;
   return DerivedDefault{
       fmt::format("{:.9g} mm", 1e3 * (cage + side * play)),
-      fmt::format("a clearance of {:.3g} mm, 6 % of the {}'s diameter, at most half of that to the "
-                  "{} raceway",
-                  1e3 * play, balls ? "ball" : "roller", outside ? "outer" : "inner")};
+      fmt::format(
+          "a clearance of {:.3g} mm, 6 % of the {}'s diameter, at most half of that to the {} raceway",
+          1e3 * play, balls ? "ball" : "roller", outside ? "outer" : "inner")};
 }
 
 std::optional<DerivedDefault> pocket_damping(const ValuesOfSet& value) {

@@ -100,8 +100,8 @@ void write_fmu(const fs::path& file, const std::string& content) {
 int write_system(const Options& options) {
   if (options.fmi != "2" || options.model != "bearing")
     throw BadInput(fmt::format(
-        "--output: found '{}' together with {}; required: no such option, since a package of SSP 1.0 "
-        "holds the gear set and the bearing, by FMI 2.0",
+        "--output: found '{}' together with {}; required: no such option, since a package of SSP 1.0 holds "
+        "the gear set and the bearing, by FMI 2.0",
         options.fmi != "2" ? "--fmi " + options.fmi : "--model " + options.model, options.output));
   std::vector<std::string> words{options.case_file, "--output", options.output};
   for (const std::string& setting : options.settings) words.insert(words.end(), {"--set", setting});

@@ -33,10 +33,9 @@ void require_varied(const app::ResolvedCase& point, const std::vector<std::strin
     const std::string field = path.substr(0, path.find('['));
     if (std::none_of(inputs.begin(), inputs.end(),
                      [&](const app::Input& input) { return input.path == field; }))
-      mistakes.push_back(
-          fmt::format("{}: {}: found a path that this case does not have; required: the path of a "
-                      "number of the case",
-                      point.file(), path));
+      mistakes.push_back(fmt::format(
+          "{}: {}: found a path that this case does not have; required: the path of a number of the case",
+          point.file(), path));
   }
   if (!mistakes.empty()) throw BadInput(mistakes);
 }

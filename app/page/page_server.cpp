@@ -429,8 +429,7 @@ class PageServer {
     if (!name.is_string() || body.contains("continue") || body.at("command") != "sweep")
       throw BadInput(
           "request: results: found no name, or another command than sweep, or continue; required: the name "
-          "of a "
-          "folder whose sweep is continued");
+          "of a folder whose sweep is continued");
     return results_within(settings_.opened, name.get<std::string>()).folder;
   }
 

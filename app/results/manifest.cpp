@@ -254,10 +254,10 @@ Manifest parse_manifest(std::string_view text, const std::string& location) {
         if (!is_sound(content)) throw Damaged{};
         add_line(manifest, content);
       } catch (const std::exception&) {
-        throw BadInput(fmt::format(
-            "{}:{}:1: not a line that this version of the program wrote; an undamaged result folder "
-            "is required, or an empty one for a new start",
-            location, line));
+        throw BadInput(
+            fmt::format("{}:{}:1: not a line that this version of the program wrote; an undamaged result "
+                        "folder is required, or an empty one for a new start",
+                        location, line));
       }
     }
     manifest.sound_bytes = end + 1;

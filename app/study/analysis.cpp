@@ -163,9 +163,8 @@ const std::vector<Analysis>& all_analyses() {
       {.used = use::defect,
        .is_of = is_model<roller_defect>,
        .fidelities = {"quasi-static"},
-       .required = "none for a single scratched bearing of rollers, or a planetary drivetrain with a "
-                   "block 'defect', "
-                   "where all of its bearings move",
+       .required = "none for a single scratched bearing of rollers, or a planetary drivetrain with a block "
+                   "'defect', where all of its bearings move",
        .name = "defect",
        .title = defect_title,
        .json_file = defect_file_name,

@@ -45,8 +45,7 @@ std::vector<std::string> warnings_of_balls(const BallStudy& study, const bearing
   const double observed_from = options.duration * (1.0 - options.observed);
   if (duty.inner.duration() > observed_from)
     warnings.push_back(
-        fmt::format("the means include the run-up of the shaft, until {:.4g} s; observed from "
-                    "{:.4g} s on",
+        fmt::format("the means include the run-up of the shaft, until {:.4g} s; observed from {:.4g} s on",
                     duty.inner.duration(), observed_from));
   if (!study.run.slip_settling)
     warnings.push_back(

@@ -178,9 +178,9 @@ ExpectedFile read_expected(const std::string& file) {
     return expected;
   } catch (const YAML::Exception& error) {
     throw BadInput(fmt::format(
-        "{}:{}:{}: {}; required: published numbers with source, kind (measurement, program, "
-        "worked-example, closed-form or recomputed), of, quantity, meaning, value and tolerance, perhaps "
-        "scatter, settings, fidelity, why, memory and fitted; and alternatives as in the shipped cases",
+        "{}:{}:{}: {}; required: published numbers with source, kind (measurement, program, worked-example, "
+        "closed-form or recomputed), of, quantity, meaning, value and tolerance, perhaps scatter, settings, "
+        "fidelity, why, memory and fitted; and alternatives as in the shipped cases",
         file, error.mark.line + 1, error.mark.column + 1, error.msg));
   }
 }

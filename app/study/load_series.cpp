@@ -263,11 +263,10 @@ RecordTimes record_times(const std::string& shares, const std::string& hours, st
     throw BadInput("--hours: found together with --share; required: one of both");
   if (shares.empty() && hours.empty()) {
     if (files > 1)
-      throw BadInput(fmt::format(
-          "--share: missing together with {} files; required: the share of time of each file, as in "
-          "--share 0.3,0.7, "
-          "or the hours, as in --hours 1000,5000",
-          files));
+      throw BadInput(
+          fmt::format("--share: missing together with {} files; required: the share of time of each file, as "
+                      "in --share 0.3,0.7, or the hours, as in --hours 1000,5000",
+                      files));
     return {{1.0}};
   }
   const bool by_share = hours.empty();

@@ -335,8 +335,7 @@ std::string missing_text(const MissingPoints& missing, const Manifest& manifest)
   const std::optional<Shard>& shard = manifest.header->shard;
   if (missing.peak_unfinished)
     return "the sweep was interrupted while its peak was refined: the speed of the longest life is that of "
-           "the points so "
-           "far; continue with --resume";
+           "the points so far; continue with --resume";
   constexpr std::size_t most_named = 12;
   std::vector<std::string> named(
       missing.labels.begin(),

@@ -169,10 +169,9 @@ StiffnessStudy stiffness_study(const ResolvedCase& in) {
   } else if (is_duplex(in)) {
     study = pair_stiffness(in);
   } else {
-    throw BadInput(
-        in.origin("model") + ": model: found " + in.choice("model") +
-        " without a bearing in static equilibrium; required: ball-bearing without a block simulation, "
-        "roller-bearing, duplex-pair, or planetary-drivetrain with bearings");
+    throw BadInput(in.origin("model") + ": model: found " + in.choice("model") +
+                   " without a bearing in static equilibrium; required: ball-bearing without a block "
+                   "simulation, roller-bearing, duplex-pair, or planetary-drivetrain with bearings");
   }
   for (const StiffnessPoint& point : study.points)
     if (!point.stiffness)

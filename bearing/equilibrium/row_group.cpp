@@ -318,8 +318,7 @@ RingState balance_rows(const std::vector<RowOnShaft>& bearings, const RingLoad& 
     state.report.converged = false;
     state.report.message =
         "no static equilibrium within the grooves that has a stiffness: a ball stands where it leaves the "
-        "inner race or "
-        "comes back to it";
+        "inner race or comes back to it";
   }
   return state;
 }

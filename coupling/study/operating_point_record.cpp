@@ -185,11 +185,10 @@ double largest_bearing_share(const std::vector<SeatResult>& seats) {
 
 // Where planets or their bearings are unlike.
 void describe_sharing(Record& record, const PointResult& point) {
-  record.value(
-      "shortest_life_h", dimension::hours,
-      "shortest life of a bearing, where planets load unevenly, their tilt is computed or bearings act "
-      "on the gears",
-      shortest_life(point));
+  record.value("shortest_life_h", dimension::hours,
+               "shortest life of a bearing, where planets load unevenly, their tilt is computed or bearings "
+               "act on the gears",
+               shortest_life(point));
   for (const bearing::rating::RatedLife& life : bearing::rating::kRatedLives)
     record.value(std::string("shortest_") + life.name, dimension::hours,
                  std::string(life.name) +

@@ -173,8 +173,7 @@ std::string out_of_place(const bearing::motion::BearingModel& model,
   text << "; required: at most the radius of a roller, " << limit << " m";
   if (cage > limit && !model.land.present)
     text << ". No land guides the cage: state bearing.cage.guide_land_diameter, the diameter of the ring's "
-            "land that "
-            "it runs on";
+            "land that it runs on";
   return text.str();
 }
 

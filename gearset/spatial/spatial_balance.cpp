@@ -341,9 +341,7 @@ SpatialBalance balance(const SpatialSet& set, const SpatialLoad& load, double an
   if (!found.search.converged)
     throw std::runtime_error(
         "the set in three dimensions finds no static equilibrium: weight, rotor or pin errors lift gears off "
-        "their "
-        "driving "
-        "flanks or tilt a planet; required: more torque on the carrier, or wider bearings");
+        "their driving flanks or tilt a planet; required: more torque on the carrier, or wider bearings");
   read_meshes(assembly, static_cast<int>(set.angles.size()), slices, found);
   read_bearings(assembly, set, found);
   found.carrier_shift = found.position.segment<3>(0);

@@ -29,10 +29,9 @@ const app::Field& field_at(const Case& core, const std::string& path) {
   std::vector<std::string> known;
   for (const app::Input& input : core.content().inputs()) known.push_back(input.path);
   const std::string near = app::nearest_word(path, known);
-  throw BadInput(
-      fmt::format("{}: {}: found a path that this case does not have{}; required: the path of a value "
-                  "of the case",
-                  core.content().file(), path, near.empty() ? "" : " (did you mean '" + near + "'?)"));
+  throw BadInput(fmt::format(
+      "{}: {}: found a path that this case does not have{}; required: the path of a value of the case",
+      core.content().file(), path, near.empty() ? "" : " (did you mean '" + near + "'?)"));
 }
 
 // Rows as a case writes them: a list of all columns, or the names of those that the row has.

@@ -150,8 +150,7 @@ void add_advice_warnings(CrownStudy& study) {
   if (advice.band.open)
     study.warnings.push_back(
         fmt::format("recommended: the band of drops ends at {:.3g} um because greater ones were not studied; "
-                    "its upper end lies "
-                    "beyond. Give --drops that reach further",
+                    "its upper end lies beyond. Give --drops that reach further",
                     1e6 * advice.band.most));
   if (advice.interpolation_error > noted)
     study.warnings.push_back(fmt::format(
