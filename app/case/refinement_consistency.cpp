@@ -105,7 +105,7 @@ void check_positions(const ResolvedCase& resolved, std::vector<Mistake>& mistake
   if (resolved.has(span) && resolved.quantity(span) < face)
     add_error_at(resolved, span,
                  resolved.given(span) + " with a face of " + resolved.given("gearset.face_width"),
-                 "at least the face, beyond which its supports lie, is required", mistakes);
+                 "at least the face is required: the supports lie outside it", mistakes);
   if (!resolved.has(positions) || !resolved.has("bearing.width")) return;
   const double width = resolved.quantity("bearing.width");
   std::vector<double> sorted = resolved.list(positions);
@@ -116,8 +116,7 @@ void check_positions(const ResolvedCase& resolved, std::vector<Mistake>& mistake
     const bool apart = k == 0 || sorted[k] - sorted[k - 1] >= width - round_off;
     if (within && apart) continue;
     add_error_at(
-        resolved, positions,
-        within ? "bearings that reach into each other" : "a bearing that reaches beyond the face",
+        resolved, positions, within ? "bearings that overlap" : "a bearing that reaches beyond the face",
         fmt::format(
             "positions at least their width of {:.4g} mm apart and within the face of {:.4g} mm are required",
             1e3 * width, 1e3 * face),

@@ -350,11 +350,12 @@ std::vector<std::string> require_used(const ResolvedCase& resolved, use::Analysi
     const UseStatus status = use_status_of(resolved, input, analysis);
     const Location location = resolved.location(input.path);
     if (status == UseStatus::refused)
-      mistakes.push_back({location,
-                          input.path,
-                          {fmt::format("{}, which {} cannot take into account",
-                                       quote(resolved.given(input.path)), analysis_name(analysis)),
-                           "none is required, or what would use it: " + users_text(resolved, input)}});
+      mistakes.push_back(
+          {location,
+           input.path,
+           {fmt::format("{}, which {} cannot take into account", quote(resolved.given(input.path)),
+                        analysis_name(analysis)),
+            "none is required, or an analysis that includes it: " + users_text(resolved, input)}});
     else if (status == UseStatus::idle || status == UseStatus::unused ||
              (status == UseStatus::not_modelled && location.option))
       warnings.push_back(warning_of(resolved, input, analysis, status));

@@ -155,19 +155,15 @@ int report_of(const Options& options) {
   const ResolvedCase resolved = read_case((folder / "case.resolved.yaml").string());
   if (resolved.model() != planetary_drivetrain && !is_defect(resolved) && !is_ball_run(resolved) &&
       !is_static_run(resolved, manifest))
-    throw BadInput(
-        folder.string() + ": found results of the model " + resolved.choice("model") +
-        "; required: a sweep, a crowning study, the run of a roller or ball bearing, of a duplex pair or of "
-        "a bearing with scratches, of which pages are drawn");
+    throw BadInput(folder.string() + ": found results of the model " + resolved.choice("model") +
+                   "; required: a sweep, a crowning study, or the run of a roller or ball bearing, of a "
+                   "duplex pair or of a bearing with scratches");
   if (manifest.header && manifest.header->fidelity == "gears")
     throw BadInput(folder.string() +
-                   ": found the motion of gears alone (run --gears); required: a sweep or a run of "
-                   "bearings, of which pages are drawn");
+                   ": found the motion of gears alone (run --gears); required: a sweep or a run of bearings");
   if (is_defect(resolved) && !fs::exists(folder / defect_file_name))
-    throw BadInput(
-        folder.string() +
-        ": found a set of signals; required: the folder of one run, of which a page is drawn; labels.csv "
-        "lists the set");
+    throw BadInput(folder.string() +
+                   ": found a set of signals; required: the folder of one run; labels.csv lists the set");
   require_results(folder, resolved, manifest);
   const fs::path page = folder / page_name;
   if (options.pdf) require_lives(folder, resolved);

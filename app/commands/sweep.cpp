@@ -13,8 +13,7 @@ void require_sequential(const Options& options) {
   std::vector<std::string> mistakes;
   if (options.shard)
     mistakes.push_back(
-        "--continue: found with --shard; required: one of both, since a path of points cannot be "
-        "shared out");
+        "--continue: found with --shard; required: one of both, since a path of points cannot be divided");
   if (options.jobs > 1)
     mistakes.push_back("--continue: found with --jobs " + std::to_string(options.jobs) +
                        "; required: --jobs 1 or none, since each point waits for its neighbour");

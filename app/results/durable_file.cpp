@@ -190,7 +190,7 @@ AppendOnlyFile::AppendOnlyFile(const std::filesystem::path& file) : file_(file) 
                                file.string(), std::strerror(errno)));
   // A file system without locks is no reason to refuse; only a lock that another holds is.
   if (::flock(opened.number, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
-    throw BadInput(fmt::format("{}: another sweep is writing here; wait for its end, or give another folder",
+    throw BadInput(fmt::format("{}: another sweep is writing here; wait for its end, or use another folder",
                                file.string()));
   struct stat status {};
   if (::fstat(opened.number, &status) == 0) length_ = static_cast<std::size_t>(status.st_size);

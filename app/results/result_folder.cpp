@@ -62,7 +62,7 @@ void require_same(const fs::path& folder, const ManifestHeader& found, const Man
                                 found.shard ? "shard " + to_string(*found.shard) : "the whole sweep",
                                 required.shard ? "shard " + to_string(*required.shard) : "the whole sweep"));
   for (std::string& line : lines)
-    line = fmt::format("{}: --resume: {}; give another folder, or the case of these results", folder.string(),
+    line = fmt::format("{}: --resume: {}; use another folder, or the case of these results", folder.string(),
                        line);
   if (!lines.empty()) throw BadInput(lines);
 }

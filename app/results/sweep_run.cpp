@@ -127,10 +127,10 @@ void compute_missing(const SweepRequest& request, ResultFolder& folder) {
 }
 
 [[noreturn]] void refuse_other_refinement(const ResultFolder& folder, std::size_t point) {
-  throw BadInput(fmt::format(
-      "{}: --resume: point {}, which refines the peak, was found at another speed than the points "
-      "before it ask for; give another folder",
-      folder.path().string(), point));
+  throw BadInput(
+      fmt::format("{}: --resume: point {}, which refines the peak, was found at another speed than the "
+                  "points before it ask for; use another folder",
+                  folder.path().string(), point));
 }
 
 /// One round of refinement: the points asked for, numbered from `first`. False where it was interrupted.

@@ -31,8 +31,7 @@ void require_few_steps(const ResolvedCase& in, double natural_frequency) {
   if (natural_frequency > most)
     throw BadInput(fmt::format(
         "{}: bearing.outer_ring_mass: found {}, with which the ring vibrates at {:.3g} Hz on its contacts; "
-        "required: a "
-        "mass with at most {:.0f} Hz, far above which no ring is rigid",
+        "required: a mass with at most {:.0f} Hz; above this the ring is not rigid",
         in.origin("bearing.outer_ring_mass"), in.given("bearing.outer_ring_mass"), natural_frequency, most));
 }
 

@@ -34,9 +34,8 @@ void warn(duplex::Arrangement arrangement, PairPoint& point) {
         "sign. Rows that face each other have opposite signs");
   if (point.state.outer_load.size() > 0)
     point.warnings.push_back(
-        "operation.shaft_speed: affects the balls; the shaft's own gyroscopic moment, which would part its "
-        "tilts into "
-        "two whirls, is left out");
+        "operation.shaft_speed: affects the balls; the shaft's own gyroscopic moment, which would split its "
+        "tilt modes into two whirls, is left out");
   if (!(point.state.contact_load.minCoeff() > 0.0))
     point.warnings.push_back("preload: some balls are not loaded; the stiffness is that of the others");
 }

@@ -28,7 +28,7 @@ void require(bool good, const ResolvedCase& in, const std::string& key, const st
 
 void require_drivable_set(const ResolvedCase& in) {
   require(in.model() == planetary_drivetrain, in, "model", in.choice("model"),
-          "planetary-drivetrain, whose parts can be driven");
+          "planetary-drivetrain, which has driven parts");
   require(!in.shape().several, in, "sets", "several sets", "one set, as gearset at the top of a case");
 }
 

@@ -169,7 +169,7 @@ double angle_taken(const Bearing& bearing) {
 void check_full_complement(const Bearing& bearing) {
   require(bearing.rollers().count >= 3, "rollers without a cage", bearing.rollers().count, "at least 3");
   const double taken = angle_taken(bearing);
-  require(taken <= two_pi, "angle that rollers without a cage take on the pitch circle [rad]", taken,
+  require(taken <= two_pi, "angle of rollers without a cage on the pitch circle [rad]", taken,
           "at most a full turn; give fewer or smaller rollers");
 }
 

@@ -237,7 +237,7 @@ void require_depth(const char* what, double depth) {
 
 void require_width(double ratio) {
   require(ratio > 0.0 && ratio < 1.0, "width over length of a profile's contact [-]", ratio,
-          "a ratio above 0 and below 1: the load a profile is laid out for is zero or too high");
+          "a ratio above 0 and below 1: the design load of the profile is zero or too high");
 }
 
 void check(const Straight&) {}

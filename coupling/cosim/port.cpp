@@ -33,7 +33,7 @@ Connection joined(const NamedPosition& motion, const std::vector<NamedPosition>&
   for (const NamedPosition& other : ports) {
     if (other.port.name != motion.port.name || is_same(other.position, motion.position)) continue;
     if (other.port.kind != motion.port.kind) refuse(motion.port.name, "a translation and a rotation");
-    if (other.port.gives == Gives::motion) refuse(motion.port.name, "two that give its motion");
+    if (other.port.gives == Gives::motion) refuse(motion.port.name, "two participants that give its motion");
     out.forces.push_back(other.position);
   }
   if (out.forces.empty()) refuse(motion.port.name, "no participant that gives a force");

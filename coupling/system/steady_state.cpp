@@ -324,8 +324,7 @@ void require_speed(const bearing::motion::Driving& driving, double duration) {
   if (duration > 0.0 && speed_ratio(driving, duration) >= kLeastRatio) return;
   std::ostringstream text;
   text << "run-up: found " << driving.ramp << " 1/s for " << duration
-       << " s; required: a positive time, at whose end at least " << kLeastRatio
-       << " of the first speed is left";
+       << " s; required: a positive time that ends at " << kLeastRatio << " of the first speed or more";
   throw std::invalid_argument(text.str());
 }
 

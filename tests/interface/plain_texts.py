@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """The program's texts are short sentences of plain technical English.
 
-Measured are all messages on record (tests/interface/messages and tests/messages.txt), the help of each command, what the
-schemas say of inputs and results, and the reasons and meanings that `check` gives. `plain_texts.py --list` writes out each long sentence and each word to avoid;
+It measures all messages on record (tests/interface/messages and tests/messages.txt), the help of each command, the
+descriptions in the schemas of inputs and results, and the reasons and meanings that `check` gives. `plain_texts.py --list` writes out each long sentence and each word to avoid;
 `plain_texts.py --write FOLDER` writes all the texts.
 """
 
@@ -101,10 +101,10 @@ def helps():
         for line in text.splitlines():
             described = re.match(r" +(?:\S.*? {2,}|)(\S.*)$", line)
             if described and not line.lower().startswith("usage"):
-                found.add(described.group(1))
+                found.add(described.group(1) if described.group(1)[0] != "-" else "")
             elif line and line[0] != " " and not line.lower().startswith("usage") and not line.endswith(":"):
                 found.add(line)
-    return sorted(found)
+    return sorted(found - {""})
 
 
 def described(node):
@@ -125,7 +125,7 @@ def meanings(name):
     schema = json.loads((SOURCE / "cases" / f"{name}.schema.json").read_text(encoding="utf-8"))
     found = set()
     for text in described(schema):
-        found.add(re.sub(r" \((?:an? |one of |true or false|whole |path)[^()]*\)", ".", text))
+        found.add(re.sub(r" \((?:an? |one of |true or false|whole |path)[^()]*\)", "", text))
     return sorted(found)
 
 

@@ -18,7 +18,7 @@ namespace profile = bearing::profile;
 using profile::Profile;
 
 [[noreturn]] void throw_no_drop(const std::string& kind) {
-  throw std::invalid_argument("profile: found " + kind + "; required: a kind that can be given any drop");
+  throw std::invalid_argument("profile: found " + kind + "; required: a kind with a free drop");
 }
 
 Profile shape_of(const std::string& kind, const bearing::Bearing& bearing, double load) {

@@ -387,7 +387,7 @@ class _Reader:
             values = self._listed(path, stated)
             return [values[int(number * len(values))] for number in drawn]
         if set(stated) != {"from", "to"}:
-            raise CaseError(f"{path}: found a range of {', '.join(sorted(stated))}; required of a sample: {{from: ..., to: ...}}, or a list of which each is as likely")
+            raise CaseError(f"{path}: found a range of {', '.join(sorted(stated))}; required of a sample: {{from: ..., to: ...}}, or a list of equally likely values")
         (first, unit), (last, other) = _ends(path, stated)
         if unit != other or not first < last:
             raise CaseError(f"{path}: found a range from '{stated['from']}' to '{stated['to']}'; required: one unit for both, upwards")

@@ -98,7 +98,7 @@ def _require_usable(folder: Path, header: dict, resume: bool) -> None:
 def _require_same(folder: Path, found: dict, required: dict) -> None:
     lines = differences(found, required)
     if lines:
-        raise CaseError([f"{folder}: --resume: {line}; give another folder, or the case and the design of these results" for line in lines])
+        raise CaseError([f"{folder}: --resume: {line}; use another folder, or the case and the design of these results" for line in lines])
 
 
 def _is_torn_header(path: Path) -> bool:

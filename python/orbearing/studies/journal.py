@@ -109,7 +109,7 @@ class Journal:
             fcntl.flock(self._file, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError as error:
             os.close(self._file)
-            raise CaseError(f"{path}: another run is writing here; wait for its end, or give another folder") from error
+            raise CaseError(f"{path}: another run is writing here; wait for its end, or use another folder") from error
         except OSError:
             pass  # a file system without locks is no reason to refuse
         self._length = os.fstat(self._file).st_size

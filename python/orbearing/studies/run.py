@@ -32,7 +32,7 @@ def study(case, vary: Mapping[str, Any] | None = None, *, sampler: str = "grid",
 
     case      a Case, or the path of a case file
     vary      {"bearing.radial_clearance": ["0 um", "10 um"], ...}: values as in a case file, {"from", "to", "step"} or {"from", "to", "count"}, or
-              numbers with their unit, (numpy.linspace(0, 40, 9), "um"). Of a sample: {"from", "to"}, or a list of which each is as likely.
+              numbers with their unit, (numpy.linspace(0, 40, 9), "um"). Of a sample: {"from", "to"}, or a list of equally likely values.
     sampler   "grid": all combinations; "sobol": scrambled Sobol points, a power of two of them; "lhs": a Latin hypercube
     samples, seed   of a sample: how many, and which
     paired    rows of a table, [{"bearing.rollers": 14, "bearing.roller_diameter": "6 mm"}, ...]: what stands in a row goes together, beside `vary`

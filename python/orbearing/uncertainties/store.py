@@ -59,8 +59,7 @@ class Store:
         return {record.head["of"]: record.payload for record in contents.records[1:]}
 
     def _require_same(self, found: dict, required: dict) -> None:
-        lines = [f"{self.folder}: --resume: {key.replace('_', ' ')} '{found.get(key)}' was found; '{required.get(key)}' is required; give another "
-                 "folder, or the case and the options of these results" for key in dict.fromkeys((*found, *required))
+        lines = [f"{self.folder}: --resume: {key.replace('_', ' ')} '{found.get(key)}' was found; '{required.get(key)}' is required; use another folder, or the case and the options of these results" for key in dict.fromkeys((*found, *required))
                  if found.get(key) != required.get(key)]
         if lines:
             raise CaseError(lines)
