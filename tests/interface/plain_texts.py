@@ -2,8 +2,10 @@
 """The program's texts are short sentences of plain technical English.
 
 It measures all messages on record (tests/interface/messages and tests/messages.txt), the help of each command, the
-descriptions in the schemas of inputs and results, and the reasons and meanings that `check` gives. `plain_texts.py --list` writes out each long sentence and each word to avoid;
-`plain_texts.py --write FOLDER` writes all the texts.
+descriptions in the schemas of inputs and results, and the reasons and meanings that `check` gives.
+
+  plain_texts.py --list            long sentences and words to avoid
+  plain_texts.py --write FOLDER    all the texts, one a line
 """
 
 import json
