@@ -289,7 +289,7 @@ class Bearings(PublicCases):
             for pitch, good in ((touching, True), (touching * (1 + 1e-5), True), (touching - 1e-3, False)):
                 result = run("check", self.case(FULL), "--json", *settings([f"bearing.pitch_diameter={pitch!r} mm", f"bearing.rollers={rollers}"]))
                 self.assertEqual(result.returncode, 0 if good else 2, (rollers, pitch, result.stderr))
-            self.assertRegex(result.stderr, r"a roller diameter \(10 mm\) of at most the distance of their centres, 9\.99\d+ mm")
+            self.assertRegex(result.stderr, r"a roller diameter \(10 mm\) of at most their centre distance, 9\.99\d+ mm")
             rows, _ = self.rows(FULL, f"bearing.pitch_diameter={touching!r} mm")
             self.assertLessEqual(rows["bearing.rollers"], rollers)
 

@@ -100,7 +100,7 @@ TEST(SpectrumCase, WrongRowsAreRefused) {
 TEST(SpectrumCase, PowersAtRestAreRefused) {
   const std::string rotating = ", {power: 150 kW, speed: 6000 rpm, share: 0.5}]";
   EXPECT_THAT(setting_mistakes({"spectrum=[{power: 5 kW, speed: 0 rpm, share: 0.5}" + rotating}),
-              Contains(HasSubstr("row 1 with 5 kW at speed 0; power 0, or torque in place of power")));
+              Contains(HasSubstr("row 1 with 5 kW at speed 0; power 0, or torque instead of power")));
   EXPECT_THAT(setting_mistakes({"spectrum=[{power: 0 kW, speed: 0 rpm, share: 0.5}" + rotating}), IsEmpty());
   EXPECT_THAT(setting_mistakes({"spectrum=[{torque: 5 N.m, speed: 0 rpm, share: 0.5}" + rotating}),
               IsEmpty());
