@@ -20,11 +20,16 @@ Warnings rack_problems(const BasicRack& rack, const std::string& block);
 /// Faults of a set that runs all the same: undercut, and ends of teeth that reach where there is no involute.
 Warnings tooth_warnings(const WorkingGeometry& geometry);
 
-/// Room between planet and ring teeth where their tip circles cross, outside the path of contact. Eq. (25) of
-/// gearset/README.md.
+/// Room between the teeth of a ring and of the gear inside it where their tip circles cross, outside the path
+/// of contact. Eq. (25) of gearset/README.md.
 /// @return [m] along the ring's tip circle; negative where the tips foul each other; the ring's tip radius
-/// where the
-///         circles do not cross
+/// where the circles do not cross
+double ring_tip_clearance(const InternalMesh& mesh);
 double ring_tip_clearance(const WorkingGeometry& geometry);
+
+/// What is wrong with a ring and the gear inside it, but for undercut and contact ratio: tips beyond the end
+/// of an involute, in the roots or fouling each other.
+/// @param inside what the gear inside is called
+void warn_of_internal_mesh(const InternalMesh& mesh, const std::string& inside, ToothWarnings& warnings);
 
 }  // namespace orbearing::gearset

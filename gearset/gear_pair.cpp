@@ -18,9 +18,8 @@ using constants::degree;
 constexpr const char* kPairShift = "pair.profile_shift";
 constexpr double largest_pair_angle = 45.0;  // [deg]  beyond it no involute pair of practice works
 
-double working_angle(const GearPair& pair) {
-  const double teeth = pair.teeth[0] + pair.teeth[1];
-  const double shifts = pair.shift[0] + pair.shift[1];
+// From sums of teeth and shifts of external gears, or differences of a ring and the gear inside it.
+double working_angle(const GearPair& pair, double teeth, double shifts) {
   const double value = involute(transverse_pressure_angle(pair.rack.pressure_angle, pair.helix_angle)) +
                        2.0 * std::tan(pair.rack.pressure_angle) * shifts / teeth;
   if (value < 0.0)
@@ -49,7 +48,25 @@ void check_bore(const GearPair& pair, const ExternalTooth& tooth, const std::str
                                        ", " + millimetres(root_diameter) + ", is required"});
 }
 
-void check_geometry(const GearPair& pair, Warnings& problems) {
+void check_internal(const GearPair& pair, Warnings& problems) {
+  if (pair.teeth[0] == pair.teeth[1]) {
+    problems.push_back({"pair.teeth",
+                        "found a ring with as many teeth as the gear inside it; fewer teeth of that "
+                        "gear are required"});
+    return;
+  }
+  const InternalMesh mesh = internal_mesh(pair);
+  check_pointed(mesh.inside, "inner gear", problems);
+  if (half_thickness_angle(mesh.ring, mesh.ring.tip_radius) <= 0.0)
+    problems.push_back({kPairShift,
+                        "found flanks that cross before the tip circle of the ring; a tooth with a tip "
+                        "is required; raise its shift or lower the addendum"});
+  check_bore(pair, mesh.inside, "inner gear", problems);
+  if (mesh.mesh.path.length() <= 0.0)
+    problems.push_back({kPairShift, "found no path of contact; teeth that reach each other are required"});
+}
+
+void check_external(const GearPair& pair, Warnings& problems) {
   const PairGeometry geometry = pair_geometry(pair);
   check_pointed(geometry.gears[0], "first gear", problems);
   check_pointed(geometry.gears[1], "second gear", problems);
@@ -77,7 +94,8 @@ PairGeometry pair_geometry(const GearPair& pair) {
     geometry.gears[i] =
         make_external_tooth(pair.teeth[i], pair.shift[i], pair.module, pair.rack, pair.helix_angle);
   const auto& [first, second] = geometry.gears;
-  geometry.working_pressure_angle = working_angle(pair);
+  geometry.working_pressure_angle =
+      working_angle(pair, pair.teeth[0] + pair.teeth[1], pair.shift[0] + pair.shift[1]);
   geometry.centre_distance =
       (first.base_radius + second.base_radius) / std::cos(geometry.working_pressure_angle);
   geometry.path = external_contact_path(first, second, geometry.centre_distance);
@@ -87,11 +105,28 @@ PairGeometry pair_geometry(const GearPair& pair) {
   return geometry;
 }
 
+InternalMesh internal_mesh(const GearPair& pair) {
+  const std::size_t ring = pair.ring(), inside = pair.inside();
+  if (pair.teeth[ring] == pair.teeth[inside])
+    throw std::domain_error("found a ring with as many teeth as the gear inside it; more are required");
+  InternalMesh found{
+      .ring = make_ring_tooth(pair.teeth[ring], pair.shift[ring], pair.module, pair.rack, pair.helix_angle),
+      .inside = make_external_tooth(pair.teeth[inside], pair.shift[inside], pair.module, pair.rack,
+                                    pair.helix_angle)};
+  const double angle =
+      working_angle(pair, pair.teeth[ring] - pair.teeth[inside], pair.shift[ring] - pair.shift[inside]);
+  found.centre_distance = (found.ring.base_radius - found.inside.base_radius) / std::cos(angle);
+  found.mesh.working_pressure_angle = angle;
+  found.mesh.path = internal_contact_path(found.ring, found.inside, found.centre_distance);
+  found.mesh.contact_ratio = contact_ratio(found.mesh.path, found.inside);
+  return found;
+}
+
 Warnings pair_problems(const GearPair& pair) {
   Warnings problems = rack_problems(pair.rack, "pair");
   if (!problems.empty()) return problems;
   try {
-    check_geometry(pair, problems);
+    pair.is_internal() ? check_internal(pair, problems) : check_external(pair, problems);
   } catch (const std::domain_error& error) {
     problems.push_back({kPairShift, error.what()});
   }
@@ -103,6 +138,14 @@ Warnings pair_warnings(const PairGeometry& geometry) {
   check_tips(geometry, 0, 1, "first gear", "second gear", warnings);
   check_tips(geometry, 1, 0, "second gear", "first gear", warnings);
   warnings.contact_ratio(geometry.contact_ratio, "pair");
+  return warnings.list;
+}
+
+Warnings pair_warnings(const InternalMesh& mesh) {
+  ToothWarnings warnings{kPairShift, {}};
+  warnings.undercut(mesh.inside, "inner gear");
+  warn_of_internal_mesh(mesh, "inner gear", warnings);
+  warnings.contact_ratio(mesh.mesh.contact_ratio, "pair");
   return warnings.list;
 }
 

@@ -1,25 +1,42 @@
-// A pair of external gears on two fixed shafts.
+// A pair of gears on two fixed shafts: two external ones, or a ring and the gear inside it.
 #pragma once
 
 #include <array>
+#include <cstddef>
 
 #include "gearset/contact_path.hpp"
 #include "gearset/parameters.hpp"
 #include "gearset/tooth_form.hpp"
 #include "gearset/warning.hpp"
+#include "gearset/working_geometry.hpp"
 
 namespace orbearing::gearset {
 
-/// What the user states about a pair; the first gear drives.
+/// Which gears a pair has.
+enum class PairKind { external, internal };
+
+constexpr described::Names<PairKind, 2> names_of(PairKind) {
+  return {{{PairKind::external, "external"}, {PairKind::internal, "internal"}}};
+}
+
+/// What the user states about a pair; the first gear drives. Of an internal pair the gear with more teeth is
+/// the ring.
 struct GearPair {
   std::array<int, 2> teeth = {0, 0};
   std::array<double, 2> shift = {0.0, 0.0};  // [module]
   double module = 0.0;                       // [m]
   double face_width = 0.0;                   // [m]
-  double bore = 0.0;                         // [m]  diameter, of both gears
+  double bore = 0.0;                         // [m]  diameter, of both gears; of the one inside a ring
   BasicRack rack;
   double helix_angle = 0.0;  // [rad]  at the reference circle; positive: the first gear is right-handed
   Web web;                   // of the softer gear
+  PairKind kind = PairKind::external;
+  double ring_outside = 1.15;  // [-]  of an internal pair: outside diameter / root diameter of the ring
+
+  bool is_internal() const { return kind == PairKind::internal; }
+  /// Of an internal pair.
+  std::size_t ring() const { return teeth[0] > teeth[1] ? 0 : 1; }
+  std::size_t inside() const { return 1 - ring(); }
 };
 
 template <class Visitor>
@@ -37,15 +54,27 @@ void describe(Visitor& visit, GearPair& m) {
                 {.models = gear_pair, .required_by = gear_pair, .range = {5, 2000}}),
           length(m.module, "pair.module", "normal module", 100.0),
           length(m.face_width, "pair.face_width", "width of the teeth", 1e4),
-          length(m.bore, "pair.bore", "bore of both gears, held by a rigid shaft", 1e5),
+          length(m.bore, "pair.bore",
+                 "bore of both gears, or of the one inside a ring, held by a rigid shaft", 1e5),
           part(m.rack, [&] { describe_rack(visit, m.rack, "pair.", Physics::pair, gear_pair); }),
-          field(m.shift, "pair.profile_shift", Physics::pair, "profile shifts of both gears, in modules",
+          field(m.shift, "pair.profile_shift", Physics::pair,
+                "profile shifts of both gears, in modules; that of a ring positive outward",
                 {.models = gear_pair, .range = {-2.0, 2.0}, .reason = "standard gears"}),
           helix_row(m.helix_angle, "pair.", Physics::pair, gear_pair, "first gear"),
-          part(m.web, [&] { describe_web(visit, m.web, "pair.", Physics::pair, gear_pair); }));
+          part(m.web, [&] { describe_web(visit, m.web, "pair.", Physics::pair, gear_pair); }),
+          field(m.kind, "pair.kind", Physics::pair,
+                "external: both gears have their teeth outside; internal: the one with more teeth is a ring "
+                "around the other",
+                {.models = gear_pair, .reason = "two external gears"}),
+          field(m.ring_outside, "pair.ring_outside_ratio", Physics::pair,
+                "outside diameter of the ring, where it is held, as a multiple of its root diameter",
+                {.models = gear_pair,
+                 .range = {1.005, 20.0},
+                 .reason = "a rim of some five modules",
+                 .where = {"pair.kind", "internal"}}));
 }
 
-/// The pair as assembled without backlash.
+/// A pair of external gears as assembled without backlash.
 struct PairGeometry {
   std::array<ExternalTooth, 2> gears;
   double centre_distance = 0.0;         // [m]
@@ -60,10 +89,16 @@ struct PairGeometry {
 /// @throws std::domain_error if the shifts leave no working pressure angle, or a tooth cannot be formed
 PairGeometry pair_geometry(const GearPair& pair);
 
+/// The same of an internal pair, whose shift of the ring less that of the gear inside makes the distance by
+/// Eq. (3).
+/// @throws std::domain_error as above, or if the gear inside has as many teeth
+InternalMesh internal_mesh(const GearPair& pair);
+
 /// Reasons why the pair cannot be built; empty if it can. Places are "pair.teeth" and so on.
 Warnings pair_problems(const GearPair& pair);
 
 /// Faults of a pair that runs all the same.
 Warnings pair_warnings(const PairGeometry& geometry);
+Warnings pair_warnings(const InternalMesh& mesh);
 
 }  // namespace orbearing::gearset

@@ -183,30 +183,34 @@ void describe(Visitor& visit, PlanetarySet& m) {
       part(m.flanks));
 }
 
-/// Pairs of external gears on shafts of their own, without losses: teeth of the gear nearer to the motor,
-/// then those of its mate. Alike gears change nothing but the sense of rotation.
-struct ParallelStages {
-  std::array<int, 2> front = {1, 1};   // between motor and planetary sets
-  std::array<int, 2> behind = {1, 1};  // between planetary sets and load
+/// Teeth of two external gears on shafts of their own: of the gear nearer to the motor, then of its mate.
+/// [1, 1] is no stage.
+using StageTeeth = std::array<int, 2>;
 
-  bool has_front() const { return front[0] != front[1]; }
-  bool has_behind() const { return behind[0] != behind[1]; }
+/// Stages without losses, in the order in which the power passes them. Alike gears change nothing but the
+/// sense of rotation.
+struct ParallelStages {
+  std::vector<StageTeeth> front = {{1, 1}};   // between motor and planetary sets
+  std::vector<StageTeeth> behind = {{1, 1}};  // between planetary sets and load
 };
 
 template <class Visitor>
 void describe(Visitor& visit, ParallelStages& m) {
   using namespace described;
-  const auto pair = [](std::array<int, 2>& member, std::string path, Physics physics, std::string meaning) {
+  const auto stages = [](std::vector<StageTeeth>& member, std::string path, Physics physics,
+                         std::string meaning) {
     return field(member, std::move(path), physics, std::move(meaning),
                  {.models = planetary_drivetrain, .range = {1, 2000}, .reason = "none"});
   };
   members(
       visit, m,
-      pair(m.front, "parallel_stage.front", Physics::planet,
-           "teeth of a parallel stage between motor and planetary sets: the motor's gear and its mate"),
-      pair(
+      stages(m.front, "parallel_stage.front", Physics::planet,
+             "teeth of a parallel stage between motor and planetary sets: the motor's gear and its mate; of "
+             "several stages a list of such pairs in the order from the motor"),
+      stages(
           m.behind, "parallel_stage.behind", Physics::output,
-          "teeth of a parallel stage between planetary sets and load: the gear on their shaft and its mate"));
+          "teeth of a parallel stage between planetary sets and load: the gear on their shaft and its mate; "
+          "of several stages a list of such pairs in the order to the load"));
 }
 
 /// Whose speed a drive states. Motor and load are the shafts by which power enters and leaves, parallel
@@ -237,8 +241,12 @@ struct Drive {
   double load_power() const { return application_factor * power; }
   /// [rad/s]
   double motor_speed() const { return speed * motor_ratio; }
-  /// Of the driven member itself, behind a stage in front. Eq. (40) of gearset/README.md. [rad/s]
-  double driven_speed() const { return motor_speed() * parallel.front[0] / parallel.front[1]; }
+  /// Of the driven member itself, behind all stages in front. Eq. (40) of gearset/README.md. [rad/s]
+  double driven_speed() const {
+    double of_shaft = motor_speed();
+    for (const StageTeeth& teeth : parallel.front) of_shaft = of_shaft * teeth[0] / teeth[1];
+    return of_shaft;
+  }
 };
 
 template <class Visitor>
@@ -256,8 +264,8 @@ void describe(Visitor& visit, Drive& m) {
             "spectrum 1",
             {.models = set, .range = {0.1, 10.0}, .reason = "input.power is the load that acts"}),
       field(m.speed, "input.speed", Physics::planet,
-            "speed of the driven member relative to the housing; with a parallel stage in front, speed of "
-            "the motor; speed of another member if input.speed_of names it",
+            "speed of the driven member relative to the housing; before parallel stages in front of it that "
+            "of the motor; of another member where input.speed_of names it",
             {.models = set, .required_by = set, .dimension = dimension::angular_speed, .range = {1e-3, 1e6}}),
       field(m.speed_of, "input.speed_of", Physics::planet,
             "member whose speed is input.speed, also in sweeps, torque curves and spectra. motor, load: the "

@@ -69,6 +69,18 @@ SectionMoments section_moments(const ExternalTooth& tooth, double bore_radius) {
           rim.polar_second_moment + tooth.teeth * (fillet.polar_second_moment + flank.polar_second_moment)};
 }
 
+SectionMoments section_moments(const RingTooth& tooth, double outside_radius) {
+  using Quadrature = boost::math::quadrature::gauss_kronrod<double, 31>;
+  const auto teeth = [&](int power) {
+    const auto strip = [&](double radius) {
+      return 2.0 * half_thickness_angle(tooth, radius) * std::pow(radius, power);
+    };
+    return tooth.teeth * Quadrature::integrate(strip, tooth.tip_radius, tooth.root_radius, 8, 1e-9);
+  };
+  const SectionMoments rim = annulus(tooth.root_radius, outside_radius);
+  return {rim.area + teeth(1), rim.polar_second_moment + teeth(3)};
+}
+
 PlanetBody planet_body(const PlanetarySet& set, const WorkingGeometry& geometry) {
   const double bore_radius = 0.5 * set.planet_bore;
   if (bore_radius < 0.0 || bore_radius >= geometry.planet.root_radius) {

@@ -18,7 +18,7 @@ struct PlanetBody {
 /// @throws std::domain_error if the bore leaves no rim under the tooth root
 PlanetBody planet_body(const PlanetarySet& set, const WorkingGeometry& geometry);
 
-/// Transverse area and polar second moment of an external gear's cross-section.
+/// Transverse area and polar second moment of a gear's cross-section.
 struct SectionMoments {
   double area = 0.0;                 // [m^2]
   double polar_second_moment = 0.0;  // [m^4]
@@ -26,5 +26,7 @@ struct SectionMoments {
 
 /// @param bore_radius [m] at most the root radius
 SectionMoments section_moments(const ExternalTooth& tooth, double bore_radius);
+/// @param outside_radius [m] at least the root radius
+SectionMoments section_moments(const RingTooth& tooth, double outside_radius);
 
 }  // namespace orbearing::gearset

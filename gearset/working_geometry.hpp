@@ -14,6 +14,14 @@ struct MeshGeometry {
   double contact_ratio = 0.0;           // [-]    transverse
 };
 
+/// A ring and the external gear inside it, at their working centre distance.
+struct InternalMesh {
+  RingTooth ring;
+  ExternalTooth inside;
+  double centre_distance = 0.0;  // [m]
+  MeshGeometry mesh;             // from the tangent point on the base circle of the gear inside
+};
+
 /// Derived once from the parameters of the set.
 struct WorkingGeometry {
   double centre_distance = 0.0;  // [m]       sun axis to planet axis, working
@@ -26,6 +34,11 @@ struct WorkingGeometry {
   double base_helix_angle = 0.0;  // [rad]  of both meshes; positive: the sun's teeth are right-handed
   double overlap_ratio = 0.0;     // [-]    of both meshes
 };
+
+/// The ring mesh of a set.
+inline InternalMesh ring_mesh_of(const WorkingGeometry& geometry) {
+  return {geometry.ring, geometry.planet, geometry.centre_distance, geometry.ring_mesh};
+}
 
 /// Working radius of the planet in one of its meshes: where the force of the mean load acts. [m]
 double planet_working_radius(const WorkingGeometry& geometry, const MeshGeometry& mesh);

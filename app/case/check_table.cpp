@@ -77,14 +77,19 @@ std::string line(const Row& row, const std::array<std::size_t, 4>& widths) {
 
 using described::Record;
 
-// Rows as lists; those of which some columns are left out, with the names of what they have.
-void describe_rows(Record& record, const Field& field, const FieldValue& value) {
-  const std::vector<double>& list = value.list;
-  const std::size_t columns = field.columns.size();
+// A list as lists of so many.
+std::vector<std::vector<double>> in_rows(const std::vector<double>& list, std::size_t columns) {
   std::vector<std::vector<double>> rows;
   for (std::size_t i = 0; i < list.size(); i += columns)
     rows.emplace_back(list.begin() + static_cast<std::ptrdiff_t>(i),
                       list.begin() + static_cast<std::ptrdiff_t>(i + columns));
+  return rows;
+}
+
+// Rows as lists; those of which some columns are left out, with the names of what they have.
+void describe_rows(Record& record, const Field& field, const FieldValue& value) {
+  const std::size_t columns = field.columns.size();
+  const std::vector<std::vector<double>> rows = in_rows(value.list, columns);
   if (!has_choices(field)) {
     record.array("value", {}, "in SI", {"row", "column"}, rows);
     return;
@@ -118,7 +123,10 @@ void describe_value(Record& record, const ResolvedCase& resolved, const Input& i
     case Kind::list:
       if (field->element == Kind::text) return add(resolved.texts(path));
       if (!field->columns.empty()) return describe_rows(record, *field, resolved.value(path));
-      record.array("value", {}, "in SI", {"element"}, resolved.list(path));
+      if (field->group > 0 && resolved.list(path).size() > field->group)
+        record.array("value", {}, "in SI", {"row", "column"}, in_rows(resolved.list(path), field->group));
+      else
+        record.array("value", {}, "in SI", {"element"}, resolved.list(path));
       return;
     case Kind::choice:
     case Kind::text:

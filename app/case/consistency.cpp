@@ -125,16 +125,36 @@ bool two_values(Checker& check, const ResolvedCase& resolved, const char* path) 
   return false;
 }
 
+// Each has gears that can be made; [1, 1] alone is none.
+void check_stage_teeth(Checker& check, const char* path, const std::vector<double>& teeth) {
+  constexpr double least = 5.0;  // as of a sun
+  if (teeth == std::vector<double>{1.0, 1.0}) return;
+  for (std::size_t i = 0; i + 1 < teeth.size(); i += 2)
+    if (teeth[i] < least || teeth[i + 1] < least)
+      check.add_error(path, fmt::format("{:g} and {:g} teeth", teeth[i], teeth[i + 1]),
+                      "at least 5 of each gear, or [1, 1] for no stage, are required");
+}
+
+// Beyond it the equations of the whole train lose the digits by which contradictions are told.
+constexpr double kLargestStageRatio = 1e6;  // [-]  up or down, of all stages
+constexpr std::size_t kMostStages = 20;
+
 void check_parallel_stages(Checker& check, const ResolvedCase& resolved) {
-  for (const char* path : {"parallel_stage.front", "parallel_stage.behind"})
-    if (check.has({path}) && two_values(check, resolved, path)) {
-      constexpr double least = 5.0;  // as of a sun
-      const std::vector<double>& teeth = resolved.list(path);
-      const bool none = teeth[0] == 1.0 && teeth[1] == 1.0;
-      if (!none && (teeth[0] < least || teeth[1] < least))
-        check.add_error(path, fmt::format("{:g} and {:g} teeth", teeth[0], teeth[1]),
-                        "at least 5 of each gear, or [1, 1] for no stage, are required");
-    }
+  double ratio = 1.0;
+  std::size_t stages = 0;
+  for (const char* path : {"parallel_stage.front", "parallel_stage.behind"}) {
+    if (!check.has({path})) continue;
+    const std::vector<double>& teeth = resolved.list(path);
+    check_stage_teeth(check, path, teeth);
+    for (std::size_t i = 0; i + 1 < teeth.size(); i += 2, ++stages)
+      ratio *= std::max(teeth[i], teeth[i + 1]) / std::min(teeth[i], teeth[i + 1]);
+    if (stages > kMostStages || ratio > kLargestStageRatio)
+      return check.add_error(
+          path, fmt::format("{} parallel stages of {:.3g} in all", stages, ratio),
+          fmt::format("at most {} stages, and ratios whose product (each as larger over smaller gear) is at "
+                      "most 1e6, are required",
+                      kMostStages));
+  }
 }
 
 void check_pair(Checker& check, const ResolvedCase& resolved) {

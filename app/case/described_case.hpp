@@ -50,9 +50,18 @@ class DescribedCase {
   void read(std::vector<double>& member, const Facts& facts) { member = in_.list(facts.path); }
   template <class Number, std::size_t n>
   void read(std::array<Number, n>& member, const Facts& facts) {
+    read_group(0, member, facts);
+  }
+  template <class Number, std::size_t n>
+  void read(std::vector<std::array<Number, n>>& member, const Facts& facts) {
+    member.resize(in_.list(facts.path).size() / n);
+    for (std::size_t i = 0; i < member.size(); ++i) read_group(n * i, member[i], facts);
+  }
+  template <class Number, std::size_t n>
+  void read_group(std::size_t first, std::array<Number, n>& group, const Facts& facts) {
     for (std::size_t i = 0; i < n; ++i) {
-      const double value = in_.list(facts.path).at(i);
-      member[i] = static_cast<Number>(std::is_integral_v<Number> ? std::round(value) : value);
+      const double value = in_.list(facts.path).at(first + i);
+      group[i] = static_cast<Number>(std::is_integral_v<Number> ? std::round(value) : value);
     }
   }
   template <class Choice>

@@ -68,6 +68,12 @@ class DescribedFields {
     field.element = std::is_integral_v<Number> ? Kind::integer : Kind::number;
     field.default_text = fmt::format("[{}]", fmt::join(values, ", "));
   }
+  template <class Number, std::size_t n>
+  static void set_kind(Field& field, const std::vector<std::array<Number, n>>& values,
+                       const described::Details& details) {
+    set_kind(field, values.front(), details);
+    field.group = n;
+  }
   template <class Choice>
   requires std::is_enum_v<Choice>
   static void set_kind(Field& field, Choice value, const described::Details&) {

@@ -21,10 +21,8 @@ FieldReading good(FieldValue value) {
 // What to state instead where a source has what the field cannot hold.
 std::string remedy(const Field& field) {
   if (field.path.starts_with("parallel_stage."))
-    return ". There is one stage on this side: state several stages as one of the same ratio in lowest "
-           "terms, [82, 23] and [88, 22] as [328, 23]";
-  if (field.path == "pair.teeth")
-    return ". For a gear inside a ring, state the ring mesh in a case with model: planetary-drivetrain";
+    return "; one stage is [82, 23], several are [[82, 23], [88, 22]]";
+  if (field.path == "pair.teeth") return "; of a gear inside a ring, state pair.kind: internal";
   return {};
 }
 
@@ -321,9 +319,31 @@ FieldReading read_rows(const Field& field, const Entry& entry) {
   return good(std::move(value));
 }
 
+FieldReading read_list(const Field& field, const Entry& entry);
+
+// Each a list by itself; a single one is written as if it stood alone.
+FieldReading read_groups(const Field& field, const Entry& entry) {
+  FieldValue value;
+  std::vector<std::string> texts;
+  for (const Entry& item : entry.items) {
+    if (item.shape != Entry::Shape::list) return at(item, bad(describe(item) + " beside lists", field));
+    Field one = field;
+    one.group = 0;
+    FieldReading reading = read_list(one, item);
+    if (!reading.good) return at(item, std::move(reading));
+    if (reading.value.list.size() != field.group)
+      return at(item, bad(fmt::format("a list of {} among lists", reading.value.list.size()), field));
+    texts.push_back(reading.value.given);
+    value.list.insert(value.list.end(), reading.value.list.begin(), reading.value.list.end());
+  }
+  value.given = texts.size() == 1 ? texts.front() : fmt::format("[{}]", fmt::join(texts, ", "));
+  return good(std::move(value));
+}
+
 FieldReading read_list(const Field& field, const Entry& entry) {
   if (!field.columns.empty()) return read_rows(field, entry);
   if (entry.shape != Entry::Shape::list || entry.items.empty()) return bad(describe(entry) + " found", field);
+  if (field.group > 0 && entry.items.front().shape == Entry::Shape::list) return read_groups(field, entry);
   Field element = field;
   element.kind = field.element;
   FieldValue value;
@@ -337,6 +357,8 @@ FieldReading read_list(const Field& field, const Entry& entry) {
     else
       value.list.push_back(reading.value.number);
   }
+  if (field.group > 0 && texts.size() != field.group)
+    return bad(fmt::format("a list of {}", texts.size()), field);
   value.given = fmt::format("[{}]", fmt::join(texts, ", "));
   return good(std::move(value));
 }
@@ -375,6 +397,9 @@ std::string kind_text(const Field& field, Kind kind) {
       return "text";
     case Kind::list:
       if (!field.columns.empty()) return rows_text(field);
+      if (field.group > 0)
+        return fmt::format("list of {}, each element a {}, or a list of such lists", field.group,
+                           kind_text(field, field.element));
       return "list, each element a " + kind_text(field, field.element);
   }
   return {};

@@ -53,6 +53,8 @@ struct Field {
   bool default_without_bearing = false;  // the default stands in only where a set has no bearing
   std::vector<ListColumn> columns{};     // list of rows: quantities of each of these
   bool from_file = false;                // list of rows: {file: NAME.csv} may stand in their place
+  std::size_t group =
+      0;  // list: of so many elements; or a list of such lists, whose elements follow each other
 };
 
 /// A checked value of a field.

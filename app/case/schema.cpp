@@ -73,6 +73,13 @@ Json rows_schema(const Field& field) {
   return {{"oneOf", {rows, file}}};
 }
 
+Json list_schema(const Field& field, const Json& element) {
+  Json list{{"type", "array"}, {"minItems", std::max<std::size_t>(1, field.group)}, {"items", element}};
+  if (field.group == 0) return list;
+  list["maxItems"] = field.group;
+  return {{"oneOf", {list, Json{{"type", "array"}, {"minItems", 1}, {"items", list}}}}};
+}
+
 Json value_schema(const Field& field, Kind kind) {
   switch (kind) {
     case Kind::quantity:
@@ -89,7 +96,7 @@ Json value_schema(const Field& field, Kind kind) {
       return {{"type", "string"}, {"minLength", 1}};
     case Kind::list:
       if (!field.columns.empty()) return rows_schema(field);
-      return {{"type", "array"}, {"minItems", 1}, {"items", value_schema(field, field.element)}};
+      return list_schema(field, value_schema(field, field.element));
   }
   return {};
 }

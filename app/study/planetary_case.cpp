@@ -372,7 +372,9 @@ void add_load_sharing(const ResolvedCase& in, const study::NamedSet& set, std::v
 
 }  // namespace
 
-std::vector<Derived> derived_quantities(const ResolvedCase& resolved) {
+namespace {
+
+std::vector<Derived> quantities_of_sets(const ResolvedCase& resolved) {
   if (!resolved.shape().several && !resolved.shape().bearing) return quantities_without_bearing(resolved);
   std::vector<Derived> rows;
   for (const study::NamedSet& set : bearing_sets(resolved)) {
@@ -391,6 +393,28 @@ std::vector<Derived> derived_quantities(const ResolvedCase& resolved) {
     }
   }
   add_sets_without_bearing(resolved, rows);
+  return rows;
+}
+
+// Of what the parallel stages make of the sets; without them the ratio is that of the sets.
+void add_overall_ratio(const ResolvedCase& resolved, std::vector<Derived>& rows) {
+  if (!resolved.shape().several && !resolved.shape().teeth) return;
+  const gearset::Arrangement arrangement = arrangement_of(resolved);
+  if (std::ranges::none_of(arrangement.sets, &gearset::ArrangedSet::is_parallel)) return;
+  const auto load = std::ranges::find_if(arrangement.shafts, &gearset::Shaft::load);
+  const gearset::ShaftFlow flow =
+      gearset::power_flow(arrangement).shafts.at(static_cast<std::size_t>(load - arrangement.shafts.begin()));
+  rows.push_back({"operation.load_speed", kRpm * flow.speed * drive_of(resolved).motor_speed(), "rpm",
+                  "of the shaft by which the power leaves, behind all stages"});
+  rows.push_back({"operation.overall_ratio", flow.speed, "1",
+                  "speed of the load over that of the motor, all stages; negative: against it"});
+}
+
+}  // namespace
+
+std::vector<Derived> derived_quantities(const ResolvedCase& resolved) {
+  std::vector<Derived> rows = quantities_of_sets(resolved);
+  add_overall_ratio(resolved, rows);
   return rows;
 }
 

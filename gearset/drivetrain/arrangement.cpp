@@ -28,14 +28,24 @@ std::string name_of(const Arrangement& arrangement, const SetMember& member) {
 
 namespace {
 
-// A pair whose gear `inner` sits on the shaft that had the motor or the load, and whose other has it now.
-void add_parallel_stage(const std::string& name, const std::array<int, 2>& teeth, Member inner,
-                        bool Shaft::*role, Arrangement& arrangement) {
+constexpr StageTeeth kNoStage{1, 1};
+
+// "front", or "front_1" where there are several.
+void add_stage_sets(const std::string& side, const std::vector<StageTeeth>& stages,
+                    Arrangement& arrangement) {
+  for (std::size_t i = 0; i < stages.size(); ++i)
+    if (stages[i] != kNoStage)
+      arrangement.sets.push_back(
+          {stages.size() == 1 ? side : side + "_" + std::to_string(i + 1), stages[i][0], 0, stages[i][1]});
+}
+
+// Of a pair the gear `inner` joins the shaft that had the motor or the load, and the shaft of its mate has it
+// now.
+void join_stage(std::size_t set, Member inner, bool Shaft::*role, Arrangement& arrangement) {
   const auto had = std::find_if(arrangement.shafts.begin(), arrangement.shafts.end(),
                                 [&](const Shaft& shaft) { return shaft.*role; });
   if (had == arrangement.shafts.end()) return;  // reported by arrangement_problems
-  const std::size_t set = arrangement.sets.size();
-  arrangement.sets.push_back({name, teeth[0], 0, teeth[1]});
+  const std::string name = arrangement.sets[set].name;
   (*had).*role = false;
   had->members.push_back({set, inner});
   Shaft outer{.name = name, .members = {{set, inner == Member::sun ? Member::ring : Member::sun}}};
@@ -48,9 +58,15 @@ void add_parallel_stage(const std::string& name, const std::array<int, 2>& teeth
 }  // namespace
 
 Arrangement with_parallel_stages(Arrangement arrangement, const ParallelStages& stages) {
-  if (stages.has_front()) add_parallel_stage("front", stages.front, Member::ring, &Shaft::motor, arrangement);
-  if (stages.has_behind())
-    add_parallel_stage("behind", stages.behind, Member::sun, &Shaft::load, arrangement);
+  const std::size_t front = arrangement.sets.size();
+  add_stage_sets("front", stages.front, arrangement);
+  const std::size_t behind = arrangement.sets.size();
+  add_stage_sets("behind", stages.behind, arrangement);
+  // From the planetary sets outward: each finds the motor or the load on the shaft that it joins.
+  for (std::size_t set = behind; set > front; --set)
+    join_stage(set - 1, Member::ring, &Shaft::motor, arrangement);
+  for (std::size_t set = behind; set < arrangement.sets.size(); ++set)
+    join_stage(set, Member::sun, &Shaft::load, arrangement);
   return arrangement;
 }
 

@@ -52,7 +52,8 @@ struct Arrangement {
 };
 
 /// The arrangement with pairs of gears between its motor and the shaft that had it, and before its load. Sets
-/// and shafts that were there keep their numbers. Eq. (40) of gearset/README.md.
+/// and shafts that were there keep their numbers; the pairs follow in the order in which the power passes
+/// them. Eq. (40) of gearset/README.md.
 Arrangement with_parallel_stages(Arrangement arrangement, const ParallelStages& stages);
 
 /// The word for a member: "sun", "ring" or "carrier".

@@ -1,6 +1,5 @@
 #include "gearset/dynamics/bodies.hpp"
 
-#include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -40,15 +39,7 @@ Body ring_gear(const PlanetarySet& set, const RingTooth& tooth, double outside) 
   if (!(outside > 2.0 * tooth.root_radius))
     refuse("outside diameter of the ring", outside,
            "more than the root diameter, " + millimetres(2.0 * tooth.root_radius));
-  using Quadrature = boost::math::quadrature::gauss_kronrod<double, 31>;
-  const auto teeth = [&](int power) {
-    const auto strip = [&](double radius) {
-      return 2.0 * half_thickness_angle(tooth, radius) * std::pow(radius, power);
-    };
-    return tooth.teeth * Quadrature::integrate(strip, tooth.tip_radius, tooth.root_radius, 8, 1e-9);
-  };
-  const SectionMoments rim = annulus(tooth.root_radius, 0.5 * outside);
-  return body_of(set, {rim.area + teeth(1), rim.polar_second_moment + teeth(3)}, tooth.base_radius);
+  return body_of(set, section_moments(tooth, 0.5 * outside), tooth.base_radius);
 }
 
 Body carrier_body(const PlanetarySet& set, const WorkingGeometry& geometry, const BodyOutlines& outlines) {

@@ -77,8 +77,14 @@ py::object value_of(const Case& core, const std::string& path) {
       if (field.element == app::Kind::text) return py::cast(core.content().texts(path));
       if (!field.columns.empty()) return rows_of(field, core.content().value(path));
       if (field.element == app::Kind::integer) {
-        const std::vector<double>& whole = core.content().list(path);
-        return py::cast(std::vector<long>(whole.begin(), whole.end()));
+        const std::vector<double>& list = core.content().list(path);
+        const std::vector<long> whole(list.begin(), list.end());
+        const auto size = static_cast<std::ptrdiff_t>(field.group);
+        if (size == 0 || list.size() == field.group) return py::cast(whole);
+        py::list groups;
+        for (auto first = whole.begin(); first != whole.end(); first += size)
+          groups.append(py::cast(std::vector<long>(first, first + size)));
+        return groups;
       }
       return py::cast(core.content().list(path));
   }

@@ -226,15 +226,49 @@ class Gears(PublicCases):
         self.near(next(row["speed_rpm"] for row in flow["power_flow"] if row["member"] == "sun"), 126.29, 1e-4)
         self.near(-next(row["value"] for row in flow["derived"] if row["path"] == "operation.planet_speed"), 56.1, 1e-4)
 
-    def test_two_parallel_stages_are_stated_as_one(self):
-        """grc_chain."""
-        for value in ("[[82, 23], [88, 22]]", "[7216, 506]"):
-            said = run("check", WIND, "--set", "parallel_stage.behind=" + value).stderr
-            self.assertIn("There is one stage on this side: state several stages as one of the same ratio in lowest terms, [82, 23] and [88, 22] as [328, 23]", said)
-        flow = answer("check", WIND, "parallel_stage.behind=[328, 23]", "input.speed=22.1 rpm")["power_flow"]
-        behind = next(row["speed_rpm"] for row in flow if row["shaft"] == "behind")
-        self.near(abs(behind), 1800.9, 1e-4)
-        self.near(abs(behind) / 22.1, 81.491, 1e-5)
+    def test_gearbox_of_750_kW(self):
+        """grc_chain with grc_loads: 82/23 and 88/22 behind 21/39/99, from the rotor to the generator."""
+        stages = "parallel_stage.behind=[[82, 23], [88, 22]]"
+        checked = answer("check", WIND, stages, "input.speed=22.1 rpm")
+        rows = {(row["set"], row["member"]): row for row in checked["power_flow"]}
+        derived = {row["path"]: row["value"] for row in checked["derived"]}
+        self.near(rows["behind_2", "second"]["speed_rpm"], 1800.9, 1e-4)
+        self.near(derived["operation.load_speed"], 1800.9, 1e-4)
+        self.near(derived["operation.overall_ratio"], 81.491, 1e-5)
+        sun = 22.1 * 120 / 21
+        for member, right in ((("gearset", "sun"), sun), (("behind_1", "first"), sun), (("behind_1", "second"), -sun * 82 / 23),
+                              (("behind_2", "first"), -sun * 82 / 23), (("behind_2", "second"), sun * 82 * 4 / 23)):
+            self.near(rows[member]["speed_rpm"], right, 1e-12)
+        power = {name: sum(rows[name, member]["power_W"] for member in members)
+                 for name, members in (("gearset", ("sun", "ring", "carrier")), ("behind_1", ("first", "second")), ("behind_2", ("first", "second")))}
+        entering = rows["gearset", "carrier"]["power_W"]
+        for name, sum_of_set in power.items():
+            self.assertLess(abs(sum_of_set), 1e-9 * entering, name)
+        self.near(-rows["behind_2", "second"]["power_W"], entering, 1e-12)
+        self.near(-rows["behind_2", "second"]["torque_N_m"], rows["gearset", "carrier"]["torque_N_m"] / 81.4907, 1e-5)
+        brief = ("bearing.tilt_state=stated", "bearing.laminae=1", "bearing.profile={kind: straight}", "input.speed=22.1 rpm")
+        for torque, load in ((325, 175.87), (344.1, 186.20), (360, 194.81), (401, 216.99)):
+            point = answer("run", WIND, f"input.torque={torque} kN.m", stages, *brief)["points"][0]
+            self.near(-point["tangential_load_N"], 1e3 * load, 0.003)
+        # The generator's speed in place of the rotor's.
+        by_load = answer("check", WIND, stages, "input.speed_of=load", f"input.speed={22.1 * 120 / 21 * 82 / 23 * 4!r} rpm")
+        self.near(next(row["value"] for row in by_load["derived"] if row["path"] == "operation.motor_speed"), 22.1, 1e-12)
+        self.assertIn("'7216' is out of range", run("check", WIND, "--set", "parallel_stage.behind=[7216, 506]").stderr)
+
+    def test_one_stage_in_a_list_is_that_stage(self):
+        """To the byte, in what is resolved as well."""
+        for side in ("front", "behind"):
+            for command in (("check",), ("run", "--fidelity", "quasi-static")):
+                one, listed = (run(*command, WIND, "--json", "--set", f"parallel_stage.{side}={value}") for value in ("[82, 23]", "[[82, 23]]"))
+                self.assertEqual((one.returncode, one.stdout), (0, listed.stdout))
+
+    def test_order_of_stages_changes_no_ratio(self):
+        def ratio(*stages):
+            return next(row["value"] for row in answer("check", WIND, *stages)["derived"] if row["path"] == "operation.overall_ratio")
+
+        right = ratio("parallel_stage.behind=[[82, 23], [88, 22], [30, 31]]")
+        for stages in (("parallel_stage.behind=[[30, 31], [88, 22], [82, 23]]",), ("parallel_stage.front=[[88, 22], [30, 31]]", "parallel_stage.behind=[82, 23]")):
+            self.near(ratio(*stages), right, 1e-12)
 
     def test_four_planets_that_do_not_stand_at_right_angles(self):
         """nearly_equal_planets."""
@@ -251,9 +285,16 @@ class Gears(PublicCases):
         self.assertIn("[0.0000 deg, 92.3077 deg, 180.0000 deg, 272.3077 deg] are nearest to equal steps", self.refusal(FOUR_PLANETS))
 
     def test_pair_with_an_internal_gear(self):
-        """internal_pair_KHK."""
-        said = run("check", CASES / "mesh_62_62" / "case.yaml", "--set", "pair.teeth=[16, -24]").stderr
-        self.assertIn("For a gear inside a ring, state the ring mesh in a case with model: planetary-drivetrain", said)
+        """internal_pair_KHK; base circles in tests/unit/mesh/internal_pair_test.cpp."""
+        pair = CASES / "mesh_62_62" / "case.yaml"
+        self.assertIn("of a gear inside a ring, state pair.kind: internal", run("check", pair, "--set", "pair.teeth=[16, -24]").stderr)
+        internal = ("pair.kind=internal", "pair.teeth=[16, 24]", "pair.module=3 mm", "pair.profile_shift=[0, 0.5]", "pair.bore=20 mm")
+        rows = {row["path"]: row["value"] for row in answer("check", pair, *internal)["derived"]}
+        self.near(rows["pair.working_pressure_angle"], 31.0938, 1e-4)
+        self.near(rows["pair.centre_distance"], 13.1683, 1e-4)
+        (mesh,) = answer("mesh", pair, *internal)["meshes"]
+        self.near(mesh["contact_ratio"], rows["pair.contact_ratio"], 1e-12)
+        self.assertGreater(mesh["min_N_per_m"], 0.0)
 
 
 class Bearings(PublicCases):

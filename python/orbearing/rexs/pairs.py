@@ -30,7 +30,7 @@ class PairCase:
         if len(self.gears) != 2:
             self.problem = f"found {len(self.gears)} gears (relation stage); two are required"
         elif any(gear.type == "ring_gear" for gear in self.gears):
-            self.problem = "an internal pair: a gear-pair is external, a ring mesh is part of a planetary stage"
+            self.problem = "an internal pair, which is not converted: state it in a gear-pair case with pair.kind: internal"
         if self.problem:
             return self.draft
         if self._second_drives():

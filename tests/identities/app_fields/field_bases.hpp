@@ -499,6 +499,8 @@ inline const std::map<std::string, Change>& stated_changes() {
       {"requirements.kappa", {"0.4"}},
       {"requirements.load_share", {"1.2"}},
       {"pair.teeth", {"[30, 41]"}},
+      {"pair.kind", {"internal", {"pair.teeth=[20, 51]"}}},
+      {"pair.ring_outside_ratio", {"1.3", {"pair.teeth=[20, 51]", "pair.kind=internal"}}},
       {"pair.profile_shift", {"[0.1, 0]"}}};
   return all;
 }
