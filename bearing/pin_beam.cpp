@@ -13,6 +13,8 @@ namespace {
 // Under unit force or moment at one place. Moments m and shear forces v are linear between supports and that
 // place:
 //   (1)  displacement_i by load_j = integral m_i m_j/(E I) dz + integral v_i v_j kappa/(G A) dz
+// A flexpin passes all loads of its sleeve at its free end: by a force in the middle it moves by L^3/(12 E I)
+// and does not incline.
 //   (2)  1/kappa = 6 (1 + nu) (1 + r^2)^2/((7 + 6 nu) (1 + r^2)^2 + (20 + 12 nu) r^2),  r: bore over diameter
 //   [Cowper1966]
 struct UnitLoad {
@@ -22,6 +24,7 @@ struct UnitLoad {
 
 double pin_moment(const PinBeam& pin, const UnitLoad& load, double z) {
   const double a = load.position, span = pin.span;
+  if (pin.ends == PinEnds::flexpin) return load.moment ? 1.0 : a - z;  // all of it passes the free end
   if (pin.ends == PinEnds::one) return z >= a ? 0.0 : load.moment ? 1.0 : a - z;
   if (load.moment) return z < a ? -z / span : 1.0 - z / span;
   return z < a ? (1.0 - a / span) * z : a * (1.0 - z / span);
@@ -29,6 +32,7 @@ double pin_moment(const PinBeam& pin, const UnitLoad& load, double z) {
 
 double pin_shear(const PinBeam& pin, const UnitLoad& load, double z) {
   const double a = load.position, span = pin.span;
+  if (pin.ends == PinEnds::flexpin) return load.moment ? 0.0 : 1.0;
   if (pin.ends == PinEnds::one) return z >= a || load.moment ? 0.0 : 1.0;
   if (load.moment) return -1.0 / span;
   return z < a ? 1.0 - a / span : -a / span;

@@ -11,12 +11,13 @@ namespace orbearing::bearing {
 
 /// How the carrier holds a pin.
 enum class PinEnds {
-  both,  // it rests in the middles of both walls
-  one,   // clamped in the wall at its negative end
+  both,     // it rests in the middles of both walls
+  one,      // clamped in the wall at its negative end
+  flexpin,  // the same, and the bearings sit on a rigid sleeve that its other end carries
 };
 
-constexpr described::Names<PinEnds, 2> names_of(PinEnds) {
-  return {{{PinEnds::both, "both"}, {PinEnds::one, "one"}}};
+constexpr described::Names<PinEnds, 3> names_of(PinEnds) {
+  return {{{PinEnds::both, "both"}, {PinEnds::one, "one"}, {PinEnds::flexpin, "flexpin"}}};
 }
 
 struct PinBeam {
@@ -24,7 +25,7 @@ struct PinBeam {
   double bore = 0.0;      // [m]  0: solid
   double span =
       0.0;  // [m]  between the supports; of a pin clamped at one end, from there to the middle of the face
-            //      and as far again
+            //      and as far again: there a flexpin carries its sleeve
   PinEnds ends = PinEnds::both;
   mechanics::Material material;
 };

@@ -5,6 +5,7 @@
 
 #include "gearset/checks.hpp"
 #include "gearset/planet_angles.hpp"
+#include "gearset/stepped_planet.hpp"
 #include "gearset/warning.hpp"
 #include "mechanics/constants.hpp"
 
@@ -89,15 +90,33 @@ void check_spacing(const PlanetarySet& set, Warnings& problems) {
     for (const Warning& problem : position_problems(set)) problems.push_back(problem);
     return;
   }
-  const int sum = set.sun_teeth + set.ring_teeth;
+  const int sum = willis_teeth(set).positions();
   if (sum % set.planets == 0) return;
   const std::string nearest = nearest_to_even(set);
+<<<<<<< HEAD
   problems.push_back(
       {"gearset.planets",
        "found " + std::to_string(set.planets) +
            " equally spaced planets; a divisor of sun + ring teeth = " + std::to_string(sum) +
            " is required. Change the number of planets or the teeth, or state gearset.planet_angles" +
            (nearest.empty() ? "" : ": " + nearest + " are nearest to equal steps")});
+=======
+  if (set.stepped.present()) {
+    problems.push_back({"gearset.planets", "found " + std::to_string(set.planets) +
+                                               " equally spaced stepped planets; a divisor of (sun x second "
+                                               "+ ring x first planet teeth)/(greatest "
+                                               "common divisor of both planet gears) = " +
+                                               std::to_string(sum) +
+                                               " is required; change the number of planets or the teeth"});
+    return;
+  }
+  problems.push_back({"gearset.planets",
+                      "found " + std::to_string(set.planets) +
+                          " equally spaced planets; a divisor of sun + ring teeth = " + std::to_string(sum) +
+                          " is required; change the number of planets or the teeth, or state "
+                          "gearset.planet_angles" +
+                          (nearest.empty() ? "" : ": " + nearest + " are nearest to equal steps")});
+>>>>>>> 43cfa64e (Planets with two gears at rest, and flexpins)
 }
 
 // Eq. (24).
@@ -105,7 +124,7 @@ void check_neighbours(const PlanetarySet& set, const WorkingGeometry& geometry, 
   if (set.planets < 2) return;
   const double step = std::min(least_step(angles_of_planets(set)), constants::pi);
   const double pitch = 2.0 * geometry.centre_distance * std::sin(0.5 * step);
-  const double tip_diameter = 2.0 * geometry.planet.tip_radius;
+  const double tip_diameter = 2.0 * std::max(geometry.planet.tip_radius, geometry.at_ring().tip_radius);
   if (tip_diameter < pitch) return;
   problems.push_back({"gearset.planets", "found planets with a tip diameter of " + millimetres(tip_diameter) +
                                              " whose axes lie " + millimetres(pitch) +
@@ -113,7 +132,7 @@ void check_neighbours(const PlanetarySet& set, const WorkingGeometry& geometry, 
 }
 
 void check_rim(const PlanetarySet& set, const WorkingGeometry& geometry, Warnings& problems) {
-  const double root_diameter = 2.0 * geometry.planet.root_radius;
+  const double root_diameter = 2.0 * std::min(geometry.planet.root_radius, geometry.at_ring().root_radius);
   if (set.planet_bore >= 0.0 && set.planet_bore < root_diameter) return;
   problems.push_back({"bearing.outside_diameter",
                       "found a planet bore of " + millimetres(set.planet_bore) +
@@ -156,6 +175,9 @@ void check_geometry(const PlanetarySet& set, Warnings& problems) {
   check_rim(set, geometry, problems);
   check_pointed(half_thickness_angle(geometry.sun, geometry.sun.tip_radius), "sun", problems);
   check_pointed(half_thickness_angle(geometry.planet, geometry.planet.tip_radius), "planet", problems);
+  if (geometry.second)
+    check_pointed(half_thickness_angle(*geometry.second, geometry.second->tip_radius), "planet's second gear",
+                  problems);
   check_pointed(half_thickness_angle(geometry.ring, geometry.ring.tip_radius), "ring", problems);
   check_reach(geometry.sun_mesh, "sun", problems);
   check_reach(geometry.ring_mesh, "ring", problems);
@@ -179,7 +201,7 @@ Warnings assembly_problems(const PlanetarySet& set) {
   } catch (const std::domain_error& error) {
     of_geometry.push_back({"gearset.profile_shift", error.what()});
   }
-  if (!of_geometry.empty()) check_tooth_sum(set, problems);
+  if (!of_geometry.empty() && !set.stepped.present()) check_tooth_sum(set, problems);
   problems.insert(problems.end(), of_geometry.begin(), of_geometry.end());
   return problems;
 }

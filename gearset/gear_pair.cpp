@@ -13,24 +13,7 @@ namespace orbearing::gearset {
 
 namespace {
 
-using constants::degree;
-
 constexpr const char* kPairShift = "pair.profile_shift";
-constexpr double largest_pair_angle = 45.0;  // [deg]  beyond it no involute pair of practice works
-
-// From sums of teeth and shifts of external gears, or differences of a ring and the gear inside it.
-double working_angle(const GearPair& pair, double teeth, double shifts) {
-  const double value = involute(transverse_pressure_angle(pair.rack.pressure_angle, pair.helix_angle)) +
-                       2.0 * std::tan(pair.rack.pressure_angle) * shifts / teeth;
-  if (value < 0.0)
-    throw std::domain_error("found shifts that bring the base circles together; a larger sum is required");
-  const double angle = inverse_involute(value);
-  if (angle > largest_pair_angle * degree)
-    throw std::domain_error("found shifts that make the working pressure angle " +
-                            decimal(angle / degree, 2) +
-                            " deg; at most 45 deg is required: a smaller sum of shifts");
-  return angle;
-}
 
 void check_pointed(const ExternalTooth& tooth, const std::string& gear, Warnings& problems) {
   if (half_thickness_angle(tooth, tooth.tip_radius) > 0.0) return;
@@ -95,7 +78,7 @@ PairGeometry pair_geometry(const GearPair& pair) {
         make_external_tooth(pair.teeth[i], pair.shift[i], pair.module, pair.rack, pair.helix_angle);
   const auto& [first, second] = geometry.gears;
   geometry.working_pressure_angle =
-      working_angle(pair, pair.teeth[0] + pair.teeth[1], pair.shift[0] + pair.shift[1]);
+      angle_without_backlash(first, pair.teeth[0] + pair.teeth[1], pair.shift[0] + pair.shift[1]);
   geometry.centre_distance =
       (first.base_radius + second.base_radius) / std::cos(geometry.working_pressure_angle);
   geometry.path = external_contact_path(first, second, geometry.centre_distance);
@@ -107,19 +90,9 @@ PairGeometry pair_geometry(const GearPair& pair) {
 
 InternalMesh internal_mesh(const GearPair& pair) {
   const std::size_t ring = pair.ring(), inside = pair.inside();
-  if (pair.teeth[ring] == pair.teeth[inside])
-    throw std::domain_error("found a ring with as many teeth as the gear inside it; more are required");
-  InternalMesh found{
-      .ring = make_ring_tooth(pair.teeth[ring], pair.shift[ring], pair.module, pair.rack, pair.helix_angle),
-      .inside = make_external_tooth(pair.teeth[inside], pair.shift[inside], pair.module, pair.rack,
-                                    pair.helix_angle)};
-  const double angle =
-      working_angle(pair, pair.teeth[ring] - pair.teeth[inside], pair.shift[ring] - pair.shift[inside]);
-  found.centre_distance = (found.ring.base_radius - found.inside.base_radius) / std::cos(angle);
-  found.mesh.working_pressure_angle = angle;
-  found.mesh.path = internal_contact_path(found.ring, found.inside, found.centre_distance);
-  found.mesh.contact_ratio = contact_ratio(found.mesh.path, found.inside);
-  return found;
+  return mesh_without_backlash(
+      make_ring_tooth(pair.teeth[ring], pair.shift[ring], pair.module, pair.rack, pair.helix_angle),
+      make_external_tooth(pair.teeth[inside], pair.shift[inside], pair.module, pair.rack, pair.helix_angle));
 }
 
 Warnings pair_problems(const GearPair& pair) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "gearset/stepped_planet.hpp"
 #include "mechanics/checks.hpp"
 
 namespace orbearing::gearset {
@@ -23,8 +24,9 @@ struct Weights {
 
 Weights willis_weights(const PlanetarySet& set) {
   assert(set.sun_teeth > 0 && set.planet_teeth > 0 && set.ring_teeth > 0);
-  const double sun = set.sun_teeth;
-  const double ring = set.ring_teeth;
+  const WillisTeeth teeth = willis_teeth(set);
+  const double sun = teeth.sun;
+  const double ring = teeth.ring;
   return {sun, ring, -(sun + ring)};
 }
 

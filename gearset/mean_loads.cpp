@@ -4,11 +4,30 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "gearset/stepped_planet.hpp"
 #include "mechanics/checks.hpp"
 
 namespace orbearing::gearset {
 
 namespace {
+
+// The second gear turns with the first, whose torque about the planet's axis it takes. Eqs. (42) and (43).
+void put_stepped(const PlanetarySet& set, const WorkingGeometry& geometry, double sun_force,
+                 MeanLoads& loads) {
+  const double ring_force = sun_force * geometry.planet.base_radius / geometry.second->base_radius;
+  loads.ring_normal_force = std::abs(ring_force);
+  const double sun_angle = geometry.sun_mesh.working_pressure_angle;
+  const double ring_angle = geometry.ring_mesh.working_pressure_angle;
+  const double sun_outward = loads.normal_force * std::sin(sun_angle),
+               sun_ahead = sun_force * std::cos(sun_angle);
+  const double ring_outward = -loads.ring_normal_force * std::sin(ring_angle);
+  const double ring_ahead = ring_force * std::cos(ring_angle);
+  loads.tangential_force = sun_ahead + ring_ahead;
+  loads.radial_force = sun_outward + ring_outward;
+  const GearPlanes planes = gear_planes(set);
+  loads.couple_outward = planes.sun * sun_outward + planes.ring * ring_outward;
+  loads.couple_ahead = planes.sun * sun_ahead + planes.ring * ring_ahead;
+}
 
 MeanLoads loads_of(const PlanetarySet& set, const WorkingGeometry& geometry, const Speeds& speeds,
                    const Torques& torques) {
@@ -29,6 +48,8 @@ MeanLoads loads_of(const PlanetarySet& set, const WorkingGeometry& geometry, con
   loads.tangential_force = signed_normal_force * (std::cos(sun_angle) + std::cos(ring_angle));
   // Teeth only push: the sun outward and the ring inward, whichever flank carries.
   loads.radial_force = loads.normal_force * (std::sin(sun_angle) - std::sin(ring_angle));
+  loads.ring_normal_force = loads.normal_force;
+  if (geometry.second) put_stepped(set, geometry, signed_normal_force, loads);
   loads.tooth_force = loads.normal_force / std::cos(geometry.base_helix_angle);
   // The right-handed flank of a sun that pushes on counterclockwise faces down the axis.
   const double thrust = signed_normal_force * std::tan(geometry.base_helix_angle);

@@ -20,7 +20,7 @@ struct MeanLoads {
   double carrier_torque = 0.0;  // [N m]
   double normal_force =
       0.0;  // [N]      of one mesh of one planet in the transverse section, along the line of
-            //          action; equal at sun and ring, not negative
+            //          action; equal at sun and ring but of stepped planets, not negative
   double tangential_force =
       0.0;  // [N]      y, on one planet, both meshes; positive when the planet pulls the carrier on
   double radial_force = 0.0;  // [N]      x, on one planet, both meshes; positive outward
@@ -29,6 +29,12 @@ struct MeanLoads {
   double axial_force = 0.0;         // [N]    z, of the sun on one planet; the ring's is opposite and as large
   double overturning_moment = 0.0;  // [N m]  about y, on one planet: tilts its axis outward at positive z
   double sun_thrust = 0.0;          // [N]    z, of all planets on the sun; that on the ring is opposite
+  // Of stepped planets:
+  double ring_normal_force = 0.0;  // [N]    as normal_force, of the ring mesh
+  double couple_outward =
+      0.0;                    // [N m]  of both meshes about the middle of a planet: leans its axis outward at
+                              //        positive z
+  double couple_ahead = 0.0;  // [N m]  the same in the direction of carrier rotation
 };
 
 /// Axial forces from the housing's axial bearings on members, which balance the thrust of sun and ring; z as

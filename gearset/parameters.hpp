@@ -111,6 +111,46 @@ inline described::Row<double> helix_row(double& member, const std::string& block
                            .reason = "spur gears"});
 }
 
+/// A second gear on each planet, which meshes with the ring in place of the first. Without teeth there is
+/// none.
+struct SteppedPlanet {
+  int teeth = 0;
+  std::optional<double> module;      // [m]       of the ring mesh; none: that of the sun mesh
+  std::optional<double> shift;       // [module]  none: 0; the centre distance follows from it and the ring's
+  std::optional<double> face_width;  // [m]       none: as the first gear
+  double offset = 0.0;               // [m]       of the middle of its face from that of the first gear
+
+  bool present() const { return teeth > 0; }
+};
+
+template <class Visitor>
+void describe(Visitor& visit, SteppedPlanet& m) {
+  using namespace described;
+  constexpr unsigned set = planetary_drivetrain;
+  const Where beside{"gearset.stepped_planet.teeth"};
+  members(
+      visit, m,
+      field(m.teeth, "gearset.stepped_planet.teeth", Physics::planet,
+            "teeth of a second gear on each planet, which meshes with the ring; gearset.teeth.planet then "
+            "meshes "
+            "with the sun alone; one gear on each planet if absent",
+            {.models = set, .range = {5, 2000}}),
+      field(m.module, "gearset.stepped_planet.module", Physics::planet,
+            "module of the ring mesh; gearset.module if absent",
+            {.models = set, .dimension = dimension::length, .range = positive(100.0), .where = beside}),
+      field(m.shift, "gearset.stepped_planet.profile_shift", Physics::planet,
+            "profile shift of the second gear, in modules; with the ring's it makes the centre distance; 0 "
+            "if absent",
+            {.models = set, .range = {-2.0, 2.0}, .where = beside}),
+      field(m.face_width, "gearset.stepped_planet.face_width", Physics::planet,
+            "width of the teeth of the second gear and the ring; gearset.face_width if absent",
+            {.models = set, .dimension = dimension::length, .range = positive(1e4), .where = beside}),
+      field(m.offset, "gearset.stepped_planet.offset", Physics::planet,
+            "axial distance of the middle of the second gear's face from that of the first; positive towards "
+            "positive places of bearings",
+            {.models = set, .dimension = dimension::length, .range = {-1e4, 1e4}, .where = beside}));
+}
+
 /// Parameters of one planetary set, its planets alike.
 struct PlanetarySet {
   int sun_teeth = 0;
@@ -135,6 +175,7 @@ struct PlanetarySet {
   Web web;  // of the softer gear of each mesh
   FlankModifications flanks;
   std::vector<double> planet_angles;  // [rad]  (planets)  anticlockwise from the first; empty: equal steps
+  SteppedPlanet stepped;
 };
 
 template <class Visitor>
@@ -180,7 +221,7 @@ void describe(Visitor& visit, PlanetarySet& m) {
       part(m.planet_heights, [&] { describe_heights(visit, m.planet_heights, "planet", Physics::planet); }),
       part(m.ring_heights, [&] { describe_heights(visit, m.ring_heights, "ring", Physics::central_teeth); }),
       part(m.web, [&] { describe_web(visit, m.web, "gearset.", Physics::central_teeth, set); }),
-      part(m.flanks));
+      part(m.flanks), part(m.stepped));
 }
 
 /// Teeth of two external gears on shafts of their own: of the gear nearer to the motor, then of its mate.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "gearset/stepped_planet.hpp"
 #include "gearset/warning.hpp"
 #include "mechanics/constants.hpp"
 
@@ -19,7 +20,7 @@ const std::string kPositions = "gearset.planet_angles";
 
 // From one angle at which teeth fit to the next, Eq. (23).
 double fitting_step(const PlanetarySet& set) {
-  return two_pi / (set.sun_teeth + set.ring_teeth);
+  return two_pi / willis_teeth(set).positions();
 }
 
 // Of a set without teeth, any.

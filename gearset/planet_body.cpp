@@ -1,11 +1,13 @@
 #include "gearset/planet_body.hpp"
 
+#include <algorithm>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
 #include <complex>
 #include <stdexcept>
 
 #include "gearset/involute.hpp"
+#include "gearset/stepped_planet.hpp"
 #include "mechanics/constants.hpp"
 
 namespace orbearing::gearset {
@@ -83,12 +85,21 @@ SectionMoments section_moments(const RingTooth& tooth, double outside_radius) {
 
 PlanetBody planet_body(const PlanetarySet& set, const WorkingGeometry& geometry) {
   const double bore_radius = 0.5 * set.planet_bore;
-  if (bore_radius < 0.0 || bore_radius >= geometry.planet.root_radius) {
+  if (bore_radius < 0.0 ||
+      bore_radius >= std::min(geometry.planet.root_radius, geometry.at_ring().root_radius)) {
     throw std::domain_error("the planet's bore leaves no rim under its tooth root; choose a smaller bearing");
   }
   const SectionMoments section = section_moments(geometry.planet, bore_radius);
   const double mass_per_area = set.density * set.face_width;
-  return {section.area, mass_per_area * section.area, mass_per_area * section.polar_second_moment};
+  PlanetBody body{section.area, mass_per_area * section.area, mass_per_area * section.polar_second_moment};
+  if (!geometry.second) return body;
+  const SectionMoments other = section_moments(*geometry.second, bore_radius);
+  const double per_area = set.density * ring_face(set);
+  const GearPlanes planes = gear_planes(set);
+  body.first_moment = planes.sun * body.mass + planes.ring * per_area * other.area;
+  body.mass += per_area * other.area;
+  body.inertia += per_area * other.polar_second_moment;
+  return body;
 }
 
 }  // namespace orbearing::gearset

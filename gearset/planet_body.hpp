@@ -9,12 +9,13 @@ namespace orbearing::gearset {
 /// The gear body of one planet, teeth and rim down to its bore; rings and rollers of its bearings not
 /// included.
 struct PlanetBody {
-  double area = 0.0;     // [m^2]     transverse
-  double mass = 0.0;     // [kg]
-  double inertia = 0.0;  // [kg m^2]  polar, about the planet's own axis
+  double area = 0.0;          // [m^2]     transverse
+  double mass = 0.0;          // [kg]
+  double inertia = 0.0;       // [kg m^2]  polar, about the planet's own axis
+  double first_moment = 0.0;  // [kg m]  along the axis about the middle of the planet; zero but of two gears
 };
 
-/// The planet of a set. Eqs. (21) and (22) of gearset/README.md.
+/// The planet of a set, with both gears of a stepped one. Eqs. (21) and (22) of gearset/README.md.
 /// @throws std::domain_error if the bore leaves no rim under the tooth root
 PlanetBody planet_body(const PlanetarySet& set, const WorkingGeometry& geometry);
 

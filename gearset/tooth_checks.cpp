@@ -98,7 +98,8 @@ Warnings tooth_warnings(const WorkingGeometry& geometry) {
   ToothWarnings warnings{kSetShift, {}};
   warnings.undercut(geometry.sun, "sun");
   warnings.undercut(geometry.planet, "planet");
-  const std::string inside = "planet";
+  if (geometry.second) warnings.undercut(*geometry.second, "planet's second gear");
+  const std::string inside = geometry.second ? "planet's second gear" : "planet";
   check_reaches(geometry, inside, warnings);
   check_clearances(geometry, inside, warnings);
   check_fouling(ring_mesh_of(geometry), inside, warnings);

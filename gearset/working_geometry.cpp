@@ -5,6 +5,8 @@
 #include <stdexcept>
 
 #include "gearset/involute.hpp"
+#include "gearset/stepped_planet.hpp"
+#include "gearset/warning.hpp"
 #include "mechanics/constants.hpp"
 
 namespace orbearing::gearset {
@@ -78,7 +80,54 @@ MeshGeometry ring_mesh(const PlanetarySet& set, const WorkingGeometry& geometry)
   return mesh;
 }
 
+// The ring and the second gear make the distance, at which the sun meshes with the first.
+void close_stepped(const PlanetarySet& set, WorkingGeometry& geometry) {
+  const double module = ring_module(set);
+  geometry.second = make_external_tooth(set.stepped.teeth, set.stepped.shift.value_or(0.0), module,
+                                        rack_of(set, set.planet_heights), set.helix_angle);
+  const InternalMesh mesh =
+      mesh_without_backlash(make_ring_tooth(set.ring_teeth, set.ring_shift, module,
+                                            rack_of(set, set.ring_heights), set.helix_angle),
+                            *geometry.second);
+  geometry.ring = mesh.ring;
+  geometry.ring_mesh = mesh.mesh;
+  geometry.centre_distance = mesh.centre_distance;
+  const double sum = base_radii(set).sum;
+  if (!(mesh.centre_distance >= sum) || sum / mesh.centre_distance < std::cos(largest_working_angle))
+    throw std::domain_error(
+        "found a centre distance of " + millimetres(mesh.centre_distance) +
+        " from the ring and the planet's second gear, at which sun and first gear cannot mesh: " +
+        millimetres(sum) + " to " + millimetres(sum / std::cos(largest_working_angle)) +
+        " is required; change teeth, module or shifts of the ring mesh");
+}
+
 }  // namespace
+
+double angle_without_backlash(const ExternalTooth& gear, double teeth, double shifts) {
+  constexpr double degree = constants::degree;
+  const double value =
+      involute(gear.pressure_angle) + 2.0 * std::tan(gear.normal_pressure_angle) * shifts / teeth;
+  if (value < 0.0)
+    throw std::domain_error("found shifts that bring the base circles together; a larger sum is required");
+  const double angle = inverse_involute(value);
+  if (angle > largest_working_angle)
+    throw std::domain_error("found shifts that make the working pressure angle " +
+                            decimal(angle / degree, 2) +
+                            " deg; at most 45 deg is required: a smaller sum of shifts");
+  return angle;
+}
+
+InternalMesh mesh_without_backlash(const RingTooth& ring, const ExternalTooth& inside) {
+  if (ring.teeth <= inside.teeth)
+    throw std::domain_error(
+        "found a ring with as many teeth as the gear inside it or fewer; more are required");
+  const double angle = angle_without_backlash(inside, ring.teeth - inside.teeth, ring.shift - inside.shift);
+  InternalMesh found{ring, inside, (ring.base_radius - inside.base_radius) / std::cos(angle), {}};
+  found.mesh.working_pressure_angle = angle;
+  found.mesh.path = internal_contact_path(ring, inside, found.centre_distance);
+  found.mesh.contact_ratio = contact_ratio(found.mesh.path, inside);
+  return found;
+}
 
 double planet_working_radius(const WorkingGeometry& geometry, const MeshGeometry& mesh) {
   return geometry.planet.base_radius / std::cos(mesh.working_pressure_angle);
@@ -86,17 +135,23 @@ double planet_working_radius(const WorkingGeometry& geometry, const MeshGeometry
 
 WorkingGeometry working_geometry(const PlanetarySet& set) {
   WorkingGeometry geometry;
-  geometry.centre_distance = common_centre_distance(set);
-  geometry.planet_shift = sun_mesh_shift(set, geometry.centre_distance) - set.sun_shift;
   const double helix = set.helix_angle;
+  const bool stepped = set.stepped.present();
+  if (stepped)
+    close_stepped(set, geometry);
+  else
+    geometry.centre_distance = common_centre_distance(set);
+  geometry.planet_shift = sun_mesh_shift(set, geometry.centre_distance) - set.sun_shift;
   geometry.sun =
       make_external_tooth(set.sun_teeth, set.sun_shift, set.module, rack_of(set, set.sun_heights), helix);
   geometry.planet = make_external_tooth(set.planet_teeth, geometry.planet_shift, set.module,
                                         rack_of(set, set.planet_heights), helix);
-  geometry.ring =
-      make_ring_tooth(set.ring_teeth, set.ring_shift, set.module, rack_of(set, set.ring_heights), helix);
   geometry.sun_mesh = sun_mesh(set, geometry);
-  geometry.ring_mesh = ring_mesh(set, geometry);
+  if (!stepped) {
+    geometry.ring =
+        make_ring_tooth(set.ring_teeth, set.ring_shift, set.module, rack_of(set, set.ring_heights), helix);
+    geometry.ring_mesh = ring_mesh(set, geometry);
+  }
   geometry.base_helix_angle = base_helix_angle(set.rack.pressure_angle, helix);
   geometry.overlap_ratio = overlap_ratio(set.face_width, set.module, helix);
   return geometry;

@@ -13,6 +13,7 @@
 #include "app/case/spectrum_case.hpp"
 #include "gearset/drivetrain/arrangement_checks.hpp"
 #include "gearset/drivetrain/power_flow.hpp"
+#include "gearset/stepped_planet.hpp"
 
 namespace orbearing::app {
 
@@ -63,11 +64,19 @@ bool has_teeth(const ResolvedCase& resolved, const std::string& set) {
   return true;
 }
 
+// Teeth alone, of a set at the top of a case or, by its prefix, of one of several.
+gearset::PlanetarySet toothed_set(const ResolvedCase& resolved, const std::string& prefix) {
+  const auto teeth = [&](const char* gear) { return resolved.integer(prefix + "gearset.teeth." + gear); };
+  gearset::PlanetarySet set{
+      .sun_teeth = teeth("sun"), .planet_teeth = teeth("planet"), .ring_teeth = teeth("ring")};
+  if (const std::string second = prefix + "gearset.stepped_planet.teeth"; resolved.has(second))
+    set.stepped.teeth = resolved.integer(second);
+  return set;
+}
+
 gearset::ArrangedSet arranged_set(const ResolvedCase& resolved, const std::string& set) {
-  const auto teeth = [&](const char* gear) {
-    return resolved.integer(set_prefix(set) + "gearset.teeth." + gear);
-  };
-  return {set, teeth("sun"), teeth("planet"), teeth("ring")};
+  const gearset::WillisTeeth teeth = gearset::willis_teeth(toothed_set(resolved, set_prefix(set)));
+  return {set, teeth.sun, teeth.planet, teeth.ring};
 }
 
 gearset::Shaft shaft_of(const ResolvedCase& resolved, const std::string& name) {
@@ -86,10 +95,8 @@ Arrangement several(const ResolvedCase& resolved) {
 }
 
 Arrangement one(const ResolvedCase& resolved) {
-  const gearset::PlanetarySet set{.sun_teeth = resolved.integer("gearset.teeth.sun"),
-                                  .planet_teeth = resolved.integer("gearset.teeth.planet"),
-                                  .ring_teeth = resolved.integer("gearset.teeth.ring"),
-                                  .fixed_member = *member_of(resolved.choice("gearset.fixed"))};
+  gearset::PlanetarySet set = toothed_set(resolved, "");
+  set.fixed_member = *member_of(resolved.choice("gearset.fixed"));
   return gearset::arrangement_of(set, *member_of(resolved.choice("input.member")), "gearset");
 }
 

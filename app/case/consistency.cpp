@@ -20,6 +20,7 @@
 #include "bearing/motion/parameters.hpp"
 #include "gearset/checks.hpp"
 #include "gearset/planet_angles.hpp"
+#include "gearset/stepped_planet.hpp"
 #include "mechanics/constants.hpp"
 
 namespace orbearing::app {
@@ -260,7 +261,13 @@ void check_guide_land(Checker& check) {
                   check.length("bearing.cage.inner_diameter"));
 }
 
-void check_widths(Checker& check) {
+// The face of the planet; of a stepped one its whole length.
+double planet_length(const ResolvedCase& resolved) {
+  if (!has_stepped_planets(resolved)) return resolved.quantity("gearset.face_width");
+  return gearset::gear_planes(stated_set(resolved)).length;
+}
+
+void check_widths(Checker& check, const ResolvedCase& resolved) {
   if (check.has({"bearing.roller_length", "bearing.width"}))
     check.ordered("bearing.roller_length", "a roller within the rings", check.length("bearing.roller_length"),
                   check.length("bearing.width"), true);
@@ -269,8 +276,8 @@ void check_widths(Checker& check) {
                   check.length("bearing.roller_length"), check.length("bearing.cage.width"));
   if (check.has({"bearing.per_planet", "bearing.width", "gearset.face_width"}))
     check.ordered("bearing.per_planet", "bearings within the planet's face: their widths in all",
-                  check.count("bearing.per_planet") * check.length("bearing.width"),
-                  check.length("gearset.face_width"), true);
+                  check.count("bearing.per_planet") * check.length("bearing.width"), planet_length(resolved),
+                  true);
 }
 
 // A cage is given whole or not at all.
@@ -331,7 +338,7 @@ void check_one_set(const ResolvedCase& resolved, std::vector<Mistake>& mistakes)
     check_cage(check, races);
     check_guide_land(check);
   }
-  check_widths(check);
+  check_widths(check, resolved);
   check_catalogue_bearing(resolved, mistakes);
   check_refinements(resolved, mistakes);
   check_profile(resolved, mistakes);

@@ -98,6 +98,7 @@ struct Exception {
 
 constexpr unsigned other_rungs = use::co_simulated | use::monolithic;
 constexpr unsigned no_tilt = (use::rollers_in_motion & ~use::dynamic) | use::planet_stiffness;
+constexpr unsigned no_second_gear = use::of_a_drivetrain & ~unsigned{use::quasi_static};
 constexpr Exception exceptions[] = {
     {"input.acceleration", use::quasi_static | other_rungs, 0, use::gears | use::fmu_gearset},
     {"gearset.planet_rim", use::gears | use::fmu_gearset | use::fmu_bearing},
@@ -123,7 +124,13 @@ constexpr Exception exceptions[] = {
     {"contact.damping_ratio", 0, use::moving_defect},
     {"contact.damping_model", 0, use::moving_defect},
     {"signal.length_error", 0, use::moving_defect},
-    {"simulation.integrator", other_rungs | use::fmu_bearing}};
+    {"simulation.integrator", other_rungs | use::fmu_bearing},
+    // Two gears on a planet are known at rest.
+    {"gearset.stepped_planet.teeth", no_second_gear},
+    {"gearset.stepped_planet.module", no_second_gear},
+    {"gearset.stepped_planet.profile_shift", no_second_gear},
+    {"gearset.stepped_planet.face_width", no_second_gear},
+    {"gearset.stepped_planet.offset", no_second_gear}};
 
 // What gives way under the planets besides, with its ends: it counts at rest too where planets carry unlike
 // loads, since then it decides who carries how much.

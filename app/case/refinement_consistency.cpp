@@ -7,6 +7,8 @@
 
 #include "app/case/mistake.hpp"
 #include "app/case/set_case.hpp"
+#include "app/units.hpp"
+#include "gearset/stepped_planet.hpp"
 
 namespace orbearing::app {
 
@@ -91,21 +93,61 @@ void check_tilt(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
                    mistakes);
 }
 
-// Bearings lie side by side within the face, which lies within the supports of the pin.
+// Two gears on a planet are spur gears on a rigid body, whose couple its bearings hold.
+void check_stepped(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
+  const std::string teeth = "gearset.stepped_planet.teeth";
+  if (!has_stepped_planets(resolved) || !resolved.has("gearset.face_width")) return;
+  const auto need = [&](bool holds, const std::string& other, const std::string& required) {
+    if (!holds)
+      add_error_at(resolved, teeth, "two gears on each planet beside " + other, required + " is required",
+                   mistakes);
+  };
+  const auto is = [&](const char* path, const char* word) {
+    return resolved.has(path) && resolved.choice(path) == word;
+  };
+  need(!resolved.has("gearset.helix_angle") || resolved.quantity("gearset.helix_angle") == 0.0,
+       "gearset.helix_angle", "0 deg");
+  need(!is("gearset.planet_rim", "elastic"), "gearset.planet_rim: elastic", "a rigid rim");
+  need(!is("gearset.tooth_contact", "loaded"), "gearset.tooth_contact: loaded", "linear contact");
+  need(!is("bearing.clearance_state", "unmounted"), "bearing.clearance_state: unmounted",
+       "the clearance in operation");
+  const std::string uneven = uneven_planets_by(resolved);
+  need(uneven.empty(), uneven, "planets that carry alike");
+  need(!resolved.has("bearing.tilt_state") || is("bearing.tilt_state", "computed"),
+       "bearing.tilt_state: stated", "computed, by which the bearings hold the couple of both meshes,");
+  const std::string offset = "gearset.stepped_planet.offset";
+  const gearset::PlanetarySet set = stated_set(resolved);
+  const double apart = 0.5 * (set.face_width + gearset::ring_face(set));  // [m]
+  constexpr double round_off = 1e-9;                                      // [m]
+  if (std::abs(set.stepped.offset) < apart - round_off)
+    add_error_at(resolved, resolved.has(offset) ? offset : teeth,
+                 resolved.has(offset) ? quote(resolved.given(offset)) : "no " + offset,
+                 fmt::format("{} of at least {:.4g} mm either way, half of both faces, is required", offset,
+                             per_milli * apart),
+                 mistakes);
+}
+
+// Bearings lie side by side within the face, or the length of a stepped planet, which lies within the
+// supports of the pin.
 void check_positions(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
   const std::string state = "bearing.tilt_state", positions = "bearing.axial_places",
                     span = "support.pin_span";
   if (!resolved.has(state) || resolved.choice(state) != "computed" || !resolved.has("gearset.face_width"))
     return;
-  const double face = resolved.quantity("gearset.face_width");
+  const bool stepped = has_stepped_planets(resolved);
+  const double face =
+      stepped ? gearset::gear_planes(stated_set(resolved)).length : resolved.quantity("gearset.face_width");
   const std::string twist = "support.carrier_twist_stiffness", ends = "support.pin_ends";
-  if (resolved.has(twist) && resolved.choice(ends) == "one")
-    add_error_at(resolved, twist, resolved.given(twist) + " together with support.pin_ends: one",
+  if (resolved.has(twist) && resolved.choice(ends) != "both")
+    add_error_at(resolved, twist,
+                 resolved.given(twist) + " beside support.pin_ends: " + resolved.choice(ends),
                  "pins between two walls are required, of which one twists against the other", mistakes);
   if (resolved.has(span) && resolved.quantity(span) < face)
-    add_error_at(resolved, span,
-                 resolved.given(span) + " with a face of " + resolved.given("gearset.face_width"),
-                 "at least the face is required: the supports lie outside it", mistakes);
+    add_error_at(
+        resolved, span,
+        resolved.given(span) + " beside a face of " +
+            (stepped ? fmt::format("{:.4g} mm", per_milli * face) : resolved.given("gearset.face_width")),
+        "at least the face, beyond which its supports lie, is required", mistakes);
   if (!resolved.has(positions) || !resolved.has("bearing.width")) return;
   const double width = resolved.quantity("bearing.width");
   std::vector<double> sorted = resolved.list(positions);
@@ -134,6 +176,7 @@ void check_refinements(const ResolvedCase& resolved, std::vector<Mistake>& mista
   check_rim(resolved, mistakes);
   check_tooth_contact(resolved, mistakes);
   check_tilt(resolved, mistakes);
+  check_stepped(resolved, mistakes);
   check_positions(resolved, mistakes);
   const std::string deviations = "bearing.roller_diameter_deviation";
   if (!resolved.has(deviations) || !resolved.has("bearing.rollers")) return;

@@ -57,10 +57,18 @@ double planet_bore_of(const ResolvedCase& in, const gearset::PlanetarySet& set) 
 }  // namespace
 
 gearset::PlanetarySet set_of(const ResolvedCase& resolved) {
-  auto set = from_case<gearset::PlanetarySet>(resolved);
+  gearset::PlanetarySet set = stated_set(resolved);
   set.planet_bore = planet_bore_of(resolved, set);
   set.density = resolved.quantity("material.density");
   return set;
+}
+
+gearset::PlanetarySet stated_set(const ResolvedCase& resolved) {
+  return from_case<gearset::PlanetarySet>(resolved);
+}
+
+bool has_stepped_planets(const ResolvedCase& resolved) {
+  return resolved.has("gearset.stepped_planet.teeth");
 }
 
 std::string location_in_case(const ResolvedCase& resolved, const std::string& location) {
@@ -74,7 +82,7 @@ constexpr const char *kDistance = "gearset.centre_distance", *kPlanetShift = "ge
                      *kRingShift = "gearset.profile_shift.ring";
 constexpr double kDistanceRounding = 1e-5;  // [m]  of drawings and of shifts printed with four digits
 constexpr double kShiftRounding = 5e-3;     // [module]
-constexpr double kRoundOffOfPrint = 1e-9;          // [-]
+constexpr double kRoundOffOfPrint = 1e-9;   // [-]
 
 bool agrees(double stated, double derived, double rounding) {
   return std::abs(stated - derived) <= rounding * (1.0 + kRoundOffOfPrint);
@@ -107,9 +115,10 @@ void check_stated_geometry(const ResolvedCase& in, std::vector<Mistake>& mistake
   if (fits(in, geometry)) return;
   std::string remedy = "which follows from teeth, module, helix angle and profile shifts, is required";
   if (const auto other = with_opposite_sign(set); other && fits(in, *other))
-    remedy += fmt::format("; {} of the opposite sign, {:g}, gives {}: sources by DIN 3960 print a ring's "
-                          "shift with that sign",
-                          kRingShift, -set.ring_shift, geometry_text(*other));
+    remedy += fmt::format(
+        "; {} of the opposite sign, {:g}, gives {}: sources by DIN 3960 print a ring's "
+        "shift with that sign",
+        kRingShift, -set.ring_shift, geometry_text(*other));
   if (in.has(kDistance) && !agrees(in.quantity(kDistance), geometry.centre_distance, kDistanceRounding))
     add_error_at(in, kDistance, quote(in.given(kDistance)),
                  fmt::format("{:.4f} mm within 0.01 mm, {}", per_milli * geometry.centre_distance, remedy),
@@ -124,10 +133,11 @@ std::vector<std::string> ring_sign_warnings(const ResolvedCase& in) {
   const gearset::PlanetarySet set = set_of(in);
   const auto other = with_opposite_sign(set);
   if (!other) return {};
-  return {fmt::format("{}: {:g} is negative; sources by DIN 3960 print a ring's shift with the opposite sign. As "
-                      "stated it gives {}; {:g} gives {}. State gearset.centre_distance, which is checked",
-                      kRingShift, set.ring_shift, geometry_text(gearset::working_geometry(set)),
-                      -set.ring_shift, geometry_text(*other))};
+  return {
+      fmt::format("{}: {:g} is negative; sources by DIN 3960 print a ring's shift with the opposite sign. As "
+                  "stated it gives {}; {:g} gives {}. State gearset.centre_distance, which is checked",
+                  kRingShift, set.ring_shift, geometry_text(gearset::working_geometry(set)), -set.ring_shift,
+                  geometry_text(*other))};
 }
 
 }  // namespace orbearing::app

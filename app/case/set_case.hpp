@@ -29,15 +29,22 @@ std::string uneven_planets_by(const ResolvedCase& resolved);
 /// share of the root diameter of standard teeth.
 gearset::PlanetarySet set_of(const ResolvedCase& resolved);
 
-/// The input that a warning of the gears is about: without a bearing a planet's bore is that of another input.
+/// The same without bore and density, also of a case with values that are missing.
+gearset::PlanetarySet stated_set(const ResolvedCase& resolved);
+
+/// Whether the planets of the one set, or of one of several by ResolvedCase::of_set(), have two gears.
+bool has_stepped_planets(const ResolvedCase& resolved);
+
+/// The input that a warning of the gears is about: without a bearing a planet's bore is that of another
+/// input.
 std::string location_in_case(const ResolvedCase& resolved, const std::string& location);
 
-/// Refuses a stated centre distance or planet shift that does not follow from teeth, module and shifts. Both are
-/// checks alone: results follow from the independent values.
+/// Refuses a stated centre distance or planet shift that does not follow from teeth, module and shifts. Both
+/// are checks alone: results follow from the independent values.
 void check_stated_geometry(const ResolvedCase& resolved, std::vector<Mistake>& mistakes);
 
-/// A negative shift of the ring is legal, and what sources by DIN 3960 print for a positive one: both readings,
-/// where the other could be assembled too and nothing stated tells them apart.
+/// A negative shift of the ring is legal, and what sources by DIN 3960 print for a positive one: both
+/// readings, where the other could be assembled too and nothing stated tells them apart.
 std::vector<std::string> ring_sign_warnings(const ResolvedCase& resolved);
 
 }  // namespace orbearing::app

@@ -76,6 +76,7 @@ bool turns(const ResolvedCase& in) {
 
 bool planets_tilt(const ResolvedCase& in, std::string_view) {
   return is_nonzero(in, "gearset.helix_angle") || is_chosen(in, "support.pin_ends", "one") ||
+         is_chosen(in, "support.pin_ends", "flexpin") || in.has("gearset.stepped_planet.teeth") ||
          is_nonzero(in, "support.pin_inclination.radial") ||
          is_nonzero(in, "support.pin_inclination.tangential") || in.has("support.carrier_twist_stiffness") ||
          has_unlike_ends(in) || has_unlike_roller_ends(in);

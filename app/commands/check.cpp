@@ -5,6 +5,7 @@
 
 #include "app/case/catalogue_case.hpp"
 #include "app/case/check_table.hpp"
+#include "app/case/set_case.hpp"
 #include "app/case/uncertain_case.hpp"
 #include "app/case/unused_inputs.hpp"
 #include "app/commands/presentation.hpp"
@@ -37,7 +38,7 @@ Checked check(const ResolvedCase& resolved) {
   if (resolved.model() != planetary_drivetrain) return {own, {}, {}};
   Checked checked{derived_quantities(resolved), gear_warnings(resolved), {}};
   if (resolved.shape().several || resolved.shape().teeth) checked.power = power_table(resolved);
-  if (!resolved.shape().several)
+  if (!resolved.shape().several && !has_stepped_planets(resolved))
     for (const Derived& row : gear_dynamics_quantities(resolved))
       if (!resolved.has(row.path)) checked.derived.push_back(row);
   checked.derived.insert(checked.derived.end(), own.begin(), own.end());

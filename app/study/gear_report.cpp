@@ -8,6 +8,7 @@
 #include <cmath>
 #include <map>
 
+#include "app/case/set_case.hpp"
 #include "app/results/record_writers.hpp"
 #include "app/study/gear_case.hpp"
 #include "app/study/mesh_study.hpp"
@@ -213,7 +214,8 @@ Json load_series(const ResolvedCase& resolved, double rpm) {
 }  // namespace
 
 bool has_gear_report(const ResolvedCase& resolved) {
-  return resolved.model() == planetary_drivetrain && !resolved.shape().several && resolved.shape().teeth;
+  return resolved.model() == planetary_drivetrain && !resolved.shape().several && resolved.shape().teeth &&
+         !has_stepped_planets(resolved);
 }
 
 nlohmann::ordered_json gear_report(const ResolvedCase& resolved, std::vector<double> speeds_rpm) {

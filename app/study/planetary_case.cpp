@@ -7,6 +7,7 @@
 #include <mutex>
 
 #include "app/case/arrangement_case.hpp"
+#include "app/case/set_case.hpp"
 #include "app/errors.hpp"
 #include "app/study/gear_case.hpp"
 #include "app/units.hpp"
@@ -14,6 +15,7 @@
 #include "coupling/study/tilting_planet.hpp"
 #include "gearset/drivetrain/power_flow.hpp"
 #include "gearset/planet_angles.hpp"
+#include "gearset/stepped_planet.hpp"
 #include "mechanics/constants.hpp"
 
 namespace orbearing::app {
@@ -63,6 +65,9 @@ void add_gears(const study::PlanetaryDrivetrain& drivetrain, const study::Drivet
         {"gearset.base_helix_angle", kDegree * gears.base_helix_angle, "deg", "at the base cylinders"});
     rows.push_back({"gearset.overlap_ratio", gears.overlap_ratio, "1", "face width in axial pitches"});
   }
+  if (gears.second)
+    rows.push_back({"gearset.stepped_planet.length", per_milli * gearset::gear_planes(drivetrain.set).length,
+                    "mm", "of a planet with both gears, from whose middle the places of bearings count"});
   add_planet_angles(drivetrain.set, rows);
   rows.push_back(
       {"gearset.planet_mass", geometry.planet_mass, "kg", "gear body and outer rings of its bearings"});
@@ -76,6 +81,15 @@ void add_motion(const gearset::PlanetarySet& set, const gearset::MeanLoads& gear
   rows.push_back({"operation.input_torque_sun", gears.sun_torque, "N.m", "on the sun"});
   rows.push_back(
       {"operation.mesh_normal_force", gears.normal_force, "N", "one mesh of one planet, transverse"});
+  if (set.stepped.present()) {
+    rows.push_back({"operation.ring_mesh_normal_force", gears.ring_normal_force, "N",
+                    "one ring mesh of one planet, at its second gear"});
+    rows.push_back(
+        {"operation.couple.outward", gears.couple_outward, "N.m",
+         "of both meshes about the middle of a planet: leans its axis outward at positive places"});
+    rows.push_back({"operation.couple.ahead", gears.couple_ahead, "N.m",
+                    "the same in the sense of the carrier's rotation"});
+  }
   if (gears.axial_force == 0.0) return;
   rows.push_back({"operation.mesh_axial_force", gears.axial_force, "N",
                   "sun on one planet, along the carrier's axis; the ring's is opposite"});
@@ -346,7 +360,9 @@ double tolerance_grade_7(double size) {
 // its errors, or where planets that carry unlike loads are refused.
 void add_load_sharing(const ResolvedCase& in, const study::NamedSet& set, std::vector<Derived>& rows) {
   const std::string path = "gearset.dynamics.pin_error.tangential";
-  if (in.shape().several || set.drivetrain.uneven_planets || in.has("gearset.planet_angles")) return;
+  if (in.shape().several || set.drivetrain.uneven_planets || in.has("gearset.planet_angles") ||
+      has_stepped_planets(in))
+    return;
   const double error = 0.5 * tolerance_grade_7(set.geometry.gears.centre_distance);
   std::string errors = fmt::format("[{:.6g} um", per_micro * error);
   for (int planet = 1; planet < set.drivetrain.set.planets; ++planet) errors += ", 0 um";

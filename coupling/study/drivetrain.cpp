@@ -93,12 +93,11 @@ Eigen::Vector2d bore_tilt(const Misalignment& misalignment, const Eigen::Vector2
          misalignment.carrier_wind_up * Eigen::Vector2d::UnitY();
 }
 
-// Of a ring that bends without stretching, whose tangential displacement is 1/n of the radial one; with wave 0 the
-// whole ring moves outward. Eq. (17) of bearing/motion/README.md.
+// Of a ring that bends without stretching, whose tangential displacement is 1/n of the radial one; with wave
+// 0 the whole ring moves outward. Eq. (17) of bearing/motion/README.md.
 Eigen::ArrayXd wave_masses(double ring_mass, Eigen::Index orders) {
   Eigen::ArrayXd mass = Eigen::ArrayXd::Constant(orders, ring_mass);
-  for (Eigen::Index n = 1; n < orders; ++n)
-    mass[n] *= 0.5 * (1.0 + 1.0 / static_cast<double>(n * n));
+  for (Eigen::Index n = 1; n < orders; ++n) mass[n] *= 0.5 * (1.0 + 1.0 / static_cast<double>(n * n));
   return mass;
 }
 
@@ -108,11 +107,10 @@ bearing::ElasticRace outer_race(const PlanetaryDrivetrain& drivetrain, const Dri
   if (!geometry.rim) return {};
   const gearset::rim::RimInfluence& rim = *geometry.rim;
   const double sense = gears.tangential_force < 0.0 ? -1.0 : 1.0;
-  return {
-      .compliance = drivetrain.bearings_per_planet * rim.race,
-      .cosine = gears.normal_force * (rim.by_sun.cosine + rim.by_ring.cosine),
-      .sine = sense * gears.normal_force * (rim.by_sun.sine + rim.by_ring.sine),
-      .mass = wave_masses(geometry.planet_mass / drivetrain.bearings_per_planet, rim.race.size())};
+  return {.compliance = drivetrain.bearings_per_planet * rim.race,
+          .cosine = gears.normal_force * (rim.by_sun.cosine + rim.by_ring.cosine),
+          .sine = sense * gears.normal_force * (rim.by_sun.sine + rim.by_ring.sine),
+          .mass = wave_masses(geometry.planet_mass / drivetrain.bearings_per_planet, rim.race.size())};
 }
 
 BearingDuty bearing_duty(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry) {
@@ -125,9 +123,11 @@ BearingDuty bearing_duty(const PlanetaryDrivetrain& drivetrain, const Drivetrain
   duty.point.outer_speed = duty.gears.planet_speed_relative;
   const bearing::CarrierFrame frame = bearing::carrier_frame(duty.point.carrier, drivetrain.inertia);
   const Eigen::Vector2d meshes(duty.gears.radial_force, duty.gears.tangential_force);
-  const Eigen::Vector2d inertia =
-      geometry.planet_mass *
+  const Eigen::Vector2d acceleration =
       bearing::inertial_acceleration(frame, Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero());
+  const Eigen::Vector2d inertia = geometry.planet_mass * acceleration;
+  duty.couple = Eigen::Vector2d(duty.gears.couple_outward, duty.gears.couple_ahead) +
+                geometry.planet_gear.first_moment * acceleration;
   duty.point.bore_load = (meshes + inertia) / drivetrain.bearings_per_planet;
   duty.point.bore_tilt = bore_tilt(drivetrain.misalignment, duty.point.bore_load);
   duty.point.outer_race = outer_race(drivetrain, geometry, duty.gears);

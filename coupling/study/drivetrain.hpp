@@ -147,15 +147,17 @@ void describe(Visitor& visit, PinSeats& m) {
              .dimension = dimension::small_length,
              .range = {-1000.0, 1000.0},
              .where = computed}),
-      field(m.ends, "support.pin_ends", Physics::at_rest,
-            "support of a pin in the carrier: in both walls, or clamped in the wall at its negative end",
-            {.models = planetary_drivetrain,
-             .reason = "planets between two walls of the carrier",
-             .where = computed}),
+      field(
+          m.ends, "support.pin_ends", Physics::at_rest,
+          "ends by which the carrier holds a pin: it rests in both walls, or is clamped in the one at its "
+          "negative end; flexpin: clamped so, with the bearings on a rigid sleeve that its free end carries",
+          {.models = planetary_drivetrain,
+           .reason = "planets between two walls of the carrier",
+           .where = computed}),
       field(m.span, "support.pin_span", Physics::at_rest,
             "length of the pin between the middles of both walls; held at one end, twice that from the wall "
             "to the "
-            "middle of the face",
+            "middle of the face; of a flexpin from the wall to where it carries its sleeve",
             {.models = planetary_drivetrain,
              .dimension = dimension::length,
              .range = positive(1e4),
@@ -280,6 +282,9 @@ struct BearingDuty {
   bearing::OperatingPoint point;  // bore_load: both meshes and the planet's inertia, shared by its bearings
   int planet = 0;                 // [-]  whose, counted from 0
   double share = 1.0;             // [-]  of its planet's load, over the mean of that planet's bearings
+  /// Of both gears of a stepped planet and their inertia, about the middle of the planet: leans its axis
+  /// outward and ahead at positive z. [N m]
+  Eigen::Vector2d couple = Eigen::Vector2d::Zero();
   /// Balances of the bearing under nearly that load, where some are known.
   std::shared_ptr<const bearing::vectorised::PitchResults> near{};
 };

@@ -4,12 +4,13 @@
 #include <stdexcept>
 
 #include "gearset/dynamics/model.hpp"
+#include "gearset/stepped_planet.hpp"
 
 namespace orbearing::study {
 
 std::vector<double> axial_positions(const PlanetaryDrivetrain& drivetrain) {
   if (!drivetrain.seats.axial_positions.empty()) return drivetrain.seats.axial_positions;
-  const double face = drivetrain.set.face_width;
+  const double face = gearset::gear_planes(drivetrain.set).length;
   const int bearings = drivetrain.bearings_per_planet;
   std::vector<double> positions;
   for (int k = 0; k < bearings; ++k) positions.push_back(face * ((k + 0.5) / bearings - 0.5));
@@ -19,8 +20,8 @@ std::vector<double> axial_positions(const PlanetaryDrivetrain& drivetrain) {
 bearing::PinBeam planet_pin(const PlanetaryDrivetrain& drivetrain) {
   const PinSeats& seats = drivetrain.seats;
   constexpr double default_value = 1.25;  // half a wall at either side, each a quarter of the face
-  const double span =
-      drivetrain.set.face_width * (seats.ends == bearing::PinEnds::both ? default_value : 1.0);
+  const double span = gearset::gear_planes(drivetrain.set).length *
+                      (seats.ends == bearing::PinEnds::both ? default_value : 1.0);
   const bool bored =
       drivetrain.mounting.state == bearing::ClearanceState::unmounted;    // else a case cannot say so
   const bool ringed = drivetrain.mounting.rings == bearing::Rings::both;  // else rollers run on the pin
@@ -53,12 +54,13 @@ Eigen::Matrix2d mesh_tilt_stiffness(const PlanetaryDrivetrain& drivetrain) {
     throw std::invalid_argument("tilt of a planet: found gears without meshes; required: one set with teeth");
   gearset::dynamics::SetParameters set = drivetrain.gear_set();
   linearise_meshes(set, gearset::dynamics::operation_of(drivetrain.set, drivetrain.drive));
-  const double lever = drivetrain.set.face_width * drivetrain.set.face_width / 12.0;  // [m^2]
-  const auto of_mesh = [&](const gearset::dynamics::Mesh& mesh, double side) -> Eigen::Matrix2d {
+  const auto of_mesh = [](const gearset::dynamics::Mesh& mesh, double face, double side) -> Eigen::Matrix2d {
+    const double lever = face * face / 12.0;  // [m^2]
     const Eigen::Vector2d along(side * std::sin(mesh.pressure_angle), std::cos(mesh.pressure_angle));
     return lever * mesh.stiffness.mean() * along * along.transpose();
   };
-  return of_mesh(set.sun_mesh, 1.0) + of_mesh(set.ring_mesh, -1.0);
+  return of_mesh(set.sun_mesh, drivetrain.set.face_width, 1.0) +
+         of_mesh(set.ring_mesh, gearset::ring_face(drivetrain.set), -1.0);
 }
 
 PlanetSeat planet_seat(const PlanetaryDrivetrain& drivetrain) {
@@ -92,12 +94,12 @@ bearing::laminae::PlanetOnPin planet_on(const PlanetSeat& seat, const bearing::B
 
 bearing::laminae::PlanetOnPinResult tilting_planet(const bearing::laminae::PlanetOnPin& planet,
                                                    const bearing::OperatingPoint& point,
-                                                   double overturning_moment,
+                                                   const Eigen::Vector2d& moment,
                                                    const bearing::QuasiStaticOptions& options) {
   bearing::OperatingPoint whole = point;
   whole.bore_load *= static_cast<double>(planet.bearings.size());
-  bearing::laminae::PlanetOnPinResult result = bearing::laminae::planet_on_pin_over_a_pitch(
-      planet, whole, Eigen::Vector2d(overturning_moment, 0.0), options);
+  bearing::laminae::PlanetOnPinResult result =
+      bearing::laminae::planet_on_pin_over_a_pitch(planet, whole, moment, options);
   if (!result.report.converged) throw std::runtime_error(result.report.message);
   return result;
 }
@@ -108,7 +110,8 @@ bearing::laminae::PlanetOnPinResult balance_on(const PlanetSeat& seat, const Pla
                                                const BearingDuty& duty) {
   return tilting_planet(planet_on(seat, drivetrain.bearing,
                                   mechanics::InstructionSet::baseline),  // equal points on all machines
-                        duty.point, duty.gears.overturning_moment, quasi_static_options(drivetrain));
+                        duty.point, Eigen::Vector2d(duty.gears.overturning_moment, 0.0) + duty.couple,
+                        quasi_static_options(drivetrain));
 }
 
 }  // namespace

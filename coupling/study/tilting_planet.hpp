@@ -43,12 +43,12 @@ bearing::laminae::PlanetOnPin planet_on(const PlanetSeat& seat, const bearing::B
                                         mechanics::InstructionSet set = mechanics::best_instruction_set());
 
 /// Balance of one planet over a roller pitch: one result for each bearing. `point` is that of one bearing of
-/// a planet whose bearings carry alike; the axial forces of helical teeth overturn the planet by
-/// `overturning_moment` [N m], MeanLoads. Laminae are needed.
+/// a planet whose bearings carry alike; axial forces of helical teeth and the two gears of a stepped planet
+/// lean it outward and ahead by `moment` [N m]. Laminae are needed.
 /// @throws std::runtime_error where the planet finds no balance
 bearing::laminae::PlanetOnPinResult tilting_planet(const bearing::laminae::PlanetOnPin& planet,
                                                    const bearing::OperatingPoint& point,
-                                                   double overturning_moment,
+                                                   const Eigen::Vector2d& moment,
                                                    const bearing::QuasiStaticOptions& options);
 
 /// The same of a drivetrain at one duty.

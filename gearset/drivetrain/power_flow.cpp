@@ -8,6 +8,7 @@
 
 #include "gearset/drivetrain/arrangement.hpp"
 #include "gearset/drivetrain/arrangement_checks.hpp"
+#include "gearset/stepped_planet.hpp"
 
 namespace orbearing::gearset {
 
@@ -99,7 +100,8 @@ Arrangement arrangement_of(const PlanetarySet& set, Member driven, const std::st
   if (driven == set.fixed_member)
     throw std::invalid_argument(
         "the driven member is the fixed one; drive another member or fix another one");
-  Arrangement arrangement{{{name, set.sun_teeth, set.planet_teeth, set.ring_teeth}}, {}};
+  const WillisTeeth teeth = willis_teeth(set);
+  Arrangement arrangement{{{name, teeth.sun, teeth.planet, teeth.ring}}, {}};
   for (const SetMember& member : members_of_set(0)) {
     const bool ground = member.member == set.fixed_member;
     const bool motor = member.member == driven;

@@ -5,6 +5,7 @@
 #include "gearset/mesh/elastic_ring.hpp"
 #include "gearset/mesh/iso6336.hpp"
 #include "gearset/planet_angles.hpp"
+#include "gearset/stepped_planet.hpp"
 #include "gearset/warning.hpp"
 #include "mechanics/constants.hpp"
 
@@ -58,10 +59,13 @@ PlanetaryMeshes planetary_meshes(const PlanetarySet& set, const WorkingGeometry&
                      held_race ? Foundation::elastic_ring : Foundation::polynomials);
   const MeshGear sun =
       make_mesh_gear(geometry.sun, bodies.sun_bore * geometry.sun.root_radius, width, material);
-  const MeshGear ring =
-      make_mesh_gear(geometry.ring, bodies.ring_outside * geometry.ring.root_radius, width, material);
+  const MeshGear ring = make_mesh_gear(geometry.ring, bodies.ring_outside * geometry.ring.root_radius,
+                                       ring_face(set), material);
+  const MeshGear at_ring =
+      geometry.second ? make_mesh_gear(*geometry.second, 0.5 * set.planet_bore, ring_face(set), material)
+                      : planet;
   PlanetaryMeshes meshes{.sun_gears = meshing_gears(sun, planet, a, motion.sun_drives),
-                         .ring_gears = meshing_gears(ring, planet, a, !motion.sun_drives)};
+                         .ring_gears = meshing_gears(ring, at_ring, a, !motion.sun_drives)};
   meshes.sun = mesh_stiffness(meshes.sun_gears);
   meshes.ring = mesh_stiffness(meshes.ring_gears);
   if (set.web.thickness)

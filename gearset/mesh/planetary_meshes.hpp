@@ -59,7 +59,8 @@ struct PlanetaryMeshes {
 
 /// @param held_race [m] radius of the race at which the planet is held, whose rim bends as a whole besides
 /// (gearset/rim): foundation by the elastic ring. None: held at its bore, as published models have it
-/// @param set whose planets stand where it can be assembled
+/// @param set whose planets stand where it can be assembled; of stepped ones the lags of the ring meshes have
+/// no meaning, since how far their gears are turned against each other is not known
 /// @throws std::domain_error if a gear has no body under its teeth
 PlanetaryMeshes planetary_meshes(const PlanetarySet& set, const WorkingGeometry& geometry,
                                  const BodyRatios& bodies, const mechanics::Material& material,

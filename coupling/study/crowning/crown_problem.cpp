@@ -186,8 +186,9 @@ DutyLoads planet_loads(const CrownProblem& problem, const Profile& profile, cons
   PlanetSeat seat = *problem.seat;
   seat.pin_inclination += lean;
   const Duty& at = problem.duties[duty];
-  bearing::laminae::PlanetOnPinResult found = tilting_planet(
-      planet_on(seat, crowned(problem, profile, duty)), at.point, at.overturning_moment, problem.options);
+  bearing::laminae::PlanetOnPinResult found =
+      tilting_planet(planet_on(seat, crowned(problem, profile, duty)), at.point,
+                     Eigen::Vector2d(at.overturning_moment, 0.0), problem.options);
   DutyLoads loads{.bearings = std::move(found.bearings)};
   double sum = 0.0, largest = 0.0;
   for (std::size_t k = 0; k < loads.bearings.size(); ++k) {

@@ -276,6 +276,12 @@ inline const std::map<std::string, Change>& stated_changes() {
   const std::vector<std::string> loaded{"gearset.tooth_contact=loaded"};
   const std::vector<std::string> relieved{"gearset.tooth_contact=loaded", "gearset.tip_relief.sun=20 um",
                                           "gearset.tip_relief.planet=20 um", "gearset.tip_relief.ring=20 um"};
+  // The planet's own gear again, beside the first.
+  const std::vector<std::string> stepped{laminae, "bearing.tilt_state=computed",
+                                         "gearset.stepped_planet.offset=28 mm",
+                                         "gearset.stepped_planet.profile_shift=-0.46"};
+  std::vector<std::string> stepped_whole = stepped;
+  stepped_whole.emplace_back("gearset.stepped_planet.teeth=22");
   const std::vector<std::string> hardly_damped{"gearset.dynamics.damping_ratio.mesh=0.001",
                                                "gearset.dynamics.damping_ratio.bearing=0.001",
                                                "gearset.dynamics.damping_ratio.support=0.001"};
@@ -335,6 +341,11 @@ inline const std::map<std::string, Change>& stated_changes() {
       {"pair.web.rim", {"2", {"pair.web.thickness=0.3"}}},
       {"parallel_stage.front", {"[30, 31]"}},
       {"parallel_stage.behind", {"[30, 31]"}},
+      {"gearset.stepped_planet.teeth", {"22", stepped}},
+      {"gearset.stepped_planet.module", {"3.01 mm", stepped_whole}},
+      {"gearset.stepped_planet.profile_shift", {"-0.45", stepped_whole}},
+      {"gearset.stepped_planet.face_width", {"27 mm", stepped_whole}},
+      {"gearset.stepped_planet.offset", {"29 mm", stepped_whole}},
       {"gearset.teeth.sun", {"35"}},
       {"gearset.teeth.planet", {"21"}},
       {"gearset.teeth.ring", {"81"}},
@@ -528,9 +539,11 @@ inline bool stays_as_it_is(const Field& field, const ResolvedCase& in) {
                        field.path == "bearing.clearance_differences" ||
                        field.path.starts_with("support.pin_") ||
                        field.path == "support.carrier_twist_stiffness";
-  const bool alone = !in.shape().several && !in.has("bearing.rollers");  // a rim that rests on no rollers
-  return ((rim || of_tilt) && in.has("gearset.dynamics.pin_error.tangential")) || (rim && alone) ||
-         ((of_tilt || field.path == "gearset.planet_angles") && in.shape().several);
+  const bool alone = !in.shape().several && !in.has("bearing.rollers");    // a rim that rests on no rollers
+  const bool stepped = field.path.starts_with("gearset.stepped_planet.");  // whose bearings find their tilt
+  return ((rim || of_tilt || stepped) && in.has("gearset.dynamics.pin_error.tangential")) ||
+         ((rim || stepped) && alone) ||
+         ((of_tilt || stepped || field.path == "gearset.planet_angles") && in.shape().several);
 }
 
 /// The change of `path` in the case `in`; an empty value for a field that has but one.

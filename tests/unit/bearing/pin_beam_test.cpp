@@ -43,6 +43,29 @@ TEST(PinBeam, ClampedPinGivesWayAsTextbooksSay) {
   EXPECT_NEAR(compliance(1, 1) / (a / bending), 1.0, 1e-8);
 }
 
+// Issue 48, Build 3. The sleeve passes a force in the middle on as that force and a moment at the free end,
+// which keep the end level: L^3/(12 E I), a quarter of the clamped pin's L^3/(3 E I); elsewhere the sleeve
+// turns as a rigid body.
+TEST(PinBeam, FlexpinMovesWithoutInclining) {
+  PinBeam pin = kPinInWalls;
+  pin.ends = PinEnds::flexpin;
+  const double l = pin.span, bending = bending_stiffness(pin), shear = l / shear_stiffness(pin);
+  const Eigen::MatrixXd middle = pin_compliance(pin, {0.0});
+  EXPECT_NEAR(middle(0, 0) / (std::pow(l, 3) / (12.0 * bending) + shear), 1.0, 1e-8);
+  EXPECT_LT(std::abs(middle(1, 0)), 1e-8 * l * l / bending);
+  EXPECT_NEAR(middle(1, 1) / (l / bending), 1.0, 1e-8);
+  // Rigid: displacements of three places lie on a line with the sleeve's slope.
+  const double e = 0.01;
+  const Eigen::MatrixXd three = pin_compliance(pin, {-e, 0.0, e});
+  for (Eigen::Index load = 0; load < 6; ++load) {
+    EXPECT_NEAR(three(0, load) + three(2, load), 2.0 * three(1, load), 1e-8 * three.norm());
+    EXPECT_NEAR((three(2, load) - three(0, load)) / (2.0 * e), three(3, load), 1e-8 * three.norm());
+    EXPECT_NEAR(three(3, load), three(5, load), 1e-8 * three.norm());
+  }
+  EXPECT_LT((three - three.transpose()).norm(), 1e-12 * three.norm());
+  EXPECT_NEAR(three(3, 2) / (e * l / bending), 1.0, 1e-7);  // F e turns the free end by F e L/(E I)
+}
+
 // Two equal forces: no slope in the middle, opposite ones beside it.
 TEST(PinBeam, EqualForcesBendARestingPinSymmetrically) {
   const Eigen::MatrixXd compliance = pin_compliance(kPinInWalls, {-0.007, 0.007});
