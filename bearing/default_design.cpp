@@ -56,6 +56,14 @@ double default_pocket_clearance(double roller_diameter, double pitch_diameter, i
   return std::max(0.0, std::min(roller_diameter / 50.0, 0.5 * gap));
 }
 
+CageSize default_cage_size(double pitch_diameter, double element_diameter, double element_length,
+                           double bearing_width, double share_of_width) {
+  constexpr double inward = 0.4, outward = 0.5;
+  double width = share_of_width * bearing_width;
+  if (width <= element_length) width = 0.5 * (element_length + bearing_width);  // longer than is usual
+  return {pitch_diameter - inward * element_diameter, pitch_diameter + outward * element_diameter, width};
+}
+
 double default_land_play(double element_diameter) {
   return 0.06 * element_diameter;
 }

@@ -28,6 +28,18 @@ double default_pocket_clearance(double roller_diameter, double pitch_diameter, i
 /// Play of a cage on its land, in diametral measure. Assumption: 6 % of the diameter of a roller or ball. [m]
 double default_land_play(double element_diameter);
 
+/// Of a cage that is not drawn.
+struct CageSize {
+  double inner_diameter = 0.0;  // [m]
+  double outer_diameter = 0.0;  // [m]
+  double width = 0.0;           // [m]
+};
+
+/// As a window cage of sheet or polyamide has them: somewhat outside the pitch circle, since it is guided
+/// there; `share_of_width` [-] of the bearing's, more where elements are longer.
+CageSize default_cage_size(double pitch_diameter, double element_diameter, double element_length,
+                           double bearing_width, double share_of_width = 0.76);
+
 /// A bar between two pockets, held at both ends by the side rings of the cage.
 struct CageBar {
   double length = 0.0;          // [m]  of the pocket

@@ -93,14 +93,6 @@ void check_spacing(const PlanetarySet& set, Warnings& problems) {
   const int sum = willis_teeth(set).positions();
   if (sum % set.planets == 0) return;
   const std::string nearest = nearest_to_even(set);
-<<<<<<< HEAD
-  problems.push_back(
-      {"gearset.planets",
-       "found " + std::to_string(set.planets) +
-           " equally spaced planets; a divisor of sun + ring teeth = " + std::to_string(sum) +
-           " is required. Change the number of planets or the teeth, or state gearset.planet_angles" +
-           (nearest.empty() ? "" : ": " + nearest + " are nearest to equal steps")});
-=======
   if (set.stepped.present()) {
     problems.push_back({"gearset.planets", "found " + std::to_string(set.planets) +
                                                " equally spaced stepped planets; a divisor of (sun x second "
@@ -110,13 +102,12 @@ void check_spacing(const PlanetarySet& set, Warnings& problems) {
                                                " is required; change the number of planets or the teeth"});
     return;
   }
-  problems.push_back({"gearset.planets",
-                      "found " + std::to_string(set.planets) +
-                          " equally spaced planets; a divisor of sun + ring teeth = " + std::to_string(sum) +
-                          " is required; change the number of planets or the teeth, or state "
-                          "gearset.planet_angles" +
-                          (nearest.empty() ? "" : ": " + nearest + " are nearest to equal steps")});
->>>>>>> 43cfa64e (Planets with two gears at rest, and flexpins)
+  problems.push_back(
+      {"gearset.planets",
+       "found " + std::to_string(set.planets) +
+           " equally spaced planets; a divisor of sun + ring teeth = " + std::to_string(sum) +
+           " is required. Change the number of planets or the teeth, or state gearset.planet_angles" +
+           (nearest.empty() ? "" : ": " + nearest + " are nearest to equal steps")});
 }
 
 // Eq. (24).

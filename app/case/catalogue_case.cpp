@@ -197,22 +197,19 @@ class CatalogueCase {
     }
   }
 
-  // As a window cage of sheet or polyamide has them: somewhat outside the pitch circle, since it is guided
-  // there.
   void fill_default_cage(const catalogue::Inside& inside) {
     if ((model_ & described::in_motion) == 0) return;  // others need none
     const std::string reason =
         "default: a typical cage of a bearing of this section, guided at the outer ring";
-    constexpr double inward = 0.4, outward = 0.5, share_of_width = 0.76;
-    put_default("bearing.cage.inner_diameter", millimetres(inside.pitch_diameter - inward * inside.diameter),
-                reason);
-    put_default("bearing.cage.outer_diameter", millimetres(inside.pitch_diameter + outward * inside.diameter),
-                reason);
     const bool needles = entry_->family == catalogue::Family::needle_cage;
-    double width = (needles ? 1.0 : share_of_width) * entry_->width;
-    if (width <= inside.length)
-      width = 0.5 * (inside.length + entry_->width);  // rollers longer than is usual
-    put_default("bearing.cage.width", millimetres(width), reason);
+    const bearing::CageSize cage = needles
+                                       ? bearing::default_cage_size(inside.pitch_diameter, inside.diameter,
+                                                                    inside.length, entry_->width, 1.0)
+                                       : bearing::default_cage_size(inside.pitch_diameter, inside.diameter,
+                                                                    inside.length, entry_->width);
+    put_default("bearing.cage.inner_diameter", millimetres(cage.inner_diameter), reason);
+    put_default("bearing.cage.outer_diameter", millimetres(cage.outer_diameter), reason);
+    put_default("bearing.cage.width", millimetres(cage.width), reason);
   }
 
   void fill_class() {
@@ -481,6 +478,53 @@ catalogue::ClearanceRange clearance_range_of(const ResolvedCase& in, const std::
   const std::optional<double> bore = bore_of(in);
   if (!bore) throw std::invalid_argument("bearing.designation or bearing.bore is required as well");
   return catalogue::clearance_range(family_of(in), class_of(which), *bore);
+}
+
+namespace {
+
+using bearing::friction::BearingSize;
+using bearing::friction::TorqueFamily;
+
+TorqueFamily family_of(const ResolvedCase& in, const catalogue::Entry* entry) {
+  if (in.model() & with_rollers)
+    return is_full_complement(in) ? TorqueFamily::full_complement : TorqueFamily::cylindrical;
+  const double angle = entry != nullptr ? entry->contact_angle : in.quantity("bearing.contact_angle");
+  return angle == 0.0 ? TorqueFamily::deep_groove : TorqueFamily::angular_contact;
+}
+
+// What stands before the bore code: 2 or 22 of cylindrical rollers, 62 of balls, whose first digit is the
+// type.
+void put_series(const std::string& designation, BearingSize& size) {
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  const auto begin = std::ranges::find_if(designation, is_digit);
+  const auto end = std::find_if_not(begin, designation.end(), is_digit);
+  const std::string digits(begin, end);
+  constexpr std::size_t bore_code = 2;
+  if (digits.size() < bore_code + 1) return;
+  const std::string series = digits.substr(0, digits.size() - bore_code);
+  size.diameter_series = series.back() - '0';
+  const bool rollers = size.family == TorqueFamily::cylindrical;
+  size.wide = rollers && series.size() > 1 && series.front() >= '2';
+}
+
+}  // namespace
+
+std::optional<BearingSize> size_of(const ResolvedCase& in) {
+  const catalogue::Entry* entry = line_of(in);
+  BearingSize size{.family = family_of(in, entry)};
+  if (entry != nullptr && entry->family != catalogue::Family::needle_cage) {
+    size.bore = entry->bore;
+    size.outside = entry->outside;
+    size.width = entry->width;
+    put_series(in.text(catalogue_keys::kDesignation), size);
+  } else if (has_all(in, {"bearing.bore", "bearing.outside_diameter", "bearing.width"})) {
+    size.bore = in.quantity("bearing.bore");
+    size.outside = in.quantity("bearing.outside_diameter");
+    size.width = in.quantity("bearing.width");
+  } else {
+    return std::nullopt;
+  }
+  return size;
 }
 
 bool is_full_complement(const ResolvedCase& in) {

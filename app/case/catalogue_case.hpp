@@ -10,6 +10,7 @@
 #include "app/case/mistake.hpp"
 #include "app/case/resolved_case.hpp"
 #include "bearing/catalogue/classes.hpp"
+#include "bearing/friction/published_torque.hpp"
 
 namespace orbearing::app {
 
@@ -28,6 +29,10 @@ void check_catalogue_bearing(const ResolvedCase& resolved, std::vector<Mistake>&
 
 /// Whether the bearing has no cage: a full complement of rollers.
 bool is_full_complement(const ResolvedCase& in);
+
+/// Boundary dimensions of the case's bearing: as stated, or by its designation; none where they are not
+/// known. The series is that of the designation, else 2. Without C_0.
+std::optional<bearing::friction::BearingSize> size_of(const ResolvedCase& in);
 
 /// Range of the clearance of the case's bearing on the shelf by a class such as "CN"; of one set. Throws
 /// std::invalid_argument where the tables have none.

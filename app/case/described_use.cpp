@@ -375,25 +375,34 @@ Use with_ring_width(const Use& use) {
                      {where("bearing.rings", {"both", "outer"}), where("gearset.planet_rim", {"elastic"})});
 }
 
+// Friction of a single bearing by the formulas of others goes by its boundary dimensions.
+Use with_friction_of_others(const Use& use) {
+  return use.used_too(use::static_load, {where_given({"lubricant.grade", "lubricant.kinematic_viscosity"}),
+                                         where_given({"operation.shaft_speed", "operation.outer_speed"})});
+}
+
 // Fields of unlike physics, of which each hangs on other choices.
 Use with_other_ways(const Use& use, std::string_view path) {
   if (path == "traction.sliding_scale") return with_other_frictions(use);
   if (path == "traction.limiting_friction")
     return use.used_too(use::balls_in_motion, where("traction.law", {"ree-eyring"}));
   // Masses of rings warm up; that of the ring at rest counts for nothing besides.
-  if (path == "bearing.outside_diameter") return use.used_too(use::ball_run, where("heat.enabled", {"true"}));
+  if (path == "bearing.outside_diameter")
+    return with_friction_of_others(use)
+        .used_too(use::ball_run, where("heat.enabled", {"true"}))
+        .used_too(use::ball_run, where_given({"bearing.designation", "bearing.bore"}));
   if (path == "contact.roughness")
     return use.used_too(use::quasi_static | use::in_time, where("life.viscosity_ratio_by", {"film"}));
   if (path == "bearing.fit.expansion")
     return use.when(where_true(fits_are_warm, "together with a bearing.temperature"));
   if (path == "defect.profile") return use.when(where("defect.race", {"outer", "inner", "ball", "roller"}));
-  if (path == "bearing.width") return with_ring_width(use);
+  if (path == "bearing.width") return with_friction_of_others(with_ring_width(use));
   if (path == "inertia.euler") return with_rotating_carrier(with_run_up(use));
   // A run-up is observed from its begin to its end.
   if (path == "simulation.observed_revolutions")
     return use.limited(use::dynamic | use::dynamic_of_sets,
                        {where_true(speed_is_steady, "where input.acceleration is 0")});
-  if (path == "bearing.bore") return with_pins(use);
+  if (path == "bearing.bore") return with_friction_of_others(with_pins(use));
   // Of a driven sun or ring the power makes the force of the teeth, whichever member is held.
   if (path == "gearset.fixed") return use.used_only(use::mesh, {where("input.member", {"carrier"})});
   return use;

@@ -70,6 +70,8 @@ void describe_count(Record& record, const ValidationCount& count) {
                count.fitted);
   record.value("recomputed_values", "that follow from formulas or data of a source", count.recomputed);
   record.value("remembered_values", "not read", count.remembered);
+  record.value("further_lines", "of passing elements, beyond the one that counts of each bearing",
+               count.lines_of_one_formula);
   record.child("verdicts", "by kind of evidence", count.verdicts, [](Record& kinds, const auto& of_kinds) {
     for (const auto& [kind, verdicts] : of_kinds) {
       std::vector<std::string> names;

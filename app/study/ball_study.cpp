@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/case/oil_case.hpp"
 #include "app/case/static_case.hpp"
 #include "app/errors.hpp"
 #include "app/study/static_study.hpp"
@@ -105,6 +106,11 @@ BallStudy ball_study(const ResolvedCase& in, const std::function<void(double)>& 
   const bearing::equilibrium::RingState balance =
       bearing::equilibrium::balance_bearing(running, {.speeds = {inner, outer}}, ring_load_of(in));
   if (balance.report.converged) study.stiffness = bearing::equilibrium::stiffness_by_axes(balance);
+  study.friction_by_standards =
+      friction_by_standards(in, {.speed = std::abs(inner - outer),
+                                 .torque = std::abs(means.inner_torque),
+                                 .viscosity = in.quantity("lubricant.viscosity") / oil_density(in),
+                                 .static_capacity = ratings.static_capacity});
   study.warnings = warnings_of_balls(study, duty, options);
   return study;
 }
@@ -205,6 +211,8 @@ void describe(Record& record, const BallStudy& study) {
       .value("friction_torque_N_mm", dimension::small_torque, "mean friction torque of the inner ring",
              m.inner_torque)
       .variable = "mean_friction_torque";
+  if (study.friction_by_standards)
+    record.child("friction_by_standards", "by formulas of others", *study.friction_by_standards);
   record.value("cage_speed_rpm", dimension::angular_speed, "over the observed time", m.cage_speed).variable =
       "mean_cage_speed";
   describe_races(record, m);

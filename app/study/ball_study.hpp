@@ -8,6 +8,7 @@
 
 #include "app/case/resolved_case.hpp"
 #include "app/results/life_table.hpp"
+#include "app/study/friction_study.hpp"
 #include "bearing/equilibrium/ring_axes.hpp"
 #include "coupling/system/heated_balls.hpp"
 
@@ -28,6 +29,7 @@ struct BallStudy {
   /// Of the balance under the same load at the final speeds, as orbearing stiffness has it; none where there
   /// is none.
   std::optional<bearing::equilibrium::RingStiffness> stiffness;
+  std::optional<FrictionByStandards> friction_by_standards;  // none without boundary dimensions
   std::vector<std::string> warnings;
 
   BearingLives all_lives() const { return {lives, run.means.life.bearing, rotating_speed, largest_pressure}; }

@@ -220,6 +220,9 @@ void describe(Record& record, const StaticStudy& study) {
   if (study.passing)
     record.child("defect_frequencies", "at pure rolling, by their names in condition monitoring",
                  *study.passing);
+  if (study.rolling_friction) record.child("friction", "at pure rolling, by cause", *study.rolling_friction);
+  if (study.friction_by_standards)
+    record.child("friction_by_standards", "by formulas of others", *study.friction_by_standards);
   describe_elements(record, study);
   describe_races(record, study);
   describe_for_files(record, study);
@@ -540,6 +543,13 @@ StaticStudy static_study(const ResolvedCase& in) {
     study.films = ball_films(bearing, *motion.film, state);
     for (const std::string& warning : film_warnings(bearing, *study.films)) study.warnings.push_back(warning);
   }
+  study.rolling_friction = friction_study(in, bearing, state);
+  if (study.rolling_friction)
+    study.friction_by_standards =
+        friction_by_standards(in, {.speed = study.rolling_friction->speed,
+                                   .torque = study.rolling_friction->torque(),
+                                   .viscosity = in.quantity("lubricant.kinematic_viscosity"),
+                                   .static_capacity = study.ratings.static_capacity});
   study.over_speed = speed_table(in);
   if (study.over_speed)
     for (const std::string& warning : study.over_speed->warnings) study.warnings.push_back(warning);

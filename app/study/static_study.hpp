@@ -10,6 +10,7 @@
 #include "app/case/resolved_case.hpp"
 #include "app/results/life_table.hpp"
 #include "app/study/film_study.hpp"
+#include "app/study/friction_study.hpp"
 #include "bearing/contact/point_contact.hpp"
 #include "bearing/defect/scratched_bearing.hpp"
 #include "bearing/equilibrium/ring_balance.hpp"
@@ -87,6 +88,8 @@ struct StaticStudy {
   std::optional<std::vector<BallFilm>> films;  // of balls whose film takes part
   std::optional<bearing::defect::PassingFrequencies> passing;  // at pure rolling; none without a speed
   std::optional<SpeedTable> over_speed;
+  std::optional<FrictionStudy> rolling_friction;             // none without speed and oil
+  std::optional<FrictionByStandards> friction_by_standards;  // none without boundary dimensions
   std::optional<StaticSteps> steps;  // none where balls turn
   std::vector<std::string> warnings;
 

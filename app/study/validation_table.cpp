@@ -492,25 +492,61 @@ ValidationTable validation_table_of(const ResolvedCase& resolved, const Expected
   return table;
 }
 
+namespace {
+
+// Lines of rolling elements that pass follow from one formula: those of a bearing are one value, however many
+// recordings show them.
+constexpr const char* kPassingLines = "characteristic frequency";
+
+double size_of_deviation(const ValidationRow* row) {
+  return row->deviation ? std::abs(*row->deviation) : std::numeric_limits<double>::infinity();
+}
+
+// In place of the passing lines of a case, by kind of evidence, the one with the median deviation.
+std::vector<const ValidationRow*> once_a_bearing(const std::vector<const ValidationRow*>& rows) {
+  std::vector<const ValidationRow*> kept;
+  std::map<EvidenceKind, std::vector<const ValidationRow*>> lines;
+  for (const ValidationRow* row : rows) {
+    if (row->published.of == kPassingLines)
+      lines[row->published.kind].push_back(row);
+    else
+      kept.push_back(row);
+  }
+  for (auto& [kind, of_kind] : lines) {
+    const auto middle = of_kind.begin() + static_cast<std::ptrdiff_t>((of_kind.size() - 1) / 2);
+    std::ranges::stable_sort(of_kind, {}, size_of_deviation);
+    kept.push_back(*middle);
+  }
+  return kept;
+}
+
+}  // namespace
+
 ValidationCount counted(const std::vector<ValidationTable>& tables) {
   ValidationCount count;
   std::set<std::tuple<std::string, std::vector<std::string>, double>> seen;
   std::set<std::string> sources;
   for (const ValidationTable& table : tables) {
     count.comparisons_under_other_readings += static_cast<int>(table.other_readings.size());
+    std::vector<const ValidationRow*> read;
     for (const ValidationRow& row : table.rows) {
       const PublishedValue& published = row.published;
       if (!published.value ||
           !seen.emplace(published.source, sorted(published.settings), *published.value).second)
         continue;
-      if (published.memory) {
+      if (published.memory)
         ++count.remembered;
-        continue;
-      }
-      ++count.verdicts[std::string(described::text_of(published.kind))][row.verdict];
+      else
+        read.push_back(&row);
+    }
+    const std::vector<const ValidationRow*> values = once_a_bearing(read);
+    count.lines_of_one_formula += static_cast<int>(read.size() - values.size());
+    for (const ValidationRow* row : values) {
+      const PublishedValue& published = row->published;
+      ++count.verdicts[std::string(described::text_of(published.kind))][row->verdict];
       ++(counts(published.kind) ? count.published : count.recomputed);
       if (!counts(published.kind)) continue;
-      count.trends += row.is_trend() ? 1 : 0;
+      count.trends += row->is_trend() ? 1 : 0;
       count.fitted += published.fitted ? 1 : 0;
       sources.insert(source_key(published.source));
     }
@@ -539,6 +575,9 @@ std::string count_text(const std::vector<ValidationTable>& tables) {
   }
   if (count.remembered > 0)
     text += fmt::format("  remembered, not read: {}; not counted\n", count.remembered);
+  if (count.lines_of_one_formula > 0)
+    text += fmt::format("  further lines of passing elements of the same bearings: {}; not counted\n",
+                        count.lines_of_one_formula);
   return text + fmt::format("{} comparisons of the same values under other readings\n",
                             count.comparisons_under_other_readings);
 }

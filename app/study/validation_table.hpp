@@ -61,6 +61,7 @@ struct ValidationCount {
   int fitted = 0;      // among them: from which constants of their case were identified
   int recomputed = 0;  // numbers that follow from a source's formulas or data
   int remembered = 0;
+  int lines_of_one_formula = 0;  // of passing elements, beyond the one that counts of each bearing
   int sources = 0;  // of `published`
   int comparisons_under_other_readings = 0;
 };

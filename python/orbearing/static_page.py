@@ -30,5 +30,15 @@ def _summary(study: Report) -> Table:
             ("Largest contact pressure", format_quantity(get("contact_pressure_max_MPa"), "MPa", 4)),
             ("Displacement of the inner ring, radial", format_quantity(moved.get("radial_um"), "µm", 4)),
             ("Displacement of the inner ring, axial", format_quantity(moved.get("axial_um"), "µm", 4)),
-            ("Tilt of the inner ring", format_quantity(get("tilt_mrad"), "mrad", 4))]
+            ("Tilt of the inner ring", format_quantity(get("tilt_mrad"), "mrad", 4)), *_friction(study)]
     return Table(("Quantity", "Value"), rows)
+
+
+def _friction(study: Report) -> list[tuple[str, str]]:
+    """Ours beside that of others; none without speed and oil."""
+    if not study.content.get("friction"):
+        return []
+    rows = [("Friction torque at pure rolling", format_quantity(study.record("friction").get("torque_N_mm"), "N mm", 4))]
+    others = study.content.get("friction_by_standards") or {}
+    names = (("by SKF, without an oil bath", "skf"), ("by Palmgren", "palmgren"), ("by ISO/TR 14179-2", "iso_tr_14179_2"))
+    return rows + [(f"The same {name}", format_quantity(others[key].get("torque_N_mm"), "N mm", 4)) for name, key in names if key in others]

@@ -13,7 +13,7 @@ import unittest
 from dataclasses import replace
 
 from orbearing import validation
-from orbearing.validation.guide import calibration_text, counts_table, from_memory, guide, misses, percent, rows_table, statistics_table
+from orbearing.validation.guide import calibration_text, counts_table, first_table, from_memory, guide, misses, percent, rows_table, statistics_table
 from orbearing.validation.record import write_record
 from program import CASES, run
 
@@ -47,6 +47,15 @@ class Numbers(unittest.TestCase):
         rows = [ROW, replace(ROW, case="other", quantity="again"), replace(ROW, published=3.0), replace(ROW, reading="a=1, b=2"),
                 replace(ROW, reading="b=2, a=1"), replace(ROW, source="[A2000], Table 2")]
         self.assertEqual(len(validation.distinct(rows)), 4)
+
+    def test_lines_of_passing_elements_count_once_a_bearing(self):
+        """Issue 49, Build 6: the line of the median deviation, of each case and kind."""
+        line = replace(ROW, of="characteristic frequency", published=100.0)
+        rows = [ROW, replace(line, ours=101.0, meaning="a"), replace(line, ours=100.1, meaning="b"), replace(line, ours=107.0, meaning="c"),
+                replace(line, case="other bearing", ours=100.0), replace(line, kind="program", ours=100.0)]
+        kept = validation.once_a_bearing(rows)
+        self.assertEqual([(row.case, row.kind, row.ours) for row in kept],
+                         [("c", "measurement", 2.2), ("c", "measurement", 101.0), ("other bearing", "measurement", 100.0), ("c", "program", 100.0)])
 
     def test_calibration_counts_measurements_within_bands(self):
         rows = [replace(ROW, band=band(1.0, 1.9, 2.1, 3.0)), replace(ROW, band=band(1.9, 2.1, 2.2, 2.3)), replace(ROW, band=band(3, 4, 5, 6)),
@@ -115,6 +124,15 @@ class Tables(unittest.TestCase):
                                                 "bias": percent(sum(ratios) / 2, True), "standard deviation": percent(deviation),
                                                 "left to the model": percent(math.sqrt(deviation**2 - 0.031**2)), "missed": "2"})
         self.assertEqual((found["program"]["bias"], found["program"]["missed"]), ("-2.5 %", "0"))
+
+    def test_what_is_asked_first(self):
+        """Issue 49, Build 6: friction, heat, slip, loads, share, stiffness and vibration, in this order."""
+        rows = [replace(ROW, of="friction", ours=2.0 * math.exp(x), meaning=str(x)) for x in (0.1, 0.3)] + [replace(ROW, of="stiffness", kind="recomputed")]
+        found = self.lines(first_table(rows))
+        self.assertEqual([row["quantity"] for row in found], ["friction", "heat", "slip", "loads", "load sharing", "stiffness", "vibration"])
+        self.assertEqual(found[0], {"quantity": "friction", "values": "2", "of them measured": "2", "sources": "1", "bias": percent(0.2, True),
+                                    "standard deviation": percent(0.1 * math.sqrt(2.0)), "missed": "2"})
+        self.assertEqual(found[5]["values"], "0")
 
     def test_counts(self):
         found = {row["kind of evidence"]: row for row in self.lines(counts_table([*self.ROWS, replace(ROW, kind="closed-form", verdict="trend")]))}

@@ -5,6 +5,6 @@
 """
 
 from orbearing.validation.guide import write_guide
-from orbearing.validation.rows import KINDS, Row, calibration, changed_verdicts, distinct, read, statistics
+from orbearing.validation.rows import KINDS, Row, calibration, changed_verdicts, distinct, once_a_bearing, read, statistics
 
-__all__ = ["KINDS", "Row", "calibration", "changed_verdicts", "distinct", "read", "statistics", "write_guide"]
+__all__ = ["KINDS", "Row", "calibration", "changed_verdicts", "distinct", "once_a_bearing", "read", "statistics", "write_guide"]

@@ -11,7 +11,7 @@ from typing import Optional
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 from orbearing.validation.pictures import scatter
-from orbearing.validation.rows import COUNTED, KINDS, TREND, Row, calibration, distinct, statistics
+from orbearing.validation.rows import COUNTED, KINDS, TREND, Row, calibration, distinct, once_a_bearing, statistics
 
 VERDICTS = ("reproduced", "trend", "missed", "input missing")
 NOT_UNDERSTOOD = "not understood"
@@ -62,6 +62,23 @@ def counts_table(rows: Sequence[Row]) -> str:
     total = statistics(counted)
     lines.append(("all that count", total.values, total.sources, *(total.verdicts.get(verdict, 0) for verdict in VERDICTS), ""))
     return table(("kind of evidence", "values", "sources", *VERDICTS, "counts"), lines)
+
+
+# What a specialist asks first, and the classes of quantities that answer it.
+FIRST_ASKED = {"friction": ("friction",), "heat": ("friction and heat",), "slip": ("cage speed", "slip"), "loads": ("contact load", "bearing load"),
+               "load sharing": ("load sharing",), "stiffness": ("stiffness", "displacement", "tilt"),
+               "vibration": ("natural frequency", "characteristic frequency", "acceleration")}
+
+
+def first_table(rows: Sequence[Row]) -> str:
+    """Values that count, by what is asked first."""
+    lines = []
+    for name, classes in FIRST_ASKED.items():
+        of_name = [row for row in rows if row.of in classes and row.counts]
+        found = statistics(of_name)
+        lines.append((name, found.values, sum(row.kind == "measurement" for row in of_name), found.sources, percent(found.bias, True),
+                      percent(found.deviation), found.verdicts.get("missed", 0)))
+    return table(("quantity", "values", "of them measured", "sources", "bias", "standard deviation", "missed"), lines)
 
 
 def statistics_table(classes: dict[str, list[Row]]) -> str:
@@ -129,8 +146,8 @@ def from_memory(references: str) -> str:
 
 
 INTRODUCTION = """Every published value that could be read, beside ours. Nothing is tuned to them; misses stand in the tables, and [below](#misses) with their
-reasons. A value counts once, however many rows or readings show it. Kinds of evidence, the strongest first: *measurement*, somebody measured it;
-*program*, another program or the source's own model computed it; *worked-example*, a textbook, standard or catalogue prints it; *closed-form*, a formula;
+reasons. A value counts once, however many rows or readings show it; lines of passing elements, which follow from one formula, count once a bearing.
+Kinds of evidence, the strongest first: *measurement*, somebody measured it; *program*, another program or the source's own model computed it; *worked-example*, a textbook, standard or catalogue prints it; *closed-form*, a formula;
 *recomputed*, from the source's data by scripts of ours. The last two do not count. *Identified from*: constants of the case were identified from the value, which
 therefore says little.
 
@@ -143,8 +160,10 @@ def guide(rows: Sequence[Row], references: str, prefix: str = "") -> tuple[str, 
     """The page, its first title left out, and its pictures by file name."""
     values = distinct(rows)
     classes = classes_of(values)
+    counted = once_a_bearing(values)
     pictures = {}
-    parts = [INTRODUCTION, "## What counts", counts_table(values), "## Quantities", statistics_table(classes),
+    parts = [INTRODUCTION, "## What is asked first", first_table(counted), "## What counts", counts_table(counted),
+             "## Quantities", statistics_table(classes_of(counted)),
              "## Misses", misses(values), "## Our bands",
              "How many measurements lie within the bands that the stated uncertainty of our inputs gives, and within these bands widened by the "
              "measurement's own scatter where that is known. Values that constants were identified from are left out. Sound bands hold half and nine "

@@ -14,6 +14,7 @@ from typing import Optional
 KINDS = ("measurement", "program", "worked-example", "closed-form", "recomputed")
 COUNTED = KINDS[:3]
 TREND = "trend"
+PASSING_LINES = "characteristic frequency"  # of elements that pass: they follow from one formula
 
 
 @dataclass(frozen=True)
@@ -76,6 +77,21 @@ def distinct(rows: Iterable[Row]) -> list[Row]:
         if row.published is not None:
             found.setdefault((row.source, tuple(sorted(row.reading.split(", "))), row.published), row)
     return list(found.values())
+
+
+def once_a_bearing(rows: Iterable[Row]) -> list[Row]:
+    """Lines of passing elements are one value a bearing and kind of evidence, however many recordings show them: the one with the median deviation."""
+    kept: list[Row] = []
+    lines: dict[tuple, list[Row]] = {}
+    for row in rows:
+        if row.of == PASSING_LINES:
+            lines.setdefault((row.case, row.kind, row.memory), []).append(row)
+        else:
+            kept.append(row)
+    for of_bearing in lines.values():
+        of_bearing.sort(key=lambda row: math.inf if row.log_ratio is None else abs(row.ours / row.published - 1))
+        kept.append(of_bearing[(len(of_bearing) - 1) // 2])
+    return kept
 
 
 @dataclass(frozen=True)

@@ -85,6 +85,28 @@ TEST(ValidationCount, LeavesOutWhatHasNoPublishedNumber) {
   EXPECT_EQ(counted({table}).published, 1);
 }
 
+// Issue 49, Build 6: lines that follow from one formula are one value a bearing and kind of evidence, that of
+// the median deviation; other quantities of the case count as before.
+TEST(ValidationCount, CountsLinesOfPassingElementsOnceABearing) {
+  const auto line = [](double published, double ours, EvidenceKind kind) {
+    PublishedValue row = value("run:/defect_Hz", published, kind);
+    row.of = "characteristic frequency";
+    row.tolerance = 0.015;
+    return judged(row, ours);
+  };
+  ValidationTable table{
+      .case_name = "bearing",
+      .rows = {line(100.0, 101.0, EvidenceKind::measurement), line(101.0, 101.0, EvidenceKind::measurement),
+               line(95.0, 101.0, EvidenceKind::measurement), line(102.0, 102.0, EvidenceKind::program),
+               judged(value("slip", 3.0, EvidenceKind::measurement), 3.0)}};
+  const ValidationCount count = counted({table});
+  EXPECT_EQ(count.published, 3);
+  EXPECT_EQ(count.lines_of_one_formula, 2);
+  EXPECT_EQ(count.verdicts.at("measurement").at("reproduced"), 2);
+  EXPECT_EQ(count.verdicts.at("measurement").count("missed"), 0);
+  EXPECT_THAT(count_text({table}), HasSubstr("further lines of passing elements of the same bearings: 2"));
+}
+
 TEST(ValidationText, ListsOtherReadingsApart) {
   const std::string text = validation_text(made_up());
   const auto apart = text.find("under other readings");

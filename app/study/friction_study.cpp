@@ -1,0 +1,147 @@
+#include "app/study/friction_study.hpp"
+
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <cstdint>
+
+#include "app/case/catalogue_case.hpp"
+#include "app/case/static_case.hpp"
+#include "bearing/default_design.hpp"
+#include "bearing/film/oil_grade.hpp"
+#include "bearing/friction/thermal_reference.hpp"
+
+namespace orbearing::app {
+
+namespace {
+
+namespace friction = bearing::friction;
+namespace dimension = described::dimension;
+using described::Record;
+
+double speed_of(const ResolvedCase& in) {
+  return std::abs(in.quantity("operation.shaft_speed") - in.quantity("operation.outer_speed"));
+}
+
+// The mineral oil that has `viscosity` [m^2/s] at the temperature of the reference conditions, which is the
+// default temperature of an oil too.
+std::optional<bearing::OilGrade> oil_with(double viscosity) {
+  const auto excess = [&](double log_grade) {
+    return std::log(bearing::kinematic_viscosity({.viscosity_40 = std::exp(log_grade)},
+                                                 friction::thermal_reference::kTemperature) /
+                    viscosity);
+  };
+  const double thin = std::log(7e-6), thick = std::log(3200e-6);
+  if (excess(thin) > 0.0 || excess(thick) < 0.0) return std::nullopt;
+  std::uintmax_t steps = 100;
+  const auto [below, above] = boost::math::tools::toms748_solve(
+      excess, thin, thick, boost::math::tools::eps_tolerance<double>(40), steps);
+  return bearing::OilGrade{.viscosity_40 = std::exp(0.5 * (below + above))};
+}
+
+// With the parts on which the drag of balls depends.
+bearing::Bearing with_rings(bearing::Bearing bearing, const friction::BearingSize& size) {
+  bearing.inner.seat_diameter = size.bore;
+  bearing.outer.seat_diameter = size.outside;
+  bearing.width = size.width;
+  constexpr double no_length = 0.0, polyamide = 1310.0;
+  const bearing::CageSize cage =
+      bearing::default_cage_size(bearing.pitch_diameter, bearing.element_diameter(), no_length, size.width);
+  bearing.cage = {.inner_diameter = cage.inner_diameter,
+                  .outer_diameter = cage.outer_diameter,
+                  .width = cage.width,
+                  .density = polyamide};
+  return bearing;
+}
+
+void put_torque(Record& record, double torque, const FrictionByStandards& standards) {
+  record.value("torque_N_mm", dimension::small_torque, "in all", torque).symbol = "M";
+  record.value("power_W", dimension::heat, "the same times the speed", torque * standards.speed);
+  record.value("ours_over_it", dimension::ratio, "our torque over it", standards.ours / torque);
+}
+
+template <class Standards>
+void put_parted(Record& record, const friction::PartedTorque& torque, const Standards& standards) {
+  record.value("load_free_N_mm", dimension::small_torque, "by viscosity and speed", torque.load_free).symbol =
+      "M_0";
+  record.value("load_dependent_N_mm", dimension::small_torque, "by the load", torque.load_dependent).symbol =
+      "M_1";
+  put_torque(record, torque.total(), standards);
+}
+
+}  // namespace
+
+void describe(Record& record, const FrictionStudy& study) {
+  const friction::RollingFriction& loss = study.loss;
+  record.value("power_W", dimension::heat, "friction at pure rolling, in all", loss.total());
+  record.value("torque_N_mm", dimension::small_torque, "the same over the speed", study.torque());
+  record.value("rolling_W", dimension::heat, "shear of the oil at the inlets, isothermal and flooded",
+               loss.rolling);
+  record.value("differential_slip_W", dimension::heat, "because ellipses are curved (Heathcote)",
+               loss.differential_slip);
+  record.value("spin_W", dimension::heat, "turning about the normals of the contacts", loss.spin);
+  record.value("drag_W", dimension::heat, "drag and churning of the oil-air mixture", loss.drag);
+}
+
+void describe(Record& record, const FrictionByStandards& standards) {
+  record.child("palmgren", "by f_0 and f_1 of the series", standards,
+               [](Record& one, const auto& of) { put_parted(one, of.palmgren, of); });
+  record.child("iso_tr_14179_2", "by f_0 and f_1 of the type", standards,
+               [](Record& one, const auto& of) { put_parted(one, of.gear_unit, of); });
+  record.child("skf", "without drag of an oil bath", standards, [](Record& one, const auto& of) {
+    one.value("rolling_N_mm", dimension::small_torque, "with both factors", of.skf.rolling).symbol = "M_rr";
+    one.value("sliding_N_mm", dimension::small_torque, "of the contacts", of.skf.sliding).symbol = "M_sl";
+    one.value("inlet_heating", dimension::ratio, "factor of heating at the inlet", of.skf.inlet_heating)
+        .symbol = "phi_ish";
+    one.value("starvation", dimension::ratio, "factor of starvation, oil jet or low bath", of.skf.starvation)
+        .symbol = "phi_rs";
+    put_torque(one, of.skf.total(), of);
+  });
+  record
+      .value("reference_heat_W", dimension::heat, "of the thermal reference speed, by the size",
+             friction::thermal_reference::heat(standards.size))
+      .symbol = "Phi_r";
+  record.value("ours_over_reference_heat", dimension::ratio, "our power over it",
+               standards.ours * standards.speed / friction::thermal_reference::heat(standards.size));
+}
+
+std::optional<bearing::Lubricant> oil_in_contacts(const ResolvedCase& in) {
+  if (in.has("lubricant.grade"))
+    return bearing::Lubricant{.viscosity = in.quantity("lubricant.viscosity"),
+                              .pressure_viscosity = in.quantity("lubricant.pressure_viscosity")};
+  if (!in.has("lubricant.kinematic_viscosity")) return std::nullopt;
+  const std::optional<bearing::OilGrade> oil = oil_with(in.quantity("lubricant.kinematic_viscosity"));
+  if (!oil) return std::nullopt;
+  return bearing::lubricant_at(*oil, friction::thermal_reference::kTemperature);
+}
+
+std::optional<FrictionStudy> friction_study(const ResolvedCase& in, const bearing::Bearing& bearing,
+                                            const bearing::equilibrium::RingState& balance) {
+  const std::optional<bearing::Lubricant> oil = oil_in_contacts(in);
+  const double speed = speed_of(in);
+  if (!oil || speed == 0.0) return std::nullopt;
+  const bearing::equilibrium::RingSpeeds speeds = row_motion_of(in).speeds;
+  if (bearing.has_rollers())
+    return FrictionStudy{friction::roller_friction(bearing, balance.contact_load, speeds, *oil), speed};
+  const std::optional<friction::BearingSize> size = size_of(in);
+  if (!size || balance.inner_rolling.size() == 0) return std::nullopt;
+  return FrictionStudy{
+      friction::ball_friction(with_rings(bearing, *size), balance, ring_load_of(in), speeds, *oil), speed};
+}
+
+std::optional<FrictionByStandards> friction_by_standards(const ResolvedCase& in, const OurFriction& ours) {
+  std::optional<friction::BearingSize> size = size_of(in);
+  if (!size || ours.speed == 0.0) return std::nullopt;
+  size->static_capacity = ours.static_capacity;
+  const bearing::equilibrium::RingLoad load = ring_load_of(in);
+  const friction::TorqueCondition at{
+      .speed = ours.speed, .viscosity = ours.viscosity, .radial = load.radial, .axial = load.axial};
+  const double mean = size->mean_diameter();
+  return FrictionByStandards{.size = *size,
+                             .palmgren = parted_torque(palmgren_factors(*size, at), mean, at),
+                             .gear_unit = parted_torque(gear_unit_factors(*size, at), mean, at),
+                             .skf = skf_torque(*size, at),
+                             .speed = ours.speed,
+                             .ours = ours.torque};
+}
+
+}  // namespace orbearing::app

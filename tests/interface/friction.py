@@ -1,0 +1,77 @@
+#!/usr/bin/env python3
+"""Issue 49, Build 2: friction of single bearings, by formulas of others, and at thermal reference speeds."""
+
+import importlib.machinery
+import importlib.util
+import math
+import os
+import pathlib
+import sys
+import unittest
+
+from program import CASES, answer
+
+SOURCE = pathlib.Path(os.environ["ORBEARING_SOURCE_DIR"])
+ROLLERS, BALLS = (CASES / "validation" / name for name in ("thermal_reference_rollers", "thermal_reference_balls"))
+
+
+def run_json(case, *values):
+    return answer("run", case, *values)
+
+
+def script():
+    """tools/thermal_reference as a module."""
+    sys.dont_write_bytecode = True
+    loader = importlib.machinery.SourceFileLoader("thermal_reference", str(SOURCE / "tools" / "thermal_reference"))
+    module = importlib.util.module_from_spec(importlib.util.spec_from_loader("thermal_reference", loader))
+    loader.exec_module(module)
+    return module
+
+
+class Friction(unittest.TestCase):
+    def test_parts_add_up_and_torque_is_power_over_speed(self):
+        for case, rpm in ((ROLLERS, 17000), (BALLS, 28000)):
+            found = run_json(case)["friction"]
+            parts = [found[name] for name in ("rolling_W", "differential_slip_W", "spin_W", "drag_W")]
+            self.assertAlmostEqual(found["power_W"], sum(parts), delta=1e-9 * found["power_W"])
+            self.assertAlmostEqual(found["torque_N_mm"], 1e3 * found["power_W"] / (rpm * math.pi / 30), delta=1e-9 * found["torque_N_mm"])
+            self.assertTrue(all(part >= 0.0 for part in parts))
+
+    def test_formulas_of_others_by_hand(self):
+        """NU 204, d 20, D 47, B 14 mm, 1100 N, 17000 rpm, 12 mm2/s: tests/unit/friction has the sums."""
+        found = run_json(ROLLERS)["friction_by_standards"]
+        self.assertAlmostEqual(found["palmgren"]["load_free_N_mm"], 26.057, delta=0.005)
+        self.assertAlmostEqual(found["palmgren"]["load_dependent_N_mm"], 11.055, delta=1e-9)
+        self.assertAlmostEqual(found["skf"]["sliding_N_mm"], 1.1055, delta=1e-9)
+        self.assertAlmostEqual(found["iso_tr_14179_2"]["load_free_N_mm"], 1.5 * 26.057, delta=0.01)
+        self.assertAlmostEqual(found["reference_heat_W"], 47.149, delta=0.001)
+
+    def test_series_are_those_of_the_designation(self):
+        """R_1 of 22 over that of 2: 1.40/1.09; both have one d_m."""
+        narrow, wide = (run_json(ROLLERS, f"bearing.designation={name}")["friction_by_standards"] for name in ("NU 205", "NU 2205"))
+        self.assertAlmostEqual(wide["skf"]["rolling_N_mm"] / narrow["skf"]["rolling_N_mm"], 1.40 / 1.09, delta=1e-9)
+        self.assertAlmostEqual(wide["palmgren"]["load_free_N_mm"] / narrow["palmgren"]["load_free_N_mm"], 1.5, delta=1e-9)
+
+    def test_none_without_oil_or_speed(self):
+        found = run_json(CASES / "harris_209")
+        self.assertNotIn("friction", found)
+
+    def test_stated_sizes_serve_in_place_of_a_designation(self):
+        sizes = [f"bearing.{name}={value} mm" for name, value in (("bore", 45), ("outside_diameter", 85), ("width", 19))]
+        oil = ["lubricant.grade=ISO VG 32", "operation.shaft_speed=3000 rpm"]
+        self.assertNotIn("friction_by_standards", run_json(CASES / "harris_209", *oil))
+        found = run_json(CASES / "harris_209", *oil, *sizes)
+        self.assertAlmostEqual(found["friction_by_standards"]["reference_heat_W"], 0.016 * math.pi * 19 * 130, delta=1e-6)
+
+
+class ReferenceSpeeds(unittest.TestCase):
+    def test_expected_values_are_those_of_the_catalogue(self):
+        module = script()
+        for family, name in module.CASES.items():
+            text = (CASES / "validation" / name / "expected.yaml").read_text(encoding="utf-8")
+            self.assertEqual(text, module.expected(family, module.WHY[family]), "tools/thermal_reference --write")
+            self.assertGreaterEqual(sum(1 for _ in module.rows(family)), 40)
+
+
+if __name__ == "__main__":
+    unittest.main()
