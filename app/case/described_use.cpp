@@ -430,6 +430,28 @@ Use use_of(const described::Facts& facts) {
       facts.path);
 }
 
+Use with_carrier_beside(const Use& use, std::string_view path) {
+  const Condition body = where_true(carrier_is_body,
+                                    "where gearset.carrier.bearing_positions is given, gearset.fixed is ring "
+                                    "and gearset.planet_rim is rigid");
+  const auto with_body = [&](std::vector<Condition> conditions) {
+    conditions.push_back(body);
+    return conditions;
+  };
+  Use more = use;
+  if ((use.by & use::carrier) != 0 && (use.by & use::quasi_static) == 0)
+    more = more.used_too(use::quasi_static, with_body(use.conditions));
+  for (const Way& way : use.ways)
+    if ((way.by & use::carrier) != 0 && (way.by & use::quasi_static) == 0)
+      more = more.used_too(use::quasi_static, with_body(way.conditions));
+  // What a set in its plane does not know; loads, clearance and weight leave its springs as they are.
+  if (is_one_of(path, {"gearset.carrier.bearing_positions", "gearset.carrier.bearing_stiffness",
+                       "gearset.carrier.centre_of_mass", "bearing.axial_places", "bearing.roller_length",
+                       "gearset.dynamics.ring.equivalent_mass"}))
+    more = more.used_too(use::modes, body);
+  return more;
+}
+
 Condition where_bearings_make_springs() {
   return where_true(
       bearings_make_springs,

@@ -121,7 +121,8 @@ std::vector<Field> build_table() {
   table::add_oil_fields(fields);
   for (Field& field : fields)
     if ((field.models & planetary_drivetrain) != 0)
-      field.use = with_carrier_body(with_planet_defect(field.use, field.path), field.path);
+      field.use = with_carrier_beside(
+          with_carrier_body(with_planet_defect(field.use, field.path), field.path), field.path);
   table::add_catalogue_fields(fields);
   return grouped(std::move(fields));
 }

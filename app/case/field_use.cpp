@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <iterator>
 #include <utility>
 
 namespace orbearing::app {
@@ -54,30 +55,54 @@ Use with_planet_defect(const Use& use, std::string_view path) {
   return more;
 }
 
-Use with_carrier_body(Use use, std::string_view path) {
+namespace {
+
+// Of what natural frequencies or points at rest use, what the carrier as a body leaves out: how members turn
+// and stand in their planes, tilts that it computes itself, and what is made of lives.
+bool is_left_out_of_carrier(std::string_view path) {
   constexpr std::string_view dynamics = "gearset.dynamics.";
-  const auto is_one = [&](std::initializer_list<std::string_view> paths) {
-    return std::find(paths.begin(), paths.end(), path) != paths.end();
-  };
+  if (path.starts_with(dynamics) &&
+      (path.ends_with(".equivalent_mass") || path.ends_with(".torsional_stiffness")))
+    return true;
+  constexpr std::string_view others[] = {"gearset.dynamics.ring.mass",
+                                         "gearset.dynamics.ring.support_stiffness",
+                                         "gearset.dynamics.carrier.support_stiffness",
+                                         "gearset.dynamics.separation",
+                                         "bearing.tilt_state",
+                                         "bearing.axial_places",
+                                         "bearing.clearance_differences",
+                                         "support.carrier_twist_stiffness",
+                                         "life.method",
+                                         "life.minimum_load"};
+  return std::find(std::begin(others), std::end(others), path) != std::end(others) ||
+         begins_with_one_of(path, {"gearset.dynamics.transmission_error.", "bearing.misalignment.",
+                                   "support.pin_", "requirements.", "spectrum"});
+}
+
+}  // namespace
+
+Use with_carrier_body(Use use, std::string_view path) {
+  constexpr unsigned leaders = use::modes | use::quasi_static;
   if (path.starts_with("gearset.carrier.")) return use;
-  if (is_one({"gearset.planet_rim", "gearset.fixed"})) {  // springs that are linked, a ring that turns
+  if (path == "gearset.planet_rim" ||
+      path == "gearset.fixed") {  // springs that are linked, a ring that turns
     put(use, use::carrier, &Use::refused_by);
     return use;
   }
-  if (path.starts_with(dynamics) &&
-      (path.ends_with(".equivalent_mass") || path.ends_with(".torsional_stiffness") ||
-       is_one({"gearset.dynamics.ring.mass", "gearset.dynamics.ring.support_stiffness",
-               "gearset.dynamics.carrier.support_stiffness"}))) {
+  if (is_left_out_of_carrier(path)) {
     put(use, use::carrier, &Use::not_modelled_by);
-    return use;
+    return path == "bearing.axial_places" ? use.used_too(use::carrier, std::vector<Condition>{}) : use;
   }
-  follow(use, use::carrier, use::modes);
-  for (Way& way : use.ways)
-    if ((way.by & use::modes) != 0) way.by |= use::carrier;
-  if (path == "bearing.axial_places") return use.used_too(use::carrier, std::vector<Condition>{});
-  if (is_one({"input.power", "input.application_factor", "input.speed", "gearset.dynamics.pin_error.radial",
-              "gearset.dynamics.pin_error.tangential", "bearing.dynamic_capacity", "life.reduction_factor"}))
+  if ((use.refused_by & use::quasi_static) != 0)
+    put(use, use::carrier, &Use::refused_by);
+  else if ((use.by & leaders) != 0)
     put(use, use::carrier, &Use::by);
+  else
+    follow(use, use::carrier, use::modes);
+  for (Way& way : use.ways)
+    if ((way.by & leaders) != 0) way.by |= use::carrier;
+  // It moves back flanks whatever the pins do.
+  if (path == "gearset.dynamics.backlash") put(use, use::carrier, &Use::by);
   return use;
 }
 

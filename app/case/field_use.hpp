@@ -113,10 +113,13 @@ struct Use {
 
 /// With the scratched planet bearing: it is moved as by monolithic, and has no life.
 Use with_planet_defect(const Use& use, std::string_view path);
-/// With the carrier as a body: of a case counts what natural frequencies at rest do, but for moments of
-/// inertia and what holds members in their planes; torque, places of bearings and errors of the pins count
-/// besides.
+/// With the carrier as a body: of a case counts what natural frequencies at rest and points at rest take, but
+/// for moments of inertia, what holds members in their planes and what a case says of the planets' tilt;
+/// places of bearings and backlash count besides.
 Use with_carrier_body(Use use, std::string_view path);
+/// Points at rest, and natural frequencies, take the carrier as a body where a case states its bearings: what
+/// with_carrier_body() says.
+Use with_carrier_beside(const Use& use, std::string_view path);
 
 /// Who uses a field whose row stands beside its member: the analyses that hold the physics by which it is
 /// used, but for those that cannot take it.

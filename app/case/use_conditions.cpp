@@ -113,6 +113,12 @@ bool planet_counts_at_rest(const ResolvedCase& in, std::string_view set) {
          (is_chosen(in, in_set(set, "bearing.tilt_state"), "computed") && planets_tilt(in, set));
 }
 
+bool carrier_is_body(const ResolvedCase& in, std::string_view) {
+  return in.shape().bearing && in.shape().teeth && !in.shape().several &&
+         in.has("gearset.carrier.bearing_positions") && is_chosen(in, "gearset.fixed", "ring") &&
+         !is_chosen(in, "gearset.planet_rim", "elastic");
+}
+
 bool bearings_make_springs(const ResolvedCase& in, std::string_view) {
   return in.shape().bearing && (!is_stated(in, "gearset.dynamics.planet.bearing_stiffness") ||
                                 is_chosen(in, "gearset.planet_rim", "elastic"));

@@ -52,6 +52,9 @@ bool carrier_pulls(const ResolvedCase& in, std::string_view set);
 /// Whether a bearing at rest is affected by what its planet is made of: by its mass, or since it bends, tilts
 /// or is pressed on a seat.
 bool planet_counts_at_rest(const ResolvedCase& in, std::string_view set);
+/// Whether the carrier of a single set is a body in three dimensions: its bearings are stated, the housing
+/// holds the ring, and rims do not link the springs of a planet.
+bool carrier_is_body(const ResolvedCase& in, std::string_view set);
 /// Whether the springs between gears and carrier follow from the bearings.
 bool bearings_make_springs(const ResolvedCase& in, std::string_view set);
 /// Whether the springs of a set depend on its loads: those of bearings do, and of teeth in loaded contact.

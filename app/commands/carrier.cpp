@@ -7,9 +7,10 @@ namespace orbearing::app {
 
 int carrier_command(const Options& options) {
   const ResolvedCase resolved = point_of(options);
+  require_carrier(resolved);
+  const std::vector<std::string> unused = require_used(resolved, use::carrier);  // refuses before it computes
   const CarrierStudy study = carrier_study(resolved);
-  present_record(resolved, record_of(study), joined(require_used(resolved, use::carrier), study.warnings),
-                 options);
+  present_record(resolved, record_of(study), joined(unused, study.warnings), options);
   return 0;
 }
 

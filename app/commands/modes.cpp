@@ -4,9 +4,11 @@
 
 #include "app/case/units.hpp"
 #include "app/case/unused_inputs.hpp"
+#include "app/case/use_conditions.hpp"
 #include "app/commands/kept_result.hpp"
 #include "app/commands/presentation.hpp"
 #include "app/errors.hpp"
+#include "app/study/carrier_study.hpp"
 #include "app/study/duplex_study.hpp"
 #include "app/study/gear_case.hpp"
 
@@ -72,6 +74,9 @@ int modes_command(const Options& options) {
                                    resolved.given(kSpeedPath)));
   Record record;
   describe(record, mode_study(model, speed > 0.0));
+  if (speed == 0.0 && carrier_is_body(resolved, ""))
+    record.child("in_three_dimensions", "with the carrier's bearings, axial motion and tilts",
+                 spatial_modes(resolved));
   if (speed > 0.0)
     record
         .child("campbell", "frequencies over speed", model,

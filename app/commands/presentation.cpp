@@ -6,8 +6,10 @@
 
 #include "app/case/case_file.hpp"
 #include "app/case/printable.hpp"
+#include "app/case/use_conditions.hpp"
 #include "app/results/terminal_chart.hpp"
 #include "app/results/verdicts.hpp"
+#include "app/study/carrier_study.hpp"
 #include "app/study/life_peak.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/study/stiffness_study.hpp"
@@ -108,6 +110,13 @@ nlohmann::ordered_json sweep_object(const ResolvedCase& resolved, const SweepOut
     const std::vector<RollerLoads> rollers = roller_loads(resolved);
     object.update(json_of(record_of(rollers)));
     describe(form, rollers);
+    if (carrier_is_body(resolved, "")) {
+      const CarrierStudy carrier = carrier_study(resolved);
+      Record child;
+      for (Record* record : {&child, &form})
+        record->child("carrier", "the carrier in three dimensions, over a revolution", carrier);
+      object.update(json_of(child));
+    }
   }
   object["units"].update(units_of(form));
   return object;

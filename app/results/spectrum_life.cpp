@@ -40,6 +40,7 @@ std::vector<LifeColumn> life_columns(const ManifestHeader& header) {
     columns.push_back({hours, "life_h"});
     columns.push_back({"system_" + hours, "system_life_h"});
     columns.push_back({"shortest_" + hours, "life_h"});
+    columns.push_back({"carrier_" + hours, "life_h"});
   }
   for (const char* revolutions : {"life_Mrev", "L10_Mrev", "L10r_Mrev", "L10m_Mrev", "L10mr_Mrev"})
     columns.push_back({revolutions, "life_Mrev", true});

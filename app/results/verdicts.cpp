@@ -81,7 +81,8 @@ Verdict verdict_of(const Requirement& requirement, const std::vector<Sample>& sa
     verdict.value = value;
     verdict.at = sample.at;
     verdict.of_shortest =
-        is_life(requirement.key) && std::isfinite(sample.value("shortest_" + requirement.key));
+        is_life(requirement.key) && (std::isfinite(sample.value("shortest_" + requirement.key)) ||
+                                     std::isfinite(sample.value("carrier_" + requirement.key)));
   }
   // One point that fails decides; that all pass can be said of all points alone.
   if (verdict.points_failed > 0)
@@ -126,16 +127,18 @@ double worst_of_sets(const std::vector<std::string>& sets, bool at_most,
   return at_most ? std::ranges::max(values) : std::ranges::min(values);
 }
 
-// Of the bearing with the shortest life, where planets or their bearings are loaded unevenly.
-double life_or(double shortest, double life) {
-  return std::isfinite(shortest) ? shortest : life;
+// Of the bearing with the shortest life, where planets or their bearings are loaded unevenly: over a
+// revolution of the carrier where that is a body.
+double life_or(double over_revolution, double shortest, double life) {
+  return std::isfinite(over_revolution) ? over_revolution : std::isfinite(shortest) ? shortest : life;
 }
 
 // In a row a life without load has no number, as that by Lundberg and Palmgren beside it.
 LifeValue values_in_row(const SweepOutcome& outcome, const ResultRow& row) {
   return [&outcome, &row](const std::string& key) {
     const auto in = [&](const std::string& prefix) {
-      const double value = life_or(value_of(outcome.head, row, "shortest_" + prefix + key),
+      const double value = life_or(value_of(outcome.head, row, "carrier_" + prefix + key),
+                                   value_of(outcome.head, row, "shortest_" + prefix + key),
                                    value_of(outcome.head, row, prefix + key));
       const bool unloaded =
           is_life(key) && std::isnan(value) && std::isnan(value_of(outcome.head, row, prefix + "life_h"));
@@ -165,7 +168,8 @@ LifeValue values_under_spectrum(const SweepOutcome& outcome, const SpectrumResul
   return [&outcome, &result](const std::string& key) {
     if (key != "kappa")
       return worst_of_sets(outcome.header.sets, false, [&](const std::string& prefix) {
-        return life_or(life_of(result, "shortest_" + prefix + key), life_of(result, prefix + key));
+        return life_or(life_of(result, "carrier_" + prefix + key),
+                       life_of(result, "shortest_" + prefix + key), life_of(result, prefix + key));
       });
     double least = described::kAbsent;
     for (const SpectrumBin& bin : result.bins)

@@ -2,17 +2,44 @@
 
 #include <stdexcept>
 
-#include "app/case/described_case.hpp"
 #include "app/errors.hpp"
-#include "app/study/drivetrain_case.hpp"
-#include "app/study/gear_case.hpp"
+#include "app/study/planetary_case.hpp"
 
 namespace orbearing::app {
 
 namespace {
 
-using gearset::spatial::CarrierMounting;
+using gearset::spatial::SpatialMode;
+namespace dimension = described::dimension;
 constexpr const char* kPositions = "gearset.carrier.bearing_positions";
+
+void describe_mode(described::Record& row, const SpatialMode& mode) {
+  const auto share = [&](const char* name, const char* meaning, double value) {
+    row.value(name, dimension::ratio, meaning, value);
+  };
+  row.value("frequency_Hz", dimension::cycles, "natural frequency", mode.frequency);
+  row.value("multiplicity", "modes of this frequency", mode.multiplicity);
+  share("in_plane", "share of the kinetic energy: displacement across the axis and rotation about it",
+        mode.in_plane);
+  share("axial", "the same along the axis", mode.axial);
+  share("tilting", "the same of tilts", mode.tilting);
+  share("carrier", "the same of the carrier", mode.carrier);
+  share("sun", "the same of the sun", mode.sun);
+  share("ring", "the same of the ring", mode.ring);
+  share("planets", "the same of the planets", mode.planets);
+  row.array(
+         "shape", dimension::ratio,
+         "x, y, z and rotations about them times the centre distance of carrier, sun, planets and ring over "
+         "the largest, in a frame of the carrier",
+         {"body", "freedom"}, mode.shape)
+      .detail = true;
+}
+
+}  // namespace
+
+void describe(described::Record& record, const CarrierStudy& study) {
+  describe(record, study.revolution);
+}
 
 void require_carrier(const ResolvedCase& in) {
   if (in.model() != planetary_drivetrain || in.shape().several || !in.shape().teeth || !in.shape().bearing)
@@ -22,38 +49,35 @@ void require_carrier(const ResolvedCase& in) {
                    "; required: planetary-drivetrain with one gearset and its bearing");
   if (!in.has(kPositions))
     throw BadInput(in.file() + ": " + kPositions +
-                   ": missing; required: the positions of the carrier's bearings, as [-250 mm, 250 mm]");
-}
-
-void require_held_ring(const ResolvedCase& in, const gearset::dynamics::SetModel& model) {
-  if (model.operation.speeds.ring == 0.0) return;
-  throw BadInput(in.file() + ": gearset.fixed: found a rotating ring; required: ring, held by the housing");
-}
-
-}  // namespace
-
-void describe(described::Record& record, const CarrierStudy& study) {
-  describe(record, study.revolution);
+                   ": missing; required: the places of the carrier's bearings, as [-250 mm, 250 mm]");
+  if (in.choice("gearset.fixed") != "ring")
+    throw BadInput(in.file() +
+                   ": gearset.fixed: found a ring that turns; required: ring, which the housing holds");
 }
 
 CarrierStudy carrier_study(const ResolvedCase& resolved) {
   require_carrier(resolved);
-  const auto mounting = from_case<CarrierMounting>(resolved);
-  const study::PlanetaryDrivetrain drivetrain = drivetrain_without_gear_set(resolved);
-  const gearset::dynamics::SetModel model = gear_model_of(resolved, drivetrain);
-  require_held_ring(resolved, model);
-  const study::DrivetrainGeometry geometry = study::derive(drivetrain);
+  const study::NamedSet set = bearing_sets(resolved).front();
+  if (!set.drivetrain.carrier_mounting)
+    throw std::logic_error("carrier_study: of a case whose inputs were not asked for, require_used()");
   try {
-    return {.revolution = study::carrier_revolution(
-                study::spatial_set(drivetrain, model, geometry.gears.base_helix_angle, mounting),
-                study::spatial_load(model, mounting), geometry.rating.ratings.dynamic_capacity,
-                model.operation.speeds.planet_relative),
+    return {.revolution = study::carrier_revolution(set.drivetrain, set.geometry),
             .warnings = gear_warnings(resolved)};
-  } catch (const std::invalid_argument& error) {
-    throw BadInput(resolved.file() + ": " + error.what());
+  } catch (const BadInput&) {
+    throw;
   } catch (const std::runtime_error& error) {
     throw ComputationFailed(resolved.text("name") + ": " + error.what());
   }
+}
+
+void describe(described::Record& record, const SpatialModes& study) {
+  record.table("modes", "spatial_mode", "natural modes", study.modes, describe_mode);
+}
+
+SpatialModes spatial_modes(const ResolvedCase& resolved) {
+  const study::NamedSet set = bearing_sets(resolved).front();
+  return {gearset::spatial::modes_at_rest(
+      study::moving_set(set.drivetrain, set.drivetrain.gear_set(), set.geometry.gears.base_helix_angle))};
 }
 
 }  // namespace orbearing::app

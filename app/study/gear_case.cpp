@@ -48,17 +48,22 @@ double planet_rings(const study::PlanetaryDrivetrain& drivetrain, const study::D
   return drivetrain.bearings_per_planet * geometry.bearing.outer_ring_mass;
 }
 
+// What follows from the drivetrain; without a bearing that of its gears alone.
+study::DrivetrainGeometry geometry_of(const ResolvedCase& in, const study::PlanetaryDrivetrain& drivetrain) {
+  if (in.shape().bearing) return study::derive(drivetrain);
+  study::DrivetrainGeometry geometry;
+  geometry.gears = gearset::working_geometry(drivetrain.set);
+  return geometry;
+}
+
 gearset::dynamics::SetModel geometric_model(const ResolvedCase& in,
-                                            const study::PlanetaryDrivetrain& drivetrain) {
+                                            const study::PlanetaryDrivetrain& drivetrain,
+                                            const study::DrivetrainGeometry& geometry) {
   const study::GearDynamicsChoice choice = gears_of(in);
   double rings = 0.0, stiffness = 0.0;
-  study::DrivetrainGeometry geometry;
   if (in.shape().bearing) {
-    geometry = study::derive(drivetrain);
     rings = planet_rings(drivetrain, geometry);
     if (!choice.bearing_stiffness) stiffness = study::planet_bearing_stiffness(drivetrain, geometry);
-  } else {
-    geometry.gears = gearset::working_geometry(drivetrain.set);
   }
   gearset::dynamics::Operation operation = gearset::dynamics::operation_of(drivetrain.set, drivetrain.drive);
   operation.run_up = choice.run_up;
@@ -92,7 +97,18 @@ gearset::dynamics::SetModel gear_model_of(const ResolvedCase& resolved,
   require_one_set(resolved);
   if (!resolved.shape().teeth) return lumped_model(resolved, 0.0);
   try {
-    return geometric_model(resolved, drivetrain);
+    return geometric_model(resolved, drivetrain, geometry_of(resolved, drivetrain));
+  } catch (const std::domain_error& error) {
+    throw BadInput(resolved.file() + ": gearset: " + error.what());
+  }
+}
+
+gearset::dynamics::SetModel gear_model_of(const ResolvedCase& resolved,
+                                          const study::PlanetaryDrivetrain& drivetrain,
+                                          const study::DrivetrainGeometry& geometry) {
+  require_one_set(resolved);
+  try {
+    return geometric_model(resolved, drivetrain, geometry);
   } catch (const std::domain_error& error) {
     throw BadInput(resolved.file() + ": gearset: " + error.what());
   }

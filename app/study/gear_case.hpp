@@ -20,6 +20,11 @@ gearset::dynamics::SetModel gear_model_of(const ResolvedCase& resolved);
 gearset::dynamics::SetModel gear_model_of(const ResolvedCase& resolved,
                                           const study::PlanetaryDrivetrain& drivetrain);
 
+/// The same of a set with teeth and a bearing whose geometry is at hand too.
+gearset::dynamics::SetModel gear_model_of(const ResolvedCase& resolved,
+                                          const study::PlanetaryDrivetrain& drivetrain,
+                                          const study::DrivetrainGeometry& geometry);
+
 /// That of the case, its carrier turning at `carrier_speed` [rad/s] if the set has no teeth.
 gearset::dynamics::SetModel gear_model_at(const ResolvedCase& resolved, double carrier_speed);
 

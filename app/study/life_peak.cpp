@@ -274,12 +274,22 @@ LifeTable table_at(const SweepOutcome& outcome, const ResultRow& row, const Reso
   return {[&](const std::string& name) { return value_of(outcome.head, row, name); }, words_of(in)};
 }
 
+// Of the worst planet bearing, where the carrier is a body.
+std::string carrier_text(const SweepOutcome& outcome, const ResultRow& row) {
+  const auto value = [&](const std::string& name) { return value_of(outcome.head, row, "carrier_" + name); };
+  if (!std::isfinite(value("load_share"))) return "";
+  return fmt::format(
+      "worst planet bearing over a revolution of the carrier: {:.4g} of the load shared evenly, {} {:.6g} "
+      "h\n",
+      value("load_share"), outcome.head.life, value(outcome.head.life));
+}
+
 }  // namespace
 
 std::string lives_text_of(const ResolvedCase& resolved, const SweepOutcome& outcome) {
   const ResultRow* row = shown_row(outcome);
   if (row == nullptr) return "";
-  const std::string table = lives_text(table_at(outcome, *row, resolved));
+  const std::string table = carrier_text(outcome, *row) + lives_text(table_at(outcome, *row, resolved));
   if (outcome.rows.size() == 1) return table + "\n";
   return fmt::format("at {:.6g} rpm, where {} is longest:\n{}\n",
                      value_of(outcome.head, *row, "input_speed_rpm"), outcome.head.life, table);

@@ -46,14 +46,15 @@ bool fits(const ResolvedCase& resolved, const NamedChange& change) {
 std::vector<ChangeResult> results_of(const ResolvedCase& resolved, const std::vector<NamedChange>& changes,
                                      const ChangeStudy& study, const ChangesDone& done) {
   std::vector<ChangeResult> results;
-  std::vector<std::vector<study::NamedSet>> sets;           // of each change
+  std::vector<std::vector<study::NamedSet>> sets;              // of each change
   std::vector<std::pair<std::size_t, std::size_t>> positions;  // of each point: its change, its speed
-  std::vector<std::size_t> left;                            // points of each change
+  std::vector<std::size_t> left;                               // points of each change
   for (const NamedChange& change : changes) {
     const ResolvedCase changed = with_settings(resolved, change.settings);
     const std::vector<double> speeds = study.speed.empty() ? swept_speeds(changed) : study.speed;
     for (std::size_t i = 0; i < speeds.size(); ++i) positions.emplace_back(results.size(), i);
     sets.push_back(bearing_sets(changed));
+    for (study::NamedSet& set : sets.back()) set.drivetrain.carrier_mounting.reset();  // none of it is shown
     left.push_back(speeds.size());
     results.push_back({change, speeds, std::vector<study::PointResult>(speeds.size())});
   }

@@ -8,6 +8,8 @@
 
 #include "app/case/arrangement_case.hpp"
 #include "app/case/set_case.hpp"
+#include "app/case/described_case.hpp"
+#include "app/case/use_conditions.hpp"
 #include "app/errors.hpp"
 #include "app/study/gear_case.hpp"
 #include "app/units.hpp"
@@ -227,16 +229,29 @@ std::vector<std::string> clearance_warnings(const ResolvedCase& resolved) {
 namespace {
 
 // Built where it is first asked for, from any thread: teeth take a while, and each analysis asks again.
+template <class... Geometry>
 std::function<gearset::dynamics::SetParameters()> gears_built_once(
-    const ResolvedCase& in, const study::PlanetaryDrivetrain& drivetrain) {
+    const ResolvedCase& in, const study::PlanetaryDrivetrain& drivetrain, const Geometry&... geometry) {
   struct Built {
     std::once_flag once;
     gearset::dynamics::SetParameters set;
   };
-  return [in, drivetrain, built = std::make_shared<Built>()] {
-    std::call_once(built->once, [&] { built->set = gear_model_of(in, drivetrain).parameters; });
+  return [in, drivetrain, geometry..., built = std::make_shared<Built>()] {
+    std::call_once(built->once, [&] { built->set = gear_model_of(in, drivetrain, geometry...).parameters; });
     return built->set;
   };
+}
+
+// How the housing holds the carrier, where it is taken as a body. Throws BadInput where lists do not fit.
+std::optional<gearset::spatial::CarrierMounting> carrier_mounting_of(const ResolvedCase& in) {
+  if (!carrier_is_body(in, "")) return std::nullopt;
+  const auto mounting = from_case<gearset::spatial::CarrierMounting>(in);
+  try {
+    study::require_sound(mounting);
+  } catch (const std::invalid_argument& error) {
+    throw BadInput(in.file() + ": " + error.what());
+  }
+  return mounting;
 }
 
 }  // namespace
@@ -297,8 +312,11 @@ std::vector<std::string> bearing_set_names(const ResolvedCase& resolved) {
 
 std::vector<study::NamedSet> bearing_sets(const ResolvedCase& resolved) {
   if (!resolved.shape().several) {
-    study::PlanetaryDrivetrain drivetrain = drivetrain_of(resolved);
+    study::PlanetaryDrivetrain drivetrain = drivetrain_without_gear_set(resolved);
     const study::DrivetrainGeometry geometry = study::derive(drivetrain);
+    if (resolved.has("bearing.rollers"))
+      drivetrain.gear_set = gears_built_once(resolved, drivetrain, geometry);
+    drivetrain.carrier_mounting = carrier_mounting_of(resolved);
     return {{"", std::move(drivetrain), geometry}};
   }
   const gearset::PowerFlow flow = gearset::power_flow(arrangement_of(resolved));
@@ -370,7 +388,9 @@ void add_load_sharing(const ResolvedCase& in, const study::NamedSet& set, std::v
     const char* tilt = "bearing.tilt_state";
     const bool tilts = in.has(tilt) && in.choice(tilt) == "computed";
     const ResolvedCase aligned = tilts ? in.with(tilt, std::string("stated")) : in;
-    const study::PointResult point = study::evaluate(bearing_sets(aligned.with(path, errors + "]")));
+    std::vector<study::NamedSet> one_off = bearing_sets(aligned.with(path, errors + "]"));
+    one_off.front().drivetrain.carrier_mounting.reset();
+    const study::PointResult point = study::evaluate(one_off);
     if (point.planets.empty()) return;
     const std::string off =
         fmt::format("with one pin off by {:.2g} um (js7 of ISO 286-1), planets on springs{}",
@@ -504,7 +524,8 @@ void put_pressures(const study::NamedSet& set, const study::LaminaRecord& lamina
 
 std::vector<RollerLoads> roller_loads(const ResolvedCase& resolved) {
   std::vector<RollerLoads> all;
-  for (const study::NamedSet& set : bearing_sets(resolved)) {
+  for (study::NamedSet& set : bearing_sets(resolved)) {
+    set.drivetrain.carrier_mounting.reset();  // it moves no roller of the set's plane
     const study::PointResult point =
         study::evaluate(set.drivetrain, set.geometry, study::Fidelity::quasi_static);
     RollerLoads& loads = all.emplace_back(RollerLoads{.set = set.name, .by_position = point.distribution});

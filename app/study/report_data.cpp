@@ -9,11 +9,13 @@
 
 #include "app/case/case_file.hpp"
 #include "app/case/field_table.hpp"
+#include "app/case/use_conditions.hpp"
 #include "app/errors.hpp"
 #include "app/results/progress.hpp"
 #include "app/results/record_writers.hpp"
 #include "app/results/result_row.hpp"
 #include "app/results/verdicts.hpp"
+#include "app/study/carrier_study.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/study/life_peak.hpp"
 #include "app/study/planetary_case.hpp"
@@ -275,6 +277,9 @@ nlohmann::ordered_json report_data(const ResolvedCase& resolved, const Manifest&
   data["validation"] = json_of(record_of(std::vector{published.table})).at("rows");
   add_numbers_of_sweep(outcome, missing.none(), data["validation"]);
   data["sensitivities"] = json_of(record_of(std::vector{table})).at("assumptions");
+  // At the case's own point, as the command carrier has it.
+  if (const ResolvedCase point = slice.at.without_sweep(); carrier_is_body(point, ""))
+    data["carrier"] = json_of(record_of(carrier_study(point)));
   if (has_gear_report(slice.at)) data["gears"] = gear_report(slice.at, grid.speed_rpm);
   if (fidelity_of(outcome.header.fidelity) == study::Fidelity::co_simulated)
     data["coupled"]["convergence"] = convergence(drivetrain);

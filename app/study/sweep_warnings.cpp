@@ -3,10 +3,12 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 
 #include "app/case/unused_inputs.hpp"
+#include "app/case/use_conditions.hpp"
 #include "app/study/drivetrain_case.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/study/planetary_case.hpp"
@@ -93,6 +95,42 @@ std::vector<std::string> rated_lamina_warnings(const ResolvedCase& resolved) {
   return warnings;
 }
 
+constexpr double kOtherLife = 0.1;  // [-]  of the set's own life
+
+// What the carrier as a body says of the lives beside it, and where it is none.
+std::vector<std::string> carrier_warnings(const ResolvedCase& resolved, const SweepOutcome& outcome) {
+  std::vector<std::string> warnings;
+  const std::string stated = "gearset.carrier.bearing_positions";
+  if (outcome.header.fidelity != "quasi-static" || !resolved.has(stated)) return warnings;
+  if (!carrier_is_body(resolved, ""))
+    warnings.push_back(stated +
+                       ": the carrier is not taken as a body; required: one set with bearings, "
+                       "gearset.fixed: ring, gearset.planet_rim: rigid");
+  const auto column = [&](const ResultRow& row, const std::string& name) {
+    return value_of(outcome.head, row, name);
+  };
+  const std::string life = outcome.head.life;
+  const std::string unlike = rows_where(outcome, [&](const ResultRow& row) {
+    const double shortest = column(row, "shortest_" + life);
+    const double own = std::isfinite(shortest) ? shortest : column(row, life);
+    return std::abs(column(row, "carrier_" + life) / own - 1.0) > kOtherLife;
+  });
+  if (!unlike.empty())
+    warnings.push_back(
+        fmt::format("gearset.carrier: over a revolution of the carrier the worst planet bearing has a {0} "
+                    "that differs by "
+                    "more than {1:g} % from that of the set in its plane (columns carrier_{0} and {0}): {2}",
+                    life, 100.0 * kOtherLife, unlike));
+  const std::string lifted = rows_where(
+      outcome, [&](const ResultRow& row) { return column(row, "carrier_back_flank_load_N") > 0.0; });
+  if (!lifted.empty())
+    warnings.push_back(
+        "gearset.carrier: weight, rotor or errors of the pins lift gears off their driving flanks, and their "
+        "back flanks carry (column carrier_back_flank_load_N): " +
+        lifted);
+  return warnings;
+}
+
 }  // namespace
 
 std::vector<std::string> sweep_warnings(const ResolvedCase& resolved, const SweepOutcome& outcome,
@@ -118,6 +156,7 @@ std::vector<std::string> sweep_warnings(const ResolvedCase& resolved, const Swee
   const auto column = [&](const ResultRow& row, const char* name) {
     return value_of(outcome.head, row, name);
   };
+  add(carrier_warnings(resolved, outcome));
   add(rare_values(outcome.head, rows_of(outcome, false)));
   add(judge(observations_at_ends(resolved, outcome)).warnings);
   const std::string drifting =

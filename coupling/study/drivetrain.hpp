@@ -22,6 +22,7 @@
 #include "gearset/parameters.hpp"
 #include "gearset/planet_body.hpp"
 #include "gearset/rim/rim_influence.hpp"
+#include "gearset/spatial/spatial_set.hpp"
 #include "gearset/working_geometry.hpp"
 
 namespace orbearing::bearing::vectorised {
@@ -212,6 +213,9 @@ struct PlanetaryDrivetrain {
   std::function<gearset::dynamics::SetParameters()> gear_set;
   bool uneven_planets =
       false;  // of gear_set: pins off their places or at unequal steps make planets load unevenly
+  /// What holds the carrier in the housing, of gear_set; none: points at rest leave out that it sags and
+  /// tilts.
+  std::optional<gearset::spatial::CarrierMounting> carrier_mounting;
   bool mesh_variation = true;  // false: the meshes keep their mean stiffness, and give their mean forces
   RatedBearing rated;
   int cage_positions = 16;  // cage angles over one roller pitch that the quasi-static model averages
@@ -234,7 +238,7 @@ void describe(Visitor& visit, PlanetaryDrivetrain& m) {
       apart(m.film_approach),  // dynamics' own
       system::reduction_factor_row(m.reduction_factor), part(m.misalignment), part(m.seats), part(m.dynamics),
       part(m.steady_state), part(m.exchange), part(m.run_up), apart(m.gear_set), apart(m.uneven_planets),
-      apart(m.rated),
+      apart(m.carrier_mounting), apart(m.rated),
       field(m.mesh_variation, "gearset.mesh_variation", Physics::gear_motion,
             "the mesh stiffness varies over the mesh period and excites gears and planet bearings; false: "
             "constant mean stiffness",

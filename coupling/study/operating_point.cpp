@@ -2,16 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include "bearing/contact/line_contact.hpp"
-#include "bearing/equilibrium/aligned_pitch.hpp"
 #include "bearing/equilibrium/elastic_waves.hpp"
-#include "bearing/equilibrium/lamina_bearing.hpp"
 #include "bearing/equilibrium/quasi_static.hpp"
-#include "bearing/equilibrium/race_equilibrium.hpp"
-#include "bearing/life/lundberg_palmgren.hpp"
 #include "bearing/life/rating_lives.hpp"
 #include "bearing/motion/model.hpp"
 #include "coupling/cosim/planetary_coupling.hpp"
@@ -19,6 +14,7 @@
 #include "coupling/study/load_sharing.hpp"
 #include "coupling/study/mesh_excitation.hpp"
 #include "coupling/study/planet_stiffness.hpp"
+#include "coupling/study/rated_bearing.hpp"
 #include "coupling/study/tilting_planet.hpp"
 #include "coupling/system/monolithic.hpp"
 #include "mechanics/constants.hpp"
@@ -31,15 +27,10 @@ using bearing::Race;
 
 constexpr double kRollerSlope = bearing::rating::weibull_slope(bearing::rating::RollingElement::roller);
 
-using bearing::vectorised::AlignedPitch;
+using Rating = PlanetBearingRating;
 
 std::vector<double> as_vector(const Eigen::ArrayXd& array) {
   return {array.begin(), array.end()};
-}
-
-// The film is a result whether or not it takes part in the approach.
-double least_film(const bearing::Film& film, double load) {
-  return film.cap() > 0.0 ? film.least(load) : std::numeric_limits<double>::quiet_NaN();
 }
 
 std::vector<double> as_vector(const Eigen::ArrayXXd& array) {
@@ -54,170 +45,6 @@ RaceResult race_result(const RaceStatistics& race) {
           .load_rms = race.load_rms,
           .least_film = race.least_film,
           .lamina_load_max = race.lamina_load_max};
-}
-
-// Every place of the quasi-static bearing is passed alike, under one load.
-RaceStatistics race_means(const Eigen::ArrayXd& loads, const bearing::Film& film) {
-  return {.load_rms = std::sqrt(loads.square().mean()),
-          .load_max = loads.maxCoeff(),
-          .mean_load = loads,
-          .passages = Eigen::ArrayXd::Ones(loads.size()),
-          .damage = loads.square().square(),
-          .least_film = least_film(film, loads.maxCoeff())};
-}
-
-void put_laminae(const Eigen::ArrayXXd& loads, RaceStatistics& means) {
-  means.lamina_damage = loads.square().square();
-  means.lamina_load_max = loads.maxCoeff();
-}
-
-// One bearing of one planet, at rest in the carrier's frame.
-struct QuasiStaticBearing {
-  bearing::QuasiStaticResult loads;
-  WindowStatistics means;
-  Eigen::Vector2d tilt;  // [rad]  of the bore, of laminae
-};
-
-QuasiStaticBearing bearing_under(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
-                                 const BearingDuty& duty, bearing::QuasiStaticResult loads,
-                                 const Eigen::Vector2d& tilt) {
-  if (!loads.report.converged) throw std::runtime_error(loads.report.message);
-  const bearing::RollerContacts rolling =
-      bearing::rolling_contacts(drivetrain.bearing, geometry.bearing, duty.point.inner_speed,
-                                duty.point.outer_speed, drivetrain.lubricant);
-  WindowStatistics means;
-  means.inner = race_means(loads.inner_load, rolling.inner.film());
-  means.outer = race_means(loads.outer_load, rolling.outer.film());
-  if (drivetrain.bearing.rollers().laminae > 0) {
-    put_laminae(loads.inner_lamina_load, means.inner);
-    put_laminae(loads.outer_lamina_load, means.outer);
-  }
-  if (duty.point.outer_race.is_rigid()) loads.race_form.resize(0);
-  return {std::move(loads), std::move(means), tilt};
-}
-
-// The bearings of planets at rest, planet by planet.
-class BearingsAtRest {
- public:
-  // One instruction set everywhere, so that points are equal to the last bit on all machines of a sweep.
-  BearingsAtRest(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry)
-      : drivetrain_(drivetrain),
-        geometry_(geometry),
-        options_(quasi_static_options(drivetrain)),
-        bearing_(drivetrain.bearing, mechanics::InstructionSet::baseline) {
-    if (drivetrain.seats.tilt != TiltState::computed) level_ = AlignedPitch::of(drivetrain.bearing, options_);
-  }
-
-  /// All bearings of a planet: one where they are alike.
-  std::vector<QuasiStaticBearing> of(const BearingDuty& duty) {
-    std::vector<QuasiStaticBearing> all;
-    if (drivetrain_.seats.tilt != TiltState::computed) {
-      all.push_back(bearing_under(drivetrain_, geometry_, duty, loads_under(duty), duty.point.bore_tilt));
-      return all;
-    }
-    bearing::laminae::PlanetOnPinResult planet = tilting_planet(drivetrain_, duty);
-    for (std::size_t k = 0; k < planet.bearings.size(); ++k)
-      all.push_back(
-          bearing_under(drivetrain_, geometry_, duty, std::move(planet.bearings[k]), planet.bearing_tilt[k]));
-    return all;
-  }
-
-  std::optional<LaminaRecord> record_of_laminae(const QuasiStaticBearing& one) const {
-    if (!bearing_.is_cut()) return std::nullopt;
-    const Eigen::ArrayXd positions = bearing_.half_length() * bearing_.contact(Race::inner).positions();
-    return LaminaRecord{.lamina_position = as_vector(positions),
-                        .inner_load = as_vector(one.loads.inner_lamina_load),
-                        .outer_load = as_vector(one.loads.outer_lamina_load),
-                        .roller_tilt = as_vector(one.loads.roller_tilt),
-                        .bore_tilt = one.tilt,
-                        .moment = one.loads.moment};
-  }
-
- private:
-  bearing::QuasiStaticResult loads_under(const BearingDuty& duty) {
-    if (level_ && AlignedPitch::holds(duty.point))
-      if (auto loads = level_->under(bearing_, duty.point, duty.near.get())) return *std::move(loads);
-    return bearing::quasi_static_bearing(bearing_, duty.point, options_);
-  }
-
-  const PlanetaryDrivetrain& drivetrain_;
-  const DrivetrainGeometry& geometry_;
-  bearing::QuasiStaticOptions options_;
-  bearing::laminae::LaminaBearing bearing_;
-  std::optional<AlignedPitch> level_;
-};
-
-// Loads and lives of the bearings of one point, which share speeds, oil and ratings.
-class Rating {
- public:
-  /// `duty`: whose speeds count.
-  Rating(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry, const BearingDuty& duty)
-      : drivetrain_(drivetrain),
-        geometry_(geometry),
-        speed_(rotating_speed(drivetrain.bearing, duty.point)) {}
-
-  /// Of one bearing under a radial load [N].
-  struct Lives {
-    bearing::BearingLife life;  // [rev]  of Lundberg and Palmgren
-    double hours = 0.0;         // [h]
-    bearing::rating::RatingLives rating;
-    bearing::rating::RatedHours rated_hours;
-  };
-
-  Lives of(const WindowStatistics& means, double load) const { return of(means, load, load); }
-
-  Lives of(const WindowStatistics& means, double load, double largest_load) const {
-    const bearing::life::LaminaMeans powers = bearing::motion::means_of(
-        drivetrain_.bearing.motions, damage_of(means.inner), damage_of(means.outer));
-    // The one life of all fidelities.
-    const auto rating = bearing::life::lamina_rating(
-        drivetrain_.bearing, bearing::life::LifeMeasure::lundberg_palmgren, drivetrain_.reduction_factor);
-    Lives lives{.life = bearing::life::life_of_means(rating, powers)};
-    lives.hours = bearing::hours(lives.life.bearing, speed_);
-    const RatedBearing& rated = drivetrain_.rated;
-    lives.rating = bearing::rating::rating_lives(geometry_.rating,
-                                                 {.dynamic_load = load,
-                                                  .static_load = largest_load,
-                                                  .oil = oil_under(means),
-                                                  .reliability_factor = rated.reliability_factor},
-                                                 powers);
-    lives.rated_hours = bearing::rating::rated_hours(lives.rating, speed_);
-    return lives;
-  }
-
-  /// Radial load of the whole on one bore [N], as PointResult::planet_load.
-  double load_of(const BearingDuty& duty) const { return load_vector_of(duty).norm(); }
-  Eigen::Vector2d load_vector_of(const BearingDuty& duty) const {
-    return bearing::total_bore_load(drivetrain_.bearing, geometry_.bearing, duty.point, drivetrain_.inertia);
-  }
-
-  const PlanetaryDrivetrain& drivetrain() const { return drivetrain_; }
-
- private:
-  std::optional<bearing::rating::OilCondition> oil_under(const WindowStatistics& means) const {
-    const RatedBearing& rated = drivetrain_.rated;
-    if (!rated.oil) return std::nullopt;
-    bearing::rating::StatedOil oil = *rated.oil;
-    if (rated.roughness)
-      oil.viscosity_ratio = bearing::rating::viscosity_ratio_of_film(
-          std::min(means.inner.least_film, means.outer.least_film), *rated.roughness);
-    return bearing::rating::oil_condition(oil, speed_, drivetrain_.bearing.pitch_diameter);
-  }
-
-  const PlanetaryDrivetrain& drivetrain_;
-  const DrivetrainGeometry& geometry_;
-  double speed_ = 0.0;  // [rad/s]  of the race that turns relative to the load
-};
-
-// P of loads that take turns: [ISO281] by the exponent of its life.
-double mean_by_basic_life(const std::vector<double>& loads) {
-  const double p = bearing::rating::life_exponent(bearing::rating::RollingElement::roller);
-  if (loads.size() == 1) return loads.front();
-  const double largest = *std::max_element(loads.begin(), loads.end());
-  if (!(largest > 0.0)) return largest;
-  double sum = 0.0;
-  for (const double load : loads) sum += std::pow(load / largest, p);
-  return largest * std::pow(sum / static_cast<double>(loads.size()), 1.0 / p);
 }
 
 // `means` of one bearing, or of unlike ones under `loads` [N] as passages of one.
@@ -334,6 +161,18 @@ std::vector<double> loads_of(const Rating& rating, const std::vector<BearingDuty
   return loads;
 }
 
+std::optional<LaminaRecord> record_of_laminae(const bearing::laminae::LaminaBearing& bearing,
+                                              const QuasiStaticBearing& one) {
+  if (!bearing.is_cut()) return std::nullopt;
+  const Eigen::ArrayXd positions = bearing.half_length() * bearing.contact(Race::inner).positions();
+  return LaminaRecord{.lamina_position = as_vector(positions),
+                      .inner_load = as_vector(one.loads.inner_lamina_load),
+                      .outer_load = as_vector(one.loads.outer_lamina_load),
+                      .roller_tilt = as_vector(one.loads.roller_tilt),
+                      .bore_tilt = one.tilt,
+                      .moment = one.loads.moment};
+}
+
 PointResult quasi_static_point(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                                const std::vector<BearingDuty>& duties) {
   BearingsAtRest at_rest(drivetrain, geometry);
@@ -365,7 +204,7 @@ PointResult quasi_static_point(const PlanetaryDrivetrain& drivetrain, const Driv
     put_system_life(drivetrain, result);
   }
   const std::size_t shown = result.planets.empty() ? 0 : shortest_lived(result.planets);
-  result.laminae = at_rest.record_of_laminae(bearings[shown]);
+  result.laminae = record_of_laminae(at_rest.bearing(), bearings[shown]);
   return result;
 }
 
@@ -621,7 +460,11 @@ PointResult evaluate(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeom
                      Fidelity fidelity) {
   const std::vector<BearingDuty> duties = planet_duties(drivetrain, geometry);
   const auto point = [&] {
-    if (fidelity == Fidelity::quasi_static) return quasi_static_point(drivetrain, geometry, duties);
+    if (fidelity == Fidelity::quasi_static) {
+      PointResult at_rest = quasi_static_point(drivetrain, geometry, duties);
+      if (drivetrain.carrier_mounting) at_rest.carrier = carrier_revolution(drivetrain, geometry);
+      return at_rest;
+    }
     if (fidelity == Fidelity::dynamic) return one_way_point(drivetrain, geometry, duties);
     return coupled_point(drivetrain, geometry, duties.front(), fidelity);
   };

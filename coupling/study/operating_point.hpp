@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "coupling/study/carrier_revolution.hpp"
 #include "coupling/study/drivetrain.hpp"
 #include "coupling/study/one_way.hpp"
 
@@ -42,9 +43,9 @@ struct LoadDistribution {
 /// What only a bearing cut into laminae tells. Arrays (places, laminae) have the laminae fastest.
 struct LaminaRecord {
   std::vector<double> lamina_position;  // [m]    (laminae)  middles, from the middle of the roller
-  std::vector<double> inner_load;    // [N]    (places, laminae)
-  std::vector<double> outer_load;    // [N]    (places, laminae)
-  std::vector<double> roller_tilt;   // [rad]  (places)  outward at positive lamina places
+  std::vector<double> inner_load;       // [N]    (places, laminae)
+  std::vector<double> outer_load;       // [N]    (places, laminae)
+  std::vector<double> roller_tilt;      // [rad]  (places)  outward at positive lamina places
   Eigen::Vector2d bore_tilt = Eigen::Vector2d::Zero();  // [rad]  of the bore's axis against the pin's
   Eigen::Vector2d moment = Eigen::Vector2d::Zero();     // [N m]  of the rollers on the bore, along its tilt
 };
@@ -79,9 +80,9 @@ struct RatingRecord {
 
 /// One planet where planets differ or were computed one by one. Loads and life are those of one bearing.
 struct PlanetResult {
-  double load_share = 1.0;           // [-]  tangential load, mean over time, over the mean of all planets
-  double load = 0.0;                 // [N]  of the rollers on the bore, mean over time
-  double life_hours = 0.0;           // [h]
+  double load_share = 1.0;  // [-]  tangential load, mean over time, over the mean of all planets
+  double load = 0.0;        // [N]  of the rollers on the bore, mean over time
+  double life_hours = 0.0;  // [h]
   bearing::rating::RatedHours rated_hours{};
 };
 
@@ -127,18 +128,19 @@ struct PointResult {
       0.0;                 // [Pa] largest of both races, after Hertz; of laminae, the most loaded one's
   double cage_slip = 0.0;  // [-]  1 - cage speed / kinematic cage speed; 0 at rest
   bool caged = true;       // else there is nothing of a cage to tell
-  double radial_clearance = 0.0;           // [m]  of the running bearing
+  double radial_clearance = 0.0;  // [m]  of the running bearing
   RatingRecord rating;
   bearing::rating::LifeMethod life_method = bearing::rating::LifeMethod::lundberg_palmgren;
   LoadDistribution distribution;
-  std::optional<DynamicRecord> dynamic;  // none from the quasi-static model
-  std::optional<LaminaRecord> laminae;   // none from whole contacts
-  std::vector<PlanetResult> planets;     // none where all planets carry alike
-  std::vector<SeatResult> seats;         // of one planet, where its tilt is computed
-  std::optional<CoupledRecord> coupled;  // none where the bearings do not act back on the gears
-  std::string limiting_set;              // of several sets, the one these numbers belong to
-  std::vector<SetResult> sets;           // of several sets, all with bearings, in the order given
-  std::string status = "ok";             // "ok" or why the point failed
+  std::optional<DynamicRecord> dynamic;      // none from the quasi-static model
+  std::optional<LaminaRecord> laminae;       // none from whole contacts
+  std::vector<PlanetResult> planets;         // none where all planets carry alike
+  std::vector<SeatResult> seats;             // of one planet, where its tilt is computed
+  std::optional<CarrierRevolution> carrier;  // at rest, where the carrier's bearings are stated
+  std::optional<CoupledRecord> coupled;      // none where the bearings do not act back on the gears
+  std::string limiting_set;                  // of several sets, the one these numbers belong to
+  std::vector<SetResult> sets;               // of several sets, all with bearings, in the order given
+  std::string status = "ok";                 // "ok" or why the point failed
 };
 
 /// Name of the array that holds the state in which the motion ended.
@@ -151,8 +153,8 @@ void describe_row(described::Record& record, const PointResult& point);
 void describe(described::Record& record, const PointResult& point);
 void describe(described::Record& record, const SetResult& set);
 
-/// The life of one bearing that results go by, by the drivetrain's method [h]; not a number where the standards
-/// give none.
+/// The life of one bearing that results go by, by the drivetrain's method [h]; not a number where the
+/// standards give none.
 double life_to_go_by(const PointResult& result);
 
 /// bearing_dynamics() with what `gears` give at this duty.

@@ -266,6 +266,37 @@ void describe_one_way(Record& record, const PointResult& point) {
   describe_law(record, fit.fitted.bearing);
 }
 
+// Over a revolution of a carrier whose bearings are stated: the worst of all planet bearings.
+void describe_carrier(Record& record, const PointResult& point) {
+  const auto of = [&](const auto& part) { return point.carrier ? part(*point.carrier) : kAbsent; };
+  using Whole = CarrierRevolution;
+  record.value("carrier_load_share", dimension::ratio,
+               "largest load of one planet bearing over a revolution of the carrier, over that of the torque "
+               "shared evenly, where gearset.carrier states the carrier's bearings",
+               of([](const Whole& r) { return r.largest_share(); }));
+  record.value("carrier_K_gamma", dimension::ratio,
+               "largest mesh force of a planet over the mean of all, over a revolution, likewise",
+               of([](const Whole& r) { return r.mesh_load_factor; }));
+  record.value("carrier_K_Hbeta_sun", dimension::ratio,
+               "largest load per width of the sun's meshes over its mean, likewise",
+               of([](const Whole& r) { return r.face_load(true); }));
+  record.value("carrier_K_Hbeta_ring", dimension::ratio, "the same of the ring's meshes",
+               of([](const Whole& r) { return r.face_load(false); }));
+  record.value("carrier_back_flank_load_N", dimension::force,
+               "largest normal force of back flanks over a revolution, likewise",
+               of([](const Whole& r) { return r.back_flank_load(); }));
+  record.value(
+      "carrier_life_h", dimension::hours,
+      "life_h of the planet bearing with the shortest, under its loads over a revolution",
+      of([](const Whole& r) {
+        return std::ranges::min_element(r.bearings, {}, &BearingOverRevolution::life_hours)->life_hours;
+      }));
+  for (const bearing::rating::RatedLife& life : bearing::rating::kRatedLives)
+    record.value(std::string("carrier_") + life.name, dimension::hours,
+                 std::string(life.name) + " of the planet bearing with the shortest, likewise",
+                 of([&](const Whole& r) { return r.worst(life.hours).rated_hours.*life.hours; }));
+}
+
 void describe_distribution(Record& record, const LoadDistribution& loads) {
   record.series("angle", {"angle", "rad", "rad", ""},
                 "position on the race, from the outward radial direction towards carrier rotation", {"place"},
@@ -382,6 +413,7 @@ void describe_row(Record& record, const PointResult& point) {
   describe_motion(record, point);
   describe_sharing(record, point);
   describe_one_way(record, point);
+  describe_carrier(record, point);
 }
 
 void describe(Record& record, const PointResult& point) {
@@ -396,6 +428,10 @@ void describe(Record& record, const PointResult& point) {
   };
   table("bearing", point.seats);
   table("planet", point.planets);
+  described::Entry& revolution =
+      record.child("carrier", "the carrier in three dimensions, over a revolution", point.carrier);
+  revolution.variable = "revolution";
+  revolution.in_files_alone = true;
   if (!point.dynamic) return;
   describe_series(record, point.dynamic->series);
   describe_final_state(record, *point.dynamic);

@@ -22,11 +22,24 @@ struct Motion {
   Row row = Row::Zero();
 };
 
-// A spring along one direction between two bodies; a flank only presses.
+// A spring along one direction between two bodies.
 struct Spring {
   Motion one, other;       // deflection: one - other
   double stiffness = 0.0;  // [N/m]
-  bool presses_only = false;
+};
+
+// The flanks on one side of a mesh, cut into slices over the face width, which only press. Their approach is
+// linear in the height over the middle of the face.
+struct Flanks {
+  Motion one, other;           // approach in the middle: one - other
+  Row one_slope, other_slope;  // [1/m]  of it by the height
+  double stiffness = 0.0;      // [N/m]  of a slice
+  double gap = 0.0;            // [m]    of flanks that are not deflected
+};
+
+// Both sides of the meshes of a planet.
+struct MeshFlanks {
+  Flanks driving, back;
 };
 
 // A radial bearing with clearance.
@@ -38,7 +51,9 @@ struct RadialSpring {
 };
 
 struct Assembly {
-  std::vector<Spring> springs;       // meshes first: per planet its sun slices, then its ring slices
+  std::vector<Spring> springs;
+  std::vector<MeshFlanks> meshes;    // per planet that of the sun, then that of the ring
+  Eigen::ArrayXd height;             // [m]  (slices)  of their middles
   std::vector<RadialSpring> radial;  // rows of planets, planet by planet, then those of carrier and sun
   VectorXd force;                    // [N]  applied
   double lever = 1.0;                // [m]  of the rotations
@@ -61,10 +76,12 @@ Motion motion_of(int body, const Vector3d& direction, const Vector3d& arm, doubl
 
 class Builder {
  public:
-  Builder(const SpatialSet& set, const SpatialLoad& load, double angle, int slices)
-      : set_(set), load_(load), angle_(angle), slices_(slices) {
+  Builder(const SpatialSet& set, const SpatialLoad& load, double angle, int slices, bool ring_moves = false)
+      : set_(set), load_(load), angle_(angle), ring_(ring_moves ? first_planet + planets() : int{housing}) {
     made_.lever = set.centre_distance;
-    made_.force = VectorXd::Zero(6 * (first_planet + planets()));
+    made_.force = VectorXd::Zero(6 * (first_planet + planets() + (ring_moves ? 1 : 0)));
+    const double width = set.face_width / slices;
+    made_.height = Eigen::ArrayXd::LinSpaced(slices, 0.5, slices - 0.5) * width - 0.5 * set.face_width;
     made_.scale = std::abs(load.torque) / set.centre_distance;
   }
 
@@ -83,30 +100,38 @@ class Builder {
 
   void add_meshes(int planet) {
     const double drive = load_.torque < 0.0 ? -1.0 : 1.0;
-    for (const bool inner : {true, false})
-      for (int slice = 0; slice < slices_; ++slice) add_slice(planet, inner, drive, slice);
+    for (const bool inner : {true, false}) {
+      const SpatialMesh& mesh = inner ? set_.sun : set_.ring;
+      made_.meshes.push_back({flanks_of(planet, inner, drive, 0.0),
+                              flanks_of(planet, inner, -drive, mesh.backlash * std::cos(mesh.base_helix))});
+    }
   }
 
   // The force of a flank on the planet: against the sense in which the carrier is driven, apart from the
-  // other gear, and along the axis as the helix asks, opposite in the two meshes.
-  void add_slice(int planet, bool inner, double sense, int slice) {
+  // other gear, and along the axis as the helix asks, opposite in the two meshes. On the back flank the sense
+  // is the other one.
+  Flanks flanks_of(int planet, bool inner, double sense, double gap) const {
     const SpatialMesh& mesh = inner ? set_.sun : set_.ring;
-    const double angle = set_.angles[planet], width = set_.face_width / slices_;
+    const double angle = set_.angles[static_cast<std::size_t>(planet)];
     const Vector3d outward = radial_of(angle);
     const double side = inner ? 1.0 : -1.0;
     const Vector3d transverse = -sense * std::cos(mesh.pressure_angle) * tangential_of(angle) +
                                 side * std::sin(mesh.pressure_angle) * outward;
     const Vector3d normal =
         std::cos(mesh.base_helix) * transverse + side * sense * std::sin(mesh.base_helix) * Vector3d::UnitZ();
-    const double height = (slice + 0.5) * width - 0.5 * set_.face_width;
     const double radius = set_.planet_base_radius / std::cos(mesh.pressure_angle);  // working
-    const Vector3d on_planet = -side * radius * outward + height * Vector3d::UnitZ();
-    Spring spring{.one = motion_of(first_planet + planet, -normal, on_planet, made_.lever),
-                  .stiffness = mesh.stiffness * width,
-                  .presses_only = true};
-    if (inner)
-      spring.other = motion_of(sun, -normal, set_.centre_distance * outward + on_planet, made_.lever);
-    made_.springs.push_back(spring);
+    const Vector3d on_planet = -side * radius * outward;
+    const auto moves = [&](int body, const Vector3d& arm) {
+      return motion_of(body, -normal, arm, made_.lever);
+    };
+    Row slope = Row::Zero();
+    slope.tail<3>() = Vector3d::UnitZ().cross(-normal).transpose() / made_.lever;
+    return {.one = moves(first_planet + planet, on_planet),
+            .other = moves(inner ? int{sun} : ring_, set_.centre_distance * outward + on_planet),
+            .one_slope = slope,
+            .other_slope = slope,
+            .stiffness = mesh.stiffness * set_.face_width / static_cast<double>(made_.height.size()),
+            .gap = gap};
   }
 
   void add_pin(int planet) {
@@ -173,7 +198,7 @@ class Builder {
   const SpatialSet& set_;
   const SpatialLoad& load_;
   double angle_;
-  int slices_;
+  int ring_;  // its body, or the housing
   Assembly made_;
 };
 
@@ -182,8 +207,15 @@ double moved(const Motion& motion, const VectorXd& position) {
 }
 
 double deflection(const Spring& spring, const VectorXd& position) {
-  const double deflected = moved(spring.one, position) - moved(spring.other, position);
-  return spring.presses_only ? std::max(0.0, deflected) : deflected;
+  return moved(spring.one, position) - moved(spring.other, position);
+}
+
+// [m]  (slices)  by which flanks press into each other.
+Eigen::ArrayXd compression(const Flanks& flanks, const Eigen::ArrayXd& height, const VectorXd& position) {
+  const double middle = moved(flanks.one, position) - moved(flanks.other, position) - flanks.gap;
+  const double slope = moved({flanks.one.body, flanks.one_slope}, position) -
+                       moved({flanks.other.body, flanks.other_slope}, position);
+  return (middle + slope * height).max(0.0);
 }
 
 Vector2d deflection(const RadialSpring& spring, const VectorXd& position) {
@@ -217,10 +249,42 @@ void add_stiffness(const Motion& one, const Motion& other, const Motion& one2, c
 }
 
 void add_spring(const Spring& spring, const VectorXd& position, Imbalance& sum) {
-  const double deflected = deflection(spring, position);
-  if (deflected == 0.0) return;
-  add_row(spring.one, spring.other, spring.stiffness * deflected, sum.force);
+  add_row(spring.one, spring.other, spring.stiffness * deflection(spring, position), sum.force);
   add_stiffness(spring.one, spring.other, spring.one, spring.other, spring.stiffness, sum.stiffness);
+}
+
+// Stiffness of slices that press, where `pressing` is 1 and not 0.
+void add_pressing(const Flanks& flanks, const Eigen::ArrayXd& height, const Eigen::ArrayXd& pressing,
+                  Eigen::MatrixXd& matrix) {
+  const double first = (pressing * height).sum();
+  Eigen::Matrix2d moments;
+  moments << pressing.sum(), first, first, (pressing * height.square()).sum();
+  moments *= flanks.stiffness;
+  const auto rows_of = [](const Motion& motion, const Row& slope) {
+    Eigen::Matrix<double, 2, 6> rows;
+    rows << motion.row, slope;
+    return rows;
+  };
+  const Eigen::Matrix<double, 2, 6> one = rows_of(flanks.one, flanks.one_slope),
+                                    other = rows_of(flanks.other, flanks.other_slope);
+  const auto add = [&](int a, const auto& left, int b, const auto& right, double sign) {
+    if (a != housing && b != housing)
+      matrix.block<6, 6>(6 * a, 6 * b) += sign * left.transpose() * moments * right;
+  };
+  add(flanks.one.body, one, flanks.one.body, one, 1.0);
+  add(flanks.other.body, other, flanks.other.body, other, 1.0);
+  add(flanks.one.body, one, flanks.other.body, other, -1.0);
+  add(flanks.other.body, other, flanks.one.body, one, -1.0);
+}
+
+void add_flanks(const Flanks& flanks, const Eigen::ArrayXd& height, const VectorXd& position,
+                Imbalance& sum) {
+  const Eigen::ArrayXd compressed = compression(flanks, height, position);
+  if (!(compressed.maxCoeff() > 0.0)) return;
+  add_row(flanks.one, flanks.other, flanks.stiffness * compressed.sum(), sum.force);
+  add_row({flanks.one.body, flanks.one_slope}, {flanks.other.body, flanks.other_slope},
+          flanks.stiffness * (compressed * height).sum(), sum.force);
+  add_pressing(flanks, height, (compressed > 0.0).cast<double>(), sum.stiffness);
 }
 
 void add_radial(const RadialSpring& spring, const VectorXd& position, Imbalance& sum) {
@@ -249,6 +313,9 @@ Imbalance imbalance_of(const Assembly& assembly, const VectorXd& position) {
                 .stiffness = Eigen::MatrixXd::Zero(assembly.force.size(), assembly.force.size()),
                 .scale = assembly.scale};
   for (const Spring& spring : assembly.springs) add_spring(spring, position, sum);
+  for (const MeshFlanks& mesh : assembly.meshes)
+    for (const Flanks* flanks : {&mesh.driving, &mesh.back})
+      add_flanks(*flanks, assembly.height, position, sum);
   for (const RadialSpring& spring : assembly.radial) add_radial(spring, position, sum);
   return sum;
 }
@@ -259,18 +326,6 @@ Imbalance searched(const Assembly& assembly, const VectorXd& position) {
   sum.stiffness.row(kHeld).setZero();
   sum.stiffness.col(kHeld).setZero();
   return sum;
-}
-
-// Sum of the normal forces of a mesh and its largest force per width over the mean, from the spring `at`.
-void read_mesh(const Assembly& assembly, const VectorXd& position, std::size_t at, int slices, double& sum,
-               double& face_load) {
-  Eigen::ArrayXd force(slices);
-  for (int i = 0; i < slices; ++i) {
-    const Spring& spring = assembly.springs[at + static_cast<std::size_t>(i)];
-    force[i] = spring.stiffness * deflection(spring, position);
-  }
-  sum = force.sum();
-  face_load = sum > 0.0 ? force.maxCoeff() / force.mean() : 0.0;
 }
 
 void read_bearings(const Assembly& assembly, const SpatialSet& set, SpatialBalance& found) {
@@ -298,15 +353,37 @@ void read_bearings(const Assembly& assembly, const SpatialSet& set, SpatialBalan
     found.carrier_bearing[i] = force_of(planets * rows + i).norm();
 }
 
-void read_meshes(const Assembly& assembly, int planets, int slices, SpatialBalance& found) {
-  found.sun_mesh = found.ring_mesh = Eigen::ArrayXd::Zero(planets);
-  found.sun_face_load = found.ring_face_load = Eigen::ArrayXd::Zero(planets);
-  for (int p = 0; p < planets; ++p) {
-    const auto at = static_cast<std::size_t>(2 * slices * p);
-    read_mesh(assembly, found.position, at, slices, found.sun_mesh[p], found.sun_face_load[p]);
-    read_mesh(assembly, found.position, at + static_cast<std::size_t>(slices), slices, found.ring_mesh[p],
-              found.ring_face_load[p]);
+// The sun's meshes where `first` is 0, the ring's where it is 1.
+void read_meshes(const Assembly& assembly, const VectorXd& position, std::size_t first, MeshForces& found) {
+  const auto planets = static_cast<Eigen::Index>(assembly.meshes.size() / 2);
+  found.force = found.back = found.face_load = Eigen::ArrayXd::Zero(planets);
+  const double width =
+      assembly.height.size() > 1 ? assembly.height[1] - assembly.height[0] : -2.0 * assembly.height[0];
+  found.by_width.resize(assembly.height.size(), planets);
+  for (Eigen::Index p = 0; p < planets; ++p) {
+    const MeshFlanks& mesh = assembly.meshes[2 * static_cast<std::size_t>(p) + first];
+    const auto force = [&](const Flanks& flanks) {
+      return Eigen::ArrayXd(flanks.stiffness * compression(flanks, assembly.height, position));
+    };
+    const Eigen::ArrayXd driving = force(mesh.driving);
+    found.by_width.col(p) = driving / width;
+    found.force[p] = driving.sum();
+    found.back[p] = force(mesh.back).sum();
+    if (found.force[p] > 0.0) found.face_load[p] = driving.maxCoeff() / driving.mean();
   }
+}
+
+// Of the bore's axis against the pin's: a rotation r takes an axis to (r_y, -r_x, 1).
+Eigen::Matrix2Xd planet_tilts(const SpatialSet& set, const VectorXd& position, double lever) {
+  Eigen::Matrix2Xd tilts(2, static_cast<Eigen::Index>(set.angles.size()));
+  for (int p = 0; p < tilts.cols(); ++p) {
+    const Vector3d turn =
+        (position.segment<3>(6 * (first_planet + p) + 3) - position.segment<3>(6 * carrier + 3)) / lever;
+    const Vector3d axis(turn.y(), -turn.x(), 0.0);
+    const double angle = set.angles[static_cast<std::size_t>(p)];
+    tilts.col(p) << axis.dot(radial_of(angle)), axis.dot(tangential_of(angle));
+  }
+  return tilts;
 }
 
 }  // namespace
@@ -322,6 +399,9 @@ double energy(const SpatialSet& set, const SpatialLoad& load, double angle, int 
   double sum = -assembly.force.dot(position);
   for (const Spring& spring : assembly.springs)
     sum += 0.5 * spring.stiffness * std::pow(deflection(spring, position), 2);
+  for (const MeshFlanks& mesh : assembly.meshes)
+    for (const Flanks* flanks : {&mesh.driving, &mesh.back})
+      sum += 0.5 * flanks->stiffness * compression(*flanks, assembly.height, position).square().sum();
   for (const RadialSpring& spring : assembly.radial)
     sum += 0.5 * spring.stiffness * std::pow(compression(spring, deflection(spring, position)), 2);
   return sum;
@@ -340,14 +420,32 @@ SpatialBalance balance(const SpatialSet& set, const SpatialLoad& load, double an
       [&](const VectorXd& position) { return searched(assembly, position); }, limits, found.position, at);
   if (!found.search.converged)
     throw std::runtime_error(
-        "the set in three dimensions finds no static equilibrium: weight, rotor or pin errors lift gears off "
-        "their driving flanks or tilt a planet; required: more torque on the carrier, or wider bearings");
-  read_meshes(assembly, static_cast<int>(set.angles.size()), slices, found);
+        "the set in three dimensions finds no balance: weight, rotor or pin errors lift gears off their "
+        "driving "
+        "flanks or tilt a planet; required: more torque on the carrier, or wider bearings");
+  read_meshes(assembly, found.position, 0, found.sun_mesh);
+  read_meshes(assembly, found.position, 1, found.ring_mesh);
+  found.planet_tilt = planet_tilts(set, found.position, assembly.lever);
   read_bearings(assembly, set, found);
   found.carrier_shift = found.position.segment<3>(0);
   found.carrier_tilt = found.position.segment<3>(3) / assembly.lever;
   found.sun_torque = -imbalance_of(assembly, found.position).force[kHeld] * assembly.lever;
   return found;
+}
+
+Eigen::MatrixXd closed_stiffness(const SpatialSet& set, int slices, bool ring_moves) {
+  SpatialSet closed = set;
+  for (CarrierBearing& bearing : closed.carrier_bearings) bearing.clearance = 0.0;
+  for (PlanetBearing& bearing : closed.planet_bearings) bearing.clearance = 0.0;
+  const Assembly assembly = Builder(closed, {}, 0.0, slices, ring_moves).built();
+  Imbalance sum{.force = VectorXd::Zero(assembly.force.size()),
+                .stiffness = Eigen::MatrixXd::Zero(assembly.force.size(), assembly.force.size())};
+  const VectorXd nowhere = VectorXd::Zero(assembly.force.size());
+  for (const Spring& spring : assembly.springs) add_spring(spring, nowhere, sum);
+  for (const RadialSpring& spring : assembly.radial) add_radial(spring, nowhere, sum);
+  for (const MeshFlanks& mesh : assembly.meshes)
+    add_pressing(mesh.driving, assembly.height, Eigen::ArrayXd::Ones(slices), sum.stiffness);
+  return sum.stiffness;
 }
 
 }  // namespace orbearing::gearset::spatial

@@ -8,15 +8,24 @@
 
 namespace orbearing::gearset::spatial {
 
+/// The same mesh of all planets.
+struct MeshForces {
+  Eigen::ArrayXd force;      // [N]    (planets)  sum of the normal forces of the driving flanks
+  Eigen::ArrayXd back;       // [N]    (planets)  the same of the back flanks
+  Eigen::ArrayXd face_load;  // [-]    (planets)  largest load per width over its mean, 0: it carries nothing
+  Eigen::ArrayXXd by_width;  // [N/m]  (slices, planets)  of the driving flanks
+};
+
 /// What carries the loads at one angle of the carrier. Directions are those of the carrier's frame, for a
 /// planet radially outward and tangentially in the sense of positive rotation.
 struct SpatialBalance {
-  Eigen::MatrixXd bearing_load;                  // [N]  (rows of a pin, planets)  radial, its magnitude
-  Eigen::MatrixXd bearing_radial;                // [N]  (rows, planets)  of the pin on the planet, outward
-  Eigen::MatrixXd bearing_tangential;            // [N]  (rows, planets)
-  Eigen::ArrayXd sun_mesh, ring_mesh;            // [N]  (planets)  sum of the normal forces
-  Eigen::ArrayXd sun_face_load, ring_face_load;  // [-]  (planets)  largest load per width over its mean
-  Eigen::VectorXd carrier_bearing;               // [N]  radial load of each
+  Eigen::MatrixXd bearing_load;        // [N]  (rows of a pin, planets)  radial, its magnitude
+  Eigen::MatrixXd bearing_radial;      // [N]  (rows, planets)  of the pin on the planet, outward
+  Eigen::MatrixXd bearing_tangential;  // [N]  (rows, planets)
+  MeshForces sun_mesh, ring_mesh;
+  Eigen::Matrix2Xd
+      planet_tilt;  // [rad]  (radial and tangential, planets)  of the bore's axis against the pin's
+  Eigen::VectorXd carrier_bearing;                          // [N]  radial load of each
   Eigen::Vector3d carrier_shift = Eigen::Vector3d::Zero();  // [m]
   Eigen::Vector3d carrier_tilt = Eigen::Vector3d::Zero();   // [rad]
   double sun_torque = 0.0;                                  // [N m]  by which the sun is held
@@ -26,7 +35,7 @@ struct SpatialBalance {
 
 /// Coordinates of the search: for carrier, sun and each planet three displacements and three rotations at the
 /// lever of the centre distance. The energy is convex, so there is one balance. Gear teeth are cut into
-/// `slices` over the face width; only the flanks that drive touch.
+/// `slices` over the face width; back flanks touch where the backlash is used up.
 /// @param angle [rad] of the carrier in the housing; its first planet is upward at 90 degrees
 /// @param start coordinates of a neighbouring balance, or none
 /// @throws std::runtime_error where no balance is found
@@ -39,5 +48,10 @@ mechanics::Imbalance<Eigen::Dynamic> imbalance(const SpatialSet& set, const Spat
 /// The energy [J] whose negative slope it is.
 double energy(const SpatialSet& set, const SpatialLoad& load, double angle, int slices,
               const Eigen::VectorXd& position);
+
+/// Stiffness [N/m] about a loaded set: all driving flanks touch, no back flank does, and bearings have used
+/// up their clearance. The sun may turn; `ring_moves`: the ring is a body behind the planets, which nothing
+/// but the meshes holds here.
+Eigen::MatrixXd closed_stiffness(const SpatialSet& set, int slices, bool ring_moves);
 
 }  // namespace orbearing::gearset::spatial

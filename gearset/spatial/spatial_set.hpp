@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <vector>
 
 #include "mechanics/described.hpp"
@@ -30,6 +31,8 @@ struct SpatialMesh {
   double stiffness = 0.0;       // [N/m2]  mean, along the normal of the flank and per face width
   double pressure_angle = 0.0;  // [rad]   working, transverse
   double base_helix = 0.0;      // [rad]   positive: the sun's teeth are right-handed
+  // [m]  between both flanks, along the line of action of the transverse section; infinite: no back flanks
+  double backlash = std::numeric_limits<double>::infinity();
 };
 
 /// Forces and moments of the rotor on the carrier, in a frame that stands with the housing: x across, y

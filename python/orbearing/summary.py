@@ -69,9 +69,20 @@ def summary_table(report: Report) -> Table:
         ("Peak of all points", _speed_and_life(*best(report)) + _edge_note(report)),
         *_published_rows(report),
         *_least_load_rows(report),
+        *_carrier_rows(report),
         ("Assumptions and warnings", f"{len(report.records('assumptions'))} and {_count(report.content.get('warnings'))}, listed below"),
     ]
     return Table(("Result", "Value"), rows)
+
+
+def _carrier_rows(report: Report) -> list[tuple[str, str]]:
+    """The worst planet bearing over a revolution of a carrier whose bearings are stated."""
+    carrier = report.record("carrier")
+    if not carrier:
+        return []
+    worst = (f"{format_number(carrier.get('largest_load_share'), 4)} of the load shared evenly, L10h {format_quantity(carrier.get('shortest_L10h_h'), 'h', 4)}, "
+             f"at the case's own operating point")
+    return [("Worst bearing over a revolution of the carrier", worst)]
 
 
 def _published_rows(report: Report) -> list[tuple[str, str]]:

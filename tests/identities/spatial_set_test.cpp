@@ -55,6 +55,8 @@ TEST(SpatialSet, ForcesAndStiffnessAreThoseOfTheEnergy) {
   SpatialSet set = wind_stage();
   set.carrier_bearings[0].clearance = 2e-4;
   set.planet_bearings[1].clearance = 3e-5;
+  set.sun.backlash = 6e-5;
+  set.ring.backlash = 4e-5;
   set.pin_errors = Matrix2Xd::Random(2, 3) * 2e-5;
   SpatialLoad load = rated();
   load.gravity = kGravity;
@@ -96,8 +98,8 @@ TEST(SpatialSet, PlanetsCarryAlikeWithoutWeightAndAsTheTorqueSays) {
     EXPECT_NEAR(at.sun_torque / -sun_torque, 1.0, kRoundOff);
     const double normal = std::abs(sun_torque) / (3 * sun_base_radius(set) * std::cos(set.sun.base_helix));
     for (int p = 0; p < 3; ++p) {
-      EXPECT_NEAR(at.sun_mesh[p] / normal, 1.0, kRoundOff);
-      EXPECT_NEAR(at.ring_mesh[p] / normal, 1.0, kRoundOff);
+      EXPECT_NEAR(at.sun_mesh.force[p] / normal, 1.0, kRoundOff);
+      EXPECT_NEAR(at.ring_mesh.force[p] / normal, 1.0, kRoundOff);
       EXPECT_NEAR(at.bearing_tangential.col(p).sum() / (load.torque / (3 * set.centre_distance)), 1.0,
                   kRoundOff);
       for (int row = 0; row < 2; ++row)
@@ -113,7 +115,7 @@ TEST(SpatialSet, BearingsHoldAPlanetAgainstTheCoupleOfItsHelicalTeeth) {
   SpatialSet set = wind_stage();
   set.sun.stiffness = set.ring.stiffness = 1e7;  // [N/m2]  so soft that they hold no tilt
   const SpatialBalance at = balance(set, rated(), 0.0, kSlices);
-  const double axial = at.sun_mesh[0] * std::sin(set.sun.base_helix);
+  const double axial = at.sun_mesh.force[0] * std::sin(set.sun.base_helix);
   const double radii =
       set.planet_base_radius * (1 / std::cos(set.sun.pressure_angle) + 1 / std::cos(set.ring.pressure_angle));
   EXPECT_NEAR(std::abs(at.bearing_radial(1, 0) - at.bearing_radial(0, 0)) / 2.0 / (axial * radii / 0.12), 1.0,
@@ -135,15 +137,15 @@ TEST(SpatialSet, WhatHoldsAPlanetHoldsItsWeight) {
       const double down = set.planet_mass * kGravity * std::cos(load.axis_tilt);
       const double cosine = std::cos(set.sun.base_helix);
       const double radial = at.bearing_radial.col(p).sum() +
-                            cosine * (at.sun_mesh[p] * std::sin(set.sun.pressure_angle) -
-                                      at.ring_mesh[p] * std::sin(set.ring.pressure_angle)) -
+                            cosine * (at.sun_mesh.force[p] * std::sin(set.sun.pressure_angle) -
+                                      at.ring_mesh.force[p] * std::sin(set.ring.pressure_angle)) -
                             down * std::sin(along) + set.planet_mass * 9.0 * set.centre_distance;
       const double tangential = at.bearing_tangential.col(p).sum() -
-                                cosine * (at.sun_mesh[p] * std::cos(set.sun.pressure_angle) +
-                                          at.ring_mesh[p] * std::cos(set.ring.pressure_angle)) -
+                                cosine * (at.sun_mesh.force[p] * std::cos(set.sun.pressure_angle) +
+                                          at.ring_mesh.force[p] * std::cos(set.ring.pressure_angle)) -
                                 down * std::cos(along);
-      EXPECT_NEAR(radial, 0.0, kRoundOff * at.sun_mesh[p]);
-      EXPECT_NEAR(tangential, 0.0, kRoundOff * at.sun_mesh[p]);
+      EXPECT_NEAR(radial, 0.0, kRoundOff * at.sun_mesh.force[p]);
+      EXPECT_NEAR(tangential, 0.0, kRoundOff * at.sun_mesh.force[p]);
     }
   }
 }
@@ -201,17 +203,117 @@ TEST(SpatialSet, ASunThatFallsOffItsFlanksIsTold) {
       testing::ThrowsMessage<std::runtime_error>(testing::HasSubstr("lift gears off their driving flanks")));
 }
 
+// Forces of the flanks of all planets on the sun, in the carrier's frame.
+Vector3d on_sun(const SpatialSet& set, const SpatialBalance& at) {
+  Vector3d sum = Vector3d::Zero();
+  const double alpha = set.sun.pressure_angle, cosine = std::cos(set.sun.base_helix);
+  for (Eigen::Index p = 0; p < at.sun_mesh.force.size(); ++p) {
+    const double angle = set.angles[static_cast<std::size_t>(p)];
+    const Vector3d outward(std::cos(angle), std::sin(angle), 0.0),
+        ahead(-std::sin(angle), std::cos(angle), 0.0);
+    const double driving = at.sun_mesh.force[p], back = at.sun_mesh.back[p];
+    sum +=
+        cosine * ((driving - back) * std::cos(alpha) * ahead - (driving + back) * std::sin(alpha) * outward);
+  }
+  return sum;
+}
+
+// Under next to no torque the sun falls through its backlash and rests on both flanks of its teeth.
+TEST(SpatialSet, ASunThatFallsRestsOnItsBackFlanks) {
+  for (const double helix : {0.0, 7.5 * pi / 180.0})
+    for (const double angle : {0.0, 0.4, 2.0}) {
+      SpatialSet set = wind_stage(helix);
+      set.sun.backlash = set.ring.backlash = 2e-4;
+      const SpatialLoad load{.torque = 1.0, .gravity = kGravity};
+      const SpatialBalance at = balance(set, load, angle, kSlices);
+      EXPECT_GT(at.sun_mesh.back.maxCoeff(), 100.0);
+      const Vector3d down = Eigen::AngleAxisd(-angle, Vector3d::UnitZ()) * Vector3d(0.0, -kGravity, 0.0);
+      const Vector3d left = on_sun(set, at) + set.sun_mass * down;
+      EXPECT_LT(left.head<2>().norm(), 1e-6 * set.sun_mass * kGravity);
+    }
+}
+
+// Play of both flanks: moved from its driving flanks by the backlash over its cosines, a planet touches its
+// back flanks. Carrier, sun and pins are as good as fixed.
+TEST(SpatialSet, BackFlanksTouchAfterTheBacklash) {
+  SpatialSet set = wind_stage();
+  constexpr double backlash = 1e-4, beyond = 1e-6;
+  set.sun.backlash = backlash;
+  const double travel = backlash / std::cos(set.sun.pressure_angle);
+  VectorXd position = VectorXd::Zero(30);
+  const auto force_at = [&](double tangential) {
+    position[12 + 1] = tangential;  // of the first planet, which stands at angle 0
+    SpatialSet alone = set;
+    alone.ring.stiffness = 0.0;
+    for (PlanetBearing& bearing : alone.planet_bearings) bearing.radial_stiffness = 0.0;
+    return imbalance(alone, rated(), 0.0, kSlices, position).force[12 + 1];
+  };
+  EXPECT_EQ(force_at(-travel + beyond), 0.0);
+  const double cosine = std::cos(set.sun.base_helix) * std::cos(set.sun.pressure_angle);
+  const double stiffness = set.sun.stiffness * set.face_width * cosine * cosine;
+  EXPECT_NEAR(force_at(-travel - beyond) / (stiffness * beyond), 1.0, 1e-6);
+  EXPECT_NEAR(force_at(beyond) / (-stiffness * beyond), 1.0, 1e-6);
+}
+
+TEST(SpatialSet, BackFlanksChangeNothingUnderLoad) {
+  SpatialSet set = wind_stage();
+  SpatialLoad load = rated();
+  load.gravity = kGravity;
+  load.rotor.moment = {2e4, 0.0, 0.0};
+  const SpatialBalance without = balance(set, load, 0.3, kSlices);
+  set.sun.backlash = set.ring.backlash = 5e-4;
+  const SpatialBalance with = balance(set, load, 0.3, kSlices);
+  EXPECT_EQ(with.sun_mesh.back.maxCoeff(), 0.0);
+  EXPECT_TRUE((with.bearing_load.array() == without.bearing_load.array()).all());
+}
+
+// What a mesh carries over its face: the sum is the force, the largest over the mean is K_Hbeta.
+TEST(SpatialSet, LoadOverTheFaceIsThatOfTheMesh) {
+  const SpatialSet set = wind_stage();
+  SpatialLoad load = rated();
+  load.rotor.moment = {4e4, 0.0, 0.0};
+  const SpatialBalance at = balance(set, load, 0.5, kSlices);
+  for (const MeshForces* mesh : {&at.sun_mesh, &at.ring_mesh})
+    for (Eigen::Index p = 0; p < 3; ++p) {
+      const Eigen::ArrayXd over = mesh->by_width.col(p);
+      EXPECT_NEAR(over.mean() * set.face_width / mesh->force[p], 1.0, kRoundOff);
+      EXPECT_NEAR(over.maxCoeff() / over.mean() / mesh->face_load[p], 1.0, kRoundOff);
+      EXPECT_GT(mesh->face_load[p], 1.01);
+      // Rigid bodies on like slices: the load is linear over the face where all of it carries.
+      if (over.minCoeff() > 0.0) {
+        EXPECT_NEAR(over[0] - 2 * over[20] + over[39], over[19] - over[20], 1e-6 * over.mean());
+      }
+    }
+}
+
+// A moment of the rotor tilts the carrier, and planets follow it: between bore and pin remains what the
+// meshes hold. The axis leans as the rows carry unlike loads.
+TEST(SpatialSet, TiltOfABoreIsThatOfItsRows) {
+  const SpatialSet set = wind_stage();
+  SpatialLoad load = rated();
+  load.rotor.moment = {4e4, 1e4, 0.0};
+  const SpatialBalance at = balance(set, load, 0.5, kSlices);
+  for (Eigen::Index p = 0; p < 3; ++p) {
+    // Rows on springs, 0.12 m apart: the pin pushes the planet back where it leans outward.
+    const double radial = (at.bearing_radial(0, p) - at.bearing_radial(1, p)) / (3e9 * 0.12);
+    const double tangential = (at.bearing_tangential(0, p) - at.bearing_tangential(1, p)) / (3e9 * 0.12);
+    EXPECT_NEAR(at.planet_tilt(0, p), radial, 1e-6 * at.planet_tilt.norm());
+    EXPECT_NEAR(at.planet_tilt(1, p), tangential, 1e-6 * at.planet_tilt.norm());
+  }
+  EXPECT_GT(at.planet_tilt.norm(), 1e-5);
+}
+
 TEST(SpatialSet, ThreePlanetsOnAFloatingSunShareWhereverThePinsStand) {
   SpatialSet set = wind_stage(0.0);
   set.pin_errors = Matrix2Xd::Zero(2, 3);
   set.pin_errors(1, 0) = 5e-5;
   const SpatialBalance three = balance(set, rated(), 0.0, kSlices);
-  EXPECT_NEAR(three.sun_mesh.maxCoeff() / three.sun_mesh.mean(), 1.0, 0.01);
+  EXPECT_NEAR(three.sun_mesh.force.maxCoeff() / three.sun_mesh.force.mean(), 1.0, 0.01);
   set.angles = {0.0, 0.5 * pi, pi, 1.5 * pi};
   set.pin_errors = Matrix2Xd::Zero(2, 4);
   set.pin_errors(1, 0) = 5e-5;
   const SpatialBalance four = balance(set, rated(), 0.0, kSlices);  // which a sun that floats cannot even out
-  EXPECT_GT(four.sun_mesh.maxCoeff() / four.sun_mesh.mean(), 1.05);
+  EXPECT_GT(four.sun_mesh.force.maxCoeff() / four.sun_mesh.force.mean(), 1.05);
 }
 
 TEST(SpatialSet, HoldsOnFinerSlicesAndFromAnotherStart) {

@@ -5,6 +5,7 @@ import json
 import math
 import os
 import subprocess
+import tempfile
 import unittest
 from pathlib import Path
 
@@ -13,13 +14,13 @@ HELD = ("gearset.carrier.bearing_positions=[-250 mm, 250 mm]", "gearset.carrier.
 CENTRED = ("gearset.carrier.bearing_clearance=[0 um, 0 um]", "gearset.carrier.rotor_moment=[0 N.m, 0 N.m]", "gearset.carrier.gravity=0 m/s2")
 
 
-def call(*settings, case=CASE):
-    words = [word for setting in settings for word in ("--set", setting)]
-    return subprocess.run([os.environ["ORBEARING"], "carrier", str(case), "--json", *words], capture_output=True, text=True, check=False, timeout=120)
+def call(*settings, case=CASE, command="carrier", words=()):
+    words = [*words, *(word for setting in settings for word in ("--set", setting))]
+    return subprocess.run([os.environ["ORBEARING"], command, str(case), "--json", *words], capture_output=True, text=True, check=False, timeout=120)
 
 
-def answer(*settings):
-    result = call(*settings)
+def answer(*settings, **how):
+    result = call(*settings, **how)
     assert result.returncode == 0, result.stderr
     return json.loads(result.stdout)
 
@@ -53,13 +54,100 @@ class Carrier(unittest.TestCase):
 
     def test_life_follows_from_the_mean_load_of_its_power(self):
         found = answer()
-        loads = list(zip(*found["bearing_loads_N"])) if len(found["bearing_loads_N"]) != 6 else found["bearing_loads_N"]
+        self.assertEqual(len(found["bearing_loads_N"]), len(found["carrier_angle_deg"]))
+        loads = list(zip(*found["bearing_loads_N"]))
         for row, over in zip(found["bearings"], loads):
             self.assertAlmostEqual(row["equivalent_load_N"] / (sum(load ** (10 / 3) for load in over) / len(over)) ** 0.3, 1, delta=1e-9)
         lives = [row["L10h_h"] for row in found["bearings"]]
         self.assertAlmostEqual(found["shortest_L10h_h"] / min(lives), 1, delta=1e-12)
         best, worst = max(found["bearings"], key=lambda row: row["L10h_h"]), min(found["bearings"], key=lambda row: row["L10h_h"])
         self.assertAlmostEqual(math.log(best["L10h_h"] / worst["L10h_h"]) / math.log(worst["equivalent_load_N"] / best["equivalent_load_N"]), 10 / 3, delta=1e-6)
+
+    def test_meshes_have_their_load_over_the_face(self):
+        found = answer()
+        self.assertEqual([(row["planet"], row["with"]) for row in found["meshes"]], [(p, w) for p in (1, 2, 3) for w in ("sun", "ring")])
+        for wheel in ("sun", "ring"):
+            meshes = [row for row in found["meshes"] if row["with"] == wheel]
+            self.assertEqual(found[f"K_Hbeta_{wheel}"], max(row["K_Hbeta"] for row in meshes))
+            for row in meshes:
+                load = row["face_load_N_per_mm"]
+                self.assertEqual(len(load), len(found["face_position_mm"]))
+                self.assertLessEqual(max(load) / (sum(load) / len(load)), row["K_Hbeta"] * (1 + 1e-9))
+                self.assertGreater(row["K_Hbeta"], 1.05)
+        self.assertEqual(found["back_flank_load_N"], 0)
+
+    def test_a_light_load_rests_on_back_flanks(self):
+        """Of a hundredth of the torque the weight of the sun is a large part: gears leave their driving flanks, and a balance is found."""
+        found = answer("input.power=1 kW", "gearset.dynamics.backlash=0.3 mm")
+        self.assertGreater(found["back_flank_load_N"], 0)
+        self.assertGreater(found["largest_load_share"], 1.2)
+        self.assertIn("back flanks carry", " ".join(answer("input.power=1 kW", "gearset.dynamics.backlash=0.3 mm", command="run")["warnings"]))
+
+    def test_run_and_sweep_have_the_worst_bearing(self):
+        carrier, run = answer(), answer(command="run")
+        point = run["points"][0]
+        self.assertEqual(run["carrier"]["bearings"], carrier["bearings"])
+        for column, key in (("L10h", "L10h_h"), ("L10rh", "L10rh"), ("L10mh", "L10mh"), ("L10mrh", "L10mrh"), ("life_h", "life_h")):
+            self.assertEqual(point[f"carrier_{column}"], min(row[key] for row in carrier["bearings"]))
+        self.assertEqual(point["carrier_load_share"], carrier["largest_load_share"])
+        self.assertEqual(point["carrier_K_gamma"], carrier["K_gamma"])
+        self.assertTrue(any("differs by more than 10 %" in text for text in run["warnings"]), run["warnings"])
+        sweep = answer("sweep.input.speed=[20 rpm, 22 rpm]", command="sweep", words=("--grid-only",))
+        self.assertAlmostEqual(sweep["points"][1]["carrier_L10h"] / point["carrier_L10h"], 1, delta=1e-9)
+        text = subprocess.run([os.environ["ORBEARING"], "run", str(CASE)], capture_output=True, text=True, check=True, timeout=120).stdout
+        self.assertIn("worst planet bearing over a revolution of the carrier: 1.3", text)
+
+    def test_a_centred_carrier_changes_no_life(self):
+        """Spur teeth, nothing that sags or tilts: the same lives, and no warning."""
+        run = answer(*HELD, *CENTRED, "gearset.helix_angle=0 deg", command="run")
+        point = run["points"][0]
+        for life in ("L10h", "L10mh"):
+            self.assertAlmostEqual(point[f"carrier_{life}"] / point[life], 1, delta=1e-4)
+        self.assertFalse(any("gearset.carrier" in text for text in run["warnings"]), run["warnings"])
+
+    def test_a_requirement_is_judged_by_the_worst_bearing(self):
+        found = answer("requirements.life=55000 h", "requirements.life_key=L10h", command="run")
+        verdict = found["verdicts"][0]
+        self.assertEqual(verdict["value"], found["points"][0]["carrier_L10h"])
+        self.assertFalse(verdict["passed"])
+        self.assertGreater(found["points"][0]["L10h"], 55000)
+
+    def test_a_point_has_its_revolution_in_its_file(self):
+        with tempfile.TemporaryDirectory() as folder:
+            subprocess.run([os.environ["ORBEARING"], "run", str(CASE), "--quiet", "-o", folder], check=True, timeout=120)
+            try:
+                import netCDF4
+            except ImportError:
+                self.skipTest("netCDF4 is not installed")
+            (name,) = Path(folder).glob("points/*.nc")
+            with netCDF4.Dataset(name) as file:
+                self.assertEqual(file["revolution_bearing_loads"].dimensions, ("carrier_angle", "planet_bearing"))
+                self.assertEqual(file["revolution_bearings_L10h"].shape, (6,))
+                self.assertEqual(file["revolution_meshes_face_load"].shape[0], 6)
+
+    def test_an_elastic_rim_is_warned_of_at_rest(self):
+        run = answer("gearset.helix_angle=0 deg", "bearing.tilt_state=stated", "gearset.planet_rim=elastic", "bearing.laminae=0", command="run")
+        self.assertIsNone(run["points"][0]["carrier_L10h"])
+        self.assertTrue(any("is not taken as a body" in text for text in run["warnings"]), run["warnings"])
+
+    def test_modes_in_three_dimensions(self):
+        """Spur gears have the frequencies of their plane among them; without the carrier's bearings there are none."""
+        positions = ("gearset.helix_angle=0 deg", "gearset.dynamics.carrier.support_stiffness=6e9 N/m")
+        found = answer(*HELD, *positions, command="modes")
+        space = [mode for mode in found["in_three_dimensions"]["modes"] if mode["in_plane"] > 1 - 1e-6]
+        plane = [mode["frequency_Hz"] for mode in found["modes"] for _ in range(mode["multiplicity"])]
+        for ours, theirs in zip([mode["frequency_Hz"] for mode in space for _ in range(mode["multiplicity"])], sorted(plane), strict=True):
+            self.assertAlmostEqual(ours, theirs, delta=1e-6 * max(plane[-1], 1))
+        self.assertGreater(len(found["in_three_dimensions"]["modes"]), len(space))
+        result = call("input.speed=20 rpm", case=CASE.parent.parent / "reducer_150kW" / "case.yaml", command="modes")
+        self.assertNotIn("in_three_dimensions", json.loads(result.stdout))
+        self.assertNotIn("in_three_dimensions", answer(command="modes", words=("--speed", "20 rpm")))
+
+    def test_what_is_not_used_is_refused_before_it_is_computed(self):
+        result = call(*HELD, "gearset.carrier.bearing_stiffness=[3e9 N/m]", "bearing.roller_diameter_deviation=[1 um]")
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("bearing.roller_diameter_deviation", result.stderr)
+        self.assertIn("which carrier cannot take into account", result.stderr)
 
     def test_refusals(self):
         for settings, words in (

@@ -21,6 +21,7 @@ DECLARED = (  # lines, of these of app, types and headers of later capabilities
     ("packages of SSP, lives and a page of duplex pairs, geometry of sets without a bearing, refusals of public cases", 110, 110, 1, 0),
     ("the speed of any member; defaults that follow from size, and warnings of what hangs on a default", 472, 352, 3, 0),
     ("the carrier as a body in three dimensions: loads of each planet bearing over its revolution", 840, 110, 16, 4),
+    ("loads over a revolution of the carrier in runs and sweeps, lives of each bearing, back flanks, modes in three dimensions", 890, 215, 13, 2),
     ("the core in a browser: units by a table, stand-ins for threads and files of results", 640, 640, 9, 1),
     ("bounds on what the page's server reads of a connection, and its pages by name", 160, 160, 2, 1),
     ("lives that results go by in tables, K_gamma beside a computed tilt, bounds of tilts, proposals in refusals", 50, 50, 0, 0),

@@ -2,7 +2,7 @@
 
 from orbearing.blocks import FigureBlock
 from orbearing.figures import (
-    ablation, bearing_drawing, branches, cage_orbit, coupled, dynamic_ablation, dynamic_polar, gears, life_curve, load_spectrum, planet_load, polar_loads, power_loss,
+    ablation, bearing_drawing, branches, cage_orbit, carrier_revolution, coupled, dynamic_ablation, dynamic_polar, gears, life_curve, load_spectrum, planet_load, polar_loads, power_loss,
     roller_history, roller_loads, roller_orbit, slip, slip_map, slip_traces,
 )
 from orbearing.result_folder import Report
@@ -31,6 +31,8 @@ def blocks_of(report: Report) -> list[FigureBlock]:
     """Every figure of this result; what only motion in time can show follows at the end."""
     line = report.along_speed()
     blocks = [block(line) for block in (*BLOCKS, *(DYNAMIC_BLOCKS if report.is_dynamic else ()))]
+    if report.record("carrier"):
+        blocks.insert(2, carrier_revolution.block(report))
     if report.content.get("spectrum"):
         blocks.insert(1, load_spectrum.block(report))
     if report.is_dynamic and not report.is_coupled:  # effects are left out of runs one way only

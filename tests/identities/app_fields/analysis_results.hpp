@@ -10,11 +10,12 @@
 
 #include "app/case/field_use.hpp"
 #include "app/case/spectrum_case.hpp"
+#include "app/case/use_conditions.hpp"
 #include "app/results/record_writers.hpp"
 #include "app/results/result_row.hpp"
 #include "app/results/verdicts.hpp"
-#include "app/study/carrier_study.hpp"
 #include "app/study/ball_study.hpp"
+#include "app/study/carrier_study.hpp"
 #include "app/study/crown/crown_study.hpp"
 #include "app/study/defect_study.hpp"
 #include "app/study/duplex_study.hpp"
@@ -132,7 +133,9 @@ inline std::string machine_result(const fmu::NumberTable& numbers, bool bearing,
 inline std::string modes_result(const ResolvedCase& in, bool rotating) {
   constexpr double carrier_speed = 100.0, nominal_speed = 900.0;  // [rad/s]
   const auto model = in.shape().teeth ? gear_model_of(in) : gear_model_at(in, rotating ? carrier_speed : 0.0);
-  if (!rotating) return record_text(mode_study(model));
+  if (!rotating)
+    return record_text(mode_study(model)) +
+           (carrier_is_body(in, "") ? record_text(spatial_modes(in)) : std::string());
   Record campbell;
   describe_campbell(campbell, model, nominal_speed);
   return record_text(mode_study(model, true)) + json_of(campbell).dump();

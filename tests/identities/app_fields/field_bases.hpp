@@ -295,6 +295,8 @@ inline const std::map<std::string, Change>& stated_changes() {
       {"gearset.carrier.axis_tilt", {"6 deg"}},
       {"gearset.carrier.rotor_force", {"[100 N, 0 N, 0 N]"}},
       {"gearset.carrier.rotor_moment", {"[5 N.m, 0 N.m]"}},
+      // Back flanks at rest: a rotor that wedges planets into their meshes.
+      {"gearset.dynamics.backlash", {"1 um", {"gearset.carrier.rotor_force=[20000 N, 0 N, 0 N]"}}},
       {"input.member", {"carrier"}},
       {"input.speed_of", {"load"}},
       {"input.torque", {"77 N.m"}},

@@ -1,0 +1,133 @@
+#include "coupling/study/rated_bearing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "bearing/equilibrium/quasi_static.hpp"
+#include "bearing/life/lundberg_palmgren.hpp"
+#include "bearing/motion/model.hpp"
+#include "coupling/study/tilting_planet.hpp"
+
+namespace orbearing::study {
+
+namespace {
+
+using bearing::motion::RaceStatistics;
+using bearing::motion::WindowStatistics;
+using bearing::vectorised::AlignedPitch;
+
+// The film is a result whether or not it takes part in the approach.
+double least_film(const bearing::Film& film, double load) {
+  return film.cap() > 0.0 ? film.least(load) : std::numeric_limits<double>::quiet_NaN();
+}
+
+// Every place of the quasi-static bearing is passed alike, under one load.
+RaceStatistics race_means(const Eigen::ArrayXd& loads, const bearing::Film& film) {
+  return {.load_rms = std::sqrt(loads.square().mean()),
+          .load_max = loads.maxCoeff(),
+          .mean_load = loads,
+          .passages = Eigen::ArrayXd::Ones(loads.size()),
+          .damage = loads.square().square(),
+          .least_film = least_film(film, loads.maxCoeff())};
+}
+
+void put_laminae(const Eigen::ArrayXXd& loads, RaceStatistics& means) {
+  means.lamina_damage = loads.square().square();
+  means.lamina_load_max = loads.maxCoeff();
+}
+
+QuasiStaticBearing bearing_under(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                                 const BearingDuty& duty, bearing::QuasiStaticResult loads,
+                                 const Eigen::Vector2d& tilt) {
+  if (!loads.report.converged) throw std::runtime_error(loads.report.message);
+  const bearing::RollerContacts rolling =
+      bearing::rolling_contacts(drivetrain.bearing, geometry.bearing, duty.point.inner_speed,
+                                duty.point.outer_speed, drivetrain.lubricant);
+  WindowStatistics means;
+  means.inner = race_means(loads.inner_load, rolling.inner.film());
+  means.outer = race_means(loads.outer_load, rolling.outer.film());
+  if (drivetrain.bearing.rollers().laminae > 0) {
+    put_laminae(loads.inner_lamina_load, means.inner);
+    put_laminae(loads.outer_lamina_load, means.outer);
+  }
+  if (duty.point.outer_race.is_rigid()) loads.race_form.resize(0);
+  return {std::move(loads), std::move(means), tilt};
+}
+
+}  // namespace
+
+BearingsAtRest::BearingsAtRest(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry)
+    : drivetrain_(drivetrain),
+      geometry_(geometry),
+      options_(quasi_static_options(drivetrain)),
+      bearing_(drivetrain.bearing, mechanics::InstructionSet::baseline) {
+  if (drivetrain.seats.tilt != TiltState::computed) level_ = AlignedPitch::of(drivetrain.bearing, options_);
+}
+
+std::vector<QuasiStaticBearing> BearingsAtRest::of(const BearingDuty& duty) {
+  std::vector<QuasiStaticBearing> all;
+  if (drivetrain_.seats.tilt != TiltState::computed) {
+    all.push_back(one(duty));
+    return all;
+  }
+  bearing::laminae::PlanetOnPinResult planet = tilting_planet(drivetrain_, duty);
+  for (std::size_t k = 0; k < planet.bearings.size(); ++k)
+    all.push_back(
+        bearing_under(drivetrain_, geometry_, duty, std::move(planet.bearings[k]), planet.bearing_tilt[k]));
+  return all;
+}
+
+QuasiStaticBearing BearingsAtRest::one(const BearingDuty& duty) {
+  return bearing_under(drivetrain_, geometry_, duty, loads_under(duty), duty.point.bore_tilt);
+}
+
+bearing::QuasiStaticResult BearingsAtRest::loads_under(const BearingDuty& duty) {
+  if (level_ && AlignedPitch::holds(duty.point))
+    if (auto loads = level_->under(bearing_, duty.point, duty.near.get())) return *std::move(loads);
+  return bearing::quasi_static_bearing(bearing_, duty.point, options_);
+}
+
+PlanetBearingRating::Lives PlanetBearingRating::of(const WindowStatistics& means, double load,
+                                                   double largest_load) const {
+  const bearing::life::LaminaMeans powers =
+      bearing::motion::means_of(drivetrain_.bearing.motions, damage_of(means.inner), damage_of(means.outer));
+  // The one life of all fidelities.
+  const auto rating = bearing::life::lamina_rating(
+      drivetrain_.bearing, bearing::life::LifeMeasure::lundberg_palmgren, drivetrain_.reduction_factor);
+  Lives lives{.life = bearing::life::life_of_means(rating, powers)};
+  lives.hours = bearing::hours(lives.life.bearing, speed_);
+  const RatedBearing& rated = drivetrain_.rated;
+  lives.rating = bearing::rating::rating_lives(geometry_.rating,
+                                               {.dynamic_load = load,
+                                                .static_load = largest_load,
+                                                .oil = oil_under(means),
+                                                .reliability_factor = rated.reliability_factor},
+                                               powers);
+  lives.rated_hours = bearing::rating::rated_hours(lives.rating, speed_);
+  return lives;
+}
+
+std::optional<bearing::rating::OilCondition> PlanetBearingRating::oil_under(
+    const WindowStatistics& means) const {
+  const RatedBearing& rated = drivetrain_.rated;
+  if (!rated.oil) return std::nullopt;
+  bearing::rating::StatedOil oil = *rated.oil;
+  if (rated.roughness)
+    oil.viscosity_ratio = bearing::rating::viscosity_ratio_of_film(
+        std::min(means.inner.least_film, means.outer.least_film), *rated.roughness);
+  return bearing::rating::oil_condition(oil, speed_, drivetrain_.bearing.pitch_diameter);
+}
+
+double mean_by_basic_life(const std::vector<double>& loads) {
+  const double p = bearing::rating::life_exponent(bearing::rating::RollingElement::roller);
+  if (loads.size() == 1) return loads.front();
+  const double largest = *std::max_element(loads.begin(), loads.end());
+  if (!(largest > 0.0)) return largest;
+  double sum = 0.0;
+  for (const double load : loads) sum += std::pow(load / largest, p);
+  return largest * std::pow(sum / static_cast<double>(loads.size()), 1.0 / p);
+}
+
+}  // namespace orbearing::study

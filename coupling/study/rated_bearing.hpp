@@ -1,0 +1,91 @@
+// One bearing of a planet under a load at rest, and the lives of one from means of its loads.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "bearing/equilibrium/aligned_pitch.hpp"
+#include "bearing/equilibrium/lamina_bearing.hpp"
+#include "bearing/life/basic_life.hpp"
+#include "bearing/life/rating_lives.hpp"
+#include "bearing/motion/statistics.hpp"
+#include "coupling/study/drivetrain.hpp"
+
+namespace orbearing::study {
+
+/// One bearing of one planet, at rest in the carrier's frame.
+struct QuasiStaticBearing {
+  bearing::QuasiStaticResult loads;
+  bearing::motion::WindowStatistics means;
+  Eigen::Vector2d tilt;  // [rad]  of the bore, of laminae
+};
+
+/// The bearings of planets at rest, planet by planet. Keeps references to both arguments.
+class BearingsAtRest {
+ public:
+  // One instruction set everywhere, so that points are equal to the last bit on all machines of a sweep.
+  BearingsAtRest(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry);
+
+  /// All bearings of a planet: one where they are alike.
+  std::vector<QuasiStaticBearing> of(const BearingDuty& duty);
+  /// One bearing, tilted as the duty says. Throws std::runtime_error where it finds no balance.
+  QuasiStaticBearing one(const BearingDuty& duty);
+
+  const bearing::laminae::LaminaBearing& bearing() const { return bearing_; }
+
+ private:
+  bearing::QuasiStaticResult loads_under(const BearingDuty& duty);
+
+  const PlanetaryDrivetrain& drivetrain_;
+  const DrivetrainGeometry& geometry_;
+  bearing::QuasiStaticOptions options_;
+  bearing::laminae::LaminaBearing bearing_;
+  std::optional<bearing::vectorised::AlignedPitch> level_;
+};
+
+/// Loads and lives of the bearings of one point, which share speeds, oil and ratings. Keeps references to
+/// both drivetrain and geometry.
+class PlanetBearingRating {
+ public:
+  /// `duty`: whose speeds count.
+  PlanetBearingRating(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                      const BearingDuty& duty)
+      : drivetrain_(drivetrain),
+        geometry_(geometry),
+        speed_(rotating_speed(drivetrain.bearing, duty.point)) {}
+
+  /// Of one bearing under a radial load [N].
+  struct Lives {
+    bearing::BearingLife life;  // [rev]  of Lundberg and Palmgren
+    double hours = 0.0;         // [h]
+    bearing::rating::RatingLives rating;
+    bearing::rating::RatedHours rated_hours;
+  };
+
+  Lives of(const bearing::motion::WindowStatistics& means, double load) const {
+    return of(means, load, load);
+  }
+  Lives of(const bearing::motion::WindowStatistics& means, double load, double largest_load) const;
+
+  /// Radial load of the whole on one bore [N], as PointResult::planet_load.
+  double load_of(const BearingDuty& duty) const { return load_vector_of(duty).norm(); }
+  Eigen::Vector2d load_vector_of(const BearingDuty& duty) const {
+    return bearing::total_bore_load(drivetrain_.bearing, geometry_.bearing, duty.point, drivetrain_.inertia);
+  }
+
+  const PlanetaryDrivetrain& drivetrain() const { return drivetrain_; }
+
+ private:
+  std::optional<bearing::rating::OilCondition> oil_under(
+      const bearing::motion::WindowStatistics& means) const;
+
+  const PlanetaryDrivetrain& drivetrain_;
+  const DrivetrainGeometry& geometry_;
+  double speed_ = 0.0;  // [rad/s]  of the race that turns relative to the load
+};
+
+/// P [N] of loads that take turns: [ISO281] by the exponent of its life.
+double mean_by_basic_life(const std::vector<double>& loads);
+
+}  // namespace orbearing::study
