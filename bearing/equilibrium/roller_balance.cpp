@@ -12,10 +12,31 @@ namespace {
 constexpr int kMostBisections = 60;
 constexpr double kRollerRoundOff = 4e-16;
 
+// A dry point contact in the words of RaceContact.
+struct PointRace {
+  double constant;  // [N/m^1.5]
+
+  double approach(double load) const { return std::pow(load / constant, 2.0 / 3.0); }
+  RaceContact::Response response(double load) const {
+    const double elastic = approach(load);
+    return {elastic, 2.0 / 3.0 * elastic / load};
+  }
+  double onset() const { return 0.0; }
+  const PointRace& elastic() const { return *this; }
+};
+
+constexpr double load_exponent(const RaceContact&) {
+  return kLineExponent;
+}
+constexpr double load_exponent(const PointRace&) {
+  return 1.5;
+}
+
 // Sum of both geometric approaches at squeeze load s, which both contacts carry besides the inertial load.
+template <class Contact>
 struct SqueezedRoller {
-  const RaceContact& inner;
-  const RaceContact& outer;
+  const Contact& inner;
+  const Contact& outer;
   double inner_extra;  // [N]  inertial load on the inner race
   double outer_extra;  // [N]  inertial load on the outer race
 
@@ -31,15 +52,17 @@ struct SqueezedRoller {
 
 // The dry, massless roller needs the least approach for a load, so this load is the largest there can be when
 // the film's cap is added to the approach.
-double upper_bound(const SqueezedRoller& roller, double approach) {
+template <class Contact>
+double upper_bound(const SqueezedRoller<Contact>& roller, double approach) {
   const double dry_approach = approach - roller.inner.onset() - roller.outer.onset();
   const double per_contact = roller.inner.elastic().approach(1.0) + roller.outer.elastic().approach(1.0);
-  return std::pow(std::max(dry_approach, 0.0) / per_contact, kLineExponent);
+  return std::pow(std::max(dry_approach, 0.0) / per_contact, load_exponent(roller.inner));
 }
 
 // Newton's method, kept inside the bracket of all earlier iterates: the approach rises with the load
 // everywhere, but its slope jumps where the film's cap ends.
-double squeeze_load(const SqueezedRoller& roller, double approach) {
+template <class Contact>
+double squeeze_load(const SqueezedRoller<Contact>& roller, double approach) {
   double low = 0.0;
   double high = upper_bound(roller, approach);
   double s = high;
@@ -55,16 +78,28 @@ double squeeze_load(const SqueezedRoller& roller, double approach) {
   return s;
 }
 
-}  // namespace
-
-RollerBalance balance_roller(const RaceContact& inner, const RaceContact& outer, double inertial_load,
-                             double approach) {
-  const SqueezedRoller roller{inner, outer, std::max(0.0, -inertial_load), std::max(0.0, inertial_load)};
+template <class Contact>
+RollerBalance balance_element(const Contact& inner, const Contact& outer, double inertial_load,
+                              double approach) {
+  const SqueezedRoller<Contact> roller{inner, outer, std::max(0.0, -inertial_load),
+                                       std::max(0.0, inertial_load)};
   const bool squeezed = approach > roller.approach(0.0);
   if (!squeezed) return {roller.inner_extra, roller.outer_extra, 0.0};
   const double s = squeeze_load(roller, approach);
   if (s <= 0.0) return {roller.inner_extra, roller.outer_extra, 0.0};
   return {s + roller.inner_extra, s + roller.outer_extra, 1.0 / roller.response(s).compliance};
+}
+
+}  // namespace
+
+RollerBalance balance_roller(const RaceContact& inner, const RaceContact& outer, double inertial_load,
+                             double approach) {
+  return balance_element(inner, outer, inertial_load, approach);
+}
+
+RollerBalance balance_ball(const PointContact& inner, const PointContact& outer, double inertial_load,
+                           double approach) {
+  return balance_element(PointRace{inner.constant}, PointRace{outer.constant}, inertial_load, approach);
 }
 
 }  // namespace orbearing::bearing

@@ -1,6 +1,7 @@
-// One roller between both races: how it shares the approach between its two contacts.
+// One roller or ball between both races: how it shares the approach between its two contacts.
 #pragma once
 
+#include "bearing/contact/point_contact.hpp"
 #include "bearing/contact/race_contact.hpp"
 
 namespace orbearing::bearing {
@@ -17,5 +18,9 @@ struct RollerBalance {
 /// that is not squeezed rests on the race towards which its inertial load points.
 RollerBalance balance_roller(const RaceContact& inner, const RaceContact& outer, double inertial_load,
                              double approach);
+
+/// The same of a ball whose contacts lie opposite to each other.
+RollerBalance balance_ball(const PointContact& inner, const PointContact& outer, double inertial_load,
+                           double approach);
 
 }  // namespace orbearing::bearing

@@ -96,6 +96,10 @@ Ratings ratings_of(const Bearing& bearing, const StatedRatings& stated) {
     return ratings_of_set(ball_set(bearing), RollingElement::ball, kBallTable, stated);
   RollerSet set = roller_set(bearing);
   set.reduction_factor = stated.reduction_factor.value_or(set.reduction_factor);
+  return ratings_of(set, stated);
+}
+
+Ratings ratings_of(const RollerSet& set, const StatedRatings& stated) {
   return ratings_of_set(set, RollingElement::roller, kRollerTable, stated);
 }
 

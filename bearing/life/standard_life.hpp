@@ -34,6 +34,8 @@ struct Ratings {
 };
 
 Ratings ratings_of(const Bearing& bearing, const StatedRatings& stated = {});
+/// Of rollers, with the reduction factor of the set.
+Ratings ratings_of(const RollerSet& set, const StatedRatings& stated);
 
 /// Equivalent load P of [ISO281] [N] under `radial` and `axial` [N]; none for balls of a nominal contact
 /// angle that its table of X and Y does not have.

@@ -1,0 +1,336 @@
+#include "bearing/equilibrium/inclined_rows.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "bearing/carrier_frame.hpp"
+#include "bearing/contact/line_law.hpp"
+#include "bearing/equilibrium/balls.hpp"
+#include "bearing/equilibrium/quasi_static.hpp"
+#include "mechanics/checks.hpp"
+#include "mechanics/constants.hpp"
+
+namespace orbearing::bearing {
+
+namespace {
+
+using constants::two_pi;
+
+InclinedContacts contacts_of(const Bearing& bearing, double taper) {
+  if (!bearing.has_rollers()) {
+    const equilibrium::BallRow balls(bearing);
+    return {balls.contact(Race::inner), balls.contact(Race::outer)};
+  }
+  return {roller_race_contact(bearing.contact_law, bearing.rollers().length), taper};
+}
+
+// By which a pair is pressed together, along the axis of each row [m].
+double mounted_approach(const PlanetRows& rows, const InclinedRow& row) {
+  if (!rows.is_tapered()) return 0.0;
+  if (rows.approach) return 0.5 * *rows.approach;
+  if (!rows.preload) return 0.0;
+  const double load = *rows.preload / (row.count * std::sin(row.contact_angle));
+  return row.contacts.approach(load) / std::sin(row.contact_angle);
+}
+
+void require_fit(const Bearing& bearing, const PlanetRows& rows, std::size_t bearings) {
+  mechanics::require(bearings > 0, "bearings of a planet", bearings, "at least one");
+  mechanics::require(bearing.has_rollers() != rows.has_balls(), "rolling elements of a planet bearing",
+                     bearing.has_rollers() ? "rollers" : "balls", "those of its type");
+  mechanics::require(!rows.is_tapered() || bearings == 2, "tapered roller bearings of a planet", bearings,
+                     "2, a pair whose axial forces balance");
+  mechanics::require(!rows.is_tapered() || rows.contact_angle > 0.0, "contact angle of tapered rollers [rad]",
+                     rows.contact_angle, "greater than 0");
+}
+
+// The races of a tapered pair stand as wedges against each other, towards the middle of the pair or away.
+double side_of(const PlanetRows& rows, std::size_t bearing) {
+  const double outward = bearing == 0 ? 1.0 : -1.0;
+  return rows.arrangement == RowArrangement::back_to_back ? outward : -outward;
+}
+
+}  // namespace
+
+InclinedContacts::InclinedContacts(const LineContact& contact, double taper)
+    : cosine_(std::cos(taper)),
+      lines_(RollerContacts{
+          {contact, Film()},
+          {LineContact(contact.constant() * std::pow(cosine_, kLineExponent + 1.0)), Film()}}) {}
+
+InclinedContacts::InclinedContacts(const PointContact& inner, const PointContact& outer)
+    : inner_(inner), outer_(outer) {}
+
+// Of Eq. (18), with outer load and approach times and over the cosine of the taper.
+RollerBalance InclinedContacts::balance(double inertial_load, double approach) const {
+  if (!lines_) return balance_ball(*inner_, *outer_, inertial_load, approach);
+  RollerBalance both = balance_roller(lines_->inner, lines_->outer, inertial_load, approach / cosine_);
+  both.outer_load /= cosine_;
+  both.stiffness /= cosine_ * cosine_;
+  return both;
+}
+
+double InclinedContacts::energy(double inertial_load, double approach) const {
+  const RollerBalance both = balance(inertial_load, approach);
+  const double outer_load = cosine_ * both.outer_load, races = approach / cosine_;
+  const auto inner_approach = [&](double load) {
+    return lines_ ? lines_->inner.approach(load) : std::pow(load / inner_->constant, 2.0 / 3.0);
+  };
+  const auto outer_approach = [&](double load) {
+    return lines_ ? lines_->outer.approach(load) : std::pow(load / outer_->constant, 2.0 / 3.0);
+  };
+  const double inner = inner_approach(both.inner_load), outer = outer_approach(outer_load);
+  const double exponent = lines_ ? kLineExponent : 1.5;
+  const double elastic = (both.inner_load * inner + outer_load * outer) / (exponent + 1.0);
+  // How far the element has moved inward: until it rests on a race.
+  const double inward = both.inner_load > 0.0 ? inner : races - outer;
+  return elastic + inertial_load * inward;
+}
+
+double InclinedContacts::approach(double outer_load) const {
+  if (!lines_) return std::pow(outer_load / in_series(*inner_, *outer_), 2.0 / 3.0);
+  const double scaled = cosine_ * outer_load;
+  return cosine_ * (lines_->inner.approach(scaled) + lines_->outer.approach(scaled));
+}
+
+double taper_of(double element_diameter, double pitch_diameter, double contact_angle) {
+  const double ratio = element_diameter / pitch_diameter;
+  return 2.0 * std::atan2(ratio * std::sin(contact_angle), 1.0 + ratio * std::cos(contact_angle));
+}
+
+BearingGeometry geometry_of(const Bearing& bearing, const PlanetRows& rows) {
+  BearingGeometry geometry = geometry_of(bearing);
+  if (rows.is_cylindrical() || rows.has_balls()) return geometry;
+  const double cosine = std::cos(rows.contact_angle);
+  const double shift = geometry.element_radius * (1.0 - cosine), inner = geometry.inner_radius,
+               outer = geometry.outer_radius;
+  geometry.slenderness *= cosine;
+  geometry.inner_radius += shift;
+  geometry.outer_radius -= shift;
+  const double per_area = bearing.material.density * constants::pi * bearing.width;
+  geometry.inner_ring_mass += per_area * (std::pow(geometry.inner_radius, 2) - inner * inner);
+  geometry.outer_ring_mass += per_area * (outer * outer - std::pow(geometry.outer_radius, 2));
+  geometry.cage_mass *= rows.rows();
+  geometry.cage_inertia *= rows.rows();
+  return geometry;
+}
+
+std::vector<InclinedRow> inclined_rows(const Bearing& bearing, const PlanetRows& rows,
+                                       const std::vector<double>& positions) {
+  require_fit(bearing, rows, positions.size());
+  const BearingGeometry geometry = geometry_of(bearing, rows);
+  const double angle = rows.has_balls() ? 0.0 : rows.contact_angle;
+  const double taper =
+      rows.is_tapered() ? taper_of(bearing.element_diameter(), bearing.pitch_diameter, angle) : 0.0;
+  InclinedRow row{.contacts = contacts_of(bearing, taper),
+                  .count = bearing.element_count(),
+                  .contact_angle = angle,
+                  .taper = taper,
+                  .element_mass = geometry.element_mass,
+                  .pitch_radius = geometry.pitch_radius,
+                  .slenderness = geometry.slenderness};
+  row.approach =
+      -0.5 * bearing.radial_clearance * std::cos(angle) + mounted_approach(rows, row) * std::sin(angle);
+  std::vector<InclinedRow> all;
+  for (std::size_t k = 0; k < positions.size(); ++k) {
+    row.bearing = static_cast<int>(k);
+    row.side = rows.is_tapered() ? side_of(rows, k) : -1.0;
+    // Normals of a spherical race meet in its centre, the middle of the bearing.
+    row.pressure_centre =
+        positions[k] - (rows.is_tapered() ? row.side * row.pitch_radius * std::tan(angle) : 0.0);
+    all.push_back(row);
+    if (rows.rows() == 1) continue;
+    row.side = 1.0;
+    all.push_back(row);
+  }
+  return all;
+}
+
+InclinedPlanet::InclinedPlanet(std::vector<InclinedRow> rows, const OperatingPoint& point,
+                               const InertiaSwitches& inertia)
+    : rows_(std::move(rows)), point_(point), inertia_(inertia) {
+  mechanics::require(!rows_.empty(), "rows of a planet", rows_.size(), "at least one");
+  require_finite(point_);
+  constexpr double same = 1e-9;  // [m]  pressure centres
+  for (const InclinedRow& row : rows_) {
+    lever_ = std::max({lever_, std::abs(row.pressure_centre), row.pitch_radius});
+    axial_ = axial_ || row.contact_angle != 0.0;
+    tilt_ = tilt_ || std::abs(row.pressure_centre - rows_.front().pressure_centre) > same;
+  }
+}
+
+double InclinedPlanet::inertial_load(const InclinedRow& row, double angle) const {
+  const double cage = kinematic_cage_speed(row.slenderness, point_.inner_speed, point_.outer_speed);
+  return row.element_mass *
+         radial_inertial_acceleration(carrier_frame(point_.carrier, inertia_), row.pitch_radius, angle, cage);
+}
+
+double InclinedPlanet::along_inner_normal(const InclinedRow& row, double angle) const {
+  return inertial_load(row, angle) * std::cos(row.contact_angle - row.taper);
+}
+
+// How far each coordinate moves the outer race outward along its normal, Eq. (17).
+InclinedPlanet::Position InclinedPlanet::moves(const InclinedRow& row, double angle) const {
+  const double cosine = std::cos(row.contact_angle), tilting = cosine * row.pressure_centre / lever_;
+  const double x = std::cos(angle), y = std::sin(angle);
+  Position all;
+  all << cosine * x, cosine * y, row.side * std::sin(row.contact_angle), tilting * x, tilting * y;
+  return all;
+}
+
+double InclinedPlanet::approach(const InclinedRow& row, const Position& moves,
+                                const Position& position) const {
+  return row.approach - moves.dot(position);
+}
+
+template <class Use>
+void InclinedPlanet::for_each(double first_element, const Use& use) const {
+  for (std::size_t k = 0; k < rows_.size(); ++k)
+    for (int j = 0; j < rows_[k].count; ++j) use(k, j, first_element + two_pi * j / rows_[k].count);
+}
+
+mechanics::Imbalance<5> InclinedPlanet::forces(const Position& position, double first_element) const {
+  mechanics::Imbalance<5> sum;
+  for_each(first_element, [&](std::size_t k, int, double angle) {
+    const InclinedRow& row = rows_[k];
+    const Position out = moves(row, angle);
+    const RollerBalance element =
+        row.contacts.balance(along_inner_normal(row, angle), approach(row, out, position));
+    sum.force += element.outer_load * out;
+    sum.stiffness += element.stiffness * out * out.transpose();
+    sum.scale = std::max(sum.scale, element.outer_load);
+  });
+  return sum;
+}
+
+double InclinedPlanet::stored_energy(const Position& position, double first_element) const {
+  double energy = 0.0;
+  for_each(first_element, [&](std::size_t k, int, double angle) {
+    const InclinedRow& row = rows_[k];
+    energy += row.contacts.energy(along_inner_normal(row, angle), approach(row, moves(row, angle), position));
+  });
+  return energy;
+}
+
+namespace {
+
+// All forces on one element, over the clearance or preload and what the tilt adds.
+mechanics::SearchLimits search_limits_of(const InclinedPlanet& planet, double force, double first_element) {
+  double approach = 1e-6, all = force;
+  for (const InclinedRow& row : planet.rows()) {
+    for (int j = 0; j < row.count; ++j)
+      all += std::abs(planet.inertial_load(row, first_element + two_pi * j / row.count));
+    approach = std::max(approach, std::abs(row.approach));
+  }
+  double elastic = 0.0, sine = 1.0;
+  for (const InclinedRow& row : planet.rows()) {
+    elastic = std::max(elastic, row.contacts.approach(all));
+    if (row.contact_angle > 0.0) sine = std::min(sine, std::sin(row.contact_angle));
+  }
+  return {.reach = (approach + elastic) / sine, .size = approach};
+}
+
+std::string no_balance_text(double load, double residual) {
+  std::ostringstream text;
+  text << "the planet found no balance on its bearings under " << load << " N: " << residual
+       << " N remain; check clearance, preload and the number of rolling elements";
+  return text.str();
+}
+
+}  // namespace
+
+InclinedState InclinedPlanet::balance(const PlanetLoad& load, double first_element,
+                                      const InclinedState* near) const {
+  Position outer;
+  outer << load.force, load.axial, load.moment / lever_;
+  const Eigen::Array<bool, 5, 1> held(false, false, !axial_, !tilt_, !tilt_);
+  const auto imbalance_at = [&](const Position& at) {
+    mechanics::Imbalance<5> sum = forces(at, first_element);
+    sum.force += outer;
+    sum.scale = std::max(sum.scale, outer.cwiseAbs().maxCoeff());
+    mechanics::hold<5>(held, sum);
+    return sum;
+  };
+  const mechanics::SearchLimits limits = search_limits_of(*this, outer.norm(), first_element);
+  Position position = Position::Zero();
+  if (near)
+    position << near->displacement, near->axial, lever_ * near->tilt;
+  else if (load.force.norm() > 0.0)  // into contact
+    position.head<2>() =
+        load.force.normalized() *
+        (limits.size + rows_.front().contacts.approach(load.force.norm() / rows_.front().count));
+  mechanics::Imbalance<5> now;
+  InclinedState state;
+  state.report = {mechanics::find_balance<5>(imbalance_at, limits, position, now)};
+  if (!state.report.converged) state.report.message = no_balance_text(outer.norm(), state.report.residual);
+  state.displacement = position.head<2>();
+  state.axial = position[2];
+  state.tilt = position.tail<2>() / lever_;
+  const Position arms(1.0, 1.0, 1.0, lever_, lever_);
+  state.stiffness = arms.asDiagonal() * now.stiffness * arms.asDiagonal();
+  for (const InclinedRow& row : rows_) {
+    state.inner_load.emplace_back(Eigen::ArrayXd::Zero(row.count));
+    state.outer_load.emplace_back(Eigen::ArrayXd::Zero(row.count));
+  }
+  for_each(first_element, [&](std::size_t k, int j, double angle) {
+    const InclinedRow& row = rows_[k];
+    const RollerBalance element =
+        row.contacts.balance(along_inner_normal(row, angle), approach(row, moves(row, angle), position));
+    state.inner_load[k][j] = element.inner_load;
+    state.outer_load[k][j] = element.outer_load;
+  });
+  return state;
+}
+
+namespace {
+
+// Of the rib of the inner ring, which holds a tapered roller along that ring's race, Eq. (19).
+double rib_load(const InclinedRow& row, double outer_load, double inertial_load) {
+  if (row.taper == 0.0) return 0.0;
+  const double along =
+      outer_load * std::sin(row.taper) + inertial_load * std::sin(row.contact_angle - row.taper);
+  return std::max(0.0, along);
+}
+
+void put_angle(const InclinedPlanet& planet, const InclinedState& state, Eigen::Index position,
+               Eigen::Index positions, InclinedResult& result) {
+  const double part = 1.0 / static_cast<double>(positions);
+  result.tilt += part * state.tilt;
+  keep_worst(state.report, result.report);
+  for (std::size_t k = 0; k < result.rows.size(); ++k) {
+    const InclinedRow& row = planet.rows()[k];
+    InclinedRowLoads& loads = result.rows[k];
+    for (Eigen::Index j = 0; j < row.count; ++j) {
+      const Eigen::Index column = position + j * positions;
+      const double angle = result.angle[column], outer = state.outer_load[k][j];
+      loads.inner_load[column] = state.inner_load[k][j];
+      loads.outer_load[column] = outer;
+      loads.rib_load[column] = rib_load(row, outer, planet.inertial_load(row, angle));
+      loads.radial +=
+          part * outer * std::cos(row.contact_angle) * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+      loads.axial += part * outer * std::sin(row.contact_angle);
+    }
+  }
+}
+
+}  // namespace
+
+InclinedResult inclined_planet_over_a_pitch(const InclinedPlanet& planet, const PlanetLoad& load,
+                                            int cage_positions) {
+  mechanics::require(cage_positions > 0, "cage angles over a pitch", cage_positions, "at least 1");
+  const Eigen::Index all = static_cast<Eigen::Index>(cage_positions) * planet.rows().front().count;
+  const double count = static_cast<double>(all);
+  InclinedResult result;
+  result.angle = Eigen::ArrayXd::LinSpaced(all, 0.0, two_pi * (count - 1.0) / count);
+  result.report.converged = true;
+  const Eigen::ArrayXd none = Eigen::ArrayXd::Zero(all);
+  result.rows.assign(planet.rows().size(), {.inner_load = none, .outer_load = none, .rib_load = none});
+  std::optional<InclinedState> near;
+  for (int position = 0; position < cage_positions; ++position) {
+    near = planet.balance(load, result.angle[position], near ? &*near : nullptr);
+    put_angle(planet, *near, position, cage_positions, result);
+  }
+  return result;
+}
+
+}  // namespace orbearing::bearing

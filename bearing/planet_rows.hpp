@@ -1,0 +1,104 @@
+// Bearings of a planet that are not single rows of cylindrical rollers: which kind, and how their rows stand.
+//
+//     back-to-back (O)                       face-to-face (X)
+//        \  first   second  /                    first      second
+//     ----\--o---------o---/----  outer ring   ---o-/------\-o---
+//          \              /                        /        \       contact lines, from the outer race
+//     -----------------------> z  pin axis     --------------------> z
+#pragma once
+
+#include <optional>
+
+#include "mechanics/described.hpp"
+
+namespace orbearing::bearing {
+
+/// Kind of the bearings in a planet.
+enum class PlanetBearingType { cylindrical_roller, tapered_roller, spherical_roller, deep_groove_ball };
+
+constexpr described::Names<PlanetBearingType, 4> names_of(PlanetBearingType) {
+  return {{{PlanetBearingType::cylindrical_roller, "cylindrical-roller"},
+           {PlanetBearingType::tapered_roller, "tapered-roller"},
+           {PlanetBearingType::spherical_roller, "spherical-roller"},
+           {PlanetBearingType::deep_groove_ball, "deep-groove-ball"}}};
+}
+
+/// How the two tapered roller bearings of a planet stand to each other.
+enum class RowArrangement {
+  back_to_back,  // O: contact lines meet the axis outside of the pair
+  face_to_face,  // X: between both rows
+};
+
+constexpr described::Names<RowArrangement, 2> names_of(RowArrangement) {
+  return {{{RowArrangement::back_to_back, "back-to-back"}, {RowArrangement::face_to_face, "face-to-face"}}};
+}
+
+/// What a case states of these bearings beside Bearing, whose rollers are those of one row.
+struct PlanetRows {
+  PlanetBearingType type = PlanetBearingType::cylindrical_roller;
+  double contact_angle = 0.0;  // [rad]  between the normal of the outer race and the radial plane
+  RowArrangement arrangement = RowArrangement::back_to_back;
+  std::optional<double> distance;  // [m]  between the middles of both rows; none: evenly across the face
+  std::optional<double> preload;   // [N]  axial force of each row on the other, without other loads
+  std::optional<double> approach;  // [m]  axial displacement by which both rows are pressed together
+  int balls = 0;                   // [-]  of a ball bearing, whose grooves are those of Ring
+  double ball_diameter = 0.0;      // [m]
+
+  bool is_cylindrical() const { return type == PlanetBearingType::cylindrical_roller; }
+  bool is_tapered() const { return type == PlanetBearingType::tapered_roller; }
+  bool has_balls() const { return type == PlanetBearingType::deep_groove_ball; }
+  /// Of one bearing.
+  int rows() const { return type == PlanetBearingType::spherical_roller ? 2 : 1; }
+};
+
+template <class Visitor>
+void describe(Visitor& visit, PlanetRows& m) {
+  using namespace described;
+  constexpr Where tapered{"bearing.type", "tapered-roller"}, ball{"bearing.type", "deep-groove-ball"};
+  members(
+      visit, m, apart(m.type),
+      field(m.contact_angle, "bearing.rows.contact_angle", Physics::at_rest,
+            "contact angle of tapered or spherical rollers: between the normal of the outer race and the "
+            "radial plane",
+            {.models = planetary_drivetrain,
+             .dimension = dimension::angle,
+             .range = positive(60.0),
+             .where = {"bearing.type", "tapered-roller|spherical-roller"}}),
+      field(m.arrangement, "bearing.rows.arrangement", Physics::at_rest,
+            "how the two tapered roller bearings of a planet stand to each other: back-to-back (O) or "
+            "face-to-face (X)",
+            {.models = planetary_drivetrain, .where = tapered}),
+      field(m.distance, "bearing.rows.distance", Physics::at_rest,
+            "distance between the middles of the rollers of both tapered rows; left out: half of the face "
+            "width",
+            {.models = planetary_drivetrain,
+             .dimension = dimension::length,
+             .range = positive(1e4),
+             .where = tapered}),
+      field(m.preload, "bearing.rows.preload", Physics::at_rest,
+            "axial preload force of a pair of tapered rows without other loads",
+            {.models = planetary_drivetrain,
+             .dimension = dimension::force,
+             .range = {0.0, 1e9},
+             .where = tapered}),
+      field(m.approach, "bearing.rows.approach", Physics::at_rest,
+            "axial displacement by which both tapered rows are pressed together, in place of preload; "
+            "negative: axial play of the pair",
+            {.models = planetary_drivetrain,
+             .dimension = dimension::small_length,
+             .range = {-2000.0, 2000.0},
+             .where = tapered}),
+      field(m.balls, "bearing.balls", Physics::balance, "number of balls",
+            {.models = with_balls | planetary_drivetrain,
+             .required_by = with_balls,
+             .range = {3, 500},
+             .where = ball}),
+      field(m.ball_diameter, "bearing.ball_diameter", Physics::balance, "diameter of a ball",
+            {.models = with_balls | planetary_drivetrain,
+             .required_by = with_balls,
+             .dimension = dimension::length,
+             .range = positive(1e4),
+             .where = ball}));
+}
+
+}  // namespace orbearing::bearing
