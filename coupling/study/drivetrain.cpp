@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "bearing/carrier_frame.hpp"
+#include "bearing/equilibrium/inclined_rows.hpp"
+#include "bearing/life/inclined_rating.hpp"
 #include "mechanics/constants.hpp"
 
 namespace orbearing::study {
@@ -13,7 +15,7 @@ DrivetrainGeometry derive_rigid(const PlanetaryDrivetrain& drivetrain) {
   DrivetrainGeometry geometry;
   geometry.gears = gearset::working_geometry(drivetrain.set);
   geometry.planet_gear = gearset::planet_body(drivetrain.set, geometry.gears);
-  geometry.bearing = bearing::geometry_of(drivetrain.bearing);
+  geometry.bearing = bearing::geometry_of(drivetrain.bearing, drivetrain.rows);
   geometry.planet_mass =
       geometry.planet_gear.mass + drivetrain.bearings_per_planet * geometry.bearing.outer_ring_mass;
   return geometry;
@@ -30,7 +32,8 @@ gearset::rim::RimInfluence rim_of(const PlanetaryDrivetrain& drivetrain, const D
 
 DrivetrainGeometry derive(const PlanetaryDrivetrain& drivetrain) {
   DrivetrainGeometry geometry = derive_rigid(drivetrain);
-  geometry.rating = bearing::rating::bearing_rating(drivetrain.bearing, drivetrain.rated.stated);
+  geometry.rating =
+      bearing::rating::planet_bearing_rating(drivetrain.bearing, drivetrain.rows, drivetrain.rated.stated);
   if (drivetrain.rim == PlanetRim::elastic)
     geometry.rim = std::make_shared<const gearset::rim::RimInfluence>(rim_of(drivetrain, geometry));
   return geometry;

@@ -14,6 +14,7 @@
 #include "bearing/mounted_clearance.hpp"
 #include "bearing/parameters.hpp"
 #include "bearing/pin_beam.hpp"
+#include "bearing/planet_rows.hpp"
 #include "coupling/cosim/coupled_run.hpp"
 #include "coupling/system/driven_bearing.hpp"
 #include "coupling/system/steady_state.hpp"
@@ -195,6 +196,7 @@ struct PlanetaryDrivetrain {
   std::optional<gearset::MemberRatios> in_arrangement;
   bearing::Bearing bearing;    // with the clearance that it has at this drive
   bearing::Mounting mounting;  // from which that clearance follows, where a case states it so
+  bearing::PlanetRows rows;    // which kind of bearing it is; others than cylindrical at rest alone
   int bearings_per_planet = 1;
   PlanetRim rim = PlanetRim::rigid;
   bearing::InertiaSwitches inertia;
@@ -227,6 +229,7 @@ void describe(Visitor& visit, PlanetaryDrivetrain& m) {
   using namespace described;
   members(
       visit, m, apart(m.set), apart(m.drive), apart(m.in_arrangement), part(m.bearing), part(m.mounting),
+      part(m.rows),
       field(m.bearings_per_planet, "bearing.per_planet", Physics::carrier,
             "bearings side by side in a planet",
             {.models = planetary_drivetrain, .required_by = planetary_drivetrain, .range = {1, 8}}),

@@ -402,8 +402,7 @@ void put_loads(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& 
   result.carrier_speed = duties.front().gears.carrier_speed;
   const double part = 1.0 / static_cast<double>(duties.size());
   for (const BearingDuty& duty : duties) {
-    const Eigen::Vector2d total =
-        bearing::total_bore_load(drivetrain.bearing, geometry.bearing, duty.point, drivetrain.inertia);
+    const Eigen::Vector2d total = bore_load_with_cage(drivetrain, geometry, duty.point);
     const double radial = duty.gears.radial_force / drivetrain.bearings_per_planet;
     result.planet_load += part * total.norm();
     result.tangential_load += part * duty.gears.tangential_force / drivetrain.bearings_per_planet;
@@ -433,10 +432,19 @@ double largest_pressure(const PlanetaryDrivetrain& drivetrain, const DrivetrainG
 PointResult completed(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                       const std::vector<BearingDuty>& duties, PointResult result) {
   put_loads(drivetrain, geometry, duties, result);
-  result.contact_pressure = largest_pressure(drivetrain, geometry, result);
+  if (drivetrain.rows.is_cylindrical())
+    result.contact_pressure = largest_pressure(drivetrain, geometry, result);
   result.radial_clearance = drivetrain.bearing.radial_clearance;
   result.caged = drivetrain.bearing.has_cage();
   return result;
+}
+
+void require_cylindrical_beyond_rest(const PlanetaryDrivetrain& drivetrain, Fidelity fidelity) {
+  if (fidelity == Fidelity::quasi_static && !drivetrain.uneven_planets && drivetrain.rim == PlanetRim::rigid)
+    return;
+  throw std::invalid_argument(
+      "bearing.type: found " + std::string(described::text_of(drivetrain.rows.type)) +
+      "; required: cylindrical-roller in motion, beside an elastic rim and where planets carry unlike loads");
 }
 
 }  // namespace
@@ -458,6 +466,11 @@ bearing::motion::DynamicsParameters dynamics_parameters(const PlanetaryDrivetrai
 
 PointResult evaluate(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                      Fidelity fidelity) {
+  if (!drivetrain.rows.is_cylindrical()) {
+    require_cylindrical_beyond_rest(drivetrain, fidelity);
+    const BearingDuty duty = bearing_duty(drivetrain, geometry);
+    return completed(drivetrain, geometry, {duty}, inclined_point(drivetrain, geometry, duty));
+  }
   const std::vector<BearingDuty> duties = planet_duties(drivetrain, geometry);
   const auto point = [&] {
     if (fidelity == Fidelity::quasi_static) {

@@ -86,13 +86,15 @@ struct PlanetResult {
   bearing::rating::RatedHours rated_hours{};
 };
 
-/// One bearing of a planet whose tilt is computed.
+/// One bearing of a planet whose tilt is computed, or of a type other than cylindrical rollers.
 struct SeatResult {
   double position = 0.0;                           // [m]    along the axis, from the middle of the face
   double load = 0.0;                               // [N]    on its bore, mean over time
   Eigen::Vector2d tilt = Eigen::Vector2d::Zero();  // [rad]  of its bore against the pin, outward and ahead
   double life_hours = 0.0;                         // [h]
   bearing::rating::RatedHours rated_hours{};
+  double axial_load = 0.0;  // [N]  induced by a contact angle
+  double rib_load = 0.0;    // [N]  largest of one tapered roller on the rib of the inner ring
 };
 
 /// One of several sets at an operating point. Loads and life are those of one bearing.
@@ -131,6 +133,7 @@ struct PointResult {
   double radial_clearance = 0.0;  // [m]  of the running bearing
   RatingRecord rating;
   bearing::rating::LifeMethod life_method = bearing::rating::LifeMethod::lundberg_palmgren;
+  bearing::rating::RollingElement element = bearing::rating::RollingElement::roller;
   LoadDistribution distribution;
   std::optional<DynamicRecord> dynamic;      // none from the quasi-static model
   std::optional<LaminaRecord> laminae;       // none from whole contacts
@@ -156,6 +159,16 @@ void describe(described::Record& record, const SetResult& set);
 /// The life of one bearing that results go by, by the drivetrain's method [h]; not a number where the
 /// standards give none.
 double life_to_go_by(const PointResult& result);
+
+/// Load [N] on the bore of one bearing with what reaches it through its cages, whatever its type.
+Eigen::Vector2d bore_load_with_cage(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                                    const bearing::OperatingPoint& point);
+
+/// Loads, lives and the largest pressure of bearings that are not cylindrical, at rest; speeds and loads on
+/// the bore are not put in. The overturning moment of helical teeth is in the balance where a planet has two
+/// bearings or more. Throws std::runtime_error where no balance is found.
+PointResult inclined_point(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                           const BearingDuty& duty);
 
 /// bearing_dynamics() with what `gears` give at this duty.
 bearing::motion::DynamicsParameters dynamics_parameters(const PlanetaryDrivetrain& drivetrain,

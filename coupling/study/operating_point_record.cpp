@@ -109,10 +109,12 @@ void describe_ratings(Record& record, const PointResult& point) {
               lives.modified_reference.outer);
   describe_loads(record, lives);
   describe_factors(record, lives);
-  const double allowed = bearing::rating::static_pressure(bearing::rating::RollingElement::roller);
-  record.value("static_safety", dimension::ratio,
-               "S_0 of ISO 76: static capacity over load, by the largest pressure and 4000 MPa",
-               std::pow(allowed / point.contact_pressure, 2));
+  const double allowed = bearing::rating::static_pressure(point.element);
+  const bool rollers = point.element == bearing::rating::RollingElement::roller;
+  record.value(
+      "static_safety", dimension::ratio,
+      "S_0 of ISO 76: static capacity over load, by the largest pressure and 4000 MPa, of balls 4200 MPa",
+      std::pow(allowed / point.contact_pressure, rollers ? 2 : 3));
 }
 
 void describe_losses(Record& record, const PointResult& point) {
@@ -336,7 +338,7 @@ void describe_laminae(Record& record, const LaminaRecord& laminae) {
                      "moment of the rollers on the bore along its tilt", laminae.moment);
 }
 
-// The bearings of a planet whose tilt is computed.
+// The bearings of a planet whose tilt is computed, or of another type than cylindrical rollers.
 void describe(Record& row, const SeatResult& seat) {
   row.value("place", dimension::length, "position along the axis, from the middle of the face",
             seat.position);
@@ -344,6 +346,10 @@ void describe(Record& row, const SeatResult& seat) {
   describe_direction(row, "tilt", dimension::angle, "tilt of the bore against the pin", seat.tilt);
   row.value("life", dimension::hours, "fatigue life of one bearing", seat.life_hours);
   describe(row, seat.rated_hours);
+  row.value("axial_load", dimension::force, "axial load of the bearing, induced by its contact angle",
+            seat.axial_load);
+  row.value("rib_load", dimension::force, "largest load of a tapered roller on the rib of the inner ring",
+            seat.rib_load);
 }
 
 void describe(Record& row, const PlanetResult& planet) {

@@ -71,7 +71,7 @@ class PlanetBearingRating {
   /// Radial load of the whole on one bore [N], as PointResult::planet_load.
   double load_of(const BearingDuty& duty) const { return load_vector_of(duty).norm(); }
   Eigen::Vector2d load_vector_of(const BearingDuty& duty) const {
-    return bearing::total_bore_load(drivetrain_.bearing, geometry_.bearing, duty.point, drivetrain_.inertia);
+    return bore_load_with_cage(drivetrain_, geometry_, duty.point);
   }
 
   const PlanetaryDrivetrain& drivetrain() const { return drivetrain_; }
