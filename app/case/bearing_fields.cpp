@@ -167,17 +167,23 @@ void add_forms(std::vector<Field>& fields) {
   add_form(fields, "bearing.outer_race.waviness", "the bore's race, rotating with it", of_waviness());
 }
 
+std::vector<std::string> types_of_bearings() {
+  std::vector<std::string> names;
+  for (const auto& name : names_of(bearing::PlanetBearingType{})) names.emplace_back(name.text);
+  return names;
+}
+
 }  // namespace
 
 void add_bearing_fields(std::vector<Field>& fields) {
   fields.push_back({.path = "bearing.type",
                     .kind = Kind::choice,
-                    .meaning = "kind of bearing",
+                    .meaning = "kind of bearing; others than cylindrical-roller in planets at rest alone",
                     .use = Use(use::lives | use::bearings_as_springs | use::fmu_bearing |
                                    use::single_bearing_equilibrium | use::planet_stiffness,
                                use::mesh),
                     .required_by = with_rollers,
-                    .choices = {"cylindrical-roller"}});
+                    .choices = types_of_bearings()});
   add_described(fields, default_drivetrain());
   add_profile(fields);
   add_forms(fields);

@@ -10,6 +10,7 @@
 #include <optional>
 #include <set>
 
+#include "app/case/bearing_type.hpp"
 #include "app/case/catalogue_case.hpp"
 #include "app/case/catalogue_fields.hpp"
 #include "app/case/catalogue_file.hpp"
@@ -300,7 +301,7 @@ class Resolver {
     if (model_ == no_model) return (input.field->required_by & every_model) == every_model;
     const unsigned kind = data_.shape.teeth ? unsigned{model_} : toothless_set | model_;
     return (input.field->required_by & kind) != 0 && !is_of_missing_bearing(input) &&
-           !is_of_missing_cage(input);
+           !is_of_missing_cage(input) && !is_of_other_type(input);
   }
 
   // Nothing is missed of what another input would give that has a mistake itself, found here or by its own
@@ -334,6 +335,13 @@ class Resolver {
     const std::string set = input.path.substr(0, set_prefix_length(input.path));
     const auto complement = data_.values.find(set + "bearing.complement");
     return complement != data_.values.end() && complement->second.value.given == "full";
+  }
+
+  bool is_of_other_type(const Input& input) const {
+    const std::string set = input.path.substr(0, set_prefix_length(input.path));
+    const auto type = data_.values.find(set + "bearing.type");
+    return model_ == planetary_drivetrain && type != data_.values.end() &&
+           goes_without(type->second.value.given, input.field->path);
   }
 
   bool is_of_missing_bearing(const Input& input) const {

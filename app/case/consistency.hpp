@@ -18,6 +18,8 @@ void check_consistency(const ResolvedCase& resolved, std::vector<Mistake>& mista
 
 /// Parts of it. Do the lists of race waves and roller deviations fit each other and the bearing?
 void check_refinements(const ResolvedCase& resolved, std::vector<Mistake>& mistakes);
+/// The type of the bearings of one set of planets; nothing for cylindrical rollers.
+void check_bearing_type(const ResolvedCase& resolved, std::vector<Mistake>& mistakes);
 /// The values of one bearing under a static load; nothing for cases of other models.
 void check_static_bearing(const ResolvedCase& resolved, std::vector<Mistake>& mistakes);
 /// Whether level and manner of lubrication fit, in cases of any model that know them.

@@ -11,6 +11,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "app/case/bearing_type.hpp"
 #include "app/case/catalogue_case.hpp"
 #include "app/case/derived_defaults.hpp"
 #include "app/case/resolved_case.hpp"
@@ -33,8 +34,12 @@ class DescribedCase {
  private:
   using Facts = described::Facts;
 
+  // At rest alone, whose cage has but a mass.
+  bool is_ball_of_planet() const {
+    return bearing_type_of(in_) == bearing::PlanetBearingType::deep_groove_ball;
+  }
   bool is_of_missing_cage(std::string_view path) const {
-    return path.starts_with("bearing.cage.") && is_full_complement(in_);
+    return path.starts_with("bearing.cage.") && (is_full_complement(in_) || is_ball_of_planet());
   }
 
   void read(bool& member, const Facts& facts) { member = in_.flag(facts.path); }

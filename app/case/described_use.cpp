@@ -99,6 +99,7 @@ struct Exception {
 constexpr unsigned other_rungs = use::co_simulated | use::monolithic;
 constexpr unsigned no_tilt = (use::rollers_in_motion & ~use::dynamic) | use::planet_stiffness;
 constexpr unsigned no_second_gear = use::of_a_drivetrain & ~unsigned{use::quasi_static};
+constexpr unsigned but_at_rest = use::of_a_drivetrain & ~unsigned{use::quasi_static | use::mesh};
 constexpr Exception exceptions[] = {
     {"input.acceleration", use::quasi_static | other_rungs, 0, use::gears | use::fmu_gearset},
     {"gearset.planet_rim", use::gears | use::fmu_gearset | use::fmu_bearing},
@@ -120,6 +121,14 @@ constexpr Exception exceptions[] = {
     {"support.pin_inclination.radial", no_tilt, use::bearings_as_springs},
     {"support.pin_inclination.tangential", no_tilt, use::bearings_as_springs},
     {"load.tilt", use::ball_run},
+    // Rows of other bearings than cylindrical ones are known at rest alone.
+    {"bearing.rows.contact_angle", but_at_rest},
+    {"bearing.rows.arrangement", but_at_rest},
+    {"bearing.rows.distance", but_at_rest},
+    {"bearing.rows.preload", but_at_rest},
+    {"bearing.rows.approach", but_at_rest},
+    {"bearing.balls", but_at_rest},
+    {"bearing.ball_diameter", but_at_rest},
     // Contacts and oil of the whole motion have damping and steps of their own.
     {"contact.damping_ratio", 0, use::moving_defect},
     {"contact.damping_model", 0, use::moving_defect},

@@ -29,7 +29,8 @@ void add_bodies(std::vector<Field>& fields) {
           .used_too(use::quasi_static, where_planets_carry_unlike_loads());
   const Use planet =
       Use(use::bearings_as_springs | use::mesh, use::lives | use::fmu_bearing | use::planet_stiffness)
-          .when(where_absent("bearing.rollers"));
+          .when(where_absent("bearing.rollers"))
+          .when(where_absent("bearing.balls"));
   fields.push_back(ratio("gearset.sun_bore_ratio", "bore of the sun as a share of its root diameter", bodies,
                          {0.02, 0.98}, "0.5",
                          "a sun on a shaft; affects mesh stiffness and mass of the sun"));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/case/bearing_type.hpp"
 #include "app/case/mistake.hpp"
 #include "app/case/set_case.hpp"
 #include "app/units.hpp"
@@ -37,7 +38,7 @@ void check_form(const ResolvedCase& resolved, const std::string& block, std::vec
 void check_rim(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
   const std::string rim = "gearset.planet_rim";
   if (!resolved.has(rim) || resolved.choice(rim) != "elastic") return;
-  if (!resolved.has("bearing.rollers"))
+  if (!has_planet_bearing(resolved))
     add_error_at(resolved, rim, "elastic without a bearing", "rollers on which the rim rests are required",
                  mistakes);
   if (const char* spring = "gearset.dynamics.planet.bearing_stiffness"; resolved.has(spring))
@@ -173,6 +174,7 @@ void check_refinements(const ResolvedCase& resolved, std::vector<Mistake>& mista
   for (const char* race : {"inner_race", "outer_race"})
     for (const char* form : {"out_of_roundness", "waviness"})
       check_form(resolved, fmt::format("bearing.{}.{}", race, form), mistakes);
+  check_bearing_type(resolved, mistakes);
   check_rim(resolved, mistakes);
   check_tooth_contact(resolved, mistakes);
   check_tilt(resolved, mistakes);

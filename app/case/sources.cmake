@@ -47,5 +47,7 @@ set(ORBEARING_CASE_SOURCES
   case/units.cpp
   case/unused_inputs.cpp
   case/use_conditions.cpp
-  case/yaml_tree.cpp)
+  case/yaml_tree.cpp
+  case/bearing_type.cpp
+  case/type_consistency.cpp)
 set(ORBEARING_CASE_LIBRARIES yaml-cpp udunits2 fmt::fmt nlohmann_json::nlohmann_json)

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "app/case/bearing_type.hpp"
 #include "app/case/catalogue_case.hpp"
 #include "app/case/catalogue_fields.hpp"
 #include "app/case/field_table.hpp"
@@ -218,7 +219,7 @@ std::string idle_text(const ResolvedCase& in, const Input& input, unsigned analy
 // A set without a bearing passes on torque and speed: the ratios of its teeth alone affect the other sets.
 bool is_behind_ratios(const ResolvedCase& in, const Input& input) {
   const std::size_t prefix = set_prefix_length(input.path);
-  if (prefix == 0 || in.has(input.path.substr(0, prefix) + "bearing.rollers")) return false;
+  if (prefix == 0 || has_planet_bearing(in, input.path.substr(0, prefix))) return false;
   return !input.field->path.starts_with("gearset.teeth.");
 }
 
@@ -308,11 +309,17 @@ class AxisCheck {
   Axes sweeps_;
 };
 
+// Of a type of bearing, the one that everything knows.
+std::string required_instead(const Input& input) {
+  return input.field->path == "bearing.type" ? "cylindrical-roller is required" : "none is required";
+}
+
 }  // namespace
 
 UseStatus use_status_in_row(const ResolvedCase& resolved, const Input& input, use::Analysis analysis) {
   const Use& use = input.field->use;
   if (is_behind_ratios(resolved, input)) return UseStatus::not_modelled;
+  if (is_unknown_type(resolved, input, analysis)) return UseStatus::refused;
   if ((use.by & analysis) != 0) return UseStatus::used;
   if (way_that_holds(resolved, input, analysis) != nullptr) return UseStatus::used;
   if (is_used_through_another(resolved, input, analysis)) return UseStatus::used;
@@ -321,7 +328,7 @@ UseStatus use_status_in_row(const ResolvedCase& resolved, const Input& input, us
 }
 
 bool is_used(const ResolvedCase& resolved, const Input& input, use::Analysis analysis) {
-  if (is_behind_ratios(resolved, input)) return false;
+  if (is_behind_ratios(resolved, input) || is_unknown_type(resolved, input, analysis)) return false;
   if (way_that_holds(resolved, input, analysis) != nullptr) return true;
   return use_status_in_row(resolved, input, analysis) == UseStatus::used &&
          first_unmet(resolved, input) == nullptr;
@@ -355,7 +362,7 @@ std::vector<std::string> require_used(const ResolvedCase& resolved, use::Analysi
            input.path,
            {fmt::format("{}, which {} cannot take into account", quote(resolved.given(input.path)),
                         analysis_name(analysis)),
-            "none is required, or an analysis that includes it: " + users_text(resolved, input)}});
+            required_instead(input) + ", or an analysis that includes it: " + users_text(resolved, input)}});
     else if (status == UseStatus::idle || status == UseStatus::unused ||
              (status == UseStatus::not_modelled && location.option))
       warnings.push_back(warning_of(resolved, input, analysis, status));

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "app/case/bearing_type.hpp"
 #include "app/case/catalogue_case.hpp"
 #include "app/case/check_table.hpp"
 #include "app/case/set_case.hpp"
@@ -38,7 +39,7 @@ Checked check(const ResolvedCase& resolved) {
   if (resolved.model() != planetary_drivetrain) return {own, {}, {}};
   Checked checked{derived_quantities(resolved), gear_warnings(resolved), {}};
   if (resolved.shape().several || resolved.shape().teeth) checked.power = power_table(resolved);
-  if (!resolved.shape().several && !has_stepped_planets(resolved))
+  if (!resolved.shape().several && !has_stepped_planets(resolved) && has_cylindrical_rollers(resolved))
     for (const Derived& row : gear_dynamics_quantities(resolved))
       if (!resolved.has(row.path)) checked.derived.push_back(row);
   checked.derived.insert(checked.derived.end(), own.begin(), own.end());

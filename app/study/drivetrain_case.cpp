@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/case/arrangement_case.hpp"
+#include "app/case/bearing_type.hpp"
 #include "app/case/catalogue_case.hpp"
 #include "app/case/described_case.hpp"
 #include "app/case/oil_case.hpp"
@@ -84,7 +85,7 @@ study::RatedBearing rated_bearing(const ResolvedCase& in) {
 }  // namespace
 
 study::PlanetaryDrivetrain drivetrain_without_gear_set(const ResolvedCase& in) {
-  if (!in.has("bearing.rollers")) return {.set = set_of(in), .drive = drive_of(in)};
+  if (!has_planet_bearing(in)) return {.set = set_of(in), .drive = drive_of(in)};
   study::PlanetaryDrivetrain out = from_case<study::PlanetaryDrivetrain>(in);
   out.set = set_of(in);
   out.drive = drive_of(in);
@@ -93,7 +94,11 @@ study::PlanetaryDrivetrain drivetrain_without_gear_set(const ResolvedCase& in) {
   out.lubricant = out.dynamics.lubricant;
   out.film_in_approach = out.dynamics.race.film_in_approach;
   out.film_approach = out.dynamics.race.film_approach;
-  out.bearing.rollers().profile = roller_profile_of(in);
+  out.rows.type = bearing_type_of(in);
+  if (out.rows.has_balls())
+    out.bearing.elements = bearing::Balls{out.rows.balls, out.rows.ball_diameter};
+  else
+    out.bearing.rollers().profile = roller_profile_of(in);
   out.bearing.inner.form = form_of(in, "bearing.inner_race");
   out.bearing.outer.form = form_of(in, "bearing.outer_race");
   out.uneven_planets = !uneven_planets_by(in).empty();

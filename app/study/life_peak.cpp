@@ -8,6 +8,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/case/bearing_type.hpp"
 #include "app/results/life_table.hpp"
 #include "app/results/record_writers.hpp"
 #include "app/results/result_row.hpp"
@@ -266,7 +267,8 @@ const ResultRow* shown_row(const SweepOutcome& outcome) {
 }
 
 LifeWords words_of(const ResolvedCase& in) {
-  return {bearing::rating::RollingElement::roller,
+  const bool balls = bearing_type_of(in) == bearing::PlanetBearingType::deep_groove_ball;
+  return {balls ? bearing::rating::RollingElement::ball : bearing::rating::RollingElement::roller,
           in.has("life.reduction_factor") ? in.number("life.reduction_factor") : 0.0};
 }
 

@@ -10,9 +10,11 @@
 #include "app/case/set_case.hpp"
 #include "app/case/described_case.hpp"
 #include "app/case/use_conditions.hpp"
+#include "app/case/bearing_type.hpp"
 #include "app/errors.hpp"
 #include "app/study/gear_case.hpp"
 #include "app/units.hpp"
+#include "bearing/equilibrium/inclined_rows.hpp"
 #include "bearing/profile/profile.hpp"
 #include "coupling/study/tilting_planet.hpp"
 #include "gearset/drivetrain/power_flow.hpp"
@@ -122,7 +124,7 @@ void add_duty(const study::PlanetaryDrivetrain& drivetrain, const study::Bearing
 }
 
 void add_profile(const bearing::Bearing& bearing, std::vector<Derived>& rows) {
-  if (bearing.rollers().laminae == 0) return;
+  if (!bearing.has_rollers() || bearing.rollers().laminae == 0) return;
   const double half = 0.5 * bearing.rollers().length;
   rows.push_back(
       {"bearing.profile.outermost_drop",
@@ -138,7 +140,14 @@ void add_bearing(const study::PlanetaryDrivetrain& drivetrain, const study::Driv
       {"bearing.inner_raceway_diameter", 2e3 * g.inner_radius, "mm", "pitch - roller - half clearance"});
   rows.push_back(
       {"bearing.outer_raceway_diameter", 2e3 * g.outer_radius, "mm", "pitch + roller + half clearance"});
-  rows.push_back({"bearing.roller_mass", 1e3 * g.element_mass, "g", "one roller"});
+  if (drivetrain.bearing.has_rollers())
+    rows.push_back({"bearing.roller_mass", 1e3 * g.element_mass, "g", "one roller"});
+  if (drivetrain.rows.is_tapered())
+    rows.push_back(
+        {"bearing.rows.roller_included_angle",
+         kDegree * bearing::taper_of(drivetrain.bearing.element_diameter(), drivetrain.bearing.pitch_diameter,
+                                     drivetrain.rows.contact_angle),
+         "deg", "of a tapered roller, whose races meet on the bearing's axis"});
   if (drivetrain.bearing.has_cage())
     rows.push_back({"bearing.cage.mass", 1e3 * g.cage_mass, "g", "ring less pockets"});
   const bearing::rating::StatedRatings& stated = drivetrain.rated.stated;
@@ -261,7 +270,9 @@ std::vector<std::string> overturning_warnings(const ResolvedCase& resolved) {
   if (!is_helical(resolved)) return warnings;
   for (const study::NamedSet& set : bearing_sets(resolved)) {
     const study::PlanetaryDrivetrain& drivetrain = set.drivetrain;
-    if (drivetrain.set.helix_angle == 0.0 || drivetrain.seats.tilt == study::TiltState::computed) continue;
+    if (drivetrain.set.helix_angle == 0.0 || drivetrain.seats.tilt == study::TiltState::computed ||
+        !drivetrain.rows.is_cylindrical())  // in the balance
+      continue;
     const gearset::MeanLoads gears = study::bearing_duty(drivetrain, set.geometry).gears;
     const std::vector<double> positions = study::axial_positions(drivetrain);
     double squares = 0.0;  // [m^2]  bearings on a stiff pin share a moment as their places
@@ -299,14 +310,14 @@ std::vector<std::string> slope_warnings(const ResolvedCase& in) {
 
 study::PlanetaryDrivetrain drivetrain_of(const ResolvedCase& in) {
   study::PlanetaryDrivetrain out = drivetrain_without_gear_set(in);
-  if (in.has("bearing.rollers")) out.gear_set = gears_built_once(in, out);
+  if (has_planet_bearing(in)) out.gear_set = gears_built_once(in, out);
   return out;
 }
 
 std::vector<std::string> bearing_set_names(const ResolvedCase& resolved) {
   std::vector<std::string> names;
   for (const std::string& set : resolved.shape().sets)
-    if (resolved.has(set_prefix(set) + "bearing.rollers")) names.push_back(set);
+    if (has_planet_bearing(resolved, set_prefix(set))) names.push_back(set);
   return names;
 }
 
@@ -360,7 +371,7 @@ std::vector<Derived> quantities_without_bearing(const ResolvedCase& resolved) {
 // Of several sets those without a bearing; their speeds and torques are in the flow of power.
 void add_sets_without_bearing(const ResolvedCase& resolved, std::vector<Derived>& rows) {
   for (const std::string& name : resolved.shape().sets) {
-    if (resolved.has(set_prefix(name) + "bearing.rollers")) continue;
+    if (has_planet_bearing(resolved, set_prefix(name))) continue;
     std::vector<Derived> of_set;
     add_gears_alone(drivetrain_of(resolved.of_set(name)), of_set);
     for (Derived& row : of_set)

@@ -141,9 +141,9 @@ Json drawing(const study::PlanetaryDrivetrain& drivetrain, const study::Drivetra
   const auto of_cage = [&](double length) { return b.has_cage() ? Json(1e3 * length) : Json(); };
   return {{"inner_raceway_diameter_mm", 2e3 * geometry.bearing.inner_radius},
           {"outer_raceway_diameter_mm", 2e3 * geometry.bearing.outer_radius},
-          {"roller_diameter_mm", 1e3 * b.rollers().diameter},
+          {"roller_diameter_mm", 1e3 * b.element_diameter()},
           {"pitch_diameter_mm", 1e3 * b.pitch_diameter},
-          {"rollers", b.rollers().count},
+          {"rollers", b.element_count()},
           {"cage_inner_mm", of_cage(b.cage.inner_diameter)},
           {"cage_outer_mm", of_cage(b.cage.outer_diameter)},
           {"bore_mm", 1e3 * b.inner.seat_diameter},

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 
+#include "app/case/bearing_type.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/study/gear_case.hpp"
 #include "app/study/planetary_case.hpp"
@@ -52,7 +53,7 @@ std::vector<Setting> other_settings(std::vector<Setting> settings) {
 bool has_resonances(const ResolvedCase& resolved) {
   const CaseShape& shape = resolved.shape();
   return resolved.model() == planetary_drivetrain && !shape.several && shape.teeth && shape.bearing &&
-         resolved.flag("gearset.mesh_variation");
+         has_cylindrical_rollers(resolved) && resolved.flag("gearset.mesh_variation");
 }
 
 }  // namespace

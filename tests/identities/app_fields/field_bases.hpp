@@ -285,6 +285,10 @@ inline const std::map<std::string, Change>& stated_changes() {
   const std::vector<std::string> hardly_damped{"gearset.dynamics.damping_ratio.mesh=0.001",
                                                "gearset.dynamics.damping_ratio.bearing=0.001",
                                                "gearset.dynamics.damping_ratio.support=0.001"};
+  const std::vector<std::string> pair{
+      "bearing.type=tapered-roller",           "bearing.per_planet=2",
+      "bearing.radial_clearance=0 um",         "bearing.rows.contact_angle=12 deg",
+      "bearing.rows.arrangement=back-to-back", "gearset.helix_angle=12 deg"};
   std::vector<std::string> both = run_up;
   both.insert(both.end(), gears_run_up.begin(), gears_run_up.end());
   static const std::map<std::string, Change> all{
@@ -304,6 +308,11 @@ inline const std::map<std::string, Change>& stated_changes() {
       {"spectrum", {"[{power: 140 kW, speed: 17000 rpm, share: 1}]"}},
       {"support.stiffness", {"6e8 N/m"}},
       {"bearing.tilt_state", {"computed", {laminae}}},
+      {"bearing.rows.contact_angle", {"14 deg", pair}},
+      {"bearing.rows.arrangement", {"face-to-face", pair}},
+      {"bearing.rows.distance", {"15 mm", pair}},
+      {"bearing.rows.preload", {"500 N", pair}},
+      {"bearing.rows.approach", {"5 um", pair}},
       {"bearing.axial_places", {"[4 mm]", tilting}},
       {"bearing.clearance_differences", {"[10 um]", tilting}},
       {"support.pin_ends", {"one", tilting}},
@@ -546,6 +555,12 @@ inline bool stays_as_it_is(const Field& field, const ResolvedCase& in) {
   return ((rim || of_tilt || stepped) && in.has("gearset.dynamics.pin_error.tangential")) ||
          ((rim || stepped) && alone) ||
          ((of_tilt || stepped || field.path == "gearset.planet_angles") && in.shape().several);
+  const bool of_balls = field.path == "bearing.balls" || field.path == "bearing.ball_diameter";
+  if (of_balls && in.model() == planetary_drivetrain) return true;  // beside the rollers of the base
+  if (field.path.starts_with("bearing.rows.") && in.has("gearset.dynamics.pin_error.tangential")) return true;
+  const bool alone = !in.shape().several && !in.has("bearing.rollers");  // a rim that rests on no rollers
+  return ((rim || of_tilt) && in.has("gearset.dynamics.pin_error.tangential")) || (rim && alone) ||
+         ((of_tilt || field.path == "gearset.planet_angles") && in.shape().several);
 }
 
 /// The change of `path` in the case `in`; an empty value for a field that has but one.

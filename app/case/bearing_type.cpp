@@ -1,0 +1,58 @@
+#include "app/case/bearing_type.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+namespace orbearing::app {
+
+namespace {
+
+using bearing::PlanetBearingType;
+
+constexpr const char* kType = "bearing.type";
+
+PlanetBearingType type_named(std::string_view text) {
+  for (const auto& name : names_of(PlanetBearingType{}))
+    if (name.text == text) return name.value;
+  return PlanetBearingType::cylindrical_roller;
+}
+
+std::string path_in(std::string_view set, std::string_view path) {
+  return std::string(set) + std::string(path);
+}
+
+constexpr std::string_view of_rollers[] = {"bearing.rollers", "bearing.roller_diameter",
+                                           "bearing.roller_length"};
+
+}  // namespace
+
+PlanetBearingType bearing_type_of(const ResolvedCase& in, std::string_view set) {
+  const std::string path = path_in(set, kType);
+  return in.has(path) ? type_named(in.choice(path)) : PlanetBearingType::cylindrical_roller;
+}
+
+bool has_cylindrical_rollers(const ResolvedCase& in) {
+  const auto is_cylindrical = [&](std::string_view set) {
+    return bearing_type_of(in, set) == PlanetBearingType::cylindrical_roller;
+  };
+  const std::vector<std::string>& sets = in.shape().sets;
+  return is_cylindrical("") &&
+         std::ranges::all_of(sets, [&](const std::string& set) { return is_cylindrical(set_prefix(set)); });
+}
+
+bool has_planet_bearing(const ResolvedCase& in, std::string_view set) {
+  return in.has(path_in(set, "bearing.rollers")) ||
+         (in.model() == planetary_drivetrain && in.has(path_in(set, "bearing.balls")));
+}
+
+bool is_unknown_type(const ResolvedCase& in, const Input& input, use::Analysis analysis) {
+  return input.field->path == kType && in.has(input.path) && (analysis & knows_every_type) == 0 &&
+         type_named(in.choice(input.path)) != PlanetBearingType::cylindrical_roller;
+}
+
+bool goes_without(std::string_view type, std::string_view path) {
+  return type_named(type) == PlanetBearingType::deep_groove_ball &&
+         std::ranges::find(of_rollers, path) != std::end(of_rollers);
+}
+
+}  // namespace orbearing::app

@@ -1,0 +1,32 @@
+// Planet bearings of other types than cylindrical rollers: what a case states of them, and what works with
+// them.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "app/case/field_use.hpp"
+#include "app/case/resolved_case.hpp"
+#include "bearing/planet_rows.hpp"
+
+namespace orbearing::app {
+
+/// Of a case that states none, and of other models: cylindrical rollers. `set`: "sets.NAME." or "".
+bearing::PlanetBearingType bearing_type_of(const ResolvedCase& resolved, std::string_view set = "");
+
+/// Whether all sets have cylindrical rollers.
+bool has_cylindrical_rollers(const ResolvedCase& resolved);
+
+/// Whether a set has a planet bearing, of rollers or balls.
+bool has_planet_bearing(const ResolvedCase& resolved, std::string_view set = "");
+
+/// Analyses that know planet bearings of any type.
+inline constexpr unsigned knows_every_type = use::quasi_static | use::mesh;
+
+/// Whether `input` is a type of bearing that `analysis` does not know.
+bool is_unknown_type(const ResolvedCase& resolved, const Input& input, use::Analysis analysis);
+
+/// Whether bearings of this type go without the field: balls without what rollers are made of.
+bool goes_without(std::string_view type, std::string_view path);
+
+}  // namespace orbearing::app
