@@ -1,10 +1,13 @@
 #include "app/study/gear_case.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
 
+#include "app/case/bearing_type.hpp"
 #include "app/case/described_case.hpp"
 #include "app/case/set_case.hpp"
 #include "app/errors.hpp"
@@ -86,6 +89,15 @@ void require_one_set(const ResolvedCase& in) {
                    ": sets: found several sets; required: one set, as gearset at the top of a case");
 }
 
+// Springs in place of the bearings are those of cylindrical rollers.
+void require_known_springs(const ResolvedCase& in) {
+  if (has_cylindrical_rollers(in)) return;
+  throw BadInput(fmt::format(
+      "{}: bearing.type: found {}; required: cylindrical-roller, of which the stiffness under moving gears is "
+      "computed; run, sweep and mesh take other types",
+      in.origin("bearing.type"), in.choice("bearing.type")));
+}
+
 Derived row(const std::string& path, double value, const char* unit, const char* meaning) {
   return {kBlock + path, value, unit, meaning};
 }
@@ -96,6 +108,7 @@ gearset::dynamics::SetModel gear_model_of(const ResolvedCase& resolved,
                                           const study::PlanetaryDrivetrain& drivetrain) {
   require_one_set(resolved);
   if (!resolved.shape().teeth) return lumped_model(resolved, 0.0);
+  require_known_springs(resolved);
   try {
     return geometric_model(resolved, drivetrain, geometry_of(resolved, drivetrain));
   } catch (const std::domain_error& error) {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <map>
 
+#include "app/case/bearing_type.hpp"
 #include "app/case/set_case.hpp"
 #include "app/results/record_writers.hpp"
 #include "app/study/gear_case.hpp"
@@ -215,7 +216,7 @@ Json load_series(const ResolvedCase& resolved, double rpm) {
 
 bool has_gear_report(const ResolvedCase& resolved) {
   return resolved.model() == planetary_drivetrain && !resolved.shape().several && resolved.shape().teeth &&
-         !has_stepped_planets(resolved);
+         !has_stepped_planets(resolved) && has_cylindrical_rollers(resolved);
 }
 
 nlohmann::ordered_json gear_report(const ResolvedCase& resolved, std::vector<double> speeds_rpm) {

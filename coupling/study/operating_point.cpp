@@ -486,6 +486,7 @@ PointResult evaluate(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeom
 
 PointResult evaluate_from(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                           const Eigen::VectorXd& start) {
+  if (!drivetrain.rows.is_cylindrical()) require_cylindrical_beyond_rest(drivetrain, Fidelity::dynamic);
   if (drivetrain.uneven_planets)
     throw std::invalid_argument(
         "state to start from: found one, and planets that load unevenly, where each has its own; required: "

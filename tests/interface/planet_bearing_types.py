@@ -103,7 +103,8 @@ class PlanetBearingTypes(unittest.TestCase):
 
     def test_what_is_not_computed_is_refused(self):
         for words in (("run", "--fidelity", "dynamic"), ("run", "--fidelity", "monolithic"), ("run", "--fidelity", "co-simulated"), ("modes",), ("run", "--gears"),
-                      ("crown", "--json"), ("fmu", "-o", "never.fmu"), ("stiffness", "--json"), ("carrier",)):
+                      ("crown", "--json"), ("fmu", "-o", "never.fmu"), ("stiffness", "--json"),
+                      ("carrier", *settings(("gearset.carrier.bearing_positions=[-250 mm, 250 mm]", "gearset.carrier.bearing_stiffness=[3e9 N/m, 3e9 N/m]")))):
             command, *options = words
             result = run(command, TAPERED, *options)
             self.assertEqual(result.returncode, 2, (words, result.stdout[-300:], result.stderr[-300:]))

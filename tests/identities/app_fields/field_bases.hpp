@@ -550,17 +550,14 @@ inline bool stays_as_it_is(const Field& field, const ResolvedCase& in) {
                        field.path == "bearing.clearance_differences" ||
                        field.path.starts_with("support.pin_") ||
                        field.path == "support.carrier_twist_stiffness";
+  const bool of_balls = field.path == "bearing.balls" || field.path == "bearing.ball_diameter";
+  if (of_balls && in.model() == planetary_drivetrain) return true;  // beside the rollers of the base
+  if (field.path.starts_with("bearing.rows.") && in.has("gearset.dynamics.pin_error.tangential")) return true;
   const bool alone = !in.shape().several && !in.has("bearing.rollers");    // a rim that rests on no rollers
   const bool stepped = field.path.starts_with("gearset.stepped_planet.");  // whose bearings find their tilt
   return ((rim || of_tilt || stepped) && in.has("gearset.dynamics.pin_error.tangential")) ||
          ((rim || stepped) && alone) ||
          ((of_tilt || stepped || field.path == "gearset.planet_angles") && in.shape().several);
-  const bool of_balls = field.path == "bearing.balls" || field.path == "bearing.ball_diameter";
-  if (of_balls && in.model() == planetary_drivetrain) return true;  // beside the rollers of the base
-  if (field.path.starts_with("bearing.rows.") && in.has("gearset.dynamics.pin_error.tangential")) return true;
-  const bool alone = !in.shape().several && !in.has("bearing.rollers");  // a rim that rests on no rollers
-  return ((rim || of_tilt) && in.has("gearset.dynamics.pin_error.tangential")) || (rim && alone) ||
-         ((of_tilt || field.path == "gearset.planet_angles") && in.shape().several);
 }
 
 /// The change of `path` in the case `in`; an empty value for a field that has but one.
