@@ -43,7 +43,7 @@ class TypeCheck {
 
   void check_refinements() {
     for (const char* path : {"bearing.designation", "bearing.laminae", "bearing.profile.kind",
-                             "bearing.clearance_class", "defect.race"})
+                             "bearing.clearance_class", "bearing.axial_places", "defect.race"})
       refuse_stated(path);
     for (const auto& [path, value] : {std::pair{"bearing.complement", "full"},
                                       {"bearing.clearance_state", "unmounted"},

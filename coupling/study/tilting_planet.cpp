@@ -10,7 +10,8 @@ namespace orbearing::study {
 
 std::vector<double> axial_positions(const PlanetaryDrivetrain& drivetrain) {
   if (!drivetrain.seats.axial_positions.empty()) return drivetrain.seats.axial_positions;
-  if (const std::optional<double>& distance = drivetrain.rows.distance)
+  if (const std::optional<double>& distance = drivetrain.rows.distance;
+      distance && drivetrain.rows.is_tapered())
     return {-0.5 * *distance, 0.5 * *distance};
   const double face = gearset::gear_planes(drivetrain.set).length;
   const int bearings = drivetrain.bearings_per_planet;

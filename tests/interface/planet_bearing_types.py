@@ -54,16 +54,19 @@ class PlanetBearingTypes(unittest.TestCase):
 
     def test_the_moment_of_helical_teeth_loads_both_rows_unlike(self):
         found = point()
-        self.assertGreater(found["largest_bearing_share"], 1.05)
+        self.assertGreater(found["largest_bearing_share"], 1.005)  # the couple is radial, the load tangential
+        self.assertGreater(found["P_N"] / found["planet_load_N"], 1.02)
         self.assertGreater(found["largest_bearing_tilt_mrad"], 0.01)
         other = point("bearing.rows.arrangement=face-to-face")
         self.assertGreater(other["largest_bearing_tilt_mrad"], 1.2 * found["largest_bearing_tilt_mrad"])
         wide = point("bearing.rows.distance=136 mm")
         self.assertLess(wide["largest_bearing_share"], found["largest_bearing_share"])
 
-    def test_preload_keeps_all_rollers_loaded_and_costs_life(self):
-        lives = [point(*SPUR, f"bearing.rows.preload={preload} kN")["life_h"] for preload in (20, 100, 300)]
-        self.assertEqual(lives, sorted(lives, reverse=True))
+    def test_a_high_preload_costs_life(self):
+        """A light one loads more rollers and costs none."""
+        light, high = (point(*SPUR, f"bearing.rows.preload={preload} kN") for preload in (20, 800))
+        self.assertLess(high["life_h"], 0.5 * light["life_h"])
+        self.assertGreater(high["P_N"], high["planet_load_N"])
 
     def test_standard_lives(self):
         for values in ((), (*SPUR, *SPHERICAL)):
