@@ -130,7 +130,8 @@ def pages_of_first_page(caption: str = "") -> list[str]:
     """Documents in the contents of docs/index.md, relative to docs; those of one caption."""
     text = (ROOT / "docs" / "index.md").read_text(encoding="utf-8")
     contents = re.findall(r"^```\{toctree\}\n:caption: ([^\n]*)\n:maxdepth: 1\n\n(.*?)^```$", text, re.M | re.S)
-    return [name for title, names in contents if caption in ("", title) for name in names.split()]
+    entries = [line for title, lines in contents if caption in ("", title) for line in lines.splitlines()]
+    return [re.sub(r"^.*<(.*)>$", r"\1", entry) for entry in entries]
 
 
 def topics(_) -> str:

@@ -41,8 +41,10 @@ def text_of(name):
     return (SOURCE / name).read_text(encoding="utf-8")
 
 
-def without_fences(text):
-    return re.sub(r"^```\w.*?^```$", "", text, flags=re.M | re.S)
+def indented_blocks(name):
+    """Those of a document, each as its lines; a line that goes on behind a backslash is one."""
+    text = re.sub(r"^```\w.*?^```$", "", text_of(name), flags=re.M | re.S).replace("\\\n", "")
+    return [[line.strip() for line in block.splitlines()] for block in re.findall(r"(?:^    .*\n)+", text, re.M)]
 
 
 class Calls:
@@ -186,8 +188,7 @@ class Guide(unittest.TestCase):
         tried = 0
         for page in pages:
             with self.subTest(page):
-                lines = [line.strip() for line in without_fences(text_of(page)).splitlines() if line.startswith("    ")]
-                wanted = [line for line in lines if not line.startswith(NOT_RUN)]
+                wanted = [line for block in indented_blocks(page) for line in block if not line.startswith(NOT_RUN)]
                 calls = [line for line in wanted if line.split()[0] in ("orbearing", "build/release/bin/orbearing")]
                 self.assertEqual(wanted, calls)
                 place = Calls(self)
@@ -202,9 +203,7 @@ class Guide(unittest.TestCase):
         self.assertGreaterEqual(len(tasks), 5)
         for name in tasks:
             with self.subTest(name):
-                blocks = re.findall(r"(?:^    .*\n)+", without_fences(text_of(f"docs/{name}.md")), re.M)
-                first = next(block for block in blocks if block.strip().startswith("orbearing "))
-                lines = [line.strip() for line in first.splitlines()]
+                lines = next(block for block in indented_blocks(f"docs/{name}.md") if block[0].startswith("orbearing "))
                 self.assertTrue(all(line.startswith("orbearing ") for line in lines), lines)
                 self.assertIsNone(PLACEHOLDER.search(lines[0]))
                 place = Calls(self)
