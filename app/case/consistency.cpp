@@ -126,10 +126,8 @@ bool two_values(Checker& check, const ResolvedCase& resolved, const char* path) 
   return false;
 }
 
-// Each has gears that can be made; [1, 1] alone is none.
 void check_stage_teeth(Checker& check, const char* path, const std::vector<double>& teeth) {
   constexpr double least = 5.0;  // as of a sun
-  if (teeth == std::vector<double>{1.0, 1.0}) return;
   for (std::size_t i = 0; i + 1 < teeth.size(); i += 2)
     if (teeth[i] < least || teeth[i + 1] < least)
       check.add_error(path, fmt::format("{:g} and {:g} teeth", teeth[i], teeth[i + 1]),
@@ -144,7 +142,7 @@ void check_parallel_stages(Checker& check, const ResolvedCase& resolved) {
   double ratio = 1.0;
   std::size_t stages = 0;
   for (const char* path : {"parallel_stage.front", "parallel_stage.behind"}) {
-    if (!check.has({path})) continue;
+    if (!check.has({path}) || resolved.list(path) == std::vector<double>{1.0, 1.0}) continue;  // none
     const std::vector<double>& teeth = resolved.list(path);
     check_stage_teeth(check, path, teeth);
     for (std::size_t i = 0; i + 1 < teeth.size(); i += 2, ++stages)
