@@ -72,11 +72,11 @@ TEST(SteppedPlanet, HasTheSpeedsOfWillis) {
 // couple about the middle of the planet is that of two forces at their planes.
 TEST(SteppedPlanet, IsInBalance) {
   PlanetarySet set = stepped_set();
-  set.stepped.module = 2.2e-3;  // (110 - 20) 2.2/2 = 99 mm, for which the sun mesh takes shifts
-  set.sun_shift = 1.2;
+  set.stepped.module = 2.03e-3;  // (110 - 20) 2.03/2 = 91.35 mm, for which the sun mesh takes shifts
+  set.sun_shift = 0.3;
   for (const Member driven : {Member::sun, Member::carrier}) {
     const WorkingGeometry g = working_geometry(set);
-    EXPECT_NEAR(g.centre_distance, 99e-3, 1e-12);
+    EXPECT_NEAR(g.centre_distance, 91.35e-3, 1e-12);
     const MeanLoads loads = mean_loads(set, g, {driven, 1200.0, 120.0});
     const double sense = loads.sun_torque > 0.0 ? 1.0 : -1.0;
     EXPECT_NEAR(loads.normal_force * g.sun.base_radius * set.planets, std::abs(loads.sun_torque), 1e-9);
