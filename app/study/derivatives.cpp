@@ -42,7 +42,7 @@ Json drivetrain_point(const ResolvedCase& in, study::Fidelity fidelity) {
   return row_json(table_head({}, sets), result_row(study::evaluate(bearing_sets(in), fidelity), {}, sets));
 }
 
-bool has_planet_bearing(const ResolvedCase& in) {
+bool is_of_planet_bearings(const ResolvedCase& in) {
   return in.shape().several ? !bearing_set_names(in).empty() : in.shape().bearing;
 }
 
@@ -55,7 +55,7 @@ Run run_of_drivetrain(const ResolvedCase& in, const std::string& fidelity) {
 
 Run run_of(const ResolvedCase& in, const std::string& fidelity) {
   const Analysis* analysis = analysis_of(in, fidelity);
-  if (analysis == nullptr && has_planet_bearing(in))
+  if (analysis == nullptr && is_of_planet_bearings(in))
     return run_of_drivetrain(in, fidelity.empty() ? "quasi-static" : fidelity);
   const Analysis& row = analysis != nullptr ? *analysis : gears_alone();
   return {row.used, row.scatter, [compute = row.compute](const ResolvedCase& changed) {
@@ -82,7 +82,7 @@ std::pair<std::string, std::string> life_key(const ResolvedCase& in) {
         in.file() +
         ": defect: found a scratched planet bearing; required: none, for a life; --result names any "
         "other number of its run");
-  if (!has_planet_bearing(in))
+  if (!is_of_planet_bearings(in))
     throw BadInput(in.file() + ": bearing: missing; required: a planet bearing, for its life");
   return {life_to_go_by(in), "h"};
 }

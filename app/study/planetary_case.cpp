@@ -7,10 +7,10 @@
 #include <mutex>
 
 #include "app/case/arrangement_case.hpp"
-#include "app/case/set_case.hpp"
-#include "app/case/described_case.hpp"
-#include "app/case/use_conditions.hpp"
 #include "app/case/bearing_type.hpp"
+#include "app/case/described_case.hpp"
+#include "app/case/set_case.hpp"
+#include "app/case/use_conditions.hpp"
 #include "app/errors.hpp"
 #include "app/study/gear_case.hpp"
 #include "app/units.hpp"

@@ -160,10 +160,6 @@ void describe(described::Record& record, const SetResult& set);
 /// standards give none.
 double life_to_go_by(const PointResult& result);
 
-/// Load [N] on the bore of one bearing with what reaches it through its cages, whatever its type.
-Eigen::Vector2d bore_load_with_cage(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
-                                    const bearing::OperatingPoint& point);
-
 /// Loads, lives and the largest pressure of bearings that are not cylindrical, at rest; speeds and loads on
 /// the bore are not put in. The overturning moment of helical teeth is in the balance where a planet has two
 /// bearings or more. Throws std::runtime_error where no balance is found.

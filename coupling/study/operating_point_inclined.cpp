@@ -12,6 +12,7 @@
 #include "bearing/life/inclined_rating.hpp"
 #include "bearing/life/lundberg_palmgren.hpp"
 #include "coupling/study/operating_point.hpp"
+#include "coupling/study/rated_bearing.hpp"
 #include "coupling/study/tilting_planet.hpp"
 #include "mechanics/constants.hpp"
 

@@ -44,6 +44,10 @@ class BearingsAtRest {
   std::optional<bearing::vectorised::AlignedPitch> level_;
 };
 
+/// Load [N] on the bore of one bearing with what reaches it through its cages, whatever its type.
+Eigen::Vector2d bore_load_with_cage(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                                    const bearing::OperatingPoint& point);
+
 /// Loads and lives of the bearings of one point, which share speeds, oil and ratings. Keeps references to
 /// both drivetrain and geometry.
 class PlanetBearingRating {
