@@ -353,18 +353,6 @@ void check_multi_stage(const ResolvedCase& resolved, std::vector<Mistake>& mista
     std::vector<Mistake> of_set;
     const ResolvedCase one = resolved.of_set(set);
     check_one_set(one, of_set);
-    // Both follow from gears that can move: those of one set.
-    const auto needs_one_set = [&](const std::string& path, const std::string& found,
-                                   const std::string& required) {
-      of_set.push_back({one.location(path),
-                        path,
-                        {found + " in one of several sets",
-                         required + ", or one set, as gearset at the top of a case, are required"}});
-    };
-    if (const char* angles = "gearset.planet_angles"; uneven_planets_by(one) == angles)
-      needs_one_set(angles, "unequal steps", "planets at equal steps");
-    if (const char* tilt = "bearing.tilt_state"; one.has(tilt) && one.choice(tilt) == "computed")
-      needs_one_set(tilt, "computed", "stated tilts");
     for (Mistake& mistake : of_set) {
       mistake.path = set_prefix(set) + mistake.path;
       mistakes.push_back(std::move(mistake));

@@ -43,11 +43,11 @@ unsigned holding(described::Physics physics) {
     case pin:
       return use::rollers_in_motion | use::bearings_as_springs | use::balls_in_motion;
     case load_sharing:
-      return use::gears_in_motion | use::quasi_static;
+      return use::gears_in_motion | use::quasi_static | use::dynamic_of_sets;
     case positions:
-      return use::gears_in_motion | use::quasi_static | use::natural | use::mesh;
+      return use::gears_in_motion | use::quasi_static | use::dynamic_of_sets | use::natural | use::mesh;
     case at_rest:
-      return use::rollers_at_rest | use::one_set_in_time | use::bearings_as_springs;
+      return use::rollers_at_rest | use::in_time | use::bearings_as_springs;
     case motion:
       return use::rollers_in_motion | use::balls_in_motion;
     case euler:
@@ -83,9 +83,7 @@ unsigned leaving_out(described::Physics physics) {
   // All that moves bearings knows none with scratches but what is run for them.
   if (physics == described::Physics::defect)
     return use::lives | use::gears | use::fmu_bearing | use::fmu_gearset | use::planet_stiffness;
-  return physics == load_sharing || physics == positions
-             ? use::dynamic_of_sets | use::crown | use::planet_stiffness
-             : 0u;
+  return physics == load_sharing || physics == positions ? use::crown | use::planet_stiffness : 0u;
 }
 
 // How single parameters differ from what their physics says.
@@ -97,7 +95,8 @@ struct Exception {
 };
 
 constexpr unsigned other_rungs = use::co_simulated | use::monolithic;
-constexpr unsigned no_tilt = (use::rollers_in_motion & ~use::dynamic) | use::planet_stiffness;
+constexpr unsigned no_tilt =
+    (use::rollers_in_motion & ~(use::dynamic | use::dynamic_of_sets)) | use::planet_stiffness;
 constexpr unsigned no_second_gear = use::of_a_drivetrain & ~unsigned{use::quasi_static};
 constexpr unsigned but_at_rest = use::of_a_drivetrain & ~unsigned{use::quasi_static | use::mesh};
 constexpr Exception exceptions[] = {
@@ -139,11 +138,13 @@ constexpr Exception exceptions[] = {
     {"gearset.stepped_planet.module", no_second_gear},
     {"gearset.stepped_planet.profile_shift", no_second_gear},
     {"gearset.stepped_planet.face_width", no_second_gear},
-    {"gearset.stepped_planet.offset", no_second_gear}};
+    {"gearset.stepped_planet.offset", no_second_gear},
+    {"numerics.cage_positions", 0, use::dynamic_of_sets}};  // but for what is found at rest before
 
 // What gives way under the planets besides, with its ends: it counts at rest too where planets carry unlike
 // loads, since then it decides who carries how much.
 constexpr std::string_view giving_way[] = {"bearing.bore",
+                                           "numerics.cage_positions",
                                            "support.stiffness",
                                            "gearset.dynamics.sun.mass",
                                            "gearset.dynamics.sun.support_stiffness",
@@ -161,7 +162,9 @@ constexpr std::string_view giving_way[] = {"bearing.bore",
 Use with_load_sharing(const Use& use, std::string_view path) {
   const bool gives_way = makes_meshes(path) || std::find(std::begin(giving_way), std::end(giving_way),
                                                          path) != std::end(giving_way);
-  return gives_way ? use.used_too(use::quasi_static, where_planets_carry_unlike_loads()) : use;
+  return gives_way
+             ? use.used_too(use::quasi_static | use::dynamic_of_sets, where_planets_carry_unlike_loads())
+             : use;
 }
 
 // "one|other"
@@ -393,6 +396,8 @@ Use with_friction_of_others(const Use& use) {
 // Fields of unlike physics, of which each hangs on other choices.
 Use with_other_ways(const Use& use, std::string_view path) {
   if (path == "traction.sliding_scale") return with_other_frictions(use);
+  if (path == "numerics.cage_positions")
+    return use.used_too(use::dynamic_of_sets, where("bearing.tilt_state", {"computed"}));
   if (path == "traction.limiting_friction")
     return use.used_too(use::balls_in_motion, where("traction.law", {"ree-eyring"}));
   // Masses of rings warm up; that of the ring at rest counts for nothing besides.
@@ -417,6 +422,13 @@ Use with_other_ways(const Use& use, std::string_view path) {
   return use;
 }
 
+// A set without teeth has no loads to share. Of several sets none has a driven member of its own, but all
+// share the power.
+described::Where only_where(const described::Facts& facts) {
+  if (facts.physics == described::Physics::load_sharing) return {.path = "input.power"};
+  return facts.details.where;
+}
+
 }  // namespace
 
 Use use_of(const described::Facts& facts) {
@@ -430,7 +442,7 @@ Use use_of(const described::Facts& facts) {
       with_relief(with_rotating_rings(with_stiffness(at_rest, facts.path), facts), facts.path), facts.path);
   const Use use = with_carrier(
       with_springs(with_held_members(with_rim(with_films, facts.path), facts.path), facts), facts.path);
-  const described::Where& only = facts.details.where;
+  const described::Where only = only_where(facts);
   if (only.path.empty()) return with_other_ways(use, facts.path);
   const std::vector<std::string> paths = either_of(only.path);
   return with_other_ways(

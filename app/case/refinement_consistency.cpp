@@ -33,8 +33,7 @@ void check_form(const ResolvedCase& resolved, const std::string& block, std::vec
                    "as many values as orders are required", mistakes);
 }
 
-// How planets share a load follows from springs of the gears that know no rim; a rim rests on rollers that
-// are known.
+// A rim rests on rollers that are known; springs of the gears follow from them.
 void check_rim(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
   const std::string rim = "gearset.planet_rim";
   if (!resolved.has(rim) || resolved.choice(rim) != "elastic") return;
@@ -44,14 +43,6 @@ void check_rim(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
   if (const char* spring = "gearset.dynamics.planet.bearing_stiffness"; resolved.has(spring))
     add_error_at(resolved, rim, fmt::format("elastic together with {}", spring),
                  "no stiffness of the bearings is required, which follows from their rollers", mistakes);
-  if (const char* helix = "gearset.helix_angle"; resolved.has(helix) && resolved.quantity(helix) != 0.0)
-    add_error_at(
-        resolved, rim, fmt::format("elastic together with {}", helix),
-        "rigid is required with helical teeth: an elastic rim is computed in the plane of spur gears",
-        mistakes);
-  if (const std::string uneven = uneven_planets_by(resolved); !uneven.empty())
-    add_error_at(resolved, rim, fmt::format("elastic together with {}", uneven),
-                 "rigid is required where planets carry unequal loads", mistakes);
 }
 
 // Teeth under load push only, and follow from their form.
@@ -67,8 +58,7 @@ void check_tooth_contact(const ResolvedCase& resolved, std::vector<Mistake>& mis
                    "no stated mesh stiffness is required, which follows from the teeth", mistakes);
 }
 
-// A planet that finds its tilt: it acts on laminae, one rigid rim and planets that carry alike are what it is
-// computed for.
+// A planet that finds its tilt: it acts on laminae, and is that of bearings at rest.
 void check_tilt(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
   const std::string state = "bearing.tilt_state";
   if (!resolved.has(state) || resolved.choice(state) != "computed" || !resolved.has("bearing.per_planet"))
@@ -78,10 +68,6 @@ void check_tilt(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
   };
   need(resolved.has("bearing.laminae"), "without bearing.laminae",
        "a number of laminae, which the tilt acts on, is required");
-  need(!resolved.has("gearset.planet_rim") || resolved.choice("gearset.planet_rim") == "rigid",
-       "together with gearset.planet_rim: elastic", "a rigid rim is required");
-  const std::string uneven = uneven_planets_by(resolved);
-  need(uneven.empty(), "together with " + uneven, "planets with equal loads are required");
   for (const char* list : {"bearing.roller_diameter_deviation", "bearing.inner_race.waviness.amplitude",
                            "bearing.outer_race.waviness.amplitude"})
     need(!is_anywhere_nonzero(resolved, list), std::string("together with ") + list,

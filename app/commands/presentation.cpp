@@ -68,8 +68,10 @@ std::size_t points_of(const SweepOutcome& outcome) {
 // Of one planet bearing at the operating point; of several sets, by set; none where planets find their tilt,
 // at which no stiffness is computed (`orbearing stiffness` refuses such a case).
 nlohmann::ordered_json stiffness_of_run(const ResolvedCase& resolved) {
-  if (resolved.has("bearing.tilt_state") && resolved.choice("bearing.tilt_state") == "computed")
-    return nullptr;
+  for (const Input& input : resolved.inputs())
+    if (input.field->path == "bearing.tilt_state" && resolved.has(input.path) &&
+        resolved.choice(input.path) == "computed")
+      return nullptr;
   const StiffnessStudy study = stiffness_study(resolved);
   const auto matrix = [](const StiffnessPoint& point) {
     Record record;

@@ -14,6 +14,7 @@
 #include "app/study/drivetrain_case.hpp"
 #include "app/study/mesh_study.hpp"
 #include "coupling/study/planet_stiffness.hpp"
+#include "coupling/study/set_operation.hpp"
 #include "gearset/mesh/loaded/tooth_pairs.hpp"
 #include "mechanics/constants.hpp"
 
@@ -68,7 +69,7 @@ gearset::dynamics::SetModel geometric_model(const ResolvedCase& in,
     rings = planet_rings(drivetrain, geometry);
     if (!choice.bearing_stiffness) stiffness = study::planet_bearing_stiffness(drivetrain, geometry);
   }
-  gearset::dynamics::Operation operation = gearset::dynamics::operation_of(drivetrain.set, drivetrain.drive);
+  gearset::dynamics::Operation operation = study::set_operation(drivetrain, geometry.gears);
   operation.run_up = choice.run_up;
   gearset::dynamics::SetParameters set =
       study::geometric_set(choice, drivetrain.set, geometry.gears,
@@ -92,10 +93,11 @@ void require_one_set(const ResolvedCase& in) {
 // Springs in place of the bearings are those of cylindrical rollers.
 void require_known_springs(const ResolvedCase& in) {
   if (has_cylindrical_rollers(in)) return;
-  throw BadInput(fmt::format(
-      "{}: bearing.type: found {}; required: cylindrical-roller, of which the stiffness under moving gears is "
-      "computed; run, sweep and mesh take other types",
-      in.origin("bearing.type"), in.choice("bearing.type")));
+  throw BadInput(
+      fmt::format("{}: bearing.type: found {}; required: cylindrical-roller, of which the stiffness under "
+                  "moving gears is "
+                  "computed; run, sweep and mesh take other types",
+                  in.origin("bearing.type"), in.choice("bearing.type")));
 }
 
 Derived row(const std::string& path, double value, const char* unit, const char* meaning) {

@@ -13,6 +13,7 @@
 #include "app/errors.hpp"
 #include "app/study/drivetrain_case.hpp"
 #include "app/units.hpp"
+#include "coupling/study/set_operation.hpp"
 #include "gearset/checks.hpp"
 #include "gearset/mesh/loaded/tooth_pairs.hpp"
 #include "gearset/planet_body.hpp"
@@ -160,9 +161,9 @@ gearset::PlanetaryMeshes planetary_meshes_of(const ResolvedCase& in,
                                              const study::PlanetaryDrivetrain& drivetrain,
                                              const gearset::WorkingGeometry& geometry) {
   static KnownMeshes known;
-  const gearset::MeanLoads loads = gearset::mean_loads(drivetrain.set, geometry, drivetrain.drive);
+  const gearset::dynamics::Operation operation = study::set_operation(drivetrain, geometry);
   const gearset::MeshMotion motion =
-      gearset::mesh_motion(loads.sun_torque, loads.sun_speed - loads.carrier_speed);
+      gearset::mesh_motion(operation.torques.sun, operation.speeds.sun - operation.speeds.carrier);
   const std::optional<double> held_race = held_race_of(drivetrain);
   return *known.find_or(mesh_key(in, drivetrain, motion, held_race), [&] {
     return gearset::planetary_meshes(drivetrain.set, geometry,

@@ -334,13 +334,14 @@ std::vector<study::NamedSet> bearing_sets(const ResolvedCase& resolved) {
   const std::vector<std::string>& all = resolved.shape().sets;
   std::vector<study::NamedSet> sets;
   for (const std::string& name : bearing_set_names(resolved)) {
-    study::PlanetaryDrivetrain drivetrain = drivetrain_of(resolved.of_set(name));
+    const ResolvedCase of_set = resolved.of_set(name);
+    study::PlanetaryDrivetrain drivetrain = drivetrain_without_gear_set(of_set);
     const auto position = static_cast<std::size_t>(std::find(all.begin(), all.end(), name) - all.begin());
     drivetrain.drive = drive_of(resolved);
     drivetrain.in_arrangement = flow.sets[position];
-    drivetrain.gear_set = nullptr;      // a model of one set, which knows neither its place nor its share
-    drivetrain.uneven_planets = false;  // without that model none shares its load unevenly; the case warns
+    drivetrain.mesh_variation = false;  // gears of several sets do not move yet: they share loads at rest
     study::mount(drivetrain);
+    drivetrain.gear_set = gears_built_once(of_set, drivetrain);
     const study::DrivetrainGeometry geometry = study::derive(drivetrain);
     sets.push_back({name, std::move(drivetrain), geometry});
   }
@@ -413,7 +414,7 @@ void add_load_sharing(const ResolvedCase& in, const study::NamedSet& set, std::v
     const auto shortest = std::ranges::min_element(point.planets, {}, &study::PlanetResult::life_hours);
     rows.push_back(
         {"one_pin_off.shortest_life", shortest->life_hours, "h", "life_h of the most loaded bearing " + off});
-  } catch (const BadInput&) {  // beside an elastic rim
+  } catch (const BadInput&) {  // where such a pin is refused
   }
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "bearing/equilibrium/elastic_waves.hpp"
 #include "bearing/plane.hpp"
 #include "mechanics/checks.hpp"
 
@@ -18,11 +19,15 @@ using Eigen::Index;
 using Eigen::Vector2d;
 
 // Coordinates, all lengths: displacement of the planet, its tilt times the lever, then of each bearing's seat
-// on the pin its displacement and its slope times the lever.
+// on the pin its displacement and its slope times the lever, last the waves of an elastic planet.
 constexpr Index kTiltAt = 2, kPinAt = 4, kPerSeat = 4;
 
 Index pin_of(std::size_t bearing) {
   return kPinAt + kPerSeat * static_cast<Index>(bearing);
+}
+
+Index waves_of(const PlanetOnPin& planet) {
+  return pin_of(planet.bearings.size());
 }
 
 Vector2d error_of(const PlanetOnPin& planet, std::size_t k) {
@@ -65,7 +70,7 @@ double lever_of(const PlanetOnPin& planet) {
   return lever;
 }
 
-// How the planet and its seats move the races of one bearing.
+// How the planet, its seats and its waves move the races of one bearing.
 SettlingRow<Eigen::Dynamic> row_on(const PlanetOnPin& planet, std::size_t k, const RaceEquilibrium& races,
                                    double lever, Index size, std::vector<RollerState>& rollers) {
   Eigen::MatrixXd outward = Eigen::MatrixXd::Zero(size, races.angle.size()), tilting = outward;
@@ -74,6 +79,7 @@ SettlingRow<Eigen::Dynamic> row_on(const PlanetOnPin& planet, std::size_t k, con
     outward.col(j).head<2>() = e;
     outward.col(j).segment<2>(kTiltAt) = e * (planet.position[k] / lever);
     outward.col(j).segment<2>(pin_of(k)) = -e;
+    outward.col(j).tail(size - waves_of(planet)) = wave_shapes(races.outer_race, races.angle[j]);
     tilting.col(j).segment<2>(kTiltAt) = e * (planet.bearings[k].half_length() / lever);
     tilting.col(j).segment<2>(pin_of(k) + 2) = -tilting.col(j).segment<2>(kTiltAt);
   }
@@ -103,13 +109,17 @@ RingsOnRollers<Eigen::Dynamic> rings_on(const PlanetOnPin& planet, const std::ve
                                         const Vector2d& share, const Vector2d& moment, double lever,
                                         std::vector<std::vector<RollerState>>& rollers) {
   RingsOnRollers<Eigen::Dynamic> rings;
-  const Index size = pin_of(races.size());
+  const ElasticRace& race = races.front().outer_race;
+  const Index waves = wave_count(race), size = waves_of(planet) + waves;
   rings.load.setZero(size);
   rings.stiffness.setZero(size, size);
   rings.rest.setZero(size);
   rings.load.segment<2>(kTiltAt) = moment / lever;
   rings.stiffness.block<2, 2>(kTiltAt, kTiltAt) = planet.tilt_stiffness / (lever * lever);
   add_pin(planet, lever, rings.stiffness);
+  // All bearings press on the same waves.
+  rings.stiffness.diagonal().tail(waves) = static_cast<double>(races.size()) * wave_stiffness(race);
+  rings.rest.tail(waves) = waves_at_rest(race);
   double largest = 0.0;
   for (std::size_t k = 0; k < races.size(); ++k) {
     rings.load.head<2>() += races[k].load;
@@ -124,14 +134,15 @@ RingsOnRollers<Eigen::Dynamic> rings_on(const PlanetOnPin& planet, const std::ve
 }
 
 // Where each bearing would be displaced under its part of the load.
-Eigen::VectorXd start_of(const RaceEquilibrium& first, Index size) {
-  Eigen::VectorXd at = Eigen::VectorXd::Zero(size);
+Eigen::VectorXd start_of(const RaceEquilibrium& first, const Eigen::VectorXd& rest) {
+  Eigen::VectorXd at = rest;
   at.head<2>() = first_displacement(first);
   return at;
 }
 
 Eigen::VectorXd start_near(const PlanetOnPin& planet, double lever, const PlanetOnPinState& near) {
-  Eigen::VectorXd at(pin_of(planet.bearings.size()));
+  Eigen::VectorXd at(waves_of(planet) + near.waves.size());
+  at.tail(near.waves.size()) = near.waves;
   at.head<2>() = near.displacement;
   at.segment<2>(kTiltAt) = near.tilt * lever;
   for (std::size_t k = 0; k < planet.bearings.size(); ++k) {
@@ -149,19 +160,40 @@ void put_bearing(const PlanetOnPin& planet, std::size_t k, const RaceEquilibrium
   one.displacement =
       state.displacement + state.tilt * planet.position[k] - at.segment<2>(pin_of(k)) - error_of(planet, k);
   state.bearing_tilt.push_back(state.tilt - at.segment<2>(pin_of(k) + 2) / lever - inclination_of(planet, k));
+  one.waves = state.waves;
   put_rollers(races, std::move(rollers), one);
   state.report.converged = state.report.converged && are_settled(one.rollers);
 }
 
+// What load and moment on the planet move, pin, waves and rollers following.
+Eigen::Matrix4d compliance_at(const PlanetOnPin& planet, double lever, const Eigen::MatrixXd& stiffness) {
+  const double seats = static_cast<double>(planet.bearings.size());
+  Eigen::Matrix4d compliance;
+  for (Index i = 0; i < 4; ++i) {
+    Eigen::VectorXd load = Eigen::VectorXd::Zero(stiffness.rows());
+    load[i] = i < kTiltAt ? 1.0 : 1.0 / lever;
+    const Eigen::VectorXd moved = mechanics::lengths_under<Eigen::Dynamic>(load, stiffness);
+    Vector2d shift = moved.head<2>();
+    for (std::size_t k = 0; k < planet.bearings.size(); ++k) shift -= moved.segment<2>(pin_of(k)) / seats;
+    compliance.col(i) << shift, moved.segment<2>(kTiltAt) / lever;
+  }
+  return compliance;
+}
+
 }  // namespace
+
+Vector2d shift_on_seats(const PlanetOnPin& planet, const PlanetOnPinState& state) {
+  Vector2d shift = Vector2d::Zero();
+  for (std::size_t k = 0; k < planet.bearings.size(); ++k)
+    shift += state.bearings[k].displacement - state.tilt * planet.position[k] + error_of(planet, k);
+  return shift / static_cast<double>(planet.bearings.size());
+}
 
 PlanetOnPinState planet_on_pin(const PlanetOnPin& planet, const OperatingPoint& point, const Vector2d& moment,
                                const QuasiStaticOptions& options, double first_roller,
                                const PlanetOnPinState* near) {
   mechanics::require(!planet.bearings.empty() && planet.bearings.size() == planet.position.size(),
                      "bearings of a planet", planet.position.size(), "at least one, each with its place");
-  mechanics::require(point.outer_race.is_rigid(), "outer race", "elastic",
-                     "a rigid one where the tilt is computed");
   const std::vector<RaceEquilibrium> races = bearings_on(planet, point, options, first_roller);
   const double lever = lever_of(planet);
   std::vector<std::vector<RollerState>> rollers(races.size());
@@ -170,12 +202,14 @@ PlanetOnPinState planet_on_pin(const PlanetOnPin& planet, const OperatingPoint& 
   const RingsOnRollers<Eigen::Dynamic> rings =
       rings_on(planet, races, load_share(planet, point), moment, lever, rollers);
   Eigen::VectorXd at =
-      near != nullptr ? start_near(planet, lever, *near) : start_of(races.front(), rings.load.size());
+      near != nullptr ? start_near(planet, lever, *near) : start_of(races.front(), rings.rest);
   mechanics::Imbalance<Eigen::Dynamic> now;
   PlanetOnPinState state;
   state.report = {mechanics::find_balance<Eigen::Dynamic>(rings, rings.limits(), at, now)};
   state.displacement = at.head<2>();
   state.tilt = at.segment<2>(kTiltAt) / lever;
+  state.waves = at.tail(at.size() - waves_of(planet));
+  state.compliance = compliance_at(planet, lever, now.stiffness);
   for (std::size_t k = 0; k < races.size(); ++k)
     put_bearing(planet, k, races[k], at, lever, std::move(rollers[k]), state);
   if (!state.report.converged) {
@@ -190,7 +224,8 @@ PlanetOnPinState planet_on_pin(const PlanetOnPin& planet, const OperatingPoint& 
 }
 
 PlanetOnPinResult planet_on_pin_over_a_pitch(const PlanetOnPin& planet, const OperatingPoint& point,
-                                             const Vector2d& moment, const QuasiStaticOptions& options) {
+                                             const Vector2d& moment, const QuasiStaticOptions& options,
+                                             const PlanetOnPinResult* near) {
   PlanetOnPinResult result;
   for (const LaminaBearing& bearing : planet.bearings) {
     require_equal_pitches(bearing.bearing());
@@ -202,10 +237,14 @@ PlanetOnPinResult planet_on_pin_over_a_pitch(const PlanetOnPin& planet, const Op
   const int positions = options.cage_positions;
   PlanetOnPinState last;
   for (int position = 0; position < positions; ++position) {
-    last = planet_on_pin(planet, point, moment, options, result.bearings.front().angle[position],
-                         position == 0 ? nullptr : &last);
+    const PlanetOnPinState* start = near != nullptr ? &near->states[static_cast<std::size_t>(position)]
+                                    : position == 0 ? nullptr
+                                                    : &last;
+    last = planet_on_pin(planet, point, moment, options, result.bearings.front().angle[position], start);
     keep_worst(last.report, result.report);
     result.tilt += last.tilt / positions;
+    result.shift += shift_on_seats(planet, last) / positions;
+    result.compliance += last.compliance / positions;
     result.states.push_back(last);
     for (std::size_t k = 0; k < planet.bearings.size(); ++k) {
       QuasiStaticResult& one = result.bearings[k];

@@ -35,29 +35,40 @@ struct PlanetOnPinState {
   Eigen::Vector2d tilt = Eigen::Vector2d::Zero();          // [rad]  its axis runs along (x, y, 1)
   std::vector<Eigen::Vector2d> bearing_tilt;               // [rad]  (bearings)  of bore against pin
   std::vector<QuasiStaticState>
-      bearings;  // displacement of the bore against the pin there; moment on the bore
+      bearings;           // displacement of the bore against the pin there; moment on the bore
+  Eigen::VectorXd waves;  // [m]  of an elastic planet, common to all bearings; elastic_waves.hpp
+  /// [m/N], [m/(N m)], [rad/N], [rad/(N m)]  of shift_on_seats() and tilt by load and moment on the planet
+  Eigen::Matrix4d compliance = Eigen::Matrix4d::Zero();
   SolverReport report;
 };
 
 /// Balance with the first rollers at `first_roller` [rad]. `point`: its load is that of the whole planet [N],
-/// in the middle of the face; its tilt has no meaning. `moment` [N m]: what tilts the planet besides, along
-/// its tilt. `near`: where the search starts.
+/// in the middle of the face; its tilt has no meaning; its outer race bends as one over the whole width, the
+/// same at all bearings, with the compliance that one of them has where all press alike. `moment` [N m]: what
+/// tilts the planet besides, along its tilt. `near`: where the search starts.
 PlanetOnPinState planet_on_pin(const PlanetOnPin& planet, const OperatingPoint& point,
                                const Eigen::Vector2d& moment, const QuasiStaticOptions& options,
                                double first_roller, const PlanetOnPinState* near = nullptr);
 
-/// Balances over one roller pitch: one result for each bearing, and the mean tilt of the planet.
+/// By how much the middle of the planet's face is displaced against the mean of its seats on the bent pin
+/// [m]: what the support of the pin does not have already.
+Eigen::Vector2d shift_on_seats(const PlanetOnPin& planet, const PlanetOnPinState& state);
+
+/// Balances over one roller pitch: one result for each bearing, and means of the planet over the cage angles.
 struct PlanetOnPinResult {
   std::vector<QuasiStaticResult> bearings;
-  std::vector<Eigen::Vector2d> bearing_tilt;       // [rad]  mean over the cage angles
-  Eigen::Vector2d tilt = Eigen::Vector2d::Zero();  // [rad]
+  std::vector<Eigen::Vector2d> bearing_tilt;             // [rad]  mean over the cage angles
+  Eigen::Vector2d tilt = Eigen::Vector2d::Zero();        // [rad]
+  Eigen::Vector2d shift = Eigen::Vector2d::Zero();       // [m]  shift_on_seats()
+  Eigen::Matrix4d compliance = Eigen::Matrix4d::Zero();  // as of a state
   SolverReport report;
   std::vector<PlanetOnPinState> states;  // (cage angles)
 };
 
-/// Throws std::invalid_argument as quasi_static_bearing() does.
+/// `near`: the same planet under another load, where one is known. Throws std::invalid_argument as
+/// quasi_static_bearing() does.
 PlanetOnPinResult planet_on_pin_over_a_pitch(const PlanetOnPin& planet, const OperatingPoint& point,
-                                             const Eigen::Vector2d& moment,
-                                             const QuasiStaticOptions& options);
+                                             const Eigen::Vector2d& moment, const QuasiStaticOptions& options,
+                                             const PlanetOnPinResult* near = nullptr);
 
 }  // namespace orbearing::bearing::laminae

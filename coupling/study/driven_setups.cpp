@@ -40,9 +40,12 @@ system::CoupledSetup coupled_setup(const PlanetaryDrivetrain& drivetrain,
                                    const DrivetrainGeometry& geometry) {
   system::CoupledSetup setup{driven_gears_setup(drivetrain), driven_bearing_setup(drivetrain, geometry),
                              drivetrain.bearings_per_planet};
-  if (drivetrain.uneven_planets && drivetrain.misalignment.planet_tilt != 0.0)
-    for (const BearingDuty& duty : planet_duties(drivetrain, geometry))
-      setup.bore_tilts.push_back(duty.point.bore_tilt);
+  const bool tilted = drivetrain.misalignment.planet_tilt != 0.0;
+  if (!drivetrain.uneven_planets || !(tilted || geometry.rim)) return setup;
+  for (const BearingDuty& duty : planet_duties(drivetrain, geometry)) {
+    if (tilted) setup.bore_tilts.push_back(duty.point.bore_tilt);
+    if (geometry.rim) setup.outer_races.push_back(duty.point.outer_race);
+  }
   return setup;
 }
 

@@ -10,7 +10,10 @@
 #include <utility>
 
 #include "bearing/equilibrium/aligned_pitch.hpp"
+#include "bearing/equilibrium/elastic_waves.hpp"
 #include "coupling/study/planet_stiffness.hpp"
+#include "coupling/study/set_operation.hpp"
+#include "coupling/study/tilting_planet.hpp"
 #include "gearset/dynamics/bearing_force.hpp"
 #include "gearset/dynamics/snapshot.hpp"
 #include "gearset/dynamics/static_state.hpp"
@@ -41,32 +44,82 @@ struct Give {
   Matrix2d compliance;    // [m/N]  -d(displacement)/d(force)
 };
 
+gearset::MeanLoads gears_with_share(gearset::MeanLoads gears, double share) {
+  gears.normal_force *= std::abs(share);
+  gears.tangential_force *= share;
+  gears.radial_force *= std::abs(share);  // teeth only push, whichever flank carries
+  gears.tooth_force *= std::abs(share);
+  gears.axial_force *= share;
+  gears.overturning_moment *= share;
+  return gears;
+}
+
+// An elastic planet gives way between its teeth too. What both meshes give way beyond the stiffness that the
+// gears have is as much as the whole planet displaced along the force of its meshes: its rotation is free.
+class TeethOnRim {
+ public:
+  TeethOnRim(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+             const gearset::MeanLoads& even)
+      : rim_(geometry.rim), even_(even), along_(even.radial_force, even.tangential_force) {
+    if (!rim_) return;
+    along_ /= even.normal_force;
+    for (const double share : {1.0, -1.0}) {
+      const bearing::ElasticRace race = outer_race(drivetrain, geometry, gears_with_share(even, share));
+      (share > 0.0 ? driving_ : back_) = bearing::waves_at_rest(race);
+    }
+    waves_ = bearing::wave_stiffness({rim_->race, {}, {}});
+  }
+
+  /// To what one of the `bearings` gives under its part of the load: `waves` [m] of the race, where the
+  /// planet carries `share` of the mean load.
+  void add(double share, const VectorXd& waves, double bearings, Give& give) const {
+    if (!rim_) return;
+    const VectorXd& by_teeth = share < 0.0 ? back_ : driving_;
+    const Vector2d along(along_.x(), share < 0.0 ? -along_.y() : along_.y());
+    const VectorXd pressed = waves_.cwiseProduct(waves - std::abs(share) * by_teeth);  // [N]  by the rollers
+    const double meshes = rim_->meshes.sum();                                          // [m/N]
+    const double deflection =
+        std::abs(share) * even_.normal_force * meshes + by_teeth.dot(pressed) / even_.normal_force;
+    const Vector2d by_deflection = along / along.squaredNorm();
+    give.displacement += deflection * by_deflection;
+    give.compliance.col(1) += bearings * meshes / along.y() * by_deflection;
+  }
+
+ private:
+  std::shared_ptr<const gearset::rim::RimInfluence> rim_;  // none: rigid
+  gearset::MeanLoads even_;
+  Vector2d along_;                   // [-]    force on the planet by 1 N of both meshes
+  VectorXd driving_, back_, waves_;  // [m]    by the teeth at the mean load; [N/m]
+};
+
 // The bearings of the planets under the forces [N] that they exert on them.
 class PlanetSupport {
  public:
-  PlanetSupport(const PlanetaryDrivetrain& drivetrain, const BearingDuty& duty)
+  PlanetSupport(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                const BearingDuty& duty)
       : drivetrain_(drivetrain),
+        geometry_(geometry),
         duty_(duty),
-        search_(of_like_rollers(drivetrain.bearing), quasi_static_options(drivetrain)),
-        pitches_(static_cast<std::size_t>(drivetrain.set.planets)) {}
+        options_(quasi_static_options(drivetrain)),
+        teeth_(drivetrain, geometry, duty.gears),
+        search_(of_like_rollers(drivetrain.bearing), options_),
+        pitches_(static_cast<std::size_t>(drivetrain.set.planets)),
+        seated_(pitches_.size()) {
+    if (drivetrain.seats.tilt == TiltState::computed)
+      on_pin_ = planet_on(unlike_planet_seat(drivetrain, duty), of_like_rollers(drivetrain.bearing),
+                          mechanics::InstructionSet::baseline);
+  }
 
   /// Each search starts from where this planet last settled, else from the first one that did.
   Give give(std::size_t planet, const Vector2d& force) {
-    const bearing::OperatingPoint point = point_under(drivetrain_, duty_, force);
-    const PitchResults& near = pitches_[planet].reports.empty() ? pitches_.front() : pitches_[planet];
-    search_.solve(point, found_, near.reports.empty() ? nullptr : &near);
+    bearing::OperatingPoint point = point_under(drivetrain_, duty_, force);
+    const double share = -force.y() / duty_.gears.tangential_force;
+    if (geometry_.rim)
+      point.outer_race = outer_race(drivetrain_, geometry_, gears_with_share(duty_.gears, share));
+    const Give rolling = on_pin_ ? give_on_pin(planet, point, share) : give_of_bearing(planet, point, share);
     const double support = drivetrain_.dynamics.support.stiffness;
-    const auto positions = static_cast<double>(found_.reports.size());
-    Matrix2d compliance = Matrix2d::Zero();
-    for (std::size_t i = 0; i < found_.reports.size(); ++i) {
-      if (!found_.reports[i].converged)
-        throw std::runtime_error("load sharing: " + found_.reports[i].message);
-      compliance += compliance_of(found_.stiffness[i]) / positions;
-    }
-    const Vector2d displacement = found_.displacement.rowwise().mean().matrix();
-    std::swap(pitches_[planet], found_);
-    return {point.bore_load / support + displacement,
-            (Matrix2d::Identity() / support + compliance) / drivetrain_.bearings_per_planet};
+    return {point.bore_load / support + rolling.displacement,
+            (Matrix2d::Identity() / support + rolling.compliance) / drivetrain_.bearings_per_planet};
   }
 
   /// Where the bearing of each planet last settled; none where cage angles were searched one by one.
@@ -87,10 +140,54 @@ class PlanetSupport {
     return compliance;
   }
 
+  template <class States>
+  static VectorXd mean_waves(const States& states) {
+    VectorXd waves = VectorXd::Zero(states.front().waves.size());
+    for (const auto& state : states) waves += state.waves / static_cast<double>(states.size());
+    return waves;
+  }
+
+  Give give_of_bearing(std::size_t planet, const bearing::OperatingPoint& point, double share) {
+    const PitchResults& near = pitches_[planet].reports.empty() ? pitches_.front() : pitches_[planet];
+    search_.solve(point, found_, near.reports.empty() ? nullptr : &near);
+    const auto positions = static_cast<double>(found_.reports.size());
+    Matrix2d compliance = Matrix2d::Zero();
+    for (std::size_t i = 0; i < found_.reports.size(); ++i) {
+      if (!found_.reports[i].converged)
+        throw std::runtime_error("load sharing: " + found_.reports[i].message);
+      compliance += compliance_of(found_.stiffness[i]) / positions;
+    }
+    Give give{found_.displacement.rowwise().mean().matrix(), compliance};
+    if (geometry_.rim) teeth_.add(share, mean_waves(found_.states), drivetrain_.bearings_per_planet, give);
+    std::swap(pitches_[planet], found_);
+    return give;
+  }
+
+  // The displacement of the pin is in the support's stiffness.
+  Give give_on_pin(std::size_t planet, const bearing::OperatingPoint& point, double share) {
+    std::optional<bearing::laminae::PlanetOnPinResult>& near =
+        seated_[planet] ? seated_[planet] : seated_.front();
+    const Eigen::Vector2d couple = Eigen::Vector2d(duty_.gears.overturning_moment, 0.0) + duty_.couple;
+    bearing::laminae::PlanetOnPinResult found =
+        tilting_planet(*on_pin_, point, share * couple, options_, near ? &*near : nullptr);
+    const double bearings = drivetrain_.bearings_per_planet;
+    Give give{found.shift, bearings * found.compliance.topLeftCorner<2, 2>()};
+    give.compliance.col(1) +=
+        bearings / duty_.gears.tangential_force * found.compliance.block<2, 2>(0, 2) * couple;
+    if (geometry_.rim) teeth_.add(share, mean_waves(found.states), bearings, give);
+    seated_[planet] = std::move(found);
+    return give;
+  }
+
   const PlanetaryDrivetrain& drivetrain_;
+  const DrivetrainGeometry& geometry_;
   BearingDuty duty_;
+  bearing::QuasiStaticOptions options_;
+  TeethOnRim teeth_;
   bearing::vectorised::PitchSearch search_;
-  std::vector<PitchResults> pitches_;  // (planets)  where they last settled
+  std::optional<bearing::laminae::PlanetOnPin> on_pin_;  // where its tilt is computed
+  std::vector<PitchResults> pitches_;                    // (planets)  where they last settled
+  std::vector<std::optional<bearing::laminae::PlanetOnPinResult>> seated_;  // (planets)  the same
   PitchResults found_;
 };
 
@@ -153,13 +250,13 @@ void hold_against_rotation(gearset::dynamics::SetParameters& set, gearset::Membe
 
 // The balance does not depend on the springs that lead to it: they are those of the bearings whatever the
 // case states for them, so that not even its last digit does.
-SetModel on_springs(const PlanetaryDrivetrain& drivetrain, double stiffness) {
+SetModel on_springs(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                    double stiffness) {
   gearset::dynamics::SetParameters set = drivetrain.gear_set();
   set.planet.coupled_bearing = false;
   set.planet.bearing_stiffness = stiffness;
   hold_against_rotation(set, drivetrain.set.fixed_member);
-  return gearset::dynamics::set_model(std::move(set),
-                                      gearset::dynamics::operation_of(drivetrain.set, drivetrain.drive));
+  return gearset::dynamics::set_model(std::move(set), set_operation(drivetrain, geometry.gears));
 }
 
 // The set at rest under its mean loads on springs whose pins are displaced.
@@ -261,12 +358,7 @@ std::vector<BearingDuty> duties_with_shares(const PlanetaryDrivetrain& drivetrai
   for (const double share : shares) {
     BearingDuty duty = even;
     duty.planet = static_cast<int>(duties.size());
-    duty.gears.normal_force *= std::abs(share);
-    duty.gears.tangential_force *= share;
-    duty.gears.radial_force *= std::abs(share);  // teeth only push, whichever flank carries
-    duty.gears.tooth_force *= std::abs(share);
-    duty.gears.axial_force *= share;
-    duty.gears.overturning_moment *= share;
+    duty.gears = gears_with_share(even.gears, share);
     const Vector2d more(duty.gears.radial_force - even.gears.radial_force,
                         duty.gears.tangential_force - even.gears.tangential_force);
     duty.point.bore_load += more / drivetrain.bearings_per_planet;
@@ -291,8 +383,8 @@ PlanetBalance planet_balance(const PlanetaryDrivetrain& drivetrain, const Drivet
   const BearingDuty even = bearing_duty(drivetrain, geometry);
   require_gears(drivetrain);
   const double stiffness = planet_bearing_stiffness(drivetrain, geometry);
-  const SetModel set = on_springs(drivetrain, stiffness);
-  PlanetSupport support(drivetrain, even);
+  const SetModel set = on_springs(drivetrain, geometry, stiffness);
+  PlanetSupport support(drivetrain, geometry, even);
   OnSprings found = balanced(set, stiffness, support);
   return {shares_at(set, found.now.state, even), std::move(found.now.forces), std::move(found.offset),
           stiffness, support.pitches()};

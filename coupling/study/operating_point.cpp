@@ -130,8 +130,8 @@ std::size_t shortest_lived(const std::vector<PlanetResult>& planets) {
   return static_cast<std::size_t>(shortest - planets.begin());
 }
 
-// Bearing by bearing of a planet whose tilt is computed: their means, the loads on their bores [N], and tilts
-// of bore against pin.
+// Bearing by bearing of planets whose tilt is computed: their means, the loads on their bores [N], and tilts
+// of bore against pin; of one planet where all are alike, else planet by planet.
 void put_seats(const Rating& rating, const std::vector<WindowStatistics>& means,
                const std::vector<double>& loads, const std::vector<Eigen::Vector2d>& tilts,
                PointResult& result) {
@@ -143,16 +143,24 @@ void put_seats(const Rating& rating, const std::vector<WindowStatistics>& means,
     const Rating::Lives one = rating.of(means[k], loads[k]);
     lives.push_back(one.hours);
     rated.push_back(one.rated_hours);
-    result.seats.push_back({.position = positions[k],
+    result.seats.push_back({.position = positions[k % positions.size()],
                             .load = loads[k],
                             .tilt = tilts[k],
                             .life_hours = one.hours,
                             .rated_hours = one.rated_hours});
   }
-  const int planets = drivetrain.set.planets;
-  result.system_life_hours = bearing::system_life(life_together(lives), planets);
+  const int alike = means.size() > positions.size() ? 1 : drivetrain.set.planets;
+  result.system_life_hours = bearing::system_life(life_together(lives), alike);
   result.rating.system_hours = bearing::rating::hours_of_equal(
-      bearing::rating::hours_together(rated, kRollerSlope), planets, kRollerSlope);
+      bearing::rating::hours_together(rated, kRollerSlope), alike, kRollerSlope);
+}
+
+// The bearings of each planet, taken together. Planet by planet.
+std::vector<WindowStatistics> by_planet(const std::vector<WindowStatistics>& bearings, int per_planet) {
+  std::vector<WindowStatistics> planets;
+  for (auto first = bearings.begin(); first != bearings.end(); first += per_planet)
+    planets.push_back(system::pooled({first, first + per_planet}));
+  return planets;
 }
 
 std::vector<double> loads_of(const Rating& rating, const std::vector<BearingDuty>& duties) {
@@ -171,6 +179,41 @@ std::optional<LaminaRecord> record_of_laminae(const bearing::laminae::LaminaBear
                       .roller_tilt = as_vector(one.loads.roller_tilt),
                       .bore_tilt = one.tilt,
                       .moment = one.loads.moment};
+}
+
+// Loads [N] of the bearings of planets whose tilt is computed: in each planet as their rollers carry.
+std::vector<double> seat_loads(const Rating& rating, const std::vector<BearingDuty>& duties,
+                               const std::vector<WindowStatistics>& means, const Eigen::ArrayXd& angle) {
+  const PlanetaryDrivetrain& drivetrain = rating.drivetrain();
+  std::vector<double> loads;
+  auto first = means.begin();
+  for (const BearingDuty& duty : duties) {
+    const std::vector<double> of_planet =
+        shared_loads(rating, duty, {first, first + drivetrain.bearings_per_planet}, angle);
+    loads.insert(loads.end(), of_planet.begin(), of_planet.end());
+    first += drivetrain.bearings_per_planet;
+  }
+  return loads;
+}
+
+// Of planets whose tilt is computed, alike or not; each unlike one has the life of its bearings taken
+// together.
+void put_seated_planets(const Rating& rating, const std::vector<BearingDuty>& duties,
+                        const Eigen::ArrayXd& angle, const std::vector<WindowStatistics>& means,
+                        const std::vector<double>& loads, const std::vector<Eigen::Vector2d>& tilts,
+                        PointResult& result) {
+  put_seats(rating, means, loads, tilts, result);
+  if (duties.size() == 1) return;
+  const int per_planet = rating.drivetrain().bearings_per_planet;
+  std::vector<double> of_planets;
+  for (auto first = loads.begin(); first != loads.end(); first += per_planet)
+    of_planets.push_back(mean_by_basic_life({first, first + per_planet}));
+  put_planets(rating, angle, by_planet(means, per_planet), of_planets, result);
+}
+
+std::size_t shortest_lived(const std::vector<SeatResult>& seats) {
+  const auto shortest = std::ranges::min_element(seats, {}, &SeatResult::life_hours);
+  return static_cast<std::size_t>(shortest - seats.begin());
 }
 
 PointResult quasi_static_point(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
@@ -193,17 +236,19 @@ PointResult quasi_static_point(const PlanetaryDrivetrain& drivetrain, const Driv
                          as_vector(bearings.front().loads.race_form)};
   const bool seated = drivetrain.seats.tilt == TiltState::computed;
   const std::vector<double> loads =
-      seated ? shared_loads(rating, duties.front(), means, angle) : loads_of(rating, duties);
+      seated ? seat_loads(rating, duties, means, angle) : loads_of(rating, duties);
   put_life(rating, all, loads, result);
   if (seated) {
     std::vector<Eigen::Vector2d> tilts;
     for (const QuasiStaticBearing& one : bearings) tilts.push_back(one.tilt);
-    put_seats(rating, means, loads, tilts, result);
+    put_seated_planets(rating, duties, angle, means, loads, tilts, result);
   } else if (duties.size() > 1) {
     put_planets(rating, angle, means, loads, result);
     put_system_life(drivetrain, result);
   }
-  const std::size_t shown = result.planets.empty() ? 0 : shortest_lived(result.planets);
+  const std::size_t shown = result.planets.empty() ? 0
+                            : seated               ? shortest_lived(result.seats)
+                                                   : shortest_lived(result.planets);
   result.laminae = record_of_laminae(at_rest.bearing(), bearings[shown]);
   return result;
 }
@@ -297,31 +342,32 @@ system::SteadyStateResult together(const std::vector<system::SteadyStateResult>&
   return all;
 }
 
-// Of a planet whose tilt is computed, all its bearings, each under its own load.
+// Of planets whose tilt is computed, all bearings, each under its own load.
 PointResult seated_point(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
-                         const BearingDuty& duty, const GearsOnTangent& gears) {
+                         const std::vector<BearingDuty>& duties, const GearsOnTangent& gears) {
   std::vector<system::SteadyStateResult> runs;
   std::vector<WindowStatistics> means;
   std::vector<Eigen::Vector2d> tilts;
-  for (const SeatedBearing& one : seated_bearings(drivetrain, geometry, duty)) {
-    runs.push_back(motion_of(one.drivetrain, one.geometry, one.duty, gears).bearing);
-    if (!runs.back().completed) throw std::runtime_error(runs.back().message);
-    means.push_back(runs.back().statistics);
-    tilts.push_back(one.duty.point.bore_tilt);
-  }
-  const Rating rating(drivetrain, geometry, mean_duty(drivetrain, duty));
+  const PlanetSeat seat = seat_of_each(drivetrain, geometry);
+  for (const BearingDuty& duty : duties)
+    for (const SeatedBearing& one : seated_bearings(seat, drivetrain, geometry, duty)) {
+      runs.push_back(motion_of(one.drivetrain, one.geometry, one.duty, gears).bearing);
+      if (!runs.back().completed) throw std::runtime_error(runs.back().message);
+      means.push_back(runs.back().statistics);
+      tilts.push_back(one.duty.point.bore_tilt);
+    }
+  const Rating rating(drivetrain, geometry, mean_duty(drivetrain, duties.front()));
   const Eigen::ArrayXd angle = position_angles(means.front().outer.mean_load.size());
-  const std::vector<double> loads = shared_loads(rating, duty, means, angle);
+  const std::vector<double> loads = seat_loads(rating, duties, means, angle);
   PointResult result = dynamic_point(rating, loads, together(runs, means));
-  put_seats(rating, means, loads, tilts, result);
+  put_seated_planets(rating, duties, angle, means, loads, tilts, result);
   return result;
 }
 
 PointResult one_way_point(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                           const std::vector<BearingDuty>& duties) {
   const GearsOnTangent gears = gears_on_tangent(drivetrain, geometry);
-  if (drivetrain.seats.tilt == TiltState::computed)
-    return seated_point(drivetrain, geometry, duties.front(), gears);
+  if (drivetrain.seats.tilt == TiltState::computed) return seated_point(drivetrain, geometry, duties, gears);
   if (duties.size() == 1)
     return driven_point(drivetrain, geometry, duties.front(),
                         motion_of(drivetrain, geometry, duties.front(), gears));
@@ -338,14 +384,6 @@ PointResult one_way_point(const PlanetaryDrivetrain& drivetrain, const Drivetrai
   put_planets(rating, position_angles(means.front().outer.mean_load.size()), means, loads, result);
   put_system_life(drivetrain, result);
   return result;
-}
-
-// The bearings of each planet, taken together. Planet by planet.
-std::vector<WindowStatistics> by_planet(const std::vector<WindowStatistics>& bearings, int per_planet) {
-  std::vector<WindowStatistics> planets;
-  for (auto first = bearings.begin(); first != bearings.end(); first += per_planet)
-    planets.push_back(system::pooled({first, first + per_planet}));
-  return planets;
 }
 
 system::SteadyStateResult run_coupled(const PlanetaryDrivetrain& drivetrain,

@@ -135,10 +135,10 @@ struct PointResult {
   bearing::rating::LifeMethod life_method = bearing::rating::LifeMethod::lundberg_palmgren;
   bearing::rating::RollingElement element = bearing::rating::RollingElement::roller;
   LoadDistribution distribution;
-  std::optional<DynamicRecord> dynamic;      // none from the quasi-static model
-  std::optional<LaminaRecord> laminae;       // none from whole contacts
-  std::vector<PlanetResult> planets;         // none where all planets carry alike
-  std::vector<SeatResult> seats;             // of one planet, where its tilt is computed
+  std::optional<DynamicRecord> dynamic;  // none from the quasi-static model
+  std::optional<LaminaRecord> laminae;   // none from whole contacts
+  std::vector<PlanetResult> planets;     // none where all planets carry alike
+  std::vector<SeatResult> seats;         // of one planet, or of unlike ones in turn, where tilts are computed
   std::optional<CarrierRevolution> carrier;  // at rest, where the carrier's bearings are stated
   std::optional<CoupledRecord> coupled;      // none where the bearings do not act back on the gears
   std::string limiting_set;                  // of several sets, the one these numbers belong to

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "bearing/life/basic_life.hpp"
 #include "bearing/life/rating_record.hpp"
@@ -178,11 +179,19 @@ double largest_of(const Items& items, const Value& value) {
   return most;
 }
 
-double largest_bearing_share(const std::vector<SeatResult>& seats) {
-  double sum = 0.0;
-  for (const SeatResult& seat : seats) sum += seat.load;
-  return largest_of(seats, [](const SeatResult& seat) { return seat.load; }) *
-         static_cast<double>(seats.size()) / sum;
+// Of each planet where planets are unlike.
+double largest_bearing_share(const PointResult& point) {
+  const std::size_t planets = std::max<std::size_t>(point.planets.size(), 1);
+  const std::size_t bearings = point.seats.size() / planets;
+  double most = kAbsent;
+  for (std::size_t planet = 0; planet < planets && bearings > 0; ++planet) {
+    const std::span<const SeatResult> seats(&point.seats[planet * bearings], bearings);
+    double sum = 0.0;
+    for (const SeatResult& seat : seats) sum += seat.load;
+    most = std::fmax(most, largest_of(seats, [](const SeatResult& seat) { return seat.load; }) *
+                               static_cast<double>(bearings) / sum);
+  }
+  return most;
 }
 
 // Where planets or their bearings are unlike.
@@ -210,7 +219,7 @@ void describe_sharing(Record& record, const PointResult& point) {
                largest_of(point.seats, [](const SeatResult& seat) { return seat.tilt.norm(); }));
   record.value("largest_bearing_share", dimension::ratio,
                "load of the most loaded bearing of a planet, divided by the mean of its bearings, likewise",
-               largest_bearing_share(point.seats));
+               largest_bearing_share(point));
   record.value("interface_energy_residual", dimension::ratio,
                "energy error of the exchange of gears and bearings, divided by the exchanged energy",
                point.coupled ? point.coupled->energy_residual : kAbsent);

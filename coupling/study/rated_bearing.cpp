@@ -63,16 +63,19 @@ BearingsAtRest::BearingsAtRest(const PlanetaryDrivetrain& drivetrain, const Driv
       geometry_(geometry),
       options_(quasi_static_options(drivetrain)),
       bearing_(drivetrain.bearing, mechanics::InstructionSet::baseline) {
-  if (drivetrain.seats.tilt != TiltState::computed) level_ = AlignedPitch::of(drivetrain.bearing, options_);
+  if (drivetrain.seats.tilt == TiltState::computed)
+    seat_ = seat_of_each(drivetrain, geometry);
+  else
+    level_ = AlignedPitch::of(drivetrain.bearing, options_);
 }
 
 std::vector<QuasiStaticBearing> BearingsAtRest::of(const BearingDuty& duty) {
   std::vector<QuasiStaticBearing> all;
-  if (drivetrain_.seats.tilt != TiltState::computed) {
+  if (!seat_) {
     all.push_back(one(duty));
     return all;
   }
-  bearing::laminae::PlanetOnPinResult planet = tilting_planet(drivetrain_, duty);
+  bearing::laminae::PlanetOnPinResult planet = tilting_planet(*seat_, drivetrain_, duty);
   for (std::size_t k = 0; k < planet.bearings.size(); ++k)
     all.push_back(
         bearing_under(drivetrain_, geometry_, duty, std::move(planet.bearings[k]), planet.bearing_tilt[k]));

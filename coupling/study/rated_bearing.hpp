@@ -11,6 +11,7 @@
 #include "bearing/life/rating_lives.hpp"
 #include "bearing/motion/statistics.hpp"
 #include "coupling/study/drivetrain.hpp"
+#include "coupling/study/tilting_planet.hpp"
 
 namespace orbearing::study {
 
@@ -41,6 +42,7 @@ class BearingsAtRest {
   const DrivetrainGeometry& geometry_;
   bearing::QuasiStaticOptions options_;
   bearing::laminae::LaminaBearing bearing_;
+  std::optional<PlanetSeat> seat_;  // where the tilt is computed
   std::optional<bearing::vectorised::AlignedPitch> level_;
 };
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "coupling/study/set_operation.hpp"
 #include "gearset/dynamics/model.hpp"
 #include "gearset/stepped_planet.hpp"
 
@@ -56,7 +57,7 @@ Eigen::Matrix2d mesh_tilt_stiffness(const PlanetaryDrivetrain& drivetrain) {
   if (!drivetrain.gear_set)
     throw std::invalid_argument("tilt of a planet: found gears without meshes; required: one set with teeth");
   gearset::dynamics::SetParameters set = drivetrain.gear_set();
-  linearise_meshes(set, gearset::dynamics::operation_of(drivetrain.set, drivetrain.drive));
+  linearise_meshes(set, set_operation(drivetrain, gearset::working_geometry(drivetrain.set)));
   const auto of_mesh = [](const gearset::dynamics::Mesh& mesh, double face, double side) -> Eigen::Matrix2d {
     const double lever = face * face / 12.0;  // [m^2]
     const Eigen::Vector2d along(side * std::sin(mesh.pressure_angle), std::cos(mesh.pressure_angle));
@@ -79,6 +80,28 @@ PlanetSeat planet_seat(const PlanetaryDrivetrain& drivetrain) {
   return seat;
 }
 
+PlanetSeat unlike_planet_seat(const PlanetaryDrivetrain& drivetrain, const BearingDuty& mean) {
+  PlanetSeat seat = planet_seat(drivetrain);
+  if (seat.tangential_compliance.size() == 0) return seat;
+  const bearing::laminae::PlanetOnPinResult planet = tilting_planet(seat, drivetrain, mean);
+  const double span = planet_pin(drivetrain).span;
+  const double radius = gearset::working_geometry(drivetrain.set).centre_distance;
+  double at_wall = 0.0;  // [N]  of each planet on the wall at the positive end, along y
+  for (std::size_t k = 0; k < planet.bearings.size(); ++k)
+    at_wall += planet.bearings[k].total_bore_load.y() * (0.5 + seat.positions[k] / span) -
+               planet.bearings[k].moment.y() / span;
+  const double displacement =
+      drivetrain.set.planets * radius * radius / *drivetrain.seats.carrier_twist * at_wall;  // [m]
+  seat.pin_inclination.y() += displacement / span;  // half of it shifts all pins alike, and loads none
+  seat.tangential_compliance.resize(0, 0);
+  return seat;
+}
+
+PlanetSeat seat_of_each(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry) {
+  if (!drivetrain.uneven_planets) return planet_seat(drivetrain);
+  return unlike_planet_seat(drivetrain, bearing_duty(drivetrain, geometry));
+}
+
 bearing::laminae::PlanetOnPin planet_on(const PlanetSeat& seat, const bearing::Bearing& bearing,
                                         mechanics::InstructionSet set) {
   bearing::laminae::PlanetOnPin planet{.position = seat.positions,
@@ -98,36 +121,72 @@ bearing::laminae::PlanetOnPin planet_on(const PlanetSeat& seat, const bearing::B
 bearing::laminae::PlanetOnPinResult tilting_planet(const bearing::laminae::PlanetOnPin& planet,
                                                    const bearing::OperatingPoint& point,
                                                    const Eigen::Vector2d& moment,
-                                                   const bearing::QuasiStaticOptions& options) {
+                                                   const bearing::QuasiStaticOptions& options,
+                                                   const bearing::laminae::PlanetOnPinResult* near) {
   bearing::OperatingPoint whole = point;
   whole.bore_load *= static_cast<double>(planet.bearings.size());
   bearing::laminae::PlanetOnPinResult result =
-      bearing::laminae::planet_on_pin_over_a_pitch(planet, whole, moment, options);
+      bearing::laminae::planet_on_pin_over_a_pitch(planet, whole, moment, options, near);
   if (!result.report.converged) throw std::runtime_error(result.report.message);
   return result;
 }
 
-namespace {
-
-bearing::laminae::PlanetOnPinResult balance_on(const PlanetSeat& seat, const PlanetaryDrivetrain& drivetrain,
-                                               const BearingDuty& duty) {
+bearing::laminae::PlanetOnPinResult tilting_planet(const PlanetSeat& seat,
+                                                   const PlanetaryDrivetrain& drivetrain,
+                                                   const BearingDuty& duty) {
   return tilting_planet(planet_on(seat, drivetrain.bearing,
                                   mechanics::InstructionSet::baseline),  // equal points on all machines
                         duty.point, Eigen::Vector2d(duty.gears.overturning_moment, 0.0) + duty.couple,
                         quasi_static_options(drivetrain));
 }
 
-}  // namespace
-
 bearing::laminae::PlanetOnPinResult tilting_planet(const PlanetaryDrivetrain& drivetrain,
                                                    const BearingDuty& duty) {
-  return balance_on(planet_seat(drivetrain), drivetrain, duty);
+  return tilting_planet(planet_seat(drivetrain), drivetrain, duty);
 }
 
-std::vector<SeatedBearing> seated_bearings(const PlanetaryDrivetrain& drivetrain,
+namespace {
+
+// What the rollers of one bearing press on the waves of an elastic race, mean over the cage angles.
+struct PressedWaves {
+  Eigen::ArrayXd cosine, sine;  // [N]  (orders)
+};
+
+PressedWaves pressed_waves(const bearing::QuasiStaticResult& bearing, Eigen::Index orders, int positions) {
+  PressedWaves waves{Eigen::ArrayXd::Zero(orders), Eigen::ArrayXd::Zero(orders)};
+  for (Eigen::Index n = 0; n < orders; ++n) {
+    const Eigen::ArrayXd turned = static_cast<double>(n) * bearing.angle;
+    waves.cosine[n] = (bearing.outer_load * turned.cos()).sum() / positions;
+    waves.sine[n] = (bearing.outer_load * turned.sin()).sum() / positions;
+  }
+  return waves;
+}
+
+// The race of each bearing as if all pressed alike, and by what else the others press: at rest the form is
+// that of the planet.
+void put_others(const std::vector<bearing::QuasiStaticResult>& bearings, int positions,
+                std::vector<SeatedBearing>& seated) {
+  const bearing::ElasticRace& race = seated.front().duty.point.outer_race;
+  if (race.is_rigid()) return;
+  const Eigen::Index orders = race.compliance.size();
+  std::vector<PressedWaves> pressed;
+  for (const bearing::QuasiStaticResult& one : bearings)
+    pressed.push_back(pressed_waves(one, orders, positions));
+  const Eigen::ArrayXd by_one = race.compliance / static_cast<double>(bearings.size());
+  for (std::size_t k = 0; k < seated.size(); ++k) {
+    bearing::ElasticRace& own = seated[k].duty.point.outer_race;
+    for (const PressedWaves& other : pressed) {
+      own.cosine += by_one * (other.cosine - pressed[k].cosine);
+      own.sine += by_one * (other.sine - pressed[k].sine);
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<SeatedBearing> seated_bearings(const PlanetSeat& seat, const PlanetaryDrivetrain& drivetrain,
                                            const DrivetrainGeometry& geometry, const BearingDuty& duty) {
-  const PlanetSeat seat = planet_seat(drivetrain);
-  const bearing::laminae::PlanetOnPinResult planet = balance_on(seat, drivetrain, duty);
+  const bearing::laminae::PlanetOnPinResult planet = tilting_planet(seat, drivetrain, duty);
   bearing::OperatingPoint unloaded = duty.point;
   unloaded.bore_load.setZero();
   const Eigen::Vector2d through_cage =
@@ -142,6 +201,7 @@ std::vector<SeatedBearing> seated_bearings(const PlanetaryDrivetrain& drivetrain
     one.duty.share = one.duty.point.bore_load.norm() / duty.point.bore_load.norm();
     all.push_back(std::move(one));
   }
+  put_others(planet.bearings, drivetrain.cage_positions, all);
   return all;
 }
 

@@ -38,6 +38,14 @@ struct PlanetSeat {
 /// Throws std::invalid_argument where the gears have no meshes.
 PlanetSeat planet_seat(const PlanetaryDrivetrain& drivetrain);
 
+/// The same for one of planets that carry unlike loads. The walls of the carrier twist against each other by
+/// what all planets press: by the mean planet, so that each planet finds its pin inclined by that twist.
+/// @throws std::runtime_error where the mean planet finds no balance
+PlanetSeat unlike_planet_seat(const PlanetaryDrivetrain& drivetrain, const BearingDuty& mean);
+
+/// The seat of each planet of the drivetrain, whether they carry alike or not.
+PlanetSeat seat_of_each(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry);
+
 /// The planet on its seat, all its bearings like `bearing` but for their clearances.
 bearing::laminae::PlanetOnPin planet_on(const PlanetSeat& seat, const bearing::Bearing& bearing,
                                         mechanics::InstructionSet set = mechanics::best_instruction_set());
@@ -49,22 +57,26 @@ bearing::laminae::PlanetOnPin planet_on(const PlanetSeat& seat, const bearing::B
 bearing::laminae::PlanetOnPinResult tilting_planet(const bearing::laminae::PlanetOnPin& planet,
                                                    const bearing::OperatingPoint& point,
                                                    const Eigen::Vector2d& moment,
-                                                   const bearing::QuasiStaticOptions& options);
+                                                   const bearing::QuasiStaticOptions& options,
+                                                   const bearing::laminae::PlanetOnPinResult* near = nullptr);
 
-/// The same of a drivetrain at one duty.
+/// The same of a drivetrain at one duty, on `seat` or on that of planets that carry alike.
+bearing::laminae::PlanetOnPinResult tilting_planet(const PlanetSeat& seat,
+                                                   const PlanetaryDrivetrain& drivetrain,
+                                                   const BearingDuty& duty);
 bearing::laminae::PlanetOnPinResult tilting_planet(const PlanetaryDrivetrain& drivetrain,
                                                    const BearingDuty& duty);
 
 /// One bearing of a planet that found its tilt at rest, as it goes on in motion: load, tilt and clearance
-/// stay what they are at rest.
+/// stay what they are at rest; on an elastic planet so does what the other bearings press beyond this one.
 struct SeatedBearing {
   PlanetaryDrivetrain drivetrain;  // with its own clearance
   DrivetrainGeometry geometry;
   BearingDuty duty;  // its part of the planet's load, the tilt of its bore
 };
 
-/// All bearings of a planet, from its balance at rest.
-std::vector<SeatedBearing> seated_bearings(const PlanetaryDrivetrain& drivetrain,
+/// All bearings of a planet, from its balance at rest on `seat`.
+std::vector<SeatedBearing> seated_bearings(const PlanetSeat& seat, const PlanetaryDrivetrain& drivetrain,
                                            const DrivetrainGeometry& geometry, const BearingDuty& duty);
 
 }  // namespace orbearing::study

@@ -35,8 +35,8 @@ constexpr double kBalancedChange = 1e-9;  // [-]  of the largest force: good eno
 
 void put_scratched(const CoupledSetup& setup, CoupledModel& model) {
   for (const ScratchedPlanet& one : setup.scratched) {
-    mechanics::require(one.planet >= 0 && one.planet < static_cast<int>(model.ports.size()), "scratched planet",
-                       one.planet + 1, "one of the set's, counted from 1");
+    mechanics::require(one.planet >= 0 && one.planet < static_cast<int>(model.ports.size()),
+                       "scratched planet", one.planet + 1, "one of the set's, counted from 1");
     mechanics::require(one.bearing >= 0 && one.bearing < model.per_planet, "scratched bearing of a planet",
                        one.bearing + 1, "one of the planet's, counted from 1");
     const int b = one.planet * model.per_planet + one.bearing;
@@ -49,7 +49,7 @@ void put_scratched(const CoupledSetup& setup, CoupledModel& model) {
 
 // Bearings under the motion of the gears at rest; what they do to each planet.
 std::vector<double> forces_under(const CoupledModel& model, const DrivenGearsOutput& gears,
-                           std::vector<DrivenBearing>& bearings) {
+                                 std::vector<DrivenBearing>& bearings) {
   std::vector<double> forces(3 * model.ports.size(), 0.0);  // x, y, moment of each planet
   for (std::size_t b = 0; b < bearings.size(); ++b) {
     const std::size_t planet = b / static_cast<std::size_t>(model.per_planet);
@@ -81,6 +81,7 @@ double change(const std::vector<double>& before, const std::vector<double>& now)
 DrivenBearingSetup bearing_of_planet(const CoupledSetup& setup, int planet, int bearing) {
   DrivenBearingSetup own = setup.bearing;
   if (!setup.bore_tilts.empty()) own.bore_tilt = setup.bore_tilts[static_cast<std::size_t>(planet)];
+  if (!setup.outer_races.empty()) own.outer_race = setup.outer_races[static_cast<std::size_t>(planet)];
   const double pitch = two_pi / own.bearing.rollers().count;
   own.first_roller += pitch * bearing / setup.bearings_per_planet;
   return own;
@@ -99,7 +100,7 @@ CoupledModel coupled_model(const CoupledSetup& setup) {
                      {},
                      setup.bearings_per_planet};
   for (const PlanetBearing& bearing : model.gears.bearings) model.ports.push_back(port_of(bearing));
-  if (!setup.bore_tilts.empty())
+  if (!setup.bore_tilts.empty() || !setup.outer_races.empty())
     for (int planet = 0; planet < setup.gears.set.planets; ++planet)
       model.tilted.push_back(driven_model(bearing_of_planet(setup, planet, 0)));
   put_scratched(setup, model);

@@ -30,7 +30,8 @@ struct CoupledSetup {
   /// Bearings that may take shorter steps than all others at a time; how many do is decided by what it costs.
   int most_substepped = std::numeric_limits<int>::max();  // [-]
   std::vector<Eigen::Vector2d> bore_tilts = {};  // [rad]  (planets) where unlike; empty: bearing.bore_tilt
-  std::vector<ScratchedPlanet> scratched = {};  // all others are sound
+  std::vector<bearing::ElasticRace> outer_races = {};  // (planets)  the same of bearing.outer_race
+  std::vector<ScratchedPlanet> scratched = {};         // all others are sound
 };
 
 /// That of one bearing of a planet, both counted from 0.
@@ -42,7 +43,7 @@ struct PlanetPort {
   Eigen::Index planet_index = 0;  // of the planet in the layout
   // Rows: position x and y [-], rotation of the planet relative to the carrier [1/m].
   Eigen::Matrix3d of_carrier, of_planet;
-  Eigen::Vector2d pin_error;               // [m]
+  Eigen::Vector2d pin_error;  // [m]
 
   /// Place and rotation.
   Eigen::Vector3d of(const Eigen::Ref<const Eigen::VectorXd>& q) const {

@@ -96,13 +96,13 @@ class Run:
     resolved: Any
 
     def value(self, column: str, index: int) -> Optional[float]:
-        """A column of the row; lives of the bearing at this place of its planet, where they differ."""
+        """A column of the row; lives of the bearing of this index, where they differ: of those of a planet, or of all of unlike planets in turn."""
         value = self.row.get(column)
         if not isinstance(value, (int, float)) or isinstance(value, bool):
             return None
         hours = column if column.endswith("h") else column.removesuffix("_Mrev") + "h"
         own, whole = self.arrays.get(f"bearing_{hours}") or [], self.row.get(hours)
-        return value * own[index] / whole if index < len(own) and whole else float(value)
+        return value * own[index % len(own)] / whole if own and whole else float(value)
 
 
 def read_run(folder: Path) -> Run:
@@ -182,9 +182,9 @@ def _write_run(model: Model, document: Any, conversion: Any, run: Run) -> dict:
             if run.value(result.column, 0) is not None:
                 not_written.append({"column": result.column, "reason": f"REXS {model.version} has no attribute for it"})
             continue
-        for bearings in planets:
+        for planet, bearings in enumerate(planets):
             for index, bearing in enumerate(bearings):
-                value = run.value(result.column, index)
+                value = run.value(result.column, planet * len(bearings) + index)
                 if value is not None:
                     attributes.append(_written(document, bearing, spelling, value * spelling.factor, result.column))
     contacts = 0
@@ -204,11 +204,15 @@ def _written(document: Any, bearing: Component, spelling: Spelling, value: float
 def _with_lamina_loads(planets: list[list[Component]], run: Run, not_written: list[dict]) -> list[Component]:
     """The bearings whose rollers the run describes: all where they carry alike, else that of each planet that carries most."""
     loads = run.arrays.get("bearing_load") or []
-    per_planet = len(planets[0])
-    if len(loads) != per_planet or max(loads) - min(loads) <= SAME_LOAD * max(loads):
-        return [bearing for bearings in planets for bearing in bearings]
+    every = [bearing for bearings in planets for bearing in bearings]
+    if len(loads) not in (len(planets[0]), len(every)) or max(loads) - min(loads) <= SAME_LOAD * max(loads):
+        return every
+    most = loads.index(max(loads))
+    if len(loads) == len(every) > len(planets[0]):
+        not_written.append({"column": "lamina loads", "reason": "of unlike planets' bearings the run has those of the one that carries most"})
+        return [every[most]]
     not_written.append({"column": "lamina loads", "reason": "of a planet's bearings the run has those of the one that carries most"})
-    return [bearings[loads.index(max(loads))] for bearings in planets]
+    return [bearings[most] for bearings in planets]
 
 
 def _write_contacts(model: Model, document: Any, bearings: list[Component], run: Run, not_written: list[dict]) -> int:
