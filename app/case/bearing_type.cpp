@@ -21,7 +21,7 @@ std::string path_in(std::string_view set, std::string_view path) {
   return std::string(set) + std::string(path);
 }
 
-constexpr std::string_view of_rollers[] = {"bearing.rollers", "bearing.roller_diameter",
+constexpr std::string_view roller_paths[] = {"bearing.rollers", "bearing.roller_diameter",
                                            "bearing.roller_length"};
 
 }  // namespace
@@ -52,7 +52,7 @@ bool is_unknown_type(const ResolvedCase& in, const Input& input, use::Analysis a
 
 bool goes_without(std::string_view type, std::string_view path) {
   return type_named(type) == PlanetBearingType::deep_groove_ball &&
-         std::ranges::find(of_rollers, path) != std::end(of_rollers);
+         std::ranges::find(roller_paths, path) != std::end(roller_paths);
 }
 
 }  // namespace orbearing::app
