@@ -109,6 +109,7 @@ BallStudy ball_study(const ResolvedCase& in, const std::function<void(double)>& 
   study.friction_by_standards =
       friction_by_standards(in, {.speed = std::abs(inner - outer),
                                  .torque = std::abs(means.inner_torque),
+                                 .rolling = means.loss.rolling / std::abs(inner - outer),
                                  .viscosity = in.quantity("lubricant.viscosity") / oil_density(in),
                                  .static_capacity = ratings.static_capacity});
   study.warnings = warnings_of_balls(study, duty, options);

@@ -76,6 +76,8 @@ void describe(Record& record, const FrictionStudy& study) {
   record.value("torque_N_mm", dimension::small_torque, "the same over the speed", study.torque());
   record.value("rolling_W", dimension::heat, "shear of the oil at the inlets, isothermal and flooded",
                loss.rolling);
+  record.value("idle_W", dimension::heat, "of it: of elements outside the load zone, on the outer race",
+               loss.idle);
   record.value("differential_slip_W", dimension::heat, "because ellipses are curved (Heathcote)",
                loss.differential_slip);
   record.value("spin_W", dimension::heat, "turning about the normals of the contacts", loss.spin);
@@ -96,6 +98,14 @@ void describe(Record& record, const FrictionByStandards& standards) {
         .symbol = "phi_rs";
     put_torque(one, of.skf.total(), of);
   });
+  const double heating = standards.skf.inlet_heating, both = heating * standards.skf.starvation;
+  const auto with_factor = [&](double factor) {
+    return (standards.ours - (1.0 - factor) * standards.rolling) * standards.speed;
+  };
+  record.value("ours_with_inlet_heating_W", dimension::heat, "our power, its rolling part times phi_ish",
+               with_factor(heating));
+  record.value("ours_with_starvation_W", dimension::heat,
+               "our power, its rolling part times phi_ish and phi_rs", with_factor(both));
   record
       .value("reference_heat_W", dimension::heat, "of the thermal reference speed, by the size",
              friction::thermal_reference::heat(standards.size))
@@ -141,7 +151,8 @@ std::optional<FrictionByStandards> friction_by_standards(const ResolvedCase& in,
                              .gear_unit = parted_torque(gear_unit_factors(*size, at), mean, at),
                              .skf = skf_torque(*size, at),
                              .speed = ours.speed,
-                             .ours = ours.torque};
+                             .ours = ours.torque,
+                             .rolling = ours.rolling};
 }
 
 }  // namespace orbearing::app

@@ -26,8 +26,9 @@ struct FrictionByStandards {
   bearing::friction::BearingSize size;
   bearing::friction::PartedTorque palmgren, gear_unit;
   bearing::friction::SkfTorque skf;
-  double speed = 0.0;  // [rad/s]
-  double ours = 0.0;   // [N m]
+  double speed = 0.0;    // [rad/s]
+  double ours = 0.0;     // [N m]
+  double rolling = 0.0;  // [N m]  of it: resistance to rolling
 };
 
 /// Of each formula its torque by part, its power and ours over it; the heat of [ISO15312] by the size.
@@ -46,6 +47,7 @@ std::optional<FrictionStudy> friction_study(const ResolvedCase& in, const bearin
 struct OurFriction {
   double speed = 0.0;            // [rad/s]  of the rings against each other
   double torque = 0.0;           // [N m]
+  double rolling = 0.0;          // [N m]  of it: resistance to rolling
   double viscosity = 0.0;        // [m^2/s]  of the oil, kinematic
   double static_capacity = 0.0;  // [N]
 };

@@ -545,11 +545,12 @@ StaticStudy static_study(const ResolvedCase& in) {
   }
   study.rolling_friction = friction_study(in, bearing, state);
   if (study.rolling_friction)
-    study.friction_by_standards =
-        friction_by_standards(in, {.speed = study.rolling_friction->speed,
-                                   .torque = study.rolling_friction->torque(),
-                                   .viscosity = in.quantity("lubricant.kinematic_viscosity"),
-                                   .static_capacity = study.ratings.static_capacity});
+    study.friction_by_standards = friction_by_standards(
+        in, {.speed = study.rolling_friction->speed,
+             .torque = study.rolling_friction->torque(),
+             .rolling = study.rolling_friction->loss.rolling / study.rolling_friction->speed,
+             .viscosity = in.quantity("lubricant.kinematic_viscosity"),
+             .static_capacity = study.ratings.static_capacity});
   study.over_speed = speed_table(in);
   if (study.over_speed)
     for (const std::string& warning : study.over_speed->warnings) study.warnings.push_back(warning);

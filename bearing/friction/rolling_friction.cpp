@@ -91,14 +91,17 @@ RollingFriction roller_friction(const Bearing& bearing, const Eigen::Ref<const E
   const double density = drag.oil_share * drag.oil_density;
   const CylindricalRollers& rollers = bearing.rollers();
   const double spin = kinematic_roller_spin(geometry, speeds.inner, speeds.outer);
-  return {.rolling = loss_on(Race::inner, speeds.inner, geometry.inner_radius, inner_load) +
-                     loss_on(Race::outer, speeds.outer, geometry.outer_radius, inner_load + thrown),
-          .drag = rollers.count *
-                  (motion::translation_drag(density, drag.drag_coefficient, rollers.diameter, rollers.length)
-                       .power(geometry.pitch_radius * cage) +
-                   motion::churning_drag(density, drag.churning_coefficient, geometry.element_radius,
-                                         rollers.length)
-                       .power(spin))};
+  return {
+      .rolling = loss_on(Race::inner, speeds.inner, geometry.inner_radius, inner_load) +
+                 loss_on(Race::outer, speeds.outer, geometry.outer_radius, inner_load + thrown),
+      .idle = loss_on(Race::outer, speeds.outer, geometry.outer_radius,
+                      (inner_load > 0.0).select(0.0, Eigen::ArrayXd::Constant(inner_load.size(), thrown))),
+      .drag =
+          rollers.count *
+          (motion::translation_drag(density, drag.drag_coefficient, rollers.diameter, rollers.length)
+               .power(geometry.pitch_radius * cage) +
+           motion::churning_drag(density, drag.churning_coefficient, geometry.element_radius, rollers.length)
+               .power(spin))};
 }
 
 RollingFriction ball_friction(const Bearing& bearing, const equilibrium::RingState& balance,
@@ -112,8 +115,10 @@ RollingFriction ball_friction(const Bearing& bearing, const equilibrium::RingSta
   for (Eigen::Index j = 0; j < balance.contact_load.size(); ++j) {
     add_contact(c, c.inner,
                 {balance.contact_load[j], std::abs(balance.inner_rolling[j]), balance.inner_spin[j]}, sum);
+    const double before = sum.rolling;
     add_contact(c, c.outer,
                 {balance.outer_load[j], std::abs(balance.outer_rolling[j]), balance.outer_spin[j]}, sum);
+    if (!(balance.contact_load[j] > 0.0)) sum.idle += sum.rolling - before;
   }
   balls::BallDuty duty;
   duty.inner = balls::RingDrive::steady(speeds.inner);

@@ -26,6 +26,7 @@ namespace orbearing::bearing::friction {
 /// Power lost by cause [W].
 struct RollingFriction {
   double rolling = 0.0;
+  double idle = 0.0;  // of it: of elements outside the load zone, on the outer race under inertia
   double differential_slip = 0.0;  // because ellipses of contact are curved; of balls
   double spin = 0.0;               // of balls
   double drag = 0.0;

@@ -46,6 +46,21 @@ class Friction(unittest.TestCase):
         self.assertAlmostEqual(found["iso_tr_14179_2"]["load_free_N_mm"], 1.5 * 26.057, delta=0.01)
         self.assertAlmostEqual(found["reference_heat_W"], 47.149, delta=0.001)
 
+    def test_factors_of_others_act_on_the_rolling_part_alone(self):
+        for case in (ROLLERS, BALLS):
+            found = run_json(case)
+            ours, others = found["friction"], found["friction_by_standards"]
+            self.assertLessEqual(ours["idle_W"], ours["rolling_W"])
+            for key, factor in (("ours_with_inlet_heating_W", others["skf"]["inlet_heating"]),
+                                ("ours_with_starvation_W", others["skf"]["inlet_heating"] * others["skf"]["starvation"])):
+                self.assertAlmostEqual(others[key], ours["power_W"] - (1.0 - factor) * ours["rolling_W"], delta=1e-9 * ours["power_W"])
+
+    def test_a_ball_bearing_in_time_has_them_too(self):
+        found = run_json(CASES / "deep_groove_motor", "bearing.outside_diameter=52 mm", "simulation.duration=20 ms")
+        others = found["friction_by_standards"]
+        torque = others["palmgren"]["ours_over_it"] * others["palmgren"]["torque_N_mm"]
+        self.assertAlmostEqual(torque, abs(found["friction_torque_N_mm"]), delta=1e-9 * torque)
+
     def test_series_are_those_of_the_designation(self):
         """R_1 of 22 over that of 2: 1.40/1.09; both have one d_m."""
         narrow, wide = (run_json(ROLLERS, f"bearing.designation={name}")["friction_by_standards"] for name in ("NU 205", "NU 2205"))
