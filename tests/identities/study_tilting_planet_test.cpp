@@ -209,7 +209,7 @@ TEST(SeatedBearings, ShareTheLoadOfTheirPlanet) {
   drivetrain.seats.clearance_differences = {0.0, 10e-6};
   const DrivetrainGeometry geometry = derive(drivetrain);
   const BearingDuty duty = bearing_duty(drivetrain, geometry);
-  const std::vector<SeatedBearing> seated = seated_bearings(drivetrain, geometry, duty);
+  const std::vector<SeatedBearing> seated = seated_bearings(planet_seat(drivetrain), drivetrain, geometry, duty);
   ASSERT_EQ(seated.size(), 2u);
   const Eigen::Vector2d both = seated[0].duty.point.bore_load + seated[1].duty.point.bore_load;
   EXPECT_LT((both - 2.0 * duty.point.bore_load).norm(), 1e-6 * both.norm());
