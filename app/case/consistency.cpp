@@ -159,7 +159,7 @@ void check_parallel_stages(Checker& check, const ResolvedCase& resolved) {
 void check_pair(Checker& check, const ResolvedCase& resolved) {
   if (!check.has({"pair.teeth", "pair.profile_shift", "pair.module", "pair.face_width", "pair.bore",
                   "pair.pressure_angle", "pair.addendum", "pair.clearance", "pair.root_fillet_radius",
-                  "pair.helix_angle", "pair.web.rim"}))
+                  "pair.helix_angle", "pair.web.rim", "pair.kind", "pair.ring_outside_ratio"}))
     return;
   const bool teeth = two_values(check, resolved, "pair.teeth");
   const bool shifts = two_values(check, resolved, "pair.profile_shift");
