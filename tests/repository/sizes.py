@@ -26,7 +26,7 @@ DECLARED = (  # lines, of these of app, types and headers of later capabilities
     ("bounds on what the page's server reads of a connection, and its pages by name", 160, 160, 2, 1),
     ("lives that results go by in tables, K_gamma beside a computed tilt, bounds of tilts, proposals in refusals", 50, 50, 0, 0),
     ("equivalent loads of angular-contact balls", 65, 5, 2, 0),
-    ("friction at pure rolling, by formulas of others and at thermal reference speeds; lines that count once a bearing", 850, 300, 18, 4),
+    ("friction at pure rolling, by formulas of others and at thermal reference speeds; lines that count once a bearing", 910, 400, 18, 4),
     ("tapered, spherical and ball bearings in planets at rest", 1_400, 316, 16, 4),
     ("any number of parallel stages, internal pairs, planets with two gears at rest, flexpins", 660, 255, 6, 1),
     ("planets that are unlike, elastic and tilted, of one set or several, in one balance", 290, 0, 2, 1),
