@@ -82,7 +82,7 @@ void describe(Visitor& visit, PlanetRows& m) {
              .range = {0.0, 1e9},
              .where = tapered}),
       field(m.approach, "bearing.rows.approach", Physics::at_rest,
-            "axial displacement by which both tapered rows are pressed together, in place of preload; "
+            "axial displacement by which both tapered rows are pressed together, instead of preload; "
             "negative: axial play of the pair",
             {.models = planetary_drivetrain,
              .dimension = dimension::small_length,

@@ -47,7 +47,7 @@ double ring_mesh_shift(const PlanetarySet& set, double centre_distance) {
 
 [[noreturn]] void no_common_centre_distance() {
   throw std::domain_error(
-      "no planet shift gives both meshes the same centre distance. Choose ring teeth closer to sun + 2 "
+      "no planet shift gives both meshes the same centre distance; choose ring teeth closer to sun + 2 "
       "planet teeth, or change the shifts of sun and ring");
 }
 

@@ -22,7 +22,7 @@ std::string path_in(std::string_view set, std::string_view path) {
 }
 
 constexpr std::string_view roller_paths[] = {"bearing.rollers", "bearing.roller_diameter",
-                                           "bearing.roller_length"};
+                                             "bearing.roller_length"};
 
 }  // namespace
 

@@ -309,7 +309,8 @@ std::optional<ConsistencyMessage> unknown_designation(const std::string& name, c
   constexpr std::size_t shown = 5;
   const bool rollers = (model & with_rollers) != 0;
   return ConsistencyMessage{
-      fmt::format("{} is not in {}", quote(name), table == nullptr ? "the catalogue" : "both catalogues"),
+      fmt::format("{} is {}", quote(name),
+                  table == nullptr ? "not in the catalogue" : "in neither catalogue"),
       fmt::format(
           "a listed designation is required, with a suffix only if listed; nearest: {}. For another bearing, "
           "state your own row (bearing.catalogue: FILE), or number, diameter and pitch diameter of its {}",

@@ -410,6 +410,7 @@ Use with_other_ways(const Use& use, std::string_view path) {
   if (path == "bearing.fit.expansion")
     return use.when(where_true(fits_are_warm, "together with a bearing.temperature"));
   if (path == "defect.profile") return use.when(where("defect.race", {"outer", "inner", "ball", "roller"}));
+  if (path == "material.density") return with_friction_of_others(use);  // of rollers that turn
   if (path == "bearing.width") return with_friction_of_others(with_ring_width(use));
   if (path == "inertia.euler") return with_rotating_carrier(with_run_up(use));
   // A run-up is observed from its begin to its end.
@@ -452,9 +453,10 @@ Use use_of(const described::Facts& facts) {
 }
 
 Use with_carrier_beside(const Use& use, std::string_view path) {
-  const Condition body = where_true(carrier_is_body,
-                                    "where gearset.carrier.bearing_positions is given, gearset.fixed is ring "
-                                    "and gearset.planet_rim is rigid");
+  const Condition body =
+      where_true(carrier_is_body,
+                 "where gearset.carrier.bearing_positions and bearing_stiffness are given, "
+                 "gearset.fixed is ring and gearset.planet_rim is rigid");
   const auto with_body = [&](std::vector<Condition> conditions) {
     conditions.push_back(body);
     return conditions;

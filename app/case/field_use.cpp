@@ -84,8 +84,10 @@ bool is_left_out_of_carrier(std::string_view path) {
 Use with_carrier_body(Use use, std::string_view path) {
   constexpr unsigned leaders = use::modes | use::quasi_static;
   if (path.starts_with("gearset.carrier.")) return use;
-  if (path == "gearset.planet_rim" ||
-      path == "gearset.fixed") {  // springs that are linked, a ring that turns
+  // Springs that are linked, a ring that turns, other rows than cylindrical ones, two gears on a planet.
+  if (path == "gearset.planet_rim" || path == "gearset.fixed" || path == "bearing.balls" ||
+      path == "bearing.ball_diameter" || path.starts_with("bearing.rows.") ||
+      path.starts_with("gearset.stepped_planet.")) {
     put(use, use::carrier, &Use::refused_by);
     return use;
   }

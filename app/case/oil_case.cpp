@@ -97,12 +97,6 @@ void fill_from_grade(CaseData& data, Model model) {
     return found == data.values.end() ? nullptr : &found->second.value.number;
   };
   const double *index = number(kIndex), *temperature = number(kTemperature);
-  if (const double* kinematic = number(kKinematic);
-      grade == data.values.end() && kinematic != nullptr && (find_field(kDynamic)->models & model) != 0) {
-    const double density = density_that_counts(number);
-    put_where_absent(data, kDynamic, fmt::format("{:.6g} Pa.s", density * *kinematic),
-                     fmt::format("default: {} times a density of {:g} kg/m3", kKinematic, density));
-  }
   if (grade == data.values.end() || index == nullptr || temperature == nullptr) return;
   const std::string name = grade->second.value.given;
   std::vector<OilProperty> properties;

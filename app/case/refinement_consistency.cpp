@@ -86,7 +86,7 @@ void check_stepped(const ResolvedCase& resolved, std::vector<Mistake>& mistakes)
   if (!has_stepped_planets(resolved) || !resolved.has("gearset.face_width")) return;
   const auto need = [&](bool holds, const std::string& other, const std::string& required) {
     if (!holds)
-      add_error_at(resolved, teeth, "two gears on each planet beside " + other, required + " is required",
+      add_error_at(resolved, teeth, "two gears on each planet together with " + other, required + " is required",
                    mistakes);
   };
   const auto is = [&](const char* path, const char* word) {
@@ -127,14 +127,14 @@ void check_positions(const ResolvedCase& resolved, std::vector<Mistake>& mistake
   const std::string twist = "support.carrier_twist_stiffness", ends = "support.pin_ends";
   if (resolved.has(twist) && resolved.choice(ends) != "both")
     add_error_at(resolved, twist,
-                 resolved.given(twist) + " beside support.pin_ends: " + resolved.choice(ends),
+                 resolved.given(twist) + " together with support.pin_ends: " + resolved.choice(ends),
                  "pins between two walls are required, of which one twists against the other", mistakes);
   if (resolved.has(span) && resolved.quantity(span) < face)
     add_error_at(
         resolved, span,
-        resolved.given(span) + " beside a face of " +
+        resolved.given(span) + " with a face of " +
             (stepped ? fmt::format("{:.4g} mm", per_milli * face) : resolved.given("gearset.face_width")),
-        "at least the face, beyond which its supports lie, is required", mistakes);
+        "at least the face is required: the supports lie outside it", mistakes);
   if (!resolved.has(positions) || !resolved.has("bearing.width")) return;
   const double width = resolved.quantity("bearing.width");
   std::vector<double> sorted = resolved.list(positions);

@@ -110,7 +110,8 @@ std::size_t sweep_size(const ResolvedCase& resolved) {
 }
 
 Setting input_speed(double rpm) {
-  return {kSpeedPath, fmt::format("{} rpm", rpm), convert(rpm, "rpm", find_field(kSpeedPath)->dimension.si).value};
+  return {kSpeedPath, fmt::format("{} rpm", rpm),
+          convert(rpm, "rpm", find_field(kSpeedPath)->dimension.si).value};
 }
 
 std::vector<Setting> sweep_point(const ResolvedCase& resolved, std::size_t index) {

@@ -29,15 +29,15 @@ class TypeCheck {
     if (!in_.has(path)) add(path, "missing", fmt::format("a value is required with bearing.type: {}", type_));
   }
   // What these bearings are not computed with.
-  void refuse(const std::string& path, const std::string& value) {
-    add(path, fmt::format("{} beside bearing.type: {}", value, type_),
+  void not_with_type(const std::string& path, const std::string& value) {
+    add(path, fmt::format("{} together with bearing.type: {}", value, type_),
         "none is required, or bearing.type: cylindrical-roller");
   }
   void refuse_stated(const char* path) {
-    if (is_stated(in_, path)) refuse(path, in_.given(path));
+    if (is_stated(in_, path)) not_with_type(path, in_.given(path));
   }
   void refuse_choice(const char* path, const char* value) {
-    if (in_.has(path) && in_.choice(path) == value) refuse(path, value);
+    if (in_.has(path) && in_.choice(path) == value) not_with_type(path, value);
   }
   bool is_nonzero(const char* path) const { return in_.has(path) && in_.quantity(path) != 0.0; }
 
@@ -52,16 +52,16 @@ class TypeCheck {
                                       {"life.viscosity_ratio_by", "film"}})
       refuse_choice(path, value);
     if (in_.has("bearing.rings") && in_.choice("bearing.rings") != "both")
-      refuse("bearing.rings", in_.choice("bearing.rings"));
-    if (in_.has("film.enabled") && in_.flag("film.enabled")) refuse("film.enabled", "true");
+      not_with_type("bearing.rings", in_.choice("bearing.rings"));
+    if (in_.has("film.enabled") && in_.flag("film.enabled")) not_with_type("film.enabled", "true");
     for (const char* path : {"bearing.misalignment.planet_tilt", "bearing.misalignment.carrier_wind_up"})
-      if (is_nonzero(path)) refuse(path, in_.given(path));
+      if (is_nonzero(path)) not_with_type(path, in_.given(path));
     for (const char* list :
          {"bearing.roller_diameter_deviation", "bearing.inner_race.waviness.amplitude",
           "bearing.outer_race.waviness.amplitude", "bearing.inner_race.out_of_roundness.amplitude",
           "bearing.outer_race.out_of_roundness.amplitude"})
-      if (is_anywhere_nonzero(in_, list)) refuse(list, "a list");
-    if (const std::string uneven = uneven_planets_by(in_); !uneven.empty()) refuse(uneven, "a list");
+      if (is_anywhere_nonzero(in_, list)) not_with_type(list, "a list");
+    if (const std::string uneven = uneven_planets_by(in_); !uneven.empty()) not_with_type(uneven, "a list");
   }
 
   // The moment of helical teeth needs two bearings, or a pair, to hold it.
@@ -70,7 +70,7 @@ class TypeCheck {
         !is_nonzero("gearset.helix_angle"))
       return;
     add("bearing.per_planet",
-        fmt::format("one bearing of bearing.type: {} beside gearset.helix_angle", type_),
+        fmt::format("one bearing of bearing.type: {} together with gearset.helix_angle", type_),
         "two bearings or more are required, which hold the moment of helical teeth");
   }
 
@@ -81,11 +81,12 @@ class TypeCheck {
       add("bearing.per_planet", fmt::format("{} tapered roller bearings", in_.integer("bearing.per_planet")),
           "2 are required: a pair whose axial forces balance");
     if (in_.has("bearing.rows.preload") && in_.has("bearing.rows.approach"))
-      add("bearing.rows.approach", "a value beside bearing.rows.preload", "one of the two is required");
+      add("bearing.rows.approach", "a value together with bearing.rows.preload",
+          "one of the two is required");
     for (const char* mounted : {"bearing.rows.preload", "bearing.rows.approach"})
       if (in_.has(mounted) && is_nonzero("bearing.radial_clearance"))
         add("bearing.radial_clearance",
-            fmt::format("{} beside {}", in_.given("bearing.radial_clearance"), mounted),
+            fmt::format("{} together with {}", in_.given("bearing.radial_clearance"), mounted),
             "0 um is required: mounting sets preload or play of a pair");
     if (!has_all(in_, {"bearing.rows.distance", "bearing.width", "gearset.face_width"})) return;
     const double distance = in_.quantity("bearing.rows.distance"), width = in_.quantity("bearing.width"),
@@ -105,7 +106,7 @@ class TypeCheck {
     need("bearing.ball_diameter");
     for (const char* path : {"bearing.rollers", "bearing.roller_diameter", "bearing.roller_length"})
       if (in_.has(path))
-        add(path, fmt::format("{} beside bearing.type: {}", in_.given(path), type_),
+        add(path, fmt::format("{} together with bearing.type: {}", in_.given(path), type_),
             "bearing.balls and bearing.ball_diameter are required instead");
     if (!has_all(in_, {"bearing.balls", "bearing.ball_diameter", "bearing.pitch_diameter"})) return;
     const double diameter = in_.quantity("bearing.ball_diameter");

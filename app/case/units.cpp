@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cctype>
 #include <charconv>
 #include <cmath>
@@ -185,8 +184,8 @@ Conversion make_conversion(std::string_view unit, std::string_view target_unit) 
     return no_conversion(
         "the unit database of udunits2 cannot be read (Debian: libudunits2-data; UDUNITS2_XML_PATH may name "
         "another)");
-  const Unit target = parse_unit(target_unit);
-  assert(target && "unit of the field table");
+  const Unit target = parse_unit(target_unit);  // of a field, or one that a page asks for
+  if (!target) return no_conversion(fmt::format("the unit {} is not known", quote(target_unit)));
   const Unit parsed = is_plain_unit(unit) ? parse_unit(unit) : nullptr;
   if (!parsed) return no_conversion(fmt::format("its unit {} is not known", quote(unit)));
   if (!same_dimension(parsed.get(), target.get()))

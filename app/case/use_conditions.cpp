@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "app/case/bearing_type.hpp"
 #include "bearing/mounted_clearance.hpp"
 
 namespace orbearing::app {
@@ -115,8 +116,9 @@ bool planet_counts_at_rest(const ResolvedCase& in, std::string_view set) {
 
 bool carrier_is_body(const ResolvedCase& in, std::string_view) {
   return in.shape().bearing && in.shape().teeth && !in.shape().several &&
-         in.has("gearset.carrier.bearing_positions") && is_chosen(in, "gearset.fixed", "ring") &&
-         !is_chosen(in, "gearset.planet_rim", "elastic");
+         in.has("gearset.carrier.bearing_positions") && in.has("gearset.carrier.bearing_stiffness") &&
+         is_chosen(in, "gearset.fixed", "ring") && !is_chosen(in, "gearset.planet_rim", "elastic") &&
+         !in.has("gearset.stepped_planet.teeth") && has_cylindrical_rollers(in);
 }
 
 bool bearings_make_springs(const ResolvedCase& in, std::string_view) {

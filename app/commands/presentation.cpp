@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/case/bearing_type.hpp"
 #include "app/case/case_file.hpp"
 #include "app/case/printable.hpp"
 #include "app/case/use_conditions.hpp"
@@ -65,9 +66,11 @@ std::size_t points_of(const SweepOutcome& outcome) {
   return outcome.rows.size() + outcome.header.spectrum.points();
 }
 
-// Of one planet bearing at the operating point; of several sets, by set; none where planets find their tilt,
-// at which no stiffness is computed (`orbearing stiffness` refuses such a case).
+// Of one planet bearing at the operating point; of several sets, by set; none where planets find their tilt and
+// of other bearings than cylindrical ones, of which no stiffness is computed (`orbearing stiffness` refuses
+// such a case).
 nlohmann::ordered_json stiffness_of_run(const ResolvedCase& resolved) {
+  if (!has_cylindrical_rollers(resolved)) return nullptr;
   for (const Input& input : resolved.inputs())
     if (input.field->path == "bearing.tilt_state" && resolved.has(input.path) &&
         resolved.choice(input.path) == "computed")
@@ -109,9 +112,11 @@ nlohmann::ordered_json sweep_object(const ResolvedCase& resolved, const SweepOut
   }
   if (resolved.axes().empty() && outcome.failed == 0 && outcome.header.fidelity == "quasi-static") {
     object["stiffness"] = stiffness_of_run(resolved);
-    const std::vector<RollerLoads> rollers = roller_loads(resolved);
-    object.update(json_of(record_of(rollers)));
-    describe(form, rollers);
+    if (has_cylindrical_rollers(resolved)) {
+      const std::vector<RollerLoads> rollers = roller_loads(resolved);
+      object.update(json_of(record_of(rollers)));
+      describe(form, rollers);
+    }
     if (carrier_is_body(resolved, "")) {
       const CarrierStudy carrier = carrier_study(resolved);
       Record child;

@@ -49,10 +49,10 @@ void require_carrier(const ResolvedCase& in) {
                    "; required: planetary-drivetrain with one gearset and its bearing");
   if (!in.has(kPositions))
     throw BadInput(in.file() + ": " + kPositions +
-                   ": missing; required: the places of the carrier's bearings, as [-250 mm, 250 mm]");
+                   ": missing; required: the positions of the carrier's bearings, as [-250 mm, 250 mm]");
   if (in.choice("gearset.fixed") != "ring")
     throw BadInput(in.file() +
-                   ": gearset.fixed: found a ring that turns; required: ring, which the housing holds");
+                   ": gearset.fixed: found a rotating ring; required: ring, held by the housing");
 }
 
 CarrierStudy carrier_study(const ResolvedCase& resolved) {

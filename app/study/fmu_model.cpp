@@ -4,7 +4,6 @@
 #include <array>
 #include <cstdio>
 
-#include "app/case/bearing_type.hpp"
 #include "app/errors.hpp"
 #include "app/license.hpp"
 #include "app/resources.hpp"
@@ -31,9 +30,6 @@ void require_drivable_set(const ResolvedCase& in) {
   require(in.model() == planetary_drivetrain, in, "model", in.choice("model"),
           "planetary-drivetrain, which has driven parts");
   require(!in.shape().several, in, "sets", "several sets", "one set, as gearset at the top of a case");
-  if (!has_cylindrical_rollers(in))
-    require(false, in, "bearing.type", in.choice("bearing.type"),
-            "cylindrical-roller, which alone is known in motion");
 }
 
 system::DrivenBearingSetup bearing_setup(const ResolvedCase& in) {

@@ -480,9 +480,9 @@ PointResult completed(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeo
 void require_cylindrical_beyond_rest(const PlanetaryDrivetrain& drivetrain, Fidelity fidelity) {
   if (fidelity == Fidelity::quasi_static && !drivetrain.uneven_planets && drivetrain.rim == PlanetRim::rigid)
     return;
-  throw std::invalid_argument(
+  throw std::logic_error(
       "bearing.type: found " + std::string(described::text_of(drivetrain.rows.type)) +
-      "; required: cylindrical-roller in motion, beside an elastic rim and where planets carry unlike loads");
+      "; required: cylindrical-roller in motion, with an elastic rim and where planets carry unlike loads");
 }
 
 }  // namespace

@@ -197,16 +197,16 @@ def _columns(report: Report) -> list[Column]:
     speed = f"{format_number(row.get('input_speed_rpm'))} rpm"
     named = [(f"One bearing of set {name}", f"sets.{name}.") for name in sets] or [("One bearing", "")]
     columns = [] if spectrum and sets else [Column(f"{words}, {speed}", lambda key, before=before: row.get(before + key)) for words, before in named]
-    if any(is_number(row.get(f"shortest_{life}")) for life in LIVES[:4]):
+    if any(is_number(_worst(row, life)) for life in LIVES[:4]):
         columns = [Column(one.head.replace("One bearing", "Mean of bearings"), one.number) for one in columns]
-        columns.append(Column(f"Worst bearing, {speed}", lambda key: row.get(f"shortest_{key}") if key in LIVES else " "))
+        columns.append(Column(f"Worst bearing, {speed}", lambda key: _worst(row, key)))
     if not spectrum:
         return [*columns, Column(f"All bearings, {speed}", lambda key: _of_all(row, key))]
-    unlike = any(is_number(spectrum.get(f"shortest_{life}")) for life in LIVES[:4])
+    unlike = any(is_number(_worst(spectrum, life)) for life in LIVES[:4])
     columns += [Column(f"{words.replace('One bearing', 'Mean of bearings') if unlike else words}, load spectrum", lambda key, before=before: _under(spectrum, before, key))
                 for words, before in named]
     if unlike:
-        columns.append(Column("Worst bearing, load spectrum", lambda key: spectrum.get(f"shortest_{key}") if key in LIVES else " "))
+        columns.append(Column("Worst bearing, load spectrum", lambda key: _worst(spectrum, key)))
     return [*columns, Column("All bearings, load spectrum", lambda key: _of_all(spectrum, key))]
 
 
@@ -215,6 +215,13 @@ def _of_all(row: dict, key: str) -> float | str | None:
     if key not in LIVES:
         return " "
     return row.get(f"system_{key}")
+
+
+def _worst(row: dict, key: str) -> float | str | None:
+    """Of the bearing with the shortest life: over a revolution of the carrier where that is computed."""
+    if key not in LIVES:
+        return " "
+    return next((row[name] for name in (f"carrier_{key}", f"shortest_{key}") if is_number(row.get(name))), None)
 
 
 def _under(spectrum: dict, before: str, key: str) -> float | None:

@@ -143,7 +143,7 @@ class Carrier(unittest.TestCase):
         self.assertNotIn("in_three_dimensions", answer(command="modes", words=("--speed", "20 rpm")))
 
     def test_what_is_not_used_is_refused_before_it_is_computed(self):
-        result = call(*HELD, "gearset.carrier.bearing_stiffness=[3e9 N/m]", "bearing.roller_diameter_deviation=[1 um]")
+        result = call(*HELD, "gearset.carrier.bearing_stiffness=[3e9 N/m]", "bearing.tilt_state=stated", "bearing.roller_diameter_deviation=[1 um]")
         self.assertEqual(result.returncode, 2)
         self.assertIn("bearing.roller_diameter_deviation", result.stderr)
         self.assertIn("which carrier cannot take into account", result.stderr)

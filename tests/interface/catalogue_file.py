@@ -91,7 +91,7 @@ class Catalogue(unittest.TestCase):
         # What the file does not have is the program's.
         checked = answer("check", self.case(ROLLERS.format("NU 205", ", catalogue: own.csv")))
         self.assertIn("NSK NU 205 EW", json.dumps(checked))
-        self.assertIn("which no line of both catalogues has", self.refused(self.case(ROLLERS.format("NU 3206", ", catalogue: own.csv"))))
+        self.assertIn("is in neither catalogue", self.refused(self.case(ROLLERS.format("NU 3206", ", catalogue: own.csv"))))
 
     def test_a_result_needs_the_file_no_more(self):
         own = self.own()

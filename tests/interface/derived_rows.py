@@ -178,7 +178,8 @@ class Derived(unittest.TestCase):
             self.assertEqual(rows[path]["unit"], unit)
             self.assertAlmostEqual(rows[path]["value"] / run[key], 1, delta=1e-9)
         self.assertGreater(rows["one_pin_off.load_share"]["value"], 1.5)
-        self.assertNotIn("one_pin_off.load_share", Case(REDUCER, "gearset.planet_rim=elastic").rows)
+        # A rim that bends lets the planets share better.
+        self.assertLess(Case(REDUCER, "gearset.planet_rim=elastic").rows["one_pin_off.load_share"]["value"], rows["one_pin_off.load_share"]["value"])
 
     def test_races_and_rollers(self):
         for file in (REDUCER, WIND):

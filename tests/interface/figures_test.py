@@ -506,7 +506,7 @@ def spectrum(content):
     circles = ("points", "", (named(picked, "speed_rpm"), named(picked, "torque_N_m"), 900.0 * size[order] / size.max(), named(picked, "damage_share")))
     worst = sorted(range(len(bins)), key=lambda i: -bins[i]["damage_share"])
     bars = Expected(*(("bars", label, (np.arange(4) + shift, Q([bins[i][key] for i in worst], "1"))) for label, key, shift in
-                      (("time", "share", -0.2), ("damage", "damage_share", 0.2))), x_label="share (%)", y_label="bin that turns, in the order of the spectrum")
+                      (("time", "share", -0.2), ("damage", "damage_share", 0.2))), x_label="share (%)", y_label="bin, in the order of the spectrum")
     bars.row_names = tuple(str(i + 1) for i in worst)
     return {"load-spectrum-map": [speed_axes(circles, z="%", y_label="input torque (N m)"), Expected(y_label="share of the damage (%)")],
             "load-spectrum-bars": [bars]}

@@ -105,11 +105,6 @@ class Helical(unittest.TestCase):
         self.assertTrue(warned(found, "sets.reduction.gearset.helix_angle: the axial forces tilt"))
         self.assertEqual(found["points"][0]["status"], "ok")
 
-    def test_elastic_rims_are_refused(self):
-        result = run("check", REDUCER, *settings((HELIX, "gearset.planet_rim=elastic")))
-        self.assertEqual(result.returncode, 2)
-        self.assertIn("elastic together with gearset.helix_angle", result.stderr)
-
     def test_parallel_stage(self):
         alone = answer("run", REDUCER, "inertia.carrier_centrifugal=false", "inertia.own_orbit=false")["points"][0]
         behind = "parallel_stage.behind=[50, 17]"

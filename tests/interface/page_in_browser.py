@@ -667,7 +667,7 @@ class EngineA(PageSteps, unittest.TestCase):
 
     def test_a_report_covers_the_operating_point_or_all_speeds(self):
         """Verdicts are those of what the report covers: the point at the cursor, or the worst of the speeds."""
-        self.open_text(MOVING + "requirements: {life: 1000000000 h}\n")
+        self.open_text(MOVING + "requirements: {life: 1000000000 h, life_key: L10h}\n")
         self.find("#to-take").click()
         pages = {}
         for scope in ("point", "speeds"):

@@ -78,11 +78,11 @@ class PeakFound(unittest.TestCase):
     def test_warnings_tell_the_ends_apart(self):
         falling = result_of("--set", "bearing.radial_clearance=-60 um")
         self.assertEqual(falling["peak"]["refined_speed_rpm"], 1000)
-        self.assertEqual([("falls" in text, "1000 rpm" in text, "rises" in text) for text in warnings_of_ends(falling)],
+        self.assertEqual([("decreases" in text, "1000 rpm" in text, "increases" in text) for text in warnings_of_ends(falling)],
                          [(True, True, False)])
         rising = result_of("--set", "sweep.input.speed={from: 1000 rpm, to: 5000 rpm, step: 1000 rpm}")
         self.assertEqual(rising["peak"]["refined_speed_rpm"], 5000)
-        self.assertEqual([("falls" in text, "5000 rpm" in text, "rises" in text) for text in warnings_of_ends(rising)],
+        self.assertEqual([("decreases" in text, "5000 rpm" in text, "increases" in text) for text in warnings_of_ends(rising)],
                          [(False, True, True)])
         self.assertEqual(warnings_of_ends(result_of()), [])
 

@@ -165,7 +165,7 @@ class RatedRecords(unittest.TestCase):
                 self.assertEqual(["life_h and L10rh" in text for text in said], [True] if exponent < 4.0 else [])
                 self.assertEqual([text for text in many["warnings"] if "too long" in text], [])
         oil = self.spectrum(uneven, "--case", REDUCER, "--bins", "1x1", values=(*plain, *OIL))
-        self.assertTrue(any("L10mh and L10mrh can come out up to" in warning for warning in oil["warnings"]), oil["warnings"])
+        self.assertTrue(any("L10mh and L10mrh can be up to" in warning for warning in oil["warnings"]), oil["warnings"])
         self.assertEqual(self.spectrum(uneven, "--case", REDUCER, "--exponent", "8", values=plain)["torque_exponent"], 8.0)
 
     def test_rows_of_a_case_are_replaced_with_a_warning(self):

@@ -370,7 +370,7 @@ class Captions(unittest.TestCase):
         content = made.spectrum()
         bins = content["spectrum"]["bins"][:4]
         worst = max(range(4), key=lambda i: bins[i]["damage_share"])
-        self.assertIn(f"By life_h one bearing reaches 23,456 h under the spectrum, all together 3,456 h; bin {worst + 1} of those that turn takes "
+        self.assertIn(f"By life_h one bearing reaches 23,456 h under the spectrum, all together 3,456 h; bin {worst + 1} takes "
                       f"{number(100 * bins[worst]['share'], 3)} % of the time and {number(100 * bins[worst]['damage_share'], 3)} % of the life.",
                       self.captions(content)["load-spectrum"])
 

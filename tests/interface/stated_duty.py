@@ -76,7 +76,7 @@ class Duty(unittest.TestCase):
             case = Path(folder) / "case.yaml"
             case.write_text(REDUCER.read_text(encoding="utf-8").replace("  power: 150 kW\n", ""), encoding="utf-8")
             result = run("run", case, "--json")
-            self.assertIn("or input.torque or input.torque_curve in its place", result.stderr)
+            self.assertIn("or input.torque or input.torque_curve instead", result.stderr)
             self.assert_near(answer("run", case, torque())["points"][0]["life_h"], answer("run", REDUCER)["points"][0]["life_h"])
 
     def test_resolved_case_gives_the_same(self):

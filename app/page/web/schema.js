@@ -95,11 +95,11 @@ export function orderAt(schema, model, path) {
   return Object.keys(part?.properties ?? {});
 }
 
-const INSTEAD = /\bin place of\b/;
+const INSTEAD = /\binstead of\b/;
 
 /**
  * Inputs of which a case states one beside `path` at most: input.power beside input.torque. The schema has
- * them as a choice of one, or says of all but the first that they are in place of it.
+ * them as a choice of one, or says of all but the first that they are stated instead of it.
  */
 export function alternativesOf(schema, model, path) {
   let part = schema.$defs[model];

@@ -292,7 +292,7 @@ const Base& base_named(const std::string& name) {
   return *std::find_if(bases().begin(), bases().end(), [&](const Base& base) { return base.name == name; });
 }
 
-// What is felt beside displaced pins is not where these count for nothing, as among several sets.
+// What counts because of displaced pins counts in the set that has them, not in another one.
 TEST(FieldUse, PinsThatDoNotCountMakeNothingFelt) {
   const std::string block = "gearset.dynamics.", pins = "pin_error.tangential=[4 um, 0 um]";
   const std::string mass = "sun.mass=1.3 kg";
@@ -300,7 +300,10 @@ TEST(FieldUse, PinsThatDoNotCountMakeNothingFelt) {
   EXPECT_THAT(require_used(one, use::quasi_static), testing::IsEmpty());
   const std::string set = "sets.first." + block;
   const ResolvedCase several = case_of(base_named("multi_stage"), {set + pins, set + mass});
-  EXPECT_THAT(require_used(several, use::quasi_static), testing::Contains(HasSubstr(set + "sun.mass")));
+  EXPECT_THAT(require_used(several, use::quasi_static), testing::IsEmpty());
+  const std::string other = "sets.second." + block;
+  const ResolvedCase even = case_of(base_named("multi_stage"), {set + pins, other + mass});
+  EXPECT_THAT(require_used(even, use::quasi_static), testing::Contains(HasSubstr(other + "sun.mass")));
 }
 
 std::string refusal_of(const Base& base, const std::vector<std::string>& settings, use::Analysis analysis,

@@ -378,7 +378,7 @@ inline const std::map<std::string, Change>& stated_changes() {
        {"50 degC", {"lubricant.grade=ISO VG 220", "film.enabled=true", "operation.shaft_speed=9000 rpm"}}},
       {"lubricant.viscosity_index",
        {"50", {"lubricant.grade=ISO VG 220", "film.enabled=true", "operation.shaft_speed=9000 rpm"}}},
-      {"life.viscosity_ratio_by", {"film", {"lubricant.grade=ISO VG 220"}}},
+      {"life.viscosity_ratio_by", {"film", {"lubricant.grade=ISO VG 32"}}},
       {"bearing.radial_clearance", {"8 um"}},
       {"bearing.cage.material", {"brass"}},
       {"bearing.complement", {"full", {}, {"bearing.rollers=21"}}},
@@ -552,7 +552,9 @@ inline bool stays_as_it_is(const Field& field, const ResolvedCase& in) {
                        field.path == "support.carrier_twist_stiffness";
   const bool of_balls = field.path == "bearing.balls" || field.path == "bearing.ball_diameter";
   if (of_balls && in.model() == planetary_drivetrain) return true;  // beside the rollers of the base
-  if (field.path.starts_with("bearing.rows.") && in.has("gearset.dynamics.pin_error.tangential")) return true;
+  if (field.path.starts_with("bearing.rows.") &&
+      (in.has("gearset.dynamics.pin_error.tangential") || in.has("defect.race")))
+    return true;
   const bool alone = !in.shape().several && !in.has("bearing.rollers");    // a rim that rests on no rollers
   const bool stepped = field.path.starts_with("gearset.stepped_planet.");  // whose bearings find their tilt
   return ((rim || of_tilt || stepped) && in.has("gearset.dynamics.pin_error.tangential")) ||
@@ -591,6 +593,7 @@ inline Change change_of(const Field& field, const ResolvedCase& in, const std::s
       field.path.find(".waviness.") != std::string::npos)
     return wave_change(field.path);
   const std::string now = in.has(path) ? in.given(path) : "";
+  if (now.empty() && (field.kind == Kind::integer || field.kind == Kind::number)) return {};
   switch (field.kind) {
     case Kind::flag:
       return {now == "true" ? "false" : "true"};

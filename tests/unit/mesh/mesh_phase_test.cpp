@@ -69,7 +69,7 @@ TEST(FoundationWarnings, SayWhatTheElasticRingGives) {
   const Warnings warnings = foundation_warnings(meshes_of(reducer()));
   ASSERT_EQ(warnings.size(), 1U);
   EXPECT_EQ(warnings[0].key, "bearing.outside_diameter");
-  EXPECT_NE(warnings[0].text.find("root over bore diameter 1.186"), std::string::npos);
+  EXPECT_NE(warnings[0].text.find("root over bore diameter of 1.186"), std::string::npos);
   EXPECT_NE(warnings[0].text.find("stiffer"), std::string::npos);
 }
 
