@@ -76,6 +76,7 @@ lubricant: {viscosity: 0.01 Pa.s, pressure_viscosity: 1.5e-8 Pa-1}
 assumed:
   bearing.radial_clearance: a close fit
 """
+LONG = "simulation: {observed_revolutions: 400}\n"  # some seconds a point, in which a browser sees it move
 # Of WCAG 2: contrast of texts with what is behind them, of large ones 3.
 CONTRAST = """
 const parse = (text) => (text.match(/[\\d.]+/g) ?? []).map(Number);
@@ -442,7 +443,7 @@ class PageSteps:
             return [row[column] for row in csv.DictReader(text)]
 
     def test_a_sweep_is_run_stopped_and_continued(self):
-        self.open_text(MOVING)
+        self.open_text(MOVING + LONG)
         Select(self.find("#fidelity")).select_by_value("dynamic")
         card = self.find("#card-motion")
         start, stop, proceed = card.find_elements(By.CSS_SELECTOR, ".player button")
