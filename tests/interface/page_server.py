@@ -3,6 +3,7 @@
 
 import concurrent.futures
 import contextlib
+import faulthandler
 import importlib.util
 import io
 import json
@@ -607,4 +608,5 @@ class FromPython(unittest.TestCase):
 
 
 if __name__ == "__main__":
+    faulthandler.dump_traceback_later(300, exit=True)  # where it waits, should it not end
     unittest.main()
