@@ -339,7 +339,8 @@ def _influences(report: Report, most: Most) -> str:
     note = (f"<p>Values that the source of the case does not give, ordered by their effect on {escape(str(result))} at the operating point, by the quasi-static model. "
             "The change is to first order.</p>")
     more = f"<p>{left} more assumed numbers have less effect.</p>" if left > 0 else ""
-    small, varied = {row.get("path") for row in ordered} - {row.get("path") for row in shown}, {row.get("path") for row in ordered}
+    varied = {row.get("path") for row in ordered}
+    small = varied - {row.get("path") for row in shown}
     assumed = [row for row in report.records("assumptions") if not _is_stated(row)]
     for words, those in ((f"Assumed values with an effect on {result} below {LEAST_INFLUENCE:g} %", [row for row in assumed if row.get("key") in small]),
                          ("Assumed choices, and values that were not varied", [row for row in assumed if row.get("key") not in varied])):
