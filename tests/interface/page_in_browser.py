@@ -28,6 +28,7 @@ import pictures  # noqa: E402
 
 try:
     from selenium import webdriver
+    from selenium.common.exceptions import StaleElementReferenceException
     from selenium.webdriver.chrome.service import Service
     from selenium.webdriver.common.by import By
     from selenium.webdriver.common.keys import Keys
@@ -174,7 +175,9 @@ class PageSteps:
         return self.driver.execute_script(text, *values)
 
     def until(self, condition, what):
-        WebDriverWait(self.driver, SECONDS, poll_frequency=0.1).until(lambda _: condition(), f"waited in vain until {what}")
+        """Asked again while the page draws anew: an element that was replaced between finding and reading it is not an answer."""
+        wait = WebDriverWait(self.driver, SECONDS, poll_frequency=0.1, ignored_exceptions=[StaleElementReferenceException])
+        wait.until(lambda _: condition(), f"waited in vain until {what}")
 
     def find(self, selector):
         return self.driver.find_element(By.CSS_SELECTOR, selector)
