@@ -26,7 +26,7 @@ struct LaminaKernel {
                 double end_displacement, double* load);
 };
 
-/// One for each instruction set. They stand in files of their own, so that the engines keep their bits.
+/// One for each instruction set. All give the same bits, so that a point at rest does not name its set.
 const LaminaKernel& baseline_laminae();
 const LaminaKernel& avx2_laminae();
 const LaminaKernel& avx512_laminae();

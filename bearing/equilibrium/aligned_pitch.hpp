@@ -82,9 +82,7 @@ class AlignedPitch {
 class PitchSearch {
  public:
   PitchSearch(const Bearing& bearing, const QuasiStaticOptions& options)
-      : bearing_(bearing, mechanics::InstructionSet::baseline),
-        options_(options),
-        level_(AlignedPitch::of(bearing, options)) {}
+      : bearing_(bearing), options_(options), level_(AlignedPitch::of(bearing, options)) {}
 
   /// As AlignedPitch::solve(); other results than `near`.
   void solve(const OperatingPoint& point, PitchResults& results, const PitchResults* near = nullptr);

@@ -106,8 +106,7 @@ class PlanetSupport {
         pitches_(static_cast<std::size_t>(drivetrain.set.planets)),
         seated_(pitches_.size()) {
     if (drivetrain.seats.tilt == TiltState::computed)
-      on_pin_ = planet_on(unlike_planet_seat(drivetrain, duty), of_like_rollers(drivetrain.bearing),
-                          mechanics::InstructionSet::baseline);
+      on_pin_ = planet_on(unlike_planet_seat(drivetrain, duty), of_like_rollers(drivetrain.bearing));
   }
 
   /// Each search starts from where this planet last settled, else from the first one that did.

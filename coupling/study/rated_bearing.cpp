@@ -62,7 +62,7 @@ BearingsAtRest::BearingsAtRest(const PlanetaryDrivetrain& drivetrain, const Driv
     : drivetrain_(drivetrain),
       geometry_(geometry),
       options_(quasi_static_options(drivetrain)),
-      bearing_(drivetrain.bearing, mechanics::InstructionSet::baseline) {
+      bearing_(drivetrain.bearing) {
   if (drivetrain.seats.tilt == TiltState::computed)
     seat_ = seat_of_each(drivetrain, geometry);
   else

@@ -134,9 +134,8 @@ bearing::laminae::PlanetOnPinResult tilting_planet(const bearing::laminae::Plane
 bearing::laminae::PlanetOnPinResult tilting_planet(const PlanetSeat& seat,
                                                    const PlanetaryDrivetrain& drivetrain,
                                                    const BearingDuty& duty) {
-  return tilting_planet(planet_on(seat, drivetrain.bearing,
-                                  mechanics::InstructionSet::baseline),  // equal points on all machines
-                        duty.point, Eigen::Vector2d(duty.gears.overturning_moment, 0.0) + duty.couple,
+  return tilting_planet(planet_on(seat, drivetrain.bearing), duty.point,
+                        Eigen::Vector2d(duty.gears.overturning_moment, 0.0) + duty.couple,
                         quasi_static_options(drivetrain));
 }
 

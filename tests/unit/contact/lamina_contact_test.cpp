@@ -102,6 +102,24 @@ TEST(LaminaContact, EveryInstructionSetGivesTheLawByHand) {
     }
 }
 
+TEST(LaminaContact, EveryInstructionSetGivesTheSameBits) {
+  for (const Situation& s : situations()) {
+    const LaminaContact reference(law, kLength, s.drops, mechanics::InstructionSet::baseline);
+    const LaminaForce wanted = reference.evaluate(s.approach, s.end_displacement);
+    for (const mechanics::InstructionSet set : mechanics::instruction_sets()) {
+      const LaminaContact contact(law, kLength, s.drops, set);
+      const LaminaForce force = contact.evaluate(s.approach, s.end_displacement);
+      EXPECT_EQ(force.load, wanted.load) << name_of(set);
+      EXPECT_EQ(force.end_load, wanted.end_load) << name_of(set);
+      EXPECT_EQ(force.by_approach, wanted.by_approach) << name_of(set);
+      EXPECT_TRUE(
+          (contact.loads(s.approach, s.end_displacement) == reference.loads(s.approach, s.end_displacement))
+              .all())
+          << name_of(set);
+    }
+  }
+}
+
 TEST(LaminaContact, ForcesAreTheSlopesOfTheEnergy) {
   for (const Situation& s : situations()) {
     const LaminaContact contact(law, kLength, s.drops);
