@@ -104,10 +104,11 @@ void SettlingRow<N>::add(Eigen::Index j, const Eigen::Vector<double, N>& positio
     return;
   }
   settle(*races, j, concentric[j] - position.dot(out), stated + position.dot(tilting.col(j)), roller);
-  Eigen::Matrix<double, N, 2> moves(position.size(), 2);
-  moves << out, tilting.col(j);
-  sum.force += moves * Eigen::Vector2d(roller.outer.load, roller.outer.end_load);
-  sum.stiffness += moves * laminae::roller_stiffness(roller) * moves.transpose();
+  const auto tilted = tilting.col(j);
+  const Eigen::Matrix2d k = laminae::roller_stiffness(roller);
+  sum.force += roller.outer.load * out + roller.outer.end_load * tilted;
+  sum.stiffness.noalias() += (k(0, 0) * out + k(1, 0) * tilted) * out.transpose();
+  sum.stiffness.noalias() += (k(0, 1) * out + k(1, 1) * tilted) * tilted.transpose();
 }
 
 template <int N>
