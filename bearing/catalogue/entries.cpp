@@ -81,7 +81,8 @@ double distance(const Parts& a, const Parts& b) {
 // "NU210" as "NU 210".
 std::string without_blanks(std::string_view designation) {
   std::string text;
-  std::ranges::copy_if(designation, std::back_inserter(text), [](char c) { return c != ' '; });
+  std::copy_if(designation.begin(), designation.end(), std::back_inserter(text),
+               [](char c) { return c != ' '; });
   return text;
 }
 
