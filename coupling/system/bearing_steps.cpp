@@ -49,6 +49,8 @@ constexpr double kDampedBoreErrors = 0.12;
 constexpr double kDampedSteps = 2.5;
 // Allowed errors of order 4 over those of order 2.
 constexpr double kFourthOrderErrors = 3.0;
+// Of slow motion: allowed errors fall with this power of slowness().
+constexpr double kSlowErrors = 1.0, kSlowFourthOrderErrors = 1.5;
 
 }  // namespace
 
@@ -116,6 +118,14 @@ double longest_step(const bearing::motion::BearingModel& model) {
   return kStepOfImpact * std::min(ring_time(model), impact);
 }
 
+double slowness(const bearing::motion::BearingModel& model) {
+  const double cage =
+      bearing::kinematic_cage_speed(model.geometry, model.point.inner_speed, model.point.outer_speed);
+  if (cage == 0.0) return 1.0;
+  const double passage = constants::two_pi / (static_cast<double>(model.layout.rollers) * std::abs(cage));
+  return std::max(1.0, passage / (kStepsOfPassage * longest_step(model)));
+}
+
 bool has_all_slopes(const bearing::motion::BearingModel& model) {
   using bearing::vectorised::turns_unevenly;
   return !model.layout.tilting && model.layout.waves == 0 && model.layout.followed == 0 &&
@@ -124,6 +134,7 @@ bool has_all_slopes(const bearing::motion::BearingModel& model) {
 
 int order_of_steps(const bearing::motion::BearingModel& model, bool shaken) {
   if (!impacts_are_damped(model) || !has_all_slopes(model)) return 2;
+  if (slowness(model) > 1.0) return 4;
   return shaken && blows_are_damped(model) ? 4 : 3;
 }
 
@@ -152,6 +163,19 @@ StepBounds fourth_order_steps(const bearing::vectorised::VectorBearing& bearing,
                               const Eigen::VectorXd& allowed_error) {
   return {linearly_implicit_errors(bearing, kFourthOrderErrors * allowed_error),
           kDampedSteps * kStepOfImpact * ring_time(bearing.model()), integration::StepRule::two_errors};
+}
+
+StepBounds steps_of_order(int order, const bearing::vectorised::VectorBearing& bearing,
+                          const Eigen::VectorXd& allowed_error) {
+  const double slow = slowness(bearing.model());
+  const Eigen::VectorXd allowed =
+      allowed_error / std::pow(slow, order == 4 ? kSlowFourthOrderErrors : kSlowErrors);
+  StepBounds bounds =
+      order == 3   ? third_order_steps(bearing, allowed)
+      : order == 4 ? fourth_order_steps(bearing, allowed)
+                   : StepBounds{linearly_implicit_errors(bearing, allowed), longest_step(bearing.model())};
+  bounds.longest *= slow;
+  return bounds;
 }
 
 // A bar that has moved by half the thickness of its rollers holds them no longer; a roller that stands off

@@ -53,6 +53,15 @@ inline constexpr double kStoppedBlow = 0.05;  // [m/s]
 /// is no cage, and the ring on its rollers.
 double longest_step(const bearing::motion::BearingModel& model);
 
+/// By how much motion is slower than its vibrations ask for: the passage of a roller past the load over
+/// kStepsOfPassage of the longest steps, at least 1; at speeds not stated 1. Where it is more than 1, inertia
+/// and squeeze no longer move the rings, and steps follow the rollers' passage: they may be longer by this
+/// factor. Speeds are smaller by the same, and so must their errors be: a step that errs by more sets off
+/// vibrations that cost more than the short steps, and the loads of rollers then lie too high.
+double slowness(const bearing::motion::BearingModel& model);
+/// The reducer's bearing passes a roller in as many longest steps at 850 rpm.
+inline constexpr double kStepsOfPassage = 1200.0;  // [-]
+
 /// Whether the matrix of `model` holds all slopes of its rates, which steps of order 3 and 4 ask for: those
 /// of tilts, waves of the rim and turning races by themselves are left out.
 bool has_all_slopes(const bearing::motion::BearingModel& model);
@@ -60,8 +69,8 @@ bool has_all_slopes(const bearing::motion::BearingModel& model);
 /// Order of the linearly implicit steps that suit `model`. Order 2 where impacts keep their energy, for steps
 /// that span one err at any order and short ones of order 2 do best, and where the matrix lacks slopes. Order
 /// 4 where oil takes the energy of impacts on races and bars and gears shake the ring (`shaken`), whose
-/// vibration then keeps its height. Else order 3: without tooth forces that vary its steps are the longer
-/// ones.
+/// vibration then keeps its height, or where motion is slow (slowness()). Else order 3: without tooth forces
+/// that vary its steps are the longer ones.
 int order_of_steps(const bearing::motion::BearingModel& model, bool shaken);
 
 /// Bounds of steps of order 3 or 4.
@@ -86,6 +95,10 @@ StepBounds third_order_steps(const bearing::vectorised::VectorBearing& bearing,
 /// order 4 holds all that its equations have beyond linear ones.
 StepBounds fourth_order_steps(const bearing::vectorised::VectorBearing& bearing,
                               const Eigen::VectorXd& allowed_error);
+
+/// Those of the order that suits `bearing` (order_of_steps()), longer where its motion is slow.
+StepBounds steps_of_order(int order, const bearing::vectorised::VectorBearing& bearing,
+                          const Eigen::VectorXd& allowed_error);
 
 /// Empty while the cage holds its rollers and the rollers lie between the races; else what has come out, and
 /// by how much. Pockets hold a cage along the pitch circle alone: one that no land guides can be thrown out

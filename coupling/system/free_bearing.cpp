@@ -97,10 +97,8 @@ bool run(VectorBearing& bearing, FreeSystem& system, Eigen::VectorXd& x, const O
   };
   const BearingModel& model = bearing.model();
   const int order = order_of_steps(model, !model.excitation.harmonics.empty());
-  if (order == 2)
-    return by(integration::Rosenbrock2(linearly_implicit_errors(bearing, allowed), longest_step(model)));
-  const StepBounds steps =
-      order == 3 ? third_order_steps(bearing, allowed) : fourth_order_steps(bearing, allowed);
+  const StepBounds steps = steps_of_order(order, bearing, allowed);
+  if (order == 2) return by(integration::Rosenbrock2(steps.allowed, steps.longest, steps.rule));
   if (order == 3) return by(integration::Rosenbrock3(steps.allowed, steps.longest, steps.rule));
   return by(integration::Rosenbrock4(steps.allowed, steps.longest, steps.rule));
 }

@@ -341,6 +341,47 @@ TEST(FastPathOfOrderThree, TakesStepsOfTheRingWhereOilIsInThePockets) {
   }
 }
 
+// Issue 50, Build 3: of slow motion steps follow the rollers' passage. They are several times the longest one
+// of fast motion, and mean loads are those of steps that the vibration of the ring bounds. Torque is that of
+// 6000 rpm.
+TEST(SlowMotion, StepsFollowThePassageOfTheRollers) {
+  constexpr double kRpm = 100.0, kSeconds = 60e-3, kTimesLonger = 3.0, kShareOfLoad = 2e-3;
+  const Bearing given = test::reducer_bearing();
+  OperatingPoint point = test::reducer_point(kRpm);
+  point.bore_load *= kRpm / 6000.0;
+  for (const bool squeezed : {false, true}) {
+    DynamicsParameters parameters = test::reducer_parameters();
+    parameters.race.squeeze = squeezed;
+    const BearingModel model = bearing_model(given, point, parameters);
+    EXPECT_EQ(system::order_of_steps(model, false), squeezed ? 4 : 2);
+    const auto mean_load = [&](double tolerance) {
+      VectorBearing bearing(model);
+      Eigen::VectorXd x = initial_state(given, model, parameters, 0.3).x;
+      integration::IntegrationOptions options;
+      options.most_steps = 200'000;
+      options.tolerance = tolerance;
+      options.allowed_error = system::allowed_errors(model, 2e-10);
+      double sum = 0.0;
+      constexpr int kSamples = 600;
+      const auto report =
+          system::integrate_bearing(bearing, x, {0.0, kSeconds / kSamples, kSamples}, options,
+                                    [&](double time, const Eigen::Ref<const Eigen::VectorXd>& at) {
+                                      Snapshot now;
+                                      take_snapshot(model, at, now, time);
+                                      sum += now.inner.load.square().sum();
+                                    },
+                                    {});
+      EXPECT_TRUE(report.completed) << report.message;
+      return std::pair(std::sqrt(sum / kSamples), static_cast<double>(report.steps));
+    };
+    const auto [load, steps] = mean_load(1.0);
+    const auto [reference, many] = mean_load(0.01);
+    EXPECT_NEAR(load, reference, kShareOfLoad * reference) << squeezed;
+    EXPECT_LT(steps, kSeconds / (kTimesLonger * system::longest_step(model))) << squeezed;
+    EXPECT_GT(many, 1.5 * steps) << squeezed;
+  }
+}
+
 // Issue 16, Build 1: a rim a million times as stiff is a rigid one: the same path of all bodies, within what
 // is left of its waves.
 TEST(FastPathOfRims, TendsToTheRigidOneWithTheModulus) {
