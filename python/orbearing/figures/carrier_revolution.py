@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from orbearing import style
-from orbearing.blocks import FigureBlock, Table, columns_table, format_number, format_quantity
+from orbearing.blocks import FigureBlock, Table, columns_table, format_number, format_quantity, is_number
 from orbearing.result_folder import Report, numbers
 
 SLUG, TITLE = "carrier-revolution", "Loads over a revolution of the carrier"
@@ -18,12 +18,13 @@ def block(report: Report) -> FigureBlock:
     loads = np.array(carrier.get("bearing_loads_N") or [], dtype=float)
     if not bearings or loads.shape != (len(angle), len(bearings)):
         return FigureBlock(SLUG, TITLE, missing="This case states no bearings of the carrier (gearset.carrier.bearing_positions).")
-    worst = min(bearings, key=lambda one: one["L10h_h"])
+    worst, expected = min(bearings, key=lambda one: one["L10h_h"]), carrier.get("expected_load_N")
     caption = (f"Load of each planet bearing over the angle of the carrier, which its own bearings hold in the housing under weight and rotor (left), and load per width of "
-               f"the most loaded mesh of sun and ring over the face (right). Largest load: {format_number(carrier.get('largest_load_share'), 4)} of the torque shared evenly, "
-               f"{format_quantity(carrier.get('expected_load_N'), 'N', 4)}. Shortest L10h: {format_quantity(worst['L10h_h'], 'h', 4)}, {_name(worst)}.")
+               f"the most loaded mesh of sun and ring over the face (right). Largest load of one bearing: {format_quantity(loads.max(), 'N', 4)}, "
+               f"{format_number(carrier.get('largest_load_share'), 4)} times the expected load of {format_quantity(expected, 'N', 4)} (torque shared evenly). "
+               f"Shortest L10h: {format_quantity(worst['L10h_h'], 'h', 4)}, {_name(worst)}.")
     data = columns_table(("carrier angle (deg)", *(f"{_name(one)} (N)" for one in bearings)), angle, *loads.T)
-    return FigureBlock(SLUG, TITLE, caption, (_draw_loads(angle, loads, bearings), _draw_face(carrier)), summary=_summary(bearings), data=data)
+    return FigureBlock(SLUG, TITLE, caption, (_draw_loads(angle, loads, bearings, expected), _draw_face(carrier)), summary=_summary(bearings), data=data)
 
 
 def _name(bearing: dict) -> str:
@@ -36,12 +37,14 @@ def _summary(bearings: list[dict]) -> Table:
     return Table(head, [(_name(one), *(one.get(key) for key in ("load_min_N", "load_max_N", "equivalent_load_N", "tilt_max_mrad", *lives))) for one in bearings])
 
 
-def _draw_loads(angle: np.ndarray, loads: np.ndarray, bearings: list[dict]) -> str:
+def _draw_loads(angle: np.ndarray, loads: np.ndarray, bearings: list[dict], expected: float | None) -> str:
     figure, axes = style.panel((5.6, 4.0))
     places = sorted({one["position_mm"] for one in bearings})
     for line, one in zip(loads.T, bearings):
         axes.plot(np.append(angle, 360.0), np.append(line, line[0]), color=style.SERIES[int(one["planet"] - 1) % len(style.SERIES)],
                   linestyle=style.DASHES[places.index(one["position_mm"]) % len(style.DASHES)], label=_name(one))
+    if is_number(expected):
+        axes.axhline(expected, color=style.GREY, linestyle=":", label="torque shared evenly")
     axes.set_xlim(0, 360)
     axes.set_xticks(np.arange(0, 361, 60))
     axes.set_xlabel("angle of the carrier (deg)")
@@ -60,7 +63,7 @@ def _draw_face(carrier: dict) -> str:
             most = max(meshes, key=lambda one: max(one["face_load_N_per_mm"]))
             axes.plot(place, numbers(most["face_load_N_per_mm"]), color=colour, linestyle=line, label=f"{wheel}, K_Hβ {format_number(most['K_Hbeta'], 3)}")
     axes.set_ylim(bottom=0)
-    axes.set_xlabel("place on the face (mm)")
+    axes.set_xlabel("position on the face (mm)")
     axes.set_ylabel("load per width (N/mm)")
     style.legend_above(axes)
     return style.to_svg(figure, f"{SLUG}-face", "Load per width of the most loaded meshes over their face")
