@@ -31,7 +31,9 @@ class TypeCheck {
   // What these bearings are not computed with.
   void not_with_type(const std::string& path, const std::string& value) {
     add(path, fmt::format("{} together with bearing.type: {}", value, type_),
-        "none is required, or bearing.type: cylindrical-roller");
+        path == "bearing.laminae" || path == "bearing.profile.kind"
+            ? "none is required, or bearing.type: cylindrical-roller or tapered-roller"
+            : "none is required, or bearing.type: cylindrical-roller");
   }
   void refuse_stated(const char* path) {
     if (is_stated(in_, path)) not_with_type(path, in_.given(path));
@@ -42,9 +44,11 @@ class TypeCheck {
   bool is_nonzero(const char* path) const { return in_.has(path) && in_.quantity(path) != 0.0; }
 
   void check_refinements() {
-    for (const char* path : {"bearing.designation", "bearing.laminae", "bearing.profile.kind",
-                             "bearing.clearance_class", "bearing.axial_places", "defect.race"})
+    for (const char* path :
+         {"bearing.designation", "bearing.clearance_class", "bearing.axial_places", "defect.race"})
       refuse_stated(path);
+    if (type_ != "tapered-roller")
+      for (const char* path : {"bearing.laminae", "bearing.profile.kind"}) refuse_stated(path);
     for (const auto& [path, value] : {std::pair{"bearing.complement", "full"},
                                       {"bearing.clearance_state", "unmounted"},
                                       {"bearing.tilt_state", "computed"},

@@ -7,6 +7,7 @@
 #include "bearing/carrier_frame.hpp"
 #include "bearing/contact/line_law.hpp"
 #include "bearing/equilibrium/balls.hpp"
+#include "bearing/equilibrium/lamina_bearing.hpp"
 #include "bearing/equilibrium/quasi_static.hpp"
 #include "mechanics/checks.hpp"
 #include "mechanics/constants.hpp"
@@ -25,13 +26,40 @@ InclinedContacts contacts_of(const Bearing& bearing, double taper) {
   return {roller_race_contact(bearing.contact_law, bearing.rollers().length), taper};
 }
 
+std::optional<CutContacts> cut_of(const Bearing& bearing, const PlanetRows& rows) {
+  if (!rows.is_tapered() || bearing.rollers().laminae == 0) return std::nullopt;
+  const laminae::LaminaBearing cut(bearing);
+  return CutContacts{cut.contact(Race::inner), cut.contact(Race::outer)};
+}
+
+laminae::TiltedRoller roller_of(const InclinedRow& row) {
+  static const Film dry{};
+  return {row.cut->inner, row.cut->outer, dry, dry, std::cos(row.taper)};
+}
+
+// Approach [m] at which a roller that nothing else moves carries `load` [N] on the outer race: Newton's
+// method on a load that grows ever faster, from above.
+double approach_under(const InclinedRow& row, double load) {
+  const double whole = row.contacts.approach(load);
+  if (!row.cut || load == 0.0) return whole;
+  double approach = whole + row.cut->inner.greatest_drop() + row.cut->outer.greatest_drop();
+  laminae::RollerState state;
+  for (int i = 0; i < 100; ++i) {
+    laminae::converge_roller(roller_of(row), {.approach = approach}, state);
+    const double step = (state.outer.load - load) / state.stiffness;
+    approach -= step;
+    if (std::abs(step) <= 1e-15 * whole) break;
+  }
+  return approach;
+}
+
 // By which a pair is pressed together, along the axis of each row [m].
 double mounted_approach(const PlanetRows& rows, const InclinedRow& row) {
   if (!rows.is_tapered()) return 0.0;
   if (rows.approach) return 0.5 * *rows.approach;
   if (!rows.preload) return 0.0;
   const double load = *rows.preload / (row.count * std::sin(row.contact_angle));
-  return row.contacts.approach(load) / std::sin(row.contact_angle);
+  return approach_under(row, load) / std::sin(row.contact_angle);
 }
 
 void require_fit(const Bearing& bearing, const PlanetRows& rows, std::size_t bearings) {
@@ -123,6 +151,7 @@ std::vector<InclinedRow> inclined_rows(const Bearing& bearing, const PlanetRows&
   const double taper =
       rows.is_tapered() ? taper_of(bearing.element_diameter(), bearing.pitch_diameter, angle) : 0.0;
   InclinedRow row{.contacts = contacts_of(bearing, taper),
+                  .cut = cut_of(bearing, rows),
                   .count = bearing.element_count(),
                   .contact_angle = angle,
                   .taper = taper,
@@ -178,6 +207,23 @@ InclinedPlanet::Position InclinedPlanet::moves(const InclinedRow& row, double an
   return all;
 }
 
+// How far each coordinate moves the outer race further outward at the end of its rollers along +z, Eq. (21).
+InclinedPlanet::Position InclinedPlanet::tilts(const InclinedRow& row, double angle) const {
+  const double arm = row.cut->outer.half_length() / lever_;
+  Position all = Position::Zero();
+  all.tail<2>() << arm * std::cos(angle), arm * std::sin(angle);
+  return all;
+}
+
+void InclinedPlanet::settle(const InclinedRow& row, double angle, const Position& position,
+                            laminae::RollerState& state) const {
+  laminae::converge_roller(roller_of(row),
+                           {.approach = approach(row, moves(row, angle), position),
+                            .outer_end_displacement = tilts(row, angle).dot(position),
+                            .inertial_load = along_inner_normal(row, angle)},
+                           state);
+}
+
 double InclinedPlanet::approach(const InclinedRow& row, const Position& moves,
                                 const Position& position) const {
   return row.approach - moves.dot(position);
@@ -189,11 +235,24 @@ void InclinedPlanet::for_each(double first_element, const Use& use) const {
     for (int j = 0; j < rows_[k].count; ++j) use(k, j, first_element + two_pi * j / rows_[k].count);
 }
 
-mechanics::Imbalance<5> InclinedPlanet::forces(const Position& position, double first_element) const {
+mechanics::Imbalance<5> InclinedPlanet::forces(const Position& position, double first_element,
+                                               std::vector<laminae::RollerState>* rollers) const {
   mechanics::Imbalance<5> sum;
+  std::size_t next = 0;
   for_each(first_element, [&](std::size_t k, int, double angle) {
     const InclinedRow& row = rows_[k];
     const Position out = moves(row, angle);
+    if (row.cut) {
+      laminae::RollerState fresh;
+      laminae::RollerState& state = rollers ? (*rollers)[next++] : fresh;
+      settle(row, angle, position, state);
+      Eigen::Matrix<double, 5, 2> ways;
+      ways << out, tilts(row, angle);
+      sum.force += ways * Eigen::Vector2d(state.outer.load, state.outer.end_load);
+      sum.stiffness += ways * laminae::roller_stiffness(state) * ways.transpose();
+      sum.scale = std::max(sum.scale, state.outer.load);
+      return;
+    }
     const RollerBalance element =
         row.contacts.balance(along_inner_normal(row, angle), approach(row, out, position));
     sum.force += element.outer_load * out;
@@ -207,7 +266,16 @@ double InclinedPlanet::stored_energy(const Position& position, double first_elem
   double energy = 0.0;
   for_each(first_element, [&](std::size_t k, int, double angle) {
     const InclinedRow& row = rows_[k];
-    energy += row.contacts.energy(along_inner_normal(row, angle), approach(row, moves(row, angle), position));
+    const double inertial = along_inner_normal(row, angle);
+    if (!row.cut) {
+      energy += row.contacts.energy(inertial, approach(row, moves(row, angle), position));
+      return;
+    }
+    laminae::RollerState state;
+    settle(row, angle, position, state);
+    energy += row.cut->inner.energy(state.inner_approach(), state.inner_end_displacement) +
+              row.cut->outer.energy(state.outer_approach, state.outer_end_displacement) +
+              inertial * state.inner_approach();
   });
   return energy;
 }
@@ -221,6 +289,8 @@ mechanics::SearchLimits search_limits_of(const InclinedPlanet& planet, double fo
     for (int j = 0; j < row.count; ++j)
       all += std::abs(planet.inertial_load(row, first_element + two_pi * j / row.count));
     approach = std::max(approach, std::abs(row.approach));
+    if (row.cut)
+      approach = std::max({approach, row.cut->inner.greatest_drop(), row.cut->outer.greatest_drop()});
   }
   double elastic = 0.0, sine = 1.0;
   for (const InclinedRow& row : planet.rows()) {
@@ -244,8 +314,14 @@ InclinedState InclinedPlanet::balance(const PlanetLoad& load, double first_eleme
   Position outer;
   outer << load.force, load.axial, load.moment / lever_;
   const Eigen::Array<bool, 5, 1> held(false, false, !axial_, !tilt_, !tilt_);
+  InclinedState state;
+  if (rows_.front().cut) {
+    std::size_t all = 0;
+    for (const InclinedRow& row : rows_) all += static_cast<std::size_t>(row.count);
+    state.rollers.resize(all);
+  }
   const auto imbalance_at = [&](const Position& at) {
-    mechanics::Imbalance<5> sum = forces(at, first_element);
+    mechanics::Imbalance<5> sum = forces(at, first_element, state.rollers.empty() ? nullptr : &state.rollers);
     sum.force += outer;
     sum.scale = std::max(sum.scale, outer.cwiseAbs().maxCoeff());
     mechanics::hold<5>(held, sum);
@@ -260,7 +336,6 @@ InclinedState InclinedPlanet::balance(const PlanetLoad& load, double first_eleme
         load.force.normalized() *
         (limits.size + rows_.front().contacts.approach(load.force.norm() / rows_.front().count));
   mechanics::Imbalance<5> now;
-  InclinedState state;
   state.report = {mechanics::find_balance<5>(imbalance_at, limits, position, now)};
   if (!state.report.converged) state.report.message = no_balance_text(outer.norm(), state.report.residual);
   state.displacement = position.head<2>();
@@ -272,13 +347,25 @@ InclinedState InclinedPlanet::balance(const PlanetLoad& load, double first_eleme
     state.inner_load.emplace_back(Eigen::ArrayXd::Zero(row.count));
     state.outer_load.emplace_back(Eigen::ArrayXd::Zero(row.count));
   }
+  std::size_t next = 0;
   for_each(first_element, [&](std::size_t k, int j, double angle) {
     const InclinedRow& row = rows_[k];
+    if (row.cut) {
+      laminae::RollerState& roller = state.rollers[next++];
+      settle(row, angle, position, roller);
+      state.inner_load[k][j] = roller.inner.load;
+      state.outer_load[k][j] = roller.outer.load;
+      return;
+    }
     const RollerBalance element =
         row.contacts.balance(along_inner_normal(row, angle), approach(row, moves(row, angle), position));
     state.inner_load[k][j] = element.inner_load;
     state.outer_load[k][j] = element.outer_load;
   });
+  if (state.report.converged && !laminae::are_settled(state.rollers)) {
+    state.report.converged = false;
+    state.report.message = "a tapered roller cut into laminae found no balance between its races";
+  }
   return state;
 }
 
@@ -292,11 +379,24 @@ double rib_load(const InclinedRow& row, double outer_load, double inertial_load)
   return std::max(0.0, along);
 }
 
+// Of one roller cut into laminae, which stands at `angle` [rad].
+void put_laminae(const InclinedRow& row, const laminae::RollerState& roller, double angle, double part,
+                 Eigen::Index column, InclinedRowLoads& loads) {
+  loads.inner_lamina_load.col(column) =
+      row.cut->inner.loads(roller.inner_approach(), roller.inner_end_displacement);
+  loads.outer_lamina_load.col(column) =
+      row.cut->outer.loads(roller.outer_approach, roller.outer_end_displacement);
+  const double half = row.cut->outer.half_length();
+  loads.roller_tilt[column] = roller.end_displacement / half;
+  loads.moment += part * half * roller.outer.end_load * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+}
+
 void put_angle(const InclinedPlanet& planet, const InclinedState& state, Eigen::Index position,
                Eigen::Index positions, InclinedResult& result) {
   const double part = 1.0 / static_cast<double>(positions);
   result.tilt += part * state.tilt;
   keep_worst(state.report, result.report);
+  std::size_t next = 0;
   for (std::size_t k = 0; k < result.rows.size(); ++k) {
     const InclinedRow& row = planet.rows()[k];
     InclinedRowLoads& loads = result.rows[k];
@@ -309,6 +409,7 @@ void put_angle(const InclinedPlanet& planet, const InclinedState& state, Eigen::
       loads.radial +=
           part * outer * std::cos(row.contact_angle) * Eigen::Vector2d(std::cos(angle), std::sin(angle));
       loads.axial += part * outer * std::sin(row.contact_angle);
+      if (row.cut) put_laminae(row, state.rollers[next++], angle, part, column, loads);
     }
   }
 }
@@ -325,6 +426,13 @@ InclinedResult inclined_planet_over_a_pitch(const InclinedPlanet& planet, const 
   result.report.converged = true;
   const Eigen::ArrayXd none = Eigen::ArrayXd::Zero(all);
   result.rows.assign(planet.rows().size(), {.inner_load = none, .outer_load = none, .rib_load = none});
+  for (std::size_t k = 0; k < result.rows.size(); ++k) {
+    if (!planet.rows()[k].cut) continue;
+    InclinedRowLoads& row = result.rows[k];
+    row.roller_tilt = none;
+    row.inner_lamina_load = row.outer_lamina_load =
+        Eigen::ArrayXXd::Zero(planet.rows()[k].cut->outer.laminae(), all);
+  }
   std::optional<InclinedState> near;
   for (int position = 0; position < cage_positions; ++position) {
     near = planet.balance(load, result.angle[position], near ? &*near : nullptr);

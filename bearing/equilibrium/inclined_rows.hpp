@@ -1,6 +1,7 @@
 // A planet on rows of rollers or balls whose contacts are inclined: tapered roller bearings in pairs,
-// spherical roller bearings, deep groove balls (contact angle 0). Contacts are whole, dry, and keep their
-// angle. Inertial loads are those of the carrier's frame. Eqs. (17) to (20) of README.md.
+// spherical roller bearings, deep groove balls (contact angle 0). Contacts are dry and keep their angle, and
+// whole but of tapered rollers with laminae. Inertial loads are those of the carrier's frame. Eqs. (17) to
+// (21) of README.md.
 //
 //        r ^       n = (cos a, s sin a): normal of the outer race, from the element outward
 //          |     / n    a: contact angle, s = +1 or -1
@@ -20,6 +21,7 @@
 #include "bearing/contact/race_contact.hpp"
 #include "bearing/equilibrium/quasi_static_state.hpp"
 #include "bearing/equilibrium/roller_balance.hpp"
+#include "bearing/equilibrium/tilted_roller.hpp"
 #include "bearing/geometry.hpp"
 #include "bearing/operating_point.hpp"
 #include "bearing/parameters.hpp"
@@ -53,9 +55,15 @@ class InclinedContacts {
   std::optional<PointContact> inner_, outer_;
 };
 
+/// Both contacts of a tapered roller cut into laminae, counted along the axis.
+struct CutContacts {
+  laminae::LaminaContact inner, outer;
+};
+
 /// One row.
 struct InclinedRow {
-  InclinedContacts contacts;
+  InclinedContacts contacts;         // whole
+  std::optional<CutContacts> cut{};  // what counts instead, where it is given
   int count = 0;
   double contact_angle = 0.0;    // [rad]  of the outer race
   double taper = 0.0;            // [rad]  between the normals of both races
@@ -95,6 +103,7 @@ struct InclinedState {
   double axial = 0.0;                                      // [m]
   Eigen::Vector2d tilt = Eigen::Vector2d::Zero();          // [rad]
   std::vector<Eigen::ArrayXd> inner_load, outer_load;      // [N]    (rows) (elements)
+  std::vector<laminae::RollerState> rollers;               // row by row; of cut contacts
   /// By displacement (x, y, z) and tilt: [N/m], [N/rad], [N m/rad].
   Eigen::Matrix<double, 5, 5> stiffness = Eigen::Matrix<double, 5, 5>::Zero();
   SolverReport report;
@@ -119,8 +128,10 @@ class InclinedPlanet {
   InclinedState balance(const PlanetLoad& load, double first_element,
                         const InclinedState* near = nullptr) const;
 
-  /// Forces of the elements on the planet by its position, with their slopes.
-  mechanics::Imbalance<5> forces(const Position& position, double first_element) const;
+  /// Forces of the elements on the planet by its position, with their slopes. `rollers`: where those of cut
+  /// contacts stood before, one for each element of all rows or none.
+  mechanics::Imbalance<5> forces(const Position& position, double first_element,
+                                 std::vector<laminae::RollerState>* rollers = nullptr) const;
   double stored_energy(const Position& position, double first_element) const;
 
   /// Inertial load of an element at `angle`, along the radius [N].
@@ -129,6 +140,9 @@ class InclinedPlanet {
  private:
   double approach(const InclinedRow& row, const Position& moves, const Position& position) const;
   Position moves(const InclinedRow& row, double angle) const;
+  Position tilts(const InclinedRow& row, double angle) const;
+  void settle(const InclinedRow& row, double angle, const Position& position,
+              laminae::RollerState& state) const;
   double along_inner_normal(const InclinedRow& row, double angle) const;
   template <class Use>
   void for_each(double first_element, const Use& use) const;
@@ -144,9 +158,13 @@ class InclinedPlanet {
 /// Loads of one row over a pitch of cage angles, by position as in QuasiStaticResult, and what the row does
 /// to the planet, mean.
 struct InclinedRowLoads {
-  Eigen::ArrayXd inner_load;                         // [N]
-  Eigen::ArrayXd outer_load;                         // [N]
-  Eigen::ArrayXd rib_load;                           // [N]  of tapered rollers on the inner ring's rib
+  Eigen::ArrayXd inner_load;  // [N]
+  Eigen::ArrayXd outer_load;  // [N]
+  Eigen::ArrayXd rib_load;    // [N]  of tapered rollers on the inner ring's rib
+  /// Of cut contacts, else empty: [N] (laminae, positions), [rad] (positions) outward at the end along +z
+  Eigen::ArrayXXd inner_lamina_load, outer_lamina_load;
+  Eigen::ArrayXd roller_tilt;
+  Eigen::Vector2d moment = Eigen::Vector2d::Zero();  // [N m]  of the laminae, conjugate to the planet's tilt
   Eigen::Vector2d radial = Eigen::Vector2d::Zero();  // [N]
   double axial = 0.0;                                // [N]  magnitude along the axis, induced by the angle
 };

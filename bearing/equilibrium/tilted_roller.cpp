@@ -27,11 +27,12 @@ struct DryRoller {
   RollerState& state;
 
   RollerImbalance operator()(const Eigen::Vector2d& at) const {
-    state.inner = roller.inner.evaluate(elastic - at[0], setting.inner_end_displacement - at[1]);
+    const double cosine = roller.taper_cosine;
+    state.inner = roller.inner.evaluate((elastic - at[0]) / cosine, setting.inner_end_displacement - at[1]);
     state.outer = roller.outer.evaluate(at[0], at[1] - setting.outer_end_displacement);
     const LaminaForce &in = state.inner, &out = state.outer;
     RollerImbalance slope;
-    slope.force << setting.inertial_load + in.load - out.load, in.end_load - out.end_load;
+    slope.force << (setting.inertial_load + in.load) / cosine - out.load, in.end_load - out.end_load;
     slope.stiffness = settling_stiffness(state);
     slope.scale = std::abs(setting.inertial_load) + in.load + out.load;
     return slope;
@@ -100,9 +101,10 @@ RollerImbalance converge_within_brackets(const DryRoller& roller, double reach, 
 // Slopes of the settled roller by the sum of the elastic approaches: d(energy slope)/d(elastic) is minus the
 // inner contact's stiffness.
 double put_slopes(const RollerImbalance& now, RollerState& state) {
-  const Eigen::Vector2d by_elastic(state.inner.by_approach, state.inner.mixed);
+  const double cosine = state.taper_cosine, by_approach = state.inner.by_approach / (cosine * cosine);
+  const Eigen::Vector2d by_elastic(by_approach, state.inner.mixed / cosine);
   state.per_elastic = mechanics::lengths_under<2>(by_elastic, now.stiffness);
-  return std::max(0.0, state.inner.by_approach - by_elastic.dot(state.per_elastic));
+  return std::max(0.0, by_approach - by_elastic.dot(state.per_elastic));
 }
 
 // Settles the roller for one sum of elastic approaches; returns d(load)/d(that sum).
@@ -171,7 +173,9 @@ Eigen::Matrix2d pseudo_inverse(const Eigen::Matrix2d& symmetric) {
 // Both contacts in series, where one of them or both may be open or hold no tilt; then the films, which yield
 // with the load alone.
 Eigen::Matrix2d roller_stiffness(const RollerState& roller) {
-  const Eigen::Matrix2d inner = contact_stiffness(roller.inner), outer = contact_stiffness(roller.outer);
+  const Eigen::Vector2d taper(1.0 / roller.taper_cosine, 1.0);
+  const Eigen::Matrix2d inner = taper.asDiagonal() * contact_stiffness(roller.inner) * taper.asDiagonal(),
+                        outer = contact_stiffness(roller.outer);
   Eigen::Matrix2d series = inner * pseudo_inverse(inner + outer) * outer;
   series = 0.5 * (series + series.transpose()).eval();
   if (!(series(0, 0) > 0.0)) return Eigen::Matrix2d::Zero();
@@ -185,6 +189,7 @@ Eigen::Matrix2d roller_stiffness(const RollerState& roller) {
 
 void converge_roller(const TiltedRoller& roller, const RollerSetting& setting, RollerState& state) {
   const bool dry = roller.inner_film.cap() == 0.0 && roller.outer_film.cap() == 0.0;
+  state.taper_cosine = roller.taper_cosine;
   if (dry) {
     state.per_approach = 1.0;
     state.stiffness = converge_dry(roller, setting, setting.approach, state);

@@ -19,6 +19,9 @@ struct TiltedRoller {
   const LaminaContact& outer;
   const Film& inner_film;
   const Film& outer_film;
+  /// [-]  of the angle between the normals of both races: 1, but of tapered rollers, whose rib holds them
+  /// along the inner race through the point where the normals of both middles meet
+  double taper_cosine = 1.0;
 };
 
 /// What the races and the frame do to one roller.
@@ -32,6 +35,7 @@ struct RollerSetting {
 /// Where a roller settles. Start of the next search as well as its result.
 struct RollerState {
   bool known = false;             // false: no earlier state to start from
+  double taper_cosine = 1.0;      // [-]  as of the roller
   double elastic = 0.0;           // [m]  sum of both elastic approaches in the middle: approach and films
   double outer_approach = 0.0;    // [m]  elastic, in the middle
   double end_displacement = 0.0;  // [m]  of the roller
@@ -47,19 +51,20 @@ struct RollerState {
   bool settled = false;
 
   /// Elastic approach of the inner contact in the middle [m].
-  double inner_approach() const { return elastic - outer_approach; }
+  double inner_approach() const { return (elastic - outer_approach) / taper_cosine; }
 };
 
 /// Stiffness [N/m] that holds the roller in its place and end displacement between races at rest.
 inline Eigen::Matrix2d settling_stiffness(const RollerState& state) {
-  const double mixed = state.inner.mixed + state.outer.mixed;
+  const double cosine = state.taper_cosine, mixed = state.inner.mixed / cosine + state.outer.mixed;
   Eigen::Matrix2d stiffness;
-  stiffness << state.inner.by_approach + state.outer.by_approach, mixed, mixed,
+  stiffness << state.inner.by_approach / (cosine * cosine) + state.outer.by_approach, mixed, mixed,
       state.inner.by_end_displacement + state.outer.by_end_displacement;
   return stiffness;
 }
 
-/// Balance of forces and of moments about the middle: Q_o - Q_i = I, M_o = M_i. Slopes follow from the
+/// Balance of forces and of moments about the middle: Q_o - Q_i = I, M_o = M_i; of a tapered roller Q_o times
+/// the cosine of its taper. Slopes follow from the
 /// implicit function theorem. A roller that is not squeezed rests on the race towards which its inertial load
 /// points. A known `state` is where the search starts.
 void converge_roller(const TiltedRoller& roller, const RollerSetting& setting, RollerState& state);

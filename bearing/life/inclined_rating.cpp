@@ -56,8 +56,9 @@ BearingRating planet_bearing_rating(const Bearing& bearing, const PlanetRows& ro
   rating.ratings = ratings_of(set, stated);
   rating.elements = set.rows * set.rollers;
   rating.contact_angle = set.contact_angle;
-  rating.laminae =
-      life::lamina_rating(rating.ratings.contacts, stress_riser(kLeastRatedLaminae), bearing.motions);
+  const int cut = bearing.rollers().laminae;
+  rating.laminae = life::lamina_rating(rating.ratings.contacts,
+                                       stress_riser(cut > 0 ? cut : kLeastRatedLaminae), bearing.motions);
   return rating;
 }
 

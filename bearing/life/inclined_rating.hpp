@@ -19,7 +19,7 @@ double inclined_equivalent_load(const RollerSet& set, double radial, double axia
 /// P_0 [N], at least the radial load: one row (0.5, 0.22 cot(alpha)), two rows (1, 0.44 cot(alpha)).
 double inclined_static_load(const RollerSet& set, double radial, double axial);
 
-/// One bearing of a planet as the standards rate it, whatever its type. Contacts count as
+/// One bearing of a planet as the standards rate it, whatever its type. Contacts that are not cut count as
 /// kLeastRatedLaminae laminae that carry alike.
 BearingRating planet_bearing_rating(const Bearing& bearing, const PlanetRows& rows,
                                     const StatedRatings& stated = {});

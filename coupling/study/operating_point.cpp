@@ -452,15 +452,10 @@ void put_loads(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& 
   }
 }
 
-// The load [N] that the whole roller would carry were it loaded all along as where it is loaded most.
-double largest_even_load(const RaceResult& race, int laminae) {
-  return race.lamina_load_max > 0.0 ? laminae * race.lamina_load_max : race.load_max;
-}
-
 double largest_pressure(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                         const PointResult& result) {
   const auto pressure = [&](Race race, const RaceResult& loads) {
-    return bearing::hertz_pressure(largest_even_load(loads, drivetrain.bearing.rollers().laminae),
+    return bearing::hertz_pressure(loads.largest_even_load(drivetrain.bearing.rollers().laminae),
                                    bearing::equivalent_radius(geometry.bearing, race),
                                    drivetrain.bearing.rollers().length, drivetrain.bearing.material);
   };

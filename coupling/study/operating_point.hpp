@@ -30,6 +30,11 @@ struct RaceResult {
   double life = 0.0;        // [rev]  revolutions of the turning race, Lundberg and Palmgren
   double least_film = 0.0;  // [m]    under the most loaded roller; NaN where nothing rolls or no oil is given
   double lamina_load_max = 0.0;  // [N]  largest load of one lamina; 0: all carry alike
+
+  /// [N]  of a roller all of which carried as the most loaded lamina
+  double largest_even_load(int laminae) const {
+    return lamina_load_max > 0.0 ? laminae * lamina_load_max : load_max;
+  }
 };
 
 /// Roller loads by place on the race, in the carrier frame.

@@ -33,6 +33,26 @@ Eigen::ArrayXd all_loads(const Rows& rows, Eigen::ArrayXd bearing::InclinedRowLo
   return all;
 }
 
+// The same of laminae, (laminae, positions): those of a pair counted from the same end of the rollers.
+Eigen::ArrayXXd all_lamina_loads(const Rows& rows, const std::vector<double>& sides,
+                                 Eigen::ArrayXXd bearing::InclinedRowLoads::*race) {
+  const Eigen::Index laminae = (rows.front()->*race).rows(), positions = (rows.front()->*race).cols();
+  Eigen::ArrayXXd all(laminae, positions * static_cast<Eigen::Index>(rows.size()));
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    auto part = all.middleCols(static_cast<Eigen::Index>(k) * positions, positions);
+    const Eigen::ArrayXXd& own = rows[k]->*race;
+    if (sides[k] < 0.0)
+      part = own.colwise().reverse();
+    else
+      part = own;
+  }
+  return all;
+}
+
+bool are_cut(const Rows& rows) {
+  return rows.front()->inner_lamina_load.size() > 0;
+}
+
 // The same bearing under both kinds of loads [N].
 struct RatedLoads {
   double dynamic = 0.0;  // P
@@ -134,12 +154,17 @@ class Bearings {
   // None of the rows of a bearing may fail, each a row of its own race; rows of one bearing carry alike.
   Lives roller_lives(const Rows& rows, const rating::RatingCondition& condition) const {
     const bearing::Bearing& rollers = drivetrain_.bearing;
-    const bearing::life::LaminaMeans means = bearing::life::means_of_loads(
-        rollers.motions, all_loads(rows, &bearing::InclinedRowLoads::inner_load).transpose(),
-        all_loads(rows, &bearing::InclinedRowLoads::outer_load).transpose());
+    const bool cut = are_cut(rows);
+    const bearing::life::LaminaMeans means =
+        cut ? bearing::life::means_of_loads(rollers.motions,
+                                            lamina_loads(rows, &bearing::InclinedRowLoads::inner_lamina_load),
+                                            lamina_loads(rows, &bearing::InclinedRowLoads::outer_lamina_load))
+            : bearing::life::means_of_loads(
+                  rollers.motions, all_loads(rows, &bearing::InclinedRowLoads::inner_load).transpose(),
+                  all_loads(rows, &bearing::InclinedRowLoads::outer_load).transpose());
     const bearing::life::LaminaRating contacts = bearing::life::lamina_rating(
-        rating::planet_contact_capacities(rollers, drivetrain_.rows, drivetrain_.reduction_factor), 1,
-        rollers.motions);
+        rating::planet_contact_capacities(rollers, drivetrain_.rows, drivetrain_.reduction_factor),
+        cut ? rollers.rollers().laminae : 1, rollers.motions);
     Lives all{.life = bearing::life::life_of_means(contacts, means),
               .rating = rating::rating_lives(geometry_.rating, condition, means)};
     const int count = drivetrain_.rows.rows();
@@ -147,6 +172,13 @@ class Bearings {
       for (double* part : {&life->inner, &life->outer, &life->bearing})
         *part = bearing::system_life(*part, count);
     return all;
+  }
+
+  Eigen::ArrayXXd lamina_loads(const Rows& rows, Eigen::ArrayXXd bearing::InclinedRowLoads::*race) const {
+    std::vector<double> sides;
+    for (const bearing::InclinedRowLoads* one : rows)
+      sides.push_back(rows_[static_cast<std::size_t>(one - result_.rows.data())].side);
+    return all_lamina_loads(rows, sides, race);
   }
 
   const PlanetaryDrivetrain& drivetrain_;
@@ -176,6 +208,37 @@ void put_races(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& 
   }
   result.inner = race_of(all_loads(rows, &bearing::InclinedRowLoads::inner_load), inner);
   result.outer = race_of(all_loads(rows, &bearing::InclinedRowLoads::outer_load), outer);
+  if (!are_cut(rows)) return;
+  for (const bearing::InclinedRowLoads* row : rows) {
+    const auto widen = [](RaceResult& race, const Eigen::ArrayXXd& loads) {
+      race.lamina_load_max = std::max(race.lamina_load_max, loads.maxCoeff());
+    };
+    widen(result.inner, row->inner_lamina_load);
+    widen(result.outer, row->outer_lamina_load);
+  }
+}
+
+// (laminae, positions) with the laminae fastest, as LaminaRecord has them.
+std::vector<double> flattened(const Eigen::ArrayXXd& loads) {
+  return {loads.data(), loads.data() + loads.size()};
+}
+
+// Of the bearing of a planet with the shortest life.
+std::optional<LaminaRecord> record_of_laminae(const PlanetaryDrivetrain& drivetrain, const Bearings& bearings,
+                                              const PointResult& point) {
+  const auto shortest = std::ranges::min_element(point.seats, {}, &SeatResult::life_hours);
+  const bearing::InclinedRowLoads& row =
+      *bearings.of(static_cast<int>(shortest - point.seats.begin())).front();
+  if (row.inner_lamina_load.size() == 0) return std::nullopt;
+  const bearing::CylindricalRollers& rollers = drivetrain.bearing.rollers();
+  std::vector<double> positions = bearing::laminae::lamina_positions(rollers.laminae);
+  for (double& position : positions) position *= 0.5 * rollers.length;
+  return LaminaRecord{.lamina_position = positions,
+                      .inner_load = flattened(row.inner_lamina_load),
+                      .outer_load = flattened(row.outer_lamina_load),
+                      .roller_tilt = {row.roller_tilt.begin(), row.roller_tilt.end()},
+                      .bore_tilt = bearings.result().tilt,
+                      .moment = row.moment};
 }
 
 std::vector<double> mean_over_rows(const Rows& rows, Eigen::ArrayXd bearing::InclinedRowLoads::*race) {
@@ -194,7 +257,9 @@ double pressure_of_inclined(const PlanetaryDrivetrain& drivetrain, const PointRe
     return bearing::hertz_pressure(load, bearing::equivalent_radius(geometry, race),
                                    of_contact.rollers().length, of_contact.material);
   };
-  return std::max(pressure(Race::inner, point.inner.load_max), pressure(Race::outer, point.outer.load_max));
+  const int laminae = drivetrain.rows.has_balls() ? 0 : drivetrain.bearing.rollers().laminae;
+  return std::max(pressure(Race::inner, point.inner.largest_even_load(laminae)),
+                  pressure(Race::outer, point.outer.largest_even_load(laminae)));
 }
 
 // Bearing by bearing of one planet, and all planets alike.
@@ -273,6 +338,7 @@ PointResult inclined_point(const PlanetaryDrivetrain& drivetrain, const Drivetra
   result.rating = {one.rating, one.rated_hours, {}};
   result.life_method = drivetrain.rated.method;
   put_bearings(drivetrain, bearings, slope, result);
+  result.laminae = record_of_laminae(drivetrain, bearings, result);
   result.contact_pressure = pressure_of_inclined(drivetrain, result);
   return result;
 }

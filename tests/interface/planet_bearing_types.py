@@ -98,6 +98,19 @@ class PlanetBearingTypes(unittest.TestCase):
             self.assertEqual(refused.returncode, 2)
             self.assertIn("hold the moment of helical teeth", refused.stderr)
 
+    def test_laminae_carry_the_tilt_along_the_rollers(self):
+        whole, even, crowned = point(), point("bearing.laminae=30"), point("bearing.laminae=30", "bearing.profile.kind=johns-gohar")
+        for found in (even, crowned):
+            self.assertAlmostEqual(found["outer_load_max_N"] / whole["outer_load_max_N"], 1, delta=0.05)
+            self.assertNotEqual(found["L10rh"], whole["L10rh"])
+        self.assertEqual(even["C_N"], whole["C_N"])
+        self.assertGreater(even["contact_pressure_max_MPa"], whole["contact_pressure_max_MPa"])  # where the tilt presses most
+        finer = point("bearing.laminae=60")
+        self.assertAlmostEqual(finer["largest_bearing_tilt_mrad"] / even["largest_bearing_tilt_mrad"], 1, delta=1e-3)
+        result = run("run", TAPERED, *settings(("bearing.profile.kind=johns-gohar",)))
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("bearing.laminae: 40", result.stderr)
+
     def test_a_sweep_has_its_files(self):
         with tempfile.TemporaryDirectory() as folder:
             result = run("sweep", TAPERED, "-o", Path(folder) / "out")
@@ -112,7 +125,7 @@ class PlanetBearingTypes(unittest.TestCase):
             result = run(command, TAPERED, *options)
             self.assertEqual(result.returncode, 2, (words, result.stdout[-300:], result.stderr[-300:]))
             self.assertIn("bearing.type", result.stderr, words)
-        for values in (("bearing.laminae=30",), ("bearing.tilt_state=computed",), ("gearset.planet_rim=elastic",), ("film.enabled=true",), ("bearing.per_planet=1",),
+        for values in ((*SPUR, *SPHERICAL, "bearing.laminae=30"), ("bearing.tilt_state=computed",), ("gearset.planet_rim=elastic",), ("film.enabled=true",), ("bearing.per_planet=1",),
                        ("gearset.dynamics.pin_error.tangential=[5 um, 0 um, 0 um]",), ("bearing.rows.approach=5 um",), ("bearing.rows.distance=30 mm",),
                        ("bearing.type=spherical-roller", "bearing.per_planet=1")):
             result = run("run", TAPERED, *settings(values))
