@@ -17,6 +17,7 @@
 #include "app/case/consistency.hpp"
 #include "app/case/derived_defaults.hpp"
 #include "app/case/field_table.hpp"
+#include "app/case/matrix_file.hpp"
 #include "app/case/resolved_case.hpp"
 #include "app/case/rows_file.hpp"
 #include "app/case/settings.hpp"
@@ -256,8 +257,9 @@ class Resolver {
     }
     const std::size_t before = mistakes_.size();
     const bool elsewhere = field.from_file && member.value.shape == Entry::Shape::block;
+    const auto read_file = field.columns.empty() ? matrix_of_file : rows_of_file;
     const Entry value =
-        elsewhere ? rows_of_file(field, member.value, path, data_.file, mistakes_) : member.value;
+        elsewhere ? read_file(field, member.value, path, data_.file, mistakes_) : member.value;
     if (mistakes_.size() > before) {
       faulty_.insert(path);
       return;

@@ -468,9 +468,10 @@ Use with_carrier_beside(const Use& use, std::string_view path) {
     if ((way.by & use::carrier) != 0 && (way.by & use::quasi_static) == 0)
       more = more.used_too(use::quasi_static, with_body(way.conditions));
   // What a set in its plane does not know; loads, clearance and weight leave its springs as they are.
-  if (is_one_of(path, {"gearset.carrier.bearing_positions", "gearset.carrier.bearing_stiffness",
-                       "gearset.carrier.centre_of_mass", "bearing.axial_places", "bearing.roller_length",
-                       "gearset.dynamics.ring.equivalent_mass"}))
+  if (is_one_of(path,
+                {"gearset.carrier.bearing_positions", "gearset.carrier.bearing_stiffness",
+                 "gearset.carrier.housing_stiffness", "gearset.carrier.centre_of_mass",
+                 "bearing.axial_places", "bearing.roller_length", "gearset.dynamics.ring.equivalent_mass"}))
     more = more.used_too(use::modes, body);
   return more;
 }

@@ -75,6 +75,7 @@ void add_drivetrain_fields(std::vector<Field>& fields) {
   fields.push_back(spectrum_field());
   add_described(fields, gearset::PlanetarySet{});
   add_described(fields, gearset::spatial::CarrierMounting{});
+  std::ranges::find(fields, "gearset.carrier.housing_stiffness", &Field::path)->from_file = true;
   add_bodies(fields);
   add_checks(fields);
 }

@@ -400,7 +400,8 @@ std::string kind_text(const Field& field, Kind kind) {
       if (field.group > 0)
         return fmt::format("list of {}, each element a {}, or a list of such lists", field.group,
                            kind_text(field, field.element));
-      return "list, each element a " + kind_text(field, field.element);
+      return "list, each element a " + kind_text(field, field.element) +
+             (field.from_file ? ", or {file: NAME.csv}" : "");
   }
   return {};
 }

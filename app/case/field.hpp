@@ -52,7 +52,7 @@ struct Field {
   Kind element = Kind::number;           // list: kind of its elements
   bool default_without_bearing = false;  // the default stands in only where a set has no bearing
   std::vector<ListColumn> columns{};     // list of rows: quantities of each of these
-  bool from_file = false;                // list of rows: {file: NAME.csv} may stand in their place
+  bool from_file = false;  // list of rows, or of a matrix: {file: NAME.csv} may stand in its place
   std::size_t group =
       0;  // list: of so many elements; or a list of such lists, whose elements follow each other
 };

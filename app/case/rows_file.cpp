@@ -48,14 +48,6 @@ const ListColumn* column_of(const Field& field, const std::string& key) {
   return found == field.columns.end() ? nullptr : &*found;
 }
 
-// Places in it outlive the reader.
-std::string_view lasting(const std::string& name) {
-  static std::set<std::string> names;
-  static std::mutex one_at_a_time;
-  const std::scoped_lock lock(one_at_a_time);
-  return *names.insert(name).first;
-}
-
 /// A file of rows, line by line.
 class RowsReader {
  public:
@@ -171,6 +163,13 @@ bool may_be_read(const fs::path& file) {
 
 }  // namespace
 
+std::string_view lasting(const std::string& name) {
+  static std::set<std::string> names;
+  static std::mutex one_at_a_time;
+  const std::scoped_lock lock(one_at_a_time);
+  return *names.insert(name).first;
+}
+
 void keep_row_files_within(const fs::path& folder) {
   only_folder = folder.empty() ? fs::path() : fs::canonical(folder);
 }
@@ -243,15 +242,20 @@ Entry rows_of_text(const Field& field, const std::string& text, const std::strin
   return RowsReader(field, path, file, mistakes).read(stream);
 }
 
-Entry rows_of_file(const Field& field, const Entry& block, const std::string& path,
-                   const std::string& case_file, std::vector<Mistake>& mistakes) {
+std::optional<NamedFile> file_of_block(const Field& field, const Entry& block, const std::string& path,
+                                       const std::string& case_file, std::vector<Mistake>& mistakes) {
   const Member* named = find_member(block, "file");
   if (named == nullptr || block.members.size() != 1 || named->value.shape != Entry::Shape::scalar ||
       trimmed(named->value.text).empty()) {
     mistakes.push_back({block.location, path, {"a block", requirement(field) + " is required"}});
-    return {};
+    return std::nullopt;
   }
-  const auto file = read_named_file(named->value.text, block.location, path, case_file, mistakes);
+  return read_named_file(named->value.text, block.location, path, case_file, mistakes);
+}
+
+Entry rows_of_file(const Field& field, const Entry& block, const std::string& path,
+                   const std::string& case_file, std::vector<Mistake>& mistakes) {
+  const auto file = file_of_block(field, block, path, case_file, mistakes);
   return file ? rows_of_text(field, file->text, path, file->name, mistakes) : Entry{};
 }
 

@@ -55,6 +55,14 @@ struct NamedFile {
   std::string text;
 };
 
+/// A file name that outlives its reader, for locations.
+std::string_view lasting(const std::string& name);
+
+/// The file that {file: NAME} in place of the field's list names; none where it cannot be read, with the
+/// mistake added.
+std::optional<NamedFile> file_of_block(const Field& field, const Entry& block, const std::string& path,
+                                       const std::string& case_file, std::vector<Mistake>& mistakes);
+
 /// None where it cannot be read, with the mistake added at `named`, where its name stands.
 std::optional<NamedFile> read_named_file(const std::string& name, const Location& named,
                                          const std::string& path, const std::string& case_file,

@@ -63,19 +63,23 @@ Json row_schema(const Field& field) {
   return block;
 }
 
-Json rows_schema(const Field& field) {
-  Json rows{{"type", "array"}, {"minItems", 1}, {"items", row_schema(field)}};
-  if (!field.from_file) return rows;
+// The list itself, or the file that holds it.
+Json or_file(const Field& field, Json list) {
+  if (!field.from_file) return list;
   const Json file{{"type", "object"},
                   {"additionalProperties", false},
                   {"required", {"file"}},
                   {"properties", {{"file", {{"type", "string"}, {"minLength", 1}}}}}};
-  return {{"oneOf", {rows, file}}};
+  return {{"oneOf", {list, file}}};
+}
+
+Json rows_schema(const Field& field) {
+  return or_file(field, {{"type", "array"}, {"minItems", 1}, {"items", row_schema(field)}});
 }
 
 Json list_schema(const Field& field, const Json& element) {
   Json list{{"type", "array"}, {"minItems", std::max<std::size_t>(1, field.group)}, {"items", element}};
-  if (field.group == 0) return list;
+  if (field.group == 0) return or_file(field, list);
   list["maxItems"] = field.group;
   return {{"oneOf", {list, Json{{"type", "array"}, {"minItems", 1}, {"items", list}}}}};
 }

@@ -49,5 +49,6 @@ set(ORBEARING_CASE_SOURCES
   case/use_conditions.cpp
   case/yaml_tree.cpp
   case/bearing_type.cpp
-  case/type_consistency.cpp)
+  case/type_consistency.cpp
+  case/matrix_file.cpp)
 set(ORBEARING_CASE_LIBRARIES yaml-cpp udunits2 fmt::fmt nlohmann_json::nlohmann_json)

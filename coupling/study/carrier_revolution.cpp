@@ -12,6 +12,7 @@
 #include "coupling/study/tilting_planet.hpp"
 #include "coupling/system/steady_state.hpp"
 #include "gearset/planet_angles.hpp"
+#include "gearset/spatial/housing_stiffness.hpp"
 #include "gearset/spatial/spatial_balance.hpp"
 #include "mechanics/record.hpp"
 
@@ -31,6 +32,21 @@ void require_length(const std::vector<double>& list, std::size_t length, const s
   if (list.size() == length || (may_lack && list.empty())) return;
   throw std::invalid_argument("gearset.carrier." + name + ": found " + std::to_string(list.size()) +
                               " values; required: " + (may_lack ? "none or " : "") + std::to_string(length));
+}
+
+// Of a list; a file of it is checked where it is read, line by line.
+void require_housing(const spatial::CarrierMounting& mounting) {
+  if (mounting.housing.empty()) return;
+  const std::size_t rows = spatial::kSeatDirections * mounting.positions.size();
+  const std::string name = "gearset.carrier.housing_stiffness";
+  if (mounting.housing.size() != rows * rows)
+    throw std::invalid_argument(name + ": found " + std::to_string(mounting.housing.size()) +
+                                " values; required: " + std::to_string(rows * rows) + ", " +
+                                std::to_string(rows) + " rows and columns for " +
+                                std::to_string(mounting.positions.size()) + " bearings");
+  if (const auto fault =
+          spatial::housing_fault(spatial::matrix_of_rows(mounting.housing), mounting.positions))
+    throw std::invalid_argument(name + ": found " + fault->found + "; required: " + fault->required);
 }
 
 std::vector<spatial::CarrierBearing> carrier_bearings(const spatial::CarrierMounting& mounting) {
@@ -351,6 +367,7 @@ void require_sound(const spatial::CarrierMounting& mounting) {
                                 "tilting");
   require_length(mounting.radial_stiffness, bearings, "bearing_stiffness", false);
   require_length(mounting.clearances, bearings, "bearing_clearance", true);
+  require_housing(mounting);
   require_length(mounting.rotor_force, 3, "rotor_force", true);
   require_length(mounting.rotor_moment, 2, "rotor_moment", true);
 }
@@ -370,6 +387,7 @@ spatial::SpatialSet spatial_set(const PlanetaryDrivetrain& drivetrain, const Set
                           // Axial forces of both meshes cancel on a planet: washers hold what is left.
                           .planet_axial_stiffness = bodies.planet.bearing_stiffness,
                           .carrier_bearings = carrier_bearings(mounting),
+                          .housing_stiffness = spatial::matrix_of_rows(mounting.housing),
                           .sun_axial_stiffness = bodies.planet.bearing_stiffness,
                           .sun_radial_stiffness = bodies.sun.support.stiffness,
                           .planet_mass = bodies.planet.mass,

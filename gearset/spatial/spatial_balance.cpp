@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "gearset/spatial/housing_stiffness.hpp"
+
 namespace orbearing::gearset::spatial {
 
 namespace {
@@ -55,6 +57,8 @@ struct Assembly {
   std::vector<MeshFlanks> meshes;    // per planet that of the sun, then that of the ring
   Eigen::ArrayXd height;             // [m]  (slices)  of their middles
   std::vector<RadialSpring> radial;  // rows of planets, planet by planet, then those of carrier and sun
+  std::vector<Eigen::Index> seats;   // coordinates of the housing's seats: none where it is rigid
+  Eigen::MatrixXd housing;           // [N/m]  (seats, seats)
   VectorXd force;                    // [N]  applied
   double lever = 1.0;                // [m]  of the rotations
   double scale = 0.0;                // [N]
@@ -77,9 +81,13 @@ Motion motion_of(int body, const Vector3d& direction, const Vector3d& arm, doubl
 class Builder {
  public:
   Builder(const SpatialSet& set, const SpatialLoad& load, double angle, int slices, bool ring_moves = false)
-      : set_(set), load_(load), angle_(angle), ring_(ring_moves ? first_planet + planets() : int{housing}) {
+      : set_(set),
+        load_(load),
+        angle_(angle),
+        ring_(ring_moves ? first_planet + planets() : int{housing}),
+        first_seat_(first_planet + planets() + (ring_moves ? 1 : 0)) {
     made_.lever = set.centre_distance;
-    made_.force = VectorXd::Zero(6 * (first_planet + planets() + (ring_moves ? 1 : 0)));
+    made_.force = VectorXd::Zero(6 * (first_seat_ + seats()));
     const double width = set.face_width / slices;
     made_.height = Eigen::ArrayXd::LinSpaced(slices, 0.5, slices - 0.5) * width - 0.5 * set.face_width;
     made_.scale = std::abs(load.torque) / set.centre_distance;
@@ -88,8 +96,11 @@ class Builder {
   Assembly built() {
     for (int p = 0; p < planets(); ++p) add_meshes(p);
     for (int p = 0; p < planets(); ++p) add_pin(p);
-    for (const CarrierBearing& bearing : set_.carrier_bearings) add_housing_bearing(carrier, bearing);
-    add_housing_bearing(sun, {.radial_stiffness = set_.sun_radial_stiffness});
+    for (int b = 0; b < static_cast<int>(set_.carrier_bearings.size()); ++b)
+      add_housing_bearing(carrier, set_.carrier_bearings[static_cast<std::size_t>(b)],
+                          seats() > 0 ? first_seat_ + b : int{housing});
+    add_housing_bearing(sun, {.radial_stiffness = set_.sun_radial_stiffness}, housing);
+    add_housing();
     add_axial(sun, housing, Vector3d::Zero(), Vector3d::Zero(), set_.sun_axial_stiffness);
     add_loads();
     return made_;
@@ -97,6 +108,15 @@ class Builder {
 
  private:
   int planets() const { return static_cast<int>(set_.angles.size()); }
+  // Seats of carrier bearings in an elastic housing are bodies of which the displacements count.
+  int seats() const { return static_cast<int>(set_.housing_stiffness.rows()) / kSeatDirections; }
+
+  void add_housing() {
+    if (seats() == 0) return;
+    for (int b = 0; b < seats(); ++b)
+      for (int i = 0; i < kSeatDirections; ++i) made_.seats.push_back(6 * (first_seat_ + b) + i);
+    made_.housing = housing_stiffness_at(set_.housing_stiffness, angle_);
+  }
 
   void add_meshes(int planet) {
     const double drive = load_.torque < 0.0 ? -1.0 : 1.0;
@@ -152,13 +172,15 @@ class Builder {
     add_axial(body, carrier, Vector3d::Zero(), pin, set_.planet_axial_stiffness);
   }
 
-  void add_housing_bearing(int body, const CarrierBearing& bearing) {
+  void add_housing_bearing(int body, const CarrierBearing& bearing, int seat) {
     const Vector3d height = bearing.position * Vector3d::UnitZ();
     RadialSpring spring{.stiffness = bearing.radial_stiffness, .clearance = bearing.clearance};
     spring.one[0] = motion_of(body, Vector3d::UnitX(), height, made_.lever);
     spring.one[1] = motion_of(body, Vector3d::UnitY(), height, made_.lever);
+    spring.other[0] = motion_of(seat, Vector3d::UnitX(), Vector3d::Zero(), made_.lever);
+    spring.other[1] = motion_of(seat, Vector3d::UnitY(), Vector3d::Zero(), made_.lever);
     made_.radial.push_back(spring);
-    add_axial(body, housing, height, height, bearing.axial_stiffness);
+    add_axial(body, seat, height, Vector3d::Zero(), bearing.axial_stiffness);
   }
 
   void add_axial(int one, int other, const Vector3d& at_one, const Vector3d& at_other, double stiffness) {
@@ -198,7 +220,8 @@ class Builder {
   const SpatialSet& set_;
   const SpatialLoad& load_;
   double angle_;
-  int ring_;  // its body, or the housing
+  int ring_;        // its body, or the housing
+  int first_seat_;  // body of the first carrier bearing's seat, behind all others
   Assembly made_;
 };
 
@@ -306,6 +329,29 @@ void add_radial(const RadialSpring& spring, const VectorXd& position, Imbalance&
   }
 }
 
+VectorXd seats_moved(const Assembly& assembly, const VectorXd& position) {
+  return position(assembly.seats);
+}
+
+void add_housing(const Assembly& assembly, const VectorXd& position, Imbalance& sum) {
+  if (assembly.seats.empty()) return;
+  sum.force(assembly.seats) -= assembly.housing * seats_moved(assembly, position);
+  sum.stiffness(assembly.seats, assembly.seats) += assembly.housing;
+}
+
+// Without its last coordinates, on which no force acts.
+Eigen::MatrixXd condensed(const Eigen::MatrixXd& stiffness, Eigen::Index kept) {
+  const Eigen::Index rest = stiffness.rows() - kept;
+  if (rest == 0) return stiffness;
+  const Eigen::MatrixXd across = stiffness.bottomLeftCorner(rest, kept),
+                        within = stiffness.bottomRightCorner(rest, rest);
+  Eigen::MatrixXd moved(rest, kept);
+  for (Eigen::Index i = 0; i < kept; ++i)
+    moved.col(i) = mechanics::lengths_under<Eigen::Dynamic>(across.col(i), within);
+  const Eigen::MatrixXd taken = across.transpose() * moved;
+  return stiffness.topLeftCorner(kept, kept) - 0.5 * (taken + taken.transpose());
+}
+
 constexpr int kHeld = 6 * sun + 5;  // the sun's rotation about its axis: its shaft bears the torque
 
 Imbalance imbalance_of(const Assembly& assembly, const VectorXd& position) {
@@ -317,6 +363,7 @@ Imbalance imbalance_of(const Assembly& assembly, const VectorXd& position) {
     for (const Flanks* flanks : {&mesh.driving, &mesh.back})
       add_flanks(*flanks, assembly.height, position, sum);
   for (const RadialSpring& spring : assembly.radial) add_radial(spring, position, sum);
+  add_housing(assembly, position, sum);
   return sum;
 }
 
@@ -404,7 +451,8 @@ double energy(const SpatialSet& set, const SpatialLoad& load, double angle, int 
       sum += 0.5 * flanks->stiffness * compression(*flanks, assembly.height, position).square().sum();
   for (const RadialSpring& spring : assembly.radial)
     sum += 0.5 * spring.stiffness * std::pow(compression(spring, deflection(spring, position)), 2);
-  return sum;
+  const VectorXd seats = seats_moved(assembly, position);
+  return sum + 0.5 * seats.dot(assembly.housing * seats);
 }
 
 SpatialBalance balance(const SpatialSet& set, const SpatialLoad& load, double angle, int slices,
@@ -445,7 +493,9 @@ Eigen::MatrixXd closed_stiffness(const SpatialSet& set, int slices, bool ring_mo
   for (const RadialSpring& spring : assembly.radial) add_radial(spring, nowhere, sum);
   for (const MeshFlanks& mesh : assembly.meshes)
     add_pressing(mesh.driving, assembly.height, Eigen::ArrayXd::Ones(slices), sum.stiffness);
-  return sum.stiffness;
+  add_housing(assembly, nowhere, sum);
+  const auto seats = static_cast<Eigen::Index>(assembly.seats.size()) / kSeatDirections;
+  return condensed(sum.stiffness, sum.stiffness.rows() - 6 * seats);
 }
 
 }  // namespace orbearing::gearset::spatial

@@ -51,7 +51,7 @@ double energy(const SpatialSet& set, const SpatialLoad& load, double angle, int 
 
 /// Stiffness [N/m] about a loaded set: all driving flanks touch, no back flank does, and bearings have used
 /// up their clearance. The sun may turn; `ring_moves`: the ring is a body behind the planets, which nothing
-/// but the meshes holds here.
+/// but the meshes holds here. An elastic housing stands to the carrier as at angle 0; its seats have no mass.
 Eigen::MatrixXd closed_stiffness(const SpatialSet& set, int slices, bool ring_moves);
 
 }  // namespace orbearing::gearset::spatial

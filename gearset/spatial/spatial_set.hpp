@@ -51,6 +51,9 @@ struct SpatialSet {
   std::vector<PlanetBearing> planet_bearings;  // the same on each pin
   double planet_axial_stiffness = 0.0;         // [N/m]  between planet and pin
   std::vector<CarrierBearing> carrier_bearings;
+  /// [N/m]  (3 x carrier bearings, the same)  of the housing at the bearings' seats, in series with them: x,
+  /// y and z of the housing, bearing by bearing; none: rigid
+  Eigen::MatrixXd housing_stiffness;
   double sun_axial_stiffness = 0.0;          // [N/m]  its spline or bearing
   double sun_radial_stiffness = 0.0;         // [N/m]  of its shaft, in the middle of the face; 0: it floats
   double planet_mass = 0.0, sun_mass = 0.0;  // [kg]   their middles are those of the face width
@@ -72,6 +75,7 @@ struct CarrierMounting {
   std::vector<double> positions;         // [m]    (bearings)  axial
   std::vector<double> radial_stiffness;  // [N/m]  (bearings)
   std::vector<double> clearances;    // [m]    (bearings) or empty: none; of diameters, as catalogues have it
+  std::vector<double> housing;       // [N/m]  rows of SpatialSet::housing_stiffness or empty: rigid
   double centre_of_mass = 0.0;       // [m]
   double axis_tilt = 0.0;            // [rad]
   double gravity = 9.80665;          // [m/s2]
@@ -112,6 +116,10 @@ void describe(Visitor& visit, CarrierMounting& m) {
       list(m.clearances, "bearing_clearance",
            "radial internal clearance of each bearing of the carrier; none if absent",
            dimension::small_length, 0.0, 1e5, held),
+      list(m.housing, "housing_stiffness",
+           "stiffness matrix of the housing at the seats of the carrier's bearings, row by row or in a file; "
+           "across, upward and along the axis for each bearing; rigid if absent",
+           dimension::stiffness, -1e16, 1e16, held),
       number(m.centre_of_mass, "centre_of_mass",
              "axial position of the carrier's centre of mass, from the middle of the face", dimension::length,
              {-1e5, 1e5}, "between its walls"),

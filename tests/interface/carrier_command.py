@@ -148,6 +148,44 @@ class Carrier(unittest.TestCase):
         self.assertIn("bearing.roller_diameter_deviation", result.stderr)
         self.assertIn("which carrier cannot take into account", result.stderr)
 
+    def test_a_housing_that_deflects_is_in_series_with_the_bearings(self):
+        """A file of seats that are alike in all directions: k k_h/(k + k_h) of 3e9 and 6e9 N/m is 2e9 N/m."""
+        def in_file(stiffness):
+            folder = tempfile.mkdtemp()
+            names = ", ".join(f"{axis}{bearing}_N_per_mm" for bearing in (1, 2) for axis in "xyz")
+            rows = [", ".join(f"{stiffness if i == j else 0:g}" for j in range(6)) for i in range(6)]
+            file = Path(folder) / "housing.csv"
+            file.write_text("# seats\n" + names + "\n" + "\n".join(rows) + "\n", encoding="utf-8")
+            return f"gearset.carrier.housing_stiffness={{file: {file}}}"
+        series = answer("gearset.carrier.bearing_stiffness=[2e9 N/m, 2e9 N/m]")
+        elastic, stiff, rigid = answer(in_file(6e6)), answer(in_file(1e13)), answer()
+        for key in ("largest_load_share", "K_gamma", "shortest_L10h_h", "carrier_tilt_mrad"):
+            self.assertAlmostEqual(elastic[key] / series[key], 1, delta=1e-8, msg=key)
+            self.assertAlmostEqual(stiff[key] / rigid[key], 1, delta=1e-6, msg=key)
+        self.assertGreater(abs(elastic["largest_load_share"] / rigid["largest_load_share"] - 1), 1e-4)
+        modes = [answer(*words, command="modes")["in_three_dimensions"]["modes"] for words in ((in_file(6e6),), ("gearset.carrier.bearing_stiffness=[2e9 N/m, 2e9 N/m]",))]
+        for one, other in zip(*modes):
+            self.assertAlmostEqual(one["frequency_Hz"], other["frequency_Hz"], delta=1e-6 * modes[0][-1]["frequency_Hz"])
+
+    def test_matrices_that_are_no_stiffness_are_refused_by_line_and_column(self):
+        head = "x1_N_per_mm, y1_N_per_mm, z1_N_per_mm\n"
+        for text, words in ((head + "1, 0, 0\n0, 1, 0\n", ":4:1: gearset.carrier.housing_stiffness: 2 rows of 3 columns"),
+                            (head + "1, 0, 0\n0, 1, 0\n0, 0, 1\n0, 0, 1\n", ":5:1: gearset.carrier.housing_stiffness: more rows than the 3 columns"),
+                            (head + "1, 0.5, 0\n0.4, 1, 0\n0, 0, 1\n", ":3:1: gearset.carrier.housing_stiffness: 400 N/m in row 2, column 1, and 500 N/m"),
+                            (head + "1, 0, 0\n0, -1, 0\n0, 0, 1\n", ":3:4: gearset.carrier.housing_stiffness: -1000 N/m on the diagonal"),
+                            (head + "1, 2, 0\n2, 1, 0\n0, 0, 1\n", "a negative eigenvalue, -1000 N/m"),
+                            (head + "1, 0, 0\n0, one, 0\n0, 0, 1\n", ":3:4: gearset.carrier.housing_stiffness: 'one N/mm'"),
+                            ("x1_N_per_mm, y1_mm, z1_N_per_mm\n1, 0, 0\n0, 1, 0\n0, 0, 1\n", ":2:4: gearset.carrier.housing_stiffness: '0 mm'"),
+                            ("x1, y1, z1\n1, 0, 0\n0, 1, 0\n0, 0, 1\n", ":1:1: gearset.carrier.housing_stiffness: the column 'x1' without a unit"),
+                            ("x1_N_per_mm, x2_N_per_mm, z1_N_per_mm\n1, 0, 0\n", ":1:14: gearset.carrier.housing_stiffness: the column 'x2_N_per_mm'"),
+                            (head + "1, 0, 0\n0, 1, 0\n0, 0, 1\n", "found 9 values; required: 36, 6 rows and columns for 2 bearings")):
+            with tempfile.TemporaryDirectory() as folder:
+                file = Path(folder) / "housing.csv"
+                file.write_text(text, encoding="utf-8")
+                result = call(f"gearset.carrier.housing_stiffness={{file: {file}}}")
+                self.assertEqual(result.returncode, 2, text)
+                self.assertIn(words, result.stderr, text)
+
     def test_refusals(self):
         for settings, words in (
                 (("gearset.carrier.bearing_positions=[0 mm]", "gearset.carrier.bearing_stiffness=[3e9 N/m]"), "at least two bearings"),

@@ -295,6 +295,10 @@ inline const std::map<std::string, Change>& stated_changes() {
       {"gearset.carrier.bearing_positions", {"[-30 mm, 27 mm]"}},
       {"gearset.carrier.bearing_stiffness", {"[2e8 N/m, 3e8 N/m]"}},
       {"gearset.carrier.bearing_clearance", {"[10 um, 20 um]"}},
+      {"gearset.carrier.housing_stiffness",
+       {"[2e8 N/m, 0 N/m, 0 N/m, 1e7 N/m, 0 N/m, 0 N/m, 0 N/m, 1e8 N/m, 0 N/m, 0 N/m, 0 N/m, 0 N/m, "
+        "0 N/m, 0 N/m, 2e8 N/m, 0 N/m, 0 N/m, 0 N/m, 1e7 N/m, 0 N/m, 0 N/m, 1e8 N/m, 0 N/m, 0 N/m, "
+        "0 N/m, 0 N/m, 0 N/m, 0 N/m, 2e8 N/m, 0 N/m, 0 N/m, 0 N/m, 0 N/m, 0 N/m, 0 N/m, 1e8 N/m]"}},
       {"gearset.carrier.centre_of_mass", {"5 mm"}},
       {"gearset.carrier.axis_tilt", {"6 deg"}},
       {"gearset.carrier.rotor_force", {"[100 N, 0 N, 0 N]"}},
@@ -555,7 +559,7 @@ inline bool stays_as_it_is(const Field& field, const ResolvedCase& in) {
   if (field.path.starts_with("bearing.rows.") &&
       (in.has("gearset.dynamics.pin_error.tangential") || in.has("defect.race")))
     return true;
-  const bool alone = !in.shape().several && !in.has("bearing.rollers");    // a rim that rests on no rollers
+  const bool alone = !in.shape().several && !in.has("bearing.rollers");  // a rim that rests on no rollers
   const bool stepped = field.path.starts_with("gearset.stepped_planet.");  // whose bearings find their tilt
   return ((rim || of_tilt || stepped) && in.has("gearset.dynamics.pin_error.tangential")) ||
          ((rim || stepped) && alone) ||
