@@ -13,6 +13,7 @@
 #include "app/case/spectrum_case.hpp"
 #include "gearset/drivetrain/arrangement_checks.hpp"
 #include "gearset/drivetrain/power_flow.hpp"
+#include "gearset/planet_pair.hpp"
 #include "gearset/stepped_planet.hpp"
 
 namespace orbearing::app {
@@ -97,7 +98,11 @@ Arrangement several(const ResolvedCase& resolved) {
 Arrangement one(const ResolvedCase& resolved) {
   gearset::PlanetarySet set = toothed_set(resolved, "");
   set.fixed_member = *member_of(resolved.choice("gearset.fixed"));
-  return gearset::arrangement_of(set, *member_of(resolved.choice("input.member")), "gearset");
+  Arrangement arrangement =
+      gearset::arrangement_of(set, *member_of(resolved.choice("input.member")), "gearset");
+  if (resolved.has("gearset.second_planet.teeth"))
+    arrangement.sets.front().ring_teeth = gearset::willis_teeth_of_pairs(set).ring;
+  return arrangement;
 }
 
 // Whether every word of every shaft means something, once; objects to those that do not.

@@ -113,9 +113,12 @@ void check_gears(Checker& check, const ResolvedCase& resolved, std::vector<Mista
                   "gearset.face_width", "gearset.helix_angle", "gearset.web.rim", "material.density"}) ||
       (has_bearing(resolved) && !check.has({"bearing.outside_diameter"})))
     return;
-  const gearset::Warnings problems = gearset::assembly_problems(set_of(resolved));
+  const bool pairs = has_planet_pairs(resolved);
+  const gearset::Warnings problems =
+      pairs ? gearset::pair_problems(set_of(resolved), second_planet_of(resolved))
+            : gearset::assembly_problems(set_of(resolved));
   add_errors(check, resolved, problems);
-  if (problems.empty()) check_stated_geometry(resolved, mistakes);
+  if (problems.empty() && !pairs) check_stated_geometry(resolved, mistakes);
 }
 
 bool two_values(Checker& check, const ResolvedCase& resolved, const char* path) {
@@ -353,6 +356,9 @@ void check_multi_stage(const ResolvedCase& resolved, std::vector<Mistake>& mista
     std::vector<Mistake> of_set;
     const ResolvedCase one = resolved.of_set(set);
     check_one_set(one, of_set);
+    if (has_planet_pairs(one))
+      add_error_at(one, "gearset.second_planet.teeth", "planets in pairs in one of several sets",
+                   "a case of one set is required", of_set);
     for (Mistake& mistake : of_set) {
       mistake.path = set_prefix(set) + mistake.path;
       mistakes.push_back(std::move(mistake));

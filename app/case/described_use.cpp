@@ -139,6 +139,11 @@ constexpr Exception exceptions[] = {
     {"gearset.stepped_planet.profile_shift", no_second_gear},
     {"gearset.stepped_planet.face_width", no_second_gear},
     {"gearset.stepped_planet.offset", no_second_gear},
+    // So are planets in pairs.
+    {"gearset.second_planet.teeth", no_second_gear},
+    {"gearset.second_planet.first_profile_shift", no_second_gear},
+    {"gearset.second_planet.profile_shift", no_second_gear},
+    {"gearset.second_planet.side", no_second_gear},
     {"numerics.cage_positions", 0, use::dynamic_of_sets}};  // but for what is found at rest before
 
 // What gives way under the planets besides, with its ends: it counts at rest too where planets carry unlike

@@ -5,6 +5,7 @@
 #include "app/case/field_table.hpp"
 #include "app/case/spectrum_case.hpp"
 #include "gearset/parameters.hpp"
+#include "gearset/planet_pair.hpp"
 #include "gearset/spatial/spatial_set.hpp"
 
 namespace orbearing::app::table {
@@ -74,6 +75,7 @@ void add_drivetrain_fields(std::vector<Field>& fields) {
   fields.insert(behind + 1, torque_curve_field(use_of_power));
   fields.push_back(spectrum_field());
   add_described(fields, gearset::PlanetarySet{});
+  add_described(fields, gearset::SecondPlanet{});
   add_described(fields, gearset::spatial::CarrierMounting{});
   std::ranges::find(fields, "gearset.carrier.housing_stiffness", &Field::path)->from_file = true;
   add_bodies(fields);

@@ -84,10 +84,11 @@ bool is_left_out_of_carrier(std::string_view path) {
 Use with_carrier_body(Use use, std::string_view path) {
   constexpr unsigned leaders = use::modes | use::quasi_static;
   if (path.starts_with("gearset.carrier.")) return use;
-  // Springs that are linked, a ring that turns, other rows than cylindrical ones, two gears on a planet.
+  // Springs that are linked, a ring that turns, other rows than cylindrical ones, two gears on a planet,
+  // pairs.
   if (path == "gearset.planet_rim" || path == "gearset.fixed" || path == "bearing.balls" ||
       path == "bearing.ball_diameter" || path.starts_with("bearing.rows.") ||
-      path.starts_with("gearset.stepped_planet.")) {
+      path.starts_with("gearset.stepped_planet.") || path.starts_with("gearset.second_planet.")) {
     put(use, use::carrier, &Use::refused_by);
     return use;
   }

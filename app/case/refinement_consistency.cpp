@@ -86,8 +86,8 @@ void check_stepped(const ResolvedCase& resolved, std::vector<Mistake>& mistakes)
   if (!has_stepped_planets(resolved) || !resolved.has("gearset.face_width")) return;
   const auto need = [&](bool holds, const std::string& other, const std::string& required) {
     if (!holds)
-      add_error_at(resolved, teeth, "two gears on each planet together with " + other, required + " is required",
-                   mistakes);
+      add_error_at(resolved, teeth, "two gears on each planet together with " + other,
+                   required + " is required", mistakes);
   };
   const auto is = [&](const char* path, const char* word) {
     return resolved.has(path) && resolved.choice(path) == word;
@@ -112,6 +112,37 @@ void check_stepped(const ResolvedCase& resolved, std::vector<Mistake>& mistakes)
                  fmt::format("{} of at least {:.4g} mm either way, half of both faces, is required", offset,
                              per_milli * apart),
                  mistakes);
+}
+
+// Planets in pairs are spur gears on rigid bodies, each on bearings of its own pin that carry alike.
+void check_pairs(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
+  const std::string teeth = "gearset.second_planet.teeth";
+  if (!has_planet_pairs(resolved)) return;
+  const auto need = [&](bool holds, const std::string& other, const std::string& required) {
+    if (!holds)
+      add_error_at(resolved, teeth, "planets in pairs together with " + other, required + " is required",
+                   mistakes);
+  };
+  const auto is = [&](const char* path, const char* word) {
+    return resolved.has(path) && resolved.choice(path) == word;
+  };
+  need(resolved.has("bearing.per_planet"), "no bearing", "a planet bearing, which each planet then has,");
+  need(!resolved.has("gearset.helix_angle") || resolved.quantity("gearset.helix_angle") == 0.0,
+       "gearset.helix_angle", "0 deg");
+  need(!has_stepped_planets(resolved), "gearset.stepped_planet", "one of both");
+  need(!is("gearset.planet_rim", "elastic"), "gearset.planet_rim: elastic", "a rigid rim");
+  need(!is("gearset.tooth_contact", "loaded"), "gearset.tooth_contact: loaded", "linear contact");
+  need(!is("bearing.tilt_state", "computed"), "bearing.tilt_state: computed", "stated");
+  need(!is("bearing.clearance_state", "unmounted"), "bearing.clearance_state: unmounted",
+       "the clearance in operation");
+  const std::string uneven = uneven_planets_by(resolved);
+  need(uneven.empty(), uneven, "pairs that carry alike");
+  for (const std::string path :
+       {"gearset.planet_angles", "gearset.centre_distance", "gearset.carrier.bearing_positions"})
+    need(!resolved.has(path), path, "a case without it");
+  need(!resolved.has("gearset.profile_shift.planet"), "gearset.profile_shift.planet",
+       "gearset.second_planet.first_profile_shift instead of it");
+  if (resolved.has("defect.race")) need(false, "defect", "a case without it");
 }
 
 // Bearings lie side by side within the face, or the length of a stepped planet, which lies within the
@@ -165,6 +196,7 @@ void check_refinements(const ResolvedCase& resolved, std::vector<Mistake>& mista
   check_tooth_contact(resolved, mistakes);
   check_tilt(resolved, mistakes);
   check_stepped(resolved, mistakes);
+  check_pairs(resolved, mistakes);
   check_positions(resolved, mistakes);
   const std::string deviations = "bearing.roller_diameter_deviation";
   if (!resolved.has(deviations) || !resolved.has("bearing.rollers")) return;

@@ -71,6 +71,14 @@ bool has_stepped_planets(const ResolvedCase& resolved) {
   return resolved.has("gearset.stepped_planet.teeth");
 }
 
+bool has_planet_pairs(const ResolvedCase& resolved) {
+  return resolved.has("gearset.second_planet.teeth");
+}
+
+gearset::SecondPlanet second_planet_of(const ResolvedCase& resolved) {
+  return from_case<gearset::SecondPlanet>(resolved);
+}
+
 std::string location_in_case(const ResolvedCase& resolved, const std::string& location) {
   const bool of_bore = location == "bearing.outside_diameter" && !resolved.has(location);
   return of_bore ? "gearset.planet_bore_ratio" : location;

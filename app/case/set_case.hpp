@@ -8,6 +8,7 @@
 #include "app/case/resolved_case.hpp"
 #include "gearset/gear_pair.hpp"
 #include "gearset/parameters.hpp"
+#include "gearset/planet_pair.hpp"
 
 namespace orbearing::app {
 
@@ -34,6 +35,10 @@ gearset::PlanetarySet stated_set(const ResolvedCase& resolved);
 
 /// Whether the planets of the one set, or of one of several by ResolvedCase::of_set(), have two gears.
 bool has_stepped_planets(const ResolvedCase& resolved);
+
+/// Whether planets are in pairs, and the second planet of such a pair.
+bool has_planet_pairs(const ResolvedCase& resolved);
+gearset::SecondPlanet second_planet_of(const ResolvedCase& resolved);
 
 /// The input that a warning of the gears is about: without a bearing a planet's bore is that of another
 /// input.

@@ -118,7 +118,8 @@ bool carrier_is_body(const ResolvedCase& in, std::string_view) {
   return in.shape().bearing && in.shape().teeth && !in.shape().several &&
          in.has("gearset.carrier.bearing_positions") && in.has("gearset.carrier.bearing_stiffness") &&
          is_chosen(in, "gearset.fixed", "ring") && !is_chosen(in, "gearset.planet_rim", "elastic") &&
-         !in.has("gearset.stepped_planet.teeth") && has_cylindrical_rollers(in);
+         !in.has("gearset.stepped_planet.teeth") && !in.has("gearset.second_planet.teeth") &&
+         has_cylindrical_rollers(in);
 }
 
 bool bearings_make_springs(const ResolvedCase& in, std::string_view) {

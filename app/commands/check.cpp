@@ -39,7 +39,8 @@ Checked check(const ResolvedCase& resolved) {
   if (resolved.model() != planetary_drivetrain) return {own, {}, {}};
   Checked checked{derived_quantities(resolved), gear_warnings(resolved), {}};
   if (resolved.shape().several || resolved.shape().teeth) checked.power = power_table(resolved);
-  if (!resolved.shape().several && !has_stepped_planets(resolved) && has_cylindrical_rollers(resolved))
+  if (!resolved.shape().several && !has_stepped_planets(resolved) && !has_planet_pairs(resolved) &&
+      has_cylindrical_rollers(resolved))
     for (const Derived& row : gear_dynamics_quantities(resolved))
       if (!resolved.has(row.path)) checked.derived.push_back(row);
   checked.derived.insert(checked.derived.end(), own.begin(), own.end());

@@ -119,7 +119,7 @@ std::vector<std::string> gear_warnings(const ResolvedCase& resolved) {
       texts.push_back(prefix + location_in_case(set, warning.key) + ": " + warning.text);
     for (const std::string& text : ring_sign_warnings(set)) texts.push_back(prefix + text);
   };
-  if (!resolved.shape().teeth) return texts;
+  if (!resolved.shape().teeth || has_planet_pairs(resolved)) return texts;
   if (!resolved.shape().several) add("", resolved);
   for (const std::string& set : resolved.shape().sets) add(set_prefix(set), resolved.of_set(set));
   return texts;

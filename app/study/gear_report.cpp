@@ -216,7 +216,7 @@ Json load_series(const ResolvedCase& resolved, double rpm) {
 
 bool has_gear_report(const ResolvedCase& resolved) {
   return resolved.model() == planetary_drivetrain && !resolved.shape().several && resolved.shape().teeth &&
-         !has_stepped_planets(resolved) && has_cylindrical_rollers(resolved);
+         !has_stepped_planets(resolved) && !has_planet_pairs(resolved) && has_cylindrical_rollers(resolved);
 }
 
 nlohmann::ordered_json gear_report(const ResolvedCase& resolved, std::vector<double> speeds_rpm) {

@@ -15,6 +15,7 @@
 #include "app/study/gear_case.hpp"
 #include "app/units.hpp"
 #include "bearing/equilibrium/inclined_rows.hpp"
+#include "bearing/life/inclined_rating.hpp"
 #include "bearing/profile/profile.hpp"
 #include "coupling/study/tilting_planet.hpp"
 #include "gearset/drivetrain/power_flow.hpp"
@@ -44,8 +45,34 @@ void add_planet_angles(const gearset::PlanetarySet& set, std::vector<Derived>& r
   rows.push_back({path + ".most", kDegree * most, "deg", "between neighbouring planets"});
 }
 
+// Of one planet of a pair and its own meshes; the mesh of both belongs to the second.
+void add_planet_of_pair(const study::PlanetaryDrivetrain& drivetrain,
+                        const study::DrivetrainGeometry& geometry, std::vector<Derived>& rows) {
+  const gearset::PlanetOfPair& planet = *drivetrain.of_pair;
+  const gearset::PlanetPairGeometry pair = gearset::planet_pair_geometry(drivetrain.set, planet.pair);
+  const auto add_mesh = [&](const char* name, const gearset::MeshGeometry& mesh) {
+    const std::string path = std::string("gearset.") + name;
+    rows.push_back({path + ".pressure_angle", kDegree * mesh.working_pressure_angle, "deg", "working"});
+    rows.push_back({path + ".contact_ratio", mesh.contact_ratio, "1", "where the involutes end"});
+  };
+  rows.push_back({"gearset.centre_distance", per_milli * geometry.gears.centre_distance, "mm",
+                  "of the planet's axis from the sun's"});
+  if (planet.second) {
+    add_mesh("planet_mesh", pair.planet_mesh);
+    add_mesh("ring_mesh", pair.ring_mesh);
+    rows.push_back({"gearset.planet_distance", per_milli * pair.between, "mm", "axes of both planets"});
+    rows.push_back({"gearset.pair_angle", kDegree * pair.angle, "deg",
+                    "from the first planet to the second round the carrier"});
+  } else {
+    add_mesh("sun_mesh", pair.sun_mesh);
+  }
+  rows.push_back(
+      {"gearset.planet_mass", geometry.planet_mass, "kg", "gear body and outer rings of its bearings"});
+}
+
 void add_gears(const study::PlanetaryDrivetrain& drivetrain, const study::DrivetrainGeometry& geometry,
                std::vector<Derived>& rows) {
+  if (drivetrain.of_pair) return add_planet_of_pair(drivetrain, geometry, rows);
   const gearset::WorkingGeometry& gears = geometry.gears;
   rows.push_back(
       {"gearset.centre_distance", 1e3 * gears.centre_distance, "mm", "working, common to both meshes"});
@@ -314,7 +341,29 @@ study::PlanetaryDrivetrain drivetrain_of(const ResolvedCase& in) {
   return out;
 }
 
+namespace {
+
+// Of planets in pairs, which are taken as two sets that share the power.
+const std::vector<std::string> kPairNames{"first_planet", "second_planet"};
+
+std::vector<study::NamedSet> planets_of_pairs(const ResolvedCase& resolved) {
+  const gearset::PowerFlow flow = gearset::power_flow(arrangement_of(resolved));
+  std::vector<study::NamedSet> planets;
+  for (const std::string& name : kPairNames) {
+    study::PlanetaryDrivetrain drivetrain = drivetrain_without_gear_set(resolved);
+    drivetrain.of_pair = {second_planet_of(resolved), name == kPairNames.back()};
+    drivetrain.in_arrangement = flow.sets.front();
+    drivetrain.mesh_variation = false;
+    const study::DrivetrainGeometry geometry = study::derive(drivetrain);
+    planets.push_back({name, std::move(drivetrain), geometry});
+  }
+  return planets;
+}
+
+}  // namespace
+
 std::vector<std::string> bearing_set_names(const ResolvedCase& resolved) {
+  if (has_planet_pairs(resolved)) return kPairNames;
   std::vector<std::string> names;
   for (const std::string& set : resolved.shape().sets)
     if (has_planet_bearing(resolved, set_prefix(set))) names.push_back(set);
@@ -322,6 +371,7 @@ std::vector<std::string> bearing_set_names(const ResolvedCase& resolved) {
 }
 
 std::vector<study::NamedSet> bearing_sets(const ResolvedCase& resolved) {
+  if (has_planet_pairs(resolved)) return planets_of_pairs(resolved);
   if (!resolved.shape().several) {
     study::PlanetaryDrivetrain drivetrain = drivetrain_without_gear_set(resolved);
     const study::DrivetrainGeometry geometry = study::derive(drivetrain);
@@ -391,7 +441,7 @@ double tolerance_grade_7(double size) {
 void add_load_sharing(const ResolvedCase& in, const study::NamedSet& set, std::vector<Derived>& rows) {
   const std::string path = "gearset.dynamics.pin_error.tangential";
   if (in.shape().several || set.drivetrain.uneven_planets || in.has("gearset.planet_angles") ||
-      has_stepped_planets(in))
+      has_stepped_planets(in) || has_planet_pairs(in))
     return;
   const double error = 0.5 * tolerance_grade_7(set.geometry.gears.centre_distance);
   std::string errors = fmt::format("[{:.6g} um", per_micro * error);
@@ -516,6 +566,10 @@ namespace {
 // Along the roller whose most loaded lamina carries most on the inner race.
 void put_pressures(const study::NamedSet& set, const study::LaminaRecord& laminae, RollerLoads& loads) {
   const bearing::Bearing& bearing = set.drivetrain.bearing;
+  const bearing::PlanetRows& rows = set.drivetrain.rows;
+  const bearing::BearingGeometry geometry =
+      rows.is_cylindrical() ? set.geometry.bearing
+                            : bearing::geometry_of(bearing::rating::upright(bearing, rows));
   const auto count = static_cast<std::ptrdiff_t>(laminae.lamina_position.size());
   const auto most = std::ranges::max_element(laminae.inner_load) - laminae.inner_load.begin();
   const auto along_roller = [&](const std::vector<double>& lamina_loads, bearing::Race race) {
@@ -523,8 +577,7 @@ void put_pressures(const study::NamedSet& set, const study::LaminaRecord& lamina
     for (std::ptrdiff_t k = 0; k < count; ++k)
       pressures.push_back(bearing::hertz_pressure(
           static_cast<double>(count) * lamina_loads[static_cast<std::size_t>(most / count * count + k)],
-          bearing::equivalent_radius(set.geometry.bearing, race), bearing.rollers().length,
-          bearing.material));
+          bearing::equivalent_radius(geometry, race), bearing.rollers().length, bearing.material));
     return pressures;
   };
   loads.along = laminae.lamina_position;

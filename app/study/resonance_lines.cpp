@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "app/case/bearing_type.hpp"
+#include "app/case/set_case.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/study/gear_case.hpp"
 #include "app/study/planetary_case.hpp"
@@ -53,7 +54,8 @@ std::vector<Setting> other_settings(std::vector<Setting> settings) {
 bool has_resonances(const ResolvedCase& resolved) {
   const CaseShape& shape = resolved.shape();
   return resolved.model() == planetary_drivetrain && !shape.several && shape.teeth && shape.bearing &&
-         has_cylindrical_rollers(resolved) && resolved.flag("gearset.mesh_variation");
+         has_cylindrical_rollers(resolved) && !has_planet_pairs(resolved) &&
+         resolved.flag("gearset.mesh_variation");
 }
 
 }  // namespace

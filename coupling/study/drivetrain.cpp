@@ -13,7 +13,8 @@ namespace {
 
 DrivetrainGeometry derive_rigid(const PlanetaryDrivetrain& drivetrain) {
   DrivetrainGeometry geometry;
-  geometry.gears = gearset::working_geometry(drivetrain.set);
+  geometry.gears = drivetrain.of_pair ? gearset::geometry_of_planet(drivetrain.set, *drivetrain.of_pair)
+                                      : gearset::working_geometry(drivetrain.set);
   geometry.planet_gear = gearset::planet_body(drivetrain.set, geometry.gears);
   geometry.bearing = bearing::geometry_of(drivetrain.bearing, drivetrain.rows);
   geometry.planet_mass =
@@ -116,12 +117,22 @@ bearing::ElasticRace outer_race(const PlanetaryDrivetrain& drivetrain, const Dri
           .mass = wave_masses(geometry.planet_mass / drivetrain.bearings_per_planet, rim.race.size())};
 }
 
+namespace {
+
+gearset::MeanLoads gear_loads(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry) {
+  if (drivetrain.of_pair)
+    return gearset::mean_loads_of_planet(drivetrain.set, *drivetrain.of_pair, *drivetrain.in_arrangement,
+                                         drivetrain.drive);
+  if (drivetrain.in_arrangement)
+    return gearset::mean_loads(drivetrain.set, geometry.gears, *drivetrain.in_arrangement, drivetrain.drive);
+  return gearset::mean_loads(drivetrain.set, geometry.gears, drivetrain.drive);
+}
+
+}  // namespace
+
 BearingDuty bearing_duty(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry) {
   BearingDuty duty;
-  duty.gears =
-      drivetrain.in_arrangement
-          ? gearset::mean_loads(drivetrain.set, geometry.gears, *drivetrain.in_arrangement, drivetrain.drive)
-          : gearset::mean_loads(drivetrain.set, geometry.gears, drivetrain.drive);
+  duty.gears = gear_loads(drivetrain, geometry);
   duty.point.carrier = {.speed = duty.gears.carrier_speed, .orbit_radius = geometry.gears.centre_distance};
   duty.point.outer_speed = duty.gears.planet_speed_relative;
   const bearing::CarrierFrame frame = bearing::carrier_frame(duty.point.carrier, drivetrain.inertia);

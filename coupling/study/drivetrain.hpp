@@ -22,6 +22,7 @@
 #include "gearset/mean_loads.hpp"
 #include "gearset/parameters.hpp"
 #include "gearset/planet_body.hpp"
+#include "gearset/planet_pair.hpp"
 #include "gearset/rim/rim_influence.hpp"
 #include "gearset/spatial/spatial_set.hpp"
 #include "gearset/working_geometry.hpp"
@@ -194,6 +195,8 @@ struct PlanetaryDrivetrain {
   /// Among several sets: how this one's members turn and are loaded for what `drive` puts into the whole, of
   /// which only power and speed count then. None: the set is alone and driven at drive.member.
   std::optional<gearset::MemberRatios> in_arrangement;
+  /// Which planet of a pair this is; none: planets are single. Beside in_arrangement, and at rest alone.
+  std::optional<gearset::PlanetOfPair> of_pair;
   bearing::Bearing bearing;    // with the clearance that it has at this drive
   bearing::Mounting mounting;  // from which that clearance follows, where a case states it so
   bearing::PlanetRows rows;    // which kind of bearing it is; others than cylindrical at rest alone
@@ -228,8 +231,8 @@ template <class Visitor>
 void describe(Visitor& visit, PlanetaryDrivetrain& m) {
   using namespace described;
   members(
-      visit, m, apart(m.set), apart(m.drive), apart(m.in_arrangement), part(m.bearing), part(m.mounting),
-      part(m.rows),
+      visit, m, apart(m.set), apart(m.drive), apart(m.in_arrangement), apart(m.of_pair), part(m.bearing),
+      part(m.mounting), part(m.rows),
       field(m.bearings_per_planet, "bearing.per_planet", Physics::carrier,
             "bearings side by side in a planet",
             {.models = planetary_drivetrain, .required_by = planetary_drivetrain, .range = {1, 8}}),

@@ -23,7 +23,7 @@ struct ArrangedSet {
   std::string name;  // for messages
   int sun_teeth = 0;
   int planet_teeth = 0;  // of a parallel stage 0
-  int ring_teeth = 0;
+  int ring_teeth = 0;    // negative: of planets in pairs, behind which the ring turns as the sun does
 
   bool is_parallel() const { return planet_teeth == 0; }
 };

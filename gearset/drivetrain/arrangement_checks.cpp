@@ -50,7 +50,7 @@ std::vector<TorqueUnknown> torque_unknowns(const Arrangement& arrangement) {
 }  // namespace
 
 double willis_weight(const ArrangedSet& set, Member member) {
-  assert(set.sun_teeth > 0 && set.ring_teeth > 0);
+  assert(set.sun_teeth > 0 && set.ring_teeth != 0);
   const double sum = set.sun_teeth + set.ring_teeth;
   if (member == Member::carrier) return -1.0;
   return (member == Member::sun ? set.sun_teeth : set.ring_teeth) / sum;
