@@ -46,15 +46,15 @@ void describe(Visitor& visit, SecondPlanet& m) {
             "sun and with it, and gearset.planets are pairs; single planets if absent",
             {.models = set, .range = {5, 2000}}),
       field(m.first_shift, "gearset.second_planet.first_profile_shift", Physics::planet,
-            "profile shift of the first planet of a pair, in modules",
-            {.models = set, .range = {-2.0, 2.0}, .reason = "teeth without shift", .where = beside}),
+            "profile shift of the first planet of a pair, in modules; 0 if absent",
+            {.models = set, .range = {-2.0, 2.0}, .where = beside}),
       field(m.shift, "gearset.second_planet.profile_shift", Physics::planet,
-            "profile shift of the second planet of a pair, in modules",
-            {.models = set, .range = {-2.0, 2.0}, .reason = "teeth without shift", .where = beside}),
+            "profile shift of the second planet of a pair, in modules; 0 if absent",
+            {.models = set, .range = {-2.0, 2.0}, .where = beside}),
       field(m.side, "gearset.second_planet.side", Physics::planet,
             "position of the second planet of a pair: ahead of the first or behind it in the sense of the "
-            "carrier's rotation",
-            {.models = set, .reason = "loads of both pins depend on it; state it", .where = beside}));
+            "carrier's rotation; ahead if absent",
+            {.models = set, .where = beside}));
 }
 
 /// A planet of a pair.

@@ -9,8 +9,8 @@ namespace orbearing::app {
 
 int mesh_command(const Options& options) {
   const ResolvedCase resolved = point_of(options);
+  const std::vector<std::string> unused = require_used(resolved, use::mesh);  // refuses before it computes
   MeshStudy study = mesh_study(resolved);
-  const std::vector<std::string> unused = require_used(resolved, use::mesh);
   for (std::string& warning : judge(observations(resolved)).warnings)
     study.warnings.push_back(std::move(warning));
   study.warnings.insert(study.warnings.end(), unused.begin(), unused.end());

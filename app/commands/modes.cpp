@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/case/set_case.hpp"
 #include "app/case/units.hpp"
 #include "app/case/unused_inputs.hpp"
 #include "app/case/use_conditions.hpp"
@@ -64,6 +65,7 @@ int modes_command(const Options& options) {
     return duplex_modes(
         options.speed ? with_speed(resolved, "operation.shaft_speed", *options.speed) : resolved, options);
   const double speed = options.speed ? speed_option(*options.speed) : 0.0;
+  if (has_planet_pairs(resolved)) require_used(resolved, use::modes);  // refuses before it computes
   const gearset::dynamics::SetModel model = model_at(resolved, options);
   std::vector<std::string> warnings = gear_dynamics_warnings(resolved);
   const std::vector<std::string> unused =

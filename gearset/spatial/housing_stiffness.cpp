@@ -51,7 +51,7 @@ std::optional<MatrixFault> negative_energy(const MatrixXd& k) {
   Index most = 0;
   found.vectors.col(0).cwiseAbs().maxCoeff(&most);
   return MatrixFault{most, most, "a negative eigenvalue, " + number(found.values[0]) + " N/m",
-                     "a positive semidefinite matrix, whose energy is never negative"};
+                     "a positive semidefinite matrix"};
 }
 
 // Rigid motions of the carrier that its bearings pass on: along x, y, z, about x and y. The first bearing

@@ -58,7 +58,7 @@ class PlanetPairs(unittest.TestCase):
             self.assertEqual(result.returncode, 2, (command, options, result.stderr[-300:]))
             self.assertIn("gearset.second_planet.teeth", result.stderr, command)
         for values, words in ((("gearset.planets=5",), "a divisor of ring - sun teeth = 84 is required"), (("gearset.helix_angle=5 deg",), "gearset.helix_angle"),
-                              (("gearset.planet_rim=elastic",), "a rigid rim"), (("gearset.second_planet.teeth=60",), "gearset.second_planet.teeth"),
+                              (("gearset.planet_rim=elastic",), "a rigid rim"), (("gearset.second_planet.teeth=45", "gearset.planets=1"), "second planets that reach the sun"),
                               (("gearset.profile_shift.planet=0.1",), "first_profile_shift instead of it"), (("gearset.teeth.ring=79",), "gearset")):
             result = run("check", REDUCER, *settings((*PAIRS, *values)))
             self.assertEqual(result.returncode, 2, values)
