@@ -74,9 +74,11 @@ CoupledOptions with_window(CoupledOptions options, double window) {
 }  // namespace
 
 PlanetaryCoupling planetary_coupling(const system::CoupledSetup& setup) {
-  if (!setup.scratched.empty())
+  if (!setup.scratched.empty() || !setup.seats.empty())
     throw std::invalid_argument(
-        "co-simulation: found scratched planet bearings; required: one system (monolithic), which knows them");
+        "co-simulation: found scratched planet bearings, or planets whose tilt is computed; required: one "
+        "system "
+        "(monolithic), which includes both");
   PlanetaryCoupling out;
   const gearset::dynamics::Operation& operation = setup.gears.operation;
   out.gears = std::make_unique<system::DrivenGears>(setup.gears);

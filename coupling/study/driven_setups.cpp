@@ -1,8 +1,11 @@
 #include "coupling/study/driven_setups.hpp"
 
+#include <cmath>
 #include <stdexcept>
 
 #include "coupling/study/load_sharing.hpp"
+#include "coupling/study/set_operation.hpp"
+#include "coupling/study/tilting_planet.hpp"
 #include "gearset/dynamics/model.hpp"
 
 namespace orbearing::study {
@@ -21,14 +24,47 @@ system::DrivenBearingSetup driven_bearing_setup(const PlanetaryDrivetrain& drive
           .bins = drivetrain.steady_state.bins};
 }
 
+namespace {
+
+double speed_of(gearset::Member member, const gearset::Speeds& speeds) {
+  if (member == gearset::Member::sun) return speeds.sun;
+  return member == gearset::Member::ring ? speeds.ring : speeds.carrier;
+}
+
+// Among several sets: the shafts to the others keep their torques, but for the one by which most power
+// enters: it keeps that power, as a motor does, and holds the speed.
+gearset::dynamics::Operation moving_operation(const PlanetaryDrivetrain& drivetrain) {
+  using gearset::Member;
+  gearset::dynamics::Operation operation =
+      set_operation(drivetrain, gearset::working_geometry(drivetrain.set));
+  if (!drivetrain.in_arrangement) return operation;
+  constexpr double still = 1e-9;  // [-]  of the planets' speed: what round-off leaves of none
+  if (std::abs(speed_of(drivetrain.set.fixed_member, operation.speeds)) >
+      still * std::abs(operation.speeds.planet_relative))
+    throw std::invalid_argument(
+        "drivetrain: found one of several sets, none of whose members the housing holds; required: one that "
+        "is "
+        "held");
+  const gearset::Torques& torque = operation.torques;
+  const auto enters_by = [&](Member member, double on_member) {
+    const double power = on_member * speed_of(member, operation.speeds);
+    if (power <= operation.power) return;
+    operation.power = power;
+    operation.driven = member;
+  };
+  enters_by(Member::sun, torque.sun);
+  enters_by(Member::ring, torque.ring);
+  enters_by(Member::carrier, torque.carrier);
+  return operation;
+}
+
+}  // namespace
+
 system::DrivenGearsSetup driven_gears_setup(const PlanetaryDrivetrain& drivetrain) {
-  if (drivetrain.in_arrangement)
-    throw std::invalid_argument("drivetrain: found one of several sets; required: a set alone");
   if (!drivetrain.gear_set)
     throw std::invalid_argument(
         "gears that move: found none; required: one planetary set with teeth or with stated mesh stiffness");
-  const gearset::dynamics::Operation operation =
-      gearset::dynamics::operation_of(drivetrain.set, drivetrain.drive);
+  const gearset::dynamics::Operation operation = moving_operation(drivetrain);
   system::DrivenGearsSetup setup{.set = drivetrain.gear_set(), .operation = operation};
   if (!drivetrain.mesh_variation)
     setup.set = gearset::dynamics::averaged(gearset::dynamics::set_model(setup.set, operation)).parameters;
@@ -36,10 +72,37 @@ system::DrivenGearsSetup driven_gears_setup(const PlanetaryDrivetrain& drivetrai
   return setup;
 }
 
+namespace {
+
+// Of all planets, each on its seat at rest under its own load.
+std::vector<system::BearingSeat> seats_of_all(const PlanetaryDrivetrain& drivetrain,
+                                              const DrivetrainGeometry& geometry) {
+  const std::vector<BearingDuty> duties = planet_duties(drivetrain, geometry);
+  const PlanetSeat seat = seat_of_each(drivetrain, geometry);
+  std::vector<system::BearingSeat> seats;
+  for (const BearingDuty& duty : duties)
+    for (const SeatedBearing& one : seated_bearings(seat, drivetrain, geometry, duty))
+      seats.push_back({.clearance_difference =
+                           one.drivetrain.bearing.radial_clearance - drivetrain.bearing.radial_clearance,
+                       .bore_tilt = one.duty.point.bore_tilt,
+                       .outer_race = one.duty.point.outer_race,
+                       .pin_offset = one.pin_offset});
+  const std::size_t found = seats.size();  // of one planet where all carry alike
+  const auto all = static_cast<std::size_t>(drivetrain.set.planets * drivetrain.bearings_per_planet);
+  for (std::size_t b = found; b < all; ++b) seats.push_back(seats[b % found]);
+  return seats;
+}
+
+}  // namespace
+
 system::CoupledSetup coupled_setup(const PlanetaryDrivetrain& drivetrain,
                                    const DrivetrainGeometry& geometry) {
   system::CoupledSetup setup{driven_gears_setup(drivetrain), driven_bearing_setup(drivetrain, geometry),
                              drivetrain.bearings_per_planet};
+  if (drivetrain.seats.tilt == TiltState::computed) {
+    setup.seats = seats_of_all(drivetrain, geometry);
+    return setup;
+  }
   const bool tilted = drivetrain.misalignment.planet_tilt != 0.0;
   if (!drivetrain.uneven_planets || !(tilted || geometry.rim)) return setup;
   for (const BearingDuty& duty : planet_duties(drivetrain, geometry)) {

@@ -6,7 +6,10 @@
 #include <vector>
 
 #include "coupling/study/driven_setups.hpp"
+#include "coupling/study/load_sharing.hpp"
 #include "coupling/study/low_pass.hpp"
+#include "coupling/study/set_operation.hpp"
+#include "coupling/study/tilting_planet.hpp"
 #include "coupling/system/monolithic.hpp"
 #include "gearset/mean_loads.hpp"
 #include "gearset/planet_angles.hpp"
@@ -80,13 +83,23 @@ Eigen::Index scratched_roller(const std::vector<system::ScratchedPlanet>& scratc
 
 PlanetFrequencies planet_frequencies(const PlanetaryDrivetrain& drivetrain) {
   const gearset::dynamics::Operation operation =
-      gearset::dynamics::operation_of(drivetrain.set, drivetrain.drive);
+      set_operation(drivetrain, gearset::working_geometry(drivetrain.set));
   const double planet = operation.speeds.planet_relative;
   return {.carrier = std::abs(operation.speeds.carrier) / two_pi,
           .planet = std::abs(planet) / two_pi,
           .mesh = operation.mesh_frequency,
           .planets = drivetrain.set.planets,
           .bearing = bearing::defect::passing_frequencies(drivetrain.bearing, 0.0, planet)};
+}
+
+Eigen::Vector2d load_on_bearing(const PlanetaryDrivetrain& drivetrain, int planet, int bearing) {
+  const DrivetrainGeometry geometry = derive(drivetrain);
+  if (drivetrain.seats.tilt != TiltState::computed) return bearing_duty(drivetrain, geometry).point.bore_load;
+  const std::vector<BearingDuty> duties = planet_duties(drivetrain, geometry);
+  const BearingDuty& duty = duties.at(duties.size() == 1 ? 0 : static_cast<std::size_t>(planet));
+  return seated_bearings(seat_of_each(drivetrain, geometry), drivetrain, geometry, duty)
+      .at(static_cast<std::size_t>(bearing))
+      .duty.point.bore_load;
 }
 
 PlanetVibration sample_vibration(const PlanetaryDrivetrain& drivetrain,

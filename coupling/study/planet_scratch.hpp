@@ -89,6 +89,10 @@ struct PlanetFrequencies {
 
 PlanetFrequencies planet_frequencies(const PlanetaryDrivetrain& drivetrain);
 
+/// Load of the gears on the bore of one bearing [N], whose rollers meet it on the other side of the pin: of
+/// planets whose tilt is computed its own at rest, else the mean of all. Planet and bearing from 0.
+Eigen::Vector2d load_on_bearing(const PlanetaryDrivetrain& drivetrain, int planet, int bearing);
+
 /// At even times.
 struct PlanetVibration {
   double rate = 0.0;             // [Hz]

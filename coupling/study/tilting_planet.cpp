@@ -198,6 +198,9 @@ std::vector<SeatedBearing> seated_bearings(const PlanetSeat& seat, const Planeta
     one.duty.point.bore_load = planet.bearings[k].total_bore_load - through_cage;
     one.duty.point.bore_tilt = planet.bearing_tilt[k];
     one.duty.share = one.duty.point.bore_load.norm() / duty.point.bore_load.norm();
+    one.pin_offset =
+        planet.shift - planet.bearings[k].displacement +
+        (duty.point.bore_load - one.duty.point.bore_load) / drivetrain.dynamics.support.stiffness;
     all.push_back(std::move(one));
   }
   put_others(planet.bearings, drivetrain.cage_positions, all);

@@ -73,6 +73,9 @@ struct SeatedBearing {
   PlanetaryDrivetrain drivetrain;  // with its own clearance
   DrivetrainGeometry geometry;
   BearingDuty duty;  // its part of the planet's load, the tilt of its bore
+  /// Of its pin there, beyond what the support deflects under this load, from where a planet has it whose
+  /// bearings share its load evenly: what keeps the loads at rest where all bearings follow one planet. [m]
+  Eigen::Vector2d pin_offset = Eigen::Vector2d::Zero();
 };
 
 /// All bearings of a planet, from its balance at rest on `seat`.

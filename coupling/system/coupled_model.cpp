@@ -33,6 +33,16 @@ PlanetPort port_of(const PlanetBearing& bearing) {
 constexpr int kMostRounds = 30;
 constexpr double kBalancedChange = 1e-9;  // [-]  of the largest force: good enough
 
+void put_seats(const CoupledSetup& setup, CoupledModel& model) {
+  mechanics::require(static_cast<int>(setup.seats.size()) == model.bearings(), "seats of bearings",
+                     static_cast<double>(setup.seats.size()), "one for each bearing of all planets");
+  for (int b = 0; b < model.bearings(); ++b) {
+    model.tilted.push_back(
+        driven_model(bearing_of_planet(setup, b / model.per_planet, b % model.per_planet)));
+    model.pin_offset.push_back(setup.seats[static_cast<std::size_t>(b)].pin_offset);
+  }
+}
+
 void put_scratched(const CoupledSetup& setup, CoupledModel& model) {
   for (const ScratchedPlanet& one : setup.scratched) {
     mechanics::require(one.planet >= 0 && one.planet < static_cast<int>(model.ports.size()),
@@ -58,6 +68,7 @@ std::vector<double> forces_under(const CoupledModel& model, const DrivenGearsOut
     motion.speed = gears.planets[planet].speed;
     motion.carrier_speed = gears.carrier_speed;
     motion.carrier_acceleration = gears.carrier_acceleration;
+    motion = at_seat(model, static_cast<int>(b), motion);
     bearings[b].initialize(motion);
     const bearing::motion::BoreReaction reaction = bearings[b].reaction(motion);
     forces[3 * planet] += reaction.force.x();
@@ -82,6 +93,13 @@ DrivenBearingSetup bearing_of_planet(const CoupledSetup& setup, int planet, int 
   DrivenBearingSetup own = setup.bearing;
   if (!setup.bore_tilts.empty()) own.bore_tilt = setup.bore_tilts[static_cast<std::size_t>(planet)];
   if (!setup.outer_races.empty()) own.outer_race = setup.outer_races[static_cast<std::size_t>(planet)];
+  if (!setup.seats.empty()) {
+    const BearingSeat& seat =
+        setup.seats[static_cast<std::size_t>(planet * setup.bearings_per_planet + bearing)];
+    own.bearing.radial_clearance += seat.clearance_difference;
+    own.bore_tilt = seat.bore_tilt;
+    own.outer_race = seat.outer_race;
+  }
   const double pitch = two_pi / own.bearing.rollers().count;
   own.first_roller += pitch * bearing / setup.bearings_per_planet;
   return own;
@@ -100,9 +118,12 @@ CoupledModel coupled_model(const CoupledSetup& setup) {
                      {},
                      setup.bearings_per_planet};
   for (const PlanetBearing& bearing : model.gears.bearings) model.ports.push_back(port_of(bearing));
-  if (!setup.bore_tilts.empty() || !setup.outer_races.empty())
+  if (!setup.seats.empty()) {
+    put_seats(setup, model);
+  } else if (!setup.bore_tilts.empty() || !setup.outer_races.empty()) {
     for (int planet = 0; planet < setup.gears.set.planets; ++planet)
       model.tilted.push_back(driven_model(bearing_of_planet(setup, planet, 0)));
+  }
   put_scratched(setup, model);
   return model;
 }

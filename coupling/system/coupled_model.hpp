@@ -21,8 +21,17 @@ struct ScratchedPlanet {
   std::vector<bearing::defect::Scratch> scratches;
 };
 
-/// All that is fixed before a run. Bearings of one planet see the same motion; their first rollers stand
-/// evenly spaced over one pitch, so that they are no copies of each other.
+/// A bearing of a planet that found its tilt at rest: what it has of its own, which stays in motion.
+struct BearingSeat {
+  double clearance_difference = 0.0;                    // [m]    beyond that of `CoupledSetup::bearing`
+  Eigen::Vector2d bore_tilt = Eigen::Vector2d::Zero();  // [rad]
+  bearing::ElasticRace outer_race;
+  /// Of its pin there, beyond the deflection of its support, from where the middle of a rigid planet has it.
+  Eigen::Vector2d pin_offset = Eigen::Vector2d::Zero();  // [m]
+};
+
+/// All that is fixed before a run. Bearings of one planet see the same motion, but for their seats; their
+/// first rollers are evenly spaced over one pitch, so that they are no copies of each other.
 struct CoupledSetup {
   DrivenGearsSetup gears;
   DrivenBearingSetup bearing;  // of each; first_roller is that of the first bearing of a planet
@@ -32,6 +41,8 @@ struct CoupledSetup {
   std::vector<Eigen::Vector2d> bore_tilts = {};  // [rad]  (planets) where unlike; empty: bearing.bore_tilt
   std::vector<bearing::ElasticRace> outer_races = {};  // (planets)  the same of bearing.outer_race
   std::vector<ScratchedPlanet> scratched = {};         // all others are sound
+  /// (bearings of all planets) where their tilt is computed; takes the place of the two vectors above.
+  std::vector<BearingSeat> seats = {};
 };
 
 /// That of one bearing of a planet, both counted from 0.
@@ -60,7 +71,9 @@ struct CoupledModel {
   bearing::motion::BearingModel bearing;
   std::vector<PlanetPort> ports;  // (planets)
   int per_planet = 1;
-  std::vector<bearing::motion::BearingModel> tilted = {};  // (planets) where their tilts are unlike
+  /// (planets) where their tilts are unlike, (bearings) where each has its own seat.
+  std::vector<bearing::motion::BearingModel> tilted = {};
+  std::vector<Eigen::Vector2d> pin_offset = {};  // [m]  (bearings) of those on seats; none: zero
 
   std::vector<bearing::motion::BearingModel> scratched = {};
   std::vector<int> scratched_bearing = {};  // to which of all each of these belongs
@@ -68,7 +81,8 @@ struct CoupledModel {
   const bearing::motion::BearingModel& bearing_of(int b) const {
     for (std::size_t i = 0; i < scratched.size(); ++i)
       if (scratched_bearing[i] == b) return scratched[i];
-    return tilted.empty() ? bearing : tilted[static_cast<std::size_t>(b / per_planet)];
+    if (tilted.empty()) return bearing;
+    return tilted[static_cast<std::size_t>(pin_offset.empty() ? b / per_planet : b)];
   }
   int bearings() const { return static_cast<int>(ports.size()) * per_planet; }
   const PlanetPort& port_of(int b) const { return ports[static_cast<std::size_t>(b / per_planet)]; }
@@ -82,6 +96,13 @@ CoupledModel coupled_model(const CoupledSetup& setup);
 bearing::motion::BoreMotion bore_motion(const CoupledModel& model, const PlanetPort& port, double time,
                                         const Eigen::Ref<const Eigen::VectorXd>& q,
                                         const Eigen::Ref<const Eigen::VectorXd>& v);
+
+/// The same of bearing `b`, whose planet moves as `planet`.
+inline bearing::motion::BoreMotion at_seat(const CoupledModel& model, int b,
+                                           bearing::motion::BoreMotion planet) {
+  if (!model.pin_offset.empty()) planet.position -= model.pin_offset[static_cast<std::size_t>(b)];
+  return planet;
+}
 
 /// A state to begin with.
 struct CoupledStart {

@@ -71,10 +71,11 @@ void CoupledSystem::evaluate(double time, const double* x, double* dx) {
     const PlanetPort& port = model_.port_of(b);
     if (b % model_.per_planet == 0) motion = bore_motion(model_, port, now, part(x, 0), part(x, n));
     VectorBearing& bearing = bearings_[static_cast<std::size_t>(b)];
+    const BoreMotion own = at_seat(model_, b, motion);
     if constexpr (WithSlopes)
-      bearing.linearise(motion, of_bearing(x, b), of_bearing(dx, b));
+      bearing.linearise(own, of_bearing(x, b), of_bearing(dx, b));
     else
-      bearing.derivative(motion, of_bearing(x, b), of_bearing(dx, b));
+      bearing.derivative(own, of_bearing(x, b), of_bearing(dx, b));
     const auto reaction = bearing.reaction();
     port_loads_.force.col(b / model_.per_planet) += reaction.force;
     port_loads_.moment[b / model_.per_planet] += reaction.moment;
@@ -187,7 +188,8 @@ void CoupledSystem::settle(double, std::vector<double>& x) const {
   const Eigen::Index n = freedoms();
   for (int b = 0; b < bearings(); ++b) {
     const PlanetPort& port = model_.port_of(b);
-    const Eigen::Vector2d position = port.along(part(x.data(), 0)) - port.pin_error;
+    Eigen::Vector2d position = port.along(part(x.data(), 0)) - port.pin_error;
+    if (!model_.pin_offset.empty()) position -= model_.pin_offset[static_cast<std::size_t>(b)];
     const Eigen::Vector2d velocity = port.along(part(x.data(), n));
     double* bore = of_bearing(x.data(), b) + bearing(b).layout().bore();
     std::copy_n(position.data(), 2, bore);
@@ -333,8 +335,9 @@ bearing::motion::BoreReaction CoupledSteps::substep(CoupledSystem& system, int b
                                                     std::vector<double>& x) {
   const CoupledModel& model = system.model();
   const auto motion_at = [&](const std::vector<double>& state, double time) {
-    return bore_motion(model, model.port_of(b), system.true_time(time), system.part(state.data(), 0),
-                       system.part(state.data(), system.freedoms()));
+    return at_seat(model, b,
+                   bore_motion(model, model.port_of(b), system.true_time(time), system.part(state.data(), 0),
+                               system.part(state.data(), system.freedoms())));
   };
   const BoreMotion from = motion_at(before, t);
   const BoreInputs polynomial = polynomial_between(from, motion_at(x, t + h), h);

@@ -88,7 +88,8 @@ struct Monolithic::Inside {
 
   Eigen::VectorXd gear_state() const;
   Eigen::VectorXd bearing_state(int b) const;
-  bearing::motion::BoreMotion motion(int b) const;
+  bearing::motion::BoreMotion planet_motion(int b) const;
+  bearing::motion::BoreMotion motion(int b) const { return at_seat(model_, b, planet_motion(b)); }
 
   // Both throw std::runtime_error between two steps of follow().
   SavedState saved();
@@ -120,8 +121,8 @@ struct Monolithic::Inside {
   std::optional<CoupledSteps> substepping_;         // of order 2
   std::optional<integration::Rosenbrock4> smooth_;  // in its place where nothing bounces
   long rejected_ = 0;                               // [-]  attempts
-  std::vector<double> x_;       // as far as steps have gone
-  std::vector<double> before_;  // where the last step of follow() began
+  std::vector<double> x_;                           // as far as steps have gone
+  std::vector<double> before_;                      // where the last step of follow() began
   std::vector<double> shown_;
   std::vector<double> turned_, angle_;                        // [rad]  (bearings)
   double time_ = 0.0, reached_ = 0.0, reached_before_ = 0.0;  // [s]  shown, of x_, of before_
@@ -194,8 +195,8 @@ void Monolithic::Inside::one_step() {
   if (smooth_)
     integration::step_within_window(*smooth_, system_, x_, piece_.done, length, limits, step_, attempts);
   else
-    integration::step_within_window(*substepping_, static_cast<CoupledSystem&>(system_), x_, piece_.done, length,
-                                    limits, step_, attempts);
+    integration::step_within_window(*substepping_, static_cast<CoupledSystem&>(system_), x_, piece_.done,
+                                    length, limits, step_, attempts);
   rejected_ += attempts - 1;
   reached_ = piece_.done >= length ? piece_.end : piece_.begin + piece_.done;
 }
@@ -279,7 +280,8 @@ Eigen::VectorXd Monolithic::Inside::bearing_state(int b) const {
   return flat;
 }
 
-BoreMotion Monolithic::Inside::motion(int b) const {
+// Of the planet of bearing `b`.
+BoreMotion Monolithic::Inside::planet_motion(int b) const {
   return bore_motion(model_, model_.port_of(b), time_, system_.part(shown_.data(), 0),
                      system_.part(shown_.data(), freedoms()));
 }
@@ -376,7 +378,7 @@ DrivenGearsOutput Monolithic::gears() const {
   gearset::dynamics::take_snapshot(in.equations, in.time_, in.gear_state(), workspace, snapshot);
   DrivenGearsOutput out;
   for (int i = 0; i < planets(); ++i) {
-    const BoreMotion motion = in.motion(i * in.model_.per_planet);
+    const BoreMotion motion = in.planet_motion(i * in.model_.per_planet);
     out.planets.push_back({.displacement = motion.position,
                            .velocity = motion.velocity,
                            .angle = in.model_.ports[static_cast<std::size_t>(i)].turn(
