@@ -154,7 +154,7 @@ class Resolver {
     const Member* sets = find_member(root_, "sets");
     const Member* shafts = find_member(root_, "shafts");
     data_.shape.several = sets != nullptr || shafts != nullptr;
-    data_.shape.defect = false;
+    data_.shape.defect = find_member(root_, "defect") != nullptr;
     if (!data_.shape.several) {
       find_parts(root_, data_.shape);
       return;

@@ -45,10 +45,11 @@ void find_parts(const Entry& root, CaseShape& shape) {
 
 ConsistencyMessage unused_field(const CaseShape& shape, std::string_view path) {
   const Field* field = find_field(path);
+  if (field != nullptr && is_of_several_sets(*field) && !shape.several)
+    return {"a field that a case of one set does not use", "a case without it is required"};
   if (field != nullptr && is_of_defect(*field) && (shape.several || shape.bearing))
     return {"a field that a drivetrain uses where one of its bearings is scratched",
-            shape.several ? "a case of one set is required"
-                          : "defect.race as well, or a case without it, is required"};
+            "defect.race as well, or a case without it, is required"};
   if (shape.several)
     return {"a field that a case of several sets does not use",
             "the shafts, which say where motor and ground are, are required instead"};
@@ -72,6 +73,10 @@ bool is_of_defect(const Field& field) {
   return field.path.starts_with("defect.") || field.path.starts_with("signal.");
 }
 
+bool is_of_several_sets(const Field& field) {
+  return field.path == kScratchedSet;
+}
+
 bool is_of_teeth(const Field& field) {
   if (field.path.find('.') == std::string::npos || field.path == "gearset.planets" ||
       field.path == "gearset.pressure_angle")
@@ -87,6 +92,7 @@ bool belongs(const CaseShape& shape, std::string_view path) {
   const std::size_t prefix = set_prefix_length(path);
   const Field* field = find_field(path);
   if (field == nullptr || (is_of_defect(*field) && !shape.defect)) return false;
+  if (is_of_several_sets(*field) && !shape.several) return false;
   if (prefix > 0) return has_name(shape.sets, path.substr(sets_block.size(), prefix - 1 - sets_block.size()));
   if (shape.several) return !in_each_set(*field) && !is_of_one_set(*field);
   return (shape.bearing || !is_of_bearing(*field)) && (shape.teeth || !is_of_teeth(*field));

@@ -52,6 +52,10 @@ bool is_of_bearing(const Field& field);
 bool is_of_teeth(const Field& field);
 /// Whether it says what is scratched, or what is made of the vibration.
 bool is_of_defect(const Field& field);
+/// Whether only a case of several sets has it.
+bool is_of_several_sets(const Field& field);
+/// Of several sets, the one with the scratched bearing.
+inline constexpr std::string_view kScratchedSet = "defect.set";
 
 /// Whether a case of that shape has a place for the path.
 bool belongs(const CaseShape& shape, std::string_view path);

@@ -365,6 +365,7 @@ void check_multi_stage(const ResolvedCase& resolved, std::vector<Mistake>& mista
     }
   }
   check_arrangement(resolved, mistakes);
+  check_defect_of_sets(resolved, mistakes);
 }
 
 }  // namespace

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "app/case/arrangement_case.hpp"
+#include "app/case/bearing_type.hpp"
 #include "app/case/described_case.hpp"
 #include "app/case/mistake.hpp"
 #include "app/errors.hpp"
@@ -90,11 +93,12 @@ void check_planet_surface(const ResolvedCase& in, std::vector<Mistake>& mistakes
                  "outer, inner, roller or none is required", mistakes);
 }
 
-void check_location(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
+// Of the set with the scratched bearing, whose inputs have `prefix` in the case.
+void check_location(const ResolvedCase& in, const std::string& prefix, std::vector<Mistake>& mistakes) {
   const auto at_most = [&](const char* path, const char* count) {
     if (has_all(in, {path, count}) && in.integer(path) > in.integer(count))
       add_error_at(in, path, in.given(path),
-                   fmt::format("at most {} ({}) is required", in.integer(count), count), mistakes);
+                   fmt::format("at most {} ({}{}) is required", in.integer(count), prefix, count), mistakes);
   };
   at_most("defect.planet", "gearset.planets");
   at_most("defect.bearing", "bearing.per_planet");
@@ -104,8 +108,55 @@ void check_location(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
 
 }  // namespace
 
+namespace {
+
+void check_planet_defect(const ResolvedCase& in, const std::string& prefix, std::vector<Mistake>& mistakes) {
+  if (!in.has("defect.race"))
+    mistakes.push_back(
+        {{}, "defect.race", {"a block defect without it", "outer, inner, roller or none is required"}});
+  check_planet_surface(in, mistakes);
+  check_location(in, prefix, mistakes);
+}
+
+std::vector<std::string> sets_with_bearings(const ResolvedCase& in) {
+  std::vector<std::string> names;
+  for (const std::string& set : in.shape().sets)
+    if (has_planet_bearing(in, set_prefix(set))) names.push_back(set);
+  return names;
+}
+
+}  // namespace
+
+void check_defect_of_sets(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
+  if (!is_planet_defect(in)) return;
+  const std::string path(kScratchedSet);
+  const std::vector<std::string> names = sets_with_bearings(in);
+  const std::string required =
+      fmt::format("the set with the scratched bearing, {}, is required", fmt::join(names, " or "));
+  if (!in.has(path))
+    return mistakes.push_back({{}, path, {"a block defect of several sets without it", required}});
+  const std::string& set = in.text(path);
+  if (std::ranges::find(names, set) == names.end())
+    return add_error_at(in, path, quote(set), required, mistakes);
+  check_planet_defect(in.of_set(set), set_prefix(set), mistakes);
+  if (mistakes.empty() && !held_member_of(in, set))
+    add_error_at(
+        in, path, quote(set) + ", all of whose members rotate",
+        "a set with a member on a shaft with 'ground' is required: a case does not state how stiffly "
+        "other sets hold the rotation",
+        mistakes);
+}
+
 bool is_planet_defect(const ResolvedCase& in) {
-  return in.model() == planetary_drivetrain && in.shape().defect && in.shape().bearing && !in.shape().several;
+  return in.model() == planetary_drivetrain && in.shape().defect && in.shape().bearing;
+}
+
+std::optional<gearset::Member> held_member_of(const ResolvedCase& in, const std::string& set) {
+  const gearset::Arrangement arrangement = arrangement_of(in);
+  for (const gearset::Shaft& shaft : arrangement.shafts)
+    for (const gearset::SetMember& one : shaft.members)
+      if (shaft.ground && arrangement.sets[one.set].name == set) return one.member;
+  return std::nullopt;
 }
 
 bearing::defect::ScratchedBearing scratched_bearing_of(const ResolvedCase& in) {
@@ -146,14 +197,7 @@ std::optional<diagnosis::Band> stated_band_of(const ResolvedCase& in) {
 }
 
 void check_defect(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
-  if (is_planet_defect(in)) {
-    if (!in.has("defect.race"))
-      mistakes.push_back(
-          {{}, "defect.race", {"a block defect without it", "outer, inner, roller or none is required"}});
-    check_planet_surface(in, mistakes);
-    check_location(in, mistakes);
-    return;
-  }
+  if (is_planet_defect(in)) return check_planet_defect(in, "", mistakes);
   if ((in.model() & described::single_scratched) == 0) return;
   const bool rollers = in.model() == roller_defect;
   const char* const own = rollers ? "roller" : "ball";

@@ -8,17 +8,20 @@
 #include "app/case/resolved_case.hpp"
 #include "coupling/diagnosis/spectrum.hpp"
 #include "coupling/study/scratch_run.hpp"
+#include "gearset/parameters.hpp"
 
 namespace orbearing::app {
 
-/// Whether a case is that of a gear set with a scratched planet bearing: a planetary drivetrain with a block
-/// `defect`.
+/// Whether a case is that of a drivetrain with a scratched planet bearing: it has a block `defect`.
 bool is_planet_defect(const ResolvedCase& resolved);
+
+/// The member of one of several sets that the housing holds; none: all of them turn.
+std::optional<gearset::Member> held_member_of(const ResolvedCase& resolved, const std::string& set);
 
 bearing::defect::ScratchedBearing scratched_bearing_of(const ResolvedCase& resolved);
 
-/// Of the balls, the cage and the oil of such a case, for run --fidelity dynamic. Throws BadInput where it lacks
-/// what only that asks for, or where a ball is scratched.
+/// Of the balls, the cage and the oil of such a case, for run --fidelity dynamic. Throws BadInput where it
+/// lacks what only that asks for, or where a ball is scratched.
 bearing::balls::MotionParameters scratched_motion_of(const ResolvedCase& resolved);
 
 /// [m]  error of a position that one step of that run may make
@@ -31,5 +34,7 @@ std::optional<diagnosis::Band> stated_band_of(const ResolvedCase& resolved);
 
 /// Adds what is wrong to `mistakes`; nothing for cases of other models.
 void check_defect(const ResolvedCase& resolved, std::vector<Mistake>& mistakes);
+/// The same for a drivetrain of several sets, whose sets and shafts are checked before.
+void check_defect_of_sets(const ResolvedCase& resolved, std::vector<Mistake>& mistakes);
 
 }  // namespace orbearing::app

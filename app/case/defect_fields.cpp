@@ -13,6 +13,11 @@ void add_defect_fields(std::vector<Field>& fields) {
   add_described(fields, study::Sampling{});
   add_described(fields, study::ScratchedPosition{});
   add_described(fields, study::PlanetSampling{});
+  fields.push_back({.path = "defect.set",
+                    .kind = Kind::text,
+                    .meaning = "set with the scratched bearing, of several sets",
+                    .use = Use(use::planet_defect, 0),
+                    .models = planetary_drivetrain});
   fields.push_back({.path = "signal.band",
                     .kind = Kind::list,
                     .meaning =

@@ -186,7 +186,7 @@ const Field& shaft_field() {
       .path = "shafts",
       .kind = Kind::list,
       .meaning = "parts that rotate together: members as in 'reduction.sun', and motor, load or ground",
-      .use = Use(use::lives | use::planet_stiffness, 0),
+      .use = Use(use::lives | use::planet_stiffness | use::planet_defect, 0),
       .models = planetary_drivetrain,
       .element = Kind::text};
   return field;

@@ -32,6 +32,18 @@ bool begins_with_one_of(std::string_view path, std::initializer_list<std::string
 
 }  // namespace
 
+namespace {
+
+// Of planets that find their tilt at rest, with which the bearings go on in motion.
+bool is_of_computed_tilt(std::string_view path) {
+  constexpr std::string_view paths[] = {"bearing.tilt_state", "bearing.axial_places",
+                                        "bearing.clearance_differences", "support.carrier_twist_stiffness"};
+  return std::find(std::begin(paths), std::end(paths), path) != std::end(paths) ||
+         path.starts_with("support.pin_");
+}
+
+}  // namespace
+
 Use with_planet_defect(const Use& use, std::string_view path) {
   Use more = use;
   if (begins_with_one_of(path, {"defect.", "signal."})) return more;
@@ -43,7 +55,7 @@ Use with_planet_defect(const Use& use, std::string_view path) {
     put(more, use::planet_defect, &Use::not_modelled_by);
     return more;
   }
-  follow(more, use::planet_defect, use::monolithic);
+  follow(more, use::planet_defect, is_of_computed_tilt(path) ? use::dynamic : use::monolithic);
   const auto is_to_a_life = [](const Condition& condition) {
     return std::any_of(condition.paths.begin(), condition.paths.end(),
                        [](const std::string& other) { return other.starts_with("life."); });

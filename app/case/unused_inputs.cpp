@@ -216,10 +216,17 @@ std::string idle_text(const ResolvedCase& in, const Input& input, unsigned analy
   return texts.empty() ? "" : fmt::format("it counts only {}", fmt::join(texts, ", or "));
 }
 
-// A set without a bearing passes on torque and speed: the ratios of its teeth alone affect the other sets.
-bool is_behind_ratios(const ResolvedCase& in, const Input& input) {
-  const std::size_t prefix = set_prefix_length(input.path);
-  if (prefix == 0 || has_planet_bearing(in, input.path.substr(0, prefix))) return false;
+// Of several sets, whether it is the one whose bearings the analysis moves: the one with the scratched
+// bearing.
+bool moves_another(const ResolvedCase& in, const std::string& set, use::Analysis analysis) {
+  return analysis == use::planet_defect && in.has(kScratchedSet) && set != set_prefix(in.text(kScratchedSet));
+}
+
+// A set without a bearing passes on torque and speed: the ratios of its teeth alone affect the other sets. So
+// does one beside a set with a scratched bearing.
+bool is_behind_ratios(const ResolvedCase& in, const Input& input, use::Analysis analysis) {
+  const std::string set = input.path.substr(0, set_prefix_length(input.path));
+  if (set.empty() || (has_planet_bearing(in, set) && !moves_another(in, set, analysis))) return false;
   return !input.field->path.starts_with("gearset.teeth.");
 }
 
@@ -235,7 +242,8 @@ unsigned analyses_that_fit(const ResolvedCase& resolved) {
   if (resolved.model() == spin_film) allowed = use::spin_film;
   if (resolved.model() == planetary_drivetrain) {
     if (shape.several)
-      allowed = use::quasi_static | use::dynamic_of_sets | use::crown | use::planet_stiffness;
+      allowed = use::quasi_static | use::dynamic_of_sets | use::crown | use::planet_stiffness |
+                (shape.defect ? unsigned{use::planet_defect} : 0u);
     else if (shape.bearing)
       allowed = use::of_a_drivetrain &
                 ~unsigned{use::dynamic_of_sets | (shape.defect ? 0u : unsigned{use::planet_defect}) |
@@ -318,7 +326,7 @@ std::string required_instead(const Input& input) {
 
 UseStatus use_status_in_row(const ResolvedCase& resolved, const Input& input, use::Analysis analysis) {
   const Use& use = input.field->use;
-  if (is_behind_ratios(resolved, input)) return UseStatus::not_modelled;
+  if (is_behind_ratios(resolved, input, analysis)) return UseStatus::not_modelled;
   if (is_unknown_type(resolved, input, analysis)) return UseStatus::refused;
   if ((use.by & analysis) != 0) return UseStatus::used;
   if (way_that_holds(resolved, input, analysis) != nullptr) return UseStatus::used;
@@ -328,7 +336,7 @@ UseStatus use_status_in_row(const ResolvedCase& resolved, const Input& input, us
 }
 
 bool is_used(const ResolvedCase& resolved, const Input& input, use::Analysis analysis) {
-  if (is_behind_ratios(resolved, input) || is_unknown_type(resolved, input, analysis)) return false;
+  if (is_behind_ratios(resolved, input, analysis) || is_unknown_type(resolved, input, analysis)) return false;
   if (way_that_holds(resolved, input, analysis) != nullptr) return true;
   return use_status_in_row(resolved, input, analysis) == UseStatus::used &&
          first_unmet(resolved, input) == nullptr;

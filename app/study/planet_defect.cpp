@@ -16,20 +16,20 @@ using bearing::defect::Scratch;
 using bearing::defect::Scratched;
 
 // Unit vector (outward, in the sense of carrier rotation) from the pin's axis to the middle of the load zone:
-// the rollers that carry the planet stand there.
-Eigen::Vector2d load_zone_of(const ResolvedCase& in) {
-  const study::PlanetaryDrivetrain drivetrain = drivetrain_of(in);
-  const Eigen::Vector2d load = bearing_duty(drivetrain, derive(drivetrain)).point.bore_load;
-  return -load.normalized();  // the bore is pushed one way and meets the rollers on the other side of the pin
+// the rollers that carry the planet are there.
+Eigen::Vector2d load_zone_of(const ResolvedCase& in, const study::PlanetaryDrivetrain& drivetrain) {
+  const auto position = from_case<study::ScratchedPosition>(in);
+  // The bore is pushed one way and meets the rollers on the other side of the pin.
+  return -study::load_on_bearing(drivetrain, position.planet - 1, position.bearing - 1).normalized();
 }
 
 // None where nothing is scratched. Angles of the case count from the middle of the load zone, those of the
 // result from outward; those of a roller stay.
-std::vector<system::ScratchedPlanet> scratched_planets_of(const ResolvedCase& in) {
+std::vector<system::ScratchedPlanet> scratched_planets_of(const ResolvedCase& in,
+                                                          const Eigen::Vector2d& zone) {
   const auto position = from_case<study::ScratchedPosition>(in);
   Scratch first = from_case<Scratch>(in);
   if (first.race == Scratched::none) return {};
-  const Eigen::Vector2d zone = load_zone_of(in);
   const double middle = std::atan2(zone.y(), zone.x());
   const auto turned = [&](Scratch scratch) {
     if (of_element(scratch.race)) return scratch;
@@ -61,9 +61,10 @@ diagnosis::InstrumentView planet_view(const ResolvedCase& in, const PlanetDefect
 
 PlanetDefectStudy planet_defect_study(const ResolvedCase& in, const std::function<void(double)>& progress) {
   require_wide_scratch(in);
-  const study::PlanetaryDrivetrain drivetrain = drivetrain_of(in);
+  const study::PlanetaryDrivetrain drivetrain = scratched_drivetrain_of(in);
   const study::PlanetSampling sampling = from_case<study::PlanetSampling>(in);
-  const std::vector<system::ScratchedPlanet> scratched = scratched_planets_of(in);
+  const Eigen::Vector2d loaded = load_zone_of(in, drivetrain);  // the way in which the load zone lies
+  const std::vector<system::ScratchedPlanet> scratched = scratched_planets_of(in, loaded);
   PlanetDefectStudy study{.rolling = study::planet_frequencies(drivetrain),
                           .run_up = sampling.run_up_from < 1.0};
   for (const system::ScratchedPlanet& planet : scratched)
@@ -75,7 +76,6 @@ PlanetDefectStudy planet_defect_study(const ResolvedCase& in, const std::functio
   if (!motion.report.completed) throw ComputationFailed(in.text("name") + ": " + motion.report.message);
   study.turned =
       diagnosis::as_turned(study.rolling, motion, drivetrain.bearing.rollers().count, study.run_up);
-  const Eigen::Vector2d loaded = load_zone_of(in);  // the way in which the load zone lies
   study.carrier = planet_view(
       in, study,
       (loaded.x() * motion.acceleration.row(0) + loaded.y() * motion.acceleration.row(1)).transpose(), false);
@@ -198,7 +198,7 @@ void describe(Record& record, const PlanetDefectStudy& study) {
 }
 
 std::vector<Derived> planet_defect_quantities(const ResolvedCase& in) {
-  const study::PlanetFrequencies at = study::planet_frequencies(drivetrain_of(in));
+  const study::PlanetFrequencies at = study::planet_frequencies(scratched_drivetrain_of(in));
   return {
       {"defect.carrier_frequency", at.carrier, "Hz", "turns of the carrier"},
       {"defect.planet_frequency", at.planet, "Hz", "turns of the planet relative to the carrier"},

@@ -8,6 +8,7 @@
 
 #include "app/case/arrangement_case.hpp"
 #include "app/case/bearing_type.hpp"
+#include "app/case/defect_case.hpp"
 #include "app/case/described_case.hpp"
 #include "app/case/set_case.hpp"
 #include "app/case/use_conditions.hpp"
@@ -370,6 +371,32 @@ std::vector<std::string> bearing_set_names(const ResolvedCase& resolved) {
   return names;
 }
 
+namespace {
+
+// One of several, without its gears.
+study::PlanetaryDrivetrain arranged_drivetrain(const ResolvedCase& resolved, const ResolvedCase& of_set,
+                                               const std::string& name, const gearset::PowerFlow& flow) {
+  const std::vector<std::string>& all = resolved.shape().sets;
+  study::PlanetaryDrivetrain drivetrain = drivetrain_without_gear_set(of_set);
+  drivetrain.drive = drive_of(resolved);
+  drivetrain.in_arrangement = flow.sets[static_cast<std::size_t>(std::ranges::find(all, name) - all.begin())];
+  study::mount(drivetrain);
+  return drivetrain;
+}
+
+}  // namespace
+
+study::PlanetaryDrivetrain scratched_drivetrain_of(const ResolvedCase& resolved) {
+  if (!resolved.shape().several) return drivetrain_of(resolved);
+  const std::string& name = resolved.text(kScratchedSet);
+  const ResolvedCase of_set = resolved.of_set(name);
+  study::PlanetaryDrivetrain drivetrain =
+      arranged_drivetrain(resolved, of_set, name, gearset::power_flow(arrangement_of(resolved)));
+  drivetrain.set.fixed_member = held_member_of(resolved, name).value();
+  drivetrain.gear_set = gears_built_once(of_set, drivetrain);
+  return drivetrain;
+}
+
 std::vector<study::NamedSet> bearing_sets(const ResolvedCase& resolved) {
   if (has_planet_pairs(resolved)) return planets_of_pairs(resolved);
   if (!resolved.shape().several) {
@@ -381,16 +408,11 @@ std::vector<study::NamedSet> bearing_sets(const ResolvedCase& resolved) {
     return {{"", std::move(drivetrain), geometry}};
   }
   const gearset::PowerFlow flow = gearset::power_flow(arrangement_of(resolved));
-  const std::vector<std::string>& all = resolved.shape().sets;
   std::vector<study::NamedSet> sets;
   for (const std::string& name : bearing_set_names(resolved)) {
     const ResolvedCase of_set = resolved.of_set(name);
-    study::PlanetaryDrivetrain drivetrain = drivetrain_without_gear_set(of_set);
-    const auto position = static_cast<std::size_t>(std::find(all.begin(), all.end(), name) - all.begin());
-    drivetrain.drive = drive_of(resolved);
-    drivetrain.in_arrangement = flow.sets[position];
+    study::PlanetaryDrivetrain drivetrain = arranged_drivetrain(resolved, of_set, name, flow);
     drivetrain.mesh_variation = false;  // gears of several sets do not move yet: they share loads at rest
-    study::mount(drivetrain);
     drivetrain.gear_set = gears_built_once(of_set, drivetrain);
     const study::DrivetrainGeometry geometry = study::derive(drivetrain);
     sets.push_back({name, std::move(drivetrain), geometry});

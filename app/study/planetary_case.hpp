@@ -16,6 +16,10 @@ namespace orbearing::app {
 /// Parameters of a case of the model planetary-drivetrain that has one set.
 study::PlanetaryDrivetrain drivetrain_of(const ResolvedCase& resolved);
 
+/// The set of a case with a scratched planet bearing, which moves; among several sets that of defect.set, at
+/// the speeds and torques that its members have there.
+study::PlanetaryDrivetrain scratched_drivetrain_of(const ResolvedCase& resolved);
+
 /// The sets with bearings of a planetary drivetrain, in the order of the case; of a case of one set, that one
 /// without a name.
 std::vector<study::NamedSet> bearing_sets(const ResolvedCase& resolved);
