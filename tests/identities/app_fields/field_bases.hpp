@@ -499,6 +499,7 @@ inline const std::map<std::string, Change>& stated_changes() {
       {"defect.profile", {"[0, 0.3, 1, 0.3, 0]", {}, {"defect.form=profile"}}},
       {"defect.element", {"2"}},
       {"defect.planet", {"2"}},
+      {"defect.set", {"second"}},
       {"defect.bearing", {"2", {"bearing.per_planet=2"}}},
       {"defect.also", {"outer"}},
       {"defect.also_angle", {"20 deg", {"defect.also=outer"}}},
