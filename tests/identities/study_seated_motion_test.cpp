@@ -10,6 +10,7 @@
 #include "coupling/system/monolithic.hpp"
 #include "gearset/drivetrain/power_flow.hpp"
 #include "tests/coupled_reducer.hpp"
+#include "tests/messages.hpp"
 
 namespace orbearing::study::study_seated_motion_test {
 namespace {
@@ -61,6 +62,14 @@ TEST(SeatedMotion, BearingsThatAreAlikeNeedNoOffset) {
     EXPECT_LT(seat.pin_offset.norm(), 1e-9);  // [m]
 }
 
+TEST(SeatedMotion, EachBearingHasItsSeatInOneSystem) {
+  const PlanetaryDrivetrain drivetrain = tilting_reducer();
+  system::CoupledSetup setup = coupled_setup(drivetrain, derive(drivetrain));
+  EXPECT_REFUSED(std::invalid_argument, "study_seated_motion 2", cosim::planetary_coupling(setup));
+  setup.seats.pop_back();
+  EXPECT_REFUSED(std::invalid_argument, "study_seated_motion 3", system::coupled_model(setup));
+}
+
 TEST(OneOfSeveralSetsInMotion, TurnsAndIsLoadedAsTheSetAlone) {
   const PlanetaryDrivetrain alone = example::coupled_reducer(true);
   PlanetaryDrivetrain arranged = alone;
@@ -76,7 +85,7 @@ TEST(OneOfSeveralSetsInMotion, TurnsAndIsLoadedAsTheSetAlone) {
   EXPECT_NEAR(other.torques.carrier / one.torques.carrier, 1.0, round_off);
   EXPECT_NEAR(other.mesh_frequency / one.mesh_frequency, 1.0, round_off);
   arranged.set.fixed_member = gearset::Member::carrier;  // which rotates
-  EXPECT_THROW(driven_gears_setup(arranged), std::invalid_argument);
+  EXPECT_REFUSED(std::invalid_argument, "study_seated_motion 1", driven_gears_setup(arranged));
 }
 
 }  // namespace
