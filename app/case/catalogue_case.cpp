@@ -528,8 +528,9 @@ std::optional<BearingSize> size_of(const ResolvedCase& in) {
   return size;
 }
 
-bool is_full_complement(const ResolvedCase& in) {
-  return in.has(catalogue_keys::kComplement) && in.choice(catalogue_keys::kComplement) == "full";
+bool is_full_complement(const ResolvedCase& in, const std::string& set) {
+  const std::string path = set + catalogue_keys::kComplement;
+  return in.has(path) && in.choice(path) == "full";
 }
 
 namespace {

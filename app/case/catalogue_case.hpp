@@ -28,7 +28,8 @@ std::optional<ConsistencyMessage> unknown_designation(const std::string& name, c
 void check_catalogue_bearing(const ResolvedCase& resolved, std::vector<Mistake>& mistakes);
 
 /// Whether the bearing has no cage: a full complement of rollers.
-bool is_full_complement(const ResolvedCase& in);
+/// @param set what the paths of its set begin with
+bool is_full_complement(const ResolvedCase& in, const std::string& set = "");
 
 /// Boundary dimensions of the case's bearing: as stated, or by its designation; none where they are not
 /// known. The series is that of the designation, else 2. Without C_0.

@@ -8,6 +8,7 @@
 
 #include "app/case/arrangement_case.hpp"
 #include "app/case/bearing_type.hpp"
+#include "app/case/catalogue_case.hpp"
 #include "app/case/defect_case.hpp"
 #include "app/case/described_case.hpp"
 #include "app/case/set_case.hpp"
@@ -227,11 +228,8 @@ std::vector<std::string> cage_warnings(const ResolvedCase& resolved) {
   for (const Input& input : resolved.inputs()) {
     if (input.field->path != "bearing.cage.inner_diameter" || !resolved.has(input.path)) continue;
     const std::string set = input.path.substr(0, set_prefix_length(input.path));
-    const std::string land = set + "bearing.cage.guide_land_diameter",
-                      complement = set + "bearing.complement";
-    if (!resolved.has(land) || resolved.quantity(land) != 0.0 ||
-        (resolved.has(complement) && resolved.choice(complement) == "full"))
-      continue;
+    const std::string land = set + "bearing.cage.guide_land_diameter";
+    if (!resolved.has(land) || resolved.quantity(land) != 0.0 || is_full_complement(resolved, set)) continue;
     warnings.push_back(land +
                        ": 0; in motion (--fidelity dynamic and above) no land guides the cage. Only its "
                        "pockets hold it, and it may leave the bearing");

@@ -8,6 +8,7 @@
 #include <boost/version.hpp>
 #include <set>
 
+#include "app/case/catalogue_case.hpp"
 #include "app/case/field_table.hpp"
 #include "app/case/resolved_writer.hpp"
 #include "app/case/spectrum_case.hpp"
@@ -202,6 +203,10 @@ void continue_from_neighbours(const ResolvedCase& resolved, Direction direction,
     mistakes.push_back(
         "--continue: found a drivetrain of several sets; required: one set, since a point keeps the "
         "final state of one bearing");
+  if (!resolved.shape().several && is_full_complement(resolved))
+    mistakes.push_back(
+        "--continue: found bearing.complement full, which is solved together with its gears; required: a "
+        "cage, since a point keeps the final state of one bearing");
   if (!mistakes.empty()) throw BadInput(mistakes);
   request.header.continued = direction;
   request.evaluate_from = [resolved](std::size_t index, const Eigen::VectorXd& start) {

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numbers>
 
+#include "app/case/catalogue_case.hpp"
 #include "app/case/unused_inputs.hpp"
 #include "app/case/use_conditions.hpp"
 #include "app/study/drivetrain_case.hpp"
@@ -14,7 +16,9 @@
 #include "app/study/planetary_case.hpp"
 #include "app/study/plausibility.hpp"
 #include "bearing/life/rating_lives.hpp"
+#include "coupling/study/multi_stage.hpp"
 #include "coupling/study/one_way.hpp"
+#include "coupling/study/operating_point.hpp"
 
 namespace orbearing::app {
 
@@ -95,6 +99,64 @@ std::vector<std::string> rated_lamina_warnings(const ResolvedCase& resolved) {
   return warnings;
 }
 
+// Rims softer than that of the longest life: a stiffer one is tried at the case's own speed and power.
+std::vector<std::string> rim_warnings(const ResolvedCase& resolved, const SweepOutcome& outcome) {
+  constexpr double stiffer = 2.0, gain_told = 0.02;  // as well as influences agree with finite elements
+  std::vector<std::string> warnings;
+  if (outcome.header.fidelity != "quasi-static") return warnings;
+  const std::vector<std::string> prefixes = prefixes_of_sets(resolved);
+  if (std::ranges::none_of(prefixes, [&](const std::string& set) {
+        const std::string rim = set + "gearset.planet_rim";
+        return resolved.has(rim) && resolved.choice(rim) == "elastic";
+      }))
+    return warnings;
+  const std::vector<study::NamedSet> sets = bearing_sets(resolved.without_sweep());
+  for (const study::NamedSet& set : sets) try {
+      const double gain = study::gain_by_stiffer_rim(set.drivetrain, set.geometry, stiffer);
+      if (gain > gain_told)
+        warnings.push_back(
+            fmt::format("{}gearset.planet_rim: the rim is softer than that of the longest life. Twice as "
+                        "stiff, the life at "
+                        "{:g} rpm is {:.3g} % longer. Increase its thickness or the modulus of its material",
+                        sets.size() > 1 ? set_prefix(set.name) : "",
+                        set.drivetrain.drive.speed * 30.0 / std::numbers::pi, 100.0 * gain));
+    } catch (const std::runtime_error&) {  // no equilibrium there, which its own row says
+    }
+  return warnings;
+}
+
+// Bores whose motion depends on the meshes that hold them: what was solved one way, and what was not.
+std::vector<std::string> free_bore_warnings(const ResolvedCase& resolved, const SweepOutcome& outcome) {
+  std::vector<std::string> warnings;
+  if (outcome.header.fidelity != "dynamic") return warnings;
+  const std::vector<std::string> sets = prefixes_of_sets(resolved);
+  const bool full =
+      std::ranges::any_of(sets, [&](const std::string& set) { return is_full_complement(resolved, set); });
+  const auto together = [&](const ResultRow& row) {
+    return value_of(outcome.head, row, "interface_window_us") == 0.0;
+  };
+  const std::string why = fmt::format(
+      "the motion of the bore depends on the meshes that hold it where a bearing has no cage, or "
+      "is lightly loaded (column drag_slip above {:g} %)",
+      100.0 * study::kLightSlip);
+  const std::string solved = rows_where(outcome, together);
+  if (!solved.empty())
+    warnings.push_back(fmt::format(
+        "--fidelity dynamic: {}. Gears and bearings are solved as one system there, as by --fidelity "
+        "monolithic: {}",
+        why, solved));
+  const std::string free = rows_where(outcome, [&](const ResultRow& row) {
+    return row.ok() && !together(row) &&
+           (full || value_of(outcome.head, row, "drag_slip") > study::kLightSlip);
+  });
+  if (!free.empty())
+    warnings.push_back(
+        fmt::format("one way: {}. Here the bore is free under the load of the gears, and life and slip are "
+                    "not reliable. Required for one system: one set, a steady speed and a stated tilt: {}",
+                    why, free));
+  return warnings;
+}
+
 constexpr double kOtherLife = 0.1;  // [-]  of the set's own life
 
 // What the carrier as a body says of the lives beside it, and where it is none.
@@ -157,6 +219,8 @@ std::vector<std::string> sweep_warnings(const ResolvedCase& resolved, const Swee
     return value_of(outcome.head, row, name);
   };
   add(carrier_warnings(resolved, outcome));
+  add(free_bore_warnings(resolved, outcome));
+  add(rim_warnings(resolved, outcome));
   add(rare_values(outcome.head, rows_of(outcome, false)));
   add(judge(observations_at_ends(resolved, outcome)).warnings);
   const std::string drifting =

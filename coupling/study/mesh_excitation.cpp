@@ -8,6 +8,8 @@
 
 #include "bearing/carrier_frame.hpp"
 #include "coupling/study/planet_stiffness.hpp"
+#include "gearset/dynamics/bearing_force.hpp"
+#include "gearset/dynamics/model.hpp"
 #include "gearset/dynamics/static_state.hpp"
 #include "mechanics/constants.hpp"
 
@@ -87,6 +89,16 @@ GearsOnTangent gears_on_tangent(const PlanetaryDrivetrain& drivetrain, const Dri
   GearsOnTangent gears{tangent, GearsOnLaw(drivetrain, geometry, tangent).run()};
   if (!gears.run.completed) throw std::runtime_error("gears: " + gears.run.message);
   return gears;
+}
+
+std::optional<Eigen::Vector2d> bearing_force_at_rest(const PlanetaryDrivetrain& drivetrain,
+                                                     const DrivetrainGeometry& geometry, int planet) {
+  if (!drivetrain.gear_set || drivetrain.in_arrangement) return std::nullopt;
+  const gearset::dynamics::SetModel model =
+      averaged(gear_model_on(drivetrain, bearing_tangent(drivetrain, geometry)));
+  const Eigen::VectorXd rest = static_state(model);
+  return bearing_force(model.parameters.planet, model.bearings[static_cast<std::size_t>(planet)], rest,
+                       Eigen::VectorXd::Zero(rest.size()));
 }
 
 bearing::motion::MeshExcitation excitation_of(const GearRunResult& run, const PlanetaryDrivetrain& drivetrain,

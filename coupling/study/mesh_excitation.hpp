@@ -39,6 +39,12 @@ struct GearsOnTangent {
 /// std::runtime_error with the reason where the gears' motion could not be computed.
 GearsOnTangent gears_on_tangent(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry);
 
+/// Force [N] of the bearings on `planet` at rest, of gears on bearing_tangent() under their mean loads:
+/// outward and in the sense of rotation. None where no gears move, or several sets share the loads.
+/// @throws std::runtime_error where no equilibrium is found
+std::optional<Eigen::Vector2d> bearing_force_at_rest(const PlanetaryDrivetrain& drivetrain,
+                                                     const DrivetrainGeometry& geometry, int planet);
+
 /// The load on the bore of one bearing under which a free bore of the given mass, on a bearing that is `law`
 /// over their number, moves relative to its pin as the planet of `duty` does in `run`, less its mean, as a
 /// Fourier series. For a bore with its share of the planet's mass that is the force of the meshes, and what

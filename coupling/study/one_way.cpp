@@ -169,7 +169,8 @@ class OneWay {
   OneWayRun run(const GearsOnTangent& gears) {
     tangent_ = gears.tangent;
     if (!drive(tangent_, gears.run))
-      return {run_bearing(bearing_dynamics(drivetrain_, geometry_), drivetrain_.steady_state), std::nullopt};
+      return {run_bearing(bearing_dynamics(drivetrain_, geometry_), drivetrain_.steady_state), std::nullopt,
+              difference_at_rest()};
     OneWayRun result;
     do {
       last_ = ++record_.runs >= options_.most_runs || last_;
@@ -179,10 +180,24 @@ class OneWay {
     } while (!record_.accepted && !last_ && go_to_fitted_law());
     record_.accepted = record_.accepted && record_.load_difference <= options_.load_difference;
     result.fit = record_;
+    result.load_difference = record_.load_difference;
     return result;
   }
 
  private:
+  // [-]  of `on_planet`, the mean force [N] of all bearings on the planet, from the load of the run.
+  double difference_of(const Eigen::Vector2d& on_planet) const {
+    const Eigen::Vector2d load = drivetrain_.bearings_per_planet * duty_.point.bore_load;
+    return (on_planet + load).norm() / load.norm();
+  }
+
+  // Of gears that do not shake: what displaced planets make of the load shows at rest.
+  std::optional<double> difference_at_rest() const {
+    const std::optional<Eigen::Vector2d> force = bearing_force_at_rest(drivetrain_, geometry_, duty_.planet);
+    if (!force) return std::nullopt;
+    return difference_of(*force);
+  }
+
   // By gears that moved on `law`; false where they give nothing but their mean loads.
   bool drive(const AffineBearing& law, const GearRunResult& gears) {
     law_ = law;
@@ -190,9 +205,7 @@ class OneWay {
     parameters_.excitation = excitation_of(gears, drivetrain_, duty_, law, parameters_.bore_mass);
     if (parameters_.excitation.harmonics.empty()) return false;
     const PlanetStatistics& planet = gears.planets[static_cast<std::size_t>(duty_.planet)];
-    const Eigen::Vector2d on_planet(planet.radial_force.mean, planet.tangential_force.mean),
-        load = drivetrain_.bearings_per_planet * duty_.point.bore_load;
-    record_.load_difference = (on_planet + load).norm() / load.norm();
+    record_.load_difference = difference_of({planet.radial_force.mean, planet.tangential_force.mean});
     return true;
   }
 

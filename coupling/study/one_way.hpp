@@ -77,8 +77,8 @@ struct OneWayOptions {
 
 /// What stood for the bearings while the gears moved.
 struct OneWayRecord {
-  FittedBearing fitted;   // after the last run; its changes are from what the gears moved on in that run
-  int runs = 0;           // of gears and bearing
+  FittedBearing fitted;  // after the last run; its changes are from what the gears moved on in that run
+  int runs = 0;          // of gears and bearing
   // [-]  of the gears' mean force on the bearings from the load under which the bearing ran, over that load:
   // the gears have what displaced planets make of it, as where back flanks touch, the bearing has not
   double load_difference = 0.0;
@@ -89,6 +89,9 @@ struct OneWayRecord {
 struct OneWayRun {
   system::SteadyStateResult bearing;
   std::optional<OneWayRecord> fit;  // none where the gears give nothing but their mean loads
+  // [-]  of the gears' mean force on the bearings from the load of the run, as in OneWayRecord; without one,
+  // that of the gears at rest on the bearings' tangent. None where no gears move
+  std::optional<double> load_difference = std::nullopt;
 };
 
 /// Gears on the tangent of their bearings (`gears`), the bearing under the load that they give it

@@ -8,6 +8,7 @@
 #include "bearing/equilibrium/elastic_waves.hpp"
 #include "bearing/equilibrium/quasi_static.hpp"
 #include "bearing/life/rating_lives.hpp"
+#include "bearing/motion/drag_slip.hpp"
 #include "bearing/motion/model.hpp"
 #include "coupling/cosim/planetary_coupling.hpp"
 #include "coupling/study/driven_setups.hpp"
@@ -329,6 +330,7 @@ PointResult driven_point(const PlanetaryDrivetrain& drivetrain, const Drivetrain
   const Rating rating(drivetrain, geometry, mean_duty(drivetrain, duty));
   PointResult result = dynamic_point(rating, {rating.load_of(duty)}, run.bearing);
   result.dynamic->one_way = run.fit;
+  result.dynamic->one_way_load_difference = run.load_difference;
   return result;
 }
 
@@ -432,6 +434,43 @@ PointResult coupled_point(const PlanetaryDrivetrain& drivetrain, const Drivetrai
   return result;
 }
 
+// In closed form, from the loads at rest; none where traction has none, or the bearing at rest no balance.
+std::optional<double> slip_by_drag(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                                   const BearingDuty& duty) {
+  const bearing::motion::DynamicsParameters parameters = bearing_dynamics(drivetrain, geometry);
+  if (parameters.race.traction != bearing::motion::TractionLaw::regularised_coulomb ||
+      parameters.race.lubrication != bearing::motion::Lubrication::full ||
+      duty.point.inner_speed == duty.point.outer_speed)
+    return std::nullopt;
+  try {
+    const WindowStatistics means = BearingsAtRest(drivetrain, geometry).one(duty).means;
+    const Eigen::ArrayXd both =
+        (means.inner.mean_load * means.inner.passages).min(means.outer.mean_load * means.outer.passages);
+    return drag_slip(bearing_model(drivetrain.bearing, duty.point, parameters),
+                     drivetrain.bearing.rollers().count * both.mean());
+  } catch (const std::runtime_error&) {
+    return std::nullopt;
+  }
+}
+
+// In time. Where the bore moves with its gears, they are solved together; where that cannot be followed, the
+// bearing is driven one way all the same.
+PointResult moving_point(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                         const std::vector<BearingDuty>& duties, Fidelity fidelity) {
+  const std::optional<double> slip = slip_by_drag(drivetrain, geometry, duties.front());
+  const auto point = [&]() -> PointResult {
+    if (fidelity != Fidelity::dynamic) return coupled_point(drivetrain, geometry, duties.front(), fidelity);
+    if (moves_with_its_gears(drivetrain, slip.value_or(0.0))) try {
+        return coupled_point(drivetrain, geometry, duties.front(), Fidelity::monolithic);
+      } catch (const std::runtime_error&) {  // its row says which of both it is
+      }
+    return one_way_point(drivetrain, geometry, duties);
+  };
+  PointResult result = point();
+  result.dynamic->drag_slip = slip;
+  return result;
+}
+
 // Of the duties, whatever the bearing's model, mean over unlike planets: the total on the bore holds what
 // reaches it through the cage.
 void put_loads(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
@@ -482,6 +521,12 @@ void require_cylindrical_beyond_rest(const PlanetaryDrivetrain& drivetrain, Fide
 
 }  // namespace
 
+bool moves_with_its_gears(const PlanetaryDrivetrain& drivetrain, double slip) {
+  const bool moving = drivetrain.gear_set && !drivetrain.in_arrangement &&
+                      drivetrain.run_up.acceleration == 0.0 && drivetrain.seats.tilt != TiltState::computed;
+  return moving && (!drivetrain.bearing.has_cage() || slip > kLightSlip);
+}
+
 double life_to_go_by(const PointResult& result) {
   return bearing::rating::hours_to_go_by(result.life_method, result.life_hours, result.rating.hours,
                                          result.rating.lives.oil.has_value());
@@ -511,15 +556,33 @@ PointResult evaluate(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeom
       if (drivetrain.carrier_mounting) at_rest.carrier = carrier_revolution(drivetrain, geometry);
       return at_rest;
     }
-    if (fidelity == Fidelity::dynamic) return one_way_point(drivetrain, geometry, duties);
-    return coupled_point(drivetrain, geometry, duties.front(), fidelity);
+    return moving_point(drivetrain, geometry, duties, fidelity);
   };
   return completed(drivetrain, geometry, duties, point());
+}
+
+double gain_by_stiffer_rim(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                           double factor) {
+  if (!geometry.rim) return 0.0;
+  gearset::rim::RimInfluence rim = *geometry.rim;
+  rim.race /= factor;
+  for (gearset::rim::RaceForm* form : {&rim.by_sun, &rim.by_ring}) {
+    form->cosine /= factor;
+    form->sine /= factor;
+  }
+  rim.meshes /= factor;
+  DrivetrainGeometry stiffer = geometry;
+  stiffer.rim = std::make_shared<const gearset::rim::RimInfluence>(std::move(rim));
+  return evaluate(drivetrain, stiffer).life_hours / evaluate(drivetrain, geometry).life_hours - 1.0;
 }
 
 PointResult evaluate_from(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                           const Eigen::VectorXd& start) {
   if (!drivetrain.rows.is_cylindrical()) require_cylindrical_beyond_rest(drivetrain, Fidelity::dynamic);
+  if (moves_with_its_gears(drivetrain, 0.0))
+    throw std::invalid_argument(
+        "state to start from: found one, and bearings without cage, which are solved together with their "
+        "gears; required: a cage, or points that start from their quasi-static states");
   if (drivetrain.uneven_planets)
     throw std::invalid_argument(
         "state to start from: found one, and planets that load unevenly, where each has its own; required: "

@@ -67,6 +67,8 @@ struct DynamicRecord {
   Eigen::VectorXd final_state;          // where it ended; a neighbouring point may go on from here
   bearing::motion::StateLayout layout;  // of that state
   std::optional<OneWayRecord> one_way;  // what stood for the bearings in gears that drive one of them
+  std::optional<double> one_way_load_difference = std::nullopt;  // [-]  also where only mean loads drive it
+  std::optional<double> drag_slip = std::nullopt;  // [-]  by drag against traction, in closed form
 };
 
 /// What only gears and bearings that act on each other tell.
@@ -176,10 +178,27 @@ bearing::motion::DynamicsParameters dynamics_parameters(const PlanetaryDrivetrai
                                                         const DrivetrainGeometry& geometry,
                                                         const BearingDuty& duty, const GearsOnTangent& gears);
 
+/// Slip by drag (bearing/motion/drag_slip.hpp) above which a bearing is lightly loaded.
+inline constexpr double kLightSlip = 0.05;  // [-]
+
+/// Whether a point asked for one way is solved as one system with its gears. Driven one way the bore is free
+/// under a stated force, while meshes as stiff as the bearing hold it in fact. Rollers without a cage strike
+/// each other and the races: lives on a free bore are up to an eighth too short. A lightly loaded bearing
+/// whirls on a free bore, and its own whirl gives it the load not to skid. False where gears and bearings
+/// have no common motion in time: several sets, a run-up, a computed tilt.
+/// @param slip [-] by drag
+bool moves_with_its_gears(const PlanetaryDrivetrain& drivetrain, double slip);
+
 /// Computes one point. Throws std::runtime_error with the solver's reason where it finds no balance or the
 /// motion could not be followed.
 PointResult evaluate(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                      Fidelity fidelity = Fidelity::quasi_static);
+
+/// [-]  by which the life at rest is longer on a rim `factor` times as stiff, of all influences alike. Above
+/// 0 where a rim is softer than that of the longest life: an oval bore then presses the ends of its load
+/// zone. 0 on a rigid one. Throws as evaluate().
+double gain_by_stiffer_rim(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                           double factor);
 
 /// The motion at one point from `start`, the final state of a neighbouring point, taken as it is. Throws as
 /// above, and std::invalid_argument where the state is not one of a bearing with that many rollers.

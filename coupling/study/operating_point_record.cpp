@@ -146,6 +146,11 @@ void describe_motion(Record& record, const PointResult& point) {
   record.value("orbit_slip", dimension::ratio,
                "1 minus mean orbital speed of the rollers divided by that at pure rolling, without a cage",
                moving([](const DynamicRecord& d) { return d.orbit_slip.value_or(kAbsent); }));
+  record.value(
+      "drag_slip", dimension::ratio,
+      "slip of the orbit by drag of the oil against traction of the loaded rollers, in closed form, to "
+      "compare with that of the motion",
+      moving([](const DynamicRecord& d) { return d.drag_slip.value_or(kAbsent); }));
   record.value("friction_moment_N_m", dimension::torque, "friction moment of the bearing on the bore",
                moving([](const DynamicRecord& d) { return d.friction_moment; }));
   describe_losses(record, point);
@@ -271,9 +276,10 @@ void describe_one_way(Record& record, const PointResult& point) {
       fit.fitted.residual);
   add("stiffness_change", "change of the stiffness in the last run", fit.fitted.stiffness_change);
   add("damping_change", "change of the damping in the last run", fit.fitted.damping_change);
-  add("load_difference",
-      "of the gears' mean force on the planet's bearings from the load under which the bearing ran",
-      fit.load_difference);
+  const bool compared = point.dynamic && point.dynamic->one_way_load_difference;
+  record.value("one_way_load_difference", dimension::ratio,
+               "of the gears' mean force on the planet's bearings from the load under which the bearing ran",
+               compared ? *point.dynamic->one_way_load_difference : kAbsent);
   describe_law(record, fit.fitted.bearing);
 }
 

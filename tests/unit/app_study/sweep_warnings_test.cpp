@@ -58,5 +58,10 @@ TEST(SweepWarnings, OfTheOneWayLaw) {
                                                            "one_way_accepted", 0.0)));
 }
 
+TEST(SweepWarnings, OfBoresWhoseMotionDependsOnTheirMeshes) {
+  EXPECT_SAID("one way solved together", last_warning(outcome_of("interface_window_us", {0.0, 4.3})));
+  EXPECT_SAID("one way free bore", last_warning(outcome_of("drag_slip", {0.05, 0.051})));
+}
+
 }  // namespace
 }  // namespace orbearing::app::sweep_warnings_test
