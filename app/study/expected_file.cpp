@@ -21,8 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array kRowKeys{"source",  "kind",     "of",       "quantity", "meaning", "value", "tolerance",
-                              "scatter", "settings", "fidelity", "why",      "memory",  "fitted"};
+constexpr std::array kRowKeys{"source",  "kind",     "of",      "quantity", "meaning", "value",  "tolerance",
+                              "scatter", "settings", "against", "fidelity", "why",     "memory", "fitted"};
 
 EvidenceKind kind_of(const YAML::Node& node) {
   const auto name = node["kind"].as<std::string>("");
@@ -95,6 +95,14 @@ std::string fidelity_of_row(const YAML::Node& node, const std::string& quantity)
   return name;
 }
 
+std::vector<std::string> against_of_row(const YAML::Node& node, const std::string& quantity) {
+  if (!node["against"]) return {};
+  if (!result_pointer(quantity))
+    throw YAML::Exception(node["against"].Mark(),
+                          "against: found together with a quantity that no command gives");
+  return node["against"].as<std::vector<std::string>>();
+}
+
 PublishedValue published_value(const YAML::Node& node) {
   require_known_keys(node);
   PublishedValue row{.source = text_of(node, "source"),
@@ -110,6 +118,7 @@ PublishedValue published_value(const YAML::Node& node) {
                      .fitted = node["fitted"].as<bool>(false)};
   row.fidelity = fidelity_of_row(node, row.quantity);
   if (node["settings"]) row.settings = node["settings"].as<std::vector<std::string>>();
+  row.against = against_of_row(node, row.quantity);
   if (!node["value"]) throw YAML::Exception(node.Mark(), "value: missing");
   if (!node["value"].IsNull()) row.value = number_of(node["value"], "value");
   if (node["scatter"]) row.scatter = positive_number(node["scatter"], "scatter");

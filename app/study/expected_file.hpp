@@ -43,10 +43,15 @@ struct PublishedValue {
   std::optional<double> scatter{};  // [-]  relative standard deviation of the measurement
   std::vector<std::string>
       settings{};        // path=value  of the case, where the number belongs to a variant of it
+  // path=value  of another variant: the number is the quantity over that under these, or of a trend 1 where
+  // the quantity is larger than under these and 0 where it is not
+  std::vector<std::string> against{};
   std::string fidelity = "quasi-static";  // of the command, where the quantity is COMMAND:/json/pointer
   std::string why{};     // it is missed
   bool memory = false;   // remembered, not read
   bool fitted = false;   // constants of the case were identified from it, among others
+
+  bool is_trend() const { return of == "trend"; }
 };
 
 /// Command and JSON pointer of a quantity such as "run:/life_h"; none where it is a name.

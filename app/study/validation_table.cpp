@@ -224,8 +224,10 @@ std::string sensitivities_text(const ValidationTable& table) {
   return text;
 }
 
-std::string reading_of(const std::vector<std::string>& settings) {
-  return fmt::format("{}", fmt::join(settings, ", "));
+std::string reading_of(const PublishedValue& published) {
+  const std::string reading = fmt::format("{}", fmt::join(published.settings, ", "));
+  if (published.against.empty()) return reading;
+  return fmt::format("{} against {}", reading, fmt::join(published.against, ", "));
 }
 
 using Rows = std::vector<const PublishedValue*>;
@@ -309,7 +311,7 @@ ValuesOf pointed_values(const ResultOf& result_of) {
 }
 
 bool needs_band(const PublishedValue& published) {
-  return published.kind == EvidenceKind::measurement && published.value;
+  return published.kind == EvidenceKind::measurement && published.value && published.against.empty();
 }
 
 // Linear between the sorted values.
@@ -406,9 +408,8 @@ class RowsOfCase {
 
   void compute(const Variant& variant) {
     const ResolvedCase changed = with_settings(resolved_, variant.settings);
-    if (!variant.named.empty()) compute(changed, variant, variant.named, named_values(changed));
-    if (!variant.pointed.empty())
-      compute(changed, variant, variant.pointed, pointed_values(options_.result_of));
+    if (!variant.named.empty()) compute(changed, variant.named, named_values(changed));
+    if (!variant.pointed.empty()) compute(changed, variant.pointed, pointed_values(options_.result_of));
   }
 
   std::vector<ValidationRow> in_order(const ExpectedFile& expected) const {
@@ -419,18 +420,27 @@ class RowsOfCase {
   }
 
  private:
-  void compute(const ResolvedCase& changed, const Variant& variant, const Rows& rows,
-               const ValuesOf& values_of) {
-    const std::string reading = reading_of(variant.settings);
+  // Of a row that compares two variants: their ratio, or whether the first is the larger one.
+  OurNumber compared(const PublishedValue& row, const OurNumber& number) const {
+    if (row.against.empty()) return number;
+    const OurNumber other =
+        pointed_values(options_.result_of)(with_settings(resolved_, row.against), {&row}).front();
+    const double ratio = number.value / other.value;
+    if (!row.is_trend() || std::isnan(ratio)) return {ratio, "1"};
+    return {number.value > other.value ? 1.0 : 0.0, "1"};
+  }
+
+  void compute(const ResolvedCase& changed, const Rows& rows, const ValuesOf& values_of) {
     try {
       const std::vector<OurNumber> values = values_of(changed, rows);
       for (std::size_t i = 0; i < rows.size(); ++i) {
-        ValidationRow row = judged(*rows[i], values[i].value, reading);
-        row.unit = values[i].unit;
+        const OurNumber number = compared(*rows[i], values[i]);
+        ValidationRow row = judged(*rows[i], number.value, reading_of(*rows[i]));
+        row.unit = number.unit;
         rows_.emplace(rows[i], std::move(row));
       }
     } catch (const ComputationFailed& error) {
-      for (const PublishedValue* row : rows) rows_.emplace(row, failed(*row, reading, error.what()));
+      for (const PublishedValue* row : rows) rows_.emplace(row, failed(*row, reading_of(*row), error.what()));
       return;
     }
     Bands bands;

@@ -39,7 +39,7 @@ struct ValidationRow {
   std::string verdict;  // reproduced, trend, missed, input missing
   std::optional<ValidationBand> band{};
 
-  bool is_trend() const { return published.of == "trend"; }
+  bool is_trend() const { return published.is_trend(); }
 };
 
 /// All that `orbearing validate` says about one case.
