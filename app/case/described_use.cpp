@@ -256,6 +256,10 @@ Use with_density(const Use& use) {
       .used_too(use::quasi_static | use::crown, stated);
 }
 
+bool share_is_stated(const ResolvedCase& in, std::string_view) {
+  return !in.has("lubricant.fill") || in.choice("lubricant.fill") == "stated";
+}
+
 // Films stand in results of lives; elsewhere the oil counts where a film takes part in the approach, or
 // where the life by its cleanliness is made of its viscosity.
 Use with_oil(const Use& use, std::string_view path) {
@@ -263,7 +267,10 @@ Use with_oil(const Use& use, std::string_view path) {
   if (path == "lubricant.flow")
     return use.when(where("drag.mixture", {"carried"}))
         .when(where("drag.enabled", {"true"}))
+        .used_too(use::ball_run, {where("lubricant.fill", {"parker"}), where("drag.enabled", {"true"})})
         .used_too(use::ball_run, where("heat.enabled", {"true"}));
+  if (path == "lubricant.share")
+    return use.when(where_true(share_is_stated, "where lubricant.fill is stated"));
   if (path != "lubricant.viscosity" && path != "lubricant.pressure_viscosity") return use;
   constexpr unsigned with_film_alone = use::bearings_as_springs | use::planet_stiffness | use::crown;
   Use oil = also_used(use, use::spin_film)
@@ -401,6 +408,12 @@ Use with_friction_of_others(const Use& use) {
 // Fields of unlike physics, of which each hangs on other choices.
 Use with_other_ways(const Use& use, std::string_view path) {
   if (path == "traction.sliding_scale") return with_other_frictions(use);
+  if (path == "traction.largest_barus_exponent")
+    return use.when(where("traction.law", {"limiting-shear", "ree-eyring"}));
+  if (is_one_of(path, {"heat.surroundings", "heat.contact_conductance", "heat.oil_conductance",
+                       "heat.fit_conductance", "heat.housing_conductance", "heat.shaft_conductance",
+                       "heat.expansion", "heat.sizes_temperature"}))
+    return use.when(where("heat.model", {"network"}));
   if (path == "numerics.cage_positions")
     return use.used_too(use::dynamic_of_sets, where("bearing.tilt_state", {"computed"}));
   if (path == "traction.limiting_friction")

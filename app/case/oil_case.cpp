@@ -90,6 +90,16 @@ double oil_density(const ResolvedCase& in) {
       [&](const char* path) { return in.has(path) ? &in.value(path).number : nullptr; });
 }
 
+bearing::Lubricant graded_lubricant(const ResolvedCase& in) {
+  return {.viscosity = in.quantity("lubricant.viscosity"),
+          .pressure_viscosity = in.quantity("lubricant.pressure_viscosity")};
+}
+
+double graded_viscosity_slope(const ResolvedCase& in) {
+  return bearing::viscosity_slope(
+      {viscosity_40_of(in.choice(kGrade)), in.number(kIndex), oil_density(in)}, in.quantity(kTemperature));
+}
+
 void fill_from_grade(CaseData& data, Model model) {
   const auto grade = data.values.find(kGrade);
   const auto number = [&](const char* path) -> const double* {

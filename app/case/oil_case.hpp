@@ -6,6 +6,7 @@
 
 #include "app/case/mistake.hpp"
 #include "app/case/resolved_case.hpp"
+#include "bearing/parameters.hpp"
 
 namespace orbearing::app {
 
@@ -23,6 +24,11 @@ void put_where_absent(CaseData& data, const std::string& path, const std::string
 
 /// Density of the oil [kg/m^3]: the stated one where it counts, that of a mineral oil where it does not.
 double oil_density(const ResolvedCase& resolved);
+
+/// Of the oil that `lubricant.grade` names, at its temperature.
+bearing::Lubricant graded_lubricant(const ResolvedCase& resolved);
+/// Relative decrease of its viscosity per kelvin [1/K].
+double graded_viscosity_slope(const ResolvedCase& resolved);
 
 /// Where `lubricant.grade` is given, the properties of such an oil stand in place of what is stated, which
 /// then has no effect.

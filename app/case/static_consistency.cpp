@@ -61,6 +61,28 @@ void check_balls(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
                  fmt::format("less than {:.4g} um is required by the grooves", 1e6 * most), mistakes);
 }
 
+// Formulas that go by the flow, the speed and the size.
+void check_oil_supply(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
+  const auto is = [&](const char* path, const char* value) { return in.has(path) && in.choice(path) == value; };
+  const auto on = [&](const char* path) { return in.has(path) && in.flag(path); };
+  const auto flows = [&] { return in.has("lubricant.flow") && in.quantity("lubricant.flow") > 0.0; };
+  const bool filled = on("drag.enabled") && is("lubricant.fill", "parker");
+  if (filled && !flows())
+    add_error_at(in, "lubricant.fill", "a share of oil by the flow without a flow",
+                 "lubricant.flow greater than 0 L/min is required", mistakes);
+  if (filled && has_all(in, {"operation.shaft_speed", "operation.outer_speed"}) &&
+      in.quantity("operation.shaft_speed") == in.quantity("operation.outer_speed"))
+    add_error_at(in, "lubricant.fill", "a share of oil by the speed of rings that do not rotate",
+                 "operation.shaft_speed is required", mistakes);
+  if (on("heat.enabled") && is("heat.model", "oil") && !flows())
+    add_error_at(in, "heat.model", "heat that leaves with the oil, without a flow",
+                 "lubricant.flow greater than 0 L/min is required", mistakes);
+  if (on("traction.rolling_resistance") && is("traction.starvation", "skf") &&
+      !has_all(in, {"bearing.bore", "bearing.outside_diameter"}))
+    add_error_at(in, "traction.starvation", "starvation of a bearing whose size is not known",
+                 "bearing.bore and bearing.outside_diameter are required", mistakes);
+}
+
 // What a motion needs beyond a balance.
 void check_motion(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   if (in.model() != ball_motion) return;
@@ -69,6 +91,7 @@ void check_motion(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
       !has_all(in, {"bearing.bore", "bearing.width"}))
     add_error_at(in, "simulation.duration", "an inner ring in motion whose mass is not known",
                  "bearing.bore and bearing.width are required, or rotor.mass and rotor.inertia", mistakes);
+  check_oil_supply(in, mistakes);
   if (!in.has("load.radial") || positive("load.axial") || positive("load.radial")) return;
   add_error_at(in, "load.radial", "no load", "a radial or axial load greater than 0 N is required", mistakes);
 }

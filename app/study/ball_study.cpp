@@ -12,6 +12,7 @@
 #include "bearing/contact/point_contact.hpp"
 #include "bearing/equilibrium/balls.hpp"
 #include "bearing/equilibrium/static_bearing.hpp"
+#include "bearing/friction/oil_supply.hpp"
 #include "bearing/geometry.hpp"
 #include "bearing/life/ball_capacity.hpp"
 #include "bearing/life/lundberg_palmgren.hpp"
@@ -84,10 +85,10 @@ BallStudy ball_study(const ResolvedCase& in, const std::function<void(double)>& 
   const auto reached = [&](double time) {
     if (progress) progress(time / options.duration);
   };
-  study.run = heat.on
-                  ? system::run_heated_balls(bearing, ball_motion_of(in), duty, ratings.contacts, options,
-                                             heat, study.warming, reached)
-                  : system::run_balls(bearing, ball_motion_of(in), duty, ratings.contacts, options, reached);
+  const bearing::balls::MotionParameters motion = ball_motion_of(in);
+  study.run = heat.on ? system::run_heated_balls(bearing, motion, duty, ratings.contacts, options, heat,
+                                                 study.warming, reached)
+                      : system::run_balls(bearing, motion, duty, ratings.contacts, options, reached);
   if (!study.run.completed)
     throw ComputationFailed(fmt::format("{}: {}", in.text("name"), study.run.message));
   const double inner = duty.inner.speed_at(options.duration), outer = duty.outer.speed_at(options.duration);
@@ -101,15 +102,21 @@ BallStudy ball_study(const ResolvedCase& in, const std::function<void(double)>& 
   study.life_with_balls_hours =
       bearing::hours(bearing::rating::life_of_both(means.life.bearing, means.balls_life), rotating);
   const bearing::Bearing running =
-      study.warming.empty() ? bearing : system::warm_bearing(bearing, heat, study.warming.back().temperature);
+      study.warming.empty() || heat.model == system::HeatModel::oil
+          ? bearing
+          : system::warm_bearing(bearing, heat, study.warming.back().temperature);
   study.radial_clearance = running.radial_clearance;
   const bearing::equilibrium::RingState balance =
       bearing::equilibrium::balance_bearing(running, {.speeds = {inner, outer}}, ring_load_of(in));
   if (balance.report.converged) study.stiffness = bearing::equilibrium::stiffness_by_axes(balance);
+  study.oil_share = bearing::friction::supplied(bearing, motion, inner - outer).drag.oil_share;
+  const double rolling = means.loss.rolling / std::abs(inner - outer);
+  const bool isothermal = motion.race.inlet_heating == bearing::motion::InletHeating::none;
   study.friction_by_standards =
       friction_by_standards(in, {.speed = std::abs(inner - outer),
                                  .torque = std::abs(means.inner_torque),
-                                 .rolling = means.loss.rolling / std::abs(inner - outer),
+                                 .rolling = rolling,
+                                 .isothermal = isothermal ? rolling : 0.0,
                                  .viscosity = in.quantity("lubricant.viscosity") / oil_density(in),
                                  .static_capacity = ratings.static_capacity});
   study.warnings = warnings_of_balls(study, duty, options);
@@ -206,6 +213,7 @@ void describe(Record& record, const BallStudy& study) {
       "mean_cage_slip";
   describe_heat(record, m.loss);
   describe_temperatures(record, study.warming);
+  record.value("oil_share", dimension::ratio, "of oil in the free volume", study.oil_share);
   record.value("running_clearance_um", dimension::small_length, "at the temperatures of the run",
                study.radial_clearance);
   record

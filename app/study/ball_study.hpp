@@ -26,6 +26,7 @@ struct BallStudy {
   double rotating_speed = 0.0;             // [rad/s]  at the end, of the race that turns relative to the load
   double largest_pressure = 0.0;           // [Pa]
   double radial_clearance = 0.0;           // [m]      at the temperatures of the run
+  double oil_share = 0.0;                  // [-]      in the free volume
   /// Of the balance under the same load at the final speeds, as orbearing stiffness has it; none where there
   /// is none.
   std::optional<bearing::equilibrium::RingStiffness> stiffness;

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "app/case/catalogue_case.hpp"
+#include "app/case/oil_case.hpp"
 #include "app/case/static_case.hpp"
 #include "bearing/default_design.hpp"
 #include "bearing/film/oil_grade.hpp"
@@ -38,14 +39,15 @@ std::optional<bearing::OilGrade> oil_with(double viscosity) {
   return bearing::OilGrade{.viscosity_40 = std::exp(0.5 * (below + above))};
 }
 
-// With the parts on which the drag of balls depends.
+// With the parts on which the drag depends.
 bearing::Bearing with_rings(bearing::Bearing bearing, const friction::BearingSize& size) {
   bearing.inner.seat_diameter = size.bore;
   bearing.outer.seat_diameter = size.outside;
   bearing.width = size.width;
   constexpr double no_length = 0.0, polyamide = 1310.0;
   const bearing::CageSize cage =
-      bearing::default_cage_size(bearing.pitch_diameter, bearing.element_diameter(), no_length, size.width);
+      bearing::default_cage_size(bearing.pitch_diameter, bearing.element_diameter(),
+                                 bearing.has_rollers() ? bearing.rollers().length : no_length, size.width);
   bearing.cage = {.inner_diameter = cage.inner_diameter,
                   .outer_diameter = cage.outer_diameter,
                   .width = cage.width,
@@ -74,8 +76,12 @@ void describe(Record& record, const FrictionStudy& study) {
   const friction::RollingFriction& loss = study.loss;
   record.value("power_W", dimension::heat, "friction at pure rolling, in all", loss.total());
   record.value("torque_N_mm", dimension::small_torque, "the same over the speed", study.torque());
-  record.value("rolling_W", dimension::heat, "shear of the oil at the inlets, isothermal and flooded",
+  record.value("rolling_W", dimension::heat,
+               "shear of the oil at the inlets, which it warms; of rollers as far as the mixture's oil reaches",
                loss.rolling);
+  record.value("flooded_rolling_W", dimension::heat, "the same with oil at any distance", loss.flooded_rolling);
+  record.value("isothermal_rolling_W", dimension::heat, "the same if its shear did not warm it either",
+               loss.isothermal_rolling);
   record.value("idle_W", dimension::heat, "of it: of elements outside the load zone, on the outer race",
                loss.idle);
   record.value("differential_slip_W", dimension::heat, "because ellipses are curved (Heathcote)",
@@ -100,12 +106,12 @@ void describe(Record& record, const FrictionByStandards& standards) {
   });
   const double heating = standards.skf.inlet_heating, both = heating * standards.skf.starvation;
   const auto with_factor = [&](double factor) {
-    return (standards.ours - (1.0 - factor) * standards.rolling) * standards.speed;
+    return (standards.ours - standards.rolling + factor * standards.isothermal) * standards.speed;
   };
-  record.value("ours_with_inlet_heating_W", dimension::heat, "our power, its rolling part times phi_ish",
-               with_factor(heating));
+  record.value("ours_with_inlet_heating_W", dimension::heat,
+               "our power, its isothermal rolling part times phi_ish", with_factor(heating));
   record.value("ours_with_starvation_W", dimension::heat,
-               "our power, its rolling part times phi_ish and phi_rs", with_factor(both));
+               "our power, its isothermal rolling part times phi_ish and phi_rs", with_factor(both));
   record
       .value("reference_heat_W", dimension::heat, "of the thermal reference speed, by the size",
              friction::thermal_reference::heat(standards.size))
@@ -114,28 +120,32 @@ void describe(Record& record, const FrictionByStandards& standards) {
                standards.ours * standards.speed / friction::thermal_reference::heat(standards.size));
 }
 
-std::optional<bearing::Lubricant> oil_in_contacts(const ResolvedCase& in) {
-  if (in.has("lubricant.grade"))
-    return bearing::Lubricant{.viscosity = in.quantity("lubricant.viscosity"),
-                              .pressure_viscosity = in.quantity("lubricant.pressure_viscosity")};
+std::optional<OilInContacts> oil_in_contacts(const ResolvedCase& in) {
+  if (in.has("lubricant.grade")) return OilInContacts{graded_lubricant(in), graded_viscosity_slope(in)};
   if (!in.has("lubricant.kinematic_viscosity")) return std::nullopt;
   const std::optional<bearing::OilGrade> oil = oil_with(in.quantity("lubricant.kinematic_viscosity"));
   if (!oil) return std::nullopt;
-  return bearing::lubricant_at(*oil, friction::thermal_reference::kTemperature);
+  constexpr double temperature = friction::thermal_reference::kTemperature;
+  return OilInContacts{bearing::lubricant_at(*oil, temperature), bearing::viscosity_slope(*oil, temperature)};
 }
 
 std::optional<FrictionStudy> friction_study(const ResolvedCase& in, const bearing::Bearing& bearing,
                                             const bearing::equilibrium::RingState& balance) {
-  const std::optional<bearing::Lubricant> oil = oil_in_contacts(in);
+  const std::optional<OilInContacts> oil = oil_in_contacts(in);
   const double speed = speed_of(in);
   if (!oil || speed == 0.0) return std::nullopt;
   const bearing::equilibrium::RingSpeeds speeds = row_motion_of(in).speeds;
-  if (bearing.has_rollers())
-    return FrictionStudy{friction::roller_friction(bearing, balance.contact_load, speeds, *oil), speed};
   const std::optional<friction::BearingSize> size = size_of(in);
+  const friction::Inlets inlets{oil->viscosity_slope, true};
+  if (bearing.has_rollers())
+    return FrictionStudy{
+        friction::roller_friction(size ? with_rings(bearing, *size) : bearing, balance.contact_load, speeds,
+                                  oil->lubricant, inlets),
+        speed};
   if (!size || balance.inner_rolling.size() == 0) return std::nullopt;
-  return FrictionStudy{
-      friction::ball_friction(with_rings(bearing, *size), balance, ring_load_of(in), speeds, *oil), speed};
+  return FrictionStudy{friction::ball_friction(with_rings(bearing, *size), balance, ring_load_of(in), speeds,
+                                               oil->lubricant, inlets),
+                       speed};
 }
 
 std::optional<FrictionByStandards> friction_by_standards(const ResolvedCase& in, const OurFriction& ours) {
@@ -146,13 +156,16 @@ std::optional<FrictionByStandards> friction_by_standards(const ResolvedCase& in,
   const friction::TorqueCondition at{
       .speed = ours.speed, .viscosity = ours.viscosity, .radial = load.radial, .axial = load.axial};
   const double mean = size->mean_diameter();
-  return FrictionByStandards{.size = *size,
-                             .palmgren = parted_torque(palmgren_factors(*size, at), mean, at),
-                             .gear_unit = parted_torque(gear_unit_factors(*size, at), mean, at),
-                             .skf = skf_torque(*size, at),
-                             .speed = ours.speed,
-                             .ours = ours.torque,
-                             .rolling = ours.rolling};
+  const friction::SkfTorque skf = skf_torque(*size, at);
+  return FrictionByStandards{
+      .size = *size,
+      .palmgren = parted_torque(palmgren_factors(*size, at), mean, at),
+      .gear_unit = parted_torque(gear_unit_factors(*size, at), mean, at),
+      .skf = skf,
+      .speed = ours.speed,
+      .ours = ours.torque,
+      .rolling = ours.rolling,
+      .isothermal = ours.isothermal > 0.0 ? ours.isothermal : ours.rolling / skf.inlet_heating};
 }
 
 }  // namespace orbearing::app

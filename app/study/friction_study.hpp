@@ -27,16 +27,23 @@ struct FrictionByStandards {
   bearing::friction::PartedTorque palmgren, gear_unit;
   bearing::friction::SkfTorque skf;
   double speed = 0.0;    // [rad/s]
-  double ours = 0.0;     // [N m]
-  double rolling = 0.0;  // [N m]  of it: resistance to rolling
+  double ours = 0.0;        // [N m]
+  double rolling = 0.0;     // [N m]  of it: resistance to rolling
+  double isothermal = 0.0;  // [N m]  that resistance without heating of the inlets
 };
 
 /// Of each formula its torque by part, its power and ours over it; the heat of [ISO15312] by the size.
 void describe(described::Record& record, const FrictionByStandards& standards);
 
+/// Oil as contacts have it.
+struct OilInContacts {
+  bearing::Lubricant lubricant;
+  double viscosity_slope = 0.0;  // [1/K]  by which its viscosity falls
+};
+
 /// The oil of a case that states its viscosity, by grade or directly; none where it states neither, or a
 /// viscosity that no mineral oil has at the default temperature.
-std::optional<bearing::Lubricant> oil_in_contacts(const ResolvedCase& in);
+std::optional<OilInContacts> oil_in_contacts(const ResolvedCase& in);
 
 /// None where no ring turns, no oil is stated, or, of balls, the width of the rings is not known or the
 /// balance is that of balls at rest.
@@ -48,6 +55,7 @@ struct OurFriction {
   double speed = 0.0;            // [rad/s]  of the rings against each other
   double torque = 0.0;           // [N m]
   double rolling = 0.0;          // [N m]  of it: resistance to rolling
+  double isothermal = 0.0;       // [N m]  that resistance without heating of the inlets; 0: not known
   double viscosity = 0.0;        // [m^2/s]  of the oil, kinematic
   double static_capacity = 0.0;  // [N]
 };

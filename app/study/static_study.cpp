@@ -549,6 +549,7 @@ StaticStudy static_study(const ResolvedCase& in) {
         in, {.speed = study.rolling_friction->speed,
              .torque = study.rolling_friction->torque(),
              .rolling = study.rolling_friction->loss.rolling / study.rolling_friction->speed,
+             .isothermal = study.rolling_friction->loss.isothermal_rolling / study.rolling_friction->speed,
              .viscosity = in.quantity("lubricant.kinematic_viscosity"),
              .static_capacity = study.ratings.static_capacity});
   study.over_speed = speed_table(in);

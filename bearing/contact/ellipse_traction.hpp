@@ -12,7 +12,7 @@
 //
 #pragma once
 
-#include "mechanics/sparse_dual.hpp"
+#include "bearing/contact/pressed_oil.hpp"
 
 namespace orbearing::bearing {
 
@@ -37,6 +37,8 @@ struct ShearParameters {
   double viscosity = 0.0;           // [Pa s]
   double pressure_viscosity = 0.0;  // [1/Pa]
   double largest_exponent = 8.0;    // [-]    alpha p is held here: beyond it oil does not follow Barus
+  bool by_roelands = false;         // else Barus
+  RoelandsExponent<double> roelands{};
 };
 
 /// The oil at a point of the contact.
@@ -47,10 +49,11 @@ struct PressedOil {
   Number per_film;   // [1/m]   inverse of the film
 };
 
-/// Viscosity [Pa s] at `pressure` [Pa] after Barus, held beyond the largest exponent.
+/// Viscosity [Pa s] at `pressure` [Pa] after Barus, held beyond the largest exponent, or Roelands.
 template <class Number>
 Number pressed_viscosity(const ShearParameters& p, const Number& pressure) {
   using mechanics::exponential, mechanics::smaller;
+  if (p.by_roelands) return p.viscosity * exponential(Number(p.roelands.at(pressure)));
   return p.viscosity * exponential(smaller(p.pressure_viscosity * pressure, Number{} + p.largest_exponent));
 }
 

@@ -7,6 +7,8 @@
 #pragma once
 
 #include "bearing/contact/film_law.hpp"
+#include "bearing/contact/inlet_heating.hpp"
+#include "bearing/contact/pressed_oil.hpp"
 
 namespace orbearing::bearing {
 
@@ -45,8 +47,8 @@ struct CoulombFriction {
 
 /// Limiting shear, mu Q (1 - exp(-|s| / s_c)) sign(s): the film is sheared as a Newtonian oil, eta s / h,
 /// until the stress nears its limit, friction times pressure; the exponential between both is that of
-/// [BairWiner1979]. The viscosity follows Barus up to the largest exponent; the pressure is the mean one of a
-/// Hertzian line contact, chapter 4 of [Johnson1985]. s_c = mu p h / eta.
+/// [BairWiner1979]. The viscosity follows Barus up to the largest exponent, or Roelands; the pressure is the
+/// mean one of a Hertzian line contact, chapter 4 of [Johnson1985]. s_c = mu p h / eta.
 template <class Number>
 struct LimitingShear {
   Number friction{};           // [-]    limiting stress over pressure
@@ -54,6 +56,8 @@ struct LimitingShear {
   Number largest_exponent{};   // [-]    of the pressure-viscosity law
   Number pressure_exponent{};  // [N^-0.5]  of that law over the root of the load
   Number log_scale{};          // [ln(m/s)]  mu p / eta at 1 N without pressure, times 1 m
+  RoelandsExponent<Number> roelands;
+  Number roelands_pressure{};  // [Pa/N^0.5]  mean pressure over the root of the load
   FilmLaw<Number> film;
 
   template <class Parameters, class Contact>
@@ -69,17 +73,22 @@ struct LimitingShear {
             given.largest_barus_exponent,
             contact.lubricant.pressure_viscosity * pressure,
             logarithm(larger(given.limiting_friction, kNoFriction) * pressure / contact.lubricant.viscosity),
+            RoelandsExponent<Number>::of(contact.lubricant.viscosity, contact.lubricant.pressure_viscosity),
+            pressure,
             film};
   }
 
   /// [N] with the sign of `sliding` [m/s]. The film begins to thin at the load where it does at 1 m/s.
   template <class Oiled, class Speed>
-  auto force(const Oiled& contact, const Speed& sliding) const {
+  auto force(const Oiled& contact, const Speed& sliding, bool by_roelands = false) const {
     using namespace mechanics;
-    const auto barus = smaller(root(contact.load) * pressure_exponent, largest_exponent);
-    const auto log_film = film.log_uncapped(larger(contact.log_load, film.log_cap_load), contact.log_speed);
-    const auto scale = exponential(0.5 * contact.log_load - barus + log_film + log_scale) + sliding_scale;
-    return contact.load * (friction * saturated(sliding / scale));
+    const auto at = [&](const auto& exponent) {
+      const auto log_film = film.log_uncapped(larger(contact.log_load, film.log_cap_load), contact.log_speed);
+      const auto scale = exponential(0.5 * contact.log_load - exponent + log_film + log_scale) + sliding_scale;
+      return contact.load * (friction * saturated(sliding / scale));
+    };
+    if (by_roelands) return at(roelands.at(root(contact.load) * roelands_pressure));
+    return at(smaller(root(contact.load) * pressure_exponent, largest_exponent));
   }
 };
 
@@ -205,12 +214,25 @@ struct RollingResistance {
   }
 };
 
+/// Heating of the inlet as far as it does not depend on the motion.
+template <class Number>
+struct InletHeatingScale {
+  Number log_loading{};  // [ln(s^2/m^2)]  beta eta/k, heated_inlet_share()
+
+  template <class Parameters, class Contact>
+  static InletHeatingScale of(const Parameters& given, const Contact& contact) {
+    return {mechanics::logarithm(given.viscosity_slope * contact.lubricant.viscosity / given.oil_conductivity)};
+  }
+};
+
 /// Which laws are asked for.
 struct FrictionChoice {
   bool limiting_shear = false;  // else Coulomb
+  bool roelands = false;        // else Barus, held at the largest exponent
   bool mixed = false;           // asperities share load and friction with the film
   bool rolling_resistance = false;
   bool computed_rolling = false;  // else by regression
+  bool inlet_heating = false;     // shear at the inlet lowers the rolling resistance
 };
 
 /// The constants of all laws: numbers alone, so that those of two races can be put side by side.
@@ -221,6 +243,7 @@ struct FrictionNumbers {
   MixedFriction<Number> asperities;
   RollingResistance<Number> rolling;
   ComputedRolling<Number> computed;
+  InletHeatingScale<Number> heating;
 };
 
 /// What acts along the tangent of one race contact.
@@ -228,16 +251,19 @@ template <class Number>
 struct FrictionLaws : FrictionChoice, FrictionNumbers<Number> {
   using FrictionNumbers<Number>::coulomb, FrictionNumbers<Number>::shear;
   using FrictionNumbers<Number>::asperities, FrictionNumbers<Number>::rolling;
-  using FrictionNumbers<Number>::computed;
+  using FrictionNumbers<Number>::computed, FrictionNumbers<Number>::heating;
 
   template <class Parameters, class Contact>
   static FrictionLaws of(const Parameters& given, const Contact& contact) {
     using Traction = decltype(given.traction);
     using Lubrication = decltype(given.lubrication);
     using Rolling = decltype(given.rolling_law);
+    using Heating = decltype(given.inlet_heating);
+    using Pressed = decltype(given.pressure_law);
     const auto film = FilmLaw<Number>::of(contact);
     FrictionLaws laws;
     laws.limiting_shear = given.traction == Traction::limiting_shear;
+    laws.roelands = given.pressure_law == Pressed::roelands;
     laws.mixed = given.lubrication == Lubrication::mixed;
     laws.coulomb = CoulombFriction<Number>::of(given);
     if (laws.limiting_shear) laws.shear = LimitingShear<Number>::of(given, contact, film);
@@ -246,8 +272,12 @@ struct FrictionLaws : FrictionChoice, FrictionNumbers<Number> {
     laws.computed_rolling = given.rolling_law == Rolling::reynolds;
     const bool oil = contact.lubricant.viscosity > 0.0;
     if (oil) laws.computed = ComputedRolling<Number>::of(contact);
+    laws.rolling.factor *= given.rolling_share;
+    laws.computed.log_factor += mechanics::logarithm(given.rolling_share);
     laws.rolling_resistance =
         given.rolling_resistance && (laws.computed_rolling ? oil : laws.rolling.factor > 0.0);
+    laws.inlet_heating = oil && given.inlet_heating == Heating::goksem_hargreaves && given.viscosity_slope > 0.0;
+    if (laws.inlet_heating) laws.heating = InletHeatingScale<Number>::of(given, contact);
     return laws;
   }
 
@@ -271,7 +301,7 @@ struct FrictionLaws : FrictionChoice, FrictionNumbers<Number> {
         take(only(loaded, film_friction));
     };
     if (limiting_shear)
-      finish(shear.force(contact, sliding));
+      finish(shear.force(contact, sliding, roelands));
     else
       finish(coulomb.force(contact.load, sliding));
   }
@@ -289,8 +319,10 @@ struct FrictionLaws : FrictionChoice, FrictionNumbers<Number> {
     using namespace mechanics;
     const auto loaded = mechanics::value_of(load) > 0.0;
     const auto contact = oiled_contact(above_zero(load, loaded), log_speed);
-    return only(loaded, computed_rolling ? computed.force(contact, signed_speed)
-                                         : rolling.force(contact, signed_speed));
+    const auto isothermal = only(loaded, computed_rolling ? computed.force(contact, signed_speed)
+                                                          : rolling.force(contact, signed_speed));
+    if (!inlet_heating) return isothermal;
+    return decltype(isothermal)(isothermal * heated_inlet_share(2.0 * log_speed + heating.log_loading));
   }
 
  private:

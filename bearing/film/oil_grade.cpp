@@ -74,14 +74,32 @@ double viscosity_at_100(double viscosity_40, double viscosity_index) {
   return 0.5 * (found.first + found.second) / kSquareMillimetres;
 }
 
-double kinematic_viscosity(const OilGrade& oil, double temperature) {
+namespace {
+
+// The line (1) of an oil: A - B lg T at a temperature, and B.
+struct ViscosityLine {
+  double value, slope;
+};
+
+ViscosityLine viscosity_line(const OilGrade& oil, double temperature) {
   const double cold = std::log10(40.0 - kAbsoluteZero), hot = std::log10(100.0 - kAbsoluteZero);
   const double at_40 = double_logarithm(kSquareMillimetres * oil.viscosity_40);
   const double at_100 =
       double_logarithm(kSquareMillimetres * viscosity_at_100(oil.viscosity_40, oil.viscosity_index));
   const double slope = (at_40 - at_100) / (hot - cold);
-  const double value = at_40 - slope * (std::log10(temperature - kAbsoluteZero) - cold);
-  return (std::pow(10.0, std::pow(10.0, value)) - 0.7) / kSquareMillimetres;
+  return {at_40 - slope * (std::log10(temperature - kAbsoluteZero) - cold), slope};
+}
+
+}  // namespace
+
+double kinematic_viscosity(const OilGrade& oil, double temperature) {
+  return (std::pow(10.0, std::pow(10.0, viscosity_line(oil, temperature).value)) - 0.7) / kSquareMillimetres;
+}
+
+double viscosity_slope(const OilGrade& oil, double temperature) {
+  const ViscosityLine line = viscosity_line(oil, temperature);
+  const double logarithm = std::pow(10.0, line.value), shifted = std::pow(10.0, logarithm);
+  return std::log(shifted) * line.slope * shifted / ((shifted - 0.7) * (temperature - kAbsoluteZero));
 }
 
 Lubricant lubricant_at(const OilGrade& oil, double temperature) {

@@ -31,6 +31,9 @@ double viscosity_at_100(double viscosity_40, double viscosity_index);
 /// Kinematic viscosity [m^2/s] at `temperature` [degC], by (1). Good between -20 and 150 degC.
 double kinematic_viscosity(const OilGrade& oil, double temperature);
 
+/// Relative decrease of the viscosity per kelvin [1/K] at `temperature` [degC]: the slope of (1).
+double viscosity_slope(const OilGrade& oil, double temperature);
+
 /// Dynamic viscosity and pressure-viscosity coefficient at `temperature` [degC], by (1) and (2).
 Lubricant lubricant_at(const OilGrade& oil, double temperature);
 

@@ -1,12 +1,15 @@
 #include "bearing/friction/rolling_friction.hpp"
 
+#include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
 
 #include "bearing/geometry.hpp"
 #include "bearing/motion/balls/ball_bearing.hpp"
+#include "bearing/motion/balls/mixture.hpp"
 #include "bearing/motion/model.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::bearing::friction {
 
@@ -14,13 +17,16 @@ namespace {
 
 using equilibrium::RingSpeeds;
 
-// Of all rollers on one race [W].
+// Of all rollers on one race [W]; `beyond` [N] is what the inlet beyond its end adds to each, 0 without end.
 double rolling_loss(const motion::RaceModel& race, double rolling,
-                    const Eigen::Ref<const Eigen::ArrayXd>& loads) {
+                    const Eigen::Ref<const Eigen::ArrayXd>& loads, double beyond = 0.0) {
   if (!race.friction.rolling_resistance) return 0.0;
   const double log_speed = std::log(motion::entrainment_speed(rolling, race.entrainment_scale));
   double loss = 0.0;
-  for (const double load : loads) loss += 2.0 * rolling * race.friction.inlet(load, rolling, log_speed);
+  for (const double load : loads) {
+    const double resistance = race.friction.inlet(load, rolling, log_speed);
+    if (resistance > 0.0) loss += 2.0 * rolling * resistance * ended_inlet_share(beyond / resistance);
+  }
   return loss;
 }
 
@@ -65,51 +71,147 @@ void add_ellipse(const balls::BallNumbers& c, const balls::GrooveNumbers& groove
 void add_contact(const balls::BallNumbers& c, const balls::GrooveNumbers& groove, const BallContact& at,
                  RollingFriction& sum) {
   if (!(at.load > 0.0) || !(at.rolling > 0.0)) return;
-  const double couple = groove.rolling_factor * std::pow(at.rolling, balls::kRollingSpeed) *
-                        std::pow(at.load, balls::kRollingLoad);
-  sum.rolling += couple * at.rolling / groove.rolling_radius;
+  const double couple =
+      groove.rolling_factor * at.rolling * groove.rolling.per_speed(std::log(at.rolling), std::log(at.load));
+  const double isothermal = couple * at.rolling / groove.rolling_radius;
+  sum.isothermal_rolling += isothermal;
+  const double heated =
+      groove.inlet_heating > 0.0
+          ? isothermal * heated_inlet_share(std::log(groove.inlet_heating * at.rolling * at.rolling))
+          : isothermal;
+  sum.flooded_rolling += heated;
+  sum.rolling += heated;
   add_ellipse(c, groove, at, sum);
 }
 
 }  // namespace
 
+namespace {
+
+using motion::InletHeating;
+
+// Rollers and cage in a mixture that is carried round, and the walls of the rings, of which one drags it.
+balls::DragNumbers roller_drag(const Bearing& bearing, const BearingGeometry& geometry,
+                               const motion::OilDragParameters& given, const Lubricant& oil) {
+  const CylindricalRollers& rollers = bearing.rollers();
+  const double density = given.oil_share * given.oil_density, radius = geometry.pitch_radius;
+  // What the cage does not hide of a roller, as of balls.
+  const double height = 0.5 * (bearing.cage.outer_diameter - bearing.cage.inner_diameter);
+  const double bare = std::max(0.0, rollers.diameter - height);
+  const double cage_radius = 0.25 * (bearing.cage.inner_diameter + bearing.cage.outer_diameter);
+  balls::DragNumbers drag{
+      .translation =
+          motion::translation_drag(density, given.drag_coefficient, bare, rollers.length).coefficient,
+      .churning =
+          motion::churning_drag(density, given.churning_coefficient, geometry.element_radius, rollers.length)
+              .coefficient,
+      .cage_churning =
+          motion::churning_drag(density, given.churning_coefficient, cage_radius, bearing.cage.width)
+              .coefficient,
+      .mixture = {}};
+  drag.mixture = {.carried = true,
+                  .count = rollers.count,
+                  .slenderness = geometry.slenderness,
+                  .pitch_radius = radius,
+                  .inner_radius = geometry.inner_radius,
+                  .outer_radius = geometry.outer_radius,
+                  .width = std::max(bearing.width, rollers.length),
+                  .density = density,
+                  .viscosity = oil.viscosity / given.oil_density,
+                  .flow = 0.0,
+                  .balls = rollers.count * drag.translation * radius * radius * radius,
+                  .cage = drag.cage_churning,
+                  .share = 0.0};
+  return drag;
+}
+
+double drag_loss(const Bearing& bearing, const BearingGeometry& geometry,
+                 const motion::OilDragParameters& given, const Lubricant& oil, const RingSpeeds& speeds) {
+  const balls::DragNumbers drag =
+      balls::carried_drag(roller_drag(bearing, geometry, given, oil), speeds.inner, speeds.outer);
+  const balls::WallTorques walls = balls::wall_torques(drag.mixture, speeds.inner, speeds.outer);
+  const double cage = kinematic_cage_speed(geometry, speeds.inner, speeds.outer);
+  const double spin = kinematic_roller_spin(geometry, speeds.inner, speeds.outer);
+  const auto power = [](double coefficient, double speed) {
+    return motion::QuadraticDrag{coefficient}.power(speed);
+  };
+  return bearing.rollers().count *
+             (power(drag.translation, geometry.pitch_radius * cage) + power(drag.churning, spin)) +
+         power(drag.cage_churning, cage) + walls.inner * speeds.inner + walls.outer * speeds.outer;
+}
+
+void heat_inlets(double viscosity_slope, motion::RaceContactParameters& race) {
+  if (!(viscosity_slope > 0.0)) return;
+  race.inlet_heating = InletHeating::goksem_hargreaves;
+  race.viscosity_slope = viscosity_slope;
+}
+
+}  // namespace
+
+double ended_inlet_share(double far) {
+  return std::exp(-far);
+}
+
+double oil_layer(const Bearing& bearing, double share) {
+  using constants::pi;
+  const BearingGeometry g = geometry_of(bearing);
+  const CylindricalRollers& rollers = bearing.rollers();
+  const Cage& cage = bearing.cage;
+  const double width = std::max(bearing.width, rollers.length), radius = 0.5 * rollers.diameter;
+  const double of_roller = pi * radius * radius * rollers.length;
+  const double of_cage = cage.density > 0.0 ? g.cage_mass / cage.density : 0.0;
+  const double volume = pi * (g.outer_radius * g.outer_radius - g.inner_radius * g.inner_radius) * width -
+                        rollers.count * of_roller - of_cage;
+  const double surface = constants::two_pi * (g.inner_radius + g.outer_radius) * width +
+                         rollers.count * constants::two_pi * radius * (rollers.length + radius) +
+                         pi * (cage.inner_diameter + cage.outer_diameter) * cage.width;
+  return share * volume / surface;
+}
+
 RollingFriction roller_friction(const Bearing& bearing, const Eigen::Ref<const Eigen::ArrayXd>& inner_load,
-                                const RingSpeeds& speeds, const Lubricant& oil) {
-  motion::DynamicsParameters given;
-  given.lubricant = oil;
+                                const RingSpeeds& speeds, const Lubricant& oil, const Inlets& inlets) {
+  motion::DynamicsParameters isothermal;
+  isothermal.lubricant = oil;
+  motion::DynamicsParameters given = isothermal;
+  heat_inlets(inlets.viscosity_slope, given.race);
   const BearingGeometry geometry = geometry_of(bearing);
   const double cage = kinematic_cage_speed(geometry, speeds.inner, speeds.outer);
   const double thrown = geometry.element_mass * geometry.pitch_radius * cage * cage;
   OperatingPoint point;
   point.inner_speed = speeds.inner;
   point.outer_speed = speeds.outer;
-  const auto loss_on = [&](Race race, double speed, double radius, const Eigen::ArrayXd& loads) {
-    return rolling_loss(motion::race_model(bearing, geometry, point, race, given),
-                        std::abs(speed - cage) * radius, loads);
+  const double layers = 2.0 * oil_layer(bearing, given.drag.oil_share);
+  const auto loss_on = [&](const motion::DynamicsParameters& laws, bool end, Race race,
+                           const Eigen::ArrayXd& loads) {
+    const bool inner = race == Race::inner;
+    const double speed = inner ? speeds.inner : speeds.outer;
+    const double rolling = std::abs(speed - cage) * (inner ? geometry.inner_radius : geometry.outer_radius);
+    const double equivalent = equivalent_radius(geometry, race);
+    const double beyond = 12.0 * oil.viscosity * rolling * equivalent * bearing.rollers().length /
+                          std::sqrt(2.0 * equivalent * layers);
+    return rolling_loss(motion::race_model(bearing, geometry, point, race, laws), rolling, loads,
+                        end ? beyond : 0.0);
   };
-  const motion::OilDragParameters& drag = given.drag;
-  const double density = drag.oil_share * drag.oil_density;
-  const CylindricalRollers& rollers = bearing.rollers();
-  const double spin = kinematic_roller_spin(geometry, speeds.inner, speeds.outer);
+  const auto loss = [&](const motion::DynamicsParameters& laws, bool end) {
+    return loss_on(laws, end, Race::inner, inner_load) + loss_on(laws, end, Race::outer, inner_load + thrown);
+  };
   return {
-      .rolling = loss_on(Race::inner, speeds.inner, geometry.inner_radius, inner_load) +
-                 loss_on(Race::outer, speeds.outer, geometry.outer_radius, inner_load + thrown),
-      .idle = loss_on(Race::outer, speeds.outer, geometry.outer_radius,
+      .rolling = loss(given, inlets.end),
+      .flooded_rolling = loss(given, false),
+      .isothermal_rolling = loss(isothermal, false),
+      .idle = loss_on(given, inlets.end, Race::outer,
                       (inner_load > 0.0).select(0.0, Eigen::ArrayXd::Constant(inner_load.size(), thrown))),
-      .drag =
-          rollers.count *
-          (motion::translation_drag(density, drag.drag_coefficient, rollers.diameter, rollers.length)
-               .power(geometry.pitch_radius * cage) +
-           motion::churning_drag(density, drag.churning_coefficient, geometry.element_radius, rollers.length)
-               .power(spin))};
+      .drag = drag_loss(bearing, geometry, given.drag, oil, speeds)};
 }
 
 RollingFriction ball_friction(const Bearing& bearing, const equilibrium::RingState& balance,
                               const equilibrium::RingLoad& load, const RingSpeeds& speeds,
-                              const Lubricant& oil) {
+                              const Lubricant& oil, const Inlets& inlets) {
   balls::MotionParameters given;
   given.lubricant = oil;
+  heat_inlets(inlets.viscosity_slope, given.race);
   given.race.traction = motion::TractionLaw::ree_eyring;
+  given.ellipse.rolling = balls::BallRolling::reynolds;
   const balls::BallNumbers c = balls::ball_numbers(bearing, given);
   RollingFriction sum;
   for (Eigen::Index j = 0; j < balance.contact_load.size(); ++j) {

@@ -2,17 +2,31 @@
 // say of it in a millisecond. Loads are those of the balance; cage and rolling elements turn at kinematic
 // speed.
 //
-//   rollers   rolling    sum over contacts 2 F u, F of contact/friction.hpp (Reynolds' equation, isothermal,
-//                        flooded), u the rolling speed; on the outer race under Q_i + m r w_c^2
-//             drag       of the orbit and of the spin in an oil-air mixture at rest, 5 % of oil
-//   balls     rolling    sum over contacts M u/R_x, M the couple of [Houpert1987]
+//   rollers   rolling    sum over contacts 2 F u, F of contact/friction.hpp (Reynolds' equation, flooded), u
+//   the
+//                        rolling speed; on the outer race under Q_i + m r w_c^2
+//             drag       of rollers, cage and the walls of the rings in a mixture of 5 % of oil that is
+//             carried
+//                        round (motion/balls/mixture.hpp); the spin of rollers
+//   balls     rolling    sum over contacts M u/R_x, M the couple of contact/point_rolling.hpp (Reynolds'
+//   equation)
 //             differential slip and spin: the ellipse of contact slides as a whole such that no force along
 //             is
 //                        left, and oil is sheared by [JohnsonTevaarwerk1977]
 //             drag       of balls, cage and the walls of the rings, the mixture carried round
 //
+// Shear warms the inlets where the oil states the slope of its viscosity (contact/inlet_heating.hpp). Inlets
+// of rollers end where the oil ends: at the gap of two layers of the thickness that all oil of the mixture
+// has, spread evenly over races, rollers and cage, the most that can lie there. A light contact is still
+// affected by oil at a hundred times its film:
+//
+//   F = F_0 exp(-12 eta u R l/(X F_0)),  X = sqrt(2 R 2 t),  t = share * free volume/wetted surface
+//
+// The exponent is the pressure that the far inlet adds (Reynolds' equation of parabolas). The exponential is
+// that of rigid cylinders within 12 % down to a third of F_0, as computed by quadrature (a test).
+//
 // Left out: the sliding that carries rolling resistance and drag (a thousandth of the load), pockets and land
-// of the cage, heating of the oil at the inlet, starvation.
+// of the cage, starvation, elastic hysteresis.
 #pragma once
 
 #include <Eigen/Core>
@@ -26,6 +40,8 @@ namespace orbearing::bearing::friction {
 /// Power lost by cause [W].
 struct RollingFriction {
   double rolling = 0.0;
+  double flooded_rolling = 0.0;     // the same if inlets had no end
+  double isothermal_rolling = 0.0;  // and were not heated
   double idle = 0.0;  // of it: of elements outside the load zone, on the outer race under inertia
   double differential_slip = 0.0;  // because ellipses of contact are curved; of balls
   double spin = 0.0;               // of balls
@@ -34,14 +50,28 @@ struct RollingFriction {
   double total() const { return rolling + differential_slip + spin + drag; }
 };
 
+/// What differs from isothermal oil without end.
+struct Inlets {
+  double viscosity_slope = 0.0;  // [1/K]  by which the viscosity falls; 0: isothermal
+  bool end = false;              // where the mixture's oil ends; of rollers
+};
+
+/// Thickness [m] of the oil of a mixture with `share` [-] of it, spread evenly over all that it wets.
+double oil_layer(const Bearing& bearing, double share);
+
+/// Share [-] of the flooded resistance of a line contact, `far` [-] being what the inlet beyond its end adds,
+/// 12 eta u R l/(X F_0).
+double ended_inlet_share(double far);
+
 /// Rings turn at `speeds` in a housing. `inner_load` [N] (rollers).
 RollingFriction roller_friction(const Bearing& bearing, const Eigen::Ref<const Eigen::ArrayXd>& inner_load,
-                                const equilibrium::RingSpeeds& speeds, const Lubricant& oil);
+                                const equilibrium::RingSpeeds& speeds, const Lubricant& oil,
+                                const Inlets& inlets = {});
 
 /// `balance` is that of balls that turn; `load` that on the inner ring. The bearing states its cage and the
 /// width of its rings, on which the drag depends.
 RollingFriction ball_friction(const Bearing& bearing, const equilibrium::RingState& balance,
                               const equilibrium::RingLoad& load, const equilibrium::RingSpeeds& speeds,
-                              const Lubricant& oil);
+                              const Lubricant& oil, const Inlets& inlets = {});
 
 }  // namespace orbearing::bearing::friction

@@ -61,6 +61,26 @@ constexpr described::Names<RollingLaw, 2> names_of(RollingLaw) {
   return {{{RollingLaw::reynolds, "reynolds"}, {RollingLaw::goksem_hargreaves, "goksem-hargreaves"}}};
 }
 
+/// Whether shear at the inlet warms the oil, which then resists rolling less.
+enum class InletHeating {
+  none,               // isothermal
+  goksem_hargreaves,  // contact/inlet_heating.hpp [GoksemHargreaves1978]
+};
+
+constexpr described::Names<InletHeating, 2> names_of(InletHeating) {
+  return {{{InletHeating::none, "none"}, {InletHeating::goksem_hargreaves, "goksem-hargreaves"}}};
+}
+
+/// How the viscosity of the oil in a contact grows with the pressure, where it is sheared.
+enum class PressureLaw {
+  barus,     // exp(alpha p), held at a largest exponent
+  roelands,  // contact/pressed_oil.hpp [Roelands1966]
+};
+
+constexpr described::Names<PressureLaw, 2> names_of(PressureLaw) {
+  return {{{PressureLaw::barus, "barus"}, {PressureLaw::roelands, "roelands"}}};
+}
+
 /// What the damping of a race contact acts on.
 enum class DampingLaw {
   approach_speed,      // [HuntCrossley1975]
@@ -82,11 +102,16 @@ struct RaceContactParameters {
   double least_sliding_scale =
       0.01;  // [m/s]  added to s_c, so that a film that has gone leaves finite slope.
              //        Assumption
+  PressureLaw pressure_law = PressureLaw::barus;
   double largest_barus_exponent = 8.0;  // [-]    alpha p is held here: beyond it oil does not follow Barus
   double entrainment_scale = 0.01;      // [m/s]  rounds |u| at zero. Assumption: far below any running speed
   bool film_in_approach = false;        // the film takes part in the approach
   bool rolling_resistance = true;       // shear of the oil at the inlet
   RollingLaw rolling_law = RollingLaw::reynolds;
+  InletHeating inlet_heating = InletHeating::none;
+  double viscosity_slope = 0.03;   // [1/K]      by which the viscosity falls [Reynolds1886]
+  double oil_conductivity = 0.14;  // [W/(m K)]  of mineral and ester oils
+  double rolling_share = 1.0;      // [-]        of the rolling resistance that starvation leaves
   FilmApproach film_approach = FilmApproach::added;
   bool squeeze = false;  // the oil that is pressed out resists the approach
   DampingLaw damping_law = DampingLaw::approach_speed;
@@ -134,7 +159,17 @@ void describe(Visitor& visit, RaceContactParameters& m) {
              .where = {"traction.law", "limiting-shear"},
              .fmu = InFmu::parameter}),
       internal(m.least_sliding_scale, "traction.least_sliding_scale"),
-      internal(m.largest_barus_exponent, "traction.largest_barus_exponent"),
+      field(m.pressure_law, "traction.pressure_law", Physics::motion,
+            "growth of the viscosity with pressure in sheared films: Barus, limited, or Roelands",
+            {.models = in_time,
+             .reason = "what published cases use",
+             .where = {"traction.law", "limiting-shear|ree-eyring"}}),
+      field(m.largest_barus_exponent, "traction.largest_barus_exponent", Physics::motion,
+            "limit of pressure-viscosity coefficient times pressure (Barus)",
+            {.models = in_time,
+             .range = positive(100.0),
+             .reason = "the exponent of Roelands' law is 6 to 9 for oils of 3 to 20 mPa s at 1 GPa",
+             .where = {"traction.pressure_law", "barus"}}),
       internal(m.entrainment_scale, "traction.entrainment_scale"),
       field(m.rolling_resistance, "traction.rolling_resistance", Physics::motion,
             "shear of the oil at the inlet causes rolling resistance",
@@ -145,6 +180,20 @@ void describe(Visitor& visit, RaceContactParameters& m) {
             {.models = planetary_drivetrain,
              .reason = "computed, not from memory; 0.8 to 1.7 times the regression",
              .where = {"traction.rolling_resistance", "true"}}),
+      field(m.inlet_heating, "traction.inlet_heating", Physics::motion,
+            "reduction of the rolling resistance by shear heating of the oil at the inlet",
+            {.models = in_time,
+             .reason = "isothermal, as in published cases",
+             .where = {"traction.rolling_resistance", "true"}}),
+      field(m.viscosity_slope, "heat.viscosity_slope", Physics::motion,
+            "relative decrease of the viscosity per kelvin",
+            {.models = in_time,
+             .dimension = dimension::per_kelvin,
+             .range = {0.0, 0.2},
+             .reason = "a mineral oil when warm",
+             .where = {"heat.enabled|traction.inlet_heating", "true|goksem-hargreaves"}}),
+      internal(m.oil_conductivity, "traction.oil_conductivity"),
+      internal(m.rolling_share, "traction.rolling_share"),
       field(m.film_in_approach, "film.enabled", Physics::carrier, "the approach includes the film",
             {.models = planetary_drivetrain | ball_bearing,
              .reason = "dry contacts first; the effect of the film is shown separately"}),

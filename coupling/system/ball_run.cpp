@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "bearing/friction/oil_supply.hpp"
 #include "bearing/geometry.hpp"
 #include "bearing/life/ball_capacity.hpp"
 #include "bearing/life/damage.hpp"
@@ -254,7 +255,9 @@ BallRunResult run_balls(const bearing::Bearing& bearing, const bearing::balls::M
   mechanics::require(options.observed > 0.0 && options.observed <= 1.0, "observed share of the run [-]",
                      options.observed, "more than 0 and at most 1");
   mechanics::require(options.samples >= 2, "samples", options.samples, "at least 2");
-  const BallNumbers numbers = bearing::balls::ball_numbers(bearing, parameters);
+  const double speed = duty.inner.speed_at(options.duration) - duty.outer.speed_at(options.duration);
+  const BallNumbers numbers =
+      bearing::balls::ball_numbers(bearing, bearing::friction::supplied(bearing, parameters, speed));
   const bearing::BearingGeometry geometry = geometry_of(bearing);
   BallBearing model(numbers, duty);
   std::vector<double> x = options.from.empty() ? start_state(bearing, model, options.first_ball,

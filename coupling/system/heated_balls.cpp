@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
 #include <utility>
 
@@ -72,6 +73,7 @@ constexpr double kLeastCapacity = 1.0;    // [J/K]  of a ring whose mass is not 
 
 constexpr int kMostSteps = 200;
 constexpr int kMostBalances = 60;
+constexpr int kMostOutlets = 8;
 constexpr double kLookShare = 0.1;  // of the run, for each look at the heat on the way
 
 double capacity_of(const bearing::balls::BodyNumbers& body, double radius) {
@@ -138,8 +140,12 @@ bearing::Bearing warm_bearing(const bearing::Bearing& cold, const HeatParameters
   return warm;
 }
 
-double viscosity_at(double stated, const HeatParameters& heat, double temperature) {
-  return stated * std::exp(-heat.viscosity_slope * (temperature - heat.stated_at));
+double viscosity_at(double stated, double slope, const HeatParameters& heat, double temperature) {
+  return stated * std::exp(-slope * (temperature - heat.stated_at));
+}
+
+double outlet_temperature(const HeatParameters& heat, double flow, double power) {
+  return heat.inlet + power / (kOilCapacity * flow);
 }
 
 std::vector<WarmState> warm_to_steady(const ThermalNetwork& network, const HeatSource& source,
@@ -173,20 +179,78 @@ std::vector<WarmState> warm_to_steady(const ThermalNetwork& network, const HeatS
   return states;
 }
 
+namespace {
+
+double warm_viscosity(const bearing::balls::MotionParameters& parameters, const HeatParameters& heat,
+                      double temperature) {
+  return viscosity_at(parameters.lubricant.viscosity, parameters.race.viscosity_slope, heat, temperature);
+}
+
+// A short run for a look at the heat on the way.
+BallRunOptions look_of(const BallRunOptions& options) {
+  BallRunOptions look = options;
+  look.duration = kLookShare * options.duration;
+  look.observed = 0.5;
+  look.samples = 200;
+  return look;
+}
+
+WarmState warm_oil(const HeatParameters& heat, double flow, const bearing::balls::BallPowerLoss& loss) {
+  return {0.0, Eigen::VectorXd::Constant(kWarmBodies, outlet_temperature(heat, flow, loss.total())),
+          heat_by_body(loss)};
+}
+
+// Heat falls as the oil warms, some tenths as fast as would hold it: each temperature leads to the next, by
+// short runs and then by whole ones.
+BallRunResult run_to_outlet(const bearing::Bearing& bearing, const bearing::balls::MotionParameters& parameters,
+                            const bearing::balls::BallDuty& duty,
+                            const bearing::rating::ContactCapacities& capacities, const BallRunOptions& options,
+                            const HeatParameters& heat, std::vector<WarmState>& warming,
+                            const std::function<void(double)>& progress) {
+  const double flow = parameters.mixture.flow;
+  mechanics::require(flow > 0.0, "flow of oil [m^3/s]", flow, "more than 0 where the oil takes the heat along");
+  warming = {{0.0, Eigen::VectorXd::Constant(kWarmBodies, heat.inlet), Eigen::VectorXd::Zero(kWarmBodies)}};
+  bearing::balls::MotionParameters warm = parameters;
+  BallRunOptions look = look_of(options);
+  const auto advance = [&](const BallRunOptions& how, const std::function<void(double)>& reached) {
+    warm.lubricant.viscosity = warm_viscosity(parameters, heat, warming.back().temperature[oil]);
+    BallRunResult run = run_balls(bearing, warm, duty, capacities, how, reached);
+    if (run.completed) warming.push_back(warm_oil(heat, flow, run.means.loss));
+    return run;
+  };
+  const auto missed = [&] {
+    return std::abs(warming.back().temperature[oil] - std::prev(warming.end(), 2)->temperature[oil]);
+  };
+  for (int i = 0; i < kMostOutlets && (i == 0 || missed() > kOutletError); ++i) {
+    BallRunResult run = advance(look, {});
+    if (!run.completed) return run;
+    look.from = std::move(run.final_state);
+  }
+  BallRunResult whole;
+  for (int i = 0; i < kMostOutlets; ++i) {
+    whole = advance(options, progress);
+    if (!whole.completed || missed() <= kOutletError) return whole;
+  }
+  whole.completed = false;
+  whole.message = "the oil's outlet temperature does not settle";
+  return whole;
+}
+
+}  // namespace
+
 BallRunResult run_heated_balls(const bearing::Bearing& bearing, const bearing::balls::MotionParameters& parameters,
                                const bearing::balls::BallDuty& duty,
                                const bearing::rating::ContactCapacities& capacities, const BallRunOptions& options,
                                const HeatParameters& heat, std::vector<WarmState>& warming,
                                const std::function<void(double)>& progress) {
+  if (heat.model == HeatModel::oil)
+    return run_to_outlet(bearing, parameters, duty, capacities, options, heat, warming, progress);
   const ThermalNetwork network = thermal_network(bearing::balls::ball_numbers(bearing, parameters), heat);
-  BallRunOptions look = options;
-  look.duration = kLookShare * options.duration;
-  look.observed = 0.5;
-  look.samples = 200;
+  BallRunOptions look = look_of(options);
   bearing::balls::MotionParameters warm = parameters;
   std::vector<double> state;
   const HeatSource source = [&](const Eigen::VectorXd& temperature) {
-    warm.lubricant.viscosity = viscosity_at(parameters.lubricant.viscosity, heat, temperature[oil]);
+    warm.lubricant.viscosity = warm_viscosity(parameters, heat, temperature[oil]);
     look.from = state;
     BallRunResult run = run_balls(warm_bearing(bearing, heat, temperature), warm, duty, capacities, look);
     if (!run.completed) throw std::runtime_error(run.message);
@@ -200,7 +264,7 @@ BallRunResult run_heated_balls(const bearing::Bearing& bearing, const bearing::b
     failed.message = error.what();
     return failed;
   }
-  warm.lubricant.viscosity = viscosity_at(parameters.lubricant.viscosity, heat, warming.back().temperature[oil]);
+  warm.lubricant.viscosity = warm_viscosity(parameters, heat, warming.back().temperature[oil]);
   BallRunResult result = run_balls(warm_bearing(bearing, heat, warming.back().temperature), warm, duty,
                                    capacities, options, progress);
   // What the whole run says of the heat closes the balance.

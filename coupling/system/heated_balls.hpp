@@ -45,9 +45,20 @@ inline constexpr int kWarmBodies = 5;
 inline constexpr const char* kWarmBodyNames[kWarmBodies] = {"balls", "inner_ring", "outer_ring", "oil",
                                                             "housing"};
 
+/// Which bodies take in heat.
+enum class HeatModel {
+  network,  // balls, rings, oil and housing
+  oil,      // the oil alone, which leaves with all heat: T = T_in + W/(c flow)
+};
+
+constexpr described::Names<HeatModel, 2> names_of(HeatModel) {
+  return {{{HeatModel::network, "network"}, {HeatModel::oil, "oil"}}};
+}
+
 /// How heat leaves. Conductances between two bodies, each an assumption of its size.
 struct HeatParameters {
   bool on = false;
+  HeatModel model = HeatModel::network;
   double surroundings = 25.0;  // [degC]
   double contact = 2.0;        // [W/K]  of balls to each ring
   double to_oil = 3.0;         // [W/K]  of balls and of each ring to the oil
@@ -56,8 +67,6 @@ struct HeatParameters {
   double shaft = 1.0;          // [W/K]  of inner ring by the shaft to surroundings
   double inlet = 40.0;         // [degC]  of the oil that flows in
   double stated_at = 70.0;     // [degC]  at which lubricant.viscosity holds
-  double viscosity_slope =
-      0.03;                    // [1/K]  by which it falls: eta = eta_0 exp(-slope (T - T_0)) [Reynolds1886]
   double expansion = 11.5e-6;  // [1/K]  of rings and balls
   double sizes_at = 20.0;      // [degC]  at which sizes and clearance hold
   double housing_capacity = 400.0;  // [J/K]
@@ -79,6 +88,9 @@ void describe(Visitor& visit, HeatParameters& m) {
        field(m.on, "heat.enabled", Physics::single_bearing_run,
              "temperatures and the oil's viscosity are computed from the friction",
              {.models = ball_motion, .reason = "the viscosity is stated at running temperature"}),
+       field(m.model, "heat.model", Physics::single_bearing_run,
+             "heat leaves by balls, rings, oil and housing, or by the oil that flows through alone",
+             {.models = ball_motion, .reason = "bearings lose heat by their seats too", .where = on}),
        row(m.surroundings, "heat.surroundings", "temperature around housing and shaft",
            dimension::temperature, temperature, "a warm room"),
        row(m.contact, "heat.contact_conductance", "conductance of the balls to each ring",
@@ -96,8 +108,6 @@ void describe(Visitor& visit, HeatParameters& m) {
            "a tank's"),
        row(m.stated_at, "heat.viscosity_temperature", "reference temperature of lubricant.viscosity",
            dimension::temperature, temperature, "running temperature"),
-       row(m.viscosity_slope, "heat.viscosity_slope", "relative decrease of the viscosity per kelvin",
-           dimension::per_kelvin, Range{0.0, 0.2}, "a mineral oil when warm"),
        row(m.expansion, "heat.expansion", "linear thermal expansion of rings and balls",
            dimension::per_kelvin, Range{0.0, 1e-4}, "through-hardened bearing steel"),
        row(m.sizes_at, "heat.sizes_temperature", "reference temperature of sizes and clearance",
@@ -121,8 +131,12 @@ Eigen::VectorXd heat_by_body(const bearing::balls::BallPowerLoss& loss);
 bearing::Bearing warm_bearing(const bearing::Bearing& bearing, const HeatParameters& heat,
                               const Eigen::VectorXd& temperature);
 
-/// Viscosity [Pa s] of the oil at `temperature` [degC].
-double viscosity_at(double stated, const HeatParameters& heat, double temperature);
+/// Viscosity [Pa s] of the oil at `temperature` [degC]: eta_0 exp(-slope (T - T_0)) [Reynolds1886], `slope`
+/// [1/K].
+double viscosity_at(double stated, double slope, const HeatParameters& heat, double temperature);
+
+/// Temperature [degC] of oil that comes in at `heat`'s inlet and leaves with all of `power` [W].
+double outlet_temperature(const HeatParameters& heat, double flow, double power);
 
 /// Says how much heat [W] arises by body at given temperatures [degC], kept for the next call where motion
 /// goes on.
@@ -135,6 +149,9 @@ struct WarmState {
   Eigen::VectorXd heat;         // [W]
 };
 
+/// Largest error of the outlet's temperature [K]: the heat of a run scatters by some per cent.
+inline constexpr double kOutletError = 2.0;
+
 /// From `start` until the temperatures are steady, by steps of Heun's method on the exact solution of
 /// steady heat, which grow as `error` [K] allows; the last state is
 /// that at which as much leaves as arises, to `steady` [K]. Throws std::runtime_error where they do not
@@ -142,7 +159,10 @@ struct WarmState {
 std::vector<WarmState> warm_to_steady(const ThermalNetwork& network, const HeatSource& source,
                                       const Eigen::VectorXd& start, double error = 0.5, double steady = 0.05);
 
-/// Runs the bearing at the temperatures it takes on. `warming` gets the way there.
+/// Runs the bearing at the temperatures it takes on. `warming` gets the way there. With the oil alone all bodies
+/// have its outlet's temperature and the sizes that are stated; `warming` then has no time. Its last two states
+/// are the one of which the run has the viscosity and the one to which its heat leads: `kOutletError` apart at
+/// most, or the run says that it did not settle.
 BallRunResult run_heated_balls(const bearing::Bearing& bearing,
                                const bearing::balls::MotionParameters& parameters,
                                const bearing::balls::BallDuty& duty,

@@ -171,8 +171,8 @@ Contact roll(const BallNumbers& b, const GrooveNumbers& groove, const Body& ball
 
   const double rolling = rotating.dot(across) * groove.rolling_radius;
   const double couple = groove.rolling_factor *
-                        std::pow(std::hypot(rolling, b.entrainment_scale), 0.66 - 1.0) *
-                        std::pow(seen, 0.47) * rolling;
+                        std::pow(std::hypot(rolling, b.entrainment_scale), groove.rolling.speed - 1.0) *
+                        std::pow(seen, groove.rolling.load) * rolling;
   on_ball.moment += couple * across;
   on_ring.moment -= couple * across;
   total.loss.rolling += couple * rotating.dot(across);

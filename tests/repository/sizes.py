@@ -29,6 +29,7 @@ DECLARED = (  # lines, of these of app, types and headers of later capabilities
     ("friction at pure rolling, by formulas of others and at thermal reference speeds; lines that count once a bearing", 910, 400, 18, 4),
     ("tapered, spherical and ball bearings in planets at rest", 1_400, 316, 16, 4),
     ("any number of parallel stages, internal pairs, planets with two gears at rest, flexpins", 660, 255, 6, 1),
+    ("oil where it is: fill by flow, outlet temperature, heated and ended inlets, computed rolling resistance of balls", 690, 90, 15, 4),
     ("planets that are unlike, elastic and tilted, of one set or several, in one balance", 300, 0, 2, 1),
     ("a housing that deflects under the carrier, laminae of tapered rollers, planets in pairs", 1_065, 295, 9, 3),
     ("scratched bearings of planets with a computed tilt, and of one of several sets", 249, 111, 1, 0),

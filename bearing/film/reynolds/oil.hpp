@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "bearing/contact/pressed_oil.hpp"
+
 namespace orbearing::bearing::film {
 
 /// What a film is made of.
@@ -53,8 +55,8 @@ class OilUnderPressure {
   }
 
  private:
-  static constexpr double kLogReference = 9.67;       // -ln of 6.31e-5 Pa s
-  static constexpr double kInversePressure = 5.1e-9;  // [1/Pa]
+  static constexpr double kLogReference = RoelandsExponent<double>::kLogReference;
+  static constexpr double kInversePressure = RoelandsExponent<double>::kInversePressure;
   static constexpr double kDensityRise = 0.6e-9;      // [1/Pa]
   static constexpr double kDensityLimit = 1.7e-9;     // [1/Pa]
 

@@ -26,6 +26,12 @@ double unbalanced(const MixtureNumbers& m, double inner, double outer, double ca
 
 }  // namespace
 
+double filled_share(double flow, double pitch_diameter, double speed) {
+  constexpr double cubic_centimetres_per_minute = 60e6, millimetres = 1e3, rpm = 60.0 / two_pi;
+  const double printed = rpm * std::abs(speed) * std::pow(millimetres * pitch_diameter, 1.7);
+  return std::min(1.0, 1e5 * std::pow(cubic_centimetres_per_minute * flow, 0.37) / printed);
+}
+
 double cylinder_friction(double reynolds) {
   return std::max({10.0 / reynolds, 2.0 * std::pow(reynolds, -0.6), 1.03 * std::pow(reynolds, -0.5),
                    0.065 * std::pow(reynolds, -0.2)});

@@ -16,6 +16,12 @@
 
 namespace orbearing::bearing::balls {
 
+/// Share [-] of oil in the free volume of a bearing of `pitch_diameter` [m] through which `flow` [m^3/s]
+/// passes, its rings at `speed` [rad/s] against each other: 1e5 W^0.37/(n d_m^1.7), W in cm^3/min, n in
+/// rpm, d_m in mm [Parker1984]; of angular-contact balls of 35 and 120 mm bore with jets or oil through
+/// the inner ring. At most 1; 1 at rest.
+double filled_share(double flow, double pitch_diameter, double speed);
+
 /// Torque [N m] over 1/2 pi rho w^2 R^4 b of a cylinder that turns in a standing one a gap t away, over
 /// (t/R)^0.3, at the Reynolds number w R t/nu > 0 [BilgenBoulos1973]. The largest of its four regimes, each
 /// of which is that where it holds, so that nothing jumps.

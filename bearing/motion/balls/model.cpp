@@ -30,6 +30,8 @@ ShearLaw shear_law(motion::TractionLaw law) {
   return {};
 }
 
+constexpr double kLeastViscosity = 1e-5;  // [Pa s]  where there is no oil
+
 ShearParameters shear_parameters(const MotionParameters& given) {
   const motion::RaceContactParameters& race = given.race;
   return {.law = shear_law(race.traction),
@@ -39,7 +41,10 @@ ShearParameters shear_parameters(const MotionParameters& given) {
           .eyring_stress = given.ellipse.eyring_stress,
           .viscosity = given.lubricant.viscosity,
           .pressure_viscosity = given.lubricant.pressure_viscosity,
-          .largest_exponent = race.largest_barus_exponent};
+          .largest_exponent = race.largest_barus_exponent,
+          .by_roelands = race.pressure_law == motion::PressureLaw::roelands && given.lubricant.viscosity > 0.0,
+          .roelands = RoelandsExponent<double>::of(std::max(given.lubricant.viscosity, kLeastViscosity),
+                                                   given.lubricant.pressure_viscosity)};
 }
 
 // Radius of the ball and the race in the direction of rolling, that of the race where it is touched.
@@ -48,14 +53,61 @@ double rolling_radius(const Bearing& bearing, Race race) {
   return 0.5 * diameter * (race == Race::inner ? 1.0 - gamma : 1.0 + gamma);
 }
 
+struct RollingLaw {
+  double factor = 0.0;  // [N m]  2 R_x F_1
+  PointRolling law;
+};
+
+// F_R/(E' R_x^2) = c k^e G^g U^m W^n.
+struct PowerLaw {
+  double factor, axis_ratio, material, speed, load;
+
+  // ln of it at 1 m/s and 1 N.
+  double log_at_one(const OiledPoint& oil) const {
+    const double area = oil.modulus * oil.rolling_radius * oil.rolling_radius;
+    return std::log(factor) + axis_ratio * std::log(oil.axis_ratio) +
+           material * std::log(oil.pressure_viscosity * oil.modulus) +
+           speed * std::log(oil.viscosity / (oil.modulus * oil.rolling_radius)) - load * std::log(area);
+  }
+};
+
 // 2 R_x F_R with F_R = 2.86 E' R_x^2 k^0.348 G^0.022 U^0.66 W^0.47 [Houpert1987].
-double rolling_factor(const OiledPoint& oil) {
-  if (oil.viscosity <= 0.0) return 0.0;
+RollingLaw regression(const OiledPoint& oil) {
   const double area = oil.modulus * oil.rolling_radius * oil.rolling_radius;
-  return 2.0 * oil.rolling_radius * 2.86 * area * std::pow(oil.axis_ratio, 0.348) *
-         std::pow(oil.pressure_viscosity * oil.modulus, 0.022) *
-         std::pow(oil.viscosity / (oil.modulus * oil.rolling_radius), kRollingSpeed) *
-         std::pow(1.0 / area, kRollingLoad);
+  return {2.0 * oil.rolling_radius * 2.86 * area * std::pow(oil.axis_ratio, 0.348) *
+              std::pow(oil.pressure_viscosity * oil.modulus, 0.022) *
+              std::pow(oil.viscosity / (oil.modulus * oil.rolling_radius), 0.66) *
+              std::pow(1.0 / area, 0.47),
+          {}};
+}
+
+// Fitted to points that film/reynolds computes: docs/reynolds.md. Without pressure-viscosity the first alone.
+RollingLaw computed(const OiledPoint& oil) {
+  constexpr PowerLaw rigid{0.405, 0.240, 0.0, 0.5, 0.5}, elastic{36.1, 0.781, -0.200, 0.750, 0.349};
+  constexpr double blend = 3.0;
+  const double one = rigid.log_at_one(oil);
+  RollingLaw found{2.0 * oil.rolling_radius * oil.modulus * oil.rolling_radius * oil.rolling_radius *
+                       std::exp(one),
+                   {.speed = rigid.speed, .load = rigid.load}};
+  if (oil.pressure_viscosity > 0.0)
+    found.law = {.speed = rigid.speed,
+                 .load = rigid.load,
+                 .blend = blend,
+                 .log_ratio = blend * (one - elastic.log_at_one(oil)),
+                 .ratio_speed = blend * (rigid.speed - elastic.speed),
+                 .ratio_load = blend * (rigid.load - elastic.load)};
+  return found;
+}
+
+RollingLaw rolling_law(const OiledPoint& oil, const MotionParameters& given) {
+  if (oil.viscosity <= 0.0 || !given.race.rolling_resistance) return {};
+  return given.ellipse.rolling == BallRolling::houpert ? regression(oil) : computed(oil);
+}
+
+// beta eta/k of contact/inlet_heating.hpp; 0: isothermal. [s^2/m^2]
+double inlet_heating(const MotionParameters& given) {
+  if (given.race.inlet_heating == motion::InletHeating::none) return 0.0;
+  return given.race.viscosity_slope * given.lubricant.viscosity / given.race.oil_conductivity;
 }
 
 // The oil pressed out between ball and groove, which lies round the ball across the direction of rolling.
@@ -87,6 +139,7 @@ GrooveNumbers groove(const Bearing& bearing, Race race, const MotionParameters& 
                        .rolling_radius = rolling_radius(bearing, race),
                        .axis_ratio = contact.ellipse.axis_ratio,
                        .modulus = contact.modulus};
+  const RollingLaw rolling = rolling_law(oil, given);
   return {.centre_radius = 0.5 * bearing.pitch_diameter +
                            inward * (play * std::cos(balls.contact_angle) - 0.25 * bearing.radial_clearance),
           .centre_axial = inward * play * std::sin(balls.contact_angle),
@@ -98,7 +151,9 @@ GrooveNumbers groove(const Bearing& bearing, Race race, const MotionParameters& 
           .pressure = at_one.pressure,
           .curvature = (2.0 * osculation + 1.0) / (2.0 * osculation * balls.diameter),
           .rolling_radius = oil.rolling_radius,
-          .rolling_factor = given.race.rolling_resistance ? rolling_factor(oil) : 0.0,
+          .rolling_factor = given.race.rolling_share * rolling.factor,
+          .rolling = rolling.law,
+          .inlet_heating = inlet_heating(given),
           .central_film = PointFilmLaw::central(oil),
           .least_film = PointFilmLaw::least(oil),
           .squeeze = squeeze_film(given, oil.rolling_radius, 0.5 * balls.diameter, groove_radius)};

@@ -5,6 +5,7 @@
 #include "bearing/contact/ellipse_traction.hpp"
 #include "bearing/contact/land_law.hpp"
 #include "bearing/contact/point_film.hpp"
+#include "bearing/contact/point_rolling.hpp"
 #include "bearing/contact/squeeze_film.hpp"
 #include "bearing/contact/scratch_law.hpp"
 
@@ -46,16 +47,14 @@ struct GrooveNumbers {
   double pressure = 0.0;       // [Pa/N^(1/3)]  largest pressure
   double curvature = 0.0;      // [1/m]      of the surface of contact across
   double rolling_radius = 0.0; // [m]        equivalent radius along: R_x
-  double rolling_factor = 0.0; // [N m]      couple against rolling at 1 m/s and 1 N; 0: none
+  double rolling_factor = 0.0; // [N m]      couple against rolling at 1 m/s and 1 N, of the first power law; 0: none
+  PointRolling rolling;
+  double inlet_heating = 0.0;  // [s^2/m^2]  beta eta/k, contact/inlet_heating.hpp; 0: isothermal
   PointFilmLaw central_film;
   PointFilmLaw least_film;
   PointSqueezeFilm squeeze;  // none: oil does not resist the approach
   ScratchNumbers scratch;
 };
-
-/// Couple against rolling ~ u^0.66 Q^0.47 [Houpert1987].
-inline constexpr double kRollingSpeed = 0.66;
-inline constexpr double kRollingLoad = 0.47;
 
 /// Pockets of the cage: cylinders along its radii, drawn out by a straight part along the pitch circle.
 struct PocketNumbers {

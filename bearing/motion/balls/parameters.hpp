@@ -6,8 +6,19 @@
 
 namespace orbearing::bearing::balls {
 
+/// How the resistance of a ball to rolling follows from load and speed.
+enum class BallRolling {
+  houpert,   // the regression of [Houpert1987]
+  reynolds,  // computed: Reynolds' equation of elliptical contacts
+};
+
+constexpr described::Names<BallRolling, 2> names_of(BallRolling) {
+  return {{{BallRolling::houpert, "houpert"}, {BallRolling::reynolds, "reynolds"}}};
+}
+
 /// Friction over the ellipses of contact.
 struct EllipseParameters {
+  BallRolling rolling = BallRolling::houpert;
   double eyring_stress = 5e6;  // [Pa]  at which the oil begins to thin by shear
   int slices = 9;              // [-]   of an ellipse across the direction of rolling
   int rows = 1;                // [-]   points of each along it
@@ -18,6 +29,12 @@ void describe(Visitor& visit, EllipseParameters& m) {
   using namespace described;
   members(
       visit, m,
+      field(m.rolling, "traction.ball_rolling_law", Physics::motion,
+            "resistance of balls to rolling by the regression of [Houpert1987], or as computed by Reynolds' "
+            "equation",
+            {.models = balls_in_time,
+             .reason = "what published cases use; computed, it is 1.5 to 2 times as much",
+             .where = {"traction.rolling_resistance", "true"}}),
       field(m.eyring_stress, "traction.eyring_stress", Physics::motion,
             "shear stress at which the oil begins to thin",
             {.models = balls_in_time,
@@ -59,9 +76,31 @@ constexpr described::Names<OilMotion, 2> names_of(OilMotion) {
   return {{{OilMotion::carried, "carried"}, {OilMotion::at_rest, "at-rest"}}};
 }
 
+/// Where the share of oil in the free volume is from.
+enum class OilFill {
+  stated,  // lubricant.share
+  parker,  // by flow, speed and size [Parker1984], mixture.hpp
+};
+
+constexpr described::Names<OilFill, 2> names_of(OilFill) {
+  return {{{OilFill::stated, "stated"}, {OilFill::parker, "parker"}}};
+}
+
+/// What is left of the rolling resistance where the tracks carry less oil than a flooded inlet.
+enum class Starvation {
+  none,  // flooded
+  skf,   // factor of an oil jet or a low bath, friction/published_torque.hpp [SKF6000]
+};
+
+constexpr described::Names<Starvation, 2> names_of(Starvation) {
+  return {{{Starvation::none, "none"}, {Starvation::skf, "skf"}}};
+}
+
 struct MixtureParameters {
   OilMotion motion = OilMotion::carried;
   double flow = 0.0;  // [m^3/s]
+  OilFill fill = OilFill::stated;
+  Starvation starvation = Starvation::none;
 };
 
 template <class Visitor>
@@ -78,7 +117,15 @@ void describe(Visitor& visit, MixtureParameters& m) {
                 {.models = ball_motion,
                  .dimension = dimension::flow,
                  .range = {0.0, 1000.0},
-                 .reason = "grease, or a bath"}));
+                 .reason = "grease, or a bath"}),
+          field(m.fill, "lubricant.fill", Physics::motion,
+                "share of oil in the free volume: stated, or by flow and speed as Parker measured",
+                {.models = ball_motion, .reason = "lubricant.share", .where = {"drag.enabled", "true"}}),
+          field(m.starvation, "traction.starvation", Physics::motion,
+                "reduction of the rolling resistance by inlets that are not flooded, SKF's factor",
+                {.models = ball_motion,
+                 .reason = "flooded, as in published cases",
+                 .where = {"traction.rolling_resistance", "true"}}));
 }
 
 /// A ring and what it carries along.

@@ -10,6 +10,7 @@
 #pragma once
 
 #include "bearing/contact/damping.hpp"
+#include "bearing/contact/inlet_heating.hpp"
 #include "bearing/motion/balls/bodies.hpp"
 
 namespace orbearing::bearing::balls {
@@ -224,8 +225,10 @@ RaceTouch<Number> race_touch(const Law& law, const BallNumbers& c, const GrooveN
   // Against rolling: as fast as the surfaces roll on each other.
   const Number turned = sliding.turn_across * groove.rolling_radius;
   const Number rolled = root(turned * turned + c.entrainment_scale * c.entrainment_scale);
-  const Number couple = groove.rolling_factor *
-                        exponential((kRollingSpeed - 1.0) * logarithm(rolled) + kRollingLoad * log_load);
+  const Number log_rolled = logarithm(rolled);
+  Number couple = groove.rolling_factor * groove.rolling.per_speed(log_rolled, log_load);
+  if (groove.inlet_heating > 0.0)
+    couple = couple * heated_inlet_share(2.0 * log_rolled + logarithm(groove.inlet_heating));
   const Number rolling_moment = couple * turned;
 
   touch.load = load;

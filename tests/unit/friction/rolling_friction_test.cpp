@@ -62,12 +62,14 @@ TEST(RollerFriction, DependsOnTheRelativeSpeedAloneButForInertiaAndDrag) {
   EXPECT_EQ(roller_friction(bearing, loads, {100.0, 0.0}, {}).rolling, 0.0);
 }
 
-// Half the speed: an eighth of the drag, 1/2 C rho D l v^3.
-TEST(RollerFriction, DragGrowsWithTheCubeOfTheSpeed) {
+// Half the speed: an eighth of the drag but for the walls, whose friction falls with the Reynolds number.
+TEST(RollerFriction, DragGrowsAboutWithTheCubeOfTheSpeed) {
   const Bearing bearing = example_bearings::planet_bearing();
   const Eigen::ArrayXd loads = Eigen::ArrayXd::Constant(15, 500.0);
   const double fast = roller_friction(bearing, loads, {600.0, 0.0}, kOil).drag;
-  EXPECT_NEAR(roller_friction(bearing, loads, {300.0, 0.0}, kOil).drag, fast / 8.0, 1e-12 * fast);
+  const double slow = roller_friction(bearing, loads, {300.0, 0.0}, kOil).drag;
+  EXPECT_GT(slow, fast / 8.0);
+  EXPECT_LT(slow, fast / 4.0);
 }
 
 Bearing ball_bearing() {
@@ -101,6 +103,7 @@ TEST(BallFriction, IsThatOfTheMotionInTimeAtPureRolling) {
   balls::MotionParameters given;
   given.lubricant = kOil;
   given.race.traction = motion::TractionLaw::ree_eyring;
+  given.ellipse.rolling = balls::BallRolling::reynolds;
   balls::BallDuty duty;
   duty.inner = balls::RingDrive::steady(speeds.inner);
   duty.on_inner = {{load.radial, 0.0, load.axial}};
@@ -123,14 +126,15 @@ TEST(BallFriction, DoesNotSpinUnderARadialLoad) {
   EXPECT_GT(loss.differential_slip, 0.0);
 }
 
-// Couple ~ Q^0.47 u^0.66: at twice the viscosity all of the rolling part grows by 2^0.66.
+// Couple ~ (eta u)^0.5 of rigid bodies to (eta u)^0.66 or so of elastic ones.
 TEST(BallFriction, RollingGrowsWithViscosityAsItsLaw) {
   Lubricant thick = kOil;
   thick.viscosity *= 2.0;
   const equilibrium::RingLoad load{.radial = 500.0};
   const double thin = balanced(ball_bearing(), load, {500.0, 0.0}).loss.rolling;
-  EXPECT_NEAR(balanced(ball_bearing(), load, {500.0, 0.0}, thick).loss.rolling, std::pow(2.0, 0.66) * thin,
-              1e-9 * thin);
+  const double growth = balanced(ball_bearing(), load, {500.0, 0.0}, thick).loss.rolling / thin;
+  EXPECT_GT(growth, std::pow(2.0, 0.5));
+  EXPECT_LT(growth, std::pow(2.0, 0.75));
 }
 
 }  // namespace

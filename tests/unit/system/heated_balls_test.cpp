@@ -170,7 +170,7 @@ TEST(HeatedBalls, AveragingIsTheDirectIntegration) {
     std::vector<double> state;
     const HeatSource source = [&](const Eigen::VectorXd& t) {
       bearing::balls::MotionParameters warm = small.parameters;
-      warm.lubricant.viscosity = viscosity_at(0.05, heat, t[3]);
+      warm.lubricant.viscosity = viscosity_at(0.05, 0.03, heat, t[3]);
       BallRunOptions look = small.options;
       look.duration = 1e-3;
       look.observed = 1.0;
@@ -209,6 +209,37 @@ TEST(HeatedBalls, SteadyTemperaturesCloseTheBalanceOfHeat) {
   std::vector<WarmState> cool;
   run_heated_balls(small.bearing, small.parameters, small.duty, small.capacities, small.options, cooled, cool);
   EXPECT_LT(cool.back().temperature[0], end[0]);
+}
+
+// All heat leaves with the oil: what the last run makes is what warms it, and more oil stays cooler.
+TEST(HeatedBalls, OilAloneTakesAllHeatToItsOutlet) {
+  Small small;
+  const HeatParameters heat{.on = true, .model = HeatModel::oil, .inlet = 60.0, .stated_at = 60.0};
+  small.parameters.lubricant.viscosity = 0.02;
+  small.parameters.race.viscosity_slope = 0.03;
+  const auto outlet = [&](double flow) {
+    small.parameters.mixture.flow = flow;
+    std::vector<WarmState> warming;
+    const BallRunResult run = run_heated_balls(small.bearing, small.parameters, small.duty, small.capacities,
+                                               small.options, heat, warming);
+    EXPECT_TRUE(run.completed) << run.message;
+    const double last = warming.back().temperature[3], used = warming[warming.size() - 2].temperature[3];
+    EXPECT_NEAR(last, 60.0 + run.means.loss.total() / (1.7e6 * flow), 1e-9);
+    EXPECT_NEAR(last, used, kOutletError);
+    // The run has the viscosity of the temperature before: by that temperature alone.
+    bearing::balls::MotionParameters same = small.parameters;
+    same.lubricant.viscosity = 0.02 * std::exp(-0.03 * (used - 60.0));
+    const BallRunResult again = run_balls(small.bearing, same, small.duty, small.capacities, small.options);
+    EXPECT_DOUBLE_EQ(again.means.loss.total(), run.means.loss.total());
+    return last;
+  };
+  small.parameters.mixture.flow = 0.0;
+  std::vector<WarmState> none;
+  EXPECT_REFUSED(std::invalid_argument, "heated_balls flow",
+                 run_heated_balls(small.bearing, small.parameters, small.duty, small.capacities, small.options, heat, none));
+  const double little = outlet(2e-8), more = outlet(2e-7);
+  EXPECT_GT(little, more + 1.0);
+  EXPECT_GT(more, 60.0);
 }
 
 }  // namespace
