@@ -53,17 +53,17 @@ TEST(ChenMotor, LivesSlipAndImpactsGoAsTheSourceHasThem) {
   EXPECT_NEAR(all[0].run.pocket_load_max / all[2].run.pocket_load_max, 1.0, 0.1);
 }
 
-// Untuned: within a factor of two of the measurement at all speeds, most of all at the highest. Oil that goes
-// round takes less than at rest, and its heat no longer grows the fastest.
-TEST(Nasa35mm, HeatIsWithinAFactorOfTwo) {
+// Untuned: within 20 % of the measurement at all speeds, and some scatter of a shorter run. Oil that goes round takes
+// less than at rest, and its heat does not grow the fastest.
+TEST(Nasa35mm, HeatIsWithinAFifthAndScatter) {
   const std::pair<const char*, double> measured[] = {
       {"28000 rpm", 350.0}, {"48000 rpm", 700.0}, {"64000 rpm", 1100.0}, {"72000 rpm", 1400.0}};
   for (const auto& [speed, heat] : measured) {
     const std::string at = std::string("operation.shaft_speed=") + speed;
     const BallStudy study = study_of("nasa_35mm", {at, "simulation.duration=0.04 s"});
     const bearing::balls::BallPowerLoss& loss = study.run.means.loss;
-    EXPECT_GT(loss.total(), 0.5 * heat) << speed;
-    EXPECT_LT(loss.total(), 2.0 * heat) << speed;
+    EXPECT_GT(loss.total(), 0.75 * heat) << speed;
+    EXPECT_LT(loss.total(), 1.27 * heat) << speed;
     EXPECT_LT(loss.churning, 0.35 * loss.total()) << speed;
   }
 }
