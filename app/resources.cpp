@@ -17,12 +17,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The one that was built beside the program; else, without its compiled part, that of the source tree; else
-// that of an installation.
+// The one that was built beside the program; else that of an installation; else, without its compiled part,
+// that of the source tree.
 fs::path package_beside(const fs::path& folder) {
-  for (const fs::path& package : {folder / "python", fs::path(source_folder) / "python"})
+  const fs::path installed = folder / "share" / "orbearing" / "python";
+  for (const fs::path& package : {folder / "python", installed, fs::path(source_folder) / "python"})
     if (fs::is_directory(package)) return package;
-  return folder / "share" / "orbearing" / "python";
+  return installed;
 }
 
 Resources& in_use() {

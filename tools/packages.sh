@@ -80,3 +80,12 @@ libsundials-dev: CVODE, whose runs the tests compare with ours
 wheel_packages='
 python3-venv: environments in which the wheel is packed and checked
 '
+
+package_packages='
+debhelper: builds Debian packages
+dh-python: the same, of the Python package
+dpkg-dev: the same
+fakeroot: the same, without root
+help2man: manual page
+lintian: checks Debian packages
+'

@@ -547,10 +547,13 @@ Outcome resolve_all(std::string_view text, const std::string& name,
   Outcome outcome;
   std::optional<Entry> root = read_root(text, outcome.mistakes);
   Entry unread;
+  std::vector<FormerKey> former = former_keys_in(root ? *root : unread, settings);
   if (root) rename_former_keys(*root);
   apply_settings(root ? *root : unread, settings, outcome.mistakes);
   if (!root) return outcome;
-  outcome.resolved.emplace(resolve(*root, name, outcome.mistakes));
+  CaseData data = resolve(*root, name, outcome.mistakes);
+  data.former = std::move(former);
+  outcome.resolved.emplace(std::move(data));
   // What must fit together follows from the model.
   if (outcome.resolved->model() == no_model) return outcome;
   check_consistency(*outcome.resolved, outcome.mistakes);

@@ -103,6 +103,7 @@ struct CaseData {
   /// values.
   std::shared_ptr<const std::vector<SweepAxis>> axes = std::make_shared<const std::vector<SweepAxis>>();
   std::shared_ptr<const StatedUncertainty> uncertain = std::make_shared<const StatedUncertainty>();
+  std::vector<FormerKey> former;  // keys that the case gives by their former names
 };
 
 class ResolvedCase {
@@ -143,6 +144,8 @@ class ResolvedCase {
   bool is_replaced(std::string_view path) const { return !stored(path).replaced.empty(); }
   /// Reasons by path; defaults in use are among them.
   const std::map<std::string, std::string, std::less<>>& assumed() const { return data_->assumed; }
+
+  const std::vector<FormerKey>& former() const { return data_->former; }
 
   /// Copy with independent values replaced, checked singly and together. Throws BadInput.
   ResolvedCase with(const std::vector<Setting>& settings) const;

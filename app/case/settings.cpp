@@ -62,12 +62,45 @@ void rename_former_keys(Entry& root) {
   rename(root, "");
 }
 
+std::vector<FormerKey> former_keys() {
+  std::vector<FormerKey> keys;
+  for (const auto& [former, present] : kFormerPaths)
+    keys.push_back({std::string(former), std::string(present)});
+  return keys;
+}
+
 namespace {
+
+// What lies below a renamed block is not listed again.
+void add_former_keys(const Entry& block, const std::string& prefix, std::vector<FormerKey>& found) {
+  if (block.shape != Entry::Shape::block) return;
+  for (const Member& member : block.members) {
+    const std::string path = prefix + member.key, present = present_path(path);
+    if (present != path)
+      found.push_back({path, present});
+    else
+      add_former_keys(member.value, path + ".", found);
+  }
+}
 
 std::string trim(const std::string& text) {
   const auto first = text.find_first_not_of(" \t");
   return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
+
+}  // namespace
+
+std::vector<FormerKey> former_keys_in(const Entry& root, const std::vector<std::string>& settings) {
+  std::vector<FormerKey> found;
+  add_former_keys(root, "", found);
+  for (const std::string& setting : settings) {
+    const std::string path = trim(setting.substr(0, setting.find('='))), present = present_path(path);
+    if (present != path) found.push_back({path, present});
+  }
+  return found;
+}
+
+namespace {
 
 void split_into(std::vector<std::string>& keys, std::string_view path) {
   for (std::size_t dot = path.find('.'); dot != std::string_view::npos; dot = path.find('.')) {

@@ -11,7 +11,17 @@
 
 namespace orbearing::app {
 
-// Keys that had another name once: who still gives the former one is read as if he gave the present one.
+// Renamed keys: a former name is read as the present one, with a warning, until the next major version.
+
+struct FormerKey {
+  std::string former, present;  // paths
+};
+
+/// All renamed keys: a field, or a block of fields.
+std::vector<FormerKey> former_keys();
+
+/// Those that a case file or its settings use, by the paths that are written there.
+std::vector<FormerKey> former_keys_in(const Entry& root, const std::vector<std::string>& settings);
 
 /// The same path with present names; behind "sweep.", "uncertain." and "assumed.", and in one of several
 /// sets, too.

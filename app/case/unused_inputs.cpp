@@ -359,7 +359,7 @@ UseStatus use_status_of(const ResolvedCase& resolved, const Input& input, use::A
 
 std::vector<std::string> require_used(const ResolvedCase& resolved, use::Analysis analysis, Axes sweeps) {
   std::vector<Mistake> mistakes;
-  std::vector<std::string> warnings;
+  std::vector<std::string> warnings = former_key_warnings(resolved);
   for (const Input& input : resolved.inputs()) {
     if (!resolved.has(input.path)) continue;
     const UseStatus status = use_status_of(resolved, input, analysis);
@@ -402,6 +402,15 @@ use::Analysis rung_of(const ResolvedCase& resolved, const std::string& fidelity)
   if (fidelity == "dynamic") return resolved.shape().several ? use::dynamic_of_sets : use::dynamic;
   if (fidelity == "co-simulated") return use::co_simulated;
   return fidelity == "monolithic" ? use::monolithic : use::quasi_static;
+}
+
+std::vector<std::string> former_key_warnings(const ResolvedCase& resolved) {
+  std::vector<std::string> warnings;
+  for (const FormerKey& key : resolved.former())
+    warnings.push_back(fmt::format(
+        "{}: former name of {}; write the present one. Versions 2 and later do not read the former name",
+        key.former, key.present));
+  return warnings;
 }
 
 std::vector<std::string> idle_inputs(const ResolvedCase& resolved) {

@@ -37,6 +37,9 @@ std::vector<std::string> require_used(const ResolvedCase& resolved, use::Analysi
 /// The rung of a drivetrain's run or sweep: "dynamic" is another one for several sets.
 use::Analysis rung_of(const ResolvedCase& resolved, const std::string& fidelity);
 
+/// Keys that the case gives by former names, with the present ones. In those of require_used(), too.
+std::vector<std::string> former_key_warnings(const ResolvedCase& resolved);
+
 /// Values of the case whose conditions do not hold, for `check`.
 std::vector<std::string> idle_inputs(const ResolvedCase& resolved);
 

@@ -63,6 +63,7 @@ int check_command(const Options& options) {
   for (const Derived& row : catalogue_quantities(resolved)) checked.derived.push_back(row);
   for (std::string& warning : inferred_warnings(resolved)) checked.warnings.push_back(std::move(warning));
   for (std::string& warning : uncertain_warnings(resolved)) checked.warnings.push_back(std::move(warning));
+  for (std::string& warning : former_key_warnings(resolved)) checked.warnings.push_back(std::move(warning));
   // What the case states as a check stands among its inputs.
   std::erase_if(checked.derived, [&](const Derived& row) { return resolved.has(row.path); });
   const std::vector<std::string> idle = idle_inputs(resolved);

@@ -283,6 +283,14 @@ void add_spectrum(CLI::App& command, Options& options) {
     command.get_option(of_case)->needs(stated);
 }
 
+void add_demo(CLI::App& command, Options& options) {
+  add_output(command, options)
+      .description(
+          "folder of the results; created if missing. Default: orbearing-demo, or orbearing-demo-2, -3 ... "
+          "if "
+          "that exists");
+}
+
 void add_new(CLI::App& command, Options& options) {
   command.add_option("TEMPLATE", options.template_name, fmt::format("{}", fmt::join(template_names(), ", ")))
       ->required();
@@ -327,6 +335,9 @@ void add_python_commands(CLI::App& program) {
 
 void add_commands(CommandTable table) {
   Options& options = table.options;
+  add_demo(
+      table.add("demo", "life over speed of a 150 kW reducer with its report, in about 10 s", demo_command),
+      options);
   add_new(table.add("new", "write a commented case file as a start", new_command), options);
   add_open(table.add("open", "open the page with forms, figures and variants in a browser", open_command),
            options);
@@ -418,7 +429,7 @@ bool known(const CLI::App& program, const std::string& word) {
 void require_known_command(const CLI::App& program, const std::string& word) {
   if (word.empty() || word.front() == '-' || known(program, word)) return;
   throw BadInput(fmt::format(
-      "orbearing: found the command {}; required: new, open, check, run, sweep, merge, crown, mesh, "
+      "orbearing: found the command {}; required: demo, new, open, check, run, sweep, merge, crown, mesh, "
       "carrier, modes, stiffness, sensitivities, fmu, signals, spectrum, study, uncertainty, convert, "
       "validate or report",
       word));

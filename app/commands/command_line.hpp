@@ -71,6 +71,7 @@ struct Options {
 };
 
 /// Each prints its result on standard output. Throws BadInput and ComputationFailed; returns the exit code.
+int demo_command(const Options& options);
 int check_command(const Options& options);
 int run_command(const Options& options);
 int sweep_command(const Options& options);

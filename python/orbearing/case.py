@@ -40,7 +40,10 @@ def parse(text: str, name: str = "case", settings: Optional[Mapping[str, Any]] =
 def cases() -> dict[str, Path]:
     """Cases that ship with the package, by name."""
     here = Path(__file__)
-    for folder in (here.parent / "share" / "orbearing" / "cases", here.resolve().parents[2] / "cases", here.parents[2] / "cases"):
+    places = [here.parent / "share" / "orbearing" / "cases", here.resolve().parents[2] / "cases", here.parents[2] / "cases"]
+    if len(here.parents) > 4:  # PREFIX/lib/python3/dist-packages/orbearing, as Debian has it
+        places.append(here.parents[4] / "share" / "orbearing" / "cases")
+    for folder in places:
         if folder.is_dir():
             own, validation = folder.glob("*/case.yaml"), folder.glob("validation/*/case.yaml")
             return {file.parent.name: file for file in [*sorted(own), *sorted(validation)]}

@@ -62,7 +62,7 @@ function(orbearing_engine)
   get_target_property(case_sources orbearing_app_case SOURCES)
   list(APPEND sources ${case_sources} interface/case.cpp interface/request.cpp)
   list(FILTER sources EXCLUDE REGEX
-    "^\\$<|^page/|commands/(fmu|merge|new_case|python_part|report|spectrum|validate)\\.cpp")
+    "^\\$<|^page/|commands/(demo|fmu|merge|new_case|python_part|report|spectrum|validate)\\.cpp")
   list(FILTER sources EXCLUDE REGEX
     "results/(merge|point_file)\\.cpp|study/(expected_file|fmu_model|load_series|report_data|validation_table)\\.cpp")
   list(FILTER sources EXCLUDE REGEX "study/(netcdf_record|openfast_record|record_file)\\.cpp")

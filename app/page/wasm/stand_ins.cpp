@@ -67,6 +67,7 @@ void hand_over(int, char**) {}
   int name##_command(const Options&) {                          \
     throw std::logic_error(#name ": no command of the engine"); \
   }
+ORBEARING_NO_COMMAND(demo)
 ORBEARING_NO_COMMAND(fmu)
 ORBEARING_NO_COMMAND(merge)
 ORBEARING_NO_COMMAND(new)

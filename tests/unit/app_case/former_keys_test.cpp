@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "app/case/case_file.hpp"
+#include "app/case/field_table.hpp"
+#include "app/case/unused_inputs.hpp"
 #include "app/errors.hpp"
 #include "tests/unit/app_case/small_case.hpp"
 
@@ -46,6 +48,41 @@ TEST(FormerKeys, ACaseThatWasWrittenWithThemIsTheSameCase) {
 
 TEST(FormerKeys, ASettingReplacesWhatTheFileGivesByThePresentName) {
   EXPECT_EQ(shipped({"life.lambda=0.61"}).number("life.reduction_factor"), 0.61);
+}
+
+// Issue 51, Build 6: the deprecation rule. A renamed key is read until the next major version, and each use
+// of it is warned of with the present name.
+TEST(FormerKeys, EachLeadsToAKeyOfTheTableAndIsNoneItself) {
+  const auto has = [](const std::string& path) {
+    return std::ranges::any_of(all_fields(), [&](const Field& field) {
+      return field.path == path || field.path.starts_with(path + ".");
+    });
+  };
+  ASSERT_FALSE(former_keys().empty());
+  for (const FormerKey& key : former_keys()) {
+    EXPECT_TRUE(has(key.present)) << key.present;
+    EXPECT_FALSE(has(key.former)) << key.former;
+  }
+}
+
+TEST(FormerKeys, EachUseIsWarnedOfWithThePresentName) {
+  const std::string form = "bearing:\n  outer_race: {standing_form: {order: [2], amplitude: [1 um]}}\n";
+  const std::string text = with(with(text_of(shipped_path()), "\nbearing:\n", "\n" + form),
+                                "  reduction_factor: 0.83", "  lambda: 0.83");
+  const ResolvedCase resolved =
+      parse_case(text, "case.yaml", {"bearing.inner_race.turning_form={order: [3], amplitude: [1 um]}"});
+  const auto warning = [](const std::string& former, const std::string& present) {
+    return former + ": former name of " + present +
+           "; write the present one. Versions 2 and later do not read the former name";
+  };
+  EXPECT_THAT(former_key_warnings(resolved),
+              testing::UnorderedElementsAre(
+                  warning("life.lambda", "life.reduction_factor"),
+                  warning("bearing.outer_race.standing_form", "bearing.outer_race.out_of_roundness"),
+                  warning("bearing.inner_race.turning_form", "bearing.inner_race.waviness")));
+  EXPECT_THAT(require_used(resolved.without_sweep(), use::monolithic),
+              testing::Contains(warning("life.lambda", "life.reduction_factor")));
+  EXPECT_THAT(former_key_warnings(shipped()), testing::IsEmpty());
 }
 
 TEST(FormerKeys, BothNamesInOneFileAreAMistake) {

@@ -60,7 +60,7 @@ std::string refusal(const Request& request) {
 
 TEST(Request, RefusesWhatNoCommandTakes) {
   EXPECT_THAT(refusal({.command = "fly"}),
-              HasSubstr("found the command fly; required: new, open, check, run"));
+              HasSubstr("found the command fly; required: demo, new, open, check, run"));
   EXPECT_THAT(refusal({.command = "run", .case_file = file, .options = R"({"moon": 1})"}), HasSubstr("--moon=1"));
   EXPECT_THAT(refusal({.command = "run", .case_file = file, .options = R"({"fidelity": "fast"})"}), HasSubstr("fast not in"));
   EXPECT_REFUSED(BadInput, "interface.options", answer({.command = "run", .case_file = file, .options = "moon"}));
