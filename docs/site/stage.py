@@ -23,6 +23,7 @@ ROOT = Path(__file__).resolve().parents[2]
 FOLDERS = ("mechanics", "gearset", "bearing", "coupling", "app", "python", "cases", "tests", "benchmarks", "docs")
 FRONT = ("README.md", "CHANGELOG.md", "REFERENCES.md", "CONTRIBUTING.md")
 PICTURES = (".png", ".jpg", ".svg")
+PAPER = Path("docs/paper")  # for a journal, in its own form of Markdown
 _GENERATED = re.compile(r"^<!-- generated: (?P<name>[\w-]+) ?(?P<arguments>.*?) -->$", re.M)
 
 
@@ -32,7 +33,7 @@ def documents() -> list[Path]:
     for folder in FOLDERS:
         for name in ("*.md", *("*" + end for end in PICTURES)):
             found += [file.relative_to(ROOT) for file in sorted((ROOT / folder).rglob(name))]
-    return found
+    return [name for name in found if PAPER not in name.parents]
 
 
 def program(*arguments: str) -> str:
@@ -139,7 +140,7 @@ def topics(_) -> str:
     frame = {"README", "index", "theory", *pages_of_first_page()}
     documents_there = [*sorted((ROOT / "docs").glob("*.md")), *sorted((ROOT / "docs").glob("*/*.md"))]
     stems = [name.relative_to(ROOT / "docs").with_suffix("").as_posix() for name in documents_there
-             if name.parent.name not in ("guide", "tutorials")]
+             if name.parent.name not in ("guide", "tutorials", PAPER.name)]
     names = [f"../{stem}" for stem in stems if stem not in frame]
     return "```{toctree}\n:hidden:\n:maxdepth: 1\n\n" + "\n".join(names) + "\n```"
 
