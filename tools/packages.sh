@@ -47,6 +47,7 @@ python3-distributed: studies on the workers of a Dask cluster
 python3-getfem: finite elements of others, of a rim that bends
 python3-sphinx: documentation site (tools/site)
 python3-myst-parser: the same, its reader of Markdown
+codespell: spelling of sources and documents
 python3-venv: FMI tools of others, installed below the build folder
 chromium: the page of `orbearing open` in a browser
 chromium-driver: the same, moved by a test

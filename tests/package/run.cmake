@@ -24,6 +24,18 @@ file(GLOB program "${WORK}/moved/bin/orbearing")
 if(program)
   run("${program}" --help)
   run("${program}" check "${WORK}/moved/share/orbearing/cases/reducer_150kW/case.yaml")
+  # Its data are beside it, not in the source tree.
+  execute_process(COMMAND /usr/bin/python3 -c "import matplotlib, netCDF4" RESULT_VARIABLE missing ERROR_QUIET OUTPUT_QUIET)
+  if(missing EQUAL 0)
+    execute_process(COMMAND "${program}" demo --json -o "${WORK}/demo" OUTPUT_VARIABLE demo ERROR_VARIABLE reason RESULT_VARIABLE result)
+    if(NOT result EQUAL 0)
+      message(FATAL_ERROR "the demo of the installed program ended with ${result}: ${reason}")
+    endif()
+    string(JSON case GET "${demo}" case)
+    if(NOT case STREQUAL "${WORK}/moved/share/orbearing/cases/reducer_150kW/case.yaml" OR NOT EXISTS "${WORK}/demo/report.html")
+      message(FATAL_ERROR "the demo of the installed program took ${case}, or wrote no report")
+    endif()
+  endif()
 endif()
 
 # The libraries without the program can be configured, too (tools/mutation --libraries).

@@ -1,0 +1,126 @@
+"""What a release is made of agrees with the sources (issue 51, Build 6): one version everywhere, a changelog in its form, packages with the
+libraries that the build requires, a paper with the counts of the last validation, and names that stay.
+
+    release.py --record      writes the names that are there into stable_names.txt; a name that is gone needs the next major version
+"""
+import json
+import os
+import pathlib
+import re
+import sys
+import unittest
+
+ROOT = pathlib.Path(os.environ.get("ORBEARING_SOURCE_DIR", pathlib.Path(__file__).parents[2]))
+NAMES = ROOT / "tests" / "repository" / "stable_names.txt"
+GROUPS = ["Added", "Changed", "Fixed"]
+LONGEST = 200  # letters of a line of the changelog
+WORDS = (750, 1250)  # of the paper
+HIDDEN = {"--bearing-points", "--data-only", "--linger", "--worker"}  # options of the program for itself
+
+
+def text_of(name):
+    return (ROOT / name).read_text(encoding="utf-8")
+
+
+def version():
+    return re.search(r"^project\(Orbearing VERSION ([0-9.]+)", text_of("CMakeLists.txt"), re.M)[1]
+
+
+def keys_of(schema, before=""):
+    """Paths of all keys that a schema describes; those of many members as NAME."""
+    for name, one in sorted(schema.get("properties", {}).items()):
+        yield before + name
+        yield from keys_of(one, f"{before}{name}.")
+    for part in ("items", "additionalProperties"):
+        if isinstance(schema.get(part), dict):
+            yield from keys_of(schema[part], before)
+    for one in schema.get("patternProperties", {}).values():
+        yield from keys_of(one, before + "NAME.")
+    for one in schema.get("oneOf", []) + schema.get("anyOf", []):
+        yield from keys_of(one, before)
+
+
+def is_former(name):
+    """Whether the program reads a key of a case by this name, though the schema has another one."""
+    formers = re.findall(r'^    \{"([\w.]+)", "[\w.]+"\},$', text_of("app/case/settings.cpp"), re.M)
+    return any(name == f"case {former}" or name.startswith(f"case {former}.") for former in formers)
+
+
+def stable_names():
+    """Names that scripts rely on: commands, options, keys of cases and of JSON results, headers, functions of the Python package."""
+    command_line = text_of("app/commands/command_line.cpp")
+    names = {f"command {name}" for name in re.findall(r'table\.add\(\s*"(\w+)"', command_line)}
+    names |= {f"command {name}" for name in re.findall(r'^\s*\{+"(\w+)", "', text_of("app/commands/python_part.cpp"), re.M)}
+    names |= {f"option {name}" for name in set(re.findall(r'"(?:-\w,)?(--[a-z-]+)"', command_line)) - HIDDEN}
+    for schema in json.loads(text_of("cases/case.schema.json"))["$defs"].values():
+        names |= {f"case {key}" for key in keys_of(schema) if not key.startswith(("assumed.", "sweep."))}
+    for group, schema in json.loads(text_of("cases/result.schema.json"))["$defs"].items():
+        names |= {f"result {group}: {key}" for key in keys_of(schema)}
+    names |= {f"header {file.name}" for file in (ROOT / "include" / "orbearing").glob("*.hpp")}
+    names |= {f"python {name}" for name in re.findall(r'^    "(\w+)": "', text_of("python/orbearing/__init__.py"), re.M)}
+    return names
+
+
+class Release(unittest.TestCase):
+    def test_every_file_states_the_same_version(self):
+        stated = {
+            "CITATION.cff": re.search(r"^version: (\S+)$", text_of("CITATION.cff"), re.M)[1],
+            "codemeta.json": json.loads(text_of("codemeta.json"))["version"],
+            ".zenodo.json": json.loads(text_of(".zenodo.json"))["version"],
+            "conda": re.search(r'set version = "([^"]+)"', text_of("tools/packaging/conda/meta.yaml"))[1],
+            "debian": re.match(r"orbearing \(([0-9.]+)-\d+\)", text_of("tools/packaging/debian/changelog"))[1],
+            "CHANGELOG.md": re.search(r"^## ([0-9.]+)", text_of("CHANGELOG.md"), re.M)[1],
+        }
+        self.assertEqual(stated, dict.fromkeys(stated, version()))
+        self.assertEqual(version().rpartition(".")[0], re.search(r"^Package: liborbearing([0-9.]+)$", text_of("tools/packaging/debian/control"), re.M)[1])
+
+    def test_the_changelog_has_one_line_a_change(self):
+        """Newest version first; in each version Added, Changed, Fixed in this order, and nothing else."""
+        parts = re.split(r"^## ", text_of("CHANGELOG.md"), flags=re.M)[1:]
+        versions = [tuple(map(int, part.split(",")[0].split()[0].split("."))) for part in parts]
+        self.assertEqual(versions, sorted(versions, reverse=True))
+        for part in parts:
+            groups = re.findall(r"^### (.*)$", part, re.M)
+            self.assertEqual(groups, [group for group in GROUPS if group in groups])
+            for line in part.splitlines()[1:]:
+                if line and not line.startswith("### "):
+                    self.assertTrue(line.startswith("- "), f"under no group, or on a second line: {line}")
+                    self.assertLessEqual(len(line), LONGEST, line)
+
+    def test_packages_build_with_what_the_build_requires(self):
+        """Each package of tools/packages.sh that the build needs is a build dependency of Debian's; those of every Debian are left out."""
+        block = re.search(r"^build_packages='\n(.*?)^'", text_of("tools/packages.sh"), re.M | re.S)[1]
+        wanted = {line.split(":")[0] for line in block.splitlines()} - {"g++"}
+        control = text_of("tools/packaging/debian/control")
+        listed = set(re.findall(r"[\w.+-]+", re.search(r"^Build-Depends:(.*?)^\S", control, re.M | re.S)[1]))
+        self.assertEqual(wanted - listed, set())
+
+    def test_the_paper_has_the_counts_of_the_last_validation(self):
+        paper, record = text_of("docs/paper/paper.md"), text_of("docs/validation.txt")
+        for kind, name in (("measurement", "measurement"), ("program", "program"), ("worked-example", "worked example")):
+            total, rest = re.search(rf"^  {kind} +([0-9]+): (.*)$", record, re.M).groups()
+            counts = {word: number for number, word in re.findall(r"([0-9]+) (missed|reproduced)", rest)}
+            self.assertIn(f"| {name} | {total} | {counts['reproduced']} | {counts['missed']} |", paper)
+        words = len(paper.split("---", 2)[2].split())
+        self.assertTrue(WORDS[0] <= words <= WORDS[1], words)
+
+    def test_the_paper_cites_what_its_list_has(self):
+        cited = set(re.findall(r"@(\w+)", text_of("docs/paper/paper.md").split("---", 2)[2]))
+        self.assertEqual(cited, set(re.findall(r"^@\w+\{(\w+),", text_of("docs/paper/paper.bib"), re.M)))
+        for key in cited:
+            self.assertIn(f"[{key}]", text_of("REFERENCES.md"))
+
+    def test_names_stay(self):
+        """Within a major version, and before 1.0 unless they are recorded again: a script of today runs tomorrow."""
+        recorded = [line for line in NAMES.read_text(encoding="utf-8").splitlines() if line and not line.startswith("#")]
+        self.assertGreater(len(recorded), 500)
+        gone = [name for name in sorted(set(recorded) - stable_names()) if not is_former(name)]
+        self.assertEqual(gone, [], "names that are gone: keep the former ones, with a warning")
+
+
+if __name__ == "__main__":
+    if sys.argv[1:] == ["--record"]:
+        NAMES.write_text("# Names that stay within a major version; release.py --record adds new ones.\n" + "".join(f"{name}\n" for name in sorted(stable_names())),
+                         encoding="utf-8")
+    else:
+        unittest.main()
