@@ -36,7 +36,7 @@ endif()")
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/cases" DESTINATION "${orbearing_data_dir}")
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/app/page/web/" DESTINATION "${orbearing_data_dir}/page")
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/python/orbearing" DESTINATION "${orbearing_data_dir}/python"
-          FILES_MATCHING PATTERN "*.py" PATTERN "*.pyi" PATTERN "*.css" PATTERN "*.js")
+          FILES_MATCHING PATTERN "*.py" PATTERN "*.pyi" PATTERN "*.css" PATTERN "*.js" PATTERN "*.mplstyle")
 endif()
 if(TARGET orbearing_python)
   install(TARGETS orbearing_python LIBRARY DESTINATION "${orbearing_data_dir}/python/orbearing")

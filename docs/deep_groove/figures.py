@@ -5,12 +5,14 @@ import sys
 import tempfile
 from pathlib import Path
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import netCDF4
 import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "python"))
+from orbearing import style  # noqa: E402
+
+style.use()
+import matplotlib.pyplot as plt  # noqa: E402
 
 HERE = Path(__file__).parent
 CASES = HERE.parent.parent / "cases"
@@ -27,7 +29,7 @@ def run(program, case, folder, *settings):
 
 
 def motor(program, work):
-    figure, axes = plt.subplots(2, 2, figsize=(10, 6), constrained_layout=True)
+    figure, axes = plt.subplots(2, 2, figsize=(style.WIDTH, 5.6))
     print("| condition | settled [ms] | slip [%] | largest impact [N] | heat [W] | life [h] |\n|---|---|---|---|---|---|")
     for number, (rpm, load) in enumerate(CONDITIONS, 1):
         result, file = run(program, "deep_groove_motor", work / f"motor{number}", f"operation.shaft_speed={rpm} rpm",
@@ -43,21 +45,21 @@ def motor(program, work):
         axes[1, 0].plot(1e3 * (time[last] - time[last][0]), file["first_ball_inner_load"][:][last], label=label, lw=0.8)
         axes[1, 1].plot(1e6 * file["cage_x"][:][last], 1e6 * file["cage_y"][:][last], label=label, lw=0.5)
     axes[0, 0].set(xlim=(0, 30), ylim=(-10, 100), xlabel="time (ms)", ylabel="slip of the cage (%)")
-    axes[0, 1].set(xlabel="time (ms)", ylabel="largest load on the cage (N)", yscale="symlog", ylim=(0, None))
-    axes[1, 0].set(xlabel="time (ms), last tenth of a second", ylabel="load of one ball, inner race (N)")
-    axes[1, 1].set(xlabel="centre of the cage along the load (um)", ylabel="across (um)", aspect="equal")
-    axes[0, 0].legend(fontsize=8)
-    figure.savefig(HERE / "motor.png", dpi=90)
+    axes[0, 1].set(xlabel="time (ms)", ylabel="largest load\non the cage (N)", yscale="symlog", ylim=(0, None))
+    axes[1, 0].set(xlabel="time in the last 0.1 s (ms)", ylabel="load of one ball\non the inner race (N)")
+    axes[1, 1].set(xlabel="centre of the cage\nalong the load (µm)", ylabel="across the load (µm)", aspect="equal")
+    figure.legend(*axes[0, 0].get_legend_handles_labels(), loc="outside upper center", ncols=2)
+    figure.savefig(HERE / "motor.png")
 
 
 def run_up(program, work):
     result, file = run(program, "deep_groove_acceleration", work / "up")
-    figure, axes = plt.subplots(1, 2, figsize=(10, 3.2), constrained_layout=True)
+    figure, axes = plt.subplots(1, 2, figsize=(style.WIDTH, 3.2))
     axes[0].plot(file["time"][:], file["first_ball_inner_load"][:], lw=0.6)
-    axes[0].set(xlabel="time (s)", ylabel="load of one ball, inner race (N)")
+    axes[0].set(xlabel="time (s)", ylabel="load of one ball\non the inner race (N)")
     axes[1].plot(file["time"][:], 100 * file["cage_slip"][:], lw=0.6)
     axes[1].set(xlabel="time (s)", ylabel="slip of the cage (%)", ylim=(-10, 30))
-    figure.savefig(HERE / "run_up.png", dpi=90)
+    figure.savefig(HERE / "run_up.png")
     time, load = file["time"][:], file["first_ball_inner_load"][:]
     print(f"\nrun-up: largest load of the ball {load.max():.0f} N before 0.2 s {load[time < 0.2].max():.0f} N, "
           f"after 0.5 s {load[time > 0.5].max():.0f} N; slip {100 * result['cage_slip']:.2f} %")
@@ -72,12 +74,13 @@ def nasa(program, work):
         shares.append([heat[cause] for cause in CAUSES])
         print(f"| {rpm} | {measured} | {heat['total']:.0f} | " + " | ".join(f"{heat[c]:.1f}" for c in CAUSES)
               + f" | {100 * result['cage_slip']:.2f} |")
-    figure, axes = plt.subplots(figsize=(6, 3.6), constrained_layout=True)
-    axes.stackplot(NASA_RPM, np.maximum(np.array(shares).T, 0.0), labels=CAUSES, edgecolor="white", lw=0.5)
+    figure, axes = plt.subplots(figsize=(style.WIDTH, 4.0))
+    axes.stackplot(NASA_RPM, np.maximum(np.array(shares).T, 0.0), labels=[cause.replace("_", " ") for cause in CAUSES], colors=plt.get_cmap("cividis")(np.linspace(0.05, 1.0, len(CAUSES))), edgecolor="white", lw=0.8)
     axes.errorbar(NASA_RPM, NASA_HEAT, yerr=0.05 * np.array(NASA_HEAT), fmt="ko", label="measured, as read")
     axes.set(xlabel="shaft speed (rpm)", ylabel="heat (W)", ylim=(0, None))
-    axes.legend(fontsize=8, loc="upper left")
-    figure.savefig(HERE / "nasa.png", dpi=90)
+    axes.legend(loc="upper left")
+    style.thousands(axes.xaxis)
+    figure.savefig(HERE / "nasa.png")
 
 
 def nasa_worth(program, work):

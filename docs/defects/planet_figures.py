@@ -10,11 +10,13 @@ import subprocess
 import sys
 import tempfile
 
-import matplotlib
 import netCDF4
 import numpy as np
 
-matplotlib.use("agg")
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "python"))
+from orbearing import style  # noqa: E402
+
+style.use()
 from matplotlib.figure import Figure  # noqa: E402
 
 HIGHEST = 1300.0  # [Hz]
@@ -47,26 +49,26 @@ def lines(race, at, housing):
 def envelope(axes, data, view, marks):
     place, level = data[f"{view}_envelope_spectrum_place"], data[f"{view}_envelope_spectrum"]
     shown = (place > 8.0) & (place <= HIGHEST)
-    axes.plot(place[shown], level[shown], linewidth=0.7, color="#1f4e79")
+    axes.plot(place[shown], level[shown], linewidth=0.7, color=style.BLUE)
     top = level[shown].max()
     for name, line in marks:
-        axes.axvline(line, color="#c0392b", linewidth=0.5, alpha=0.5, zorder=0)
-        axes.text(line, 1.02 * top, name, rotation=90, fontsize=6, ha="center", va="bottom", color="#c0392b")
+        axes.axvline(line, color=style.VERMILION, linewidth=0.8, linestyle=(0, (2, 2)), zorder=0)
+        axes.text(line, 1.02 * top, name, rotation=90, fontsize=8.5, ha="center", va="bottom", color=style.BLACK)
     axes.set_xlim(0.0, HIGHEST)
-    axes.set_ylim(0.0, 1.3 * top)
+    axes.set_ylim(0.0, 1.6 * top)
     axes.set_xlabel("frequency (Hz)")
     axes.set_ylabel(f"envelope ({UNITS[view]})")
 
 
 def main(program, case):
-    figure = Figure(figsize=(13, 9), layout="constrained")
+    figure = Figure(figsize=(9.0, 8.4))
     axes = figure.subplots(3, 2)
     for row, race in enumerate(SURFACES):
         data, result = run(program, case, race)
         for column, view in enumerate(UNITS):
             envelope(axes[row][column], data, view, lines(race, result["turned"], view == "housing"))
-            axes[row][column].set_title(f"{SURFACES[race]}, {'carrier frame' if view == 'carrier' else 'housing'}", fontsize=9)
-    figure.savefig(pathlib.Path(__file__).with_name("planet.png"), dpi=80)
+            axes[row][column].set_title(f"{SURFACES[race]}, {'carrier frame' if view == 'carrier' else 'housing'}")
+    figure.savefig(pathlib.Path(__file__).with_name("planet.png"))
 
 
 if __name__ == "__main__":

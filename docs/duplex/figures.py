@@ -5,16 +5,21 @@ import sys
 import tempfile
 from pathlib import Path
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import netCDF4
 import numpy as np
 import yaml
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "python"))
+from orbearing import style  # noqa: E402
+
+style.use()
+import matplotlib.pyplot as plt  # noqa: E402
+from matplotlib.ticker import NullFormatter  # noqa: E402
+
 HERE = Path(__file__).parent
 CASE = HERE.parent.parent / "cases" / "duplex_7020"
+DASHED = {"tilt_y": (0, (3, 3)), "radial_y": (0, (3, 3))}  # over the curve of the other direction
+COLOURS = (style.BLACK, style.ORANGE, style.GREEN, style.BLUE, style.SKY)
 KINDS = ["tilt_x", "tilt_y", "axial_z", "radial_x", "radial_y"]
 NAMES = {15: "7020C", 30: "7020A"}
 
@@ -43,7 +48,7 @@ def printed():
 
 def over_preload(program, result):
     calculated = printed()
-    figure, axes = plt.subplots(1, 2, figsize=(11, 5), sharey=True, constrained_layout=True)
+    figure, axes = plt.subplots(1, 2, figsize=(style.WIDTH, 4.2), sharey=True)
     preloads = np.linspace(300, 4600, 18)
     for axis, angle in zip(axes, NAMES):
         curves = np.array([frequencies(program, f"bearing.contact_angle={angle} deg", f"preload={f:.0f} N")
@@ -51,8 +56,8 @@ def over_preload(program, result):
         for k, kind in enumerate(KINDS):
             rows = [row for row in result["predictions"] if round(row["contact_angle_deg"]) == angle and row["kind"] == kind]
             at = [row["preload_N"] for row in rows]
-            color = f"C{k}"
-            axis.plot(preloads, curves[:, k], color=color, label=kind, lw=1.2)
+            color = COLOURS[k]
+            axis.plot(preloads, curves[:, k], color=color, label=kind, ls=DASHED.get(kind, "-"), zorder=2.2 if kind in DASHED else 2)
             axis.plot(at, [row["measured_Hz"] for row in rows], "o", color=color)
             axis.plot(at, [calculated[angle, round(f)][kind] for f in at], "x", color=color)
             axis.plot(at, [row["linear_Hz"] for row in rows], ":", color=color, lw=1)
@@ -61,67 +66,68 @@ def over_preload(program, result):
     axes[1].plot([], [], "ko", label="measured")
     axes[1].plot([], [], "kx", label="calculated by the source")
     axes[1].plot([], [], "k:", label="linear, fitted to 7020C measured")
-    axes[1].legend(fontsize=8, loc="center right", framealpha=0.8)
+    figure.legend(*axes[1].get_legend_handles_labels(), loc="outside upper center", ncols=3)
     axes[1].set_yticks([200, 300, 500, 1000, 2000], ["200", "300", "500", "1000", "2000"])
-    axes[1].yaxis.set_minor_formatter(matplotlib.ticker.NullFormatter())
-    figure.savefig(HERE / "preload.png", dpi=90)
+    axes[1].yaxis.set_minor_formatter(NullFormatter())
+    figure.savefig(HERE / "preload.png")
 
 
 def over_geometry(program):
-    figure, axes = plt.subplots(1, 3, figsize=(12, 4), sharey=True, constrained_layout=True)
+    figure, axes = plt.subplots(1, 3, figsize=(style.WIDTH, 3.4), sharey=True)
     angles, places, balls = np.linspace(12, 40, 29), np.linspace(0, 18, 7), np.arange(8, 25, 2)
-    sets = [("contact angle (deg), preload 1960 N", angles, lambda v: ("preload=1960 N", f"bearing.contact_angle={v} deg")),
-            ("place of the first ball (deg), 25 deg", places,
+    sets = [("contact angle (deg)", angles, lambda v: ("preload=1960 N", f"bearing.contact_angle={v} deg")),
+            ("angle of the first ball (deg)", places,
              lambda v: ("preload=1960 N", "bearing.contact_angle=25 deg", f"bearing.first_element_angle={v} deg")),
-            ("number of balls, 25 deg", balls,
+            ("number of balls (-)", balls,
              lambda v: ("preload=1960 N", "bearing.contact_angle=25 deg", f"bearing.balls={v}"))]
     for axis, (label, values, settings) in zip(axes, sets):
-        for stiffness, style in (("nonlinear", "-"), ("linear", ":")):
+        for stiffness, dashes in (("nonlinear", "-"), ("linear", ":")):
             curves = np.array([frequencies(program, f"stiffness={stiffness}", *settings(v)) for v in values])
             for k, kind in enumerate(KINDS):
-                axis.plot(values, curves[:, k], style, color=f"C{k}", lw=1.2, label=kind if style == "-" else None)
+                axis.plot(values, curves[:, k], dashes, color=COLOURS[k], lw=1.2, label=kind if dashes == "-" else None)
         axis.set(xlabel=label)
     axes[0].set_ylabel("natural frequency (Hz); dotted: linear")
-    axes[2].legend(fontsize=8)
-    figure.savefig(HERE / "geometry.png", dpi=90)
+    figure.legend(*axes[0].get_legend_handles_labels(), loc="outside upper center", ncols=5)
+    figure.savefig(HERE / "geometry.png")
 
 
 def over_speed(program):
     """Also prints the table of the text, of both arrangements."""
-    figure, axes = plt.subplots(1, 2, figsize=(11, 4.5), sharey=True, constrained_layout=True)
+    figure, axes = plt.subplots(1, 2, figsize=(style.WIDTH, 3.8), sharey=True)
     speeds = "operation.speeds=[" + ", ".join(f"{v} rpm" for v in range(0, 15001, 500)) + "]"
     for axis, arrangement in zip(axes, ("tandem", "face-to-face")):
         rows = call(program, "modes", f"arrangement={arrangement}", speeds)["over_speed"]
         for k, kind in enumerate(KINDS):
-            axis.plot([row["speed_rpm"] for row in rows], [row[f"{kind}_Hz"] for row in rows], color=f"C{k}", lw=1.2,
-                      ls="--" if kind in ("tilt_y", "radial_y") else "-", label=kind)
-        axis.set(title=f"7020C, {arrangement}, 540 N", xlabel="speed of the shaft (rpm)")
+            axis.plot([row["speed_rpm"] for row in rows], [row[f"{kind}_Hz"] for row in rows], color=COLOURS[k], lw=1.2,
+                      ls=DASHED.get(kind, "-"), zorder=2.2 if kind in DASHED else 2, label=kind)
+        axis.set(title=f"7020C, {arrangement}, 540 N", xlabel="shaft speed (rpm)")
+        style.thousands(axis.xaxis)
         for row in rows[::10]:
             print("| " + " | ".join([arrangement, f"{row['speed_rpm']:.0f}", *(f"{row[kind + '_Hz']:.0f}" for kind in KINDS),
                                      f"{row['inner_angle_deg']:.1f}, {row['outer_angle_deg']:.1f}",
                                      f"{row['inner_load_max_N']:.0f}, {row['outer_load_max_N']:.0f}"]) + " |")
     axes[0].set_ylabel("natural frequency (Hz)")
-    axes[1].legend(fontsize=8)
-    figure.savefig(HERE / "speed.png", dpi=90)
+    figure.legend(*axes[1].get_legend_handles_labels(), loc="outside upper center", ncols=5)
+    figure.savefig(HERE / "speed.png")
 
 
 def shapes_and_response(program, work):
     result = call(program, "run", "bearing.contact_angle=25 deg", "preload=830 N", more=("-o", str(work / "a5")))
     file = netCDF4.Dataset(next((work / "a5" / "points").glob("*.nc")))
-    figure, axes = plt.subplots(2, 5, figsize=(12, 6), constrained_layout=True)
+    figure, axes = plt.subplots(2, 5, figsize=(style.WIDTH, 5.2))
     lever = np.array([-85.0, 85.0])  # ends of the cylinder, from its mass centre
     for axis, mode in zip(axes[0], result["modes"]):
         shape = np.array(list(mode["shape"].values()))
         size = max(np.abs(shape[:3]).max(), 0.085 * np.abs(shape[3:]).max())
         across, tilt = (0, 3) if abs(shape[0]) + abs(shape[3]) >= abs(shape[1]) + abs(shape[4]) else (1, 4)
-        for scale, style in ((0.0, "--"), (30.0 / size, "-")):
+        for scale, dashes in ((0.0, "--"), (30.0 / size, "-")):
             along = lever + scale * shape[2]
             offset = scale * (shape[across] - 1e-3 * lever * shape[tilt])
             for edge in (-50, 50):
-                axis.plot(along, offset + edge, "k" + style, lw=0.8 if scale == 0 else 1.5)
+                axis.plot(along, offset + edge, "k" + dashes, lw=0.8 if scale == 0 else 1.5)
             for end in (0, 1):
-                axis.plot([along[end]] * 2, [offset[end] - 50, offset[end] + 50], "k" + style, lw=0.8 if scale == 0 else 1.5)
-        axis.set(title=f"{mode['kind']}, {mode['frequency_Hz']:.0f} Hz", aspect="equal", xlabel="z (mm)",
+                axis.plot([along[end]] * 2, [offset[end] - 50, offset[end] + 50], "k" + dashes, lw=0.8 if scale == 0 else 1.5)
+        axis.set(title=f"{mode['kind']}\n{mode['frequency_Hz']:.0f} Hz", aspect="equal", xlabel="z (mm)", xticks=(-100, 0, 100), yticks=(-100, 0, 100),
                  ylabel="xy"[across] + " (mm)", xlim=(-130, 130), ylim=(-130, 130))
     for axis in axes[1]:
         axis.remove()
@@ -131,9 +137,9 @@ def shapes_and_response(program, work):
         value = file[f"accelerance_{direction}_real"][:] + 1j * file[f"accelerance_{direction}_imaginary"][:]
         response.semilogy(file["frequency"][:], np.abs(value), label=direction, lw=1.2,
                           ls="--" if direction == "y" else "-")
-    response.set(xlim=(20, None), ylim=(1e-4, 50), xlabel="frequency (Hz)", ylabel="acceleration over force (1/kg)")
+    response.set(xlim=(20, None), ylim=(1e-4, 50), xlabel="frequency (Hz)", ylabel="acceleration / force (1/kg)")
     response.legend()
-    figure.savefig(HERE / "shapes.png", dpi=90)
+    figure.savefig(HERE / "shapes.png")
 
 
 def table(program):

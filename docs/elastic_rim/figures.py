@@ -6,15 +6,19 @@ import sys
 import tempfile
 from pathlib import Path
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import netCDF4
 import numpy as np
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "python"))
+from orbearing import style  # noqa: E402
+
+style.use()
+import matplotlib.pyplot as plt  # noqa: E402
+from matplotlib.ticker import MaxNLocator  # noqa: E402
+
 HERE = Path(__file__).parent
 CASE = HERE.parent.parent / "cases" / "reducer_150kW" / "case.yaml"
+COLOURS = {"rigid": style.BLACK, "elastic": style.VERMILION}
 SPEEDS = [1000, 6000, 12000]
 
 
@@ -24,34 +28,43 @@ def orbearing(program, *words):
 
 def life(program, work, axes):
     lives = {}
-    for rim, style in (("rigid", "--"), ("elastic", "-")):
+    for rim, dashes in (("rigid", "--"), ("elastic", "-")):
         orbearing(program, "sweep", CASE, "-o", work / rim, "--set", f"gearset.planet_rim={rim}")
         with open(work / rim / "sweep.csv", newline="") as file:
             rows = list(csv.DictReader(file))
         lives[rim] = {float(row["input_speed_rpm"]): float(row["life_h"]) for row in rows}
-        axes.semilogy(lives[rim].keys(), lives[rim].values(), style, label=f"{rim} rim")
+        axes.semilogy(lives[rim].keys(), lives[rim].values(), dashes, color=COLOURS[rim], label=f"{rim} rim")
     print("| input speed [rpm] | rigid [h] | elastic [h] | gain [%] |\n|---|---|---|---|")
     for speed in sorted(set(lives["rigid"]) & set(lives["elastic"])):
         if speed % 1000 == 0:
             rigid, elastic = lives["rigid"][speed], lives["elastic"][speed]
             print(f"| {speed:.0f} | {rigid:.0f} | {elastic:.0f} | {100 * (elastic / rigid - 1):+.1f} |")
     axes.set(xlabel="input speed (rpm)", ylabel="life of one bearing (h)")
+    style.speed_axis(axes)
+    style.life_axis(axes)
     axes.legend()
 
 
+def few_labels(axes):
+    """Angles in quarters, of which two are named; three circles, whose numbers are between two of the angles."""
+    axes.set_thetagrids(range(0, 360, 90), ("0°", "90°", "", ""))
+    axes.yaxis.set_major_locator(MaxNLocator(3))
+    axes.set_rlabel_position(45)
+
+
 def loads(program, work, speed, axes, form_axes):
-    for rim, style in (("rigid", "--"), ("elastic", "-")):
+    for rim, dashes in (("rigid", "--"), ("elastic", "-")):
         folder = work / f"{rim}{speed}"
         orbearing(program, "run", CASE, "-o", folder, "--quiet", "--set", f"gearset.planet_rim={rim}", "--set", f"input.speed={speed} rpm")
         with netCDF4.Dataset(next((folder / "points").glob("*.nc"))) as file:
             angle = np.append(file["angle"][:], file["angle"][0])
             load = np.append(file["outer_load"][:], file["outer_load"][0])
-            axes.plot(angle, load, style, label=f"{rim} rim")
+            axes.plot(angle, load, dashes, color=COLOURS[rim], label=f"{rim} rim")
             if rim == "elastic":
                 form = 1e6 * np.append(file["race_form"][:], file["race_form"][0])
                 form_axes.plot(angle, form, label=f"{speed} rpm")
-    axes.set_rlabel_position(60)
-    axes.set_title(f"{speed} rpm: roller on outer race (N)", fontsize=9)
+    few_labels(axes)
+    axes.set_title(f"roller load (N)\n{speed:,} rpm")
 
 
 def in_motion(program, speed, revolutions):
@@ -71,7 +84,7 @@ def in_motion(program, speed, revolutions):
 
 def main():
     program = sys.argv[1]
-    figure = plt.figure(figsize=(11, 7.5), constrained_layout=True)
+    figure = plt.figure(figsize=(9.0, 7.4))
     grid = figure.add_gridspec(2, 6)
     with tempfile.TemporaryDirectory() as folder:
         work = Path(folder)
@@ -79,10 +92,9 @@ def main():
         form = figure.add_subplot(grid[1, 3:], projection="polar")
         for place, speed in enumerate(SPEEDS):
             loads(program, work, speed, figure.add_subplot(grid[0, 2 * place:2 * place + 2], projection="polar"), form)
-        form.set_rlabel_position(30)
-        form.set_title("outward displacement of the race (um); 0 deg: away from the sun", fontsize=9)
-        form.legend(loc="lower left", bbox_to_anchor=(-0.25, -0.1), fontsize=8)
-        figure.axes[2].legend(loc="lower left", bbox_to_anchor=(-0.25, -0.15), fontsize=8)
+        few_labels(form)
+        form.set_title("outward displacement of the race (µm)\n0°: away from the sun")
+        form.legend(loc="upper left", bbox_to_anchor=(1.12, 1.0)).set_in_layout(False)
         modes = {}
         for rim in ("rigid", "elastic"):
             modes[rim] = json.loads(orbearing(program, "modes", CASE, "--json", "--set", f"gearset.planet_rim={rim}"))["modes"]
@@ -92,7 +104,7 @@ def main():
     print("\n| input speed [rpm] | rigid [h] | elastic [h] | gain [%] | scatter of a run, +- [%] | largest load [N] |\n|---|---|---|---|---|---|")
     for speed, revolutions in ((1000, 6), (3000, 12), (6000, 20), (12000, 40)):
         print(in_motion(program, speed, revolutions), flush=True)
-    figure.savefig(HERE / "reducer.png", dpi=90)
+    figure.savefig(HERE / "reducer.png")
 
 
 main()

@@ -10,10 +10,12 @@ import pathlib
 import sys
 import time
 
-import matplotlib
 import numpy as np
 
-matplotlib.use("Agg")
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "python"))
+from orbearing import style  # noqa: E402
+
+style.use()
 import matplotlib.pyplot as plt  # noqa: E402
 from planet_bearing import EXCHANGES, INTEGRATORS, Bearing, Bushing, duty_of, run_bearing, run_bushing  # noqa: E402
 
@@ -23,7 +25,8 @@ LONG = 5e-3  # [s]
 SHORT = 3e-4  # [s]  beyond some 0.5 ms neighbouring motions part, whatever the step
 FINE = 1e-7  # [s]
 ROOM = 3.0  # [-]  a run is stable while it does not swing wider than so many times a fine one
-COLOURS = dict(zip(EXCHANGES, ("#999999", "#d95f02", "#7570b3", "#1b9e77", "#000000", "#e7298a", "#a6761d")))
+COLOURS = dict(zip(EXCHANGES, style.SERIES))
+MARKERS = dict(zip(EXCHANGES, "osD^vPX"))
 
 
 def against_bushing(bearing, duty, place, seconds=0.03, size=4e-6):
@@ -42,18 +45,18 @@ def against_bushing(bearing, duty, place, seconds=0.03, size=4e-6):
     print(f"root mean square of the way about its mean, um: bushing {1e6 * on_bushing[steps // 2:].std(0)}, "
           f"FMU {1e6 * places[steps // 2:].std(0)}")
     times = 1e3 * size * np.arange(steps + 1)
-    figure, (way, load) = plt.subplots(2, 1, figsize=(8, 5.5), layout="constrained")
+    figure, (way, load) = plt.subplots(2, 1, figsize=(style.WIDTH, 5.4))
     last = times > times[-1] - 3.0
-    for which, name, colour in ((places, "FMU", "#1b9e77"), (on_bushing, "bushing", "#d95f02")):
+    for which, name, colour in ((places, "FMU", style.BLUE), (on_bushing, "bushing", style.VERMILION)):
         for axis, letter, dashes in ((1, "y", "-"), (0, "x", "--")):
             way.plot(times[last], 1e6 * which[last, axis], dashes, label=f"{name}, {letter}", color=colour, lw=1.0)
-    way.set(xlabel="time, ms", ylabel="planet from its pin, µm")
+    way.set(xlabel="time (ms)", ylabel="planet from its pin (µm)")
     for k in rollers:
         load.plot(times, watched[:, k - 1], lw=0.8, label=f"roller {k}")
-    load.set(xlabel="time, ms", ylabel="load on the pin, N")
+    load.set(xlabel="time (ms)", ylabel="load on the pin (N)")
     for axes in (way, load):
-        axes.legend(fontsize=8, loc="center left", bbox_to_anchor=(1.0, 0.5))
-    figure.savefig(HERE / "bearing_against_bushing.png", dpi=90)
+        axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+    figure.savefig(HERE / "bearing_against_bushing.png")
 
 
 def error(bearing, duty, place, fine, size, exchange, integrator):
@@ -89,7 +92,7 @@ def step_sizes(bearing, duty, place):
     path = run_bearing(bearing, duty, place, round(LONG / 1e-6), 1e-6, "half a step ahead, slopes")[0]
     swing = np.abs(path - place).max()
     print(f"swing {swing * 1e6:.3f} um; {LONG / 1e-6:.0f} steps of 1 us in {time.perf_counter() - begin:.2f} s")
-    figure, panels = plt.subplots(1, 2, figsize=(11, 4.5), layout="constrained", sharey=True)
+    figure, panels = plt.subplots(1, 2, figsize=(style.WIDTH, 4.6), sharey=True)
     for axes, integrator in zip(panels, INTEGRATORS):
         print(f"{integrator}: error at 1, 2, 5, 10, 20 us, um, and longest stable step, us")
         for exchange in EXCHANGES:
@@ -98,13 +101,12 @@ def step_sizes(bearing, duty, place):
             print(f"  {exchange:28s}", *(f"{1e6 * errors[SIZES.index(s)]:.4f}" for s in (1e-6, 2e-6, 5e-6, 10e-6, 20e-6)),
                   f"; {limit * 1e6:.0f}")
             shown = np.where([size <= limit for size in SIZES], errors, np.nan)
-            axes.loglog(1e6 * np.array(SIZES), 1e6 * shown, "o-", ms=3, color=COLOURS[exchange], label=exchange)
+            axes.loglog(1e6 * np.array(SIZES), 1e6 * shown, "-", marker=MARKERS[exchange], ms=4, color=COLOURS[exchange], label=exchange)
             axes.loglog(1e6 * np.array(SIZES), 1e6 * np.array(errors), ":", color=COLOURS[exchange], lw=0.8)
-        axes.set(xlabel="communication step, µs", title=integrator, ylim=(1e-4, 1e2))
-        axes.grid(which="both", lw=0.3)
-    panels[0].set_ylabel("error of the planet's place after 0.3 ms, µm")
-    panels[0].legend(fontsize=8)
-    figure.savefig(HERE / "step_size.png", dpi=90)
+        axes.set(xlabel="communication step (µs)", title=integrator, ylim=(1e-4, 1e2))
+    panels[0].set_ylabel("error of position after 0.3 ms (µm)")
+    figure.legend(*panels[0].get_legend_handles_labels(), loc="outside upper center", ncols=3)
+    figure.savefig(HERE / "step_size.png")
 
 
 def main():

@@ -17,9 +17,9 @@ import sys
 
 HERE = pathlib.Path(__file__).parent
 SPEEDS = sorted({*range(1000, 12001, 500), *range(5000, 7001, 50)})  # [rpm]
+NEAR = (5000, 7000)  # [rpm]  of the second picture
 DIP = (5400, 6400)  # [rpm]  where the second mesh harmonic meets the planets' mode
 ALLOWED = 0.05  # [-]
-BLUE, GREEN, GREY = "#1f77b4", "#2ca02c", "#999999"
 
 
 def lives(path):
@@ -33,6 +33,14 @@ def life(rows, speed):
 
 def dip_of(rows):
     return min((s for s in rows if DIP[0] <= s <= DIP[1]), key=lambda s: life(rows, s))
+
+
+def peak_below(rows, dip):
+    return max((s for s in rows if NEAR[0] <= s < dip), key=lambda s: life(rows, s))
+
+
+def peak_above(rows, dip):
+    return max((s for s in rows if dip < s <= NEAR[1]), key=lambda s: life(rows, s))
 
 
 def table(speeds, one_pass, one_way, one_system):
@@ -53,25 +61,32 @@ def table(speeds, one_pass, one_way, one_system):
 
 
 def picture(speeds, one_pass, one_way, one_system):
-    import matplotlib
+    sys.path.insert(0, str(HERE.resolve().parents[1] / "python"))
+    from orbearing import style
 
-    matplotlib.use("Agg")
+    style.use()
     import matplotlib.pyplot as plt
 
-    figure, (wide, near) = plt.subplots(1, 2, figsize=(11, 4.2), constrained_layout=True)
-    for axes, least, most in ((wide, 0, 99999), (near, 5000, 7000)):
-        for rows, style, colour, name in (
-            (one_pass, "--", GREY, "one way, one pass (d33b5f5)"),
-            (one_system, "-", BLUE, "one system"),
-            (one_way, "o", GREEN, "one way, bearing fitted"),
+    figure, (wide, near) = plt.subplots(2, 1, figsize=(style.WIDTH, 7.0))
+    for axes, least, most in ((wide, 0, 99999), (near, *NEAR)):
+        for rows, dashes, colour, name in (
+            (one_pass, "--", style.GREY, "one way, one pass (d33b5f5)"),
+            (one_system, "-", style.BLUE, "one system"),
+            (one_way, "o", style.VERMILION, "one way, bearing fitted"),
         ):
             shown = [s for s in (speeds if rows is one_way else SPEEDS) if least <= s <= most and s in rows]
-            axes.plot(shown, [life(rows, s) for s in shown], style, color=colour, label=name, markersize=4)
-        axes.set_xlabel("speed of the sun (rpm)")
+            axes.plot(shown, [life(rows, s) for s in shown], dashes, color=colour, label=name, markersize=4)
+        style.speed_axis(axes)
         axes.set_ylabel("life of one bearing (h)")
-        axes.grid(alpha=0.3)
-    near.legend(loc="lower left")
-    figure.savefig(HERE / "one_way.png", dpi=120)
+        style.thousands(axes.yaxis)
+    dip = dip_of(one_system)
+    for speed, what, at, side in ((peak_below(one_system, dip), "maximum", 50800, "right"), (dip, "dip: 2 x mesh frequency,\nmode of the planets", 36000, "right"),
+                                  (peak_above(one_system, dip), "maximum", 50800, "left")):
+        near.annotate(f"{what}\n{speed:,} rpm, {life(one_system, speed):,.0f} h", (speed, life(one_system, speed)), xytext=(speed, at), ha=side, va="bottom",
+                      arrowprops={"arrowstyle": "-", "color": style.GREY})
+    near.set_ylim(30000, 55000)
+    wide.legend(loc="upper right")
+    figure.savefig(HERE / "one_way.png")
 
 
 def main():

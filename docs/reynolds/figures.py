@@ -5,11 +5,13 @@ import sys
 import tempfile
 from pathlib import Path
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "python"))
+from orbearing import style  # noqa: E402
+
+style.use()
+import matplotlib.pyplot as plt  # noqa: E402
 
 HERE = Path(__file__).parent
 CASE = HERE.parent.parent / "cases" / "spin_film_guo2013" / "case.yaml"
@@ -42,30 +44,31 @@ def maps(program):
     """Film and pressure, without spin and with much of it."""
     spins = (0, 20000)
     _, found = films(program, [(20, 5, spin) for spin in spins], "film.solver=reynolds")
-    figure, axes = plt.subplots(1, 2, figsize=(8.5, 5.2), constrained_layout=True, sharey=True)
+    figure, axes = plt.subplots(1, 2, figsize=(style.WIDTH, 4.6), sharey=True)
     for axis, spin, (x, y, pressure, film, _) in zip(axes, spins, found):
         levels = np.linspace(0.2, 0.8, 25)
         drawn = axis.contourf(x, y, film, levels, extend="both", cmap="viridis")
         axis.contour(x, y, pressure, [0.05, 0.2, 0.4, 0.6], colors="white", linewidths=0.8)
-        axis.set(xlim=(-0.25, 0.15), ylim=(-0.4, 0.4), xlabel="x, along the rolling (mm)", title=f"spin {spin} rad/s")
+        axis.grid(False)
+        axis.set(xlim=(-0.25, 0.15), ylim=(-0.4, 0.4), xlabel="x, rolling direction (mm)", title=f"spin {spin} rad/s")
     axes[0].set_ylabel("y (mm)")
-    figure.colorbar(drawn, ax=axes, label="film (um)")
-    figure.savefig(HERE / "maps.png", dpi=90)
+    figure.colorbar(drawn, ax=axes, label="film (µm)")
+    figure.savefig(HERE / "maps.png")
 
 
 def over_spin(program):
     points = [(20, 5, spin) for spin in (0, 250, 500, 1000, 2000, 4000, 6000, 9000, 12000)]
     solved, _ = films(program, points, "film.solver=reynolds")
     regression, _ = films(program, points)
-    figure, axis = plt.subplots(figsize=(5.6, 3.6), constrained_layout=True)
+    figure, axis = plt.subplots(figsize=(style.WIDTH, 3.6))
     x = [float(row["spin_rad_s"]) for row in solved]
-    for key, colour in (("h_c_um", "C0"), ("h_min_um", "C1")):
-        label = "central" if key == "h_c_um" else "least"
+    for key, colour in (("h_c_um", style.BLACK), ("h_min_um", style.VERMILION)):
+        label = "central" if key == "h_c_um" else "minimum"
         axis.plot(x, [float(row[key]) for row in solved], "o-", color=colour, label=label + ", Reynolds")
         axis.plot(x, [float(row[key]) for row in regression], "--", color=colour, label=label + ", regression")
-    axis.set(xlabel="spin (rad/s)", ylabel="film (um)", title="20 N, 5 m/s, ellipticity 3", ylim=(0, None))
+    axis.set(xlabel="spin (rad/s)", ylabel="film (µm)", title="20 N, 5 m/s, ellipticity 3", ylim=(0, None))
     axis.legend()
-    figure.savefig(HERE / "spin.png", dpi=90)
+    figure.savefig(HERE / "spin.png")
 
 
 if __name__ == "__main__":

@@ -15,6 +15,7 @@ import re
 import shlex
 import subprocess
 import sys
+import textwrap
 from pathlib import Path
 
 import tutorial
@@ -61,7 +62,16 @@ def commands(_) -> str:
     front = program("--help")
     names = re.findall(r"^  ([a-z]+) {2,}", front.split("Subcommands:")[1], re.M)
     # Those that are Python need not be in every build.
-    return "\n\n".join([code(front), *(f"## orbearing {name}\n\n{code(program(name, '--help'))}" for name in names)])
+    def narrow(text):
+        """Lines of at most 96 letters; what an option means goes on below where it begins."""
+        lines = []
+        for line in text.splitlines():
+            found = re.match(r"  \S.*? {2,}(?=\S)", line)
+            lines += textwrap.wrap(line, 96, subsequent_indent=" " * (len(found[0]) if found else 2), drop_whitespace=True, replace_whitespace=False,
+                                   break_long_words=False, break_on_hyphens=False) or [""]
+        return "\n".join(lines)
+
+    return "\n\n".join([code(narrow(front)), *(f"## orbearing {name}\n\n{code(narrow(program(name, '--help')))}" for name in names)])
 
 
 def file(_, path: str, language: str = "text") -> str:
@@ -76,7 +86,7 @@ def inputs(_) -> str:
     for model, described in schema["$defs"].items():
         rows = [[f"`{path}`", cell(meaning), f"`{default}`" if default else ""] for path, meaning, default in _keys(described, "")]
         parts.append(f"## {model}\n\n" + table(["key", "meaning, what it takes", "default"], rows))
-    return "\n\n".join(parts)
+    return "\n\n".join(['<p class="key-filter"></p>', *parts])  # static/key_filter.js
 
 
 def _keys(described: dict, before: str):
@@ -115,12 +125,14 @@ def life_peak(folder: Path) -> str:
     matplotlib.use("Agg")
     import orbearing
     from matplotlib import pyplot
+    from orbearing import style
 
-    figure, axes = pyplot.subplots(figsize=(7.2, 4.0), layout="constrained")
     sweep = orbearing.load(orbearing.cases()["reducer_150kW"]).sweep()
-    sweep.plot(axes)
-    figure.savefig(folder / "life_peak.png", dpi=110, metadata={"Software": None})
-    pyplot.close(figure)
+    with style.context():
+        figure, axes = pyplot.subplots(figsize=(style.WIDTH, 4.0))
+        sweep.plot(axes)
+        figure.savefig(folder / "life_peak.png", dpi=style.DOTS, metadata={"Software": None})
+        pyplot.close(figure)
     peak = sweep.peak
     return (f"![Life of one planet bearing over input speed, 150 kW held constant](life_peak.png)\n\n"
             f"Longest life of a planet bearing of the 150 kW reducer: {peak['refined_life_h']:,.0f} h (`life_h`, quasi-static) "

@@ -5,10 +5,11 @@ import pathlib
 import subprocess
 import sys
 
-import matplotlib
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "python"))
+from orbearing import style  # noqa: E402
 
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
+style.use()
+import matplotlib.pyplot as plt  # noqa: E402
 
 HERE = pathlib.Path(__file__).resolve().parent
 CASE = HERE.parents[1] / "cases" / "reducer_150kW" / "case.yaml"
@@ -42,7 +43,7 @@ def over_two_periods(points):
 def draw(axes, name):
     stiffness, error = axes
     plain = mesh(name)
-    stiffness.plot(*over_two_periods([(f, 1e-6 * k) for f, k in plain["curve"]]), color="0.6", label="stepped")
+    stiffness.plot(*over_two_periods([(f, 1e-6 * k) for f, k in plain["curve"]]), color="0.6", linestyle="-", label="stepped")
     for power in POWERS:
         result = mesh(name, *LOADED, f"input.power={power}")
         found = result["transmission_error"]
@@ -52,11 +53,10 @@ def draw(axes, name):
                    label=label)
     found = plain["transmission_error"]
     error.plot(*over_two_periods([(f, (e - found["mean_um"]) / found["mean_um"]) for f, e in found["curve_um"]]),
-               color="0.6", zorder=0)
+               color="0.6", linestyle="-", zorder=0)
     stiffness.set(title=f"{name} and planet", ylim=(0.0, None))
-    error.set(xlabel="mesh periods")
+    error.set(xlabel="mesh periods (-)")
     for one in axes:
-        one.grid(alpha=0.3)
         one.set_xlim(0.0, 2.0)
 
 
@@ -79,13 +79,13 @@ def accelerations():
 
 
 def main():
-    figure, axes = plt.subplots(2, 2, figsize=(9.0, 5.6), layout="constrained", sharex=True)
+    figure, axes = plt.subplots(2, 2, figsize=(style.WIDTH, 5.2), sharex=True)
     for column, name in enumerate(("sun", "ring")):
         draw(axes[:, column], name)
-    axes[0, 0].set_ylabel("force over transmission error [N/µm]")
-    axes[1, 0].set_ylabel("transmission error\nless its mean, over its mean")
-    axes[0, 0].legend(frameon=False, ncols=2, fontsize="small", loc="lower center")
-    figure.savefig(HERE / "reducer.png", dpi=120)
+    axes[0, 0].set_ylabel("force / transmission error\n(N/µm)")
+    axes[1, 0].set_ylabel("(transmission error - mean) / mean\n(-)")
+    axes[0, 0].legend(ncols=2, loc="lower center", title="mean force of the mesh")
+    figure.savefig(HERE / "reducer.png")
     errors()
     accelerations()
 

@@ -7,8 +7,10 @@ import io
 import re
 import textwrap
 import warnings
+from pathlib import Path
 
 import matplotlib
+from cycler import cycler
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.figure import Figure
@@ -30,29 +32,21 @@ MOST_MARKERS = 60
 PANEL = (4.6, 3.7)
 STACK = (5.6, 6.6)
 
-RC = {
-    "font.family": "DejaVu Sans",
-    "font.size": 9.5,
-    "axes.titlesize": 10,
-    "axes.spines.top": False,
-    "axes.spines.right": False,
-    "axes.edgecolor": GREY,
-    "axes.grid": True,
-    "grid.color": "#e2e2e2",
-    "grid.linewidth": 0.6,
-    "axes.axisbelow": True,
-    "lines.linewidth": 1.6,
-    "lines.markersize": 5.5,
-    "legend.frameon": False,
-    "legend.fontsize": 8.5,
-    "legend.handlelength": 2.6,
-    "figure.facecolor": "white",
-    "figure.constrained_layout.use": True,
-    "svg.fonttype": "path",
-    "svg.hashsalt": "orbearing",
-    "text.parse_math": False,  # a case may have a dollar sign in its name
-    "axes.unicode_minus": True,
-}
+SHEET = Path(__file__).with_name("orbearing.mplstyle")
+RC = matplotlib.rc_params_from_file(SHEET, use_default_template=False)
+
+# [dot/inch] of pictures in documents, which are as wide as a page: 7.2 inch.
+DOTS = 130
+WIDTH = 7.2  # [inch]
+
+
+def use() -> None:
+    """For scripts that draw pictures of documents: the same look, without a screen; each curve has its own dashes, so that it survives grey print."""
+    matplotlib.rcdefaults()
+    matplotlib.use("agg")
+    matplotlib.rcParams.update(RC)
+    matplotlib.rcParams.update({"axes.prop_cycle": cycler(color=SERIES) + cycler(linestyle=DASHES), "savefig.dpi": DOTS,
+                               "text.parse_math": True})  # powers of ten on logarithmic axes
 
 
 def tilt_text(tilt) -> str:
