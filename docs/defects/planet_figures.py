@@ -51,9 +51,14 @@ def envelope(axes, data, view, marks):
     shown = (place > 8.0) & (place <= HIGHEST)
     axes.plot(place[shown], level[shown], linewidth=0.7, color=style.BLUE)
     top = level[shown].max()
-    for name, line in marks:
+    last = -np.inf
+    for name, line in sorted(marks, key=lambda mark: mark[1]):
         axes.axvline(line, color=style.VERMILION, linewidth=0.8, linestyle=(0, (2, 2)), zorder=0)
-        axes.text(line, 1.02 * top, name, rotation=90, fontsize=8.5, ha="center", va="bottom", color=style.BLACK)
+        # Names of lines that are close begin where the former one ends.
+        shown = max(line, last + 0.045 * HIGHEST)
+        axes.text(shown, 1.05 * top, name.replace(" ", ""), rotation=90, fontsize=8.5, ha="center", va="bottom", color=style.BLACK,
+                  bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.5})
+        last = shown
     axes.set_xlim(0.0, HIGHEST)
     axes.set_ylim(0.0, 1.6 * top)
     axes.set_xlabel("frequency (Hz)")

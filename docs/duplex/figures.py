@@ -42,7 +42,8 @@ def printed():
         settings = dict(setting.split("=") for setting in row.get("settings", []))
         if settings.get("stiffness") == "linear":
             pair = int(settings["bearing.contact_angle"].split()[0]), int(settings["preload"].split()[0])
-            table.setdefault(pair, {})[row["quantity"][:-3]] = row["value"]
+            mode = int(row["quantity"].split("/")[2])  # modes:/modes/MODE/frequency_Hz
+            table.setdefault(pair, {})[KINDS[mode]] = row["value"]
     return table
 
 

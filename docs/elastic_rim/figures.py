@@ -94,7 +94,7 @@ def main():
             loads(program, work, speed, figure.add_subplot(grid[0, 2 * place:2 * place + 2], projection="polar"), form)
         few_labels(form)
         form.set_title("outward displacement of the race (µm)\n0°: away from the sun")
-        form.legend(loc="upper left", bbox_to_anchor=(1.12, 1.0)).set_in_layout(False)
+        form.legend(loc="upper left", bbox_to_anchor=(-0.38, 0.36), handlelength=1.8).set_in_layout(False)
         modes = {}
         for rim in ("rigid", "elastic"):
             modes[rim] = json.loads(orbearing(program, "modes", CASE, "--json", "--set", f"gearset.planet_rim={rim}"))["modes"]

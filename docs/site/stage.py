@@ -63,11 +63,11 @@ def commands(_) -> str:
     names = re.findall(r"^  ([a-z]+) {2,}", front.split("Subcommands:")[1], re.M)
     # Those that are Python need not be in every build.
     def narrow(text):
-        """Lines of at most 96 letters; what an option means goes on below where it begins."""
+        """Lines of at most 88 letters; what an option means goes on below where it begins."""
         lines = []
         for line in text.splitlines():
             found = re.match(r"  \S.*? {2,}(?=\S)", line)
-            lines += textwrap.wrap(line, 96, subsequent_indent=" " * (len(found[0]) if found else 2), drop_whitespace=True, replace_whitespace=False,
+            lines += textwrap.wrap(line, 88, subsequent_indent=" " * (len(found[0]) if found else 2), drop_whitespace=True, replace_whitespace=False,
                                    break_long_words=False, break_on_hyphens=False) or [""]
         return "\n".join(lines)
 

@@ -32,7 +32,7 @@ MOST_MARKERS = 60
 PANEL = (4.6, 3.7)
 STACK = (5.6, 6.6)
 
-SHEET = Path(__file__).with_name("orbearing.mplstyle")
+SHEET = Path(__file__).resolve().with_name("orbearing.mplstyle")
 RC = matplotlib.rc_params_from_file(SHEET, use_default_template=False)
 
 # [dot/inch] of pictures in documents, which are as wide as a page: 7.2 inch.
