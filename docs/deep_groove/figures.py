@@ -48,7 +48,7 @@ def motor(program, work):
     axes[0, 1].set(xlabel="time (ms)", ylabel="largest load\non the cage (N)", yscale="symlog", ylim=(0, None))
     axes[1, 0].set(xlabel="time in the last 0.1 s (ms)", ylabel="load of one ball\non the inner race (N)")
     axes[1, 1].set(xlabel="centre of the cage\nalong the load (µm)", ylabel="across the load (µm)", aspect="equal")
-    figure.legend(*axes[0, 0].get_legend_handles_labels(), loc="outside upper center", ncols=2)
+    style.legend_on_top(figure, axes[0, 0], 2)
     figure.savefig(HERE / "motor.png")
 
 

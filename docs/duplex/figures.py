@@ -67,7 +67,7 @@ def over_preload(program, result):
     axes[1].plot([], [], "ko", label="measured")
     axes[1].plot([], [], "kx", label="calculated by the source")
     axes[1].plot([], [], "k:", label="linear, fitted to 7020C measured")
-    figure.legend(*axes[1].get_legend_handles_labels(), loc="outside upper center", ncols=3)
+    style.legend_on_top(figure, axes[1], 3)
     axes[1].set_yticks([200, 300, 500, 1000, 2000], ["200", "300", "500", "1000", "2000"])
     axes[1].yaxis.set_minor_formatter(NullFormatter())
     figure.savefig(HERE / "preload.png")
@@ -88,7 +88,7 @@ def over_geometry(program):
                 axis.plot(values, curves[:, k], dashes, color=COLOURS[k], lw=1.2, label=kind if dashes == "-" else None)
         axis.set(xlabel=label)
     axes[0].set_ylabel("natural frequency (Hz); dotted: linear")
-    figure.legend(*axes[0].get_legend_handles_labels(), loc="outside upper center", ncols=5)
+    style.legend_on_top(figure, axes[0], 5)
     figure.savefig(HERE / "geometry.png")
 
 
@@ -108,7 +108,7 @@ def over_speed(program):
                                      f"{row['inner_angle_deg']:.1f}, {row['outer_angle_deg']:.1f}",
                                      f"{row['inner_load_max_N']:.0f}, {row['outer_load_max_N']:.0f}"]) + " |")
     axes[0].set_ylabel("natural frequency (Hz)")
-    figure.legend(*axes[1].get_legend_handles_labels(), loc="outside upper center", ncols=5)
+    style.legend_on_top(figure, axes[1], 5)
     figure.savefig(HERE / "speed.png")
 
 

@@ -105,7 +105,7 @@ def step_sizes(bearing, duty, place):
             axes.loglog(1e6 * np.array(SIZES), 1e6 * np.array(errors), ":", color=COLOURS[exchange], lw=0.8)
         axes.set(xlabel="communication step (µs)", title=integrator, ylim=(1e-4, 1e2))
     panels[0].set_ylabel("error of position after 0.3 ms (µm)")
-    figure.legend(*panels[0].get_legend_handles_labels(), loc="outside upper center", ncols=3)
+    style.legend_on_top(figure, panels[0], 3)
     figure.savefig(HERE / "step_size.png")
 
 

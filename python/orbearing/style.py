@@ -108,6 +108,12 @@ def legend_above(axes: Axes, columns: int = 2, height: float = 1.02) -> None:
     axes.legend(loc="lower left", bbox_to_anchor=(0, height), borderaxespad=0, ncol=columns, columnspacing=1.4)
 
 
+def legend_on_top(figure: Figure, axes: Axes, columns: int, height: float = 0.09) -> None:
+    """One legend for all axes of a figure above them; `height` in heights of the figure."""
+    figure.get_layout_engine().set(rect=(0, 0, 1, 1 - height))
+    figure.legend(*axes.get_legend_handles_labels(), loc="upper center", ncols=columns)
+
+
 def shade(axes: Axes, across, where, label: str) -> None:
     """A pale background over the stretches of `across` that `where` marks, if any; the limits are those of the data so far."""
     if any(where):

@@ -46,11 +46,9 @@ def headline(report: Report) -> str:
                 f"{where}; the missing points may have longer ones.")
     if missing:
         return f"Peak not yet refined: the longest life of the points so far is {format_number(life, 3)} hours, {where}{HOW.get(report.fidelity, '')}."
-    if report.life_key != "life_h" and len(report.records("points")) > 1:
-        return f"The longest {report.life_key} of the planet bearing is {format_number(life, 3)} hours, {where}{HOW.get(report.fidelity, '')}."
     if len(report.records("points")) == 1:
-        return f"{_capital(where)} the planet bearing lives {format_number(life, 3)} hours (a single point, no peak)."
-    return f"The planet bearing lives longest {where}: {format_number(life, 3)} hours{HOW.get(report.fidelity, '')}."
+        return f"{_capital(report.life_key)} of the planet bearing {where}: {format_number(life, 3)} hours (a single point, no peak)."
+    return f"Longest {report.life_key} of the planet bearing {where}: {format_number(life, 3)} hours{HOW.get(report.fidelity, '')}."
 
 
 def summary_table(report: Report) -> Table:

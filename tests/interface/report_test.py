@@ -203,7 +203,7 @@ class MissingData(unittest.TestCase):
         content["fine"] = {}
         page = words_of(content)
         self.assertIn("a single point", page)
-        self.assertNotIn("lives longest", page)
+        self.assertNotIn("Longest life_h", page)
 
     def test_best_point_at_the_edge_is_said(self):
         content = fixture.make_report()

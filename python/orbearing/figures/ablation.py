@@ -22,14 +22,14 @@ def inertia_block(report: Report) -> FigureBlock:
     caption = ("Quasi-static. Each curve leaves out one inertial effect; dots mark the peaks. The lower picture shows the change of life against "
                "all effects together: above zero, life is overestimated without the effect. Its scale is linear up to 1 % and "
                "logarithmic beyond wherever effects of very unlike size meet.")
-    return _block(report, INERTIA, "Worth of the inertial terms", caption)
+    return _block(report, INERTIA, "Effect of the inertial terms", caption)
 
 
 def clearance_block(report: Report) -> FigureBlock:
     """Other clearances, film, and whatever else was varied."""
     caption = ("Quasi-static. Each curve changes clearance, film or another single assumption. Clearance narrows the load zone, so fewer rollers carry "
                "the same load; clearances are in diametral measure. Dots mark the peaks.")
-    return _block(report, CLEARANCE, "Worth of clearance and film", caption)
+    return _block(report, CLEARANCE, "Effect of clearance and film", caption)
 
 
 def group_of(entry: dict) -> str:

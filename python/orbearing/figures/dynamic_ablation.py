@@ -11,7 +11,7 @@ from orbearing.blocks import FigureBlock, Table, format_change, format_number, i
 from orbearing.figures.ablation import REFERENCE
 from orbearing.result_folder import Report, records, slip_of_set
 
-SLUG, TITLE = "dynamic-ablation", "Worth of effects in motion"
+SLUG, TITLE = "dynamic-ablation", "Effect of single terms in motion"
 LINEAR = 1.0  # [%] changes of life up to this stand on a linear scale, larger ones on a logarithmic one
 SPREAD = 0.8  # of the bars of one effect over the distance between effects
 ROW, LEGEND = 0.42, 0.3  # [inch] of each effect, of the legend above all panels
