@@ -47,7 +47,7 @@ def headline(report: Report) -> str:
     if missing:
         return f"Peak not yet refined: the longest life of the points so far is {format_number(life, 3)} hours, {where}{HOW.get(report.fidelity, '')}."
     if len(report.records("points")) == 1:
-        return f"{_capital(report.life_key)} of the planet bearing {where}: {format_number(life, 3)} hours (a single point, no peak)."
+        return f"Operating point: {report.life_key} of the planet bearing {where}: {format_number(life, 3)} hours (a single point, no peak)."
     return f"Longest {report.life_key} of the planet bearing {where}: {format_number(life, 3)} hours{HOW.get(report.fidelity, '')}."
 
 
