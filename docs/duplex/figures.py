@@ -14,7 +14,7 @@ from orbearing import style  # noqa: E402
 
 style.use()
 import matplotlib.pyplot as plt  # noqa: E402
-from matplotlib.ticker import NullFormatter  # noqa: E402
+from matplotlib.ticker import MaxNLocator, NullFormatter  # noqa: E402
 
 HERE = Path(__file__).parent
 CASE = HERE.parent.parent / "cases" / "duplex_7020"
@@ -67,7 +67,7 @@ def over_preload(program, result):
     axes[1].plot([], [], "ko", label="measured")
     axes[1].plot([], [], "kx", label="calculated by the source")
     axes[1].plot([], [], "k:", label="linear, fitted to 7020C measured")
-    style.legend_on_top(figure, axes[1], 3)
+    style.legend_on_top(figure, axes[1], 3, 0.17)
     axes[1].set_yticks([200, 300, 500, 1000, 2000], ["200", "300", "500", "1000", "2000"])
     axes[1].yaxis.set_minor_formatter(NullFormatter())
     figure.savefig(HERE / "preload.png")
@@ -102,6 +102,7 @@ def over_speed(program):
             axis.plot([row["speed_rpm"] for row in rows], [row[f"{kind}_Hz"] for row in rows], color=COLOURS[k], lw=1.2,
                       ls=DASHED.get(kind, "-"), zorder=2.2 if kind in DASHED else 2, label=kind)
         axis.set(title=f"7020C, {arrangement}, 540 N", xlabel="shaft speed (rpm)")
+        axis.xaxis.set_major_locator(MaxNLocator(4))
         style.thousands(axis.xaxis)
         for row in rows[::10]:
             print("| " + " | ".join([arrangement, f"{row['speed_rpm']:.0f}", *(f"{row[kind + '_Hz']:.0f}" for kind in KINDS),
@@ -128,7 +129,7 @@ def shapes_and_response(program, work):
                 axis.plot(along, offset + edge, "k" + dashes, lw=0.8 if scale == 0 else 1.5)
             for end in (0, 1):
                 axis.plot([along[end]] * 2, [offset[end] - 50, offset[end] + 50], "k" + dashes, lw=0.8 if scale == 0 else 1.5)
-        axis.set(title=f"{mode['kind']}\n{mode['frequency_Hz']:.0f} Hz", aspect="equal", xlabel="z (mm)", xticks=(-100, 0, 100), yticks=(-100, 0, 100),
+        axis.set(title=f"{mode['kind']}\n{mode['frequency_Hz']:.0f} Hz", aspect="equal", xlabel="z (mm)", xticks=(-100, 100), yticks=(-100, 0, 100),
                  ylabel="xy"[across] + " (mm)", xlim=(-130, 130), ylim=(-130, 130))
     for axis in axes[1]:
         axis.remove()
