@@ -82,13 +82,13 @@ def _assumptions(report: Report) -> str:
     rows = report.records("assumptions")
     if not rows:
         return _section("Assumptions", "<p>The case marks no value as assumed.</p>")
-    note = ("<p>Values the source does not give, why each was chosen, and what another choice would do to the quasi-static life at the best "
-            "grid speed; the table of worths below says from what to what.</p>")
-    cells = [(r.get("key"), r.get("value"), r.get("reason"), _worth(r)) for r in rows]
-    return _section("Assumptions", note + table(Table(("assumed", "value", "why", "worth"), cells)))
+    note = ("<p>Values that the source does not give, with reason. The effect is the change of the quasi-static life at the best grid speed under "
+            "another choice. The table of effects below states both choices.</p>")
+    cells = [(r.get("key"), r.get("value"), r.get("reason"), _effect(r)) for r in rows]
+    return _section("Assumptions", note + table(Table(("assumed", "value", "reason", "effect"), cells)))
 
 
-def _worth(row: dict) -> str:
+def _effect(row: dict) -> str:
     hours = row.get("worth_h")
     parts = [_hours(hours)] if is_number(hours) else []
     parts += [str(row["worth_text"])] if row.get("worth_text") else []
@@ -134,14 +134,14 @@ def _sensitivities(report: Report) -> str:
     rows = report.records("sensitivities")
     if not rows:
         return ""
-    names = ("assumption", "other reading", "peak (rpm)", "life at the peak (h)", "worth")
+    names = ("assumption", "other reading", "peak (rpm)", "life at the peak (h)", "effect")
     cells = [(row.get("assumption"), row.get("reading"), row.get("peak_speed_rpm"), row.get("peak_life_h"),
               _hours(row["worth_h"]) if is_number(row.get("worth_h")) else None) for row in rows]
     first = next((row for row in rows if is_number(row.get("peak_life_h")) and is_number(row.get("worth_h"))), None)
     base = f", {format_quantity(first['peak_life_h'] - first['worth_h'], 'h')} as the case stands" if first else ""
-    note = ("<p>The quasi-static sweep over the grid of speeds with one assumption read otherwise; worth is the change of the life at its best "
-            f"grid speed{base}.</p>")
-    return _section("What each assumption is worth", note + table(Table(names, cells)))
+    note = ("<p>The quasi-static sweep over the grid of speeds with another reading of one assumption. The effect is the change of the life at its "
+            f"best grid speed{base}.</p>")
+    return _section("Effect of each assumption", note + table(Table(names, cells)))
 
 
 def _percent(value: Any) -> Any:

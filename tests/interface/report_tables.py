@@ -432,9 +432,9 @@ class OfPages(unittest.TestCase):
                                                                    ["[A]", "load (N)", "100", "103", "+3.0 %", "5.0 %", "reproduced"]])
         self.assertEqual(self.text_table(page._validation(moving_one))[1][-1], "99")
         text = page._sensitivities(still)
-        self.assertEqual(self.text_table(text), [["assumption", "other reading", "peak (rpm)", "life at the peak (h)", "worth"], ["film", "thin", "5,555", "40,000", "−2,000 h"]])
+        self.assertEqual(self.text_table(text), [["assumption", "other reading", "peak (rpm)", "life at the peak (h)", "effect"], ["film", "thin", "5,555", "40,000", "−2,000 h"]])
         self.assertIn("speed, 42,000 h as the case stands", text)
-        self.assertEqual(self.text_table(page._assumptions(still)), [["assumed", "value", "why", "worth"], ["a.b", "1 mm", "why", "+1,234 h: thicker"]])
+        self.assertEqual(self.text_table(page._assumptions(still)), [["assumed", "value", "reason", "effect"], ["a.b", "1 mm", "why", "+1,234 h: thicker"]])
         content["points"][2].update(life_h=None, status="jams")
         self.assertEqual(self.text_table(page._failed(still)), [["input speed (rpm)", "reason"], ["3,000", "jams"]])
 

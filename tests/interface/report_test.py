@@ -128,7 +128,7 @@ class CompletePage(unittest.TestCase):
         self.assertIn("<th scope=\"col\">quasi-static</th>", table)
         self.assertIn("<th scope=\"col\">monolithic</th>", table)
         self.assertIn("40,123", table)
-        worths = re.search(r"<h2>What each assumption is worth</h2>.*?</section>", page, re.S).group(0)
+        worths = re.search(r"<h2>Effect of each assumption</h2>.*?</section>", page, re.S).group(0)
         self.assertIn("0 h", worths)
         self.assertNotIn("e\u2212", worths)  # round-off is no worth
 
