@@ -6,12 +6,14 @@ commands is tried every day, the pages by tools/test --full: tutorials.py runs w
 ORBEARING and ORBEARING_SOURCE_DIR.
 """
 
+import contextlib
 import importlib.util
 import json
 import os
 import pathlib
 import re
 import shlex
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -30,6 +32,36 @@ LONGEST_README, LONGEST_LINE = 90, 120
 # Terms that a reader searches for: the site's index of words lists each for the glossary.
 TERMS = ("L10h", "L10rh", "L10mh", "L10mrh", "BPFO", "BPFI", "BSF", "FTF", "K_gamma", "K_A", "kappa", "e_C", "a_ISO", "S0", "C0", "Cu",
          "load zone", "skidding", "torque", "clearance")
+
+
+# Pages that are looked at in a browser, on a phone and on two screens; what a reader searches, and the page that must be among what is found.
+IN_BROWSER = ("docs/index", "docs/guide/questions", "docs/guide/glossary", "docs/guide/commands", "docs/guide/case_files", "docs/guide/installation",
+              "docs/guide/python", "docs/peak", "docs/iso_life", "docs/tutorials/first_case")
+WIDTHS = (360, 1200, 1600)
+SEARCHED = ("L10h", "BPFO", "K_gamma", "load zone", "skidding", "torque", "kappa", "clearance", "L10mrh", "a_ISO")
+SECONDS = 60  # a machine that computes other things besides
+# Elements that reach beyond the window and stand in no box that scrolls.
+CUT_OFF = """const w = document.documentElement.clientWidth;
+const scrolls = (e) => e && (["auto", "scroll"].includes(getComputedStyle(e).overflowX) && e.getBoundingClientRect().right <= w + 1 || scrolls(e.parentElement));
+return [...document.querySelectorAll("body *")].filter((e) => e.getBoundingClientRect().width && e.getBoundingClientRect().right > w + 1
+  && !scrolls(e.parentElement)).map((e) => e.tagName + " " + e.textContent.slice(0, 40));"""
+
+
+@contextlib.contextmanager
+def browser():
+    """Chromium without a window; the test is skipped where it or selenium is missing."""
+    chromium, driver = shutil.which("chromium"), shutil.which("chromedriver")
+    if importlib.util.find_spec("selenium") is None or not (chromium and driver):
+        raise unittest.SkipTest("selenium, chromium or chromium-driver is missing")
+    from selenium import webdriver
+    from selenium.webdriver.chrome.service import Service
+
+    options = webdriver.ChromeOptions()
+    options.binary_location = chromium
+    for word in ("--headless=new", "--no-sandbox", "--disable-gpu", "--hide-scrollbars", "--allow-file-access-from-files"):
+        options.add_argument(word)
+    with webdriver.Chrome(options=options, service=Service(driver)) as opened:
+        yield opened
 
 
 def stage_module():
@@ -125,6 +157,42 @@ class Site(unittest.TestCase):
         for word in (word for term in TERMS for word in term.split()):
             found = [index[part].get(stem(word.lower()), []) for part in ("terms", "titleterms")]
             self.assertTrue(any(glossary in (pages if isinstance(pages, list) else [pages]) for pages in found), word)
+
+    def test_in_a_browser_nothing_is_cut_off(self):
+        with browser() as opened:
+            for width in WIDTHS:
+                opened.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {"width": width, "height": 1000, "deviceScaleFactor": 1, "mobile": width < 500})
+                for name in IN_BROWSER:
+                    with self.subTest(page=name, width=width):
+                        opened.get((self.html / f"{name}.html").as_uri())
+                        self.assertEqual(opened.execute_script(CUT_OFF), [])
+
+    def test_in_a_browser_the_search_finds_the_terms(self):
+        with browser() as opened:
+            from selenium.webdriver.common.by import By
+            from selenium.webdriver.support.ui import WebDriverWait
+
+            for term in SEARCHED:
+                with self.subTest(term):
+                    opened.get(f"{(self.html / 'search.html').as_uri()}?q={term.replace(' ', '+')}")
+                    WebDriverWait(opened, SECONDS).until(lambda page: "finished" in page.find_element(By.CSS_SELECTOR, "p.search-summary").text)
+                    found = [link.get_attribute("href") for link in opened.find_elements(By.CSS_SELECTOR, "#search-results ul.search li a")]
+                    self.assertTrue(any("docs/guide/glossary.html" in address for address in found), found[:5])
+
+    def test_in_a_browser_keys_are_filtered(self):
+        shown = "return [...document.querySelectorAll('section tbody tr')].filter((e) => e.offsetParent).map((e) => e.textContent)"
+        with browser() as opened:
+            from selenium.webdriver.common.by import By
+            from selenium.webdriver.support.ui import Select
+
+            opened.get((self.html / "docs/guide/case_files.html").as_uri())
+            every = len(opened.execute_script(shown))
+            opened.find_element(By.CSS_SELECTOR, "p.key-filter input").send_keys("clearance bearing")
+            found = [text for text in opened.execute_script(shown) if "bearing." in text]
+            self.assertTrue(0 < len(found) < every / 4, f"{len(found)} of {every}")
+            Select(opened.find_element(By.CSS_SELECTOR, "p.key-filter select")).select_by_value("duplex-pair")
+            self.assertLess(len([text for text in opened.execute_script(shown) if "bearing." in text]), len(found))
+            self.assertFalse(any("gearset." in text for text in opened.execute_script(shown)))
 
     def test_every_command_and_key_has_its_place(self):
         commands = self.page("docs/guide/commands.html")
