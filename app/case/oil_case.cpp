@@ -96,8 +96,8 @@ bearing::Lubricant graded_lubricant(const ResolvedCase& in) {
 }
 
 double graded_viscosity_slope(const ResolvedCase& in) {
-  return bearing::viscosity_slope(
-      {viscosity_40_of(in.choice(kGrade)), in.number(kIndex), oil_density(in)}, in.quantity(kTemperature));
+  return bearing::viscosity_slope({viscosity_40_of(in.choice(kGrade)), in.number(kIndex), oil_density(in)},
+                                  in.quantity(kTemperature));
 }
 
 void fill_from_grade(CaseData& data, Model model) {

@@ -63,7 +63,9 @@ void check_balls(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
 
 // Formulas that go by the flow, the speed and the size.
 void check_oil_supply(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
-  const auto is = [&](const char* path, const char* value) { return in.has(path) && in.choice(path) == value; };
+  const auto is = [&](const char* path, const char* value) {
+    return in.has(path) && in.choice(path) == value;
+  };
   const auto on = [&](const char* path) { return in.has(path) && in.flag(path); };
   const auto flows = [&] { return in.has("lubricant.flow") && in.quantity("lubricant.flow") > 0.0; };
   const bool filled = on("drag.enabled") && is("lubricant.fill", "parker");

@@ -76,10 +76,12 @@ void describe(Record& record, const FrictionStudy& study) {
   const friction::RollingFriction& loss = study.loss;
   record.value("power_W", dimension::heat, "friction at pure rolling, in all", loss.total());
   record.value("torque_N_mm", dimension::small_torque, "the same over the speed", study.torque());
-  record.value("rolling_W", dimension::heat,
-               "shear of the oil at the inlets, which it warms; of rollers as far as the mixture's oil reaches",
-               loss.rolling);
-  record.value("flooded_rolling_W", dimension::heat, "the same with oil at any distance", loss.flooded_rolling);
+  record.value(
+      "rolling_W", dimension::heat,
+      "shear of the oil at the inlets, which it warms; of rollers as far as the mixture's oil reaches",
+      loss.rolling);
+  record.value("flooded_rolling_W", dimension::heat, "the same with oil at any distance",
+               loss.flooded_rolling);
   record.value("isothermal_rolling_W", dimension::heat, "the same if its shear did not warm it either",
                loss.isothermal_rolling);
   record.value("idle_W", dimension::heat, "of it: of elements outside the load zone, on the outer race",
@@ -138,10 +140,9 @@ std::optional<FrictionStudy> friction_study(const ResolvedCase& in, const bearin
   const std::optional<friction::BearingSize> size = size_of(in);
   const friction::Inlets inlets{oil->viscosity_slope, true};
   if (bearing.has_rollers())
-    return FrictionStudy{
-        friction::roller_friction(size ? with_rings(bearing, *size) : bearing, balance.contact_load, speeds,
-                                  oil->lubricant, inlets),
-        speed};
+    return FrictionStudy{friction::roller_friction(size ? with_rings(bearing, *size) : bearing,
+                                                   balance.contact_load, speeds, oil->lubricant, inlets),
+                         speed};
   if (!size || balance.inner_rolling.size() == 0) return std::nullopt;
   return FrictionStudy{friction::ball_friction(with_rings(bearing, *size), balance, ring_load_of(in), speeds,
                                                oil->lubricant, inlets),

@@ -26,7 +26,7 @@ struct FrictionByStandards {
   bearing::friction::BearingSize size;
   bearing::friction::PartedTorque palmgren, gear_unit;
   bearing::friction::SkfTorque skf;
-  double speed = 0.0;    // [rad/s]
+  double speed = 0.0;       // [rad/s]
   double ours = 0.0;        // [N m]
   double rolling = 0.0;     // [N m]  of it: resistance to rolling
   double isothermal = 0.0;  // [N m]  that resistance without heating of the inlets

@@ -84,7 +84,8 @@ struct LimitingShear {
     using namespace mechanics;
     const auto at = [&](const auto& exponent) {
       const auto log_film = film.log_uncapped(larger(contact.log_load, film.log_cap_load), contact.log_speed);
-      const auto scale = exponential(0.5 * contact.log_load - exponent + log_film + log_scale) + sliding_scale;
+      const auto scale =
+          exponential(0.5 * contact.log_load - exponent + log_film + log_scale) + sliding_scale;
       return contact.load * (friction * saturated(sliding / scale));
     };
     if (by_roelands) return at(roelands.at(root(contact.load) * roelands_pressure));
@@ -221,7 +222,8 @@ struct InletHeatingScale {
 
   template <class Parameters, class Contact>
   static InletHeatingScale of(const Parameters& given, const Contact& contact) {
-    return {mechanics::logarithm(given.viscosity_slope * contact.lubricant.viscosity / given.oil_conductivity)};
+    return {
+        mechanics::logarithm(given.viscosity_slope * contact.lubricant.viscosity / given.oil_conductivity)};
   }
 };
 
@@ -276,7 +278,8 @@ struct FrictionLaws : FrictionChoice, FrictionNumbers<Number> {
     laws.computed.log_factor += mechanics::logarithm(given.rolling_share);
     laws.rolling_resistance =
         given.rolling_resistance && (laws.computed_rolling ? oil : laws.rolling.factor > 0.0);
-    laws.inlet_heating = oil && given.inlet_heating == Heating::goksem_hargreaves && given.viscosity_slope > 0.0;
+    laws.inlet_heating =
+        oil && given.inlet_heating == Heating::goksem_hargreaves && given.viscosity_slope > 0.0;
     if (laws.inlet_heating) laws.heating = InletHeatingScale<Number>::of(given, contact);
     return laws;
   }

@@ -1,5 +1,5 @@
-// Resistance of the oil at the inlet of a ball's contact to rolling. Written once for plain numbers and packs. No
-// header of a library here.
+// Resistance of the oil at the inlet of a ball's contact to rolling. Written once for plain numbers and
+// packs. No header of a library here.
 //
 //   F = F_1 u^m Q^n (1 + (A/B)^s)^(-1/s):   the force on each surface, of which the couple is 2 R_x F
 //
@@ -14,9 +14,9 @@ namespace orbearing::bearing {
 
 /// Powers of speed and load, the blend with the second power law among them.
 struct PointRolling {
-  double speed = 0.66;   // [-]  m
-  double load = 0.47;    // [-]  n
-  double blend = 0.0;    // [-]  s; 0: one power law alone
+  double speed = 0.66;       // [-]  m
+  double load = 0.47;        // [-]  n
+  double blend = 0.0;        // [-]  s; 0: one power law alone
   double log_ratio = 0.0;    // [-]  ln (A/B)^s at 1 m/s and 1 N
   double ratio_speed = 0.0;  // [-]
   double ratio_load = 0.0;   // [-]

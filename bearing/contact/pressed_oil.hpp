@@ -1,7 +1,8 @@
 // Growth of the oil's viscosity with the pressure, after Roelands. Written once for plain numbers, packs and
 // both with their slopes. No header of a library here.
 //
-//   ln(eta/eta_0) = (ln eta_0 + 9.67) ((1 + p/p_r)^Z - 1),   Z = alpha p_r/(ln eta_0 + 9.67),  p_r = 0.196 GPa
+//   ln(eta/eta_0) = (ln eta_0 + 9.67) ((1 + p/p_r)^Z - 1),   Z = alpha p_r/(ln eta_0 + 9.67),  p_r = 0.196
+//   GPa
 //
 // [Roelands1966]: alpha is the slope at no pressure, as it is in Barus' exponent alpha p. Beyond some 0.5 GPa
 // Barus is far above it (alpha p = 15 for 8.7 at 1 GPa, 0.02 Pa s), which is why that exponent is held.

@@ -202,13 +202,15 @@ WarmState warm_oil(const HeatParameters& heat, double flow, const bearing::balls
 
 // Heat falls as the oil warms, some tenths as fast as would hold it: each temperature leads to the next, by
 // short runs and then by whole ones.
-BallRunResult run_to_outlet(const bearing::Bearing& bearing, const bearing::balls::MotionParameters& parameters,
+BallRunResult run_to_outlet(const bearing::Bearing& bearing,
+                            const bearing::balls::MotionParameters& parameters,
                             const bearing::balls::BallDuty& duty,
-                            const bearing::rating::ContactCapacities& capacities, const BallRunOptions& options,
-                            const HeatParameters& heat, std::vector<WarmState>& warming,
-                            const std::function<void(double)>& progress) {
+                            const bearing::rating::ContactCapacities& capacities,
+                            const BallRunOptions& options, const HeatParameters& heat,
+                            std::vector<WarmState>& warming, const std::function<void(double)>& progress) {
   const double flow = parameters.mixture.flow;
-  mechanics::require(flow > 0.0, "flow of oil [m^3/s]", flow, "more than 0 where the oil takes the heat along");
+  mechanics::require(flow > 0.0, "flow of oil [m^3/s]", flow,
+                     "more than 0 where the oil takes the heat along");
   warming = {{0.0, Eigen::VectorXd::Constant(kWarmBodies, heat.inlet), Eigen::VectorXd::Zero(kWarmBodies)}};
   bearing::balls::MotionParameters warm = parameters;
   BallRunOptions look = look_of(options);
@@ -238,11 +240,12 @@ BallRunResult run_to_outlet(const bearing::Bearing& bearing, const bearing::ball
 
 }  // namespace
 
-BallRunResult run_heated_balls(const bearing::Bearing& bearing, const bearing::balls::MotionParameters& parameters,
+BallRunResult run_heated_balls(const bearing::Bearing& bearing,
+                               const bearing::balls::MotionParameters& parameters,
                                const bearing::balls::BallDuty& duty,
-                               const bearing::rating::ContactCapacities& capacities, const BallRunOptions& options,
-                               const HeatParameters& heat, std::vector<WarmState>& warming,
-                               const std::function<void(double)>& progress) {
+                               const bearing::rating::ContactCapacities& capacities,
+                               const BallRunOptions& options, const HeatParameters& heat,
+                               std::vector<WarmState>& warming, const std::function<void(double)>& progress) {
   if (heat.model == HeatModel::oil)
     return run_to_outlet(bearing, parameters, duty, capacities, options, heat, warming, progress);
   const ThermalNetwork network = thermal_network(bearing::balls::ball_numbers(bearing, parameters), heat);

@@ -59,16 +59,16 @@ constexpr described::Names<HeatModel, 2> names_of(HeatModel) {
 struct HeatParameters {
   bool on = false;
   HeatModel model = HeatModel::network;
-  double surroundings = 25.0;  // [degC]
-  double contact = 2.0;        // [W/K]  of balls to each ring
-  double to_oil = 3.0;         // [W/K]  of balls and of each ring to the oil
-  double fit = 20.0;           // [W/K]  of outer ring to housing
-  double housing = 3.0;        // [W/K]  of housing to surroundings
-  double shaft = 1.0;          // [W/K]  of inner ring by the shaft to surroundings
-  double inlet = 40.0;         // [degC]  of the oil that flows in
-  double stated_at = 70.0;     // [degC]  at which lubricant.viscosity holds
-  double expansion = 11.5e-6;  // [1/K]  of rings and balls
-  double sizes_at = 20.0;      // [degC]  at which sizes and clearance hold
+  double surroundings = 25.0;       // [degC]
+  double contact = 2.0;             // [W/K]  of balls to each ring
+  double to_oil = 3.0;              // [W/K]  of balls and of each ring to the oil
+  double fit = 20.0;                // [W/K]  of outer ring to housing
+  double housing = 3.0;             // [W/K]  of housing to surroundings
+  double shaft = 1.0;               // [W/K]  of inner ring by the shaft to surroundings
+  double inlet = 40.0;              // [degC]  of the oil that flows in
+  double stated_at = 70.0;          // [degC]  at which lubricant.viscosity holds
+  double expansion = 11.5e-6;       // [1/K]  of rings and balls
+  double sizes_at = 20.0;           // [degC]  at which sizes and clearance hold
   double housing_capacity = 400.0;  // [J/K]
   double oil_capacity = 5.0;        // [J/K]  of the oil in the bearing
 };
@@ -159,10 +159,10 @@ inline constexpr double kOutletError = 2.0;
 std::vector<WarmState> warm_to_steady(const ThermalNetwork& network, const HeatSource& source,
                                       const Eigen::VectorXd& start, double error = 0.5, double steady = 0.05);
 
-/// Runs the bearing at the temperatures it takes on. `warming` gets the way there. With the oil alone all bodies
-/// have its outlet's temperature and the sizes that are stated; `warming` then has no time. Its last two states
-/// are the one of which the run has the viscosity and the one to which its heat leads: `kOutletError` apart at
-/// most, or the run says that it did not settle.
+/// Runs the bearing at the temperatures it takes on. `warming` gets the way there. With the oil alone all
+/// bodies have its outlet's temperature and the sizes that are stated; `warming` then has no time. Its last
+/// two states are the one of which the run has the viscosity and the one to which its heat leads:
+/// `kOutletError` apart at most, or the run says that it did not settle.
 BallRunResult run_heated_balls(const bearing::Bearing& bearing,
                                const bearing::balls::MotionParameters& parameters,
                                const bearing::balls::BallDuty& duty,

@@ -53,7 +53,7 @@ TEST(ChenMotor, LivesSlipAndImpactsGoAsTheSourceHasThem) {
   EXPECT_NEAR(all[0].run.pocket_load_max / all[2].run.pocket_load_max, 1.0, 0.1);
 }
 
-// Untuned: within 20 % of the measurement at all speeds, and some scatter of a shorter run. Oil that goes round takes
+// Untuned: within 21 % of the measurement at all speeds, and some scatter of a shorter run. Oil that goes round takes
 // less than at rest, and its heat does not grow the fastest.
 TEST(Nasa35mm, HeatIsWithinAFifthAndScatter) {
   const std::pair<const char*, double> measured[] = {

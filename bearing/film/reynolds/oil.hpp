@@ -57,8 +57,8 @@ class OilUnderPressure {
  private:
   static constexpr double kLogReference = RoelandsExponent<double>::kLogReference;
   static constexpr double kInversePressure = RoelandsExponent<double>::kInversePressure;
-  static constexpr double kDensityRise = 0.6e-9;      // [1/Pa]
-  static constexpr double kDensityLimit = 1.7e-9;     // [1/Pa]
+  static constexpr double kDensityRise = 0.6e-9;   // [1/Pa]
+  static constexpr double kDensityLimit = 1.7e-9;  // [1/Pa]
 
   bool compressible_;
   double log_range_;  // [-]  ln of the viscosity over Roelands' reference

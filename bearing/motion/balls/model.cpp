@@ -34,17 +34,18 @@ constexpr double kLeastViscosity = 1e-5;  // [Pa s]  where there is no oil
 
 ShearParameters shear_parameters(const MotionParameters& given) {
   const motion::RaceContactParameters& race = given.race;
-  return {.law = shear_law(race.traction),
-          .friction = race.friction,
-          .sliding_scale = race.sliding_scale,
-          .limiting_friction = race.limiting_friction,
-          .eyring_stress = given.ellipse.eyring_stress,
-          .viscosity = given.lubricant.viscosity,
-          .pressure_viscosity = given.lubricant.pressure_viscosity,
-          .largest_exponent = race.largest_barus_exponent,
-          .by_roelands = race.pressure_law == motion::PressureLaw::roelands && given.lubricant.viscosity > 0.0,
-          .roelands = RoelandsExponent<double>::of(std::max(given.lubricant.viscosity, kLeastViscosity),
-                                                   given.lubricant.pressure_viscosity)};
+  return {
+      .law = shear_law(race.traction),
+      .friction = race.friction,
+      .sliding_scale = race.sliding_scale,
+      .limiting_friction = race.limiting_friction,
+      .eyring_stress = given.ellipse.eyring_stress,
+      .viscosity = given.lubricant.viscosity,
+      .pressure_viscosity = given.lubricant.pressure_viscosity,
+      .largest_exponent = race.largest_barus_exponent,
+      .by_roelands = race.pressure_law == motion::PressureLaw::roelands && given.lubricant.viscosity > 0.0,
+      .roelands = RoelandsExponent<double>::of(std::max(given.lubricant.viscosity, kLeastViscosity),
+                                               given.lubricant.pressure_viscosity)};
 }
 
 // Radius of the ball and the race in the direction of rolling, that of the race where it is touched.
@@ -76,8 +77,7 @@ RollingLaw regression(const OiledPoint& oil) {
   const double area = oil.modulus * oil.rolling_radius * oil.rolling_radius;
   return {2.0 * oil.rolling_radius * 2.86 * area * std::pow(oil.axis_ratio, 0.348) *
               std::pow(oil.pressure_viscosity * oil.modulus, 0.022) *
-              std::pow(oil.viscosity / (oil.modulus * oil.rolling_radius), 0.66) *
-              std::pow(1.0 / area, 0.47),
+              std::pow(oil.viscosity / (oil.modulus * oil.rolling_radius), 0.66) * std::pow(1.0 / area, 0.47),
           {}};
 }
 
@@ -86,9 +86,9 @@ RollingLaw computed(const OiledPoint& oil) {
   constexpr PowerLaw rigid{0.405, 0.240, 0.0, 0.5, 0.5}, elastic{36.1, 0.781, -0.200, 0.750, 0.349};
   constexpr double blend = 3.0;
   const double one = rigid.log_at_one(oil);
-  RollingLaw found{2.0 * oil.rolling_radius * oil.modulus * oil.rolling_radius * oil.rolling_radius *
-                       std::exp(one),
-                   {.speed = rigid.speed, .load = rigid.load}};
+  RollingLaw found{
+      2.0 * oil.rolling_radius * oil.modulus * oil.rolling_radius * oil.rolling_radius * std::exp(one),
+      {.speed = rigid.speed, .load = rigid.load}};
   if (oil.pressure_viscosity > 0.0)
     found.law = {.speed = rigid.speed,
                  .load = rigid.load,

@@ -50,7 +50,8 @@ TEST(OilSupply, ChangesWhatIsAskedForAlone) {
   const balls::MotionParameters both = supplied(bearing, given, speed);
   EXPECT_DOUBLE_EQ(both.drag.oil_share, balls::filled_share(1e-5, bearing.pitch_diameter, speed));
   const double viscosity = given.lubricant.viscosity / given.drag.oil_density;
-  EXPECT_DOUBLE_EQ(both.race.rolling_share, starvation_factor(20e-3, 52e-3, 3.1, {.speed = speed, .viscosity = viscosity}));
+  EXPECT_DOUBLE_EQ(both.race.rolling_share,
+                   starvation_factor(20e-3, 52e-3, 3.1, {.speed = speed, .viscosity = viscosity}));
   EXPECT_LT(both.race.rolling_share, 1.0);
 }
 
@@ -92,7 +93,8 @@ TEST(InletHeating, OfRollersLowersTheResistanceByTheShareWithItsSlopes) {
   for (const double speed : {0.5, 5.0, 40.0}) {
     const double log_speed = std::log(speed), loading = 0.03 * 0.01 * speed * speed / 0.14;
     const auto at = [&](double u) { return warm.inlet(300.0, speed, u); };
-    EXPECT_NEAR(at(log_speed), cold.inlet(300.0, speed, log_speed) / (1.0 + 0.29 * std::pow(loading, 0.78)), 1e-12);
+    EXPECT_NEAR(at(log_speed), cold.inlet(300.0, speed, log_speed) / (1.0 + 0.29 * std::pow(loading, 0.78)),
+                1e-12);
     const auto force = warm.inlet(mechanics::variable<0>(300.0), speed, mechanics::variable<2>(log_speed));
     const double h = 1e-5, size = std::abs(force.value);
     EXPECT_NEAR(force.by<2>(), (at(log_speed + h) - at(log_speed - h)) / (2.0 * h), 1e-7 * size);
@@ -121,16 +123,19 @@ TEST(InletHeating, OfBallsLowersTheLossByRollingAlone) {
   EXPECT_NEAR(warm.rolling, share * cold.rolling, 0.02 * cold.rolling);
   EXPECT_DOUBLE_EQ(warm.churning, cold.churning);
   EXPECT_DOUBLE_EQ(warm.spin, cold.spin);
-  EXPECT_NEAR(loss(motion::InletHeating::goksem_hargreaves, 1e-12).rolling, cold.rolling, 1e-6 * cold.rolling);
+  EXPECT_NEAR(loss(motion::InletHeating::goksem_hargreaves, 1e-12).rolling, cold.rolling,
+              1e-6 * cold.rolling);
 }
 
-// The computed couple against rolling is that of Reynolds' equation, solved here at four contacts that the fit has
-// not seen, one beyond its range: the first moment of the pressure.
+// The computed couple against rolling is that of Reynolds' equation, solved here at four contacts that the
+// fit has not seen, one beyond its range: the first moment of the pressure.
 TEST(BallRolling, IsThatOfReynoldsEquation) {
   struct Contact {
     double viscosity, load, speed, radius_ratio;
   };
-  for (const Contact& at : {Contact{0.02, 200.0, 2.0, 0.26}, {0.0035, 150.0, 20.0, 0.15}, {0.01, 20.0, 10.0, 0.2},
+  for (const Contact& at : {Contact{0.02, 200.0, 2.0, 0.26},
+                            {0.0035, 150.0, 20.0, 0.15},
+                            {0.01, 20.0, 10.0, 0.2},
                             {0.05, 60.0, 4.0, 0.2}}) {
     Bearing bearing = system::small_ball_bearing(5e-6);
     bearing.pitch_diameter = 9.52e-3 / at.radius_ratio;
@@ -139,8 +144,8 @@ TEST(BallRolling, IsThatOfReynoldsEquation) {
     given.lubricant = {.viscosity = at.viscosity, .pressure_viscosity = 1.5e-8};
     given.ellipse.rolling = balls::BallRolling::reynolds;
     const balls::GrooveNumbers groove = balls::ball_numbers(bearing, given).inner;
-    const double couple = groove.rolling_factor * at.speed *
-                          groove.rolling.per_speed(std::log(at.speed), std::log(at.load));
+    const double couple =
+        groove.rolling_factor * at.speed * groove.rolling.per_speed(std::log(at.speed), std::log(at.load));
     film::PointFilmCase contact;
     film::set_ellipse(contact, groove.rolling_radius, groove.across / groove.along);
     contact.modulus = bearing.material.plane_strain_modulus();
@@ -180,9 +185,12 @@ TEST(PressedOil, FrictionOfAFilmFollowsTheLawThatIsAskedFor) {
   race.traction = motion::TractionLaw::limiting_shear;
   race.least_sliding_scale = 0.0;
   const double load = 2000.0, sliding = 1e-20, log_speed = std::log(5.0);
-  const double pressure = std::sqrt(load) * 0.5 *
-                          std::sqrt(M_PI * contact.reduced_modulus / (8.0 * contact.equivalent_radius * contact.length));
-  const auto slope = [&] { return FrictionLaws<double>::of(race, contact).friction(load, sliding, log_speed) / sliding; };
+  const double pressure =
+      std::sqrt(load) * 0.5 *
+      std::sqrt(M_PI * contact.reduced_modulus / (8.0 * contact.equivalent_radius * contact.length));
+  const auto slope = [&] {
+    return FrictionLaws<double>::of(race, contact).friction(load, sliding, log_speed) / sliding;
+  };
   race.largest_barus_exponent = 100.0;
   const double barus = slope();
   race.pressure_law = motion::PressureLaw::roelands;
@@ -203,7 +211,9 @@ TEST(ViscositySlope, IsThatOfTheViscosity) {
   const OilGrade oil{.viscosity_40 = 46e-6};
   for (const double temperature : {20.0, 70.0, 120.0}) {
     const double h = 1e-3, at = kinematic_viscosity(oil, temperature);
-    const double slope = (kinematic_viscosity(oil, temperature - h) - kinematic_viscosity(oil, temperature + h)) / (2.0 * h * at);
+    const double slope =
+        (kinematic_viscosity(oil, temperature - h) - kinematic_viscosity(oil, temperature + h)) /
+        (2.0 * h * at);
     EXPECT_NEAR(viscosity_slope(oil, temperature), slope, 1e-6 * slope);
   }
 }
@@ -223,8 +233,8 @@ TEST(RollerFriction, HeatedInletsResistLess) {
   EXPECT_NEAR(warm.rolling, share * cold.rolling, 1e-3 * cold.rolling);
 }
 
-// Rigid cylinders in oil that begins X sqrt(2 R h_0) before the contact, Reynolds' equation by quadrature: the
-// first moment of the pressure over that without end, at the same load.
+// Rigid cylinders in oil that begins X sqrt(2 R h_0) before the contact, Reynolds' equation by quadrature:
+// the first moment of the pressure over that without end, at the same load.
 double rigid_share(double begin) {
   struct Film {
     double load = 0.0, moment = 0.0;
@@ -235,7 +245,8 @@ double rigid_share(double begin) {
     const auto pressure_at_end = [&](double exit, Film* sum) {
       double pressure = 0.0, before = -from;
       for (int i = 0; i < 2 * count; ++i) {
-        const double x = i < count ? std::sinh(first * (1.0 - (i + 1.0) / count)) : exit * (i + 1.0 - count) / count;
+        const double x =
+            i < count ? std::sinh(first * (1.0 - (i + 1.0) / count)) : exit * (i + 1.0 - count) / count;
         const double middle = 0.5 * (before + x), gap = 1.0 + middle * middle;
         const double rise = (gap - 1.0 - exit * exit) / (gap * gap * gap) * (x - before);
         if (sum != nullptr) {
@@ -248,7 +259,8 @@ double rigid_share(double begin) {
       return pressure;
     };
     double low = 0.0, high = 0.7;
-    for (int i = 0; i < 40; ++i) (pressure_at_end(0.5 * (low + high), nullptr) > 0.0 ? low : high) = 0.5 * (low + high);
+    for (int i = 0; i < 40; ++i)
+      (pressure_at_end(0.5 * (low + high), nullptr) > 0.0 ? low : high) = 0.5 * (low + high);
     Film found;
     pressure_at_end(low, &found);
     return found;
@@ -264,7 +276,8 @@ TEST(RollerFriction, InletsThatEndResistAsRigidCylindersDo) {
     const double exact = rigid_share(begin);
     EXPECT_NEAR(ended_inlet_share(far), exact, 0.12 * exact) << begin;
   }
-  EXPECT_NEAR(1.0 - rigid_share(60.0), 12.0 / (60.0 * std::sqrt(2.0 * 4.896)) / (1.4909 * std::sqrt(2.0)), 2e-3);
+  EXPECT_NEAR(1.0 - rigid_share(60.0), 12.0 / (60.0 * std::sqrt(2.0 * 4.896)) / (1.4909 * std::sqrt(2.0)),
+              2e-3);
 }
 
 TEST(RollerFriction, InletsEndWhereTheOilOfTheMixtureEnds) {
@@ -289,7 +302,8 @@ TEST(RollerFriction, DragIsBelowThatOfAMixtureAtRest) {
   const double shaft = 900.0, cage = kinematic_cage_speed(g, shaft, 0.0);
   const double at_rest = rollers.count * 0.5 * 1.1 * 0.05 * 850.0 * rollers.diameter * rollers.length *
                          std::pow(cage * g.pitch_radius, 3.0);
-  const double drag = roller_friction(bearing, Eigen::ArrayXd::Constant(15, 500.0), {shaft, 0.0}, {.viscosity = 0.01}).drag;
+  const double drag =
+      roller_friction(bearing, Eigen::ArrayXd::Constant(15, 500.0), {shaft, 0.0}, {.viscosity = 0.01}).drag;
   EXPECT_GT(drag, 0.0);
   EXPECT_LT(drag, at_rest);
 }
