@@ -189,7 +189,7 @@ ExpectedFile read_expected(const std::string& file) {
     throw BadInput(fmt::format(
         "{}:{}:{}: {}; required: published numbers with source, kind (measurement, program, worked-example, "
         "closed-form or recomputed), of, quantity, meaning, value and tolerance, perhaps scatter, settings, "
-        "fidelity, why, memory and fitted; and alternatives as in the shipped cases",
+        "against, fidelity, why, memory and fitted; and alternatives as in the shipped cases",
         file, error.mark.line + 1, error.mark.column + 1, error.msg));
   }
 }

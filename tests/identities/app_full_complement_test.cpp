@@ -10,6 +10,7 @@
 #include "coupling/study/driven_setups.hpp"
 #include "coupling/study/operating_point.hpp"
 #include "coupling/system/driven_bearing.hpp"
+#include "tests/messages.hpp"
 
 namespace orbearing::app::full_complement_test {
 namespace {
@@ -126,6 +127,13 @@ TEST(FullComplementParticipant, NamesTheRollersAndGoesOnFromASavedState) {
   const auto speed = std::find(names.begin(), names.end(), "rollers.speed") - names.begin();
   EXPECT_NEAR(first[static_cast<std::size_t>(speed)] / kinematic, 1.0, 0.3)
       << "a third of a turn after the start";
+}
+
+// Issue 49, Build 4: it moves with its gears, of which such a state has nothing.
+TEST(FullComplementStart, IsRefused) {
+  const study::NamedSet set = bearing_sets(parse_case(planet(kFull), "case.yaml", {})).front();
+  EXPECT_REFUSED(std::invalid_argument, "full_complement 1",
+                 study::evaluate_from(set.drivetrain, set.geometry, Eigen::VectorXd::Zero(86)));
 }
 
 }  // namespace
