@@ -443,12 +443,14 @@ std::optional<double> slip_by_drag(const PlanetaryDrivetrain& drivetrain, const 
       duty.point.inner_speed == duty.point.outer_speed)
     return std::nullopt;
   try {
-    const WindowStatistics means = BearingsAtRest(drivetrain, geometry).one(duty).means;
+    PlanetaryDrivetrain like = drivetrain;  // at rest rollers are equal, and no wave turns
+    like.bearing = of_like_rollers(drivetrain.bearing);
+    const WindowStatistics means = BearingsAtRest(like, geometry).one(duty).means;
     const Eigen::ArrayXd both =
         (means.inner.mean_load * means.inner.passages).min(means.outer.mean_load * means.outer.passages);
     return drag_slip(bearing_model(drivetrain.bearing, duty.point, parameters),
                      drivetrain.bearing.rollers().count * both.mean());
-  } catch (const std::runtime_error&) {
+  } catch (const std::exception&) {  // what the motion itself does not take, it says
     return std::nullopt;
   }
 }

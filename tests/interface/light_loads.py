@@ -61,6 +61,13 @@ class LightLoads(unittest.TestCase):
         self.assertNotIn("one system", said)
         self.assertLess(point["one_way_load_difference"], 0.002)  # of the gears at rest
 
+    def test_rollers_and_races_that_are_not_alike_have_it_too(self):
+        """The closed form takes the bearing at rest, which equal rollers and standing forms alone have."""
+        for unlike in ("bearing.roller_diameter_deviation=[0 um, 2 um]", "bearing.outer_race.waviness={order: [11], amplitude: [0.3 um]}"):
+            point, _ = point_of("gearset.mesh_variation=false", unlike, *SHORT)
+            self.assertEqual(point["status"], "ok")
+            self.assertLess(point["drag_slip"], 0.05)
+
     def test_back_flanks_show_without_mesh_variation(self):
         """Displaced planets use up the backlash: the bearing has not the load of the gears."""
         _, said = point_of("gearset.mesh_variation=false", "gearset.dynamics.backlash=0 mm", "bearing.radial_clearance=15 um", "input.speed=12000 rpm", *SHORT)
