@@ -154,9 +154,7 @@ TEST(InclinedLaminae, FinerLaminaeConvergeAndATiltLoadsOneEnd) {
     return planet_on(rollers(laminae, 2e-6), rows, 6000.0).balance(kLoad, 0.0).outer_load[0];
   };
   const Eigen::ArrayXd fine = loads(512);
-  const auto error = [&](int laminae) {
-    return (loads(laminae) - fine).abs().maxCoeff() / fine.maxCoeff();
-  };
+  const auto error = [&](int laminae) { return (loads(laminae) - fine).abs().maxCoeff() / fine.maxCoeff(); };
   EXPECT_LT(error(32), 0.5 * error(8));
   EXPECT_LT(error(128), 0.5 * error(32));
   EXPECT_LT(error(32), 2e-3);
