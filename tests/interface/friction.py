@@ -51,9 +51,12 @@ class Friction(unittest.TestCase):
             found = run_json(case)
             ours, others = found["friction"], found["friction_by_standards"]
             self.assertLessEqual(ours["idle_W"], ours["rolling_W"])
+            self.assertLessEqual(ours["rolling_W"], ours["flooded_rolling_W"])
+            self.assertLess(ours["flooded_rolling_W"], ours["isothermal_rolling_W"])
+            rest = ours["power_W"] - ours["rolling_W"]
             for key, factor in (("ours_with_inlet_heating_W", others["skf"]["inlet_heating"]),
                                 ("ours_with_starvation_W", others["skf"]["inlet_heating"] * others["skf"]["starvation"])):
-                self.assertAlmostEqual(others[key], ours["power_W"] - (1.0 - factor) * ours["rolling_W"], delta=1e-9 * ours["power_W"])
+                self.assertAlmostEqual(others[key], rest + factor * ours["isothermal_rolling_W"], delta=1e-9 * ours["power_W"])
 
     def test_a_ball_bearing_in_time_has_them_too(self):
         found = run_json(CASES / "deep_groove_motor", "bearing.outside_diameter=52 mm", "simulation.duration=20 ms")

@@ -46,6 +46,7 @@ const std::vector<Look>& looks() {
       {"run dynamic",
        "deep_groove_motor",
        {"--set=simulation.duration=5 ms", "--set=requirements={life: 1 h, S0: 3}"}},
+      {"run dynamic", "nasa_35mm", {"--set=simulation.duration=5 ms"}},
       {"run defect", "scratch_defect"},
       {"run defect", "scratch_defect", {"--set=signal.run_up_from=0.5"}},
       {"run defect", "scratch_defect", {"--fidelity=dynamic", "--set=signal.revolutions=3"}},
