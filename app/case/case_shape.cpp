@@ -64,7 +64,7 @@ bool is_of_bearing(const Field& field) {
   if (field.path == "inertia.own_orbit" || field.path == "input.acceleration" || field.path == "spectrum")
     return true;
   for (const char* block : {"bearing.", "contact.", "traction.", "lubricant.", "film.", "life.", "drag.",
-                            "support.", "simulation.", "numerics."})
+                            "heat.", "support.", "simulation.", "numerics."})
     if (field.path.starts_with(block)) return true;
   return false;
 }

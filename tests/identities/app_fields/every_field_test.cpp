@@ -46,8 +46,8 @@ std::string subject_name(const testing::TestParamInfo<Subject>& info) {
   return name;
 }
 
-// Words, not numbers: nothing is computed from them, or there is one choice alone; and checks of what follows, of which
-// another value is refused (StatedGeometry in unit/app_case/consistency_test).
+// Words, not numbers: nothing is computed from them, or there is one choice alone; and checks of what
+// follows, of which another value is refused (StatedGeometry in unit/app_case/consistency_test).
 bool is_label(const Field& field) {
   static const std::set<std::string> labels{"name",
                                             "source",
@@ -252,6 +252,20 @@ TEST_P(EveryField, WithoutItsConditionIsReported) {
 }
 
 INSTANTIATE_TEST_SUITE_P(AllCases, EveryField, testing::ValuesIn(subjects()), subject_name);
+
+// Planets in pairs are a kind of gear train of their own: each of their fields changes a point at rest.
+TEST(PlanetsInPairs, EachFieldChangesAPointAtRest) {
+  const Base base{"planets_in_pairs", kDrivetrain + kGears + kBearing};
+  const std::vector<std::string> pairs{"gearset.teeth.ring=121", "gearset.second_planet.teeth=24"};
+  const auto result = [&](const std::string& setting) {
+    std::vector<std::string> settings = pairs;
+    if (!setting.empty()) settings.push_back("gearset.second_planet." + setting);
+    return result_of(case_of(base, settings), use::quasi_static);
+  };
+  const std::string plain = result("");
+  for (const char* setting : {"teeth=25", "first_profile_shift=0.1", "profile_shift=0.1", "side=behind"})
+    EXPECT_NE(result(setting), plain) << setting;
+}
 
 // Rows say one thing of each analysis.
 TEST(FieldUse, AnalysesOfARowAreDisjoint) {

@@ -184,6 +184,7 @@ TEST(ResultRow, EveryNumberStandsUnderItsNameInItsUnit) {
   result.dynamic = study::DynamicRecord{.steady = true,
                                         .roller_slip = 18.0,
                                         .orbit_slip = 75.0,
+                                        .drag_slip = 76.0,
                                         .friction_moment = 19.0,
                                         .loss = {.race_damping = 1.0,
                                                  .inner_traction = 2.0,
@@ -215,18 +216,18 @@ TEST(ResultRow, EveryNumberStandsUnderItsNameInItsUnit) {
     const double slip = caged ? 16.0 : not_given, pockets = caged ? 32.0 : not_given,
                  guidance = caged ? 64.0 : not_given, neighbours = caged ? not_given : 256.0;
     const std::vector<double> expected = {
-        0,         1,         2,         3,         4,         6,         7,         10,        11,
-        8,         12,        14,        15,        slip,      9,         13,        -1,        5,
-        72,        73,        74,        20,        67,        3.5,       102,       94,        95,
-        96,        97,        98,        99,        100,       101,       90,        91,        92,
-        93,        65,        66,        160,       243,       82,        80,        81,        2,
-        3,         60,        61,        62,        62.5,      40000,     18,        75,        19,
-        511,       1,         2,         4,         8,         16,        pockets,   guidance,  neighbours,
-        128,       1,         21,        114,       113,       116,       115,       2,         1.5,
-        5,         1,         23,        24,        40,        1,         41,        42,        43,
-        43.5,      44,        45,        46,        47,        48,        49,        50,        51,
-        52,        53,        not_given, not_given, not_given, not_given, not_given, not_given, not_given,
-        not_given, not_given, not_given, -1,        17};
+        0,          1,         2,         3,         4,         6,         7,         10,        11,
+        8,          12,        14,        15,        slip,      9,         13,        -1,        5,
+        72,         73,        74,        20,        67,        3.5,       102,       94,        95,
+        96,         97,        98,        99,        100,       101,       90,        91,        92,
+        93,         65,        66,        160,       243,       82,        80,        81,        2,
+        3,          60,        61,        62,        62.5,      40000,     18,        75,        76,
+        19,         511,       1,         2,         4,         8,         16,        pockets,   guidance,
+        neighbours, 128,       1,         21,        114,       113,       116,       115,       2,
+        1.5,        5,         1,         23,        24,        40,        1,         41,        42,
+        43,         43.5,      44,        45,        46,        47,        48,        49,        50,
+        51,         52,        53,        not_given, not_given, not_given, not_given, not_given, not_given,
+        not_given,  not_given, not_given, not_given, -1,        17};
     ASSERT_EQ(expected.size(), head.names.size());
     for (std::size_t i = 0; i < expected.size(); ++i)
       if (i != head.status_location && i != head.refined_location) {
