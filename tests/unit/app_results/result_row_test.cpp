@@ -184,7 +184,6 @@ TEST(ResultRow, EveryNumberStandsUnderItsNameInItsUnit) {
   result.dynamic = study::DynamicRecord{.steady = true,
                                         .roller_slip = 18.0,
                                         .orbit_slip = 75.0,
-                                        .drag_slip = 76.0,
                                         .friction_moment = 19.0,
                                         .loss = {.race_damping = 1.0,
                                                  .inner_traction = 2.0,
@@ -195,6 +194,8 @@ TEST(ResultRow, EveryNumberStandsUnderItsNameInItsUnit) {
                                                  .neighbours = 256.0,
                                                  .guidance = 64.0,
                                                  .support = 128.0}};
+  result.dynamic->drag_slip = 76.0;
+  result.dynamic->one_way_load_difference = 43.5;
   study::OneWayRecord fit{.fitted = {.residual = 41.0, .stiffness_change = 42.0, .damping_change = 43.0},
                           .runs = 40,
                           .load_difference = 43.5,
