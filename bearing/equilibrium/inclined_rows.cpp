@@ -364,7 +364,7 @@ InclinedState InclinedPlanet::balance(const PlanetLoad& load, double first_eleme
   });
   if (state.report.converged && !laminae::are_settled(state.rollers)) {
     state.report.converged = false;
-    state.report.message = "a tapered roller cut into laminae found no balance between its races";
+    state.report.message = no_balance_text(outer.norm(), state.report.residual);
   }
   return state;
 }

@@ -8,6 +8,7 @@
 
 #include "gearset/drivetrain/power_flow.hpp"
 #include "mechanics/constants.hpp"
+#include "tests/messages.hpp"
 
 namespace orbearing::gearset::planet_pair_test {
 namespace {
@@ -150,6 +151,15 @@ TEST(PlanetPair, EachPlanetHasItsOwnOrbitAndTooth) {
   const WorkingGeometry second = geometry_of_planet(set, {kSecond, true});
   EXPECT_NEAR(second.centre_distance, 63e-3, 1e-12);
   EXPECT_EQ(second.planet.teeth, 21);
+}
+
+TEST(PlanetPair, RefusesADriveThatStandsStill) {
+  const auto loads = [](double power, double speed) {
+    return mean_loads_of_planet(paired_set(), {kSecond, false}, flow_of(paired_set(), Member::sun).sets[0],
+                                {.member = Member::sun, .power = power, .speed = speed});
+  };
+  EXPECT_REFUSED(std::invalid_argument, "planet_pair 1", loads(1200.0, 0.0));
+  EXPECT_REFUSED(std::invalid_argument, "planet_pair 2", loads(0.0, 120.0));
 }
 
 }  // namespace
