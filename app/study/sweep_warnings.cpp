@@ -145,6 +145,19 @@ std::vector<std::string> free_bore_warnings(const ResolvedCase& resolved, const 
         "--fidelity dynamic: {}. Gears and bearings are solved as one system there, as by --fidelity "
         "monolithic: {}",
         why, solved));
+  // Another state than the closed form has: as close as the two come where oil is squeezed.
+  constexpr double share = 0.15, creep = 0.003;
+  const std::string whirling = rows_where(outcome, [&](const ResultRow& row) {
+    const double slip = value_of(outcome.head, row, "drag_slip");
+    return slip > study::kLightSlip &&
+           std::abs(value_of(outcome.head, row, "cage_slip") - slip) > share * slip + creep;
+  });
+  if (!whirling.empty())
+    warnings.push_back(fmt::format(
+        "cage_slip differs by more than {:g} % from the slip by drag against traction (drag_slip). "
+        "Rollers that bounce, or a bore that whirls, may hold such a state up. Compare with "
+        "contact.squeeze: true: {}",
+        100.0 * share, whirling));
   const std::string free = rows_where(outcome, [&](const ResultRow& row) {
     return row.ok() && !together(row) &&
            (full || value_of(outcome.head, row, "drag_slip") > study::kLightSlip);

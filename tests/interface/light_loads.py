@@ -47,10 +47,9 @@ class LightLoads(unittest.TestCase):
             with self.subTest(values=values):
                 self.assertIn("solved as one system", said)
                 self.assertEqual(point["interface_window_us"], 0.0)
-                if point["steady"]:
-                    self.assertAlmostEqual(point["cage_slip"], expected, delta=TOLERANCE * expected + CREEP)
-                else:  # rollers bounce at large slip; what is drifting is no steady state, and is reported
-                    self.assertIn("the means still drifted", said)
+                # Without squeezed oil rollers may bounce so that they do not skid: a state that is told, with the slip by drag beside it.
+                near = abs(point["cage_slip"] - expected) <= TOLERANCE * expected + CREEP
+                self.assertEqual(near, "differs by more than 15 %" not in said)
                 squeezed, _ = point_of(*HELD, *values, "contact.squeeze=true")
                 self.assertAlmostEqual(squeezed["cage_slip"], expected, delta=TOLERANCE * expected + CREEP)
 

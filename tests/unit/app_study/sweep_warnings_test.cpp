@@ -1,5 +1,5 @@
-// Which rows a sweep warns of: beyond each limit, and none at it. Issue 44, Build 4 (b) and item 16; words and numbers
-// in tests/messages.txt.
+// Which rows a sweep warns of: beyond each limit, and none at it. Issue 44, Build 4 (b) and item 16; words
+// and numbers in tests/messages.txt.
 #include "app/study/sweep_warnings.hpp"
 
 #include <gtest/gtest.h>
@@ -13,8 +13,8 @@ namespace orbearing::app::sweep_warnings_test {
 namespace {
 
 // Rows at 1000, 2000, ... rpm whose one column holds `values`, and what stands in the last column beside it.
-SweepOutcome outcome_of(const std::string& name, const std::vector<double>& values, const std::string& beside = "",
-                        double value_beside = 0.0) {
+SweepOutcome outcome_of(const std::string& name, const std::vector<double>& values,
+                        const std::string& beside = "", double value_beside = 0.0) {
   SweepOutcome outcome;
   outcome.header.fidelity = "dynamic";
   outcome.header.points = values.size();
@@ -25,7 +25,8 @@ SweepOutcome outcome_of(const std::string& name, const std::vector<double>& valu
     return static_cast<std::size_t>(found - outcome.head.names.begin());
   };
   for (std::size_t i = 0; i < values.size(); ++i) {
-    ResultRow row{std::vector<double>(outcome.head.names.size(), std::numeric_limits<double>::quiet_NaN()), "ok"};
+    ResultRow row{std::vector<double>(outcome.head.names.size(), std::numeric_limits<double>::quiet_NaN()),
+                  "ok"};
     row.values[position("input_speed_rpm")] = 1000.0 * static_cast<double>(i + 1);
     row.values[position(name)] = values[i];
     if (!beside.empty()) row.values[position(beside)] = value_beside;
@@ -40,7 +41,8 @@ std::string last_warning(const SweepOutcome& outcome) {
 }
 
 TEST(SweepWarnings, OfPressureAreThoseOfRollersThatYield) {
-  EXPECT_SAID("sweep yields", last_warning(outcome_of("contact_pressure_max_MPa", {3990.0, 4000.0, 4001.0, 5000.0})));
+  EXPECT_SAID("sweep yields",
+              last_warning(outcome_of("contact_pressure_max_MPa", {3990.0, 4000.0, 4001.0, 5000.0})));
 }
 
 TEST(SweepWarnings, OfKappaAreThoseBelowATenth) {
@@ -52,8 +54,8 @@ TEST(SweepWarnings, OfDriftAreThoseOfMeansThatDidNotStandStill) {
 }
 
 TEST(SweepWarnings, OfTheOneWayLaw) {
-  EXPECT_SAID("one way not accepted",
-              last_warning(outcome_of("one_way_accepted", {1.0, 0.0, 0.0}, "one_way_load_difference", 0.002)));
+  EXPECT_SAID("one way not accepted", last_warning(outcome_of("one_way_accepted", {1.0, 0.0, 0.0},
+                                                              "one_way_load_difference", 0.002)));
   EXPECT_SAID("one way displaced", last_warning(outcome_of("one_way_load_difference", {0.002, 0.0021, 0.3},
                                                            "one_way_accepted", 0.0)));
 }
@@ -61,6 +63,8 @@ TEST(SweepWarnings, OfTheOneWayLaw) {
 TEST(SweepWarnings, OfBoresWhoseMotionDependsOnTheirMeshes) {
   EXPECT_SAID("one way solved together", last_warning(outcome_of("interface_window_us", {0.0, 4.3})));
   EXPECT_SAID("one way free bore", last_warning(outcome_of("drag_slip", {0.05, 0.051})));
+  const SweepOutcome whirling = outcome_of("drag_slip", {0.5, 0.4, 0.05}, "cage_slip", 0.42);
+  EXPECT_SAID("slip by drag", sweep_warnings(shipped(), whirling, {}).end()[-2]);
 }
 
 }  // namespace
