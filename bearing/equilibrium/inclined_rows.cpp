@@ -133,11 +133,11 @@ BearingGeometry geometry_of(const Bearing& bearing, const PlanetRows& rows) {
   const double shift = geometry.element_radius * (1.0 - cosine), inner = geometry.inner_radius,
                outer = geometry.outer_radius;
   geometry.slenderness *= cosine;
-  geometry.inner_radius += shift;
-  geometry.outer_radius -= shift;
   const double per_area = bearing.material.density * constants::pi * bearing.width;
-  geometry.inner_ring_mass += per_area * (std::pow(geometry.inner_radius, 2) - inner * inner);
-  geometry.outer_ring_mass += per_area * (outer * outer - std::pow(geometry.outer_radius, 2));
+  geometry.inner_ring_mass += per_area * shift * (2.0 * inner + shift);
+  geometry.outer_ring_mass += per_area * shift * (2.0 * outer - shift);
+  geometry.inner_radius = inner + shift;
+  geometry.outer_radius = outer - shift;
   geometry.cage_mass *= rows.rows();
   geometry.cage_inertia *= rows.rows();
   return geometry;

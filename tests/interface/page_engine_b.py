@@ -103,6 +103,7 @@ def serve(test):
 class WholePage(PageSteps, unittest.TestCase):
     """The steps of page_in_browser.py with this engine."""
 
+    revolutions = 20
     allowed = ROUND_OFF
     allowed_in_motion = IN_MOTION
 

@@ -42,7 +42,7 @@ if not (CHROMIUM and DRIVER):
     sys.exit(77)
 
 SECONDS = 120  # a machine that computes other things besides
-ROUND_OFF = 1e-12  # functions of the C library round differently in a browser; lives go with high powers of loads
+ROUND_OFF = 5e-12  # functions of the C library round differently in a browser; lives go with high powers of loads
 SEARCHED = 1e-6  # roots and best values of an iteration that ends at a tolerance
 LEAST_PACE = 0.1  # revolutions of the cage a second, shown while they are computed
 LIVES = ("life_h", "L10h", "L10rh", "L10mh", "L10mrh")
@@ -77,7 +77,6 @@ lubricant: {viscosity: 0.01 Pa.s, pressure_viscosity: 1.5e-8 Pa-1}
 assumed:
   bearing.radial_clearance: a close fit
 """
-LONG = "simulation: {observed_revolutions: 400}\n"  # some seconds a point, in which a browser sees it move
 # Of WCAG 2: contrast of texts with what is behind them, of large ones 3.
 CONTRAST = """
 const parse = (text) => (text.match(/[\\d.]+/g) ?? []).map(Number);
@@ -140,6 +139,7 @@ class PageSteps:
 
     address = ""
     origins = []  # of further servers of a test
+    revolutions = 400  # of a sweep in motion: some seconds a point, in which a browser sees it move
     allowed = allowed_in_motion = 0.0  # relative difference from the numbers of the command line: none
     requests = set()
     console = []
@@ -446,7 +446,7 @@ class PageSteps:
             return [row[column] for row in csv.DictReader(text)]
 
     def test_a_sweep_is_run_stopped_and_continued(self):
-        self.open_text(MOVING + LONG)
+        self.open_text(f"{MOVING}simulation: {{observed_revolutions: {self.revolutions}}}\n")
         Select(self.find("#fidelity")).select_by_value("dynamic")
         card = self.find("#card-motion")
         start, stop, proceed = card.find_elements(By.CSS_SELECTOR, ".player button")

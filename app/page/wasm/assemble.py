@@ -4,6 +4,7 @@
 BUILD is where engine_wasm.js and engine_wasm.wasm were built. Any file server shows the folder.
 """
 import json
+import re
 import shutil
 import sys
 from pathlib import Path
@@ -18,6 +19,12 @@ def template(file):
     return {"name": file.stem, "title": title, "purpose": purpose, "text": text}
 
 
+def template_names():
+    """In the order in which the program offers them, which app/resources.cpp states."""
+    text = (SOURCE / "app" / "resources.cpp").read_text(encoding="utf-8")
+    return re.findall(r'"([\w-]+)"', re.search(r"& template_names\(\) \{(.*?)\}", text, re.S)[1])
+
+
 def assemble(build, folder):
     shutil.rmtree(folder, ignore_errors=True)
     pages = SOURCE / "app" / "page" / "web"
@@ -30,7 +37,7 @@ def assemble(build, folder):
     (web / "schema").mkdir()
     for which in ("case", "result"):
         shutil.copy(SOURCE / "cases" / f"{which}.schema.json", web / "schema" / f"{which}.json")
-    templates = [template(file) for file in sorted((SOURCE / "cases" / "templates").glob("*.yaml"))]
+    templates = [template(SOURCE / "cases" / "templates" / f"{name}.yaml") for name in template_names()]
     (web / "templates.json").write_text(json.dumps(templates, ensure_ascii=False), encoding="utf-8")
 
 
