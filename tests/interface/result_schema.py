@@ -34,7 +34,7 @@ def wrong_units(schema, found, units, above=""):
     for key, value in found.items():
         known = schema.get("properties", {}).get(key, {})
         stated = units.get(above + key, units.get(key))
-        if "unit" in known and known["unit"] != stated:
+        if "unit" in known and value is not None and known["unit"] != stated:
             yield f"{above}{key}: {stated} in place of {known['unit']}"
         for part in value if isinstance(value, list) else [value]:
             if isinstance(part, dict):
