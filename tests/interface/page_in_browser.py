@@ -139,7 +139,7 @@ class PageSteps:
 
     address = ""
     origins = []  # of further servers of a test
-    revolutions = 400  # of a sweep in motion: some seconds a point, in which a browser sees it move
+    revolutions = 150  # of a sweep in motion: some seconds a point, in which a browser sees it move
     allowed = allowed_in_motion = 0.0  # relative difference from the numbers of the command line: none
     requests = set()
     console = []
