@@ -29,21 +29,23 @@ void put_stepped(const PlanetarySet& set, const WorkingGeometry& geometry, doubl
   loads.couple_ahead = planes.sun * sun_ahead + planes.ring * ring_ahead;
 }
 
-MeanLoads loads_of(const PlanetarySet& set, const WorkingGeometry& geometry, const Speeds& speeds,
-                   const Torques& torques) {
+MeanLoads members_of(const Speeds& speeds, const Torques& torques) {
+  return {.sun_speed = speeds.sun,
+          .ring_speed = speeds.ring,
+          .carrier_speed = speeds.carrier,
+          .planet_speed_relative = speeds.planet_relative,
+          .sun_torque = torques.sun,
+          .ring_torque = torques.ring,
+          .carrier_torque = torques.carrier};
+}
+
+// `loads`: those of the members.
+MeanLoads with_forces(const PlanetarySet& set, const WorkingGeometry& geometry, MeanLoads loads) {
   assert(set.planets > 0);
   const double sun_angle = geometry.sun_mesh.working_pressure_angle;
   const double ring_angle = geometry.ring_mesh.working_pressure_angle;
 
-  MeanLoads loads;
-  loads.sun_speed = speeds.sun;
-  loads.ring_speed = speeds.ring;
-  loads.carrier_speed = speeds.carrier;
-  loads.planet_speed_relative = speeds.planet_relative;
-  loads.sun_torque = torques.sun;
-  loads.ring_torque = torques.ring;
-  loads.carrier_torque = torques.carrier;
-  const double signed_normal_force = torques.sun / (set.planets * geometry.sun.base_radius);
+  const double signed_normal_force = loads.sun_torque / (set.planets * geometry.sun.base_radius);
   loads.normal_force = std::abs(signed_normal_force);
   loads.tangential_force = signed_normal_force * (std::cos(sun_angle) + std::cos(ring_angle));
   // Teeth only push: the sun outward and the ring inward, whichever flank carries.
@@ -63,20 +65,24 @@ MeanLoads loads_of(const PlanetarySet& set, const WorkingGeometry& geometry, con
 }  // namespace
 
 MeanLoads mean_loads(const PlanetarySet& set, const WorkingGeometry& geometry, const Drive& drive) {
-  return loads_of(set, geometry, member_speeds(set, drive), member_torques(set, drive));
+  return with_forces(set, geometry, members_of(member_speeds(set, drive), member_torques(set, drive)));
 }
 
-MeanLoads mean_loads(const PlanetarySet& set, const WorkingGeometry& geometry, const MemberRatios& ratios,
-                     const Drive& drive) {
+MeanLoads member_loads(const MemberRatios& ratios, const Drive& drive) {
   mechanics::require_positive(drive.motor_speed(), "speed of the motor");
   mechanics::require_positive(drive.power, "power of the motor");
   const double sense = ratios.speed.carrier < 0.0 ? -1.0 : 1.0;
   const double speed = sense * drive.motor_speed();                        // [rad/s]
   const double torque = sense * drive.load_power() / drive.motor_speed();  // [N m]
-  return loads_of(set, geometry,
-                  {speed * ratios.speed.sun, speed * ratios.speed.ring, speed * ratios.speed.carrier,
-                   speed * ratios.speed.planet_relative},
-                  {torque * ratios.torque.sun, torque * ratios.torque.ring, torque * ratios.torque.carrier});
+  return members_of(
+      {speed * ratios.speed.sun, speed * ratios.speed.ring, speed * ratios.speed.carrier,
+       speed * ratios.speed.planet_relative},
+      {torque * ratios.torque.sun, torque * ratios.torque.ring, torque * ratios.torque.carrier});
+}
+
+MeanLoads mean_loads(const PlanetarySet& set, const WorkingGeometry& geometry, const MemberRatios& ratios,
+                     const Drive& drive) {
+  return with_forces(set, geometry, member_loads(ratios, drive));
 }
 
 AxialReactions axial_reactions(const PlanetarySet& set, const MeanLoads& loads) {

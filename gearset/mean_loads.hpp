@@ -52,6 +52,9 @@ AxialReactions axial_reactions(const PlanetarySet& set, const MeanLoads& loads);
 /// @throws std::invalid_argument if power or speed is not positive, or the driven member is fixed
 MeanLoads mean_loads(const PlanetarySet& set, const WorkingGeometry& geometry, const Drive& drive);
 
+/// Speeds and torques of the members, as the next; all forces 0.
+MeanLoads member_loads(const MemberRatios& ratios, const Drive& drive);
+
 /// Mean loads of a set whose members turn and are loaded as `ratios` of what `drive` puts into the
 /// drivetrain; drive.member has no meaning here. Where the carrier would turn backwards the set is seen from
 /// its other side, so that the frame of the planet still runs with it.

@@ -112,21 +112,10 @@ WillisTeeth willis_teeth_of_pairs(const PlanetarySet& set) {
 
 MeanLoads mean_loads_of_planet(const PlanetarySet& set, const PlanetOfPair& planet,
                                const MemberRatios& ratios, const Drive& drive) {
-  mechanics::require_positive(drive.motor_speed(), "speed of the motor");
-  mechanics::require_positive(drive.power, "power of the motor");
+  MeanLoads loads = member_loads(ratios, drive);
   const PlanetPairGeometry g = planet_pair_geometry(set, planet.pair);
-  // Where the carrier would turn backwards the set is seen from its other side.
-  const double side = ratios.speed.carrier < 0.0 ? -1.0 : 1.0;
-  const double speed = side * drive.motor_speed(), torque = side * drive.load_power() / drive.motor_speed();
-  MeanLoads loads;
-  loads.sun_speed = speed * ratios.speed.sun;
-  loads.ring_speed = speed * ratios.speed.ring;
-  loads.carrier_speed = speed * ratios.speed.carrier;
   const double rolling = (loads.sun_speed - loads.carrier_speed) * set.sun_teeth;
   loads.planet_speed_relative = planet.second ? rolling / planet.pair.teeth : -rolling / set.planet_teeth;
-  loads.sun_torque = torque * ratios.torque.sun;
-  loads.ring_torque = torque * ratios.torque.ring;
-  loads.carrier_torque = torque * ratios.torque.carrier;
   const double push = loads.sun_torque / (set.planets * g.sun.base_radius);
   loads.normal_force = loads.ring_normal_force = loads.tooth_force = std::abs(push);
   const double turned = planet.second ? (planet.pair.side == PairSide::ahead ? g.angle : -g.angle) : 0.0;

@@ -8,10 +8,9 @@ namespace orbearing::bearing::laminae {
 
 namespace {
 
-LaminaContact contact_of(const Bearing& bearing, Race race, mechanics::InstructionSet set) {
+LaminaContact contact_of(const Bearing& bearing, Race race) {
   const double length = bearing.rollers().length;
-  return {lamina_law(roller_race_contact(bearing.contact_law, length)), length, lamina_drops(bearing, race),
-          set};
+  return {lamina_law(roller_race_contact(bearing.contact_law, length)), length, lamina_drops(bearing, race)};
 }
 
 }  // namespace
@@ -25,11 +24,11 @@ std::vector<double> lamina_drops(const Bearing& bearing, Race race) {
   return lamina_drops(rollers.profile, other, rollers.length, rollers.laminae);
 }
 
-LaminaBearing::LaminaBearing(const Bearing& bearing, mechanics::InstructionSet set)
+LaminaBearing::LaminaBearing(const Bearing& bearing)
     : bearing_(bearing),
       geometry_(geometry_of(bearing_)),
-      inner_(contact_of(bearing_, Race::inner, set)),
-      outer_(contact_of(bearing_, Race::outer, set)) {}
+      inner_(contact_of(bearing_, Race::inner)),
+      outer_(contact_of(bearing_, Race::outer)) {}
 
 Eigen::Vector2d force_on_bore(const QuasiStaticState& state) {
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();

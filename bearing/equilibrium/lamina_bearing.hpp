@@ -19,8 +19,7 @@ std::vector<double> lamina_drops(const Bearing& bearing, Race race);
 class LaminaBearing {
  public:
   /// Throws std::invalid_argument where a profile that is cut is unsound.
-  explicit LaminaBearing(const Bearing& bearing,
-                         mechanics::InstructionSet set = mechanics::best_instruction_set());
+  explicit LaminaBearing(const Bearing& bearing);
 
   const Bearing& bearing() const { return bearing_; }
   const BearingGeometry& geometry() const { return geometry_; }

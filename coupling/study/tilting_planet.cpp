@@ -102,15 +102,14 @@ PlanetSeat seat_of_each(const PlanetaryDrivetrain& drivetrain, const DrivetrainG
   return unlike_planet_seat(drivetrain, bearing_duty(drivetrain, geometry));
 }
 
-bearing::laminae::PlanetOnPin planet_on(const PlanetSeat& seat, const bearing::Bearing& bearing,
-                                        mechanics::InstructionSet set) {
+bearing::laminae::PlanetOnPin planet_on(const PlanetSeat& seat, const bearing::Bearing& bearing) {
   bearing::laminae::PlanetOnPin planet{.position = seat.positions,
                                        .pin_compliance = seat.pin_compliance,
                                        .tangential_compliance = seat.tangential_compliance};
   for (const double difference : seat.clearance_differences) {
     bearing::Bearing one = bearing;
     one.radial_clearance += difference;
-    planet.bearings.emplace_back(one, set);
+    planet.bearings.emplace_back(one);
   }
   planet.pin_inclination.assign(seat.positions.size(), seat.pin_inclination);
   for (const double position : seat.positions) planet.pin_error.push_back(position * seat.pin_inclination);

@@ -47,8 +47,7 @@ PlanetSeat unlike_planet_seat(const PlanetaryDrivetrain& drivetrain, const Beari
 PlanetSeat seat_of_each(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry);
 
 /// The planet on its seat, all its bearings like `bearing` but for their clearances.
-bearing::laminae::PlanetOnPin planet_on(const PlanetSeat& seat, const bearing::Bearing& bearing,
-                                        mechanics::InstructionSet set = mechanics::best_instruction_set());
+bearing::laminae::PlanetOnPin planet_on(const PlanetSeat& seat, const bearing::Bearing& bearing);
 
 /// Balance of one planet over a roller pitch: one result for each bearing. `point` is that of one bearing of
 /// a planet whose bearings carry alike; axial forces of helical teeth and the two gears of a stepped planet

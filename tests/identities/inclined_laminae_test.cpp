@@ -9,6 +9,7 @@
 #include "bearing/equilibrium/lamina_bearing.hpp"
 #include "bearing/profile/profile.hpp"
 #include "mechanics/constants.hpp"
+#include "tests/inclined_planets.hpp"
 #include "tests/reference/inclined_laminae.hpp"
 #include "tests/unit/bearing/example_bearings.hpp"
 
@@ -131,19 +132,7 @@ TEST(InclinedLaminae, ForcesAreSlopesOfTheEnergy) {
   rows.preload = 800.0;
   const InclinedPlanet planet = planet_on(rollers(12, 2e-6), rows, 6000.0);
   const InclinedPlanet::Position at{4e-6, -3e-6, 2e-6, 2.5e-6, -1.5e-6};
-  const mechanics::Imbalance<5> forces = planet.forces(at, 0.1);
-  constexpr double step = 1e-9;
-  for (int i = 0; i < 5; ++i) {
-    InclinedPlanet::Position ahead = at, behind = at;
-    ahead[i] += step;
-    behind[i] -= step;
-    const double slope =
-        (planet.stored_energy(ahead, 0.1) - planet.stored_energy(behind, 0.1)) / (2.0 * step);
-    EXPECT_NEAR(forces.force[i], -slope, 1e-6 * forces.force.norm()) << i;
-    const Eigen::Vector<double, 5> column =
-        (planet.forces(behind, 0.1).force - planet.forces(ahead, 0.1).force) / (2.0 * step);
-    EXPECT_LE((forces.stiffness.col(i) - column).norm(), 1e-4 * forces.stiffness.norm()) << i;
-  }
+  test::expect_slopes_of_energy(planet, at, 1e-6);
 }
 
 // Loads of rollers converge with laminae a quarter as wide; a tilt loads one end.

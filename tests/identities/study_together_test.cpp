@@ -202,8 +202,7 @@ TEST(Together, ComplianceOfAPlanetIsTheSlopeOfItsBalance) {
     const PlanetaryDrivetrain drivetrain = reducer_with({.tilt = true, .rim = rim});
     const DrivetrainGeometry geometry = derive(drivetrain);
     const bearing::OperatingPoint point = bearing_duty(drivetrain, geometry).point;
-    const bearing::laminae::PlanetOnPin planet =
-        planet_on(planet_seat(drivetrain), drivetrain.bearing, mechanics::InstructionSet::baseline);
+    const bearing::laminae::PlanetOnPin planet = planet_on(planet_seat(drivetrain), drivetrain.bearing);
     const bearing::QuasiStaticOptions options = quasi_static_options(drivetrain);
     const auto moved = [&](int i, double by) {
       bearing::OperatingPoint other = point;
@@ -313,9 +312,9 @@ TEST(Together, SeatedBearingsHaveTheFormOfTheirPlanet) {
   for (const SeatedBearing& one : seated_bearings(seat, drivetrain, geometry, duty)) {
     const std::size_t k =
         one.drivetrain.bearing.radial_clearance > drivetrain.bearing.radial_clearance ? 0 : 1;
-    const bearing::QuasiStaticResult alone = bearing::quasi_static_bearing(
-        bearing::laminae::LaminaBearing(one.drivetrain.bearing, mechanics::InstructionSet::baseline),
-        one.duty.point, quasi_static_options(one.drivetrain));
+    const bearing::QuasiStaticResult alone =
+        bearing::quasi_static_bearing(bearing::laminae::LaminaBearing(one.drivetrain.bearing), one.duty.point,
+                                      quasi_static_options(one.drivetrain));
     const Eigen::ArrayXd difference = alone.race_form - planet.bearings[k].race_form;
     EXPECT_LT(difference.abs().maxCoeff(), 0.02 * planet.bearings[k].race_form.abs().maxCoeff()) << k;
     EXPECT_NEAR(alone.outer_load.maxCoeff() / planet.bearings[k].outer_load.maxCoeff(), 1.0, 0.02) << k;
