@@ -191,13 +191,15 @@ def blocks(file):
 
 
 # Beside what a shell has: `check CASE SETTING...` without its table; `with COMMAND CASE SETTING...`; of what that says,
-# `warnings COMMAND CASE SETTING...`; `plainly COMMAND` as one who may not do more than modes of files allow.
+# `warnings COMMAND CASE SETTING...`; `plainly COMMAND` as one who may not do more than modes of files allow;
+# `stopped COMMAND` after 0.4 s of processor time.
 # $reducer_150kW is the file of that case.
 WORDS = """
 with() { it=$1; file=$2; shift 2; n=$#; for one in "$@"; do case $one in -*) set -- "$@" "$one";; *) set -- "$@" --set "$one";; esac; done; shift $n; orbearing $it $file "$@"; }
 check() { with check "$@" > checked; code=$?; grep '^warning' checked; return $code; }
 plainly() { [ $(id -u) != 0 ] || set -- setpriv --bounding-set -dac_override,-dac_read_search --inh-caps -dac_override,-dac_read_search "$@"; "$@"; }
 warnings() { with "$@" 2>&1 | grep -E '^(warning|error)'; }
+stopped() { "$@" & for _ in $(seq 6000); do [ $(cut -d' ' -f14 /proc/$!/stat) -lt 40 ] || break; sleep 0.01; done; kill -TERM $!; wait $!; }
 """
 
 
