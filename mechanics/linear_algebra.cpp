@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <Eigen/QR>
 
 #include "mechanics/convex_search.hpp"
@@ -19,6 +20,10 @@ Eigen::MatrixXd least_squares(const Eigen::MatrixXd& matrix, const Eigen::Matrix
   if (threshold > 0.0) factors.setThreshold(threshold);
   factors.compute(matrix);
   return factors.solve(right);
+}
+
+Eigen::MatrixXd solution(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right) {
+  return matrix.partialPivLu().solve(right);
 }
 
 std::optional<Eigen::MatrixXd> definite_solution(const Eigen::MatrixXd& matrix,

@@ -20,6 +20,9 @@ SymmetricModes symmetric_modes(const Eigen::MatrixXd& matrix);
 Eigen::MatrixXd least_squares(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right,
                               double threshold = 0.0);
 
+/// matrix^-1 right of a square matrix, with partial pivots; not finite where it is singular.
+Eigen::MatrixXd solution(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right);
+
 /// matrix^-1 right of a symmetric, positive definite matrix; none where it is not.
 std::optional<Eigen::MatrixXd> definite_solution(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right);
 

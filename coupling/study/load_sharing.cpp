@@ -1,7 +1,6 @@
 #include "coupling/study/load_sharing.hpp"
 
-#include <Eigen/LU>
-#include <Eigen/QR>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -17,6 +16,7 @@
 #include "gearset/dynamics/bearing_force.hpp"
 #include "gearset/dynamics/snapshot.hpp"
 #include "gearset/dynamics/static_state.hpp"
+#include "mechanics/linear_algebra.hpp"
 
 namespace orbearing::study {
 
@@ -201,7 +201,7 @@ class Mixing {
     before_ = Step{found, change};
     if (kept_ == 0) return found;
     const auto changes = changes_.leftCols(kept_), results = results_.leftCols(kept_);
-    return found - results * changes.colPivHouseholderQr().solve(change);
+    return found - results * mechanics::least_squares(changes, change);
   }
 
  private:
@@ -305,7 +305,7 @@ Matrix2Xd balanced_on_tangents(StaticSet& set, double stiffness, const std::vect
     if (round < kLinearRounds) {
       const MatrixXd follows =
           MatrixXd::Identity(tried.size(), tried.size()) - set.forces_by_offset() * offset_by_force;
-      at.reshaped() += follows.partialPivLu().solve((found - at).reshaped());
+      at.reshaped() += mechanics::solution(follows, (found - at).reshaped());
     } else {
       at.reshaped() = mixing.next(at.reshaped(), found.reshaped());
     }

@@ -10,6 +10,7 @@
 
 #include "mechanics/checks.hpp"
 #include "mechanics/constants.hpp"
+#include "mechanics/linear_algebra.hpp"
 
 namespace orbearing::gearset::rim {
 
@@ -261,7 +262,7 @@ Eigen::MatrixXcd solved(const Eigen::MatrixXcd& matrix, const Eigen::MatrixXcd& 
   Eigen::MatrixXd real(2 * n, 2 * n), loads(2 * n, right.cols());
   real << matrix.real(), -matrix.imag(), matrix.imag(), matrix.real();
   loads << right.real(), right.imag();
-  const Eigen::MatrixXd x = real.partialPivLu().solve(loads);
+  const Eigen::MatrixXd x = mechanics::solution(real, loads);
   return x.topRows(n) + kTurn * x.bottomRows(n);
 }
 

@@ -21,7 +21,7 @@ import tempfile
 import time
 import unittest
 
-from program import CASES, run
+from program import CASES, LEFT_TO_FULL, run
 
 sys.path.insert(0, str(CASES.parent / "docs" / "page"))
 import pictures  # noqa: E402
@@ -462,8 +462,11 @@ class PageSteps:
         proceed.click()
         self.until(lambda: "Done: 3 points" in told(), "the sweep is done")
         drawn = {float(circle.get_attribute("data-x")): float(circle.get_attribute("data-y")) for circle in self.all("#card-motion [data-series=cage_slip] circle")}
-        expected = {point["input_speed_rpm"]: point["cage_slip"] for point in self.answer("sweep", "--grid-only", "--fidelity", "dynamic")["points"]}
-        self.assertEqual(set(drawn), set(expected))
+        self.assertEqual(len(drawn), 3)
+        again = sorted(drawn)[:1 if LEFT_TO_FULL else 3]
+        few = "sweep.input.speed=[" + ", ".join(f"{speed!r} rpm" for speed in again) + "]"
+        expected = {point["input_speed_rpm"]: point["cage_slip"] for point in self.answer("sweep", "--set", few, "--grid-only", "--fidelity", "dynamic")["points"]}
+        self.assertEqual(sorted(expected), again)
         for speed, slip in expected.items():
             self.assert_same(drawn[speed], slip, f"cage slip at {speed} rpm", self.allowed_in_motion)
 
@@ -676,6 +679,7 @@ class EngineA(PageSteps, unittest.TestCase):
         self.assertEqual(file.read_bytes()[:5], b"%PDF-")
         self.find("#take .close").click()
 
+    @unittest.skipIf(LEFT_TO_FULL, "two reports: tools/test --full, or by hand")
     def test_a_report_covers_the_operating_point_or_all_speeds(self):
         """Verdicts are those of what the report covers: the point at the cursor, or the worst of the speeds."""
         self.open_text(MOVING + "requirements: {life: 1000000000 h, life_key: L10h}\n")

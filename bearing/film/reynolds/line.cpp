@@ -4,7 +4,7 @@
 //     H = H_0 + X^2/2 - 1/pi * integral of P ln|X - S| dS,   integral of P = pi/2
 #include "bearing/film/reynolds/line.hpp"
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,6 +14,7 @@
 
 #include "mechanics/cancellation.hpp"
 #include "mechanics/checks.hpp"
+#include "mechanics/linear_algebra.hpp"
 
 namespace orbearing::bearing::film {
 
@@ -137,7 +138,7 @@ class LineFilmEquations {
         matrix(n, k) = step_;
       }
       right[n] = 0.5 * pi - P.sum() * step_;
-      const Eigen::VectorXd move = matrix.partialPivLu().solve(right);
+      const Eigen::VectorXd move = mechanics::solution(matrix, right);
       if (n == 0 || !move.allFinite()) return std::numeric_limits<double>::infinity();
       const double share = std::min(1.0, 0.3 / std::max(move.head(n).cwiseAbs().maxCoeff(), 1e-300));
       change = 0.0;

@@ -1,11 +1,12 @@
 #include "bearing/film/reynolds/point_level.hpp"
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "mechanics/cancellation.hpp"
+#include "mechanics/linear_algebra.hpp"
 
 namespace orbearing::bearing::film {
 
@@ -319,7 +320,7 @@ double PointFilmLevel::solve(double& rigid, int most, double enough) {
       matrix(n, k) = cell();
     }
     right[n] = load - load_of(pressure);
-    const Eigen::VectorXd step = matrix.partialPivLu().solve(right);
+    const Eigen::VectorXd step = mechanics::solution(matrix, right);
     if (!step.allFinite()) return std::numeric_limits<double>::infinity();
     // Pressures may change by a third of the largest one, else all change by less.
     const double largest = std::max(pressure.maxCoeff(), 0.1),

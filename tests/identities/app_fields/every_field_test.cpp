@@ -140,7 +140,7 @@ class EveryField : public testing::TestWithParam<Subject> {
 };
 
 // What moves, crowns a second time or tilts a planet of several sets takes up to a quarter of a second for
-// each field: of these a part every day, each rung another one, so that half of what moves is asked of one;
+// each field: of these a part every day, each rung another one, so that a quarter of what moves is asked of one;
 // all in each with ORBEARING_FULL=yes.
 bool is_left_to_full_tests(const Field& field, const Subject& subject) {
   if (is_full()) return false;
@@ -156,16 +156,16 @@ bool is_left_to_full_tests(const Field& field, const Subject& subject) {
     case use::fmu_gearset:
       return unless(2, 3);
     case use::dynamic:
-      return unless(0, 12);
+      return unless(0, 24);
     case use::dynamic_of_sets:
-      return unless(0, 6);
+      return unless(2, 12);
     case use::co_simulated:
-      return unless(1, 6);
+      return unless(4, 12);
     case use::monolithic:
-      if (subject.base->name == "displaced_pins") return !field.path.starts_with("gearset.") || unless(5, 6);
-      return unless(2, 6);
+      if (subject.base->name == "displaced_pins") return !field.path.starts_with("gearset.") || unless(6, 12);
+      return unless(8, 12);
     case use::planet_defect:  // what moves as by monolithic shares that part
-      return (field.use.by & use::monolithic) != 0 && unless(3, 6);
+      return (field.use.by & use::monolithic) != 0 && unless(10, 12);
     case use::ball_run:
       return unless(4, 6);
     case use::moving_defect:  // balls roll as in a ball's run, and scratches are felt as without mass

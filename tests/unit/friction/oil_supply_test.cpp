@@ -233,40 +233,43 @@ TEST(RollerFriction, HeatedInletsResistLess) {
   EXPECT_NEAR(warm.rolling, share * cold.rolling, 1e-3 * cold.rolling);
 }
 
+struct RigidFilm {
+  double load = 0.0, moment = 0.0;
+};
+
+// Where a film between rigid cylinders ends at `exit`, its pressure there; adds to the sum if there is one.
+double pressure_at_end(double from, double exit, RigidFilm* sum) {
+  constexpr int count = 40000;
+  const double first = -std::asinh(from);
+  double pressure = 0.0, before = -from;
+  for (int i = 0; i < 2 * count; ++i) {
+    const double x =
+        i < count ? std::sinh(first * (1.0 - (i + 1.0) / count)) : exit * (i + 1.0 - count) / count;
+    const double middle = 0.5 * (before + x), gap = 1.0 + middle * middle;
+    const double rise = (gap - 1.0 - exit * exit) / (gap * gap * gap) * (x - before);
+    if (sum != nullptr) {
+      sum->load += (pressure + 0.5 * rise) * (x - before);
+      sum->moment -= (pressure + 0.5 * rise) * middle * (x - before);
+    }
+    pressure += rise;
+    before = x;
+  }
+  return pressure;
+}
+
+double rigid_resistance(double from) {
+  double low = 0.0, high = 0.7;
+  for (int i = 0; i < 40; ++i)
+    (pressure_at_end(from, 0.5 * (low + high), nullptr) > 0.0 ? low : high) = 0.5 * (low + high);
+  RigidFilm found;
+  pressure_at_end(from, low, &found);
+  return found.moment / std::sqrt(found.load);
+}
+
 // Rigid cylinders in oil that begins X sqrt(2 R h_0) before the contact, Reynolds' equation by quadrature:
 // the first moment of the pressure over that without end, at the same load.
 double rigid_share(double begin) {
-  struct Film {
-    double load = 0.0, moment = 0.0;
-  };
-  const auto film = [](double from) {
-    constexpr int count = 40000;
-    const double first = -std::asinh(from);
-    const auto pressure_at_end = [&](double exit, Film* sum) {
-      double pressure = 0.0, before = -from;
-      for (int i = 0; i < 2 * count; ++i) {
-        const double x =
-            i < count ? std::sinh(first * (1.0 - (i + 1.0) / count)) : exit * (i + 1.0 - count) / count;
-        const double middle = 0.5 * (before + x), gap = 1.0 + middle * middle;
-        const double rise = (gap - 1.0 - exit * exit) / (gap * gap * gap) * (x - before);
-        if (sum != nullptr) {
-          sum->load += (pressure + 0.5 * rise) * (x - before);
-          sum->moment -= (pressure + 0.5 * rise) * middle * (x - before);
-        }
-        pressure += rise;
-        before = x;
-      }
-      return pressure;
-    };
-    double low = 0.0, high = 0.7;
-    for (int i = 0; i < 40; ++i)
-      (pressure_at_end(0.5 * (low + high), nullptr) > 0.0 ? low : high) = 0.5 * (low + high);
-    Film found;
-    pressure_at_end(low, &found);
-    return found;
-  };
-  const auto resistance = [](const Film& f) { return f.moment / std::sqrt(f.load); };
-  return resistance(film(begin)) / resistance(film(1e4));
+  return rigid_resistance(begin) / rigid_resistance(1e4);
 }
 
 TEST(RollerFriction, InletsThatEndResistAsRigidCylindersDo) {
