@@ -162,11 +162,19 @@ std::vector<std::string> free_bore_warnings(const ResolvedCase& resolved, const 
     return row.ok() && !together(row) &&
            (full || value_of(outcome.head, row, "drag_slip") > study::kLightSlip);
   });
-  if (!free.empty())
+  if (!free.empty()) {
+    const std::vector<study::NamedSet> bearings = bearing_sets(resolved.without_sweep());
+    const bool tried = std::ranges::any_of(bearings, [](const study::NamedSet& set) {
+      return study::moves_with_its_gears(set.drivetrain, std::numeric_limits<double>::infinity());
+    });
+    const char* cause =
+        tried ? "As one system the motion could not be followed (--fidelity monolithic says why)"
+              : "Required for one system: one set, a steady speed and a stated tilt";
     warnings.push_back(
         fmt::format("one way: {}. Here the bore is free under the load of the gears, and life and slip are "
-                    "not reliable. Required for one system: one set, a steady speed and a stated tilt: {}",
-                    why, free));
+                    "not reliable. {}: {}",
+                    why, cause, free));
+  }
   return warnings;
 }
 

@@ -62,7 +62,9 @@ TEST(SweepWarnings, OfTheOneWayLaw) {
 
 TEST(SweepWarnings, OfBoresWhoseMotionDependsOnTheirMeshes) {
   EXPECT_SAID("one way solved together", last_warning(outcome_of("interface_window_us", {0.0, 4.3})));
-  EXPECT_SAID("one way free bore", last_warning(outcome_of("drag_slip", {0.05, 0.051})));
+  const SweepOutcome light = outcome_of("drag_slip", {0.05, 0.051});
+  EXPECT_SAID("one way not followed", last_warning(light));
+  EXPECT_SAID("one way free bore", sweep_warnings(shipped({"input.acceleration=10 rpm/s"}), light, {}).back());
   const SweepOutcome whirling = outcome_of("drag_slip", {0.5, 0.4, 0.05}, "cage_slip", 0.42);
   EXPECT_SAID("slip by drag", sweep_warnings(shipped(), whirling, {}).end()[-2]);
 }
