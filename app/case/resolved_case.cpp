@@ -79,6 +79,12 @@ Model ResolvedCase::model() const {
   return specific_model(model_of(choice("model")), has("simulation.duration"), has("bearing.rollers"));
 }
 
+ResolvedCase ResolvedCase::assuming(const std::string& path, const std::string& reason) const {
+  CaseData data = *data_;
+  data.assumed[path] = reason;
+  return ResolvedCase(std::move(data));
+}
+
 ResolvedCase ResolvedCase::without_sweep() const {
   CaseData data = *data_;
   data.axes = CaseData{}.axes;

@@ -154,6 +154,9 @@ class ResolvedCase {
   /// As with(), with what is wrong added to `mistakes` instead; what could not be set keeps its value.
   ResolvedCase with(const std::vector<Setting>& settings, std::vector<Mistake>& mistakes) const;
 
+  /// Copy in which the value at `path` is assumed, with the reason.
+  ResolvedCase assuming(const std::string& path, const std::string& reason) const;
+
   /// One of several sets as a case of its own, without sweep: its fields at the top, with what all share.
   ResolvedCase of_set(std::string_view set) const;
 

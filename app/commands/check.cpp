@@ -14,6 +14,7 @@
 #include "app/study/analysis.hpp"
 #include "app/study/gear_case.hpp"
 #include "app/study/mesh_study.hpp"
+#include "app/study/motion_budget.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/study/sensitivity.hpp"
 
@@ -61,6 +62,7 @@ int check_command(const Options& options) {
   for (std::string& warning : default_warnings(resolved, checked.derived))
     checked.warnings.push_back(std::move(warning));
   for (const Derived& row : catalogue_quantities(resolved)) checked.derived.push_back(row);
+  for (const Derived& row : motion_time_quantities(resolved)) checked.derived.push_back(row);
   for (std::string& warning : inferred_warnings(resolved)) checked.warnings.push_back(std::move(warning));
   for (std::string& warning : uncertain_warnings(resolved)) checked.warnings.push_back(std::move(warning));
   for (std::string& warning : former_key_warnings(resolved)) checked.warnings.push_back(std::move(warning));

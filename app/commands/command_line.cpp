@@ -81,6 +81,16 @@ void add_computing(CLI::App& command, Options& options) {
   command.add_flag("--resume", options.resume, "continue in DIR with the missing points");
 }
 
+void add_budget(CLI::App& command, Options& options) {
+  command
+      .add_option(
+          "--budget", options.budget,
+          "processor time of a motion, e.g. \"60 s\" or \"5 min\": fewer revolutions of the cage, then "
+          "larger steps, chosen from the number of steps and written into the resolved case. No change "
+          "where the estimate is below it")
+      ->type_name("TIME");
+}
+
 void add_peak(CLI::App& command, Options& options) {
   add_jobs(command, options);
   command.add_flag("--grid-only", options.grid_only,
@@ -90,6 +100,7 @@ void add_peak(CLI::App& command, Options& options) {
 
 void add_sweep(CLI::App& command, Options& options) {
   add_computing(command, options);
+  add_budget(command, options);
   add_peak(command, options);
   command.add_option("--shard", options.shard, "compute part i of n; join the parts by merge")
       ->type_name("i/n");
@@ -345,6 +356,7 @@ void add_commands(CommandTable table) {
            options);
   CLI::App& run = table.add("run", "compute the case at its operating point", run_command);
   add_computing(run, options);
+  add_budget(run, options);
   run.add_flag("--gears", options.gears,
                "vibration of the gears only, with bearings as springs; default for a case without a bearing");
   add_sweep(table.add("sweep", "compute all operating points of the case", sweep_command), options);

@@ -28,6 +28,7 @@ struct Options {
   std::optional<std::string> shard;      // "i/n"
   std::optional<std::string> direction;  // sweep --continue: "up" or "down"
   std::string other;                     // report --with: folder of the branch to draw beside
+  std::optional<std::string> budget;     // run, sweep: processor time, "60 s"
   bool grid_only = false;                // sweep, merge: no points are added around the peak
   int jobs = 0;                          // 0: one for each core
   bool every_effect = false;             // report: all effects of the motion in time

@@ -148,7 +148,8 @@ int run_analysis(const ResolvedCase& resolved, const Options& options, const Ana
     Wanted wanted{.files = !options.output.empty()};
     std::optional<Progress> bar;
     if (analysis.doing != nullptr) {
-      bar.emplace(std::size_t{0}, analysis.parts, !options.quiet, analysis.doing);
+      bar.emplace(std::size_t{0}, analysis.parts, !options.quiet, analysis.doing,
+                  analysis.simulated != nullptr ? analysis.simulated(resolved) : 0.0);
       wanted.progress = [&](double share) {
         bar->show(static_cast<std::size_t>(share * static_cast<double>(analysis.parts)));
       };

@@ -3,6 +3,8 @@
 #include <fmt/core.h>
 
 #include <nlohmann/json.hpp>
+#include <numeric>
+#include <optional>
 
 #include "app/case/bearing_type.hpp"
 #include "app/case/case_file.hpp"
@@ -12,10 +14,12 @@
 #include "app/results/verdicts.hpp"
 #include "app/study/carrier_study.hpp"
 #include "app/study/life_peak.hpp"
+#include "app/study/motion_budget.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/study/stiffness_study.hpp"
 #include "app/study/sweep_study.hpp"
 #include "app/study/sweep_warnings.hpp"
+#include "coupling/study/parallel.hpp"
 
 namespace orbearing::app {
 
@@ -66,9 +70,9 @@ std::size_t points_of(const SweepOutcome& outcome) {
   return outcome.rows.size() + outcome.header.spectrum.points();
 }
 
-// Of one planet bearing at the operating point; of several sets, by set; none where planets find their tilt and
-// of other bearings than cylindrical ones, of which no stiffness is computed (`orbearing stiffness` refuses
-// such a case).
+// Of one planet bearing at the operating point; of several sets, by set; none where planets find their tilt
+// and of other bearings than cylindrical ones, of which no stiffness is computed (`orbearing stiffness`
+// refuses such a case).
 nlohmann::ordered_json stiffness_of_run(const ResolvedCase& resolved) {
   if (!has_cylindrical_rollers(resolved)) return nullptr;
   for (const Input& input : resolved.inputs())
@@ -88,6 +92,38 @@ nlohmann::ordered_json stiffness_of_run(const ResolvedCase& resolved) {
 }
 
 }  // namespace
+
+PlannedSweep plan_sweep(const ResolvedCase& resolved, const Options& options,
+                        const std::function<SweepRequest(const ResolvedCase&)>& request_of) {
+  if (options.budget) {
+    budget_option(*options.budget);
+    require_motion_for_budget(options.fidelity);
+  }
+  PlannedSweep plan{resolved, request_of(resolved)};
+  std::optional<MotionEstimate> estimate;
+  if (options.budget || !options.quiet) estimate = motion_estimate(resolved, plan.request);
+  if (!estimate) return plan;
+  study::MotionWindows windows = estimate->stated;
+  if (options.budget) {
+    if (std::optional<BudgetedCase> budgeted = within_budget(resolved, *estimate, *options.budget)) {
+      plan = {budgeted->resolved, request_of(budgeted->resolved)};
+      windows = budgeted->windows;
+      if (!options.quiet) fmt::print(stderr, "{}\n", budgeted->chosen);
+    }
+  }
+  if (options.quiet) return plan;
+  plan.request.work = estimate->work(windows);
+  const double beyond =
+      estimate->seconds(windows) - std::accumulate(plan.request.work.begin(), plan.request.work.end(), 0.0);
+  plan.request.announce = [beyond, added = estimate->added.size(), jobs = options.jobs,
+                           one = plan.request.header.continued.has_value() ||
+                                 plan.request.points.size() == 1](double seconds, std::size_t missing) {
+    const auto threads = static_cast<int>(study::threads_for(missing + added, one ? 1 : jobs));
+    const std::string text = estimate_text(seconds + beyond, missing, added, threads);
+    if (!text.empty()) fmt::print(stderr, "{}\n", text);
+  };
+  return plan;
+}
 
 void take_points(const Options& options, SweepRequest& request) {
   if (options.take_point)

@@ -1,6 +1,7 @@
 // What commands have in common around their work: where the case comes from and where the result goes.
 #pragma once
 
+#include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
@@ -24,6 +25,18 @@ void print_result(nlohmann::ordered_json object, const Record& record, const Opt
 void print_warnings(const std::vector<std::string>& warnings);
 /// Points that failed, in one line: to the caller who takes it, else on standard error.
 void print_failures(const std::string& line, const Options& options);
+
+/// A case and the sweep that computes it, within the budget of the options.
+struct PlannedSweep {
+  ResolvedCase resolved;
+  SweepRequest request;
+};
+
+/// Plans `request_of` the case: with the windows that keep to the budget, where there is one, and with the
+/// estimated time of its points, which is printed on standard error where it is long. Throws BadInput for a
+/// budget that nothing keeps to.
+PlannedSweep plan_sweep(const ResolvedCase& resolved, const Options& options,
+                        const std::function<SweepRequest(const ResolvedCase&)>& request_of);
 
 /// Makes a sweep give each row to the caller who takes points.
 void take_points(const Options& options, SweepRequest& request);

@@ -2,6 +2,7 @@
 #include "app/commands/presentation.hpp"
 #include "app/errors.hpp"
 #include "app/study/fidelity.hpp"
+#include "app/study/motion_budget.hpp"
 #include "app/study/sweep_study.hpp"
 
 namespace orbearing::app {
@@ -13,15 +14,17 @@ int run_command(const Options& options) {
     throw BadInput("--fidelity: found " + fidelity +
                    "; required: none together with --gears, which runs the gears only");
   const Analysis* analysis = options.gears ? &gears_alone() : analysis_of(resolved, fidelity);
+  if (analysis != nullptr && options.budget) refuse_budget(resolved, options.gears);
   if (analysis != nullptr) return run_analysis(resolved, options, *analysis);
   require_computable(resolved, options.fidelity, false);
-  SweepRequest request = sweep_request(resolved, options.fidelity);
+  auto [planned, request] = plan_sweep(
+      resolved, options, [&](const ResolvedCase& in) { return sweep_request(in, options.fidelity); });
   request.folder = options.output;
   request.jobs = 1;
   request.resume = options.resume;
   request.quiet = options.quiet;
   take_points(options, request);
-  return present_sweep(resolved, run_sweep(request), options);
+  return present_sweep(planned, run_sweep(request), options);
 }
 
 }  // namespace orbearing::app

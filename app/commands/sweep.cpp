@@ -20,12 +20,7 @@ void require_sequential(const Options& options) {
   if (!mistakes.empty()) throw BadInput(mistakes);
 }
 
-}  // namespace
-
-int sweep_command(const Options& options) {
-  require_output(options);
-  const ResolvedCase resolved = case_of(options);
-  require_computable(resolved, options.fidelity, true);
+SweepRequest request_of(const ResolvedCase& resolved, const Options& options) {
   SweepRequest request = sweep_request(resolved, options.fidelity);
   if (options.shard) request.header.shard = parse_shard(*options.shard);
   if (options.direction) {
@@ -34,6 +29,17 @@ int sweep_command(const Options& options) {
   } else if (!options.grid_only) {
     refine_peak_of(resolved, request);
   }
+  return request;
+}
+
+}  // namespace
+
+int sweep_command(const Options& options) {
+  require_output(options);
+  const ResolvedCase stated = case_of(options);
+  require_computable(stated, options.fidelity, true);
+  auto [resolved, request] =
+      plan_sweep(stated, options, [&](const ResolvedCase& in) { return request_of(in, options); });
   request.folder = options.output;
   request.jobs = options.jobs;
   request.resume = options.resume;

@@ -19,6 +19,9 @@ Json motion_event(const system::MotionProgress& now) {
   const bearing::motion::Snapshot& bearing = now.bearing;
   return {{"time_s", now.time},
           {"most_s", now.most},
+          {"expected_s", now.expected},
+          {"run", now.run},
+          {"most_runs", now.most_runs},
           {"rolling_cage_rpm", kRpm * now.rolling_cage_speed},
           {"cage_rpm", kRpm * bearing.orbit_speed},
           {"cage_turned_deg", kDegree * bearing.orbit_angle},

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <unistd.h>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <csignal>
@@ -36,28 +37,65 @@ ObservedProgress::~ObservedProgress() {
   observer_of_thread = nullptr;
 }
 
-std::string progress_text(std::size_t done, std::size_t kept, std::size_t all, double seconds) {
+std::string progress_text(std::size_t done, std::size_t kept, std::size_t all, double seconds, double share) {
   std::string text = fmt::format("{} of {} points done, {} left", done, all, all - done);
-  if (done > kept && done < all)
-    text += fmt::format(", {} to go", clock_text(seconds / static_cast<double>(done - kept) *
-                                                 static_cast<double>(all - done)));
+  if (share < 0.0) share = static_cast<double>(done - kept) / static_cast<double>(std::max(all - kept, 1UL));
+  if (done > kept && done < all && share > 0.0)
+    text += fmt::format(", {} to go", clock_text(seconds * (1.0 - share) / share));
   return text;
 }
 
-std::string motion_text(double time, double most) {
-  return fmt::format("a point at {:.3g} s of motion, at most {:.3g} s", time, most);
+// A point begins at time 0, and another one may roll at another speed.
+std::optional<double> MotionPace::seconds_left(const system::MotionProgress& now) {
+  if (now.time < last_ || now.rolling_cage_speed != rolling_) {
+    start_ = Clock::now();
+    from_ = now.time;
+    rolling_ = now.rolling_cage_speed;
+  }
+  last_ = now.time;
+  if (!(now.time > from_)) return std::nullopt;
+  const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+  return seconds * std::max(0.0, now.expected - now.time) / (now.time - from_);
 }
 
-Progress::Progress(std::size_t kept, std::size_t all, bool shown, std::string doing)
+namespace {
+
+std::string to_go(std::optional<double> seconds) {
+  return seconds ? fmt::format(", {} to go", clock_text(*seconds)) : "";
+}
+
+}  // namespace
+
+std::string motion_text(const system::MotionProgress& now, std::optional<double> seconds_left) {
+  return fmt::format("{}{:.3g} s of {:.3g} s in motion, {:.0f} %{}",
+                     now.run > 0 ? fmt::format("run {} of at most {}: ", now.run, now.most_runs) : "",
+                     now.time, now.expected, 100.0 * now.share(), to_go(seconds_left));
+}
+
+std::string motion_json(const system::MotionProgress& now, std::optional<double> seconds_left) {
+  return fmt::format(
+      R"({{"time_s": {}, "expected_s": {}, "most_s": {}, "share": {}, "seconds_left": {}, "run": {}, "most_runs": {}}})",
+      now.time, now.expected, now.most, now.share(), seconds_left ? fmt::format("{}", *seconds_left) : "null",
+      now.run, now.most_runs);
+}
+
+std::string share_text(double share, double simulated, double seconds) {
+  const bool under_way = share > 0.0 && share < 1.0;
+  return fmt::format("{:.3g} s of {:.3g} s in motion, {:.0f} %{}", share * simulated, simulated,
+                     100.0 * share,
+                     to_go(under_way ? std::optional(seconds * (1.0 - share) / share) : std::nullopt));
+}
+
+Progress::Progress(std::size_t kept, std::size_t all, bool shown, std::string doing, double simulated)
     : kept_(kept),
       all_(all),
       shown_(shown && ::isatty(STDERR_FILENO) == 1),
       doing_(std::move(doing)),
+      simulated_(simulated),
       observer_(observer_of_thread),
       done_(kept) {
   show(kept);
-  if (shown_ && !observer_)
-    motions_.emplace([this](const system::MotionProgress& now) { show_motion(now.time, now.most); });
+  if (shown_ && !observer_) motions_.emplace([this](const system::MotionProgress& now) { show_motion(now); });
 }
 
 Progress::~Progress() {
@@ -65,9 +103,10 @@ Progress::~Progress() {
   if (shown_) fmt::print(stderr, "{}", wiped_line);
 }
 
-void Progress::show(std::size_t done) {
+void Progress::show(std::size_t done, double work) {
   const std::scoped_lock lock(printing_);
   done_ = done;
+  work_ = work;
   const Clock::time_point now = Clock::now();
   if ((!shown_ && !observer_) || now - last_ < least_pause) return;
   last_ = now;
@@ -75,17 +114,24 @@ void Progress::show(std::size_t done) {
   print({});
 }
 
-void Progress::show_motion(double time, double most) {
+void Progress::show_motion(const system::MotionProgress& motion) {
   const std::scoped_lock lock(printing_);
+  const std::optional<double> left = pace_.seconds_left(motion);
   const Clock::time_point now = Clock::now();
   if (now - last_ < least_pause) return;
   last_ = now;
-  print("; " + motion_text(time, most));
+  print(motion_text(motion, left));
 }
 
-void Progress::print(const std::string& behind) {
+// Of a single point nothing is said but its motion.
+void Progress::print(const std::string& motion) {
   const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
-  fmt::print(stderr, "{}{}{}{}", wiped_line, doing_, progress_text(done_, kept_, all_, seconds), behind);
+  std::string text = simulated_ > 0.0 ? "" : doing_;
+  if (simulated_ > 0.0)
+    text = share_text(static_cast<double>(done_) / static_cast<double>(all_), simulated_, seconds);
+  else if (motion.empty() || all_ > 1)
+    text += progress_text(done_, kept_, all_, seconds, work_) + (motion.empty() ? "" : "; a point: ");
+  fmt::print(stderr, "{}{}{}", wiped_line, text, motion);
   std::fflush(stderr);
 }
 

@@ -12,8 +12,10 @@
 
 namespace orbearing::app {
 
-/// "120 of 1201 points done, 1081 left, 0:42 to go". `seconds` [s] went by for the `done` less `kept` points.
-std::string progress_text(std::size_t done, std::size_t kept, std::size_t all, double seconds);
+/// "120 of 1201 points done, 1081 left, 0:42 to go". `seconds` [s] went by for the `done` less `kept` points;
+/// `share` [-] of the work of all points but the kept ones, where they are unlike; below 0: all alike.
+std::string progress_text(std::size_t done, std::size_t kept, std::size_t all, double seconds,
+                          double share = -1.0);
 
 /// A caller in the same process who sees the progress in place of standard error; from any thread, one call
 /// at a time.
@@ -28,22 +30,45 @@ class ObservedProgress {
   ~ObservedProgress();
 };
 
-/// "a point at 0.12 s of motion, at most 0.35 s": bearings that are steady sooner end sooner.
-std::string motion_text(double time, double most);
+/// Time to go of one motion after the other, by what each has done since it was first seen.
+class MotionPace {
+ public:
+  /// [s]  none at the first sight of a motion
+  std::optional<double> seconds_left(const system::MotionProgress& now);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start_{};
+  double from_ = 0.0, last_ = 0.0;  // [s]  of motion
+  double rolling_ = 0.0;            // [rad/s]  tells points apart
+};
+
+/// "run 2 of at most 8: 0.0231 s of 0.18 s in motion, 13 %, 0:04 to go". A motion that is not yet steady may
+/// go on for longer than expected.
+std::string motion_text(const system::MotionProgress& now, std::optional<double> seconds_left);
+
+/// The same for callers: {"time_s", "expected_s", "most_s", "share", "seconds_left", "run", "most_runs"}.
+std::string motion_json(const system::MotionProgress& now, std::optional<double> seconds_left);
+
+/// "12 % of 0.5 s in motion, 0:04 to go": of an analysis in time that reports the share done. `simulated`
+/// [s] in all; `seconds` [s] went by.
+std::string share_text(double share, double simulated, double seconds);
 
 /// Shows nothing unless `shown` and standard error is a terminal. Wipes its line at the end of its life.
 class Progress {
  public:
-  /// `doing` begins the line: "peak, round 2: ".
-  Progress(std::size_t kept, std::size_t all, bool shown, std::string doing = {});
+  /// `doing` begins the line: "peak, round 2: ". `simulated` [s]: of a motion, whose shares the parts are
+  /// then; else these are points.
+  Progress(std::size_t kept, std::size_t all, bool shown, std::string doing = {}, double simulated = 0.0);
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
   ~Progress();
 
-  void show(std::size_t done);
+  /// `work` [-]: share of the work that is done, where points are unlike; below 0: all alike.
+  void show(std::size_t done, double work = -1.0);
 
  private:
-  void show_motion(double time, double most);
+  void show_motion(const system::MotionProgress& now);
   void print(const std::string& behind);
 
   using Clock = std::chrono::steady_clock;
@@ -51,10 +76,13 @@ class Progress {
   std::size_t all_;
   bool shown_;
   std::string doing_;
+  double simulated_;  // [s]
   ProgressObserver observer_;
   Clock::time_point start_ = Clock::now();
   Clock::time_point last_{};
   std::size_t done_;
+  double work_ = -1.0;  // [-]  done
+  MotionPace pace_;
   std::mutex printing_;  // motions are reported by those who compute
   std::optional<system::ObservedMotions> motions_;
 };

@@ -95,16 +95,27 @@ struct Work {
   std::string doing;  // begins the line of progress; empty: the grid
 };
 
+double work_of(const SweepRequest& request, const std::vector<std::size_t>& points) {
+  double seconds = 0.0;
+  for (const std::size_t point : points)
+    if (point < request.work.size()) seconds += request.work[point];
+  return seconds;
+}
+
 /// What was asked to stop leaves the points finished so far in the folder.
 void compute(const SweepRequest& request, const Work& work, ResultFolder& folder) {
   const std::size_t before = folder.finished().size();
   Progress progress(before, before + work.missing.size(), !request.quiet, work.doing);
+  const double all = work_of(request, work.missing);  // [s]
+  double done = 0.0;                                  // [s]
   const auto deliver = [&](std::vector<study::ComputedPoint> computed) {
     std::vector<FinishedPoint> points;
-    for (study::ComputedPoint& point : computed)
+    for (study::ComputedPoint& point : computed) {
+      done += work_of(request, {point.index});
       points.push_back(finished_point(request, work.point_of(point.index), std::move(point)));
+    }
     keep(request, std::move(points), folder);
-    progress.show(folder.finished().size());
+    progress.show(folder.finished().size(), all > 0.0 ? done / all : -1.0);
   };
   const auto evaluate = [&](std::size_t index) {
     const SweepPoint& point = work.point_of(index);
@@ -258,6 +269,10 @@ SweepOutcome swept(const SweepRequest& request) {
   const std::size_t kept = folder.finished().size();
   if (request.take_row)
     for (const auto& [point, entry] : folder.finished()) request.take_row(folder.head(), entry.row);
+  if (request.announce) {
+    const std::vector<std::size_t> missing = missing_points(request, folder);
+    request.announce(work_of(request, missing), missing.size());
+  }
   if (request.header.continued)
     compute_paths(request, folder);
   else

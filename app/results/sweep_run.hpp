@@ -59,8 +59,11 @@ struct SweepRequest {
   std::optional<Refinement> refinement{};  // there where header.refined; shards leave it to `merge`
   /// Receives each row as its point ends, first those that the folder holds; one call at a time.
   std::function<void(const TableHead& head, const ResultRow& row)> take_row{};
-  std::filesystem::path folder;            // empty: nothing is written
-  int jobs = 0;                            // threads; 0: as many as the machine has
+  std::vector<double> work{};  // [s]  (points) estimated times, which weigh the time to go; empty: alike
+  /// Told once, before the first point: estimated time [s] and number of the points that the folder lacks.
+  std::function<void(double seconds, std::size_t missing)> announce{};
+  std::filesystem::path folder;  // empty: nothing is written
+  int jobs = 0;                  // threads; 0: as many as the machine has
   bool resume = false;
   bool quiet = false;  // no progress, even on a terminal
 };

@@ -1,16 +1,21 @@
 #include "app/study/analysis.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/case/defect_case.hpp"
+#include "app/case/described_case.hpp"
 #include "app/errors.hpp"
 #include "app/results/verdicts.hpp"
 #include "app/study/ball_study.hpp"
 #include "app/study/duplex_study.hpp"
 #include "app/study/film_study.hpp"
 #include "app/study/gear_case.hpp"
+#include "app/study/planetary_case.hpp"
 #include "app/study/static_study.hpp"
 #include "app/units.hpp"
+#include "coupling/study/planet_scratch.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::app {
 
@@ -101,6 +106,28 @@ AnalysisResult vibration_of_gears(const ResolvedCase& in, const Wanted&) {
   return result;
 }
 
+double time_of_run(const ResolvedCase& in) {
+  return in.quantity("simulation.duration");
+}
+
+// Of so many turns [-] at `speed` [rad/s], up to which a run-up goes from a share of it.
+double time_of_turns(double turns, double speed, double run_up_from) {
+  return constants::two_pi * turns / (0.5 * (1.0 + run_up_from) * std::abs(speed));
+}
+
+double time_of_signal(const ResolvedCase& in) {
+  const study::Sampling sampling = sampling_of(in);
+  return time_of_turns(sampling.settling_revolutions + sampling.revolutions,
+                       in.quantity("operation.shaft_speed"), sampling.run_up_from);
+}
+
+double time_of_planet_signal(const ResolvedCase& in) {
+  const auto sampling = from_case<study::PlanetSampling>(in);
+  const double carrier = study::planet_frequencies(scratched_drivetrain_of(in)).carrier;
+  return time_of_turns(sampling.settling_revolutions + sampling.revolutions, constants::two_pi * carrier,
+                       sampling.run_up_from);
+}
+
 constexpr const char* ring_required =
     "none for the model raceway-defect, whose ring moves on balls without mass, or dynamic, for all of the "
     "bearing in "
@@ -139,6 +166,7 @@ const std::vector<Analysis>& all_analyses() {
        .json_file = ball_file_name,
        .doing = "time, in thousandths: ",
        .parts = 1000,
+       .simulated = time_of_run,
        .compute = balls_in_time},
       {.used = use::defect,
        .is_of = is_model<raceway_defect>,
@@ -158,6 +186,7 @@ const std::vector<Analysis>& all_analyses() {
        .json_file = defect_file_name,
        .doing = signal_progress,
        .parts = hundredths,
+       .simulated = time_of_signal,
        .compute = scratched_balls_in_motion,
        .derived = defect_quantities},
       {.used = use::defect,
@@ -181,6 +210,7 @@ const std::vector<Analysis>& all_analyses() {
        .json_file = defect_file_name,
        .doing = signal_progress,
        .parts = hundredths,
+       .simulated = time_of_planet_signal,
        .compute = scratched_planet,
        .derived = planet_defect_quantities},
       {.used = use::duplex_run,

@@ -55,6 +55,7 @@ struct Analysis {
   double scatter = scatter::in_motion;  // of its results
   const char* doing = nullptr;          // begins the line of its progress; null: it is done at once
   std::size_t parts = 0;                // of that line
+  double (*simulated)(const ResolvedCase&) = nullptr;  // [s]  time of the motion whose shares these parts are
   AnalysisResult (*compute)(const ResolvedCase&, const Wanted&);   // throws BadInput, ComputationFailed
   std::vector<Derived> (*derived)(const ResolvedCase&) = nullptr;  // what `check` says follows from the case
 };

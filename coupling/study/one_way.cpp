@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "coupling/system/motion_progress.hpp"
 #include "mechanics/linear_algebra.hpp"
 
 namespace orbearing::study {
@@ -174,6 +175,7 @@ class OneWay {
     OneWayRun result;
     do {
       last_ = ++record_.runs >= options_.most_runs || last_;
+      const system::RunInTurn turn(record_.runs, options_.most_runs);
       result.bearing = run_driven();
       if (!result.bearing.completed) return result;
       record_.accepted = is_close(1.0);

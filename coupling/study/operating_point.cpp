@@ -8,10 +8,10 @@
 #include "bearing/equilibrium/elastic_waves.hpp"
 #include "bearing/equilibrium/quasi_static.hpp"
 #include "bearing/life/rating_lives.hpp"
-#include "bearing/motion/drag_slip.hpp"
 #include "bearing/motion/model.hpp"
 #include "coupling/cosim/planetary_coupling.hpp"
 #include "coupling/study/driven_setups.hpp"
+#include "coupling/study/light_load.hpp"
 #include "coupling/study/load_sharing.hpp"
 #include "coupling/study/mesh_excitation.hpp"
 #include "coupling/study/planet_stiffness.hpp"
@@ -432,27 +432,6 @@ PointResult coupled_point(const PlanetaryDrivetrain& drivetrain, const Drivetrai
   result.rating.system_hours = bearing::rating::hours_together(rated, kRollerSlope);
   result.coupled = record;
   return result;
-}
-
-// In closed form, from the loads at rest; none where traction has none, or the bearing at rest no balance.
-std::optional<double> slip_by_drag(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
-                                   const BearingDuty& duty) {
-  const bearing::motion::DynamicsParameters parameters = bearing_dynamics(drivetrain, geometry);
-  if (parameters.race.traction != bearing::motion::TractionLaw::regularised_coulomb ||
-      parameters.race.lubrication != bearing::motion::Lubrication::full ||
-      duty.point.inner_speed == duty.point.outer_speed)
-    return std::nullopt;
-  try {
-    PlanetaryDrivetrain like = drivetrain;  // at rest rollers are equal, and no wave turns
-    like.bearing = of_like_rollers(drivetrain.bearing);
-    const WindowStatistics means = BearingsAtRest(like, geometry).one(duty).means;
-    const Eigen::ArrayXd both =
-        (means.inner.mean_load * means.inner.passages).min(means.outer.mean_load * means.outer.passages);
-    return drag_slip(bearing_model(drivetrain.bearing, duty.point, parameters),
-                     drivetrain.bearing.rollers().count * both.mean());
-  } catch (const std::exception&) {  // what the motion itself does not take, it says
-    return std::nullopt;
-  }
 }
 
 // In time. Where the bore moves with its gears, they are solved together; where that cannot be followed, the

@@ -39,8 +39,8 @@ PointResult result_or_reason(const Evaluate& evaluate, std::size_t index) {
   }
 }
 
-/// Points are taken in line, so that an interrupted sweep is done up to some point; those that were broken off
-/// are dropped.
+/// Points are taken in line, so that an interrupted sweep is done up to some point; those that were broken
+/// off are dropped.
 void compute_all(const std::vector<std::size_t>& indices, int jobs, const Evaluate& evaluate, Queue& queue,
                  const std::atomic<bool>& stop, bool& cancelled) {
   try {
@@ -51,12 +51,6 @@ void compute_all(const std::vector<std::size_t>& indices, int jobs, const Evalua
     cancelled = true;
   }
   queue.push(std::nullopt);
-}
-
-std::size_t threads_for(std::size_t count, int jobs) {
-  const auto processors = static_cast<std::size_t>(tbb::info::default_concurrency());
-  const std::size_t allowed = jobs > 0 ? std::min(static_cast<std::size_t>(jobs), processors) : processors;
-  return std::clamp(count, std::size_t{1}, allowed);
 }
 
 /// Waits for a point, takes those behind it along. Empty at the end.
@@ -73,6 +67,12 @@ std::vector<ComputedPoint> next_points(Queue& queue, bool& ended) {
 }
 
 }  // namespace
+
+std::size_t threads_for(std::size_t count, int jobs) {
+  const auto processors = static_cast<std::size_t>(tbb::info::default_concurrency());
+  const std::size_t allowed = jobs > 0 ? std::min(static_cast<std::size_t>(jobs), processors) : processors;
+  return std::clamp(count, std::size_t{1}, allowed);
+}
 
 void in_parallel(std::size_t count, int jobs, const std::function<void(std::size_t)>& work) {
   std::atomic<std::size_t> next = 0;
@@ -104,8 +104,7 @@ void compute_points(const std::vector<std::size_t>& indices, int jobs, const Eva
   std::atomic<bool> delivery_failed = false;
   bool cancelled = false;
   std::exception_ptr failure;
-  std::jthread computing(
-      [&] { compute_all(indices, jobs, evaluate, queue, delivery_failed, cancelled); });
+  std::jthread computing([&] { compute_all(indices, jobs, evaluate, queue, delivery_failed, cancelled); });
   for (bool ended = false; !ended;) {
     std::vector<ComputedPoint> points = next_points(queue, ended);
     if (points.empty() || failure) continue;

@@ -10,6 +10,9 @@
 
 namespace orbearing::study {
 
+/// Threads for so many calls: at most `jobs` (0: no bound), never more than processors or calls.
+std::size_t threads_for(std::size_t count, int jobs);
+
 /// Calls work(0) to work(count - 1) on at most `jobs` threads (0: no bound), never on more than there are
 /// processors or calls, and on fewer where the system does not give so many. What `work` throws first stops
 /// the others and is passed on; after request_stop() (mechanics/cancellation.hpp) that is Cancelled.

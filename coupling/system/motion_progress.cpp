@@ -4,6 +4,7 @@
 #include <chrono>
 #include <mutex>
 #include <utility>
+#include <vector>
 
 namespace orbearing::system {
 
@@ -17,23 +18,31 @@ std::atomic<bool> motions_are_watched = false;
 std::atomic<const WatchedMotion*> followed = nullptr;
 std::atomic<Clock::time_point> told{};
 std::mutex telling_of_motion;
-MotionObserver motion_observer;  // guarded by the mutex
-
-void watch_motions(MotionObserver observer) {
-  const std::scoped_lock lock(telling_of_motion);
-  motion_observer = std::move(observer);
-  motions_are_watched = motion_observer != nullptr;
-  told = Clock::time_point{};
-}
+std::vector<const MotionObserver*> watching;  // guarded by the mutex
+thread_local int run_in_turn = 0, runs_in_turn = 0;
 
 }  // namespace
 
-ObservedMotions::ObservedMotions(MotionObserver observer) {
-  watch_motions(std::move(observer));
+ObservedMotions::ObservedMotions(MotionObserver observer) : observer_(std::move(observer)) {
+  const std::scoped_lock lock(telling_of_motion);
+  watching.push_back(&observer_);
+  motions_are_watched = true;
+  told = Clock::time_point{};
 }
 
 ObservedMotions::~ObservedMotions() {
-  watch_motions(nullptr);
+  const std::scoped_lock lock(telling_of_motion);
+  std::erase(watching, &observer_);
+  motions_are_watched = !watching.empty();
+}
+
+RunInTurn::RunInTurn(int run, int most_runs) {
+  run_in_turn = run;
+  runs_in_turn = most_runs;
+}
+
+RunInTurn::~RunInTurn() {
+  run_in_turn = runs_in_turn = 0;
 }
 
 WatchedMotion::~WatchedMotion() {
@@ -48,9 +57,11 @@ bool WatchedMotion::is_due() const {
   return followed.load() == this && Clock::now() - told.load() >= least_pause;
 }
 
-void WatchedMotion::tell(const MotionProgress& now) const {
+void WatchedMotion::tell(MotionProgress now) const {
+  now.run = run_in_turn;
+  now.most_runs = runs_in_turn;
   const std::scoped_lock lock(telling_of_motion);
-  if (motion_observer) motion_observer(now);
+  for (const MotionObserver* observer : watching) (*observer)(now);
   told = Clock::now();
 }
 

@@ -98,6 +98,9 @@ class Observation {
       collectors_.emplace_back(snapshot_.angle.size(), options.bins, uneven_laminae(snapshot_.laminae));
   }
 
+  /// The time [s] that the motion is expected to come to, for those who watch.
+  void expect(double end) { expected_ = end; }
+
   /// Means of all bearings over `times`; `series`, where given, keeps the last `per_window` of the first one.
   /// Without it only what tells a steady state is looked at: loads, and the cage's turn from end to end.
   /// Where the look among them ends the run, `times` end there.
@@ -153,7 +156,7 @@ class Observation {
     }
     if (!watched_.is_due()) return;
     motion_.take_snapshot(0, snapshot_);
-    watched_.tell({time, most_, rolling_cage_speed_, snapshot_});
+    watched_.tell({time, most_, std::min(most_, expected_), rolling_cage_speed_, snapshot_});
   }
   StatisticsCollector& of(int b) { return collectors_[static_cast<std::size_t>(b)]; }
   void add(double time, StatisticsCollector& collector) const {
@@ -167,6 +170,7 @@ class Observation {
   const SteadyStateOptions& options_;
   double most_;                // [s]
   double rolling_cage_speed_;  // [rad/s]
+  double expected_ = most_;    // [s]
   WatchedMotion watched_;
   Snapshot snapshot_;
   std::vector<StatisticsCollector> collectors_;
@@ -178,6 +182,7 @@ class Windows {
  public:
   Windows(Motion& motion, const RollingSpeeds& rolling, const SteadyStateOptions& options)
       : motion_(motion),
+        options_(options),
         revolution_(two_pi / std::abs(rolling.cage)),
         observation_(motion, options, revolution_ * (options.most_windows + options.observed_windows),
                      rolling.cage),
@@ -188,6 +193,10 @@ class Windows {
   /// Means of all bearings over the next `windows` taken as one.
   std::vector<WindowStatistics> next(int windows, BearingSeries* series) {
     times_.samples = per_window_ * windows;
+    const int settling = series ? 0 : std::max(0, options_.least_windows - ++begun_);
+    observation_.expect(times_.time(times_.samples) +
+                        times_.interval * static_cast<double>(per_window_) *
+                            (settling + (series ? 0 : options_.observed_windows)));
     std::vector<WindowStatistics> means = observation_.through(times_, per_window_, series);
     if (motion_.keeps_to_interval()) {
       times_.passed += times_.samples;
@@ -202,9 +211,11 @@ class Windows {
 
  private:
   Motion& motion_;
+  const SteadyStateOptions& options_;
   double revolution_;  // [s]  of the cage at its kinematic speed
   Observation observation_;
   long per_window_;  // samples
+  int begun_ = 0;    // windows on the way to the steady state
   OutputTimes times_;
 };
 

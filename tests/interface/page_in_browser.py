@@ -480,7 +480,7 @@ class PageSteps:
         self.until(lambda: self.script("return [...document.querySelectorAll('.live .bar.inner')].some((bar) => Number(bar.dataset.load) > 0)"), "loads are drawn")
         data = lambda name: float(card.find_element(By.CSS_SELECTOR, ".live").get_attribute(f"data-{name}") or 0.0)  # noqa: E731
         # Between two motions of a point there is no pace for a moment: text and pace are read together.
-        line = r"^At [\d\u202f]+ rpm: .* s of motion, .* revolutions of the cage, slip .* %\. Computed at .* revolutions a second, .* times real time\. At most .* s to go in this run\.$"
+        line = r"^At [\d\u202f]+ rpm: .* s of motion, .* revolutions of the cage, slip .* %\. Computed at .* revolutions a second, .* times real time\. \d+ % of (?:this run|run \d+ of at most \d+) done\. At most .* s to go in this run\.$"
         seen = []
 
         def has_pace():

@@ -106,6 +106,9 @@ export class LiveMotion {
       parts.push(`Computed at ${readable(pace, 2)} revolutions a second,`);
       parts.push(`${readable(factor, 2)} times real time.`);
     }
+    if (goesOn)
+      parts.push(`${Math.round(100 * Math.min(1, now.time_s / now.expected_s))} % of ${
+          now.run ? `run ${now.run} of at most ${now.most_runs}` : 'this run'} done.`);
     if (known && goesOn)
       parts.push(`At most ${readable((now.most_s - now.time_s) / factor, 2)} s to go in this run.`);
     this.told.textContent = parts.filter(Boolean).join(' ');

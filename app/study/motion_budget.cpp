@@ -1,0 +1,237 @@
+#include "app/study/motion_budget.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <utility>
+
+#include "app/case/bearing_type.hpp"
+#include "app/case/units.hpp"
+#include "app/errors.hpp"
+#include "app/results/result_row.hpp"
+#include "app/study/fidelity.hpp"
+#include "app/study/planetary_case.hpp"
+#include "app/study/sweep_study.hpp"
+
+namespace orbearing::app {
+
+namespace {
+
+using study::MotionWindows;
+using study::MotionWork;
+
+constexpr const char* kObserved = "simulation.observed_revolutions";
+constexpr const char* kMost = "simulation.most_revolutions";
+constexpr const char* kLengthError = "simulation.length_error";
+
+constexpr double kAnnounced = 30.0;  // [s]  estimates below are not shown
+constexpr std::size_t kMostEstimated =
+    100;  // points; of more, the others take as long as the nearest of them
+constexpr std::size_t kMostAddedRounds = 40;
+
+// The shortest windows that make sense, and the largest error.
+constexpr int kLeastObserved = 3;
+constexpr int kLeastMost = 4;
+constexpr double kLargestError = 1e-9;  // [m]
+
+MotionWindows windows_of(const ResolvedCase& in) {
+  return {in.integer(kObserved), in.integer(kMost), in.quantity(kLengthError)};
+}
+
+// What fails says so when it is computed.
+std::vector<MotionWork> work_of(const ResolvedCase& at_point, study::Fidelity fidelity) {
+  try {
+    return study::motion_work(bearing_sets(at_point), fidelity);
+  } catch (const std::exception&) {
+    return {};
+  }
+}
+
+std::vector<std::vector<MotionWork>> work_of(const ResolvedCase& resolved, study::Fidelity fidelity,
+                                             const std::vector<SweepPoint>& points) {
+  std::vector<std::vector<MotionWork>> all;
+  const std::size_t stride = (points.size() + kMostEstimated - 1) / kMostEstimated;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    all.push_back(i % stride == 0 ? work_of(resolved.with(points[i].settings), fidelity) : all.back());
+  return all;
+}
+
+// Points that refine the peak are found on lives at rest in place of those in motion.
+std::vector<SweepPoint> expected_around_peak(const ResolvedCase& resolved, const SweepRequest& request) {
+  std::vector<SweepPoint> added;
+  if (!request.refinement || request.header.shard || request.header.grid() > kMostEstimated) return added;
+  const TableHead head = head_of(request.header);
+  std::vector<ResultRow> rows;
+  const auto take = [&](const SweepPoint& point) {
+    study::PointResult result;
+    try {
+      result = compute_point(resolved, point.settings, study::Fidelity::quasi_static);
+    } catch (const std::exception& error) {
+      result.status = error.what();
+    }
+    result.input_speed = point.input_speed;
+    rows.push_back(result_row(result, point.axis_values, request.header.sets));
+    if (request.header.resonances) add_resonance(std::nullopt, rows.back());
+  };
+  for (std::size_t i = 0; i < request.header.grid(); ++i) take(request.points[i]);
+  for (std::size_t round = 0; round < kMostAddedRounds; ++round) {
+    const std::vector<SweepPoint> next = request.refinement->next(head, rows);
+    if (next.empty()) break;
+    for (const SweepPoint& point : next) {
+      take(point);
+      added.push_back(point);
+    }
+  }
+  return added;
+}
+
+}  // namespace
+
+double MotionEstimate::seconds(const MotionWindows& windows) const {
+  double sum = 0.0;
+  for (const auto* list : {&points, &added})
+    for (const std::vector<MotionWork>& point : *list) sum += study::seconds_of(point, windows);
+  return sum;
+}
+
+std::vector<double> MotionEstimate::work(const MotionWindows& windows) const {
+  std::vector<double> seconds;
+  for (const std::vector<MotionWork>& point : points) seconds.push_back(study::seconds_of(point, windows));
+  return seconds;
+}
+
+std::optional<MotionEstimate> motion_estimate(const ResolvedCase& resolved, const SweepRequest& request) {
+  const study::Fidelity fidelity = fidelity_of(request.header.fidelity);
+  if (!in_time(fidelity) || !resolved.has(kObserved)) return std::nullopt;
+  return MotionEstimate{work_of(resolved, fidelity, request.points),
+                        work_of(resolved, fidelity, expected_around_peak(resolved, request)),
+                        windows_of(resolved)};
+}
+
+double budget_option(const std::string& text) {
+  const Reading<double> time = read_quantity(text, dimension::time);
+  if (time.value && *time.value > 0.0) return *time.value;
+  throw BadInput("--budget: found '" + text + "'" + (time.value ? "" : ": " + time.fault) +
+                 "; required: a processor time above 0 like '60 s' or '5 min'");
+}
+
+void require_motion_for_budget(const std::string& fidelity) {
+  if (in_time(fidelity_of(fidelity))) return;
+  throw BadInput("--budget: found with --fidelity " + fidelity +
+                 "; required: dynamic, co-simulated or monolithic, whose windows it chooses");
+}
+
+void refuse_budget(const ResolvedCase& resolved, bool gears_alone) {
+  throw BadInput(
+      "--budget: found with " +
+      (gears_alone ? std::string("--gears") : "a case of the model " + resolved.choice("model")) +
+      "; required: planet bearings in motion (--fidelity dynamic), whose windows it chooses; the case "
+      "states how long this run lasts");
+}
+
+namespace {
+
+// From the windows as stated to the shortest: fewer revolutions for the means, then fewer on the way to them;
+// all of it once more with the larger error.
+std::vector<MotionWindows> ladder(const MotionWindows& stated) {
+  std::vector<MotionWindows> steps;
+  for (const double error : {stated.length_error, std::max(kLargestError, stated.length_error)}) {
+    if (!steps.empty() && error == stated.length_error) break;
+    MotionWindows now = stated;
+    now.length_error = error;
+    if (error != stated.length_error) steps.push_back(now);
+    while (now.observed > kLeastObserved) {
+      --now.observed;
+      steps.push_back(now);
+    }
+    while (now.most > kLeastMost) {
+      now.most = std::max(kLeastMost, now.most / 2);
+      steps.push_back(now);
+    }
+  }
+  return steps;
+}
+
+std::string time_text(double seconds) {
+  if (seconds < 100.0) return fmt::format("{:.2g} s", seconds);
+  if (seconds < 6000.0) return fmt::format("{:.2g} min", seconds / 60.0);
+  return fmt::format("{:.2g} h", seconds / 3600.0);
+}
+
+void require_no_axis(const ResolvedCase& resolved) {
+  for (const SweepAxis& axis : resolved.axes())
+    for (const char* path : {kObserved, kMost, kLengthError})
+      if (axis.path == path)
+        throw BadInput(fmt::format("--budget: found with a sweep over {}; required: one of both", path));
+}
+
+}  // namespace
+
+std::optional<BudgetedCase> within_budget(const ResolvedCase& resolved, const MotionEstimate& estimate,
+                                          const std::string& budget) {
+  const double seconds = budget_option(budget);
+  require_no_axis(resolved);
+  const MotionWindows& stated = estimate.stated;
+  const double asked = estimate.seconds(stated);
+  if (asked <= seconds) return std::nullopt;
+  const std::vector<MotionWindows> choices = ladder(stated);
+  const auto chosen = std::ranges::find_if(
+      choices, [&](const MotionWindows& windows) { return estimate.seconds(windows) <= seconds; });
+  if (chosen == choices.end()) {
+    const MotionWindows shortest = choices.empty() ? stated : choices.back();
+    throw BadInput(
+        fmt::format("--budget: found {}; required: {} of processor time or more by estimate, with the "
+                    "shortest windows: {} "
+                    "revolutions for the means, at most {} before them, {} {:.2g} mm",
+                    budget, time_text(estimate.seconds(shortest)), shortest.observed, shortest.most,
+                    kLengthError, 1e3 * shortest.length_error));
+  }
+  const std::string cost =
+      fmt::format("scatter of the life {:.1f} % ({:.1f} % with the windows as stated){}",
+                  100.0 * study::scatter_of_life(*chosen), 100.0 * study::scatter_of_life(stated),
+                  chosen->length_error > stated.length_error
+                      ? fmt::format(", and up to {:.0f} % by the larger error of steps",
+                                    100.0 * study::kErrorOfLargeSteps)
+                      : "");
+  std::vector<Setting> settings;
+  std::string text;
+  const auto set = [&](const char* path, bool changed, const std::string& before, const std::string& now) {
+    if (!changed) return;
+    settings.push_back({path, now});
+    text += fmt::format("{}{} {} instead of {}", text.empty() ? "" : ", ", path, now, before);
+  };
+  set(kObserved, chosen->observed != stated.observed, std::to_string(stated.observed),
+      std::to_string(chosen->observed));
+  set(kMost, chosen->most != stated.most, std::to_string(stated.most), std::to_string(chosen->most));
+  set(kLengthError, chosen->length_error != stated.length_error, resolved.given(kLengthError),
+      fmt::format("{} mm", 1e3 * chosen->length_error));
+  ResolvedCase changed = resolved.with(settings);
+  for (const Setting& one : settings)
+    changed = changed.assuming(one.path, "chosen by --budget from the number of steps: " + cost);
+  return BudgetedCase{std::move(changed), *chosen,
+                      fmt::format("--budget {}: {} ({} of processor time instead of {}); {}", budget, text,
+                                  time_text(estimate.seconds(*chosen)), time_text(asked), cost)};
+}
+
+std::string estimate_text(double seconds, std::size_t points, std::size_t added, int threads) {
+  const double wall = seconds / threads;
+  if (wall < kAnnounced) return {};
+  return fmt::format(
+      "estimate: about {} for {} {} in motion{} ({} of processor time on {} {}), within a factor of 2",
+      time_text(wall), points, points == 1 ? "point" : "points",
+      added > 0 ? fmt::format(" and some {} around the peak", added) : "", time_text(seconds), threads,
+      threads == 1 ? "thread" : "threads");
+}
+
+std::vector<Derived> motion_time_quantities(const ResolvedCase& resolved) {
+  if (resolved.model() != planetary_drivetrain || !resolved.has(kObserved) || !resolved.shape().bearing)
+    return {};
+  const double seconds =
+      study::seconds_of(work_of(resolved.without_sweep(), study::Fidelity::dynamic), windows_of(resolved));
+  if (!(seconds > 0.0)) return {};
+  return {{"simulation.processor_time", seconds, "s",
+           "estimate of a run with --fidelity dynamic, within a factor of 2"}};
+}
+
+}  // namespace orbearing::app

@@ -1,0 +1,54 @@
+// Processor time of points in motion before they are computed, and windows that keep to a budget of it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/case/check_table.hpp"
+#include "app/case/resolved_case.hpp"
+#include "app/results/sweep_run.hpp"
+#include "coupling/study/motion_work.hpp"
+
+namespace orbearing::app {
+
+/// Estimated times of the points of a sweep in motion, and of those that it will add around the peak.
+struct MotionEstimate {
+  std::vector<std::vector<study::MotionWork>> points;  // (points of the request)
+  std::vector<std::vector<study::MotionWork>> added;   // around the peak, as the life at rest has it
+  study::MotionWindows stated;
+
+  double seconds(const study::MotionWindows& windows) const;            // [s]  of processor time, all points
+  std::vector<double> work(const study::MotionWindows& windows) const;  // [s]  (points of the request)
+};
+
+/// None at rest, and where no point has a motion.
+std::optional<MotionEstimate> motion_estimate(const ResolvedCase& resolved, const SweepRequest& request);
+
+/// Seconds of a budget as the option states it: "60 s". Throws BadInput.
+double budget_option(const std::string& text);
+
+/// The case with the windows that keep to `budget` [s] of processor time, chosen from counts alone and
+/// written into it with the reason; empty where the case keeps to it as it is. Throws BadInput where the
+/// shortest windows do not.
+struct BudgetedCase {
+  ResolvedCase resolved;
+  study::MotionWindows windows;
+  std::string chosen;  // in one line: what changed, and what it costs
+};
+std::optional<BudgetedCase> within_budget(const ResolvedCase& resolved, const MotionEstimate& estimate,
+                                          const std::string& budget);
+
+/// Throws BadInput for a fidelity at rest, whose points have no windows.
+void require_motion_for_budget(const std::string& fidelity);
+/// Throws BadInput for an analysis that is no sweep: the case states how long it lasts.
+[[noreturn]] void refuse_budget(const ResolvedCase& resolved, bool gears_alone);
+
+/// "estimate: about 2 min (240 s of processor time on 2 threads) for 12 points in motion"; empty below half a
+/// minute.
+std::string estimate_text(double seconds, std::size_t points, std::size_t added, int threads);
+
+/// What `check` says of the time of a run in motion; none where there is none.
+std::vector<Derived> motion_time_quantities(const ResolvedCase& resolved);
+
+}  // namespace orbearing::app
