@@ -101,7 +101,8 @@ PlannedSweep plan_sweep(const ResolvedCase& resolved, const Options& options,
   }
   PlannedSweep plan{resolved, request_of(resolved)};
   std::optional<MotionEstimate> estimate;
-  if (options.budget || !options.quiet) estimate = motion_estimate(resolved, plan.request);
+  if (options.budget || !options.quiet)
+    estimate = motion_estimate(resolved, plan.request, options.budget.has_value());
   if (!estimate) return plan;
   study::MotionWindows windows = estimate->stated;
   if (options.budget) {

@@ -29,6 +29,7 @@ constexpr double kAnnounced = 30.0;  // [s]  estimates below are not shown
 constexpr std::size_t kMostEstimated =
     100;  // points; of more, the others take as long as the nearest of them
 constexpr std::size_t kMostAddedRounds = 40;
+constexpr double kShareOfGrid = 0.2;  // of all points, at least
 
 // The shortest windows that make sense, and the largest error.
 constexpr int kLeastObserved = 3;
@@ -101,12 +102,14 @@ std::vector<double> MotionEstimate::work(const MotionWindows& windows) const {
   return seconds;
 }
 
-std::optional<MotionEstimate> motion_estimate(const ResolvedCase& resolved, const SweepRequest& request) {
+std::optional<MotionEstimate> motion_estimate(const ResolvedCase& resolved, const SweepRequest& request,
+                                              bool all) {
   const study::Fidelity fidelity = fidelity_of(request.header.fidelity);
   if (!in_time(fidelity) || !resolved.has(kObserved)) return std::nullopt;
-  return MotionEstimate{work_of(resolved, fidelity, request.points),
-                        work_of(resolved, fidelity, expected_around_peak(resolved, request)),
-                        windows_of(resolved)};
+  MotionEstimate estimate{work_of(resolved, fidelity, request.points), {}, windows_of(resolved)};
+  if (all || estimate.seconds(estimate.stated) > kShareOfGrid * kAnnounced)
+    estimate.added = work_of(resolved, fidelity, expected_around_peak(resolved, request));
+  return estimate;
 }
 
 double budget_option(const std::string& text) {

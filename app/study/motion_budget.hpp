@@ -22,8 +22,9 @@ struct MotionEstimate {
   std::vector<double> work(const study::MotionWindows& windows) const;  // [s]  (points of the request)
 };
 
-/// None at rest, and where no point has a motion.
-std::optional<MotionEstimate> motion_estimate(const ResolvedCase& resolved, const SweepRequest& request);
+/// None at rest. Points around the peak are left out where those of the request are short, unless `all`.
+std::optional<MotionEstimate> motion_estimate(const ResolvedCase& resolved, const SweepRequest& request,
+                                              bool all);
 
 /// Seconds of a budget as the option states it: "60 s". Throws BadInput.
 double budget_option(const std::string& text);

@@ -11,6 +11,10 @@
 
 namespace orbearing::study {
 
+std::size_t threads_for(std::size_t, int) {
+  return 1;
+}
+
 void in_parallel(std::size_t count, int, const std::function<void(std::size_t)>& work) {
   for (std::size_t i = 0; i < count; ++i) {
     throw_if_stopped();

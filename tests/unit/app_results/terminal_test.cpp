@@ -5,9 +5,11 @@
 #include <cmath>
 #include <cstdlib>
 #include <sstream>
+#include <thread>
 
 #include "app/results/progress.hpp"
 #include "app/results/terminal_chart.hpp"
+#include "bearing/motion/snapshot.hpp"
 #include "tests/unit/app_results/fake_sweep.hpp"
 
 namespace orbearing::app::terminal_test {
@@ -161,9 +163,37 @@ TEST(Progress, TellsDoneLeftAndTimeToGo) {
   EXPECT_EQ(progress_text(30, 10, 100, 40.0), "30 of 100 points done, 70 left, 2:20 to go");
   EXPECT_EQ(progress_text(10, 0, 1010, 40.0), "10 of 1010 points done, 1000 left, 1:06:40 to go");
   EXPECT_EQ(progress_text(10, 10, 100, 40.0), "10 of 100 points done, 90 left");
-  // Issue 18, Build 1: one system was silent for half a minute.
-  EXPECT_EQ(motion_text(0.12, 0.354), "a point at 0.12 s of motion, at most 0.354 s");
+  // Of unlike points by their work: a quarter of it took 40 s.
+  EXPECT_EQ(progress_text(30, 10, 100, 40.0, 0.25), "30 of 100 points done, 70 left, 2:00 to go");
   EXPECT_EQ(progress_text(100, 10, 100, 40.0), "100 of 100 points done, 0 left");
+}
+
+// Issue 18, Build 1: one system was silent for half a minute. Issue 50, Build 2: how far and how long.
+TEST(Progress, TellsTimeShareAndTimeToGoOfAMotion) {
+  const bearing::motion::Snapshot bearing;
+  system::MotionProgress now{.time = 0.12, .most = 1.2, .expected = 0.48, .bearing = bearing};
+  EXPECT_EQ(motion_text(now, std::nullopt), "0.12 s of 0.48 s in motion, 25 %");
+  EXPECT_EQ(motion_json(now, 9.5),
+            R"({"time_s": 0.12, "expected_s": 0.48, "most_s": 1.2, "share": 0.25, "seconds_left": 9.5, "run": 0, "most_runs": 0})");
+  now.run = 2;
+  now.most_runs = 8;
+  EXPECT_EQ(motion_text(now, 9.6), "run 2 of at most 8: 0.12 s of 0.48 s in motion, 25 %, 0:10 to go");
+  EXPECT_EQ(share_text(0.2, 0.5, 30.0), "0.1 s of 0.5 s in motion, 20 %, 2:00 to go");
+  EXPECT_EQ(share_text(0.0, 0.5, 30.0), "0 s of 0.5 s in motion, 0 %");
+}
+
+TEST(Progress, PaceIsThatOfEachMotion) {
+  const bearing::motion::Snapshot bearing;
+  MotionPace pace;
+  const auto at = [&](double time, double rolling) {
+    return system::MotionProgress{.time = time, .most = 1.0, .expected = 0.5, .rolling_cage_speed = rolling, .bearing = bearing};
+  };
+  EXPECT_FALSE(pace.seconds_left(at(0.1, 10.0)));
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  EXPECT_GE(*pace.seconds_left(at(0.2, 10.0)), 0.06) << "0.02 s for 0.1 s, of 0.3 s that are left";
+  EXPECT_EQ(*pace.seconds_left(at(0.5, 10.0)), 0.0);
+  EXPECT_FALSE(pace.seconds_left(at(0.3, 10.0))) << "another motion, as its time is earlier";
+  EXPECT_FALSE(pace.seconds_left(at(0.4, 20.0))) << "another one, as it rolls at another speed";
 }
 
 }  // namespace

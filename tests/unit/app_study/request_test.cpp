@@ -122,5 +122,20 @@ TEST(Request, ProgressStopsIt) {
   EXPECT_EQ(nlohmann::json::parse(answer(sweep).result).at("points").size(), 12U);
 }
 
+// Issue 50, Build 2: a caller sees how far a motion is.
+TEST(Request, TellsHowFarAMotionIs) {
+  Request run{.command = "run",
+              .case_file = ORBEARING_SOURCE_DIR "/cases/reducer_150kW/case.yaml",
+              .settings = {"gearset.mesh_variation=false", "simulation.observed_revolutions=40"},
+              .options = R"({"fidelity": "dynamic"})"};
+  std::vector<nlohmann::json> told;
+  run.motion = [&](const std::string& motion) { told.push_back(nlohmann::json::parse(motion)); };
+  EXPECT_EQ(answer(run).code, 0);
+  ASSERT_GT(told.size(), 1U);
+  EXPECT_TRUE(told.front().at("seconds_left").is_null());
+  EXPECT_GT(told.back().at("seconds_left"), 0.0);
+  EXPECT_NEAR(told.back().at("share"), told.back().at("time_s").get<double>() / told.back().at("expected_s").get<double>(), 1e-12);
+}
+
 }  // namespace
 }  // namespace orbearing::app::request_test
