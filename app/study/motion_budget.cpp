@@ -35,6 +35,7 @@ constexpr double kShareOfGrid = 0.2;  // of all points, at least
 constexpr int kLeastObserved = 3;
 constexpr int kLeastMost = 4;
 constexpr double kLargestError = 1e-9;  // [m]
+constexpr const char* kLargestErrorText = "1e-6 mm";
 
 MotionWindows windows_of(const ResolvedCase& in) {
   return {in.integer(kObserved), in.integer(kMost), in.quantity(kLengthError)};
@@ -181,14 +182,16 @@ std::optional<BudgetedCase> within_budget(const ResolvedCase& resolved, const Mo
   const std::vector<MotionWindows> choices = ladder(stated);
   const auto chosen = std::ranges::find_if(
       choices, [&](const MotionWindows& windows) { return estimate.seconds(windows) <= seconds; });
+  const auto error_text = [&](const MotionWindows& windows) {
+    return windows.length_error == stated.length_error ? resolved.given(kLengthError) : kLargestErrorText;
+  };
   if (chosen == choices.end()) {
     const MotionWindows shortest = choices.empty() ? stated : choices.back();
     throw BadInput(
         fmt::format("--budget: found {}; required: {} of processor time or more by estimate, with the "
-                    "shortest windows: {} "
-                    "revolutions for the means, at most {} before them, {} {:.2g} mm",
+                    "shortest windows: {} revolutions for the means, at most {} before them, {} {}",
                     budget, time_text(estimate.seconds(shortest)), shortest.observed, shortest.most,
-                    kLengthError, 1e3 * shortest.length_error));
+                    kLengthError, error_text(shortest)));
   }
   const std::string cost =
       fmt::format("scatter of the life {:.1f} % ({:.1f} % with the windows as stated){}",
@@ -208,7 +211,7 @@ std::optional<BudgetedCase> within_budget(const ResolvedCase& resolved, const Mo
       std::to_string(chosen->observed));
   set(kMost, chosen->most != stated.most, std::to_string(stated.most), std::to_string(chosen->most));
   set(kLengthError, chosen->length_error != stated.length_error, resolved.given(kLengthError),
-      fmt::format("{} mm", 1e3 * chosen->length_error));
+      kLargestErrorText);
   ResolvedCase changed = resolved.with(settings);
   for (const Setting& one : settings)
     changed = changed.assuming(one.path, "chosen by --budget from the number of steps: " + cost);

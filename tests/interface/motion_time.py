@@ -158,8 +158,8 @@ class Budget(unittest.TestCase):
 
     def test_errors_of_steps_grow_last(self):
         said = self.sweep("large", "--budget", "0.9 s", values=("sweep.input.speed=[4000 rpm, 6000 rpm]",)).stderr
-        self.assertRegex(said, r"simulation\.length_error 1e-06 mm instead of 2e-7 mm .* and up to 2 % by the larger error of steps\n$")
-        self.assertIn("  length_error: 1e-06 mm\n", resolved(self.place / "large"))
+        self.assertRegex(said, r"simulation\.length_error 1e-6 mm instead of 2e-7 mm .* and up to 2 % by the larger error of steps\n$")
+        self.assertIn("  length_error: 1e-6 mm\n", resolved(self.place / "large"))
 
     def test_one_that_cannot_be_met_is_refused_before_anything_is_written(self):
         result = run(*moving(*TWO_SPEEDS, command="sweep", options=("-o", self.place / "none", "--budget", "1 ms")))
