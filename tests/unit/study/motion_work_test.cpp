@@ -59,6 +59,7 @@ NamedSet reducer_at(double speed) {
   NamedSet set{"", example::reducer(), {}};
   set.drivetrain.drive.speed = speed;
   set.drivetrain.steady_state.integration.method = integration::Method::linearly_implicit;
+  set.drivetrain.dynamics.cage.guide_diameter = 38.88e-3;
   set.geometry = derive(set.drivetrain);
   return set;
 }

@@ -15,6 +15,7 @@ study::PointResult motion_of_reducer() {
   study::NamedSet set{"", example::reducer(), {}};
   set.drivetrain.steady_state.integration.method = integration::Method::linearly_implicit;
   set.drivetrain.steady_state.observed_windows = 40;  // some tenths of a second, in which they are told
+  set.drivetrain.dynamics.cage.guide_diameter = 38.88e-3;
   set.geometry = derive(set.drivetrain);
   return evaluate({set}, study::Fidelity::dynamic);
 }
