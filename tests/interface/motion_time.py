@@ -148,6 +148,8 @@ class Budget(unittest.TestCase):
         # The same whatever the threads and shards, and resumed.
         self.sweep("threads", *budget, "--jobs", "2")
         self.assertEqual(self.table("threads"), self.table("small"))
+        self.assertEqual(self.sweep("quiet", *budget, "--quiet").stderr, "")
+        self.assertEqual(self.table("quiet"), self.table("small"))
         self.sweep("small", *budget, "--resume")
         other = run(*moving(*TWO_SPEEDS, command="sweep", options=("--grid-only", "-o", self.place / "small", "--resume")))
         self.assertEqual(other.returncode, 2, other.stderr)
