@@ -120,6 +120,7 @@ constexpr Exception exceptions[] = {
     {"support.pin_inclination.radial", no_tilt, use::bearings_as_springs},
     {"support.pin_inclination.tangential", no_tilt, use::bearings_as_springs},
     {"load.tilt", use::ball_run},
+    {"traction.starvation", use::fmu_bearing},  // whose speeds change
     // Rows of other bearings than cylindrical ones are known at rest alone.
     {"bearing.rows.contact_angle", but_at_rest},
     {"bearing.rows.arrangement", but_at_rest},
@@ -405,6 +406,18 @@ Use with_friction_of_others(const Use& use) {
                                          where_given({"operation.shaft_speed", "operation.outer_speed"})});
 }
 
+// Oil and heat of a roller bearing at rest count for its friction.
+Use with_roller_friction(const Use& use, std::string_view path) {
+  const bool of_heat = is_one_of(path, {"heat.model", "heat.inlet"});
+  if (!of_heat &&
+      !is_one_of(path, {"heat.enabled", "lubricant.flow", "lubricant.share", "traction.starvation"}))
+    return use;
+  std::vector<Condition> rotating{where_given({"lubricant.grade", "lubricant.kinematic_viscosity"}),
+                                  where_given({"operation.shaft_speed", "operation.outer_speed"})};
+  if (of_heat) rotating.push_back(where("heat.enabled", {"true"}));
+  return use.used_too(use::static_load, std::move(rotating));
+}
+
 // Fields of unlike physics, of which each hangs on other choices.
 Use with_other_ways(const Use& use, std::string_view path) {
   if (path == "traction.sliding_scale") return with_other_frictions(use);
@@ -462,11 +475,13 @@ Use use_of(const described::Facts& facts) {
   const Use use = with_carrier(
       with_springs(with_held_members(with_rim(with_films, facts.path), facts.path), facts), facts.path);
   const described::Where only = only_where(facts);
-  if (only.path.empty()) return with_other_ways(use, facts.path);
+  if (only.path.empty()) return with_other_ways(with_roller_friction(use, facts.path), facts.path);
   const std::vector<std::string> paths = either_of(only.path);
   return with_other_ways(
-      use.when(only.value.empty() ? where_given(paths)
-                                  : Condition{.paths = paths, .values = either_of(only.value)}),
+      with_roller_friction(
+          use.when(only.value.empty() ? where_given(paths)
+                                      : Condition{.paths = paths, .values = either_of(only.value)}),
+          facts.path),
       facts.path);
 }
 

@@ -9,7 +9,6 @@
 #include "app/case/field_table.hpp"
 #include "app/case/mistake.hpp"
 #include "app/case/settings.hpp"
-#include "bearing/film/oil_grade.hpp"
 
 namespace orbearing::app {
 
@@ -95,9 +94,12 @@ bearing::Lubricant graded_lubricant(const ResolvedCase& in) {
           .pressure_viscosity = in.quantity("lubricant.pressure_viscosity")};
 }
 
+bearing::OilGrade graded_oil(const ResolvedCase& in) {
+  return {viscosity_40_of(in.choice(kGrade)), in.number(kIndex), oil_density(in)};
+}
+
 double graded_viscosity_slope(const ResolvedCase& in) {
-  return bearing::viscosity_slope({viscosity_40_of(in.choice(kGrade)), in.number(kIndex), oil_density(in)},
-                                  in.quantity(kTemperature));
+  return bearing::viscosity_slope(graded_oil(in), in.quantity(kTemperature));
 }
 
 void fill_from_grade(CaseData& data, Model model) {

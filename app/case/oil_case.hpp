@@ -6,7 +6,7 @@
 
 #include "app/case/mistake.hpp"
 #include "app/case/resolved_case.hpp"
-#include "bearing/parameters.hpp"
+#include "bearing/film/oil_grade.hpp"
 
 namespace orbearing::app {
 
@@ -25,7 +25,9 @@ void put_where_absent(CaseData& data, const std::string& path, const std::string
 /// Density of the oil [kg/m^3]: the stated one where it counts, that of a mineral oil where it does not.
 double oil_density(const ResolvedCase& resolved);
 
-/// Of the oil that `lubricant.grade` names, at its temperature.
+/// The oil that `lubricant.grade` names.
+bearing::OilGrade graded_oil(const ResolvedCase& resolved);
+/// Its properties at its temperature.
 bearing::Lubricant graded_lubricant(const ResolvedCase& resolved);
 /// Relative decrease of its viscosity per kelvin [1/K].
 double graded_viscosity_slope(const ResolvedCase& resolved);

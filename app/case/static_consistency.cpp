@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "app/case/catalogue_case.hpp"
 #include "app/case/mistake.hpp"
 #include "mechanics/constants.hpp"
 
@@ -79,8 +80,19 @@ void check_oil_supply(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   if (on("heat.enabled") && is("heat.model", "oil") && !flows())
     add_error_at(in, "heat.model", "heat that leaves with the oil, without a flow",
                  "lubricant.flow greater than 0 L/min is required", mistakes);
-  if (on("traction.rolling_resistance") && is("traction.starvation", "skf") &&
-      !has_all(in, {"bearing.bore", "bearing.outside_diameter"}))
+  if (is("traction.starvation", "skf") && in.has("input.acceleration") &&
+      in.quantity("input.acceleration") != 0.0)
+    add_error_at(in, "traction.starvation", "starvation by the speed of a run-up",
+                 "none is required with input.acceleration", mistakes);
+  const bool at_rest = in.model() == roller_bearing;
+  if (at_rest && on("heat.enabled") && is("heat.model", "network"))
+    add_error_at(in, "heat.model", "a network of bodies for rollers",
+                 "oil is required: rollers heat the oil alone", mistakes);
+  if (!at_rest && is("traction.starvation", "replenished"))
+    add_error_at(in, "traction.starvation", "oil that returns to the tracks of a bearing in motion",
+                 "none or skf is required: it is known of rollers at rest alone", mistakes);
+  if ((at_rest || on("traction.rolling_resistance")) && is("traction.starvation", "skf") &&
+      !(at_rest ? size_of(in).has_value() : has_all(in, {"bearing.bore", "bearing.outside_diameter"})))
     add_error_at(in, "traction.starvation", "starvation of a bearing whose size is not known",
                  "bearing.bore and bearing.outside_diameter are required", mistakes);
 }
@@ -134,10 +146,12 @@ void check_cleanliness(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
 
 void check_static_bearing(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
   if ((resolved.model() & with_balls) != 0) check_balls(resolved, mistakes);
+  if (resolved.model() == planetary_drivetrain) check_oil_supply(resolved, mistakes);
   if (resolved.model() == ball_motion) check_motion(resolved, mistakes);
   if (resolved.model() != roller_bearing && resolved.model() != ball_bearing &&
       resolved.model() != ball_motion)
     return;
+  if (resolved.model() == roller_bearing) check_oil_supply(resolved, mistakes);
   check_load(resolved, mistakes);
   check_life(resolved, mistakes);
 }

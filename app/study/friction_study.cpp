@@ -1,12 +1,15 @@
 #include "app/study/friction_study.hpp"
 
+#include <fmt/format.h>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
+#include <stdexcept>
 
 #include "app/case/catalogue_case.hpp"
 #include "app/case/oil_case.hpp"
 #include "app/case/static_case.hpp"
+#include "app/errors.hpp"
 #include "bearing/default_design.hpp"
 #include "bearing/film/oil_grade.hpp"
 #include "bearing/friction/thermal_reference.hpp"
@@ -76,6 +79,9 @@ void describe(Record& record, const FrictionStudy& study) {
   const friction::RollingFriction& loss = study.loss;
   record.value("power_W", dimension::heat, "friction at pure rolling, in all", loss.total());
   record.value("torque_N_mm", dimension::small_torque, "the same over the speed", study.torque());
+  if (study.oil_temperature)
+    record.value("oil_temperature_degC", dimension::temperature, "at which the oil leaves with that heat",
+                 *study.oil_temperature);
   record.value(
       "rolling_W", dimension::heat,
       "shear of the oil at the inlets, which it warms; of rollers as far as the mixture's oil reaches",
@@ -84,6 +90,9 @@ void describe(Record& record, const FrictionStudy& study) {
                loss.flooded_rolling);
   record.value("isothermal_rolling_W", dimension::heat, "the same if its shear did not warm it either",
                loss.isothermal_rolling);
+  if (loss.regression_rolling > 0.0)
+    record.value("regression_rolling_W", dimension::heat,
+                 "rolling_W of rollers by the regression of [ZhouHoeprich1991]", loss.regression_rolling);
   record.value("idle_W", dimension::heat, "of it: of elements outside the load zone, on the outer race",
                loss.idle);
   record.value("differential_slip_W", dimension::heat, "because ellipses are curved (Heathcote)",
@@ -131,22 +140,70 @@ std::optional<OilInContacts> oil_in_contacts(const ResolvedCase& in) {
   return OilInContacts{bearing::lubricant_at(*oil, temperature), bearing::viscosity_slope(*oil, temperature)};
 }
 
+namespace {
+
+std::optional<bearing::OilGrade> oil_grade_of(const ResolvedCase& in) {
+  if (in.has("lubricant.grade")) return graded_oil(in);
+  return oil_with(in.quantity("lubricant.kinematic_viscosity"));
+}
+
+friction::Inlets roller_inlets(const ResolvedCase& in, const std::optional<friction::BearingSize>& size,
+                               const OilInContacts& oil, double speed, double viscosity) {
+  using bearing::motion::Starvation;
+  friction::Inlets inlets{oil.viscosity_slope, friction::InletEnd::layer};
+  const Starvation starvation = from_case<bearing::motion::RaceContactParameters>(in).starvation;
+  if (starvation == Starvation::replenished) inlets.end = friction::InletEnd::replenished;
+  if (starvation == Starvation::skf && size)
+    inlets.starvation =
+        friction::starvation_factor(size->bore, size->outside, friction::type_constant(size->family),
+                                    {.speed = speed, .viscosity = viscosity});
+  return inlets;
+}
+
+// Of rollers, in oil at its stated temperature or at that at which it takes the heat along.
+FrictionStudy roller_study(const ResolvedCase& in, const bearing::Bearing& bearing,
+                           const bearing::equilibrium::RingState& balance, const OilInContacts& stated) {
+  const std::optional<friction::BearingSize> size = size_of(in);
+  const bearing::Bearing sized = size ? with_rings(bearing, *size) : bearing;
+  const bearing::equilibrium::RingSpeeds speeds = row_motion_of(in).speeds;
+  const double speed = speed_of(in);
+  const friction::RollerMixture mixture{in.number("lubricant.share"), in.quantity("lubricant.flow")};
+  const auto in_oil = [&](const OilInContacts& oil, double viscosity) {
+    return FrictionStudy{friction::roller_friction(sized, balance.contact_load, speeds, oil.lubricant,
+                                                   roller_inlets(in, size, oil, speed, viscosity), mixture),
+                         speed, viscosity};
+  };
+  if (!in.flag("heat.enabled")) return in_oil(stated, in.quantity("lubricant.kinematic_viscosity"));
+  const bearing::OilGrade grade = *oil_grade_of(in);
+  const auto at = [&](double temperature) {
+    return in_oil({lubricant_at(grade, temperature), viscosity_slope(grade, temperature)},
+                  kinematic_viscosity(grade, temperature));
+  };
+  try {
+    const double outlet = system::balanced_outlet(
+        heat_of(in), mixture.flow, [&](double temperature) { return at(temperature).loss.total(); });
+    FrictionStudy study = at(outlet);
+    study.oil_temperature = outlet;
+    return study;
+  } catch (const std::domain_error& error) {
+    throw ComputationFailed(fmt::format("{}: {}", in.text("name"), error.what()));
+  }
+}
+
+}  // namespace
+
 std::optional<FrictionStudy> friction_study(const ResolvedCase& in, const bearing::Bearing& bearing,
                                             const bearing::equilibrium::RingState& balance) {
   const std::optional<OilInContacts> oil = oil_in_contacts(in);
   const double speed = speed_of(in);
   if (!oil || speed == 0.0) return std::nullopt;
-  const bearing::equilibrium::RingSpeeds speeds = row_motion_of(in).speeds;
+  if (bearing.has_rollers()) return roller_study(in, bearing, balance, *oil);
   const std::optional<friction::BearingSize> size = size_of(in);
-  const friction::Inlets inlets{oil->viscosity_slope, true};
-  if (bearing.has_rollers())
-    return FrictionStudy{friction::roller_friction(size ? with_rings(bearing, *size) : bearing,
-                                                   balance.contact_load, speeds, oil->lubricant, inlets),
-                         speed};
   if (!size || balance.inner_rolling.size() == 0) return std::nullopt;
-  return FrictionStudy{friction::ball_friction(with_rings(bearing, *size), balance, ring_load_of(in), speeds,
-                                               oil->lubricant, inlets),
-                       speed};
+  return FrictionStudy{
+      friction::ball_friction(with_rings(bearing, *size), balance, ring_load_of(in), row_motion_of(in).speeds,
+                              oil->lubricant, {.viscosity_slope = oil->viscosity_slope}),
+      speed, in.quantity("lubricant.kinematic_viscosity")};
 }
 
 std::optional<FrictionByStandards> friction_by_standards(const ResolvedCase& in, const OurFriction& ours) {

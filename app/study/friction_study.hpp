@@ -16,6 +16,8 @@ namespace orbearing::app {
 struct FrictionStudy {
   bearing::friction::RollingFriction loss;  // [W]
   double speed = 0.0;                       // [rad/s]  of the rings against each other
+  double viscosity = 0.0;                   // [m^2/s]  of the oil, kinematic
+  std::optional<double> oil_temperature{};  // [degC]   where the friction heats the oil
 
   double torque() const { return loss.total() / speed; }  // [N m]
 };
@@ -45,8 +47,9 @@ struct OilInContacts {
 /// viscosity that no mineral oil has at the default temperature.
 std::optional<OilInContacts> oil_in_contacts(const ResolvedCase& in);
 
-/// None where no ring turns, no oil is stated, or, of balls, the width of the rings is not known or the
-/// balance is that of balls at rest.
+/// With `heat.enabled` at the temperature at which the oil leaves with all heat; throws ComputationFailed
+/// where that is too hot. None where no ring turns, no oil is stated, or, of balls, the width of the rings is
+/// not known or the balance is that of balls at rest.
 std::optional<FrictionStudy> friction_study(const ResolvedCase& in, const bearing::Bearing& bearing,
                                             const bearing::equilibrium::RingState& balance);
 

@@ -544,13 +544,17 @@ StaticStudy static_study(const ResolvedCase& in) {
     for (const std::string& warning : film_warnings(bearing, *study.films)) study.warnings.push_back(warning);
   }
   study.rolling_friction = friction_study(in, bearing, state);
+  if (study.rolling_friction && study.rolling_friction->oil_temperature)
+    study.warnings.push_back(
+        fmt::format("the friction heats the oil to {:.0f} degC; lives and kappa keep the stated viscosity",
+                    *study.rolling_friction->oil_temperature));
   if (study.rolling_friction)
     study.friction_by_standards = friction_by_standards(
         in, {.speed = study.rolling_friction->speed,
              .torque = study.rolling_friction->torque(),
              .rolling = study.rolling_friction->loss.rolling / study.rolling_friction->speed,
              .isothermal = study.rolling_friction->loss.isothermal_rolling / study.rolling_friction->speed,
-             .viscosity = in.quantity("lubricant.kinematic_viscosity"),
+             .viscosity = study.rolling_friction->viscosity,
              .static_capacity = study.ratings.static_capacity});
   study.over_speed = speed_table(in);
   if (study.over_speed)

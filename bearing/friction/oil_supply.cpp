@@ -12,9 +12,20 @@ namespace {
 
 using mechanics::require;
 
-// K_Z of Eq. (6), Table 5 of [SKF6000].
-double type_constant(const Bearing& bearing) {
-  return bearing.contact_angle() > 0.0 ? 4.4 : 3.1;
+TorqueFamily family_of(const Bearing& bearing) {
+  if (bearing.has_rollers())
+    return bearing.has_cage() ? TorqueFamily::cylindrical : TorqueFamily::full_complement;
+  return bearing.contact_angle() > 0.0 ? TorqueFamily::angular_contact : TorqueFamily::deep_groove;
+}
+
+void starve(const Bearing& bearing, const TorqueCondition& at, motion::RaceContactParameters& race) {
+  if (race.starvation == motion::Starvation::none) return;
+  require(race.starvation == motion::Starvation::skf, "starvation of a bearing in motion",
+          static_cast<double>(race.starvation), "none, or SKF's factor");
+  const double bore = bearing.inner.seat_diameter, outside = bearing.outer.seat_diameter;
+  require(bore > 0.0 && outside > bore, "outside diameter of the bearing [m]", outside,
+          "more than its bore for starvation, both stated");
+  race.rolling_share = starvation_factor(bore, outside, type_constant(family_of(bearing)), at);
 }
 
 }  // namespace
@@ -28,14 +39,16 @@ balls::MotionParameters supplied(const Bearing& bearing, const balls::MotionPara
             "other than 0 for a share of oil by the speed");
     supplied.drag.oil_share = balls::filled_share(given.mixture.flow, bearing.pitch_diameter, speed);
   }
-  if (given.mixture.starvation == balls::Starvation::skf) {
-    const double bore = bearing.inner.seat_diameter, outside = bearing.outer.seat_diameter;
-    require(bore > 0.0 && outside > bore, "outside diameter of the bearing [m]", outside,
-            "more than its bore for starvation, both stated");
-    supplied.race.rolling_share =
-        starvation_factor(bore, outside, type_constant(bearing),
-                          {.speed = speed, .viscosity = given.lubricant.viscosity / given.drag.oil_density});
-  }
+  starve(bearing, {.speed = speed, .viscosity = given.lubricant.viscosity / given.drag.oil_density},
+         supplied.race);
+  return supplied;
+}
+
+motion::DynamicsParameters supplied(const Bearing& bearing, const motion::DynamicsParameters& given,
+                                    double speed) {
+  motion::DynamicsParameters supplied = given;
+  starve(bearing, {.speed = speed, .viscosity = given.lubricant.viscosity / given.drag.oil_density},
+         supplied.race);
   return supplied;
 }
 

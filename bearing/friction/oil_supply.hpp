@@ -1,4 +1,5 @@
-// How much oil there is where a ball bearing needs it, by published formulas that go by its speed as a whole.
+// How much oil there is where a bearing in motion needs it, by published formulas that go by its speed as a
+// whole.
 #pragma once
 
 #include "bearing/motion/balls/parameters.hpp"
@@ -6,8 +7,12 @@
 namespace orbearing::bearing::friction {
 
 /// `given` with the share of oil and the starvation that it asks for, the rings at `speed` [rad/s] against
-/// each other. Throws std::invalid_argument where there is no flow or no speed for a share by both, or no
-/// bore and outside diameter for starvation.
+/// each other. Throws std::invalid_argument where there is no flow or no speed for a share by both, no bore
+/// and outside diameter for starvation, or starvation by what only bearings at rest know.
 balls::MotionParameters supplied(const Bearing& bearing, const balls::MotionParameters& given, double speed);
+
+/// The same of rollers: their starvation.
+motion::DynamicsParameters supplied(const Bearing& bearing, const motion::DynamicsParameters& given,
+                                    double speed);
 
 }  // namespace orbearing::bearing::friction

@@ -38,24 +38,23 @@ double static_load_ratio(const BearingSize& size, const TorqueCondition& at) {
 // Constants of Eqs. (3) and (4) of one series.
 struct SkfConstants {
   double r1, r2, r3, s1, s2, s3;
-  double type;       // [-]  K_Z
   double full_film;  // [-]  mu_EHL, mineral oil
 };
 
-// Tables 3, 3a, 3c and 5 of [SKF6000], pages 92, 93 and 98.
+// Tables 3, 3a and 3c of [SKF6000], pages 92 and 93.
 SkfConstants skf_constants(const BearingSize& size) {
   constexpr double balls = 0.05, rollers = 0.02;
   const int series = size.diameter_series;
   switch (size.family) {
     case TorqueFamily::deep_groove:
-      if (series == 0) return {4.1e-7, 1.7, 0.0, 3.73e-3, 14.6, 0.0, 3.1, balls};
-      if (series == 2) return {3.9e-7, 1.7, 0.0, 3.23e-3, 36.5, 0.0, 3.1, balls};
-      if (series == 3) return {3.7e-7, 1.7, 0.0, 2.84e-3, 92.8, 0.0, 3.1, balls};
-      return {3.6e-7, 1.7, 0.0, 2.43e-3, 198.0, 0.0, 3.1, balls};
+      if (series == 0) return {4.1e-7, 1.7, 0.0, 3.73e-3, 14.6, 0.0, balls};
+      if (series == 2) return {3.9e-7, 1.7, 0.0, 3.23e-3, 36.5, 0.0, balls};
+      if (series == 3) return {3.7e-7, 1.7, 0.0, 2.84e-3, 92.8, 0.0, balls};
+      return {3.6e-7, 1.7, 0.0, 2.43e-3, 198.0, 0.0, balls};
     case TorqueFamily::angular_contact:
-      return {5.03e-7, 1.97, 1.90e-12, 1.30e-2, 0.68, 1.91e-12, 4.4, balls};
+      return {5.03e-7, 1.97, 1.90e-12, 1.30e-2, 0.68, 1.91e-12, balls};
     case TorqueFamily::full_complement:
-      return {2.13e-6, 0.0, 0.0, 0.16, 0.0015, 0.0, 6.2, rollers};
+      return {2.13e-6, 0.0, 0.0, 0.16, 0.0015, 0.0, rollers};
     case TorqueFamily::cylindrical:
       break;
   }
@@ -64,7 +63,7 @@ SkfConstants skf_constants(const BearingSize& size) {
                        : !size.wide  ? 1.09e-6
                        : series == 2 ? 1.40e-6
                                      : 1.48e-6;
-  return {first, 0.0, 0.0, series == 0 && !size.wide ? 0.17 : 0.16, 0.0015, 0.0, 5.1, rollers};
+  return {first, 0.0, 0.0, series == 0 && !size.wide ? 0.17 : 0.16, 0.0015, 0.0, rollers};
 }
 
 // G_rr and G_sl.
@@ -148,11 +147,26 @@ double inlet_heating_factor(double mean_diameter, const TorqueCondition& at) {
   return 1.0 / (1.0 + 1.84e-9 * std::pow(p.speed * p.mean_diameter, 1.28) * std::pow(p.viscosity, 0.64));
 }
 
-double starvation_factor(double bore, double outside, double type_constant, const TorqueCondition& at) {
+// Table 5 of [SKF6000], page 98.
+double type_constant(TorqueFamily family) {
+  switch (family) {
+    case TorqueFamily::deep_groove:
+      return 3.1;
+    case TorqueFamily::angular_contact:
+      return 4.4;
+    case TorqueFamily::full_complement:
+      return 6.2;
+    case TorqueFamily::cylindrical:
+      break;
+  }
+  return 5.1;
+}
+
+double starvation_factor(double bore, double outside, double constant, const TorqueCondition& at) {
   constexpr double low_bath = 3e-8;
   const Printed p(0.5 * (bore + outside), at);
   return std::exp(-low_bath * p.viscosity * p.speed * 2.0 * p.mean_diameter *
-                  std::sqrt(type_constant / (2.0 * kMillimetres * (outside - bore))));
+                  std::sqrt(constant / (2.0 * kMillimetres * (outside - bore))));
 }
 
 SkfTorque skf_torque(const BearingSize& size, const TorqueCondition& at) {
@@ -162,7 +176,7 @@ SkfTorque skf_torque(const BearingSize& size, const TorqueCondition& at) {
   const double product = p.viscosity * p.speed;
   const SkfVariables g = variables_of(size, c, p, at);
   SkfTorque torque{.inlet_heating = inlet_heating_factor(size.mean_diameter(), at),
-                   .starvation = starvation_factor(size.bore, size.outside, c.type, at),
+                   .starvation = starvation_factor(size.bore, size.outside, type_constant(size.family), at),
                    .boundary_share = std::exp(-2.6e-8 * std::pow(product, 1.4) * p.mean_diameter)};
   torque.rolling =
       kNewtonMillimetre * torque.inlet_heating * torque.starvation * g.rolling * std::pow(product, 0.6);

@@ -85,6 +85,8 @@ struct SkfTorque {
 
 /// Eq. (5). `mean_diameter` [m]
 double inlet_heating_factor(double mean_diameter, const TorqueCondition& at);
+/// K_Z [-] of Eq. (6).
+double type_constant(TorqueFamily family);
 /// Eq. (6), of a constant K_Z [-] of the type of bearing.
 double starvation_factor(double bore, double outside, double type_constant, const TorqueCondition& at);
 /// Eqs. (3) to (7). Series above 3 have the constants of 4.

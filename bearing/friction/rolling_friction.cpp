@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "bearing/friction/replenishment.hpp"
 #include "bearing/geometry.hpp"
 #include "bearing/motion/balls/ball_bearing.hpp"
 #include "bearing/motion/balls/mixture.hpp"
@@ -92,7 +93,7 @@ using motion::InletHeating;
 
 // Rollers and cage in a mixture that is carried round, and the walls of the rings, of which one drags it.
 balls::DragNumbers roller_drag(const Bearing& bearing, const BearingGeometry& geometry,
-                               const motion::OilDragParameters& given, const Lubricant& oil) {
+                               const motion::OilDragParameters& given, const Lubricant& oil, double flow) {
   const CylindricalRollers& rollers = bearing.rollers();
   const double density = given.oil_share * given.oil_density, radius = geometry.pitch_radius;
   // What the cage does not hide of a roller, as of balls.
@@ -118,17 +119,15 @@ balls::DragNumbers roller_drag(const Bearing& bearing, const BearingGeometry& ge
                   .width = std::max(bearing.width, rollers.length),
                   .density = density,
                   .viscosity = oil.viscosity / given.oil_density,
-                  .flow = 0.0,
+                  .flow = given.oil_density * flow,
                   .balls = rollers.count * drag.translation * radius * radius * radius,
                   .cage = drag.cage_churning,
                   .share = 0.0};
   return drag;
 }
 
-double drag_loss(const Bearing& bearing, const BearingGeometry& geometry,
-                 const motion::OilDragParameters& given, const Lubricant& oil, const RingSpeeds& speeds) {
-  const balls::DragNumbers drag =
-      balls::carried_drag(roller_drag(bearing, geometry, given, oil), speeds.inner, speeds.outer);
+double drag_loss(const Bearing& bearing, const BearingGeometry& geometry, const balls::DragNumbers& drag,
+                 const RingSpeeds& speeds) {
   const balls::WallTorques walls = balls::wall_torques(drag.mixture, speeds.inner, speeds.outer);
   const double cage = kinematic_cage_speed(geometry, speeds.inner, speeds.outer);
   const double spin = kinematic_roller_spin(geometry, speeds.inner, speeds.outer);
@@ -169,9 +168,11 @@ double oil_layer(const Bearing& bearing, double share) {
 }
 
 RollingFriction roller_friction(const Bearing& bearing, const Eigen::Ref<const Eigen::ArrayXd>& inner_load,
-                                const RingSpeeds& speeds, const Lubricant& oil, const Inlets& inlets) {
+                                const RingSpeeds& speeds, const Lubricant& oil, const Inlets& inlets,
+                                const RollerMixture& mixture) {
   motion::DynamicsParameters isothermal;
   isothermal.lubricant = oil;
+  isothermal.drag.oil_share = mixture.oil_share;
   motion::DynamicsParameters given = isothermal;
   heat_inlets(inlets.viscosity_slope, given.race);
   const BearingGeometry geometry = geometry_of(bearing);
@@ -180,28 +181,39 @@ RollingFriction roller_friction(const Bearing& bearing, const Eigen::Ref<const E
   OperatingPoint point;
   point.inner_speed = speeds.inner;
   point.outer_speed = speeds.outer;
-  const double layers = 2.0 * oil_layer(bearing, given.drag.oil_share);
+  const balls::DragNumbers drag = balls::carried_drag(
+      roller_drag(bearing, geometry, given.drag, oil, mixture.flow), speeds.inner, speeds.outer);
+  const double layers = 2.0 * oil_layer(bearing, mixture.oil_share), length = bearing.rollers().length;
   const auto loss_on = [&](const motion::DynamicsParameters& laws, bool end, Race race,
                            const Eigen::ArrayXd& loads) {
     const bool inner = race == Race::inner;
     const double speed = inner ? speeds.inner : speeds.outer;
     const double rolling = std::abs(speed - cage) * (inner ? geometry.inner_radius : geometry.outer_radius);
     const double equivalent = equivalent_radius(geometry, race);
-    const double beyond = 12.0 * oil.viscosity * rolling * equivalent * bearing.rollers().length /
-                          std::sqrt(2.0 * equivalent * layers);
+    const double begin =
+        inlets.end == InletEnd::replenished
+            ? inlet_length(equivalent, length,
+                           returned_oil(bearing, geometry, race, speeds, drag, mixture.oil_share))
+            : std::sqrt(2.0 * equivalent * layers);
+    const double beyond = 12.0 * oil.viscosity * rolling * equivalent * length / begin;
     return rolling_loss(motion::race_model(bearing, geometry, point, race, laws), rolling, loads,
                         end ? beyond : 0.0);
   };
   const auto loss = [&](const motion::DynamicsParameters& laws, bool end) {
     return loss_on(laws, end, Race::inner, inner_load) + loss_on(laws, end, Race::outer, inner_load + thrown);
   };
+  const bool ended = inlets.end != InletEnd::none;
+  motion::DynamicsParameters regression = given;
+  regression.race.rolling_law = motion::RollingLaw::goksem_hargreaves;
   return {
-      .rolling = loss(given, inlets.end),
+      .rolling = inlets.starvation * loss(given, ended),
       .flooded_rolling = loss(given, false),
       .isothermal_rolling = loss(isothermal, false),
-      .idle = loss_on(given, inlets.end, Race::outer,
+      .regression_rolling = inlets.starvation * loss(regression, ended),
+      .idle = inlets.starvation *
+              loss_on(given, ended, Race::outer,
                       (inner_load > 0.0).select(0.0, Eigen::ArrayXd::Constant(inner_load.size(), thrown))),
-      .drag = drag_loss(bearing, geometry, given.drag, oil, speeds)};
+      .drag = drag_loss(bearing, geometry, drag, speeds)};
 }
 
 RollingFriction ball_friction(const Bearing& bearing, const equilibrium::RingState& balance,

@@ -71,6 +71,17 @@ constexpr described::Names<InletHeating, 2> names_of(InletHeating) {
   return {{{InletHeating::none, "none"}, {InletHeating::goksem_hargreaves, "goksem-hargreaves"}}};
 }
 
+/// What is left of the rolling resistance where inlets find less oil than flooded ones.
+enum class Starvation {
+  none,         // flooded; of rollers at rest as far as all oil of the mixture reaches
+  skf,          // factor of an oil jet or a low bath, friction/published_torque.hpp [SKF6000]
+  replenished,  // of rollers at rest: what the mixture returns to the tracks, friction/replenishment.hpp
+};
+
+constexpr described::Names<Starvation, 3> names_of(Starvation) {
+  return {{{Starvation::none, "none"}, {Starvation::skf, "skf"}, {Starvation::replenished, "replenished"}}};
+}
+
 /// How the viscosity of the oil in a contact grows with the pressure, where it is sheared.
 enum class PressureLaw {
   barus,     // exp(alpha p), held at a largest exponent
@@ -111,7 +122,8 @@ struct RaceContactParameters {
   InletHeating inlet_heating = InletHeating::none;
   double viscosity_slope = 0.03;   // [1/K]      by which the viscosity falls [Reynolds1886]
   double oil_conductivity = 0.14;  // [W/(m K)]  of mineral and ester oils
-  double rolling_share = 1.0;      // [-]        of the rolling resistance that starvation leaves
+  Starvation starvation = Starvation::none;
+  double rolling_share = 1.0;  // [-]  of the rolling resistance that starvation leaves
   FilmApproach film_approach = FilmApproach::added;
   bool squeeze = false;  // the oil that is pressed out resists the approach
   DampingLaw damping_law = DampingLaw::approach_speed;
@@ -184,6 +196,12 @@ void describe(Visitor& visit, RaceContactParameters& m) {
             "reduction of the rolling resistance by shear heating of the oil at the inlet",
             {.models = in_time,
              .reason = "isothermal, as in published cases",
+             .where = {"traction.rolling_resistance", "true"}}),
+      field(m.starvation, "traction.starvation", Physics::motion,
+            "reduction of the rolling resistance by inlets that are not flooded: SKF's factor, or of rollers "
+            "at rest by the oil that returns to the tracks",
+            {.models = in_motion | roller_bearing,
+             .reason = "flooded, as in published cases",
              .where = {"traction.rolling_resistance", "true"}}),
       field(m.viscosity_slope, "heat.viscosity_slope", Physics::motion,
             "relative decrease of the viscosity per kelvin",
@@ -400,7 +418,7 @@ void describe(Visitor& visit, OilDragParameters& m) {
                  .where = on,
                  .fmu = InFmu::parameter}),
           field(m.oil_share, "lubricant.share", Physics::motion, "oil in the free volume of the bearing",
-                {.models = in_time,
+                {.models = in_time | roller_bearing,
                  .range = {0.0, 1.0},
                  .reason = "oil mist with jets",
                  .where = on,

@@ -4,6 +4,7 @@
 
 #include "bearing/carrier_frame.hpp"
 #include "bearing/equilibrium/inclined_rows.hpp"
+#include "bearing/friction/oil_supply.hpp"
 #include "bearing/life/inclined_rating.hpp"
 #include "mechanics/constants.hpp"
 
@@ -89,7 +90,9 @@ bearing::motion::DynamicsParameters bearing_dynamics(const PlanetaryDrivetrain& 
   parameters.race.film_in_approach = drivetrain.film_in_approach;
   parameters.race.film_approach = drivetrain.film_approach;
   parameters.bore_mass = geometry.planet_mass / drivetrain.bearings_per_planet;
-  return parameters;
+  if (parameters.race.starvation == bearing::motion::Starvation::none) return parameters;
+  return bearing::friction::supplied(drivetrain.bearing, parameters,
+                                     bearing_duty(drivetrain, geometry).gears.planet_speed_relative);
 }
 
 Eigen::Vector2d bore_tilt(const Misalignment& misalignment, const Eigen::Vector2d& load) {

@@ -2,7 +2,9 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <cstdint>
 #include <iterator>
 #include <stdexcept>
 #include <utility>
@@ -146,6 +148,23 @@ double viscosity_at(double stated, double slope, const HeatParameters& heat, dou
 
 double outlet_temperature(const HeatParameters& heat, double flow, double power) {
   return heat.inlet + power / (kOilCapacity * flow);
+}
+
+double balanced_outlet(const HeatParameters& heat, double flow, const std::function<double(double)>& power) {
+  mechanics::require(flow > 0.0, "flow of oil [m^3/s]", flow,
+                     "more than 0 where the oil takes the heat along");
+  const auto missed = [&](double temperature) {
+    return temperature - outlet_temperature(heat, flow, power(temperature));
+  };
+  const double at_inlet = missed(heat.inlet), at_most = missed(kHottestOil);
+  if (!(at_most > 0.0))
+    throw std::domain_error("the oil leaves at more than 150 degC; required: more flow, or cooler oil");
+  if (!(at_inlet < 0.0)) return heat.inlet;
+  std::uintmax_t steps = 100;
+  const auto [below, above] =
+      boost::math::tools::toms748_solve(missed, heat.inlet, kHottestOil, at_inlet, at_most,
+                                        boost::math::tools::eps_tolerance<double>(40), steps);
+  return 0.5 * (below + above);
 }
 
 std::vector<WarmState> warm_to_steady(const ThermalNetwork& network, const HeatSource& source,

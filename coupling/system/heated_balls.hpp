@@ -86,11 +86,15 @@ void describe(Visitor& visit, HeatParameters& m) {
   const Range conductance{0.0, 1e5}, temperature{-60.0, 400.0};
   rows(visit,
        field(m.on, "heat.enabled", Physics::single_bearing_run,
-             "temperatures and the oil's viscosity are computed from the friction",
-             {.models = ball_motion, .reason = "the viscosity is stated at running temperature"}),
+             "temperatures and the oil's viscosity are computed from the friction; of rollers at rest with "
+             "heat.model: oil",
+             {.models = ball_motion | roller_bearing,
+              .reason = "the viscosity is stated at running temperature"}),
        field(m.model, "heat.model", Physics::single_bearing_run,
              "heat leaves by balls, rings, oil and housing, or by the oil that flows through alone",
-             {.models = ball_motion, .reason = "bearings lose heat by their seats too", .where = on}),
+             {.models = ball_motion | roller_bearing,
+              .reason = "bearings lose heat by their seats too",
+              .where = on}),
        row(m.surroundings, "heat.surroundings", "temperature around housing and shaft",
            dimension::temperature, temperature, "a warm room"),
        row(m.contact, "heat.contact_conductance", "conductance of the balls to each ring",
@@ -104,8 +108,12 @@ void describe(Visitor& visit, HeatParameters& m) {
        row(m.shaft, "heat.shaft_conductance",
            "conductance of the inner ring along the shaft to the surroundings", dimension::conductance,
            conductance, "a shaft of the bore's diameter"),
-       row(m.inlet, "heat.inlet", "temperature of the oil that flows in", dimension::temperature, temperature,
-           "a tank's"),
+       field(m.inlet, "heat.inlet", Physics::single_bearing_run, "temperature of the oil that flows in",
+             {.models = ball_motion | roller_bearing,
+              .dimension = dimension::temperature,
+              .range = temperature,
+              .reason = "a tank's",
+              .where = on}),
        row(m.stated_at, "heat.viscosity_temperature", "reference temperature of lubricant.viscosity",
            dimension::temperature, temperature, "running temperature"),
        row(m.expansion, "heat.expansion", "linear thermal expansion of rings and balls",
@@ -137,6 +145,11 @@ double viscosity_at(double stated, double slope, const HeatParameters& heat, dou
 
 /// Temperature [degC] of oil that comes in at `heat`'s inlet and leaves with all of `power` [W].
 double outlet_temperature(const HeatParameters& heat, double flow, double power);
+
+/// Temperature [degC] at which oil leaves with all of `power` [W] that arises at that temperature and falls
+/// with it. Throws std::domain_error where that is beyond kHottestOil.
+double balanced_outlet(const HeatParameters& heat, double flow, const std::function<double(double)>& power);
+inline constexpr double kHottestOil = 150.0;  // [degC]  to which formulas of viscosity hold
 
 /// Says how much heat [W] arises by body at given temperatures [degC], kept for the next call where motion
 /// goes on.

@@ -86,21 +86,10 @@ constexpr described::Names<OilFill, 2> names_of(OilFill) {
   return {{{OilFill::stated, "stated"}, {OilFill::parker, "parker"}}};
 }
 
-/// What is left of the rolling resistance where the tracks carry less oil than a flooded inlet.
-enum class Starvation {
-  none,  // flooded
-  skf,   // factor of an oil jet or a low bath, friction/published_torque.hpp [SKF6000]
-};
-
-constexpr described::Names<Starvation, 2> names_of(Starvation) {
-  return {{{Starvation::none, "none"}, {Starvation::skf, "skf"}}};
-}
-
 struct MixtureParameters {
   OilMotion motion = OilMotion::carried;
   double flow = 0.0;  // [m^3/s]
   OilFill fill = OilFill::stated;
-  Starvation starvation = Starvation::none;
 };
 
 template <class Visitor>
@@ -114,18 +103,13 @@ void describe(Visitor& visit, MixtureParameters& m) {
                  .where = {"drag.enabled", "true"}}),
           field(m.flow, "lubricant.flow", Physics::motion,
                 "oil flow through the bearing, which is accelerated to the mixture's speed and removes heat",
-                {.models = ball_motion,
+                {.models = ball_motion | roller_bearing,
                  .dimension = dimension::flow,
                  .range = {0.0, 1000.0},
                  .reason = "grease, or a bath"}),
           field(m.fill, "lubricant.fill", Physics::motion,
                 "share of oil in the free volume: stated, or by flow and speed as Parker measured",
-                {.models = ball_motion, .reason = "lubricant.share", .where = {"drag.enabled", "true"}}),
-          field(m.starvation, "traction.starvation", Physics::motion,
-                "reduction of the rolling resistance by inlets that are not flooded, SKF's factor",
-                {.models = ball_motion,
-                 .reason = "flooded, as in published cases",
-                 .where = {"traction.rolling_resistance", "true"}}));
+                {.models = ball_motion, .reason = "lubricant.share", .where = {"drag.enabled", "true"}}));
 }
 
 /// A ring and what it carries along.

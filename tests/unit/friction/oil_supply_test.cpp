@@ -46,7 +46,7 @@ TEST(OilSupply, ChangesWhatIsAskedForAlone) {
   EXPECT_EQ(same.drag.oil_share, given.drag.oil_share);
   EXPECT_EQ(same.race.rolling_share, 1.0);
   given.mixture.fill = balls::OilFill::parker;
-  given.mixture.starvation = balls::Starvation::skf;
+  given.race.starvation = motion::Starvation::skf;
   const balls::MotionParameters both = supplied(bearing, given, speed);
   EXPECT_DOUBLE_EQ(both.drag.oil_share, balls::filled_share(1e-5, bearing.pitch_diameter, speed));
   const double viscosity = given.lubricant.viscosity / given.drag.oil_density;
@@ -62,7 +62,7 @@ TEST(OilSupply, RefusesAShareWithoutFlowOrSpeedAndStarvationWithoutSize) {
   EXPECT_REFUSED(std::invalid_argument, "oil_supply flow", supplied(bearing, given, 900.0));
   given.mixture.flow = 1e-5;
   EXPECT_REFUSED(std::invalid_argument, "oil_supply speed", supplied(bearing, given, 0.0));
-  given.mixture.starvation = balls::Starvation::skf;
+  given.race.starvation = motion::Starvation::skf;
   EXPECT_NO_THROW(supplied(bearing, given, 900.0));
   bearing.outer.seat_diameter = 0.0;
   EXPECT_REFUSED(std::invalid_argument, "oil_supply size", supplied(bearing, given, 900.0));
@@ -290,7 +290,7 @@ TEST(RollerFriction, InletsEndWhereTheOilOfTheMixtureEnds) {
   loads[0] = 800.0;
   const Lubricant oil{.viscosity = 0.01, .pressure_viscosity = 1.5e-8};
   const RollingFriction flooded = roller_friction(bearing, loads, {900.0, 0.0}, oil);
-  const RollingFriction ended = roller_friction(bearing, loads, {900.0, 0.0}, oil, {.end = true});
+  const RollingFriction ended = roller_friction(bearing, loads, {900.0, 0.0}, oil, {.end = InletEnd::layer});
   EXPECT_EQ(ended.flooded_rolling, flooded.rolling);
   EXPECT_LT(ended.rolling, 0.95 * flooded.rolling);
   // Light contacts lose more of it.
