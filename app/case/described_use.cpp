@@ -427,6 +427,9 @@ Use with_other_ways(const Use& use, std::string_view path) {
                        "heat.fit_conductance", "heat.housing_conductance", "heat.shaft_conductance",
                        "heat.expansion", "heat.sizes_temperature"}))
     return use.when(where("heat.model", {"network"}));
+  if (path == "traction.starvation")
+    return use.limited(use::dynamic | use::dynamic_of_sets,
+                       {where_true(speed_is_steady, "where input.acceleration is 0")});
   if (path == "numerics.cage_positions")
     return use.used_too(use::dynamic_of_sets, where("bearing.tilt_state", {"computed"}));
   if (path == "traction.limiting_friction")

@@ -80,10 +80,6 @@ void check_oil_supply(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   if (on("heat.enabled") && is("heat.model", "oil") && !flows())
     add_error_at(in, "heat.model", "heat that leaves with the oil, without a flow",
                  "lubricant.flow greater than 0 L/min is required", mistakes);
-  if (is("traction.starvation", "skf") && in.has("input.acceleration") &&
-      in.quantity("input.acceleration") != 0.0)
-    add_error_at(in, "traction.starvation", "starvation by the speed of a run-up",
-                 "none is required with input.acceleration", mistakes);
   const bool at_rest = in.model() == roller_bearing;
   if (at_rest && on("heat.enabled") && is("heat.model", "network"))
     add_error_at(in, "heat.model", "a network of bodies for rollers",

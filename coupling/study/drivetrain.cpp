@@ -90,7 +90,9 @@ bearing::motion::DynamicsParameters bearing_dynamics(const PlanetaryDrivetrain& 
   parameters.race.film_in_approach = drivetrain.film_in_approach;
   parameters.race.film_approach = drivetrain.film_approach;
   parameters.bore_mass = geometry.planet_mass / drivetrain.bearings_per_planet;
-  if (parameters.race.starvation == bearing::motion::Starvation::none) return parameters;
+  if (parameters.race.starvation == bearing::motion::Starvation::none ||
+      drivetrain.run_up.acceleration != 0.0)  // at speeds that grow
+    return parameters;
   return bearing::friction::supplied(drivetrain.bearing, parameters,
                                      bearing_duty(drivetrain, geometry).gears.planet_speed_relative);
 }

@@ -58,6 +58,31 @@ class Friction(unittest.TestCase):
                                 ("ours_with_starvation_W", others["skf"]["inlet_heating"] * others["skf"]["starvation"])):
                 self.assertAlmostEqual(others[key], rest + factor * ours["isothermal_rolling_W"], delta=1e-9 * ours["power_W"])
 
+    def test_starvation_acts_on_the_rolling_part_of_rollers(self):
+        flooded, skf, returned = (run_json(ROLLERS, f"traction.starvation={name}") for name in ("none", "skf", "replenished"))
+        factor = flooded["friction_by_standards"]["skf"]["starvation"]
+        self.assertAlmostEqual(skf["friction"]["rolling_W"], factor * flooded["friction"]["rolling_W"], delta=1e-9 * flooded["friction"]["rolling_W"])
+        less = run_json(ROLLERS, "traction.starvation=replenished", "lubricant.share=0.01")["friction"]
+        self.assertLess(less["rolling_W"], returned["friction"]["rolling_W"])
+        for one in (skf["friction"], returned["friction"]):
+            self.assertEqual(one["flooded_rolling_W"], flooded["friction"]["flooded_rolling_W"])
+            self.assertEqual(one["drag_W"], flooded["friction"]["drag_W"])
+
+    def test_oil_takes_the_heat_of_rollers_along(self):
+        """1.7 MJ/(m3 K) times the flow times the rise is the friction; at the stated 70 degC it is that without heat, but for the flow."""
+        oil = ["heat.enabled=true", "heat.model=oil", "lubricant.flow=0.3 L/min"]
+        for inlet in (30, 50):
+            found = run_json(ROLLERS, *oil, f"heat.inlet={inlet} degC")["friction"]
+            self.assertAlmostEqual(1.7e6 * 0.3e-3 / 60 * (found["oil_temperature_degC"] - inlet), found["power_W"], delta=1e-6 * found["power_W"])
+        cold, warm = (run_json(ROLLERS, *oil, f"heat.inlet={inlet} degC")["friction"] for inlet in (30, 50))
+        self.assertLess(warm["power_W"], cold["power_W"])
+        stated = run_json(ROLLERS, "lubricant.flow=0.3 L/min")["friction"]
+        self.assertNotIn("oil_temperature_degC", stated)
+        inlet = 70.0 - stated["power_W"] / (1.7e6 * 0.3e-3 / 60)
+        at_70 = run_json(ROLLERS, *oil, f"heat.inlet={inlet} degC")["friction"]
+        self.assertAlmostEqual(at_70["oil_temperature_degC"], 70.0, delta=0.01)
+        self.assertAlmostEqual(at_70["power_W"], stated["power_W"], delta=1e-3 * stated["power_W"])
+
     def test_a_ball_bearing_in_time_has_them_too(self):
         found = run_json(CASES / "deep_groove_motor", "bearing.outside_diameter=52 mm", "simulation.duration=20 ms")
         others = found["friction_by_standards"]

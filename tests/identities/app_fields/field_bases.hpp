@@ -560,6 +560,7 @@ inline bool stays_as_it_is(const Field& field, const ResolvedCase& in) {
                        field.path == "bearing.clearance_differences" ||
                        field.path.starts_with("support.pin_") ||
                        field.path == "support.carrier_twist_stiffness";
+  if (field.path == "heat.model" && in.model() == roller_bearing) return true;  // the oil alone
   const bool of_balls = field.path == "bearing.balls" || field.path == "bearing.ball_diameter";
   if (of_balls && in.model() == planetary_drivetrain) return true;  // beside the rollers of the base
   if (field.path.starts_with("bearing.rows.") &&
@@ -599,6 +600,18 @@ inline Change change_of(const Field& field, const ResolvedCase& in, const std::s
             rollers ? std::vector<std::string>{} : std::vector<std::string>{"bearing.designation=6204"}};
   if (field.path == "operation.shaft_speed" && (in.model() & described::single_scratched) != 0)
     return {"6400 rpm"};
+  if (in.model() == roller_bearing) {  // whose friction at rest has oil and heat of its own
+    std::vector<std::string> rotating{"lubricant.kinematic_viscosity=20 mm2/s", "life.cleanliness=high",
+                                      "operation.shaft_speed=1000 rpm"};
+    if (field.path == "traction.starvation") return {"replenished", rotating};
+    if (field.path == "lubricant.share") return {"0.1", rotating};
+    if (field.path == "lubricant.flow") return {"0.1 L/min", rotating};
+    rotating.insert(rotating.end(), {"heat.model=oil", "lubricant.flow=0.1 L/min"});
+    if (field.path == "heat.enabled") return {"true", rotating};
+    rotating.emplace_back("heat.enabled=true");
+    if (field.path == "heat.inlet") return {"30 degC", rotating};
+  }
+  if (field.path == "traction.starvation" && in.model() == planetary_drivetrain) return {"skf"};
   if (const auto stated = stated_changes().find(field.path); stated != stated_changes().end())
     return stated->second;
   if (field.path.find(".out_of_roundness.") != std::string::npos ||
