@@ -121,6 +121,7 @@ constexpr Exception exceptions[] = {
     {"support.pin_inclination.tangential", no_tilt, use::bearings_as_springs},
     {"load.tilt", use::ball_run},
     {"traction.starvation", use::fmu_bearing},  // whose speeds change
+    {"film.inlet_heating", use::fmu_bearing},
     // Rows of other bearings than cylindrical ones are known at rest alone.
     {"bearing.rows.contact_angle", but_at_rest},
     {"bearing.rows.arrangement", but_at_rest},
@@ -430,6 +431,9 @@ Use with_other_ways(const Use& use, std::string_view path) {
   if (path == "traction.starvation")
     return use.limited(use::dynamic | use::dynamic_of_sets,
                        {where_true(speed_is_steady, "where input.acceleration is 0")});
+  if (path == "film.inlet_heating") return also_used(use, use::quasi_static);
+  if (path == "heat.viscosity_slope")
+    return use.used_too(use::quasi_static, where("film.inlet_heating", {"gupta"}));
   if (path == "numerics.cage_positions")
     return use.used_too(use::dynamic_of_sets, where("bearing.tilt_state", {"computed"}));
   if (path == "traction.limiting_friction")

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "bearing/carrier_frame.hpp"
+#include "bearing/contact/heated_film.hpp"
 #include "bearing/contact/lamina_races.hpp"
 #include "bearing/equilibrium/quasi_static.hpp"
 #include "bearing/motion/cage_and_oil.hpp"
@@ -123,10 +124,11 @@ struct BearingModel {
   double pin_mass = 0.0;   // [kg]
   RaceModel inner;
   RaceModel outer;
-  std::optional<LaminaRaces> laminae;  // none: line contacts of straight rollers
+  std::optional<LaminaRaces> laminae;    // none: line contacts of straight rollers
   std::vector<vectorised::RimWave> rim;  // none: rigid
   FilmContact inner_film;
   FilmContact outer_film;
+  FilmHeating film_heating;
   PocketLaw pocket;                           // of a cage
   vectorised::NeighbourConstants neighbours;  // without one
   std::vector<RollerScratch> roller_scratches = {};

@@ -71,6 +71,16 @@ constexpr described::Names<InletHeating, 2> names_of(InletHeating) {
   return {{{InletHeating::none, "none"}, {InletHeating::goksem_hargreaves, "goksem-hargreaves"}}};
 }
 
+/// Whether shear at the inlet makes the films thinner that results state.
+enum class FilmReduction {
+  none,   // isothermal
+  gupta,  // contact/heated_film.hpp [Gupta1992]
+};
+
+constexpr described::Names<FilmReduction, 2> names_of(FilmReduction) {
+  return {{{FilmReduction::none, "none"}, {FilmReduction::gupta, "gupta"}}};
+}
+
 /// What is left of the rolling resistance where inlets find less oil than flooded ones.
 enum class Starvation {
   none,         // flooded; of rollers at rest as far as all oil of the mixture reaches
@@ -120,6 +130,7 @@ struct RaceContactParameters {
   bool rolling_resistance = true;       // shear of the oil at the inlet
   RollingLaw rolling_law = RollingLaw::reynolds;
   InletHeating inlet_heating = InletHeating::none;
+  FilmReduction film_heating = FilmReduction::none;
   double viscosity_slope = 0.03;   // [1/K]      by which the viscosity falls [Reynolds1886]
   double oil_conductivity = 0.14;  // [W/(m K)]  of mineral and ester oils
   Starvation starvation = Starvation::none;
@@ -203,13 +214,19 @@ void describe(Visitor& visit, RaceContactParameters& m) {
             {.models = in_motion | roller_bearing,
              .reason = "flooded, as in published cases",
              .where = {"traction.rolling_resistance", "true"}}),
+      field(
+          m.film_heating, "film.inlet_heating", Physics::motion,
+          "reduction of the reported films, and of kappa by film, by shear heating of the inlet and sliding; "
+          "loads, friction and film.enabled keep the isothermal film",
+          {.models = planetary_drivetrain, .reason = "isothermal, as in published cases"}),
       field(m.viscosity_slope, "heat.viscosity_slope", Physics::motion,
             "relative decrease of the viscosity per kelvin",
             {.models = in_time,
              .dimension = dimension::per_kelvin,
              .range = {0.0, 0.2},
              .reason = "a mineral oil when warm",
-             .where = {"heat.enabled|traction.inlet_heating", "true|goksem-hargreaves"}}),
+             .where = {"heat.enabled|traction.inlet_heating|film.inlet_heating",
+                       "true|goksem-hargreaves|gupta"}}),
       internal(m.oil_conductivity, "traction.oil_conductivity"),
       internal(m.rolling_share, "traction.rolling_share"),
       field(m.film_in_approach, "film.enabled", Physics::carrier, "the approach includes the film",

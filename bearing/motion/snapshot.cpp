@@ -154,11 +154,13 @@ void resize(Snapshot& into, Eigen::Index rollers, bool cut, bool caged) {
   into.loss = {};
 }
 
-void record(const Contact& contact, const FilmContact& film, Eigen::Index j, RaceSnapshot& race) {
+void record(const Contact& contact, const FilmContact& film, const FilmHeating& heating, Eigen::Index j,
+            RaceSnapshot& race) {
   race.load[j] = contact.load;
   race.sliding[j] = contact.sliding;
   race.entrainment[j] = contact.entrainment;
-  race.least_film[j] = Film(film, contact.entrainment).least(contact.load);
+  race.least_film[j] = Film(film, contact.entrainment).least(contact.load) *
+                       heating.share(film, contact.load, contact.entrainment, contact.sliding);
 }
 
 void put_stand(const LaminaStand& stand, Eigen::Index j, Snapshot& into) {
@@ -326,8 +328,8 @@ void take(const BearingModel& model, const Surroundings& surroundings,
   into.laminae = cut_races(model);
   resize(into, model.layout.rollers, into.laminae != nullptr, caged);
   for (Eigen::Index j = 0; j < model.layout.rollers; ++j) {
-    record(now.seen_at(j).inner, model.inner_film, j, into.inner);
-    record(now.seen_at(j).outer, model.outer_film, j, into.outer);
+    record(now.seen_at(j).inner, model.inner_film, model.film_heating, j, into.inner);
+    record(now.seen_at(j).outer, model.outer_film, model.film_heating, j, into.outer);
     into.angle[j] = wrapped(now.state.angle[j]);
     if (into.laminae) put_stand(now.stand(j), j, into);
     const PocketTouch pocket = now.pocket(j);

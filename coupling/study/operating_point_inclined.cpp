@@ -188,26 +188,26 @@ class Bearings {
   bearing::InclinedResult result_;
 };
 
-// Without a film: balls, or no oil.
-RaceResult race_of(const Eigen::ArrayXd& loads, const bearing::Film& film) {
-  const double most = loads.maxCoeff();
-  return {.load_max = most,
+RaceResult race_of(const Eigen::ArrayXd& loads) {
+  return {.load_max = loads.maxCoeff(),
           .load_rms = std::sqrt(loads.square().mean()),
-          .least_film = film.cap() > 0.0 ? film.least(most) : std::numeric_limits<double>::quiet_NaN()};
+          .least_film = std::numeric_limits<double>::quiet_NaN()};  // of balls
 }
 
 // Films of rollers at the middle of their length; they take no part in the approach.
 void put_races(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                const bearing::OperatingPoint& point, const Rows& rows, PointResult& result) {
-  bearing::Film inner, outer;
+  result.inner = race_of(all_loads(rows, &bearing::InclinedRowLoads::inner_load));
+  result.outer = race_of(all_loads(rows, &bearing::InclinedRowLoads::outer_load));
   if (!drivetrain.rows.has_balls()) {
     const bearing::RollerContacts rolling = bearing::rolling_contacts(
         drivetrain.bearing, geometry.bearing, point.inner_speed, point.outer_speed, drivetrain.lubricant);
-    inner = rolling.inner.film();
-    outer = rolling.outer.film();
+    const auto put = [&](bearing::Race race, const bearing::Film& film, RaceResult& of) {
+      of.least_film = least_film_at_rest(drivetrain, geometry, race, film, of.load_max);
+    };
+    put(bearing::Race::inner, rolling.inner.film(), result.inner);
+    put(bearing::Race::outer, rolling.outer.film(), result.outer);
   }
-  result.inner = race_of(all_loads(rows, &bearing::InclinedRowLoads::inner_load), inner);
-  result.outer = race_of(all_loads(rows, &bearing::InclinedRowLoads::outer_load), outer);
   if (!are_cut(rows)) return;
   for (const bearing::InclinedRowLoads* row : rows) {
     const auto widen = [](RaceResult& race, const Eigen::ArrayXXd& loads) {

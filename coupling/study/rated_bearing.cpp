@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "bearing/contact/heated_film.hpp"
 #include "bearing/equilibrium/quasi_static.hpp"
 #include "bearing/life/lundberg_palmgren.hpp"
 #include "bearing/motion/model.hpp"
@@ -12,25 +13,30 @@
 
 namespace orbearing::study {
 
+// The film is a result whether or not it takes part in the approach.
+double least_film_at_rest(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                          bearing::Race race, const bearing::Film& film, double load) {
+  if (!(film.cap() > 0.0)) return std::numeric_limits<double>::quiet_NaN();
+  const auto heating = bearing::FilmHeating::of(drivetrain.dynamics.race, drivetrain.lubricant);
+  return film.least(load) * heating.share(bearing::film_contact(drivetrain.bearing, geometry.bearing, race,
+                                                                drivetrain.lubricant),
+                                          load, std::exp(film.log_speed()));
+}
+
 namespace {
 
 using bearing::motion::RaceStatistics;
 using bearing::motion::WindowStatistics;
 using bearing::vectorised::AlignedPitch;
 
-// The film is a result whether or not it takes part in the approach.
-double least_film(const bearing::Film& film, double load) {
-  return film.cap() > 0.0 ? film.least(load) : std::numeric_limits<double>::quiet_NaN();
-}
-
 // Every place of the quasi-static bearing is passed alike, under one load.
-RaceStatistics race_means(const Eigen::ArrayXd& loads, const bearing::Film& film) {
+RaceStatistics race_means(const Eigen::ArrayXd& loads, double least_film) {
   return {.load_rms = std::sqrt(loads.square().mean()),
           .load_max = loads.maxCoeff(),
           .mean_load = loads,
           .passages = Eigen::ArrayXd::Ones(loads.size()),
           .damage = loads.square().square(),
-          .least_film = least_film(film, loads.maxCoeff())};
+          .least_film = least_film};
 }
 
 void put_laminae(const Eigen::ArrayXXd& loads, RaceStatistics& means) {
@@ -46,8 +52,11 @@ QuasiStaticBearing bearing_under(const PlanetaryDrivetrain& drivetrain, const Dr
       bearing::rolling_contacts(drivetrain.bearing, geometry.bearing, duty.point.inner_speed,
                                 duty.point.outer_speed, drivetrain.lubricant);
   WindowStatistics means;
-  means.inner = race_means(loads.inner_load, rolling.inner.film());
-  means.outer = race_means(loads.outer_load, rolling.outer.film());
+  const auto means_on = [&](bearing::Race race, const bearing::Film& film, const Eigen::ArrayXd& load) {
+    return race_means(load, least_film_at_rest(drivetrain, geometry, race, film, load.maxCoeff()));
+  };
+  means.inner = means_on(bearing::Race::inner, rolling.inner.film(), loads.inner_load);
+  means.outer = means_on(bearing::Race::outer, rolling.outer.film(), loads.outer_load);
   if (drivetrain.bearing.rollers().laminae > 0) {
     put_laminae(loads.inner_lamina_load, means.inner);
     put_laminae(loads.outer_lamina_load, means.outer);

@@ -46,6 +46,11 @@ class BearingsAtRest {
   std::optional<bearing::vectorised::AlignedPitch> level_;
 };
 
+/// Least film [m] under a roller that rolls on `race` with `load` [N], heated where the case asks for it; NaN
+/// without oil.
+double least_film_at_rest(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                          bearing::Race race, const bearing::Film& film, double load);
+
 /// Load [N] on the bore of one bearing with what reaches it through its cages, whatever its type.
 Eigen::Vector2d bore_load_with_cage(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                                     const bearing::OperatingPoint& point);

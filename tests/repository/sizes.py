@@ -35,7 +35,7 @@ DECLARED = (  # lines, of these of app, types and headers of later capabilities
     ("scratched bearings of planets with a computed tilt, and of one of several sets", 249, 111, 1, 0),
     ("slip by drag against traction, bores that move with their gears, rims too soft, rows that compare two variants", 290, 110, 0, 1),
     ("the demo, warnings of former keys, folders of an installation by Debian's rules", 200, 200, 1, 0),
-    ("oil of roller bearings: replenished inlets, starvation in motion, temperature by a balance of heats", 300, 90, 4, 1),
+    ("oil of roller bearings: replenished inlets, starvation in motion, temperature by a balance of heats; heated films", 390, 95, 6, 2),
     ("steps of slow motion; sums over laminae with the same bits in all instruction sets", 75, 0, 1, 0),
     ("progress within a motion, its time before it starts, budgets of processor time", 870, 510, 8, 3),
 )

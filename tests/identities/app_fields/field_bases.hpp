@@ -612,6 +612,8 @@ inline Change change_of(const Field& field, const ResolvedCase& in, const std::s
     if (field.path == "heat.inlet") return {"30 degC", rotating};
   }
   if (field.path == "traction.starvation" && in.model() == planetary_drivetrain) return {"skf"};
+  if (field.path == "heat.viscosity_slope" && in.model() == planetary_drivetrain)
+    return {"0.02 K-1", {"film.inlet_heating=gupta", "traction.inlet_heating=goksem-hargreaves"}};
   if (const auto stated = stated_changes().find(field.path); stated != stated_changes().end())
     return stated->second;
   if (field.path.find(".out_of_roundness.") != std::string::npos ||
