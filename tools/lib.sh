@@ -128,3 +128,23 @@ skipped_within() {
 minutes_since() {
   printf '%d min %02d s' $(((SECONDS - $1) / 60)) $(((SECONDS - $1) % 60))
 }
+
+# debian_source <package> <folder>: its source, as Debian builds it, in that folder.
+debian_source() {
+  local sources="$2"
+  compgen -G "$sources/$1-*/" >/dev/null && return
+  mkdir -p "$sources/lists/partial"
+  local mirror suite  # of the machine's own packages
+  read -r mirror suite < <(apt-get indextargets --format '$(REPO_URI) $(RELEASE)' 'Created-By: Packages' | grep -m1 -v -- -)
+  cat >"$sources/debian.sources" <<LIST
+Types: deb-src
+URIs: $mirror
+Suites: $suite
+Components: main
+Signed-By: /usr/share/keyrings/debian-archive-keyring.gpg
+LIST
+  local apt=(apt-get -q -o "Dir::State::lists=$sources/lists" -o "Dir::Etc::sourcelist=$sources/debian.sources"
+    -o Dir::Etc::sourceparts=/dev/null -o "Dir::Cache=$sources" -o APT::Sandbox::User=)
+  [ -n "$(compgen -G "$sources/lists/*Sources*")" ] || "${apt[@]}" update
+  (cd "$sources" && "${apt[@]}" source --only-source "$1")
+}

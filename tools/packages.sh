@@ -79,7 +79,10 @@ libsundials-dev: CVODE, whose runs the tests compare with ours
 '
 
 wheel_packages='
-python3-venv: environments in which the wheel is packed and checked
+python3-venv: environments of the compiler (ziglang), and those in which the wheel is checked
+dpkg-dev: unpacks the sources of the libraries inside
+m4: builds one of them (netCDF)
+binutils: versions of symbols
 '
 
 package_packages='

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <netcdf.h>
 #include <netcdf_mem.h>
+#include <netcdf_meta.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -17,6 +18,8 @@ namespace {
 
 constexpr std::size_t first_bytes = 16384;     // of the file in memory, which grows as needed
 constexpr std::size_t compressed_from = 4096;  // [values]  below it compressing costs more than it saves
+// A library without HDF5, as that of the wheel, has the classic format only, which is not compressed.
+constexpr int file_format = NC_HAS_HDF5 ? NC_NETCDF4 : NC_64BIT_OFFSET;
 
 void check(int status) {
   if (status != NC_NOERR)
@@ -26,7 +29,7 @@ void check(int status) {
 /// A file in memory, closed without result unless `bytes` was called.
 class MemoryFile {
  public:
-  MemoryFile() { check(nc_create_mem("point", NC_NETCDF4, first_bytes, &number_)); }
+  MemoryFile() { check(nc_create_mem("point", file_format, first_bytes, &number_)); }
   MemoryFile(const MemoryFile&) = delete;
   MemoryFile& operator=(const MemoryFile&) = delete;
   ~MemoryFile() {
@@ -58,7 +61,8 @@ int define(int file, const NamedArray& array, const std::map<std::string, int>& 
   int variable = 0;
   check(nc_def_var(file, array.name.c_str(), NC_DOUBLE, static_cast<int>(ids.size()), ids.data(), &variable));
   check(nc_def_var_fill(file, variable, NC_FILL, &not_given));
-  if (array.values.size() >= compressed_from) check(nc_def_var_deflate(file, variable, 1, 1, 1));
+  if (NC_HAS_HDF5 && array.values.size() >= compressed_from)
+    check(nc_def_var_deflate(file, variable, 1, 1, 1));
   put_text(file, variable, "units", array.units);
   put_text(file, variable, "long_name", array.meaning);
   return variable;

@@ -1,6 +1,7 @@
 // Records over time in netCDF.
 #include <fmt/format.h>
 #include <netcdf.h>
+#include <netcdf_meta.h>
 
 #include <algorithm>
 #include <limits>
@@ -16,12 +17,16 @@ namespace fs = std::filesystem;
 
 constexpr double kNoBound = std::numeric_limits<double>::infinity();
 
+// A library without HDF5, as that of the wheel, reads the classic format alone.
+constexpr const char* readable_file =
+    NC_HAS_HDF5 ? "an undamaged one" : "an undamaged one of the classic format (nccopy -k classic OLD NEW)";
+
 /// An open netCDF file.
 class NetcdfFile {
  public:
   explicit NetcdfFile(const fs::path& file) : file_(file) {
     if (nc_open(file.c_str(), NC_NOWRITE, &number_) != NC_NOERR)
-      refuse_record(file.string(), "a netCDF file that cannot be read", "an undamaged one");
+      refuse_record(file.string(), "a netCDF file that cannot be read", readable_file);
   }
   NetcdfFile(const NetcdfFile&) = delete;
   NetcdfFile& operator=(const NetcdfFile&) = delete;

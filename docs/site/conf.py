@@ -32,10 +32,10 @@ html_title = "Orbearing"
 html_short_title = "Orbearing"
 html_static_path = ["static"]
 html_css_files = ["orbearing.css"]
-html_js_files = ["key_filter.js"]
+html_js_files = ["key_filter.js", "version_switcher.js"]
 html_additional_pages = {"index": "to_first_page.html"}
 templates_path = ["templates"]
-html_sidebars = {"**": ["about.html", "searchbox.html", "navigation.html", "relations.html"]}
+html_sidebars = {"**": ["about.html", "versions.html", "searchbox.html", "navigation.html", "relations.html"]}
 html_theme_options = {
     "description": "Planet bearings inside planetary drivetrains: loads, motion, life",
     "fixed_sidebar": True, "page_width": "min(98vw, 1500px)", "sidebar_width": "250px", "show_powered_by": False, "sidebar_collapse": True,

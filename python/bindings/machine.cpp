@@ -2,9 +2,8 @@
 #include <pybind11/stl.h>
 
 #include <memory>
-#include <optional>
 
-#include "app/results/progress.hpp"
+#include "app/interface/case_values.hpp"
 #include "orbearing/participant.hpp"
 #include "python/bindings/bindings.hpp"
 
@@ -13,13 +12,6 @@ namespace orbearing::python {
 namespace py = pybind11;
 
 namespace {
-
-void advance(Participant& participant, double length) {
-  constexpr double long_step = 1e-3;  // [s]  may take longer than anyone waits for Ctrl-C
-  std::optional<app::Interruption> interruption;
-  if (length > long_step) interruption.emplace();
-  participant.advance(length);
-}
 
 py::list described(const std::vector<Port>& ports) {
   py::list rows;
@@ -37,10 +29,11 @@ void add_machine(py::module_& module) {
                                                                      : Participant::bearing(stated));
            }),
            py::arg("case"), py::arg("model") = "bearing")
-      .def("set_input", &Participant::set_input, py::arg("name"), py::arg("value"), py::arg("slope") = py::none())
+      .def("set_input", &Participant::set_input, py::arg("name"), py::arg("value"),
+           py::arg("slope") = py::none())
       .def("input", &Participant::input, py::arg("name"))
       .def("initialize", &Participant::initialize, py::arg("time") = 0.0, Released())
-      .def("advance", &advance, py::arg("length"), Released())
+      .def("advance", &app::advance_until_stopped, py::arg("length"), Released())
       .def("output", &Participant::output, py::arg("name"))
       .def("outputs", &Participant::values)
       .def("slope", &Participant::slope, py::arg("output"), py::arg("input"))

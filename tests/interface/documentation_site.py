@@ -73,6 +73,21 @@ def text_of(name):
     return (SOURCE / name).read_text(encoding="utf-8")
 
 
+def questions():
+    """Questions of a newcomer with the page that answers each, relative to docs without suffix."""
+    rows = re.findall(r"^\| \[(.*\?)\]\(#.*\) \| .* \| \[.*\]\((.*)\.md\) \|$", text_of("docs/guide/questions.md"), re.M)
+    return {question: os.path.normpath(f"guide/{page}") for question, page in rows}
+
+
+def clicks(links_of, first, most):
+    """Pages that are reached from the first one with at most so many clicks: page -> clicks."""
+    found, edge = {first: 0}, [first]
+    for number in range(1, most + 1):
+        edge = [page for page in dict.fromkeys(page for one in edge for page in links_of(one)) if page not in found]
+        found |= dict.fromkeys(edge, number)
+    return found
+
+
 def indented_blocks(name):
     """Those of a document, each as its lines; a line that goes on behind a backslash is one."""
     text = re.sub(r"^```\w.*?^```$", "", text_of(name), flags=re.M | re.S).replace("\\\n", "")
@@ -145,6 +160,16 @@ class Site(unittest.TestCase):
         self.assertIn("life_peak.png", first)
         self.assertRegex(first, r"Longest life of a planet bearing of the 150 kW reducer: [0-9,]+ h .* at [0-9,]+ rpm")
         self.assertIn("docs/index.html", self.page("index.html"))
+
+    def test_each_question_of_a_newcomer_is_two_clicks_away(self):
+        """By the text of pages, without the list of contents beside it."""
+        def links_of(page):
+            body = self.page(f"{page}.html").split('<div class="body" role="main">')[1].split('<div class="sphinxsidebar"')[0]
+            return [os.path.normpath(f"{os.path.dirname(page)}/{address}") for address in re.findall(r'href="([^"#?:]+)\.html[#"]', body)
+                    if not address.startswith("../explorer")]
+
+        there = clicks(links_of, "docs/index", 2)
+        self.assertEqual({page for page in questions().values() if f"docs/{page}" not in there}, set())
 
     def test_search_finds_the_terms_in_the_glossary(self):
         """Words of the index are stems, in small letters."""
@@ -230,6 +255,67 @@ class Site(unittest.TestCase):
             self.assertNotIn("assert ", json.dumps(notebook), "checks are not shown")
 
 
+class Versions(unittest.TestCase):
+    """docs/site/versions.py: releases by tags of git, and the choice that pages offer."""
+
+    def setUp(self):
+        stage_module()  # makes its folder known
+        self.versions = importlib.import_module("versions")
+        place = tempfile.TemporaryDirectory()
+        self.addCleanup(place.cleanup)
+        self.folder = pathlib.Path(place.name)
+
+    def add(self, *names):
+        for name in names:
+            page = self.folder / "versions" / name / "docs" / "index.html"
+            page.parent.mkdir(parents=True)
+            page.write_text("")
+
+    def listed(self, folder):
+        text = (folder / "versions.js").read_text(encoding="utf-8")
+        return json.loads(text.removeprefix("window.orbearingVersions = ").rstrip(";\n"))
+
+    def test_a_single_version(self):
+        self.versions.write(self.folder)
+        self.assertEqual(self.listed(self.folder), [{"name": f"{self.versions.present()} (present)", "page": "docs/index.html", "here": True}])
+
+    def test_releases_are_listed_newest_first_in_each_version(self):
+        self.add("1.2.0", "1.10.0", "nightly")
+        self.versions.write(self.folder)
+        older = self.folder / "versions" / "1.2.0"
+        self.assertEqual([one["name"] for one in self.listed(self.folder)][1:], ["1.10.0", "1.2.0"])
+        self.assertEqual([one["here"] for one in self.listed(older)], [False, False, True])
+        for folder in (self.folder, older):
+            for one in self.listed(folder)[1:]:
+                self.assertTrue((folder / one["page"]).exists(), one)
+
+    def test_tags_without_pages_are_missing(self):
+        git = ["git", "-C", str(self.folder), "-c", "user.name=test", "-c", "user.email=test@example.org"]
+        for words in (["init", "-q"], ["commit", "-q", "--allow-empty", "-m", "first"], *(["tag", tag] for tag in ("v1.2.0", "v1.10.0", "v2", "nightly"))):
+            subprocess.run([*git, *words], check=True)
+        self.add("1.2.0")
+        self.assertEqual(self.versions.missing(self.folder, self.folder), ["v1.10.0"])
+
+    def test_in_a_browser_the_choice_leads_to_the_other_version(self):
+        self.add("1.2.0")
+        self.versions.write(self.folder)
+        script = (SOURCE / "docs/site/static/version_switcher.js").as_uri()
+        page = f'<p class="versions" data-root="../"></p><script src="../versions.js"></script><script src="{script}"></script>'
+        first, other = self.folder / "docs" / "index.html", self.folder / "versions" / "1.2.0" / "docs" / "index.html"
+        first.parent.mkdir()
+        for file in (first, other):
+            file.write_text(f"<!doctype html>{page}")
+        with browser() as opened:
+            from selenium.webdriver.common.by import By
+            from selenium.webdriver.support.ui import Select
+
+            opened.get(first.as_uri())
+            Select(opened.find_element(By.CSS_SELECTOR, "p.versions select")).select_by_visible_text("1.2.0")
+            self.assertEqual(opened.current_url, other.as_uri())
+            chosen = Select(opened.find_element(By.CSS_SELECTOR, "p.versions select"))
+            self.assertEqual(chosen.first_selected_option.text, "1.2.0")
+
+
 class Guide(unittest.TestCase):
     """What its pages say of the program holds."""
 
@@ -292,6 +378,25 @@ class Guide(unittest.TestCase):
             self.assertTrue(title.endswith("?"), title)
             self.assertIn("](", answer, title)
             self.assertIn(f"[{title}](#", parts[0], title)
+
+    def test_each_question_of_a_newcomer_is_two_clicks_away(self):
+        """From the first page of the site, by links within the texts; every question names its page."""
+        def links_of(page):
+            text = text_of(f"docs/{page}.md")
+            return [os.path.normpath(f"{os.path.dirname(page)}/{address}") for address in re.findall(r"\]\(([^)#:]+)\.md(?:#[^)]*)?\)", text)
+                    if (SOURCE / "docs" / os.path.dirname(page) / f"{address}.md").exists()]
+
+        asked = questions()
+        self.assertEqual(list(asked), re.findall(r"^## (.*)$", text_of("docs/guide/questions.md"), re.M))
+        self.assertGreaterEqual(len(asked), 10)
+        there = clicks(links_of, "index", 2)
+        self.assertEqual({question: page for question, page in asked.items() if page not in there}, {})
+
+    def test_terms_that_are_searched_are_in_the_glossary(self):
+        """Each as the term or the symbol of a row; the site's own test looks them up in its index of words."""
+        rows = re.findall(r"^\| (.*?) \| (.*?) \|", text_of("docs/guide/glossary.md"), re.M)
+        stated = " ".join(" ".join(row) for row in rows)
+        self.assertEqual([term for term in SEARCHED if term not in stated], [])
 
     def test_links_between_documents_lead_somewhere(self):
         """Those of the front page too, as the repository's host shows them; GitHub's own names of sections are not looked up."""

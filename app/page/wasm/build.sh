@@ -10,27 +10,8 @@ build="$root/build/wasm"
 toolchain=/usr/share/emscripten/cmake/Modules/Platform/Emscripten.cmake
 [ -r "$toolchain" ] || stop 2 "the page with engine B needs Debian's package emscripten"
 
-# debian_source <package>: its source, as Debian builds it, below build/wasm/sources.
-debian_source() {
-  local sources="$build/sources"
-  compgen -G "$sources/$1-*/" >/dev/null && return
-  mkdir -p "$sources/lists/partial"
-  local mirror suite  # of the machine's own packages
-  read -r mirror suite < <(apt-get indextargets --format '$(REPO_URI) $(RELEASE)' 'Created-By: Packages' | grep -m1 -v -- -)
-  cat >"$sources/debian.sources" <<LIST
-Types: deb-src
-URIs: $mirror
-Suites: $suite
-Components: main
-Signed-By: /usr/share/keyrings/debian-archive-keyring.gpg
-LIST
-  local apt=(apt-get -q -o "Dir::State::lists=$sources/lists" -o "Dir::Etc::sourcelist=$sources/debian.sources"
-    -o Dir::Etc::sourceparts=/dev/null -o "Dir::Cache=$sources" -o APT::Sandbox::User=)
-  [ -n "$(compgen -G "$sources/lists/*Sources*")" ] || "${apt[@]}" update
-  (cd "$sources" && "${apt[@]}" source --only-source "$1")
-}
-debian_source yaml-cpp
-debian_source nlopt
+debian_source yaml-cpp "$build/sources"
+debian_source nlopt "$build/sources"
 
 # Where Debian packages scripts for node; a node of others does not look there.
 export NODE_PATH="/usr/share/nodejs${NODE_PATH:+:$NODE_PATH}"

@@ -2,24 +2,7 @@
 # CMAKE_PROJECT_Orbearing_INCLUDE (build.sh), so that the other build files hold nothing about browsers. Sources are
 # those that the folders list; left out is what needs threads, netCDF, processes or FMUs.
 
-# Headers of Debian's packages: /usr/include itself holds those of another C library.
-set(headers "${PROJECT_BINARY_DIR}/headers")
-file(MAKE_DIRECTORY "${headers}")
-foreach(name IN ITEMS boost CLI fmt nlohmann nlopt.h nlopt.hpp udunits2.h converter.h pugixml.hpp pugiconfig.hpp)
-  file(CREATE_LINK "/usr/include/${name}" "${headers}/${name}" SYMBOLIC)
-endforeach()
-include_directories(SYSTEM "${headers}" /usr/include/eigen3)
-
-# All there is to be found stands above and below, and nothing is installed.
-foreach(command IN ITEMS find_package install export configure_package_config_file)
-  function(${command})
-  endfunction()
-endforeach()
-foreach(target IN ITEMS Eigen3::Eigen Boost::headers TBB::tbb NLopt::nlopt CLI11::CLI11 fmt::fmt
-        nlohmann_json::nlohmann_json pugixml::pugixml)
-  add_library(${target} INTERFACE IMPORTED GLOBAL)
-endforeach()
-set_target_properties(fmt::fmt PROPERTIES INTERFACE_COMPILE_DEFINITIONS FMT_HEADER_ONLY)
+include("${CMAKE_CURRENT_LIST_DIR}/../../../cmake/PackagesByHeaders.cmake")
 foreach(library IN ITEMS UDUNITS2 NETCDF LIBZIP)
   set(${library}_LIBRARY "not needed" CACHE STRING "")
 endforeach()

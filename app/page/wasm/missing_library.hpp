@@ -4,6 +4,8 @@
 
 #include <version>
 
+#include "elliptic_integrals.hpp"
+
 #if !defined(__cpp_lib_to_chars)
 #include <algorithm>
 #include <cerrno>
@@ -45,20 +47,6 @@ inline from_chars_result from_chars(const char* first, const char* last, double&
   return {end, errc{}};
 }
 
-}  // namespace std
-#endif
-
-#if !defined(__cpp_lib_math_special_functions)
-#include <boost/math/special_functions/ellint_1.hpp>
-#include <boost/math/special_functions/ellint_2.hpp>
-
-namespace std {
-inline double comp_ellint_1(double k) {
-  return boost::math::ellint_1(k);
-}
-inline double comp_ellint_2(double k) {
-  return boost::math::ellint_2(k);
-}
 }  // namespace std
 #endif
 

@@ -1,0 +1,284 @@
+#include "orbearing/c_interface.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <utility>
+
+#include "app/case/case_file.hpp"
+#include "app/case/resolved_writer.hpp"
+#include "app/commands/command_line.hpp"
+#include "app/interface/case_values.hpp"
+#include "app/resources.hpp"
+#include "app/results/progress.hpp"
+#include "mechanics/cancellation.hpp"
+#include "orbearing/request.hpp"
+#include "orbearing/sweep.hpp"
+#include "orbearing/version.hpp"
+
+struct orbearing_case {
+  orbearing::Case of;
+};
+
+struct orbearing_machine {
+  orbearing::Participant of;
+};
+
+namespace {
+
+using namespace orbearing;
+using Json = nlohmann::ordered_json;
+
+// Memory of the caller, who gives it back to orbearing_free().
+template <class Value>
+Value* copied(const Value* from, std::size_t count) {
+  auto* const copy = static_cast<Value*>(std::malloc(std::max(count, std::size_t{1}) * sizeof(Value)));
+  if (copy == nullptr) throw std::bad_alloc();
+  std::copy_n(from, count, copy);
+  return copy;
+}
+
+char* text(const std::string& of) {
+  return copied(of.c_str(), of.size() + 1);
+}
+
+// Names of files may hold other bytes than UTF-8.
+char* text(const Json& of) {
+  return text(of.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
+char* failure(const char* kind, const std::vector<std::string>& messages) {
+  return text(Json{{"kind", kind}, {"messages", messages}});
+}
+
+// No exception leaves a function of C.
+template <class Call>
+char* failure_of(const Call& call) {
+  try {
+    call();
+    return nullptr;
+  } catch (const BadInput& error) {
+    return failure("input", error.messages);
+  } catch (const Interrupted& error) {
+    return failure("interrupted", {error.what()});
+  } catch (const Cancelled& wish) {
+    return failure("interrupted", {wish.what()});
+  } catch (const ComputationFailed& error) {
+    return failure("computation", {error.what()});
+  } catch (const std::exception& error) {
+    return failure("other", {error.what()});
+  }
+}
+
+using Pairs = std::vector<std::pair<std::string, std::string>>;
+
+Case case_from(const Json& stated) {
+  std::vector<std::string> settings;
+  for (const auto& [path, value] : stated.value("settings", Pairs{})) settings.push_back(path + "=" + value);
+  if (stated.contains("file")) return Case::read(stated.at("file"), settings);
+  return Case::parse(stated.at("text"), stated.value("name", "case"), settings);
+}
+
+std::vector<app::Setting> settings_of(const Json& rows) {
+  std::vector<app::Setting> settings;
+  for (const Json& row : rows) {
+    const Json& value = row.at(1);
+    if (value.is_number())
+      settings.push_back({row.at(0), "", value.get<double>()});
+    else
+      settings.push_back({row.at(0), value.get<std::string>()});
+  }
+  return settings;
+}
+
+Json in_si(const app::ResolvedCase& stated, const std::string& path, const Json& texts) {
+  if (!texts.is_array()) return app::number_in_si(stated, path, texts);
+  Json numbers = Json::array();
+  for (const Json& one : texts) numbers.push_back(app::number_in_si(stated, path, one));
+  return numbers;
+}
+
+Json answer_of(const orbearing_case* stated, const Json& query) {
+  const std::string of = query.at("of"), path = query.value("path", "");
+  if (of == "si_units") return app::si_units(path);
+  if (stated == nullptr) throw std::logic_error("no case was given");
+  const app::ResolvedCase& content = stated->of.content();
+  if (of == "name") return content.text("name");
+  if (of == "model") return content.choice("model");
+  if (of == "file") return content.file();
+  if (of == "hash") return app::case_hash(content);
+  if (of == "resolved") return stated->of.resolved();
+  if (of == "inputs") return app::inputs_of(content);
+  if (of == "axes") return app::axes_of(content);
+  if (of == "value") return app::value_of(content, path);
+  if (of == "given") return app::given_of(content, path);
+  if (of == "si") return in_si(content, path, query.at("text"));
+  throw std::logic_error("unknown query: " + of);
+}
+
+Json port_rows(const std::vector<Port>& ports) {
+  Json rows = Json::array();
+  for (const Port& one : ports) rows.push_back(Json::array({one.name, one.unit, one.meaning}));
+  return rows;
+}
+
+// Now and then: a caller of another language may need longer for a call than a point takes.
+std::function<void(std::size_t)> seldom(orbearing_progress progress, std::size_t all, void* caller) {
+  using Clock = std::chrono::steady_clock;
+  if (progress == nullptr) return {};
+  return [=, last = Clock::now()](std::size_t done) mutable {
+    const Clock::time_point now = Clock::now();
+    if (now - last < std::chrono::milliseconds(50)) return;
+    last = now;
+    if (progress(done, all, "", caller) != 0) request_stop();  // until the end of the Interruption
+  };
+}
+
+void give(const std::vector<double>& numbers, double** values, std::size_t* count) {
+  *values = copied(numbers.data(), numbers.size());
+  *count = numbers.size();
+}
+
+}  // namespace
+
+extern "C" {
+
+const char* orbearing_version() {
+  static const std::string version = orbearing::version();
+  return version.c_str();
+}
+
+const char* orbearing_instruction_set() {
+  static const std::string name = orbearing::instruction_set();
+  return name.c_str();
+}
+
+void orbearing_free(void* memory) {
+  std::free(memory);
+}
+
+char* orbearing_use_python(const char* interpreter, const char* package) {
+  return failure_of([&] { app::use_resources({app::resources().folder, package, interpreter}); });
+}
+
+int orbearing_command_line(int count, char** words) {
+  return app::run_command_line(count, words);
+}
+
+char* orbearing_case_read(const char* stated, orbearing_case** found) {
+  return failure_of([&] { *found = new orbearing_case{case_from(Json::parse(stated))}; });
+}
+
+char* orbearing_case_with(const orbearing_case* from, const char* settings, orbearing_case** found) {
+  return failure_of([&] {
+    *found = new orbearing_case{Case(from->of.content().with(settings_of(Json::parse(settings))))};
+  });
+}
+
+char* orbearing_case_without_sweep(const orbearing_case* from, orbearing_case** found) {
+  return failure_of([&] { *found = new orbearing_case{Case(from->of.content().without_sweep())}; });
+}
+
+void orbearing_case_delete(orbearing_case* stated) {
+  delete stated;
+}
+
+char* orbearing_case_query(const orbearing_case* stated, const char* query, char** result) {
+  return failure_of([&] { *result = text(answer_of(stated, Json::parse(query))); });
+}
+
+char* orbearing_request(const orbearing_case* stated, const char* request, orbearing_progress progress,
+                        void* caller, char** result, char** failures) {
+  return failure_of([&] {
+    const Json asked = Json::parse(request);
+    Request wanted{.command = asked.at("command"), .options = asked.value("options", Json::object()).dump()};
+    if (stated != nullptr) wanted.given = stated->of;
+    if (progress != nullptr)
+      wanted.progress = [=](std::size_t done, std::size_t all, const std::string& doing) {
+        return progress(done, all, doing.c_str(), caller) == 0;
+      };
+    const app::Interruption interruption;
+    const Answer found = answer(wanted);
+    *failures = text(Json(found.failures));
+    *result = text(found.result);
+  });
+}
+
+char* orbearing_evaluate(const orbearing_case* stated, const char* request, const double* values,
+                         std::size_t count, orbearing_progress progress, void* caller, char** result,
+                         double** table) {
+  return failure_of([&] {
+    const Json asked = Json::parse(request);
+    const std::vector<std::string> paths = asked.at("paths");
+    const app::Interruption interruption;
+    const Points found = evaluate(stated->of, paths, {values, values + count * paths.size()},
+                                  asked.value("fidelity", "quasi-static"), asked.value("jobs", 0),
+                                  seldom(progress, count, caller));
+    *result = text(Json{{"columns", found.columns}, {"status", found.status}});
+    *table = copied(found.numbers.data(), found.numbers.size());
+  });
+}
+
+char* orbearing_machine_make(const orbearing_case* stated, const char* model, orbearing_machine** made) {
+  return failure_of([&] {
+    *made = new orbearing_machine{std::string(model) == "gearset" ? Participant::gearset(stated->of)
+                                                                  : Participant::bearing(stated->of)};
+  });
+}
+
+void orbearing_machine_delete(orbearing_machine* machine) {
+  delete machine;
+}
+
+char* orbearing_machine_ports(const orbearing_machine* machine, char** result) {
+  return failure_of([&] {
+    *result = text(
+        Json{{"inputs", port_rows(machine->of.inputs())}, {"outputs", port_rows(machine->of.outputs())}});
+  });
+}
+
+char* orbearing_machine_set_input(orbearing_machine* machine, const char* name, double value,
+                                  const double* slope) {
+  return failure_of(
+      [&] { machine->of.set_input(name, value, slope != nullptr ? std::optional(*slope) : std::nullopt); });
+}
+
+char* orbearing_machine_input(const orbearing_machine* machine, const char* name, double* value) {
+  return failure_of([&] { *value = machine->of.input(name); });
+}
+
+char* orbearing_machine_initialize(orbearing_machine* machine, double time) {
+  return failure_of([&] { machine->of.initialize(time); });
+}
+
+char* orbearing_machine_advance(orbearing_machine* machine, double length) {
+  return failure_of([&] { app::advance_until_stopped(machine->of, length); });
+}
+
+char* orbearing_machine_output(orbearing_machine* machine, const char* name, double* value) {
+  return failure_of([&] { *value = machine->of.output(name); });
+}
+
+char* orbearing_machine_outputs(orbearing_machine* machine, double** values, std::size_t* count) {
+  return failure_of([&] { give(machine->of.values(), values, count); });
+}
+
+char* orbearing_machine_slope(orbearing_machine* machine, const char* output, const char* input,
+                              double* value) {
+  return failure_of([&] { *value = machine->of.slope(output, input); });
+}
+
+double orbearing_machine_time(const orbearing_machine* machine) {
+  return machine->of.time();
+}
+
+char* orbearing_machine_save(orbearing_machine* machine, double** state, std::size_t* count) {
+  return failure_of([&] { give(machine->of.save(), state, count); });
+}
+
+char* orbearing_machine_restore(orbearing_machine* machine, const double* state, std::size_t count) {
+  return failure_of([&] { machine->of.restore({state, state + count}); });
+}
+}
