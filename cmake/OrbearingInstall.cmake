@@ -11,9 +11,8 @@ if(TARGET orbearing_library)
   configure_package_config_file(
     "${CMAKE_CURRENT_LIST_DIR}/OrbearingConfig.cmake.in" "${PROJECT_BINARY_DIR}/OrbearingConfig.cmake"
     INSTALL_DESTINATION "${orbearing_package_dir}")
-  # Below 1.0 a minor version may change an interface.
   write_basic_package_version_file("${PROJECT_BINARY_DIR}/OrbearingConfigVersion.cmake"
-    COMPATIBILITY SameMinorVersion)
+    COMPATIBILITY SameMajorVersion)
   install(FILES "${PROJECT_BINARY_DIR}/OrbearingConfig.cmake"
                 "${PROJECT_BINARY_DIR}/OrbearingConfigVersion.cmake"
           DESTINATION "${orbearing_package_dir}")

@@ -165,7 +165,7 @@ class Site(unittest.TestCase):
         """By the text of pages, without the list of contents beside it."""
         def links_of(page):
             body = self.page(f"{page}.html").split('<div class="body" role="main">')[1].split('<div class="sphinxsidebar"')[0]
-            return [os.path.normpath(f"{os.path.dirname(page)}/{address}") for address in re.findall(r'href="([^"#?:]+)\.html[#"]', body)
+            return [os.path.normpath(os.path.join(os.path.dirname(page), address)) for address in re.findall(r'href="([^"#?:]+)\.html[#"]', body)
                     if not address.startswith("../explorer")]
 
         there = clicks(links_of, "docs/index", 2)
@@ -383,7 +383,7 @@ class Guide(unittest.TestCase):
         """From the first page of the site, by links within the texts; every question names its page."""
         def links_of(page):
             text = text_of(f"docs/{page}.md")
-            return [os.path.normpath(f"{os.path.dirname(page)}/{address}") for address in re.findall(r"\]\(([^)#:]+)\.md(?:#[^)]*)?\)", text)
+            return [os.path.normpath(os.path.join(os.path.dirname(page), address)) for address in re.findall(r"\]\(([^)#:]+)\.md(?:#[^)]*)?\)", text)
                     if (SOURCE / "docs" / os.path.dirname(page) / f"{address}.md").exists()]
 
         asked = questions()

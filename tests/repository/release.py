@@ -72,7 +72,7 @@ class Release(unittest.TestCase):
             "CHANGELOG.md": re.search(r"^## ([0-9.]+)", text_of("CHANGELOG.md"), re.M)[1],
         }
         self.assertEqual(stated, dict.fromkeys(stated, version()))
-        self.assertEqual(version().rpartition(".")[0], re.search(r"^Package: liborbearing([0-9.]+)$", text_of("tools/packaging/debian/control"), re.M)[1])
+        self.assertEqual(version().partition(".")[0], re.search(r"^Package: liborbearing([0-9.]+)$", text_of("tools/packaging/debian/control"), re.M)[1])
 
     def test_the_changelog_has_one_line_a_change(self):
         """Newest version first; in each version Added, Changed, Fixed in this order, and nothing else."""

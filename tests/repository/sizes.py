@@ -36,6 +36,7 @@ DECLARED = (  # lines, of these of app, types and headers of later capabilities
     ("slip by drag against traction, bores that move with their gears, rims too soft, rows that compare two variants", 290, 110, 0, 1),
     ("the demo, warnings of former keys, folders of an installation by Debian's rules", 200, 200, 1, 0),
     ("oil of roller bearings: replenished inlets, starvation in motion, temperature by a balance of heats; heated films", 390, 95, 6, 2),
+    ("a C interface, with what a case states as JSON; elliptic integrals for libraries without them", 375, 510, 2, 2),
     ("steps of slow motion; sums over laminae with the same bits in all instruction sets", 75, 0, 1, 0),
     ("progress within a motion, its time before it starts, budgets of processor time", 870, 510, 8, 3),
 )
