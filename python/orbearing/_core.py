@@ -21,14 +21,18 @@ _Numbers = POINTER(c_double)
 
 
 def _library_file() -> Path:
-    """In a wheel, a build folder, an installation, or the folder that Debian has for libraries."""
+    """Of a wheel, a build folder, an installation, or as Debian has it. ORBEARING_LIBRARY names another one."""
     package = Path(__file__).absolute().parent
     named = os.environ.get("ORBEARING_LIBRARY")
-    folders = [package / "lib", package.parents[1] / "lib", *(one / "lib" for one in package.parents[2:4])]
-    for file in [Path(named)] if named else [file for folder in folders for file in (folder / "liborbearing.so", *sorted(folder.glob("*/liborbearing.so.*")))]:
+    files = [Path(named)] if named else [package / "lib" / "liborbearing.so", package.parents[1] / "lib" / "liborbearing.so"]
+    if package.parts[-4:-1] == ("share", "orbearing", "python"):
+        files.append(package.parents[3] / "lib" / "liborbearing.so")
+    if package.parent.name == "dist-packages":
+        files += sorted(package.parents[2].glob("*/liborbearing.so.1"))
+    for file in files:
         if file.exists():
             return file
-    raise ImportError(f"no library liborbearing.so in {', '.join(map(str, folders))}; install the wheel again, or build the target orbearing_library")
+    raise ImportError(f"no library of Orbearing in {', '.join(map(str, files))}; install the wheel again, or build the target orbearing_library")
 
 
 # Arguments of each function; all but those of _PLAIN return a failure or nothing.

@@ -25,6 +25,23 @@ def command_line(*arguments):
     return done.stdout
 
 
+def check_records(folder):
+    """Of a wheel: classic netCDF is read, netCDF-4 refused with what to do."""
+    import netCDF4
+
+    ended = []
+    for form in ("NETCDF3_CLASSIC", "NETCDF4"):
+        with netCDF4.Dataset(folder / f"{form}.nc", "w", format=form) as record:
+            record.createDimension("time", 4)
+            for name, unit, values in (("time", "s", range(4)), ("speed", "rpm", [900.0] * 4), ("torque", "N m", [100.0, 120.0, 90.0, 100.0])):
+                variable = record.createVariable(name, "f8", ("time",))
+                variable.units, variable[:] = unit, list(values)
+        words = [pathlib.Path(sys.executable).with_name("orbearing"), "spectrum", folder / f"{form}.nc", "--json"]
+        ended.append(subprocess.run(list(map(str, words)), capture_output=True, text=True))
+    assert ended[0].returncode == 0, ended[0].stderr
+    assert ended[1].returncode == 2 and "classic format" in ended[1].stderr, ended[1].stderr
+
+
 def main(folder):
     begin = time.perf_counter()
     import orbearing
@@ -71,6 +88,7 @@ def main(folder):
             assert "required: openturns" in str(error), error
             print(error)
     print(f"study: {dict(study.to_xarray().sizes)}, peaks {study.to_xarray().peak_speed_rpm.values.tolist()} rpm; sensitivities as by the command line")
+    check_records(folder)
     assert orbearing._core.__file__.startswith(sys.prefix), "another package was imported"
     print(command_line("check", file).splitlines()[0])
 
