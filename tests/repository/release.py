@@ -56,7 +56,8 @@ def stable_names():
         names |= {f"case {key}" for key in keys_of(schema) if not key.startswith(("assumed.", "sweep."))}
     for group, schema in json.loads(text_of("cases/result.schema.json"))["$defs"].items():
         names |= {f"result {group}: {key}" for key in keys_of(schema)}
-    names |= {f"header {file.name}" for file in (ROOT / "include" / "orbearing").glob("*.hpp")}
+    names |= {f"header {file.name}" for file in (ROOT / "include" / "orbearing").glob("*.h*")}
+    names |= {f"c {name}" for name in re.findall(r"\b(orbearing_\w+)\(", text_of("include/orbearing/c_interface.h"))}
     names |= {f"python {name}" for name in re.findall(r'^    "(\w+)": "', text_of("python/orbearing/__init__.py"), re.M)}
     return names
 
