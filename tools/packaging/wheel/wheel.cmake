@@ -8,8 +8,7 @@ set(orbearing_wheel_folder "${CMAKE_CURRENT_LIST_DIR}")
 set(orbearing_stand_ins "${CMAKE_CURRENT_LIST_DIR}/stand_ins")
 set(here "${PROJECT_SOURCE_DIR}/app/page/wasm")  # where libc++ was the first time
 include_directories(SYSTEM "${orbearing_stand_ins}" "${ORBEARING_WHEEL_LIBRARIES}/include")
-add_compile_options(-w -fno-sanitize=all "SHELL:-include ${here}/elliptic_integrals.hpp"
-  "SHELL:-include ${orbearing_stand_ins}/older_glibc.hpp")
+add_compile_options(-w -fno-sanitize=all)
 
 add_library(yaml-cpp INTERFACE)
 target_link_libraries(yaml-cpp INTERFACE "${ORBEARING_WHEEL_LIBRARIES}/lib/libyaml-cpp.a")
@@ -34,10 +33,14 @@ set(UDUNITS2_LIBRARY orbearing_units CACHE STRING "")
 
 # Behind all targets: a library that shows its C functions alone, and a server without encryption.
 function(orbearing_wheel)
-  set_source_files_properties(page/page_server.cpp DIRECTORY "${PROJECT_SOURCE_DIR}/app" TARGET_DIRECTORY orbearing_app_core
+  set_source_files_properties("${PROJECT_SOURCE_DIR}/app/page/page_server.cpp" TARGET_DIRECTORY orbearing_app_core
     PROPERTIES COMPILE_DEFINITIONS "")
-  set_target_properties(orbearing_library PROPERTIES LINK_OPTIONS
-    "-Wl,--version-script=${orbearing_wheel_folder}/exports.map;-Wl,--gc-sections;-s" NO_SONAME ON)
+  set_source_files_properties("${PROJECT_SOURCE_DIR}/app/page/workers.cpp" TARGET_DIRECTORY orbearing_app_core
+    PROPERTIES COMPILE_OPTIONS "SHELL:-include ${orbearing_stand_ins}/older_glibc.hpp")
+  set_source_files_properties("${PROJECT_SOURCE_DIR}/bearing/film/reynolds/point.cpp" TARGET_DIRECTORY orbearing_bearing
+    PROPERTIES COMPILE_OPTIONS "SHELL:-include ${PROJECT_SOURCE_DIR}/app/page/wasm/elliptic_integrals.hpp")
+  set_target_properties(orbearing_library PROPERTIES NO_SONAME ON LINK_OPTIONS
+    "-Wl,--version-script=${orbearing_wheel_folder}/exports.map;-Wl,--gc-sections;-s")
   set_target_properties(orbearing_fmu_linux64 PROPERTIES LINK_OPTIONS
     "-Wl,--version-script=${PROJECT_SOURCE_DIR}/coupling/fmu/exports.map;-Wl,--gc-sections;-s")
 endfunction()
