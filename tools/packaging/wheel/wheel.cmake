@@ -36,9 +36,9 @@ function(orbearing_wheel)
   set_source_files_properties("${PROJECT_SOURCE_DIR}/app/page/page_server.cpp" TARGET_DIRECTORY orbearing_app_core
     PROPERTIES COMPILE_DEFINITIONS "")
   set_source_files_properties("${PROJECT_SOURCE_DIR}/app/page/workers.cpp" TARGET_DIRECTORY orbearing_app_core
-    PROPERTIES COMPILE_OPTIONS "SHELL:-include ${orbearing_stand_ins}/older_glibc.hpp")
+    PROPERTIES COMPILE_OPTIONS "-include;${orbearing_stand_ins}/older_glibc.hpp")
   set_source_files_properties("${PROJECT_SOURCE_DIR}/bearing/film/reynolds/point.cpp" TARGET_DIRECTORY orbearing_bearing
-    PROPERTIES COMPILE_OPTIONS "SHELL:-include ${PROJECT_SOURCE_DIR}/app/page/wasm/elliptic_integrals.hpp")
+    PROPERTIES COMPILE_OPTIONS "-include;${PROJECT_SOURCE_DIR}/app/page/wasm/elliptic_integrals.hpp")
   set_target_properties(orbearing_library PROPERTIES NO_SONAME ON LINK_OPTIONS
     "-Wl,--version-script=${orbearing_wheel_folder}/exports.map;-Wl,--gc-sections;-s")
   set_target_properties(orbearing_fmu_linux64 PROPERTIES LINK_OPTIONS
