@@ -40,8 +40,8 @@ function(orbearing_wheel)
   set_source_files_properties("${PROJECT_SOURCE_DIR}/bearing/film/reynolds/point.cpp" TARGET_DIRECTORY orbearing_bearing
     PROPERTIES COMPILE_OPTIONS "-include;${PROJECT_SOURCE_DIR}/app/page/wasm/elliptic_integrals.hpp")
   set_target_properties(orbearing_library PROPERTIES NO_SONAME ON LINK_OPTIONS
-    "-Wl,--version-script=${orbearing_wheel_folder}/exports.map;-Wl,--gc-sections;-s")
+    "-Wl,--version-script=${orbearing_wheel_folder}/exports.map;-Wl,--gc-sections;-Wl,-z,defs;-s")
   set_target_properties(orbearing_fmu_linux64 PROPERTIES LINK_OPTIONS
-    "-Wl,--version-script=${PROJECT_SOURCE_DIR}/coupling/fmu/exports.map;-Wl,--gc-sections;-s")
+    "-Wl,--version-script=${PROJECT_SOURCE_DIR}/coupling/fmu/exports.map;-Wl,--gc-sections;-Wl,-z,defs;-s")
 endfunction()
 cmake_language(DEFER CALL orbearing_wheel)
