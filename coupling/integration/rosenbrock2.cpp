@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-// Loops over the state, in the widest instructions of the machine. Clang 15 and later has versions of a function
-// only where each of its declarations names them.
+// Loops over the state, in the widest instructions of the machine. Clang 15 and later has versions of a
+// function only where each of its declarations names them.
 #if defined(__x86_64__) && defined(__linux__) && !(defined(__clang__) && __clang_major__ >= 15)
 #define ORBEARING_EVERY_WIDTH __attribute__((target_clones("avx512f", "avx2", "default")))
 #else

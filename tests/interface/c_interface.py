@@ -93,13 +93,18 @@ def enough(*state):
     calls.append(state)
     raise Enough(len(calls))
 
-for compute in (lambda: _core.compute(core, "sweep", {}, enough), lambda: _core.evaluate(core, ["input.speed"], np.full((4000, 1), 600.0), progress=enough)):
+reports = []
+report = _core._Watched._report
+_core._Watched._report = lambda self, *state: reports.append(state) or report(self, *state)
+for compute in (lambda: _core.compute(core, "sweep", {}, enough), lambda: _core.evaluate(core, ["input.speed"], np.full((8000, 1), 600.0), progress=enough)):
     calls.clear()
+    reports.clear()
     try:
         compute()
         raise SystemExit("it did not stop")
     except Enough:
         assert calls and len(calls[0]) in (1, 3), calls
+        assert len(reports) < 5, "it went on to the end"
 whole = []
 _core.compute(core, "sweep", {"grid_only": True}, lambda *state: whole.append(state))
 assert whole and all(done <= total and isinstance(doing, str) for done, total, doing in whole), whole
