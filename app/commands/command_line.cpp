@@ -242,6 +242,32 @@ void add_sensitivities(CLI::App& command, Options& options) {
   command.add_flag("--resume", options.resume, "if DIR holds exactly this table, show it again");
 }
 
+void add_table(CLI::App& command, Options& options) {
+  add_computing(command, options);
+  const auto add_list = [&](const char* name, std::vector<std::string>& list, const char* type,
+                            const char* meaning) {
+    command.add_option(name, list, meaning)
+        ->expected(1)
+        ->allow_extra_args(false)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->type_name(type);
+  };
+  add_list(
+      "--over", options.over, "PATH=FROM..TO",
+      "input and its range, e.g. --over \"input.speed=1000 rpm..6000 rpm\"; repeatable, at most 6 inputs; "
+      "default: the ranges of the case's sweep");
+  add_list("--result", options.results, "KEY",
+           "column of a sweep's table, repeatable; default: the life selected by life.method");
+  command
+      .add_option("--bound", options.bound, "largest error of an answer from the table; default: 0.01 (1 %)")
+      ->check(CLI::Range(1e-9, 1.0));
+  command
+      .add_option("--points", options.points,
+                  "largest number of computed points; default: 20000 quasi-static, required in motion")
+      ->check(CLI::Range(1, 100000));
+  add_jobs(command, options);
+}
+
 void add_spectrum(CLI::App& command, Options& options) {
   command
       .add_option(
@@ -391,6 +417,10 @@ void add_commands(CommandTable table) {
   add_sensitivities(table.add("sensitivities", "sensitivity of the life to every number of the case",
                               sensitivities_command),
                     options);
+  add_table(
+      table.add("table", "results over up to 6 inputs as a table with its error, for queries in microseconds",
+                table_command),
+      options);
   add_fmu(
       table.add("fmu", "export the planet bearing or the gear set for other simulation tools (FMI 2.0, 3.0)",
                 fmu_command),
@@ -442,7 +472,7 @@ void require_known_command(const CLI::App& program, const std::string& word) {
   if (word.empty() || word.front() == '-' || known(program, word)) return;
   throw BadInput(fmt::format(
       "orbearing: found the command {}; required: demo, new, open, check, run, sweep, merge, crown, mesh, "
-      "carrier, modes, stiffness, sensitivities, fmu, signals, spectrum, study, uncertainty, convert, "
+      "carrier, modes, stiffness, sensitivities, table, fmu, signals, spectrum, study, uncertainty, convert, "
       "validate or report",
       word));
 }

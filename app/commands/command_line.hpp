@@ -62,13 +62,16 @@ struct Options {
   std::function<void(const nlohmann::ordered_json& row)> take_point{};
   std::function<void(const described::Record& record)> take_record{};
 
-  std::string template_name{};    // new
-  bool no_browser = false;        // open
-  int port = 0;                   // open: 0: one that is free
-  int linger = 60;                // open: after the last page has gone [s]
-  bool worker = false;            // open: answers the requests of a page's server
-  std::string result{};           // sensitivities: its key; empty: the life that results go by
-  std::vector<std::string> by{};  // sensitivities: inputs; none: all
+  std::string template_name{};                 // new
+  bool no_browser = false;                     // open
+  int port = 0;                                // open: 0: one that is free
+  int linger = 60;                             // open: after the last page has gone [s]
+  bool worker = false;                         // open: answers the requests of a page's server
+  std::string result{};                        // sensitivities: its key; empty: the life that results go by
+  std::vector<std::string> by{};               // sensitivities: inputs; none: all
+  std::vector<std::string> over{}, results{};  // table: PATH=FROM..TO; columns
+  double bound = 0.01;                         // table: error at which a cell is finished
+  int points = 0;                              // table: at most; 0: the default at rest
 };
 
 /// Each prints its result on standard output. Throws BadInput and ComputationFailed; returns the exit code.
@@ -84,6 +87,7 @@ int carrier_command(const Options& options);
 int modes_command(const Options& options);
 int stiffness_command(const Options& options);
 int sensitivities_command(const Options& options);
+int table_command(const Options& options);
 int validate_command(const Options& options);
 int report_command(const Options& options);
 int signals_command(const Options& options);

@@ -63,6 +63,7 @@ ManifestHeader header_from(const Json& object) {
   header.refined = object.at("refined").get<bool>();
   header.resonances = object.at("resonances").get<bool>();
   header.life = object.at("life").get<std::string>();
+  if (object.contains("table")) header.table = object.at("table").get<std::string>();
   if (object.contains("spectrum")) header.spectrum = spectrum_from(object.at("spectrum"));
   if (header.spectrum.points() > header.points) throw Damaged{};
   return header;
@@ -71,8 +72,10 @@ ManifestHeader header_from(const Json& object) {
 void add_entry(Manifest& manifest, const Json& object) {
   const auto point = object.at("point").get<std::size_t>();
   const bool of_this_sweep = manifest.header->holds(point) || manifest.header->adds(point);
-  if (!of_this_sweep || object.at("file") != point_file_name(point)) throw Damaged{};
-  ManifestEntry entry{point_file_name(point), object.at("checksum").get<std::string>(),
+  const auto file = object.at("file").get<std::string>();
+  const bool named = file == point_file_name(point) || (file.empty() && !manifest.header->table.empty());
+  if (!of_this_sweep || !named) throw Damaged{};
+  ManifestEntry entry{file, object.at("checksum").get<std::string>(),
                       row_from_json(head_of(*manifest.header), object.at("row"))};
   if (object.contains("others")) entry.others = object.at("others").get<std::map<std::string, std::string>>();
   manifest.entries[point] = std::move(entry);
@@ -81,19 +84,21 @@ void add_entry(Manifest& manifest, const Json& object) {
 constexpr std::string_view sum_opening = ",\"line_checksum\":\"", sum_end = "\"}";
 constexpr std::size_t sum_digits = 16;
 
-/// The object as a line whose last member is the check sum of the rest.
-std::string sealed(const Json& object) {
-  const std::string text = object.dump();
+}  // namespace
+
+std::string sealed_line(const std::string& text) {
   return fmt::format("{}{}{}{}\n", text.substr(0, text.size() - 1), sum_opening, checksum(text), sum_end);
 }
 
-bool is_sound(std::string_view line) {
+bool is_sealed(std::string_view line) {
   const std::size_t length = sum_opening.size() + sum_digits + sum_end.size();
   if (line.size() < length || !line.ends_with(sum_end)) return false;
   const std::string_view sum = line.substr(line.size() - length);
   const std::string content = std::string(line.substr(0, line.size() - length)) + "}";
   return sum.starts_with(sum_opening) && sum.substr(sum_opening.size(), sum_digits) == checksum(content);
 }
+
+namespace {
 
 bool is_blank(std::string_view line) {
   return line.find_first_not_of(' ') == std::string_view::npos;
@@ -135,8 +140,9 @@ std::size_t grid_point_below(const ManifestHeader& header, const TableHead& head
   std::optional<std::size_t> below;
   double best = -std::numeric_limits<double>::infinity();
   for (const auto& [point, entry] : entries) {
+    if (point >= header.grid()) break;
     const double speed = speed_in_row(head, entry.row);
-    if (!header.holds(point) || point >= header.grid() || !on_one_line(head, entry.row, row)) continue;
+    if (!header.holds(point) || !on_one_line(head, entry.row, row)) continue;
     if (speed > speed_in_row(head, row) || speed < best) continue;
     best = speed;
     below = point;
@@ -225,8 +231,9 @@ std::string header_line(const ManifestHeader& header) {
     object["axes"].push_back({{"column", axis.column}, {"units", axis.units}, {"meaning", axis.meaning}});
   if (header.continued) object["continue"] = to_string(*header.continued);
   if (!header.sets.empty()) object["sets"] = header.sets;
+  if (!header.table.empty()) object["table"] = header.table;
   if (header.spectrum.lines > 0) object["spectrum"] = spectrum_line(header.spectrum);
-  return sealed(object);
+  return sealed_line(object.dump());
 }
 
 std::string entry_line(const TableHead& head, std::size_t point, const ManifestEntry& entry) {
@@ -235,7 +242,7 @@ std::string entry_line(const TableHead& head, std::size_t point, const ManifestE
                  {"checksum", entry.checksum},
                  {"row", row_json(head, entry.row)}};
   if (!entry.others.empty()) object["others"] = entry.others;
-  return sealed(object);
+  return sealed_line(object.dump());
 }
 
 Manifest parse_manifest(std::string_view text, const std::string& location) {
@@ -245,13 +252,13 @@ Manifest parse_manifest(std::string_view text, const std::string& location) {
     if (end == std::string_view::npos) break;
     const DamagedLine here{line, manifest.sound_bytes, end - manifest.sound_bytes};
     const std::string_view content = text.substr(here.begin, here.length);
-    if (manifest.header && !is_sound(content)) {
+    if (manifest.header && !is_sealed(content)) {
       if (!is_blank(content)) manifest.damaged.push_back(here);
       // After a loss of power the last line may have its end, yet not its content.
       if (!is_blank(content) && end + 1 == text.size()) break;
     } else {
       try {
-        if (!is_sound(content)) throw Damaged{};
+        if (!is_sealed(content)) throw Damaged{};
         add_line(manifest, content);
       } catch (const std::exception&) {
         throw BadInput(
@@ -281,6 +288,7 @@ std::vector<std::string> differences(const ManifestHeader& found, const Manifest
   compare("direction of --continue", way(found), way(required));
   const auto grid_or_peak = [](const ManifestHeader& header) { return header.refined ? "on" : "off"; };
   compare("refinement of the peak", grid_or_peak(found), grid_or_peak(required));
+  compare("table", found.table, required.table);
   compare("number of points", std::to_string(found.points), std::to_string(required.points));
   return lines;
 }

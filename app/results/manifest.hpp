@@ -44,8 +44,9 @@ struct ManifestHeader {
   std::optional<Direction> continued{};  // none: each point starts from its own quasi-static state
   bool refined = false;                  // points are added around the peak, numbered from `points` on
   bool resonances = false;               // rows name their nearest resonance
-  LoadSpectrum spectrum{};  // its points are the last of `points`: bin by bin that turns, line by line
+  LoadSpectrum spectrum{};     // its points are the last of `points`: bin by bin that turns, line by line
   std::string life{"life_h"};  // column of the life that results go by, by life.method
+  std::string table{};         // results, bound and number of points of a table; empty: a sweep
 
   /// Points of the grid; those of the spectrum follow.
   std::size_t grid() const { return points - spectrum.points(); }
@@ -63,7 +64,7 @@ TableHead head_of(const ManifestHeader& header);
 std::string point_file_name(std::size_t point);
 
 struct ManifestEntry {
-  std::string file;      // point_file_name of the point
+  std::string file;      // point_file_name of the point; of a table at rest empty: it has none
   std::string checksum;  // of the file's bytes
   ResultRow row;
   std::map<std::string, std::string> others{};  // further files of the result, by name: check sums
@@ -82,6 +83,11 @@ struct Manifest {
   std::size_t sound_bytes = 0;                   // length without a last line that is torn or damaged
   std::vector<DamagedLine> damaged;              // their points count as missing
 };
+
+/// The text of an object as a line whose last member is the check sum of the rest; whether a line, its end
+/// left out, is one.
+std::string sealed_line(const std::string& object);
+bool is_sealed(std::string_view line);
 
 /// One line each with its own check sum, line end included.
 std::string header_line(const ManifestHeader& header);

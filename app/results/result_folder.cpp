@@ -122,7 +122,7 @@ std::string fault_of_file(const fs::path& file, const std::string& sum) {
 }  // namespace
 
 std::string fault_of_point(const fs::path& folder, const ManifestEntry& entry) {
-  std::string fault = fault_of_file(folder / entry.file, entry.checksum);
+  std::string fault = entry.file.empty() ? "" : fault_of_file(folder / entry.file, entry.checksum);
   for (const auto& [name, sum] : entry.others)
     if (fault.empty()) fault = fault_of_file(folder / name, sum);
   return fault;
@@ -169,8 +169,11 @@ void ResultFolder::begin(const ManifestHeader& header, const std::string& resolv
 
 void ResultFolder::keep(std::vector<FinishedPoint> points) {
   std::vector<FileContent> files;
+  const auto name_of = [&](const FinishedPoint& point) {
+    return point.content.empty() && !in_memory() ? std::string() : point_file_name(point.index);
+  };
   for (const FinishedPoint& point : points)
-    files.push_back({folder_ / point_file_name(point.index), point.content});
+    if (!point.content.empty()) files.push_back({folder_ / name_of(point), point.content});
   if (!in_memory()) {
     write_aside_and_rename(files);
     sync_folder(folder_ / points_name);
@@ -179,7 +182,7 @@ void ResultFolder::keep(std::vector<FinishedPoint> points) {
   std::map<std::size_t, ManifestEntry> kept;
   for (FinishedPoint& point : points) {
     assert(point.row.values.size() == head_.names.size());
-    ManifestEntry entry{point_file_name(point.index), checksum(point.content), std::move(point.row),
+    ManifestEntry entry{name_of(point), checksum(point.content), std::move(point.row),
                         std::move(point.others)};
     lines += entry_line(head_, point.index, entry);
     kept.insert_or_assign(point.index, std::move(entry));
@@ -232,6 +235,9 @@ Manifest read_results(const fs::path& folder) {
   if (!manifest.header)
     throw BadInput(
         fmt::format("{}: holds no results yet; run its sweep with --resume first", folder.string()));
+  if (!manifest.header->table.empty())
+    throw BadInput(fmt::format("{}: found the points of a table; required: the results of a run or sweep",
+                               folder.string()));
   return manifest;
 }
 

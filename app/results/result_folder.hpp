@@ -16,13 +16,14 @@ enum class OpenMode { fresh, resume };
 /// A point ready to be kept.
 struct FinishedPoint {
   std::size_t index = 0;
-  std::string content;  // bytes of its netCDF file
+  std::string content;  // bytes of its netCDF file; empty: it has none
   ResultRow row;
-  std::map<std::string, std::string> others{};  // further files, which stand in the folder: check sums by name
+  std::map<std::string, std::string>
+      others{};  // further files, which stand in the folder: check sums by name
 };
 
-/// What is wrong with the files of a finished point, "FILE: is missing", "FILE: is empty", "FILE: differs from what
-/// its sweep wrote"; empty for sound ones.
+/// What is wrong with the files of a finished point, "FILE: is missing", "FILE: is empty", "FILE: differs
+/// from what its sweep wrote"; empty for sound ones.
 std::string fault_of_point(const std::filesystem::path& folder, const ManifestEntry& entry);
 
 /// An open result folder, locked against a second writer for as long as the object lives.
@@ -42,8 +43,8 @@ class ResultFolder {
   /// Points that stand whole in the folder, by number.
   const std::map<std::size_t, ManifestEntry>& finished() const { return finished_; }
 
-  /// Files of finished points and lines of the manifest that were found missing or damaged, one line each; their
-  /// points are not among `finished`.
+  /// Files of finished points and lines of the manifest that were found missing or damaged, one line each;
+  /// their points are not among `finished`.
   const std::vector<std::string>& damaged() const { return damaged_; }
 
   /// Writes the files of `points`, then their manifest lines; all on the disk when it returns.

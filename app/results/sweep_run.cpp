@@ -72,7 +72,8 @@ FinishedPoint finished_point(const SweepRequest& request, const SweepPoint& aske
     resonance = request.resonance_of(asked);
     add_resonance(resonance, point.row);
   }
-  if (request.folder.empty()) return point;  // a file that nobody keeps costs more than a quasi-static point
+  // A file that nobody keeps costs more than a quasi-static point.
+  if (request.folder.empty() || !request.point_files) return point;
   PointContent content = point_content(request.header, computed.index, asked.axis_values, computed.result);
   add_location_in_sweep(refined, resonance, content);
   point.content = netcdf_bytes(content);
@@ -137,11 +138,11 @@ void compute_missing(const SweepRequest& request, ResultFolder& folder) {
           folder);
 }
 
-[[noreturn]] void refuse_other_refinement(const ResultFolder& folder, std::size_t point) {
+[[noreturn]] void refuse_other_refinement(const SweepRequest& request, std::size_t point) {
   throw BadInput(
-      fmt::format("{}: --resume: point {}, which refines the peak, was found at another speed than the "
+      fmt::format("{}: --resume: point {}, which refines the {}, was found at another speed than the "
                   "points before it ask for; use another folder",
-                  folder.path().string(), point));
+                  request.folder.string(), point, request.refinement->of));
 }
 
 /// One round of refinement: the points asked for, numbered from `first`. False where it was interrupted.
@@ -156,7 +157,7 @@ bool compute_round(const SweepRequest& request, const std::vector<SweepPoint>& p
     if (found == folder.finished().end())
       work.missing.push_back(first + i);
     else if (found->second.row.values.front() != speed_in_rpm(points[i].input_speed))
-      refuse_other_refinement(folder, first + i);
+      refuse_other_refinement(request, first + i);
   }
   compute(request, work, folder);
   return std::all_of(work.missing.begin(), work.missing.end(),
@@ -178,11 +179,13 @@ bool refine_peak(const SweepRequest& request, ResultFolder& folder) {
     const std::vector<SweepPoint> points = request.refinement->next(folder.head(), rows);
     if (points.empty()) break;
     const std::size_t first = rows.size() + of_spectrum;
-    if (!compute_round(request, points, first, fmt::format("peak, round {}: ", round), folder)) return false;
+    if (!compute_round(request, points, first, fmt::format("{}, round {}: ", request.refinement->of, round),
+                       folder))
+      return false;
     take_up_to(rows.size() + points.size());
   }
   const std::size_t known = rows.size() + of_spectrum;
-  if (folder.finished().size() > known) refuse_other_refinement(folder, known);
+  if (folder.finished().size() > known) refuse_other_refinement(request, known);
   return true;
 }
 
@@ -284,8 +287,9 @@ SweepOutcome swept(const SweepRequest& request) {
   if (request.refinement && request.header.refined && !request.header.shard && !refine_peak(request, folder))
     throw Interrupted(interrupted(
         request,
-        fmt::format("interrupted while the peak was refined, with {} points added to the {} of the grid",
-                    folder.finished().size() - request.header.points, request.header.points)));
+        fmt::format("interrupted while the {} was refined, with {} points added to the {} of the grid",
+                    request.refinement->of, folder.finished().size() - request.header.points,
+                    request.header.points)));
   folder.write_table();
   return outcome_of(request.header, folder, kept);
 }

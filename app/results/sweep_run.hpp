@@ -35,7 +35,7 @@ struct SweepPoint {
 std::vector<std::vector<std::size_t>> continuation_paths(const std::vector<SweepPoint>& points,
                                                          Direction direction);
 
-/// Points that a sweep adds to its grid until its peak is known.
+/// Points that a sweep adds to its first ones until its peak, or a table, is known.
 struct Refinement {
   /// The points to be added when those of `rows` are done (the grid's in their order, without the spectrum's,
   /// then those added before, in the order in which they were asked for); none: the peak is known. Depends on
@@ -43,6 +43,7 @@ struct Refinement {
   std::function<std::vector<SweepPoint>(const TableHead& head, const std::vector<ResultRow>& rows)> next;
   /// Computes one of them; as SweepRequest::evaluate.
   std::function<study::PointResult(const SweepPoint& point)> evaluate;
+  std::string of{"peak"};  // what is refined, in messages
 };
 
 struct SweepRequest {
@@ -63,6 +64,7 @@ struct SweepRequest {
   /// Told once, before the first point: estimated time [s] and number of the points that the folder lacks.
   std::function<void(double seconds, std::size_t missing)> announce{};
   std::filesystem::path folder;  // empty: nothing is written
+  bool point_files = true;       // else the rows of the manifest are all that is kept
   int jobs = 0;                  // threads; 0: as many as the machine has
   bool resume = false;
   bool quiet = false;  // no progress, even on a terminal

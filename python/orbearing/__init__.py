@@ -29,6 +29,7 @@ _PARTS = {
     "open": "opened_page",
     "CaseError": "errors",
     "ComputationError": "errors",
+    "Table": "table",
     "study": "studies",
     "open_study": "studies",
     "StudyResult": "studies.result",

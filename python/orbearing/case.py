@@ -181,6 +181,19 @@ class Case:
         return self._compute("sensitivities", SensitivityResult, output=output, progress=progress, fidelity=fidelity, result=result or None,
                              by=list(by), jobs=jobs or None)
 
+    def table(self, output: PathLike, over: Optional[Mapping[str, tuple]] = None, results: Sequence[str] = (), fidelity: Optional[str] = None,
+              bound: Optional[float] = None, points: Optional[int] = None, jobs: int = 0, resume: bool = False,
+              progress: Progress = None) -> "Table":
+        """Results over up to 6 inputs as a table in the folder `output`; over: two ends of each input, by path, as in a case
+        or in SI; without it the ranges of the case's sweep. Options as of `orbearing table`."""
+        from orbearing.table import Table
+
+        ends = {path: [_as_text(path, end) for end in pair] for path, pair in (over or {}).items()}
+        self._compute("table", Result, output=output, progress=progress, fidelity=fidelity, bound=bound, points=points, jobs=jobs or None,
+                      resume=resume or None, over=[f"{path}={low}..{high}" for path, (low, high) in ends.items()],
+                      result=list(results))
+        return Table(output)
+
     def uncertainty(self, **options) -> "UncertaintyResult":
         """See orbearing.uncertainty(): the spread of life by the numbers that the case's block `uncertain:` names."""
         from orbearing.uncertainties import uncertainty
