@@ -20,7 +20,6 @@
 #include "app/study/planetary_case.hpp"
 #include "app/study/sweep_study.hpp"
 #include "app/version.hpp"
-#include "coupling/study/parallel.hpp"
 
 namespace orbearing::study {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TableSplit, input, at, below, above)
@@ -50,30 +49,11 @@ constexpr double kShift = 1e-9;          // [-]  of the inputs, for the scatter 
 constexpr double kEndTolerance = 1e-12;  // [-]  by which rounding may put an end outside the box
 constexpr std::uint64_t kCheckSeed = 2, kCellSeed = 1;
 
-/// An input as the coordinate of a table.
-struct Coordinate {
-  explicit Coordinate(const TableInput& of)
-      : input(of), range(of.by_logarithm ? std::log(of.to / of.from) : of.to - of.from) {}
-  double operator()(double value) const {
-    const double share = (input.by_logarithm ? std::log(value / input.from) : value - input.from) / range;
-    const double at = 2.0 * share - 1.0;
-    return std::abs(at) > 1.0 && std::abs(at) <= 1.0 + kEndTolerance ? std::copysign(1.0, at) : at;
-  }
-  const TableInput& input;
-  double range;
-};
-
 double value_at(const TableInput& input, double coordinate) {
   const double share = 0.5 * (1.0 + coordinate);
   const double value = input.by_logarithm ? input.from * std::pow(input.to / input.from, share)
                                           : input.from + share * (input.to - input.from);
   return std::clamp(value, input.from, input.to);
-}
-
-std::string in_customary(const TableInput& input, double value) {
-  const Field& field = *find_field(input.path);
-  if (field.kind != Kind::quantity) return fmt::format("{}", value);
-  return fmt::format("{} {}", in_customary_unit(field.dimension, value), field.dimension.customary);
 }
 
 std::vector<Setting> settings_at(const std::vector<TableInput>& inputs, const double* values) {
@@ -97,6 +77,21 @@ std::size_t cell_checks(std::size_t points) {
 }
 
 }  // namespace
+
+Coordinate::Coordinate(const TableInput& input)
+    : input_(input), range_(input.by_logarithm ? std::log(input.to / input.from) : input.to - input.from) {}
+
+double Coordinate::operator()(double value) const {
+  const double share = (input_.by_logarithm ? std::log(value / input_.from) : value - input_.from) / range_;
+  const double at = 2.0 * share - 1.0;
+  return std::abs(at) > 1.0 && std::abs(at) <= 1.0 + kEndTolerance ? std::copysign(1.0, at) : at;
+}
+
+std::string in_customary(const TableInput& input, double value) {
+  const Field& field = *find_field(input.path);
+  if (field.kind != Kind::quantity) return fmt::format("{}", value);
+  return fmt::format("{} {}", in_customary_unit(field.dimension, value), field.dimension.customary);
+}
 
 double TabulatedResult::tabulated(double value) const {
   return by_logarithm ? std::log(value) : value / scale;
@@ -170,86 +165,6 @@ TabulatedCase read_table(const std::string& name) {
   }
 }
 
-std::size_t result_of(const TabulatedCase& table, const std::string& name) {
-  for (std::size_t r = 0; r < table.results.size(); ++r)
-    if (table.results[r].name == name) return r;
-  std::vector<std::string> names;
-  for (const TabulatedResult& result : table.results) names.push_back(result.name);
-  throw BadInput(
-      fmt::format("{}: found no result {}; required: one of {}", table.file, name, fmt::join(names, ", ")));
-}
-
-namespace {
-
-// Why the table does not answer: of the first such query.
-[[noreturn]] void refuse_query(const TabulatedCase& table, std::size_t query, const double* values,
-                               const study::TableValue& found, double bound) {
-  for (std::size_t i = 0; i < table.inputs.size(); ++i) {
-    const TableInput& input = table.inputs[i];
-    if (!(std::abs(Coordinate(input)(values[i])) <= 1.0))
-      throw BadInput(fmt::format("{}: query {}: found {} = {}; required: {} to {}, the range of the table",
-                                 table.file, query, input.path, in_customary(input, values[i]),
-                                 in_customary(input, input.from), in_customary(input, input.to)));
-  }
-  throw BadInput(
-      fmt::format("{}: query {}: found a stated error of {:.2g}; required: at most {:.2g}, or a computation",
-                  table.file, query, std::expm1(found.error), bound));
-}
-
-}  // namespace
-
-TableAnswers answers_of(const TabulatedCase& table, const ResolvedCase& resolved, const std::string& name,
-                        const std::vector<double>& values, const TableQuery& query) {
-  const std::size_t inputs = table.inputs.size(), r = result_of(table, name);
-  if (values.size() % inputs != 0)
-    throw BadInput(
-        fmt::format("values: found {} numbers; required: rows of {} inputs", values.size(), inputs));
-  const TabulatedResult& result = table.results[r];
-  const std::size_t count = values.size() / inputs;
-  const double bound = query.bound.value_or(table.bound);
-  TableAnswers answers{
-      std::vector<double>(count), std::vector<double>(count), std::vector<char>(count, 0), {}};
-  const std::vector<Coordinate> coordinates(table.inputs.begin(), table.inputs.end());
-  constexpr std::size_t together = 4096;  // queries of a task
-  study::in_parallel((count + together - 1) / together, query.jobs, [&](std::size_t task) {
-    for (std::size_t n = task * together; n < std::min(count, (task + 1) * together); ++n) {
-      study::TablePoint point{};
-      for (std::size_t i = 0; i < inputs; ++i) point[i] = coordinate(table.inputs[i], values[n * inputs + i]);
-      const study::TableValue found = table.table.at(point, r);
-      answers.values[n] = result.value(found.value);
-      answers.errors[n] = result.error(answers.values[n], found.error);
-      answers.computed[n] = found.error <= std::log1p(bound) ? 0 : 1;
-      if (answers.computed[n] == 1 && !query.compute)
-        refuse_query(table, n, values.data() + n * inputs, found, bound);
-    }
-  });
-  std::vector<std::size_t> left;
-  for (std::size_t n = 0; n < count; ++n)
-    if (answers.computed[n] == 1) left.push_back(n);
-  if (!left.empty() && table.program_version != program_version)
-    throw BadInput(
-        fmt::format("{}: found a table of version {} and {} queries that it cannot answer; required: that "
-                    "version to compute "
-                    "them, or a new table",
-                    table.file, table.program_version, left.size()));
-  const TableHead head = table_head({}, bearing_set_names(resolved));
-  const study::Fidelity level = fidelity_of(table.fidelity);
-  study::compute_points(
-      left, query.jobs,
-      [&](std::size_t n) {
-        return compute_point(resolved, settings_at(table.inputs, values.data() + n * inputs), level);
-      },
-      [&](std::vector<study::ComputedPoint> points) {
-        for (study::ComputedPoint& point : points) {
-          const ResultRow row = result_row(point.result, {}, bearing_set_names(resolved));
-          answers.values[point.index] = row.ok() ? value_of(head, row, name) : not_given;
-          answers.errors[point.index] = result.error(answers.values[point.index], table.scatter);
-          if (!row.ok()) answers.failures[point.index] = row.status;
-        }
-      });
-  return answers;
-}
-
 ResolvedCase over_box(const ResolvedCase& resolved, const std::vector<std::string>& over) {
   if (over.empty()) return resolved;
   std::string sweep;
@@ -310,13 +225,18 @@ std::vector<double> TableStudy::State::tabulated(const TableHead& head, const Re
 void TableStudy::State::begin(const TableHead& head, const std::vector<ResultRow>& rows) {
   for (TabulatedResult& result : table.results) {
     result.by_logarithm = result.unit != "1";
-    result.scale = 0.0;
+    result.scale = -1.0;
     for (const ResultRow& row : rows) {
       const double value = value_of(head, row, result.name);
       if (!row.ok() || std::isnan(value)) continue;
       result.by_logarithm = result.by_logarithm && value > 0.0;
       result.scale = std::max(result.scale, std::abs(value));
     }
+    if (result.scale < 0.0)
+      throw BadInput(
+          fmt::format("--result: found {}, which has no value at any of {} points; required: a number of "
+                      "this case",
+                      result.name, rows.size()));
     if (result.scale == 0.0) result.scale = 1.0;
   }
   const std::vector<double> middle = tabulated(head, rows[checks]);

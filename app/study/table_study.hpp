@@ -2,7 +2,6 @@
 // them, and what they answer.
 #pragma once
 
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -51,12 +50,19 @@ void describe(described::Record& record, const TabulatedCase& table);
 std::string table_text(const TabulatedCase& table);
 TabulatedCase read_table(const std::string& file);
 
-/// Index of a result. Throws BadInput for an unknown one.
-std::size_t result_of(const TabulatedCase& table, const std::string& name);
+/// An input as a coordinate of the table: -1 to 1 within its range.
+class Coordinate {
+ public:
+  explicit Coordinate(const TableInput& input);
+  double operator()(double value) const;
 
-/// See Table::answers().
-TableAnswers answers_of(const TabulatedCase& table, const ResolvedCase& resolved, const std::string& result,
-                        const std::vector<double>& values, const TableQuery& query);
+ private:
+  const TableInput& input_;
+  double range_;
+};
+
+/// A value of an input in its customary unit: "6000 rpm".
+std::string in_customary(const TableInput& input, double value);
 
 struct TableChoice {
   std::vector<std::string> over;     // PATH=FROM..TO; none: the ranges of the case's sweep

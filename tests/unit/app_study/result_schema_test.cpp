@@ -85,6 +85,7 @@ const std::vector<Look>& looks() {
         "--profile=straight-circular"}},
       {"sensitivities", "reducer_150kW", {"--by=bearing.rollers", "--by=input.power"}},
       {"sensitivities", "harris_209"},
+      {"table", "reducer_150kW", {"--over=input.power=100 kW..150 kW", "--points=100"}},
       {"signals", "scratch_defect", {"--vary=defect.race=[none, outer]", "--set=signal.revolutions=3"}},
       {"signals", "scratched_rollers", {"--vary=defect.race=[none, outer]", "--set=signal.revolutions=3"}},
       {"validate", "reducer_150kW", {"--set=sweep.input.speed=[5000 rpm, 6000 rpm]"}},

@@ -96,44 +96,94 @@ TEST(ResultTable, ExactForPolynomials) {
   EXPECT_EQ(found.answered, 1.0);
 }
 
-// The error of the degree m of exp falls as 1/(2^m (m + 1)!): more than tenfold for two points more.
-TEST(ResultTable, ErrorFallsExponentiallyInOneCell) {
+// The error of interpolation: prod (x - t_j) f^(m+1) / (m + 1)!, with the derivatives of exp at most e.
+TEST(ResultTable, ErrorFallsWithTheDegreeAsTheTheoremSays) {
   const Function function = [](const TablePoint& x) { return std::exp(x[0]); };
-  double before = 1.0;
   for (const double bound : {1e-2, 1e-4, 1e-6, 1e-8}) {
     const Built table = built({.inputs = 1, .bound = bound}, {function});
     ASSERT_EQ(table.table.cells().size(), 1U);
-    const double degree = static_cast<double>(table.table.cells().front().terms.size()) - 1.0;
+    const std::size_t terms = table.table.cells().front().terms.size();
+    double product = 0.0;
+    for (double x = -1.0; x <= 1.0; x += 1e-3) {
+      double at = 1.0;
+      for (std::size_t m = 0; m < terms; ++m) at *= x - table_node(m);
+      product = std::max(product, std::abs(at));
+    }
     const double largest = missed(table.table, function, bound).largest;
-    EXPECT_LT(largest, 8.0 / (std::pow(2.0, degree) * std::tgamma(degree + 2.0)))
-        << bound;  // 8: within e and nodes
-    EXPECT_LT(largest, 0.5 * before) << bound;
-    before = largest;
+    EXPECT_LE(largest, 1.01 * product * M_E / std::tgamma(static_cast<double>(terms) + 1.0)) << bound;
+    EXPECT_LE(largest, bound);
   }
 }
 
-// Order of convergence of halved cells: the quadratic of a cell of width h has an error of h^3 away from the
-// kink.
 TEST(ResultTable, BoundHoldsOnRandomPoints) {
   for (const double bound : {1e-1, 1e-2, 1e-3, 1e-4}) {
     const Built table = built({.inputs = 3, .bound = bound}, {smooth});
     const Missed found = missed(table.table, smooth, bound);
     EXPECT_EQ(found.answered, 1.0) << bound;
     EXPECT_LE(found.largest, bound);
-    EXPECT_GE(found.within_stated, 0.99) << bound;
-    printf("smooth %g: %zu points, %zu cells, largest %g, within stated %g\n", bound, table.points,
-           table.table.cells().size(), found.largest, found.within_stated);
+    EXPECT_GE(found.within_stated, 0.99)
+        << bound;  // the largest of 24 checks is doubled: a few in a thousand are above
   }
 }
 
+// What is near the kink is left to the program until cells are small enough, and no answer hides it.
 TEST(ResultTable, KinkShowsInTheMeasuredError) {
-  for (const std::size_t most : {200U, 2000U, 20000U, 100000U}) {
+  double before = -1.0;
+  for (const std::size_t most : {200U, 2000U, 20000U}) {
     const Built table = built({.inputs = 3, .bound = 0.01, .most_points = most}, {kinked});
+    EXPECT_EQ(table.points, most);
     const Missed found = missed(table.table, kinked, 0.01);
-    printf("kink %zu: %zu points, %zu cells, answered %g (%g), largest %g, within stated %g\n", most,
-           table.points, table.table.cells().size(), found.answered, table.table.share_within(0.01),
-           found.largest, found.within_stated);
+    EXPECT_LE(found.largest, 0.01);
+    EXPECT_GT(table.table.share_within(0.01), before);
+    EXPECT_NEAR(found.answered, table.table.share_within(0.01),
+                0.05);  // of a thousand points: three deviations
+    before = table.table.share_within(0.01);
   }
+  EXPECT_GT(before, 0.5);
+  EXPECT_LT(before, 1.0);
+}
+
+TEST(ResultTable, AnswersNothingBeyondTheBoxNorWherePointsFail) {
+  const Function failing = [](const TablePoint& x) { return x[0] > 0.5 ? std::nan("") : smooth(x); };
+  const Built table = built({.inputs = 2, .bound = 0.01}, {failing});
+  EXPECT_EQ(table.table.at({1.01, 0.0}, 0).error, kNoTableValue);
+  EXPECT_TRUE(std::isnan(table.table.at({1.01, 0.0}, 0).value));
+  EXPECT_EQ(table.table.at({std::nan(""), 0.0}, 0).error, kNoTableValue);
+  EXPECT_EQ(table.table.at({0.9, 0.3}, 0).error, kNoTableValue);
+  const TablePoint sound{-0.5, 0.3};
+  EXPECT_LE(table.table.at(sound, 0).error, 0.01);
+  EXPECT_NEAR(table.table.at(sound, 0).value, smooth(sound), 0.01);
+}
+
+// Results that scatter: no answer claims less, and the terms do not follow the scatter for ever.
+TEST(ResultTable, StatesTheScatterOfItsValues) {
+  constexpr double scatter = 2e-3;
+  const Function scattering = [](const TablePoint& x) {
+    return smooth(x) + scatter * std::sin(1e4 * (x[0] + 2.0 * x[1] + 3.0 * x[2]));
+  };
+  const Built table = built({.inputs = 3, .bound = 0.02, .scatter = scatter}, {scattering});
+  EXPECT_LT(table.points, 20000U);  // all cells are finished
+  for (const TableCell& cell : table.table.cells()) EXPECT_GE(cell.error.front(), scatter);
+  EXPECT_LE(missed(table.table, smooth, 0.02).largest, 0.02);
+}
+
+TEST(ResultTable, TheSameFromEitherOfTwoResults) {
+  const Function other = [](const TablePoint& x) { return 2.0 * smooth(x) + 1.0; };
+  const Built table = built({.inputs = 3, .results = 2, .bound = 1e-2}, {smooth, other});
+  for (std::uint64_t number = 0; number < 100; ++number) {
+    const TablePoint point = random_point(3, number);
+    EXPECT_NEAR(table.table.at(point, 1).value, 2.0 * table.table.at(point, 0).value + 1.0, kRoundOff);
+  }
+}
+
+TEST(ResultTable, RefusesPartsThatDoNotFit) {
+  const TableCell cell{.lower = {-1.0}, .upper = {1.0}, .terms = {{}}, .weights = {1.0}, .error = {0.0}};
+  EXPECT_EQ(ResultTable(1, 1, {}, {cell}).at({0.5}, 0).value, 1.0);
+  EXPECT_THROW(ResultTable(1, 2, {}, {cell}), std::invalid_argument);
+  EXPECT_THROW(ResultTable(7, 1, {}, {cell}), std::invalid_argument);
+  EXPECT_THROW(ResultTable(1, 1, {{0, 0.0, 0, ~0}}, {cell, cell}),
+               std::invalid_argument);  // a half of itself
+  EXPECT_THROW(ResultTable(1, 1, {{0, 0.0, ~0, ~2}}, {cell, cell}), std::invalid_argument);
 }
 
 }  // namespace
