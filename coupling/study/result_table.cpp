@@ -88,7 +88,8 @@ double table_node(std::size_t m) {
 }
 
 double table_random(std::uint64_t seed, std::uint64_t index) {
-  std::uint64_t bits = seed + (index + 1) * 0x9e3779b97f4a7c15U;  // SplitMix64 [Steele2014]
+  // SplitMix64 [Steele2014], its seed spread by the same steps.
+  std::uint64_t bits = (seed << 32U) * 0x9e3779b97f4a7c15U + (index + 1) * 0x9e3779b97f4a7c15U;
   bits = (bits ^ (bits >> 30U)) * 0xbf58476d1ce4e5b9U;
   bits = (bits ^ (bits >> 27U)) * 0x94d049bb133111ebU;
   bits ^= bits >> 31U;
@@ -216,14 +217,16 @@ void TableBuilder::want_first_points(Cell& cell) {
   for (std::size_t i = 0; i < target_.inputs; ++i)
     for (std::size_t j = i; j < target_.inputs; ++j) cell.wanted.push_back(raised(raised({}, i), j));
   const std::size_t inherited = std::min(cell.checks.size(), target_.checks);
-  const std::size_t fresh = std::max((target_.checks + 1) / 2, target_.checks - inherited);
+  want_checks(cell, std::max((target_.checks + 1) / 2, target_.checks - inherited));
+}
+
+void TableBuilder::want_checks(Cell& cell, std::size_t count) {
   const auto number = static_cast<std::uint64_t>(&cell - cells_.data());
-  for (std::size_t check = 0; check < fresh; ++check) {
+  for (; count > 0; --count, ++cell.random_checks) {
     TablePoint point{};
     for (std::size_t i = 0; i < target_.inputs; ++i) {
-      const std::uint64_t index = (number * target_.checks + check) * kMostTableInputs + i;
-      point[i] =
-          cell.lower[i] + 0.5 * (1.0 + table_random(target_.seed, index)) * (cell.upper[i] - cell.lower[i]);
+      const double at = table_random(target_.seed + number, cell.random_checks * kMostTableInputs + i);
+      point[i] = 0.5 * ((1.0 - at) * cell.lower[i] + (1.0 + at) * cell.upper[i]);
     }
     cell.wanted_checks.push_back(point);
   }
@@ -305,8 +308,11 @@ void TableBuilder::decide(std::size_t number) {
   if (cell.terms.empty() && !cell.failed) return want_first_points(cell);
   const double worst = *std::max_element(cell.error.begin(), cell.error.end());
   const int most_depth = (cell.failed ? kFailedDepth : kMostDepth) * static_cast<int>(target_.inputs);
-  if (worst <= target_.bound) {
-    cell.finished = true;
+  const bool within = worst <= target_.bound, sure = within && cell.confirmed;
+  cell.confirmed = within;
+  if (within) {
+    cell.finished = sure;
+    if (!sure) want_checks(cell, std::max(target_.checks, target_.box_checks >> std::min(cell.depth, 60)));
   } else if (cell.failed || !want_more_terms(cell)) {
     if (cell.depth < most_depth)
       halve(number);
@@ -324,8 +330,9 @@ std::vector<TablePoint> TableBuilder::next() {
     const std::size_t left = target_.most_points - given_ - points.size();
     if (cell.wanted.size() + cell.wanted_checks.size() > left) {
       exhausted_ = true;
-      cell.wanted.resize(cell.terms.empty() ? 0 : left);
-      cell.wanted_checks.clear();
+      cell.wanted.resize(cell.terms.empty() ? 0 : std::min(left, cell.wanted.size()));
+      cell.wanted_checks.resize(
+          cell.terms.empty() ? 0 : std::min(left - cell.wanted.size(), cell.wanted_checks.size()));
     }
     for (const TableDegrees& degrees : cell.wanted) points.push_back(point_of(cell, degrees));
     points.insert(points.end(), cell.wanted_checks.begin(), cell.wanted_checks.end());

@@ -86,9 +86,10 @@ struct TableTarget {
   std::size_t inputs = 1, results = 1;
   double bound = 0.01;  // error at which a cell is finished
   std::size_t most_points = 20000;
-  double scatter = 0.0;     // of the computed values: no cell has a smaller error
-  std::size_t checks = 24;  // check points of a cell
-  std::uint64_t seed = 1;   // of the check points
+  double scatter = 0.0;          // of the computed values: no cell has a smaller error
+  std::size_t checks = 24;       // check points that a cell begins with
+  std::size_t box_checks = 400;  // further ones over the box, before its cells are finished
+  std::uint64_t seed = 1;        // of the check points
 };
 
 /// The least number of points of a table.
@@ -126,7 +127,9 @@ class TableBuilder {
     std::vector<double> error;  // (results)
     std::vector<TableDegrees> wanted;
     std::vector<TablePoint> wanted_checks;
+    std::size_t random_checks = 0;  // so far
     bool failed = false, finished = false;
+    bool confirmed = false;  // within the bound at check points that had no part in growing
     std::size_t split_input = 0;
     std::size_t below = 0;  // number of its lower half; the upper one follows; 0: not halved
   };
@@ -134,6 +137,7 @@ class TableBuilder {
   TablePoint point_of(const Cell& cell, const TableDegrees& degrees) const;
   std::vector<double> sum_of_terms(const Cell& cell, const TablePoint& point) const;
   void want_first_points(Cell& cell);
+  void want_checks(Cell& cell, std::size_t count);
   bool is_admissible(const Cell& cell, const TableDegrees& degrees) const;
   bool want_more_terms(Cell& cell);
   void decide(std::size_t cell);
