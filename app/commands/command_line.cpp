@@ -263,7 +263,7 @@ void add_table(CLI::App& command, Options& options) {
       ->check(CLI::Range(1e-9, 1.0));
   command
       .add_option("--points", options.points,
-                  "largest number of computed points; default: 20000 quasi-static, required in motion")
+                  "largest number of computed points; default: 50000 quasi-static, required in motion")
       ->check(CLI::Range(1, 100000));
   add_jobs(command, options);
 }

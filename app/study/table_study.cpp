@@ -43,7 +43,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int table_format = 1;
-constexpr std::size_t kPointsAtRest = 20000;
+constexpr std::size_t kPointsAtRest = 50000;
 constexpr double kWideRange = 2.0;       // ratio of ends from which an input is taken by its logarithm
 constexpr double kShift = 1e-9;          // [-]  of the inputs, for the scatter of a result
 constexpr double kEndTolerance = 1e-12;  // [-]  by which rounding may put an end outside the box
@@ -323,8 +323,9 @@ std::vector<TabulatedResult> results_of_choice(const ManifestHeader& header,
   Record record;
   study::describe_row(record, study::PointResult{});
   Json units = units_of(record);
+  const Json of_set = units_of(record_of(study::SetResult{}));  // outlives its items
   for (const std::string& set : header.sets)
-    for (const auto& [column, unit] : units_of(record_of(study::SetResult{})).items())
+    for (const auto& [column, unit] : of_set.items())
       units["sets." + set + "." + column] = unit;
   std::vector<std::string> numbers;
   for (const auto& [name, unit] : units.items()) numbers.push_back(name);

@@ -85,7 +85,7 @@ class ResultTable {
 struct TableTarget {
   std::size_t inputs = 1, results = 1;
   double bound = 0.01;  // error at which a cell is finished
-  std::size_t most_points = 20000;
+  std::size_t most_points = 50000;
   double scatter = 0.0;          // of the computed values: no cell has a smaller error
   std::size_t checks = 24;       // check points that a cell begins with
   std::size_t box_checks = 400;  // further ones over the box, before its cells are finished

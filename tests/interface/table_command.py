@@ -8,7 +8,7 @@ import unittest
 
 import numpy as np
 
-from program import LEFT_TO_FULL, REDUCER, answer, package, run
+from program import LEFT_TO_FULL, REDUCER, SETS, answer, package
 
 orbearing = package()
 
@@ -117,6 +117,15 @@ class TableCommand(unittest.TestCase):
         self.assertEqual(former.life_h(**MIDDLE).value, self.table.life_h(**MIDDLE).value)
         with self.assertRaisesRegex(orbearing.CaseError, "found a table of version 0.0."):
             former.life_h(speed="9000 rpm")
+
+    def test_of_one_of_several_sets(self):
+        name = "sets.reduction.life_h"
+        made = answer("table", SETS, options=["--over", "input.power=100 kW..150 kW", "--points=80", f"--result={name}", "-o", self.place / "sets"])
+        self.assertLessEqual(made["results"][0]["largest_error"], 0.01)
+        found = orbearing.Table(self.place / "sets").answer(name, power="120 kW")
+        columns, numbers, _ = orbearing.load(SETS).evaluate(["input.power"], [[120e3]])
+        self.assertAlmostEqual(found.value / numbers[0, columns.index(name)], 1, delta=0.01)
+        self.assertFalse(found.computed)
 
     @unittest.skipIf(LEFT_TO_FULL, "runs in motion")
     def test_in_motion(self):
