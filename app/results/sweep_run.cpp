@@ -138,11 +138,11 @@ void compute_missing(const SweepRequest& request, ResultFolder& folder) {
           folder);
 }
 
-[[noreturn]] void refuse_other_refinement(const SweepRequest& request, std::size_t point) {
+[[noreturn]] void refuse_other_refinement(const ResultFolder& folder, std::size_t point) {
   throw BadInput(
-      fmt::format("{}: --resume: point {}, which refines the {}, was found at another speed than the "
+      fmt::format("{}: --resume: point {}, which refines the sweep, was found at another speed than the "
                   "points before it ask for; use another folder",
-                  request.folder.string(), point, request.refinement->of));
+                  folder.path().string(), point));
 }
 
 /// One round of refinement: the points asked for, numbered from `first`. False where it was interrupted.
@@ -157,7 +157,7 @@ bool compute_round(const SweepRequest& request, const std::vector<SweepPoint>& p
     if (found == folder.finished().end())
       work.missing.push_back(first + i);
     else if (found->second.row.values.front() != speed_in_rpm(points[i].input_speed))
-      refuse_other_refinement(request, first + i);
+      refuse_other_refinement(folder, first + i);
   }
   compute(request, work, folder);
   return std::all_of(work.missing.begin(), work.missing.end(),
@@ -185,7 +185,7 @@ bool refine_peak(const SweepRequest& request, ResultFolder& folder) {
     take_up_to(rows.size() + points.size());
   }
   const std::size_t known = rows.size() + of_spectrum;
-  if (folder.finished().size() > known) refuse_other_refinement(request, known);
+  if (folder.finished().size() > known) refuse_other_refinement(folder, known);
   return true;
 }
 
@@ -287,9 +287,8 @@ SweepOutcome swept(const SweepRequest& request) {
   if (request.refinement && request.header.refined && !request.header.shard && !refine_peak(request, folder))
     throw Interrupted(interrupted(
         request,
-        fmt::format("interrupted while the {} was refined, with {} points added to the {} of the grid",
-                    request.refinement->of, folder.finished().size() - request.header.points,
-                    request.header.points)));
+        fmt::format("interrupted while the sweep was refined, with {} points added to the {} of the grid",
+                    folder.finished().size() - request.header.points, request.header.points)));
   folder.write_table();
   return outcome_of(request.header, folder, kept);
 }

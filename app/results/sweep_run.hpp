@@ -43,7 +43,7 @@ struct Refinement {
   std::function<std::vector<SweepPoint>(const TableHead& head, const std::vector<ResultRow>& rows)> next;
   /// Computes one of them; as SweepRequest::evaluate.
   std::function<study::PointResult(const SweepPoint& point)> evaluate;
-  std::string of{"peak"};  // what is refined, in messages
+  std::string of{"peak"};  // what is refined, in the line of progress
 };
 
 struct SweepRequest {

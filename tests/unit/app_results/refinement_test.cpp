@@ -242,7 +242,7 @@ TEST(RefinedSweep, AnotherSearchThanTheFoldersIsRefused) {
   request.refinement->next = [](const TableHead&, const std::vector<ResultRow>&) {
     return std::vector<SweepPoint>{point_at(4444.0)};
   };
-  EXPECT_THAT(refusal_of(request), HasSubstr("point 12, which refines the peak, was found at another speed"));
+  EXPECT_THAT(refusal_of(request), HasSubstr("point 12, which refines the sweep, was found at another speed"));
   request.refinement->next = [](const TableHead&, const std::vector<ResultRow>&) {
     return std::vector<SweepPoint>{};
   };
