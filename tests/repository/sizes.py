@@ -37,7 +37,6 @@ DECLARED = (  # lines, of these of app, types and headers of later capabilities
     ("the demo, warnings of former keys, folders of an installation by Debian's rules", 200, 200, 1, 0),
     ("oil of roller bearings: replenished inlets, starvation in motion, temperature by a balance of heats; heated films", 390, 95, 6, 2),
     ("a C interface, with what a case states as JSON; elliptic integrals for libraries without them", 375, 510, 2, 2),
-    ("results over up to six inputs as a table with its error", 1_385, 730, 18, 3),
     ("results over up to six inputs as a table with its error", 1_443, 765, 20, 3),
     ("steps of slow motion; sums over laminae with the same bits in all instruction sets", 75, 0, 1, 0),
     ("progress within a motion, its time before it starts, budgets of processor time", 870, 510, 8, 3),
