@@ -31,6 +31,7 @@ class ValuesOfSet {
     return std::all_of(paths.begin(), paths.end(), [this](std::string_view path) { return find(path); });
   }
   double operator()(std::string_view path) const { return find(path)->value.number; }
+  bool given(std::string_view path) const { return find(path) && !find(path)->from_default; }
   const std::string& choice(std::string_view path) const { return find(path)->value.given; }
 
  private:
@@ -203,6 +204,12 @@ std::optional<DerivedDefault> minimum_load(const ValuesOfSet& value) {
   return DerivedDefault{"0.02", "makers' rule of thumb for roller bearings [SKFMinimumLoad]"};
 }
 
+// Who states the error of a step gets that one.
+std::optional<DerivedDefault> load_error_share(const ValuesOfSet& value) {
+  if (!value.given("simulation.length_error")) return std::nullopt;
+  return DerivedDefault{"0", "simulation.length_error is given"};
+}
+
 struct DefaultRule {
   std::string_view path;
   std::string_view text;
@@ -253,6 +260,10 @@ constexpr DefaultRule default_rules[] = {
      "shared by the bearings of a planet; each of several sets has its own",
      pin_stiffness_of_bearing},
     {"requirements.life_key", "L10mh, where requirements.life is given", required_life, true, false},
+    {.path = "simulation.load_error_share",
+     .text = "0, where simulation.length_error is given",
+     .apply = load_error_share,
+     .always = false},
     {"life.minimum_load", "0.02, where spectrum is given: makers' rule of thumb for roller bearings",
      minimum_load, true, false}};
 

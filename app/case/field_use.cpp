@@ -47,11 +47,11 @@ bool is_of_computed_tilt(std::string_view path) {
 Use with_planet_defect(const Use& use, std::string_view path) {
   Use more = use;
   if (begins_with_one_of(path, {"defect.", "signal."})) return more;
-  if (begins_with_one_of(path,
-                         {"life.", "requirements.", "spectrum", "film.inlet_heating", "lubricant.kinematic",
-                          "simulation.observed", "simulation.most_rev", "simulation.load_drift",
-                          "simulation.cage_drift", "bearing.fatigue_load_limit", "bearing.static_capacity",
-                          "bearing.neighbour_friction"})) {  // of bearings without a cage, which is refused
+  if (begins_with_one_of(
+          path, {"life.", "requirements.", "spectrum", "film.inlet_heating", "lubricant.kinematic",
+                 "simulation.observed", "simulation.most_rev", "simulation.load_", "simulation.cage_drift",
+                 "bearing.fatigue_load_limit", "bearing.static_capacity",
+                 "bearing.neighbour_friction"})) {  // of bearings without a cage, which is refused
     put(more, use::planet_defect, &Use::not_modelled_by);
     return more;
   }

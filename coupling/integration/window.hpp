@@ -18,21 +18,25 @@ struct WindowLimits {
   double stretch = 1.2;          // [-]  of a step that reaches the end, to spare one short step more
 };
 
+/// Where no step was small enough, or the state is not finite.
+struct NoStep : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 /// One accepted step of `x` from `time` [s], not beyond the window's `end` [s]. `step` [s] is that to try
 /// first and becomes that to try next; where the window's end cuts the step short, it stays. `attempts`
 /// counts on. `system` offers what the stepper asks of it (rosenbrock2.hpp), and
 ///   begun(x)       after the linearisation at x, from which the step begins
 ///   stepped(t, h)  after a step of length h from t
 ///   settle(t, x)   then: puts into x what is known exactly
-/// @throws std::runtime_error where no step is small enough, where the state is not finite, or where the
-/// attempts are used up; Cancelled
+/// @throws NoStep; std::runtime_error where the attempts are used up; Cancelled
 template <class Stepper, class System>
 void step_within_window(Stepper& stepper, System& system, std::vector<double>& x, double& time, double end,
                         const WindowLimits& limits, double& step, long& attempts) {
-  const auto fail = [&](const char* reason) {
+  const auto reason_of = [&](const char* reason) {
     std::ostringstream text;
     text << reason << " at t = " << time << " s of the window to " << end << " s";
-    throw std::runtime_error(text.str());
+    return text.str();
   };
   throw_if_stopped();
   stepper.begin(system, x, time);
@@ -41,8 +45,10 @@ void step_within_window(Stepper& stepper, System& system, std::vector<double>& x
   bool last = false;
   double attempt = step, reach = limits.stretch;
   while (true) {
-    if (++attempts > limits.most_steps) fail("the largest number of steps was taken");
-    if (!(step >= limits.smallest_step)) fail("no step was small enough, or the state is not finite,");
+    if (++attempts > limits.most_steps)
+      throw std::runtime_error(reason_of("the largest number of steps was taken"));
+    if (!(step >= limits.smallest_step))
+      throw NoStep(reason_of("no step was small enough, or the state is not finite,"));
     last = before + reach * step >= end - limits.smallest_step;
     attempt = last ? end - before : step;
     if (stepper.try_step(system, x, time, attempt) == boost::numeric::odeint::success) break;

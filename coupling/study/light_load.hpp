@@ -1,7 +1,9 @@
-// How lightly a planet bearing is loaded: drag of its oil against the traction of its loaded rollers.
+// What the load of a planet bearing at rest says of its motion: slip where it is light, and how exactly
+// rollers have to be followed.
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "coupling/study/drivetrain.hpp"
 
@@ -11,5 +13,10 @@ namespace orbearing::study {
 /// form, or the bearing at rest no balance.
 std::optional<double> slip_by_drag(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                                    const BearingDuty& duty);
+
+/// With the error of a step that follows the load: a share of the elastic approach of the most loaded roller
+/// at rest, on the planet where that is least. As given where that share is 0, or the bearing has no balance.
+PlanetaryDrivetrain with_error_of_load(PlanetaryDrivetrain drivetrain, const DrivetrainGeometry& geometry,
+                                       const std::vector<BearingDuty>& duties);
 
 }  // namespace orbearing::study

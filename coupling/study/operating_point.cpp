@@ -537,7 +537,7 @@ PointResult evaluate(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeom
       if (drivetrain.carrier_mounting) at_rest.carrier = carrier_revolution(drivetrain, geometry);
       return at_rest;
     }
-    return moving_point(drivetrain, geometry, duties, fidelity);
+    return moving_point(with_error_of_load(drivetrain, geometry, duties), geometry, duties, fidelity);
   };
   return completed(drivetrain, geometry, duties, point());
 }
@@ -574,8 +574,9 @@ PointResult evaluate_from(const PlanetaryDrivetrain& drivetrain, const Drivetrai
         "own; "
         "required: a stated tilt, or points that start from their quasi-static states");
   const BearingDuty duty = bearing_duty(drivetrain, geometry);
-  return completed(drivetrain, geometry, {duty},
-                   driven_point(drivetrain, geometry, duty, motion_from(start, drivetrain, geometry, duty)));
+  const PlanetaryDrivetrain following = with_error_of_load(drivetrain, geometry, {duty});
+  return completed(following, geometry, {duty},
+                   driven_point(following, geometry, duty, motion_from(start, following, geometry, duty)));
 }
 
 }  // namespace orbearing::study

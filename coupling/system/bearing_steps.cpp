@@ -121,9 +121,47 @@ double longest_step(const bearing::motion::BearingModel& model) {
 double slowness(const bearing::motion::BearingModel& model) {
   const double cage =
       bearing::kinematic_cage_speed(model.geometry, model.point.inner_speed, model.point.outer_speed);
+  return slowness(model, cage);
+}
+
+double slowness(const bearing::motion::BearingModel& model, double cage) {
   if (cage == 0.0) return 1.0;
   const double passage = constants::two_pi / (static_cast<double>(model.layout.rollers) * std::abs(cage));
   return std::max(1.0, passage / (kStepsOfPassage * longest_step(model)));
+}
+
+std::string fastest_vibration(const bearing::motion::BearingModel& model) {
+  struct Body {
+    const char *name, *on, *change;
+    double mass, stiffness;  // [kg], [N/m]
+  };
+  const double race = race_load(model.inner, kTypicalApproach, 1.0) / kTypicalApproach;
+  const double races = 0.25 * static_cast<double>(model.layout.rollers) * race;
+  std::vector<Body> bodies = {
+      {"a roller", "its races", "state a larger bearing.roller_diameter or a shorter bearing.roller_length",
+       model.roller.mass, 2.0 * race},
+      {"the inner ring or pin", "support.stiffness and the rollers",
+       "reduce support.stiffness, or state a smaller bearing.bore or a larger bearing.width", model.pin_mass,
+       model.support.stiffness + races},
+      {"the planet or outer ring", "the rollers",
+       "state a heavier planet: gearset.face_width, gearset.module", model.bore_mass, races}};
+  if (model.layout.caged) {
+    bodies.push_back({"a roller", "bearing.cage.pocket_stiffness", "reduce it", model.roller.mass,
+                      model.pocket.stiffness});
+    bodies.push_back(
+        {"the cage", "bearing.cage.pocket_stiffness",
+         "reduce it, or state a heavier cage: bearing.cage.density, inner_diameter, outer_diameter, "
+         "width",
+         model.cage.mass, 0.5 * static_cast<double>(model.layout.rollers) * model.pocket.stiffness});
+  }
+  const auto fastest = std::max_element(bodies.begin(), bodies.end(), [](const Body& a, const Body& b) {
+    return a.stiffness / a.mass < b.stiffness / b.mass;
+  });
+  std::ostringstream text;
+  text << "the fastest vibration is that of " << fastest->name << " (" << fastest->mass << " kg) on "
+       << fastest->on << " (" << fastest->stiffness << " N/m), with a period of "
+       << constants::two_pi * std::sqrt(fastest->mass / fastest->stiffness) << " s; " << fastest->change;
+  return text.str();
 }
 
 bool has_all_slopes(const bearing::motion::BearingModel& model) {
@@ -166,8 +204,7 @@ StepBounds fourth_order_steps(const bearing::vectorised::VectorBearing& bearing,
 }
 
 StepBounds steps_of_order(int order, const bearing::vectorised::VectorBearing& bearing,
-                          const Eigen::VectorXd& allowed_error) {
-  const double slow = slowness(bearing.model());
+                          const Eigen::VectorXd& allowed_error, double slow) {
   const Eigen::VectorXd allowed =
       allowed_error / std::pow(slow, order == 4 ? kSlowFourthOrderErrors : kSlowErrors);
   StepBounds bounds =

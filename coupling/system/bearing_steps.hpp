@@ -59,8 +59,14 @@ double longest_step(const bearing::motion::BearingModel& model);
 /// factor. Speeds are smaller by the same, and so must their errors be: a step that errs by more sets off
 /// vibrations that cost more than the short steps, and the loads of rollers then lie too high.
 double slowness(const bearing::motion::BearingModel& model);
+/// The same where the cage turns at `cage_speed` [rad/s] against the load, for a bearing that others drive.
+double slowness(const bearing::motion::BearingModel& model, double cage_speed);
 /// The reducer's bearing passes a roller in as many longest steps at 850 rpm.
 inline constexpr double kStepsOfPassage = 1200.0;  // [-]
+
+/// Which body of `model` vibrates fastest by itself, on what, which inputs set it and what to change: for the
+/// reason of a run in which no step was small enough.
+std::string fastest_vibration(const bearing::motion::BearingModel& model);
 
 /// Whether the matrix of `model` holds all slopes of its rates, which steps of order 3 and 4 ask for: those
 /// of tilts, waves of the rim and turning races by themselves are left out.
@@ -96,9 +102,10 @@ StepBounds third_order_steps(const bearing::vectorised::VectorBearing& bearing,
 StepBounds fourth_order_steps(const bearing::vectorised::VectorBearing& bearing,
                               const Eigen::VectorXd& allowed_error);
 
-/// Those of the order that suits `bearing` (order_of_steps()), longer where its motion is slow.
+/// Those of the order that suits `bearing` (order_of_steps()), longer where its motion is slow (`slow`, as
+/// slowness() has it).
 StepBounds steps_of_order(int order, const bearing::vectorised::VectorBearing& bearing,
-                          const Eigen::VectorXd& allowed_error);
+                          const Eigen::VectorXd& allowed_error, double slow);
 
 /// Empty while the cage holds its rollers and the rollers lie between the races; else what has come out, and
 /// by how much. Pockets hold a cage along the pitch circle alone: one that no land guides can be thrown out

@@ -97,7 +97,7 @@ bool run(VectorBearing& bearing, FreeSystem& system, Eigen::VectorXd& x, const O
   };
   const BearingModel& model = bearing.model();
   const int order = order_of_steps(model, !model.excitation.harmonics.empty());
-  const StepBounds steps = steps_of_order(order, bearing, allowed);
+  const StepBounds steps = steps_of_order(order, bearing, allowed, slowness(model));
   if (order == 2) return by(integration::Rosenbrock2(steps.allowed, steps.longest, steps.rule));
   if (order == 3) return by(integration::Rosenbrock3(steps.allowed, steps.longest, steps.rule));
   return by(integration::Rosenbrock4(steps.allowed, steps.longest, steps.rule));
@@ -117,6 +117,8 @@ IntegrationReport integrate_bearing(VectorBearing& bearing, Eigen::VectorXd& x, 
   try {
     report.completed = x.allFinite() ? run(bearing, system, x, output, options, observe, budget, report)
                                      : budget.fail("the state is not finite");
+  } catch (const integration::NoStep& error) {
+    report.message = error.what() + ("; " + fastest_vibration(bearing.model()));
   } catch (const std::runtime_error& error) {
     report.message = error.what();
   }

@@ -37,6 +37,13 @@ bool is_smooth(const CoupledModel& model) {
   return true;
 }
 
+// Of the planets' speed against the carrier.
+double slowness_of(const CoupledModel& model) {
+  const bearing::motion::BearingModel& bearing = model.bearing;
+  return slowness(bearing, bearing::kinematic_cage_speed(bearing.geometry, 0.0,
+                                                         model.gears.operation.speeds.planet_relative));
+}
+
 Eigen::VectorXd gear_errors(const CoupledSetup& setup, const CoupledModel& model, double factor) {
   return factor * integration::gear_allowed_errors(model.gears, setup.gears.allowed_share);
 }
@@ -44,11 +51,12 @@ Eigen::VectorXd gear_errors(const CoupledSetup& setup, const CoupledModel& model
 CoupledStepOptions step_options(const CoupledSetup& setup, const CoupledModel& model,
                                 const CoupledSystem& coupled) {
   const Eigen::VectorXd gears = gear_errors(setup, model, kGearErrorFactor);
+  const StepBounds bounds = steps_of_order(
+      2, coupled.bearing(0), allowed_errors(model.bearing_of(0), setup.bearing.allowed_length_error),
+      slowness_of(model));
   return {.gears = {gears.begin(), gears.end()},
-          .bearing = system::linearly_implicit_errors(
-              coupled.bearing(0),
-              system::allowed_errors(model.bearing_of(0), setup.bearing.allowed_length_error)),
-          .longest_step = system::longest_step(model.bearing),
+          .bearing = bounds.allowed,
+          .longest_step = bounds.longest,
           .most_substepped = setup.most_substepped,
           .most_steps = setup.bearing.most_steps};
 }
@@ -61,7 +69,7 @@ integration::Rosenbrock4 smooth_steps(const CoupledSetup& setup, const CoupledMo
   double longest = std::numeric_limits<double>::infinity();
   for (int b = 0; b < coupled.bearings(); ++b) {
     const Eigen::VectorXd errors = allowed_errors(model.bearing_of(b), setup.bearing.allowed_length_error);
-    const StepBounds bounds = fourth_order_steps(coupled.bearing(b), errors);
+    const StepBounds bounds = steps_of_order(4, coupled.bearing(b), errors, slowness_of(model));
     longest = std::min(longest, bounds.longest);
     std::copy(bounds.allowed.begin(), bounds.allowed.end(), coupled.of_bearing(allowed.data(), b));
   }
@@ -188,7 +196,7 @@ void Monolithic::Inside::enter(const Piece& piece) {
   system_.set_piece(piece.begin, piece.begin + margin, piece.end - margin);
 }
 
-void Monolithic::Inside::one_step() {
+void Monolithic::Inside::one_step() try {
   const double length = piece_.end - piece_.begin;
   long attempts = 0;
   const integration::WindowLimits limits{.most_steps = setup_.bearing.most_steps};
@@ -199,6 +207,8 @@ void Monolithic::Inside::one_step() {
                                     length, limits, step_, attempts);
   rejected_ += attempts - 1;
   reached_ = piece_.done >= length ? piece_.end : piece_.begin + piece_.done;
+} catch (const integration::NoStep& error) {
+  throw std::runtime_error(error.what() + ("; " + fastest_vibration(model_.bearing)));
 }
 
 void Monolithic::Inside::advance(const Window& window) {

@@ -29,6 +29,8 @@ struct SteadyStateOptions {
   long series_samples = 500;            // [-]  of the last window, kept as time series
   long bins = 72;                       // [-]  bins on the races
   double allowed_length_error = 2e-10;  // [m]  of one step; all other variables follow from it
+  double load_error_share = 2e-5;  // [-]  of the elastic approach of the most loaded roller at rest, where
+                                   //      that allows more
   integration::IntegrationOptions integration;  // of a bearing by itself; allowed_error is filled in
   BoreObserver on_bore = {};  // sees the observed windows of a bearing by itself, step by step; may be empty
   Look look = {};
@@ -70,7 +72,13 @@ void describe(Visitor& visit, SteadyStateOptions& m) {
              {.models = planetary_drivetrain,
               .range = positive(1.0),
               .reason = "small compared with any effect on slip"}),
-       length_error_row(m.allowed_length_error));
+       length_error_row(m.allowed_length_error),
+       field(m.load_error_share, "simulation.load_error_share", Physics::motion,
+             "error of a position allowed in one step over the elastic approach of the most loaded roller at "
+             "rest, where that is more than simulation.length_error",
+             {.models = planetary_drivetrain,
+              .range = {.least = 0.0, .most = 0.1},
+              .reason = "heavily loaded contacts deflect more, and their loads err by a share of that"}));
 }
 
 /// One window as time series. Matrices are (rollers, samples).

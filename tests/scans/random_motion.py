@@ -1,10 +1,14 @@
-"""Random but sensible drivetrains in motion: how many complete, why the others do not, and how long a point takes.
+"""Random but sensible designs: how many complete, why the others do not, and how long one takes.
 
-    random_motion.py [--count N] [--seed S] [--first K] [--seconds S] [--jobs N] [--keep DIR]
+    random_motion.py [--kind drivetrains|system|balls] [--short] [--count N] [--seed S] [--first K] [--seconds S] [--jobs N] [--keep DIR]
 
-Wind stages, e-drive reducers and industrial stages; caged and full complement; both rings, an outer ring, none; clearance
--10 to +150 um; film on and off. Speeds from 1 to 20,000 rpm. Each is one point of `run --fidelity dynamic`. What `check` refuses
-is no drivetrain and is drawn again. Needs ORBEARING.
+drivetrains  wind stages, e-drive reducers and industrial stages; caged and full complement; both rings, an outer ring, none;
+             clearance -10 to +150 um; film on and off; 1 to 20,000 rpm. Each is one point of `run --fidelity dynamic`.
+system       the same with gears and bearings solved as one system (`--fidelity monolithic`)
+balls        deep groove and angular-contact ball bearings, half of them quasi-static, half in motion over some revolutions of the shaft
+
+`--short` observes one revolution of the cage after at most two. `--seconds` bounds the processor time of a design, and times are processor times.
+What `check` refuses is no design and is drawn again. Needs ORBEARING.
 """
 import argparse
 import concurrent.futures
@@ -13,11 +17,12 @@ import math
 import os
 import pathlib
 import random
+import resource
+import signal
 import statistics
 import subprocess
 import sys
 import tempfile
-import time
 
 PROGRAM = os.environ["ORBEARING"]
 FAMILIES = {  # power [kW], speed [rpm], driving member, sun teeth, planets, permitted pressure number [MPa]
@@ -25,6 +30,9 @@ FAMILIES = {  # power [kW], speed [rpm], driving member, sun teeth, planets, per
     "e-drive": ((30, 300), (2000, 20000), "sun", (19, 40), (3, 4), (0.8, 2.0)),
     "industrial": ((2, 800), (60, 3600), "sun", (17, 36), (3, 4), (0.8, 2.2)),
 }
+BALL_RUNS = ("quasi-static", "in motion")
+REVOLUTIONS = 6  # of the shaft of a ball bearing in motion
+SHORT = ("simulation.observed_revolutions=1", "simulation.most_revolutions=2")
 MODULES = (0.8, 1, 1.25, 1.5, 1.75, 2, 2.5, 3, 4, 5, 6, 8, 10, 12, 14, 16, 18, 20, 22, 25)
 
 
@@ -104,65 +112,119 @@ def case_text(draw):
     return family, g["rpm"], "\n".join(lines) + "\n"
 
 
+def ball_text(draw):
+    """(quasi-static or in motion, speed in rpm, text of a case)."""
+    run = draw.choice(BALL_RUNS)
+    ball = between(draw, 3, 40)  # mm
+    count = draw.randint(6, 20)
+    pitch = ball / math.sin(math.pi / count) * draw.uniform(1.1, 1.5)
+    angle = draw.choice((0, 0, 15, 25, 40))
+    rpm = min(between(draw, 1, 20000), 1.2e6 / pitch)  # pitch diameter times speed, as oil-jet lubrication takes it
+    size = 1e7 * (1e-3 * ball) ** 2  # N
+    radial = draw.uniform(0.0 if angle else 0.1, 1.0) * size
+    axial = draw.uniform(0.5, 2.0) * size if angle else draw.uniform(0.0, 0.2) * size
+    steel = draw.random() < 0.5
+    outer = draw.random() < 0.5
+    guide = pitch + 0.3 * ball + 0.03 * ball if outer else pitch - 0.3 * ball - 0.03 * ball
+    lines = ["name: random", "source: drawn at random", "model: ball-bearing",
+             f"load: {{radial: {radial:.4g} N, axial: {axial:.4g} N}}", "bearing:", f"  balls: {count}", f"  ball_diameter: {ball:.4g} mm",
+             f"  pitch_diameter: {pitch:.5g} mm", f"  bore: {max(0.3 * pitch, pitch - 2 * ball):.5g} mm", f"  outside_diameter: {pitch + 2 * ball:.5g} mm",
+             f"  width: {1.8 * ball:.4g} mm", f"  inner_osculation: {draw.uniform(0.515, 0.54):.4f}", f"  outer_osculation: {draw.uniform(0.515, 0.54):.4f}",
+             f"  contact_angle: {angle} deg",
+             f"  radial_clearance: {0.0 if angle else draw.uniform(-0.3, 2.0) * ball:.2f} um",
+             f"lubricant: {{grade: ISO VG {draw.choice((32, 68, 150))}, temperature: {draw.uniform(40, 100):.0f} degC}}",
+             f"operation: {{shaft_speed: {rpm:.5g} rpm}}"]
+    if run == "in motion":
+        lines += ["simulation:", f"  duration: {REVOLUTIONS * 60 / rpm:.5g} s"]
+        cage = [f"inner_diameter: {pitch - 0.3 * ball:.5g} mm", f"outer_diameter: {pitch + 0.3 * ball:.5g} mm", f"width: {1.5 * ball:.4g} mm",
+                f"density: {7850 if steel else 1310} kg/m3", f"guidance: {'outer' if outer else 'inner'}", f"guide_land_diameter: {guide:.5g} mm"]
+        lines.insert(lines.index("bearing:") + 1, f"  cage: {{{', '.join(cage)}}}")
+    return run, rpm, "\n".join(lines) + "\n"
+
+
+KINDS = {"drivetrains": (case_text, tuple(FAMILIES), "dynamic"), "system": (case_text, tuple(FAMILIES), "monolithic"), "balls": (ball_text, BALL_RUNS, None)}
+
+
+def processor_time():
+    """Of all that this process has run [s]."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+
+
+def outcome(done):
+    """(status, reason) of a run that ended."""
+    if done.returncode != 0:
+        return "failed", done.stderr.strip()
+    status = json.loads(done.stdout).get("points", [{"status": "ok"}])[0]["status"]
+    return ("completed", "") if status == "ok" else ("failed", status)
+
+
 def computed(task):
-    """One drivetrain: {index, family, rpm, status, seconds, reason}."""
-    index, seed, seconds, keep = task
-    draw = random.Random(f"{seed}/{index}")
+    """One design: {index, family, rpm, status, seconds, reason}."""
+    index, options = task
+    seconds, keep = options.seconds, options.keep
+    text_of, _, fidelity = KINDS[options.kind]
+    draw = random.Random(f"{options.seed}/{index}")
+    wanted = ["--fidelity", fidelity] if fidelity else []
+    if fidelity and options.short:
+        wanted += [word for value in SHORT for word in ("--set", value)]
     with tempfile.TemporaryDirectory() as folder:
         file = pathlib.Path(folder) / "case.yaml"
         for _ in range(50):
-            family, rpm, text = case_text(draw)
+            family, rpm, text = text_of(draw)
             file.write_text(text, encoding="utf-8")
             refused = subprocess.run([PROGRAM, "check", file, "--json"], capture_output=True, text=True)
             if refused.returncode == 0:
                 break
         else:
             return {"index": index, "family": family, "rpm": rpm, "status": "never accepted", "seconds": 0.0, "reason": refused.stderr}
-        begin = time.monotonic()
-        try:
-            done = subprocess.run([PROGRAM, "run", file, "--fidelity", "dynamic", "--json"], capture_output=True, text=True,
-                                  timeout=seconds)
-            took = time.monotonic() - begin
-            status, reason = "completed", ""
-            if done.returncode != 0:
-                status, reason = "failed", done.stderr.strip()
-            else:
-                point = json.loads(done.stdout)["points"][0]
-                if point["status"] != "ok":
-                    status, reason = point["status"], point.get("message", "")
-        except subprocess.TimeoutExpired:
-            took, status, reason = seconds, "too long", f"not within {seconds} s"
+        before = processor_time()
+        done = subprocess.run([PROGRAM, "run", file, *wanted, "--json"], capture_output=True, text=True, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 1)))
+        took = processor_time() - before
+        late = done.returncode in (-signal.SIGXCPU, -signal.SIGKILL)
+        status, reason = ("too long", f"not within {seconds} s") if late else outcome(done)
         if keep and status != "completed":
             (pathlib.Path(keep) / f"{index}.yaml").write_text(f"# {status}: {reason[:200]}\n{text}".replace("\n# ", " "), encoding="utf-8")
     return {"index": index, "family": family, "rpm": rpm, "status": status, "seconds": took, "reason": reason}
 
 
+def times(results):
+    took = sorted(one["seconds"] for one in results)
+    return f"seconds: median {statistics.median(took):.2f}, 95 % {took[math.ceil(0.95 * len(took)) - 1]:.2f}, worst {took[-1]:.2f}"
+
+
 def main():
     parser = argparse.ArgumentParser()
+    parser.add_argument("--kind", choices=tuple(KINDS), default="drivetrains")
+    parser.add_argument("--short", action="store_true", help="few revolutions of the cage")
     parser.add_argument("--count", type=int, default=2000)
     parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--seed", type=int, default=50)
-    parser.add_argument("--seconds", type=float, default=120)
+    parser.add_argument("--seconds", type=int, default=120)
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--keep", help="folder of the cases that do not complete")
     options = parser.parse_args()
     if options.keep:
         pathlib.Path(options.keep).mkdir(parents=True, exist_ok=True)
-    tasks = [(index, options.seed, options.seconds, options.keep) for index in range(options.first, options.first + options.count)]
-    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+    tasks = [(index, options) for index in range(options.first, options.first + options.count)]
+    with concurrent.futures.ProcessPoolExecutor(options.jobs) as pool:
         results = []
         for one in pool.map(computed, tasks):
             results.append(one)
             if one["status"] != "completed":
                 print(f"{one['index']}: {one['family']}, {one['rpm']:.4g} rpm: {one['status']} after {one['seconds']:.1f} s: {one['reason'][:300]}", flush=True)
     done = [one for one in results if one["status"] == "completed"]
-    took = sorted(one["seconds"] for one in results) or [0.0]
-    print(f"{len(done)} of {len(results)} complete ({100 * len(done) / len(results):.1f} %); seconds: median {statistics.median(took):.2f}, "
-          f"95 % {took[int(0.95 * (len(took) - 1))]:.2f}, worst {took[-1]:.2f}")
-    for family in FAMILIES:
-        of = sorted(one["seconds"] for one in results if one["family"] == family)
+    late = sum(one["status"] == "too long" for one in results)
+    print(f"{len(done)} of {len(results)} complete ({100 * len(done) / len(results):.1f} %), {len(results) - len(done) - late} failed, "
+          f"{late} over {options.seconds} s; {times(results)}")
+    for family in KINDS[options.kind][1]:
+        of = [one for one in results if one["family"] == family]
         if of:
-            print(f"  {family}: {sum(one['family'] == family for one in done)} of {len(of)}; median {statistics.median(of):.2f} s, worst {of[-1]:.2f}")
+            print(f"  {family}: {sum(one['family'] == family for one in done)} of {len(of)}; {times(of)}")
+    for low, high in ((0, 10), (10, 100), (100, 1000), (1000, math.inf)):
+        of = [one for one in results if low <= one["rpm"] < high]
+        if of:
+            print(f"  {low} to {high:g} rpm: {sum(low <= one['rpm'] < high for one in done)} of {len(of)}; {times(of)}")
     return len(done) < 0.99 * len(results)
 
 

@@ -448,6 +448,7 @@ inline const std::map<std::string, Change>& stated_changes() {
       {"traction.limiting_friction", {"0.08", {"traction.law=limiting-shear"}}},
       {"simulation.load_drift",
        {"1e-9", {"simulation.most_revolutions=4", "simulation.load_drift=0.9", "simulation.cage_drift=0.9"}}},
+      {"simulation.load_error_share", {"1e-3"}},
       {"simulation.cage_drift",
        {"1e-9", {"simulation.most_revolutions=4", "simulation.load_drift=0.9", "simulation.cage_drift=0.9"}}},
       {"bearing.cage.pocket_straight", {"0.1 mm"}},
