@@ -19,7 +19,7 @@ using study::Fidelity;
 using study::PointResult;
 
 // On the pin and in the bore of two planets; few windows and coarse steps, since it is asked whether they
-// run. Some clearances end in "no step was small enough", 30 um read exactly among them (issue 50, Build 1).
+// run.
 std::string planet(const std::string& bearing) {
   return R"(name: planet
 source: a catalogue
