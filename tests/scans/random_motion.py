@@ -8,7 +8,7 @@ system       the same with gears and bearings solved as one system (`--fidelity 
 balls        deep groove and angular-contact ball bearings, half of them quasi-static, half in motion over some revolutions of the shaft
 
 `--short` observes one revolution of the cage after at most two. `--seconds` bounds the processor time of a design, and times are processor times.
-What `check` refuses is no design and is drawn again. Needs ORBEARING.
+What `check` or `run` refuse as input is no design and is drawn again. Needs ORBEARING.
 """
 import argparse
 import concurrent.futures
@@ -31,6 +31,7 @@ FAMILIES = {  # power [kW], speed [rpm], driving member, sun teeth, planets, per
     "industrial": ((2, 800), (60, 3600), "sun", (17, 36), (3, 4), (0.8, 2.2)),
 }
 BALL_RUNS = ("quasi-static", "in motion")
+BAD_INPUT = 2  # exit code
 REVOLUTIONS = 6  # of the shaft of a ball bearing in motion
 SHORT = ("simulation.observed_revolutions=1", "simulation.most_revolutions=2")
 MODULES = (0.8, 1, 1.25, 1.5, 1.75, 2, 2.5, 3, 4, 5, 6, 8, 10, 12, 14, 16, 18, 20, 22, 25)
@@ -95,7 +96,7 @@ def bearing(draw, g):
     return lines
 
 
-def case_text(draw):
+def case_text(draw, _):
     """(family, speed in rpm, text of a case)."""
     family = draw.choice(tuple(FAMILIES))
     g = gears(draw, family)
@@ -112,9 +113,9 @@ def case_text(draw):
     return family, g["rpm"], "\n".join(lines) + "\n"
 
 
-def ball_text(draw):
+def ball_text(draw, index):
     """(quasi-static or in motion, speed in rpm, text of a case)."""
-    run = draw.choice(BALL_RUNS)
+    run = BALL_RUNS[index % 2]
     ball = between(draw, 3, 40)  # mm
     count = draw.randint(6, 20)
     pitch = ball / math.sin(math.pi / count) * draw.uniform(1.1, 1.5)
@@ -128,8 +129,7 @@ def ball_text(draw):
     guide = pitch + 0.3 * ball + 0.03 * ball if outer else pitch - 0.3 * ball - 0.03 * ball
     lines = ["name: random", "source: drawn at random", "model: ball-bearing",
              f"load: {{radial: {radial:.4g} N, axial: {axial:.4g} N}}", "bearing:", f"  balls: {count}", f"  ball_diameter: {ball:.4g} mm",
-             f"  pitch_diameter: {pitch:.5g} mm", f"  bore: {max(0.3 * pitch, pitch - 2 * ball):.5g} mm", f"  outside_diameter: {pitch + 2 * ball:.5g} mm",
-             f"  width: {1.8 * ball:.4g} mm", f"  inner_osculation: {draw.uniform(0.515, 0.54):.4f}", f"  outer_osculation: {draw.uniform(0.515, 0.54):.4f}",
+             f"  pitch_diameter: {pitch:.5g} mm", f"  inner_osculation: {draw.uniform(0.515, 0.54):.4f}", f"  outer_osculation: {draw.uniform(0.515, 0.54):.4f}",
              f"  contact_angle: {angle} deg",
              f"  radial_clearance: {0.0 if angle else draw.uniform(-0.3, 2.0) * ball:.2f} um",
              f"lubricant: {{grade: ISO VG {draw.choice((32, 68, 150))}, temperature: {draw.uniform(40, 100):.0f} degC}}",
@@ -138,7 +138,9 @@ def ball_text(draw):
         lines += ["simulation:", f"  duration: {REVOLUTIONS * 60 / rpm:.5g} s"]
         cage = [f"inner_diameter: {pitch - 0.3 * ball:.5g} mm", f"outer_diameter: {pitch + 0.3 * ball:.5g} mm", f"width: {1.5 * ball:.4g} mm",
                 f"density: {7850 if steel else 1310} kg/m3", f"guidance: {'outer' if outer else 'inner'}", f"guide_land_diameter: {guide:.5g} mm"]
-        lines.insert(lines.index("bearing:") + 1, f"  cage: {{{', '.join(cage)}}}")
+        bodies = (f"  cage: {{{', '.join(cage)}}}", f"  bore: {max(0.3 * pitch, pitch - 2 * ball):.5g} mm",
+                  f"  outside_diameter: {pitch + 2 * ball:.5g} mm", f"  width: {1.8 * ball:.4g} mm")
+        lines[lines.index("bearing:") + 1:lines.index("bearing:") + 1] = bodies
     return run, rpm, "\n".join(lines) + "\n"
 
 
@@ -171,16 +173,18 @@ def computed(task):
     with tempfile.TemporaryDirectory() as folder:
         file = pathlib.Path(folder) / "case.yaml"
         for _ in range(50):
-            family, rpm, text = text_of(draw)
+            family, rpm, text = text_of(draw, index)
             file.write_text(text, encoding="utf-8")
-            refused = subprocess.run([PROGRAM, "check", file, "--json"], capture_output=True, text=True)
-            if refused.returncode == 0:
+            if subprocess.run([PROGRAM, "check", file, "--json"], capture_output=True).returncode != 0:
+                continue
+            before = processor_time()
+            done = subprocess.run([PROGRAM, "run", file, *wanted, "--json"], capture_output=True, text=True,
+                                  preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 1)))
+            took = processor_time() - before
+            if done.returncode != BAD_INPUT:
                 break
         else:
-            return {"index": index, "family": family, "rpm": rpm, "status": "never accepted", "seconds": 0.0, "reason": refused.stderr}
-        before = processor_time()
-        done = subprocess.run([PROGRAM, "run", file, *wanted, "--json"], capture_output=True, text=True, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 1)))
-        took = processor_time() - before
+            return {"index": index, "family": family, "rpm": rpm, "status": "never accepted", "seconds": 0.0, "reason": "50 draws were refused"}
         late = done.returncode in (-signal.SIGXCPU, -signal.SIGKILL)
         status, reason = ("too long", f"not within {seconds} s") if late else outcome(done)
         if keep and status != "completed":
