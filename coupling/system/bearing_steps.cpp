@@ -212,6 +212,11 @@ StepBounds steps_of_order(int order, const bearing::vectorised::VectorBearing& b
       : order == 4 ? fourth_order_steps(bearing, allowed)
                    : StepBounds{linearly_implicit_errors(bearing, allowed), longest_step(bearing.model())};
   bounds.longest *= slow;
+  if (order == 2 && !bearing.model().layout.caged) {
+    const auto radial_speeds = bounds.allowed.begin() + 2 * bearing.layout().lanes();
+    std::for_each(radial_speeds, radial_speeds + bearing.layout().rollers,
+                  [slow](double& error) { error *= slow; });
+  }
   return bounds;
 }
 

@@ -57,7 +57,9 @@ double longest_step(const bearing::motion::BearingModel& model);
 /// kStepsOfPassage of the longest steps, at least 1; at speeds not stated 1. Where it is more than 1, inertia
 /// and squeeze no longer move the rings, and steps follow the rollers' passage: they may be longer by this
 /// factor. Speeds are smaller by the same, and so must their errors be: a step that errs by more sets off
-/// vibrations that cost more than the short steps, and the loads of rollers then lie too high.
+/// vibrations that cost more than the short steps, and the loads of rollers then lie too high. Only radial
+/// speeds of rollers without a cage keep their errors: neighbours that strike one another throw them as fast
+/// at any speed.
 double slowness(const bearing::motion::BearingModel& model);
 /// The same where the cage turns at `cage_speed` [rad/s] against the load, for a bearing that others drive.
 double slowness(const bearing::motion::BearingModel& model, double cage_speed);
