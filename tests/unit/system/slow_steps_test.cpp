@@ -1,0 +1,65 @@
+// Issue 50, Build 1 and 3: bounds of steps of slow motion, and the part that a motion without steps names.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "coupling/system/bearing_steps.hpp"
+#include "tests/unit/motion/reducer_bearing.hpp"
+
+namespace orbearing::system::slow_steps_test {
+namespace {
+
+using bearing::Bearing;
+using bearing::motion::BearingModel;
+using bearing::vectorised::VectorBearing;
+
+constexpr double kSlow = 8.0;
+
+BearingModel reducer_model(bool caged) {
+  Bearing bearing = test::reducer_bearing();
+  if (!caged) bearing.cage = {};
+  return bearing_model(bearing, test::reducer_point(6000.0), test::reducer_parameters());
+}
+
+// Allowed error of a group of rollers, slow over fast.
+double ratio(const BearingModel& model, int group) {
+  const VectorBearing bearing(model);
+  const Eigen::VectorXd allowed = allowed_errors(model, 2e-10);
+  const auto first = static_cast<std::size_t>(group * bearing.layout().lanes());
+  return steps_of_order(2, bearing, allowed, kSlow).allowed[first] /
+         steps_of_order(2, bearing, allowed, 1.0).allowed[first];
+}
+
+TEST(SlowSteps, AreLongerWithSmallerErrors) {
+  const BearingModel model = reducer_model(true);
+  const VectorBearing bearing(model);
+  const Eigen::VectorXd allowed = allowed_errors(model, 2e-10);
+  EXPECT_DOUBLE_EQ(steps_of_order(2, bearing, allowed, kSlow).longest,
+                   kSlow * steps_of_order(2, bearing, allowed, 1.0).longest);
+  for (int group = 0; group < 5; ++group) EXPECT_NEAR(ratio(model, group), 1.0 / kSlow, 1e-12) << group;
+}
+
+TEST(SlowSteps, OfFullComplementsKeepTheErrorsOfRadialSpeeds) {
+  const BearingModel model = reducer_model(false);
+  for (int group = 0; group < 5; ++group)
+    EXPECT_NEAR(ratio(model, group), group == 2 ? 1.0 : 1.0 / kSlow, 1e-12) << group;
+}
+
+TEST(Slowness, IsTheSameOfABearingThatOthersDrive) {
+  const BearingModel model = reducer_model(true);
+  EXPECT_DOUBLE_EQ(slowness(model), slowness(model, model.kinematic_cage_speed));
+  EXPECT_DOUBLE_EQ(slowness(model, 0.01 * model.kinematic_cage_speed),
+                   slowness(model, -0.01 * model.kinematic_cage_speed));
+  EXPECT_GT(slowness(model, 0.01 * model.kinematic_cage_speed), 1.0);
+}
+
+TEST(FastestVibration, IsThatOfTheLightestPartOnTheStiffestSpring) {
+  using testing::HasSubstr;
+  BearingModel model = reducer_model(true);
+  model.pin_mass = 1e-9;
+  EXPECT_THAT(fastest_vibration(model), HasSubstr("the inner ring or pin (1e-09 kg) on support.stiffness"));
+  model.cage.mass = 1e-15;
+  EXPECT_THAT(fastest_vibration(model), HasSubstr("the cage (1e-15 kg) on bearing.cage.pocket_stiffness"));
+}
+
+}  // namespace
+}  // namespace orbearing::system::slow_steps_test
