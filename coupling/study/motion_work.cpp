@@ -97,7 +97,7 @@ void put_steps(const SetMotion& set, MotionWork& work) {
   const int order = system::order_of_steps(model, set.shaken);
   const bool damped = system::impacts_are_damped(model);
   const double slow = system::slowness(model);
-  work.longest_step = system::steps_of_order(order, bearing, allowed).longest;
+  work.longest_step = system::steps_of_order(order, bearing, allowed, slow).longest;
   if (order == 4)
     work.longest_step *= kOfOrder4 / slow;
   else if (order == 3)
@@ -148,6 +148,13 @@ void put_exchange(const SetMotion& set, MotionWork& work) {
   work.window_seconds = (kExchange * exchange.iteration.most_passes + kExchangeSteps * of_steps) / window;
 }
 
+// [m]  0 where the error is stated, not that of the load.
+double error_of_load(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                     const std::vector<BearingDuty>& duties) {
+  if (drivetrain.steady_state.load_error_share == 0.0) return 0.0;
+  return with_error_of_load(drivetrain, geometry, duties).steady_state.allowed_length_error;
+}
+
 MotionWork work_of(const NamedSet& named, Fidelity fidelity) {
   const PlanetaryDrivetrain& drivetrain = named.drivetrain;
   const std::vector<BearingDuty> duties = planet_duties(drivetrain, named.geometry);
@@ -166,6 +173,7 @@ MotionWork work_of(const NamedSet& named, Fidelity fidelity) {
       drivetrain.set.planets * drivetrain.bearings_per_planet};
   MotionWork work{.settling = model.layout.caged ? kCagedSettling : kUncagedSettling,
                   .turn = constants::two_pi / std::abs(cage),
+                  .load_error = error_of_load(drivetrain, named.geometry, duties),
                   .run_up = drivetrain.run_up.acceleration != 0.0 ? drivetrain.run_up.duration : 0.0};
   put_steps(set, work);
   if (fidelity == Fidelity::co_simulated) {
@@ -183,7 +191,8 @@ MotionWork work_of(const NamedSet& named, Fidelity fidelity) {
 }  // namespace
 
 double MotionWork::step(const MotionWindows& windows) const {
-  return std::min(longest_step, accurate_step * std::sqrt(windows.length_error / kUsualError));
+  return std::min(longest_step,
+                  accurate_step * std::sqrt(std::max(windows.length_error, load_error) / kUsualError));
 }
 
 // Runs before the last are broken off after a third of the observed revolutions, or observed to their end.

@@ -26,6 +26,7 @@ struct MotionWork {
   double turn = 0.0;            // [s]  of motion: a revolution of the cage
   double longest_step = 0.0;    // [s]
   double accurate_step = 0.0;   // [s]  that errors allow at the default length error
+  double load_error = 0.0;      // [m]  that the load allows where no length error is stated
   double step_seconds = 0.0;    // [s]  processor time of a step
   double window_seconds = 0.0;  // [s]  processor time of a second of motion besides, for exchanges
   double other_seconds = 0.0;   // [s]  processor time of all that is no step of bearings

@@ -40,8 +40,6 @@ DECLARED = (  # lines, of these of app, types and headers of later capabilities
     ("results over up to six inputs as a table with its error", 1_443, 765, 20, 3),
     ("steps of slow motion; sums over laminae with the same bits in all instruction sets", 75, 0, 1, 0),
     ("progress within a motion, its time before it starts, budgets of processor time", 870, 510, 8, 3),
-    ("errors of steps that follow the load, slow full complements, the fastest part as the reason of a motion without steps", 126, 11, 2, 0),
-    ("errors of steps that follow the load, slow full complements, the fastest part as the reason of a motion without steps", 133, 11, 2, 0),
     ("errors of steps that follow the load, slow full complements, the fastest part as the reason of a motion without steps", 140, 11, 2, 0),
 )
 LIMITS = {name: least + sum(row[1 + i] for row in DECLARED) for i, (name, least) in enumerate(BASE.items())}
