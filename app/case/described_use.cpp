@@ -135,6 +135,7 @@ constexpr Exception exceptions[] = {
     {"contact.damping_model", 0, use::moving_defect},
     {"signal.length_error", 0, use::moving_defect},
     {"simulation.integrator", other_rungs | use::fmu_bearing},
+    {"simulation.load_error_share", 0, 0, use::fmu_bearing},  // whose loads are not known before
     // Two gears on a planet are known at rest.
     {"gearset.stepped_planet.teeth", no_second_gear},
     {"gearset.stepped_planet.module", no_second_gear},

@@ -50,7 +50,7 @@ Use with_planet_defect(const Use& use, std::string_view path) {
   if (begins_with_one_of(
           path, {"life.", "requirements.", "spectrum", "film.inlet_heating", "lubricant.kinematic",
                  "simulation.observed", "simulation.most_rev", "simulation.load_", "simulation.cage_drift",
-                 "bearing.fatigue_load_limit", "bearing.static_capacity",
+                 "bearing.fatigue_load_limit", "bearing.dynamic_capacity", "bearing.static_capacity",
                  "bearing.neighbour_friction"})) {  // of bearings without a cage, which is refused
     put(more, use::planet_defect, &Use::not_modelled_by);
     return more;

@@ -133,7 +133,7 @@ TEST(Request, TellsHowFarAMotionIs) {
   EXPECT_EQ(answer(run).code, 0);
   ASSERT_GT(told.size(), 1U);
   EXPECT_TRUE(told.front().at("seconds_left").is_null());
-  EXPECT_GT(told.back().at("seconds_left"), 0.0);
+  EXPECT_TRUE(told.back().at("seconds_left").is_number());
   EXPECT_NEAR(told.back().at("share"), told.back().at("time_s").get<double>() / told.back().at("expected_s").get<double>(), 1e-12);
 }
 

@@ -82,7 +82,8 @@ TEST(MotionWork, RevolutionsAreShorterAtHigherSpeed) {
   const MotionWork slow = motion_work({reducer_at(speed)}, Fidelity::dynamic).front(),
                    fast = motion_work({reducer_at(2.0 * speed)}, Fidelity::dynamic).front();
   EXPECT_NEAR(slow.turn / fast.turn, 2.0, 1e-9);
-  EXPECT_GT(slow.seconds({}), 1.5 * fast.seconds({}));
+  const double ratio = slow.seconds({}) / fast.seconds({});  // of estimates, which no clock has
+  EXPECT_GT(ratio, 1.5);
 }
 
 }  // namespace
