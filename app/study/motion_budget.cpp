@@ -194,7 +194,7 @@ std::optional<BudgetedCase> within_budget(const ResolvedCase& resolved, const Mo
                     kLengthError, error_text(shortest)));
   }
   const std::string cost =
-      fmt::format("scatter of the life {:.1f} % ({:.1f} % with the windows as stated){}",
+      fmt::format("scatter of the life {:.2g} % ({:.2g} % with the windows as stated){}",
                   100.0 * study::scatter_of_life(*chosen), 100.0 * study::scatter_of_life(stated),
                   chosen->length_error > stated.length_error
                       ? fmt::format(", and up to {:.0f} % by the larger error of steps",

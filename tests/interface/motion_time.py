@@ -139,9 +139,9 @@ class Budget(unittest.TestCase):
         budget = ("--budget", "130 ms")
         said = self.sweep("small", *budget, "--jobs", "1").stderr
         found = re.match(r"^--budget 130 ms: simulation.observed_revolutions (\d) instead of 10 \(.* of processor time instead of .*\); scatter of the life ([\d.]+) %"
-                         r" \(0\.3 % with the windows as stated\)\n$", said)
+                         r" \(0\.27 % with the windows as stated\)\n$", said)
         self.assertTrue(found, said)
-        self.assertAlmostEqual(float(found[2]), 0.85 / int(found[1]) ** 0.5, delta=0.06)
+        self.assertAlmostEqual(float(found[2]), 0.85 / int(found[1]) ** 0.5, delta=0.006)
         text = resolved(self.place / "small")
         self.assertIn(f"observed_revolutions: {found[1]}\n", text)
         self.assertIn('  simulation.observed_revolutions: "chosen by --budget from the number of steps', text)
