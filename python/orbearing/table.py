@@ -23,7 +23,7 @@ class Answer(NamedTuple):
 
 
 class Table:
-    """A table of results: `Table("results/table").life_h(speed="6000 rpm", power=[100e3, 150e3])`.
+    """The table of a folder: `table = Table("results/table")`, `table.life_h(speed="6000 rpm")`.
 
     Each result is a method. Its arguments are the inputs by the last part of their path, or by the whole path with _ for
     each dot: numbers in SI, texts with units, or arrays of them, which are broadcast. An input that is left out has the value of
