@@ -421,7 +421,8 @@ Use with_roller_friction(const Use& use, std::string_view path) {
 }
 
 // Fields of unlike physics, of which each hangs on other choices.
-Use with_other_ways(const Use& use, std::string_view path) {
+Use with_other_ways(const Use& without, std::string_view path) {
+  const Use use = with_roller_friction(without, path);
   if (path == "traction.sliding_scale") return with_other_frictions(use);
   if (path == "traction.largest_barus_exponent")
     return use.when(where("traction.law", {"limiting-shear", "ree-eyring"}));
@@ -483,13 +484,11 @@ Use use_of(const described::Facts& facts) {
   const Use use = with_carrier(
       with_springs(with_held_members(with_rim(with_films, facts.path), facts.path), facts), facts.path);
   const described::Where only = only_where(facts);
-  if (only.path.empty()) return with_other_ways(with_roller_friction(use, facts.path), facts.path);
+  if (only.path.empty()) return with_other_ways(use, facts.path);
   const std::vector<std::string> paths = either_of(only.path);
   return with_other_ways(
-      with_roller_friction(
-          use.when(only.value.empty() ? where_given(paths)
-                                      : Condition{.paths = paths, .values = either_of(only.value)}),
-          facts.path),
+      use.when(only.value.empty() ? where_given(paths)
+                                  : Condition{.paths = paths, .values = either_of(only.value)}),
       facts.path);
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -157,8 +158,11 @@ double balanced_outlet(const HeatParameters& heat, double flow, const std::funct
     return temperature - outlet_temperature(heat, flow, power(temperature));
   };
   const double at_inlet = missed(heat.inlet), at_most = missed(kHottestOil);
-  if (!(at_most > 0.0))
-    throw std::domain_error("the oil leaves at more than 150 degC; required: more flow, or cooler oil");
+  if (!(at_most > 0.0)) {
+    std::ostringstream text;
+    text << "the oil leaves at more than " << kHottestOil << " degC; required: more flow, or cooler oil";
+    throw std::domain_error(text.str());
+  }
   if (!(at_inlet < 0.0)) return heat.inlet;
   std::uintmax_t steps = 100;
   const auto [below, above] =
