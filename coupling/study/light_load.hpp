@@ -9,14 +9,19 @@
 
 namespace orbearing::study {
 
+/// Of one bearing of each duty, at rest, where rollers are equal and no wave turns; none without a balance.
+using MeansAtRest = std::vector<std::optional<bearing::motion::WindowStatistics>>;
+MeansAtRest means_at_rest(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                          const std::vector<BearingDuty>& duties);
+
 /// Slip [-] by drag (bearing/motion/drag_slip.hpp) under the loads at rest; none where traction has no closed
 /// form, or the bearing at rest no balance.
 std::optional<double> slip_by_drag(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
-                                   const BearingDuty& duty);
+                                   const BearingDuty& duty,
+                                   const std::optional<bearing::motion::WindowStatistics>& at_rest);
 
 /// With the error of a step that follows the load: a share of the elastic approach of the most loaded roller
-/// at rest, on the planet where that is least. As given where that share is 0, or the bearing has no balance.
-PlanetaryDrivetrain with_error_of_load(PlanetaryDrivetrain drivetrain, const DrivetrainGeometry& geometry,
-                                       const std::vector<BearingDuty>& duties);
+/// at rest, on the planet where that is least. As given where that share is 0, or a bearing has no balance.
+PlanetaryDrivetrain with_error_of_load(PlanetaryDrivetrain drivetrain, const MeansAtRest& at_rest);
 
 }  // namespace orbearing::study

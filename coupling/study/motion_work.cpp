@@ -149,15 +149,15 @@ void put_exchange(const SetMotion& set, MotionWork& work) {
 }
 
 // [m]  0 where the error is stated, not that of the load.
-double error_of_load(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
-                     const std::vector<BearingDuty>& duties) {
+double error_of_load(const PlanetaryDrivetrain& drivetrain, const MeansAtRest& at_rest) {
   if (drivetrain.steady_state.load_error_share == 0.0) return 0.0;
-  return with_error_of_load(drivetrain, geometry, duties).steady_state.allowed_length_error;
+  return with_error_of_load(drivetrain, at_rest).steady_state.allowed_length_error;
 }
 
 MotionWork work_of(const NamedSet& named, Fidelity fidelity) {
   const PlanetaryDrivetrain& drivetrain = named.drivetrain;
   const std::vector<BearingDuty> duties = planet_duties(drivetrain, named.geometry);
+  const MeansAtRest at_rest = means_at_rest(drivetrain, named.geometry, duties);
   const BearingDuty& duty = duties.front();
   const BearingModel model =
       bearing_model(drivetrain.bearing, duty.point, bearing_dynamics(drivetrain, named.geometry));
@@ -166,14 +166,15 @@ MotionWork work_of(const NamedSet& named, Fidelity fidelity) {
   const bool gears = static_cast<bool>(drivetrain.gear_set);
   const bool coupled =
       fidelity != Fidelity::dynamic ||
-      moves_with_its_gears(drivetrain, slip_by_drag(drivetrain, named.geometry, duty).value_or(0.0));
+      moves_with_its_gears(drivetrain,
+                           slip_by_drag(drivetrain, named.geometry, duty, at_rest.front()).value_or(0.0));
   const SetMotion set{
       drivetrain, model, gears && drivetrain.mesh_variation,
       gears ? gearset::dynamics::operation_of(drivetrain.set, drivetrain.drive).mesh_frequency : 0.0,
       drivetrain.set.planets * drivetrain.bearings_per_planet};
   MotionWork work{.settling = model.layout.caged ? kCagedSettling : kUncagedSettling,
                   .turn = constants::two_pi / std::abs(cage),
-                  .load_error = error_of_load(drivetrain, named.geometry, duties),
+                  .load_error = error_of_load(drivetrain, at_rest),
                   .run_up = drivetrain.run_up.acceleration != 0.0 ? drivetrain.run_up.duration : 0.0};
   put_steps(set, work);
   if (fidelity == Fidelity::co_simulated) {

@@ -436,9 +436,11 @@ PointResult coupled_point(const PlanetaryDrivetrain& drivetrain, const Drivetrai
 
 // In time. Where the bore moves with its gears, they are solved together; where that cannot be followed, the
 // bearing is driven one way all the same.
-PointResult moving_point(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+PointResult moving_point(const PlanetaryDrivetrain& stated, const DrivetrainGeometry& geometry,
                          const std::vector<BearingDuty>& duties, Fidelity fidelity) {
-  const std::optional<double> slip = slip_by_drag(drivetrain, geometry, duties.front());
+  const MeansAtRest at_rest = means_at_rest(stated, geometry, duties);
+  const PlanetaryDrivetrain drivetrain = with_error_of_load(stated, at_rest);
+  const std::optional<double> slip = slip_by_drag(drivetrain, geometry, duties.front(), at_rest.front());
   const auto point = [&]() -> PointResult {
     if (fidelity != Fidelity::dynamic) return coupled_point(drivetrain, geometry, duties.front(), fidelity);
     if (moves_with_its_gears(drivetrain, slip.value_or(0.0))) try {
@@ -537,7 +539,7 @@ PointResult evaluate(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeom
       if (drivetrain.carrier_mounting) at_rest.carrier = carrier_revolution(drivetrain, geometry);
       return at_rest;
     }
-    return moving_point(with_error_of_load(drivetrain, geometry, duties), geometry, duties, fidelity);
+    return moving_point(drivetrain, geometry, duties, fidelity);
   };
   return completed(drivetrain, geometry, duties, point());
 }
@@ -574,7 +576,8 @@ PointResult evaluate_from(const PlanetaryDrivetrain& drivetrain, const Drivetrai
         "own; "
         "required: a stated tilt, or points that start from their quasi-static states");
   const BearingDuty duty = bearing_duty(drivetrain, geometry);
-  const PlanetaryDrivetrain following = with_error_of_load(drivetrain, geometry, {duty});
+  const PlanetaryDrivetrain following =
+      with_error_of_load(drivetrain, means_at_rest(drivetrain, geometry, {duty}));
   return completed(following, geometry, {duty},
                    driven_point(following, geometry, duty, motion_from(start, following, geometry, duty)));
 }
