@@ -434,13 +434,18 @@ class PageSteps:
                 if isinstance(value, float):
                     self.assert_same(float(row[key]), value, key)
 
+    def taken(self, name):
+        """A downloaded file. The browser reserves its name by an empty file, which the whole one replaces."""
+        file = self.folder / name
+        self.until(lambda: file.exists() and file.stat().st_size > 0, f"{name} is there")
+        return file
+
     def export(self, button, column):
         """Column of the CSV file that a button of the dialog saves."""
         self.find("#to-take").click()
-        file = self.folder / "wind-stage.csv"
-        file.unlink(missing_ok=True)
+        (self.folder / "wind-stage.csv").unlink(missing_ok=True)
         self.find(button).click()
-        self.until(file.exists, "the file is there")
+        file = self.taken("wind-stage.csv")
         self.find("#take .close").click()
         with file.open() as text:
             return [row[column] for row in csv.DictReader(text)]
@@ -594,14 +599,12 @@ class PageSteps:
         self.open_text(MOVING)
         self.find("#to-take").click()
         self.find("#take-case").click()
-        file = self.folder / "wind-stage.yaml"
-        self.until(file.exists, "the case file is there")
+        file = self.taken("wind-stage.yaml")
         self.assertEqual(file.read_text(), MOVING)
         self.assertEqual(self.find("#take-command").get_attribute("value"), "orbearing sweep wind-stage.yaml -o results")
         self.assertIn("case.sweep(fidelity=\"quasi-static\")", self.find("#take-python").get_attribute("value"))
         self.find("#take-json").click()
-        file = self.folder / "wind-stage.json"
-        self.until(file.exists, "the result is there")
+        file = self.taken("wind-stage.json")
         taken, expected = json.loads(file.read_text())["points"], self.answer("run", "--set", "input.speed=9000.0 rpm")["points"]
         self.assertEqual([[*point] for point in taken], [[*point] for point in expected])
         self.assert_same([*taken[0].values()], [*expected[0].values()])
@@ -674,8 +677,7 @@ class EngineA(PageSteps, unittest.TestCase):
         self.open_template("roller-bearing")
         self.find("#to-take").click()
         self.find("#take-pdf").click()
-        file = self.folder / "roller-bearing.pdf"
-        self.until(file.exists, "the PDF is there")
+        file = self.taken("roller-bearing.pdf")
         self.assertEqual(file.read_bytes()[:5], b"%PDF-")
         self.find("#take .close").click()
 
@@ -688,9 +690,7 @@ class EngineA(PageSteps, unittest.TestCase):
         for scope in ("point", "speeds"):
             Select(self.find("#take-scope")).select_by_value(scope)
             self.find("#take-report").click()
-            file = self.folder / "wind-stage.html"
-            self.until(file.exists, "the report is there")
-            self.until(lambda: not list(self.folder.glob("*.crdownload")), "the download ends")
+            file = self.taken("wind-stage.html")
             pages[scope] = file.read_text()
             file.unlink()
         self.find("#take .close").click()
