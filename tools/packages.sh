@@ -66,6 +66,7 @@ bench_packages='
 libbenchmark-dev: times of small kernels
 libsundials-dev: CVODE, the general-purpose integrator to compare with
 python3: runs of the program that are timed in turn
+python3-numpy: a table of results that is timed
 python3-venv: Exudyn, the multibody code to compare with, installed below the build folder
 '
 

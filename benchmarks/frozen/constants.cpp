@@ -1,6 +1,7 @@
 #include "benchmarks/frozen/constants.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <stdexcept>
 
@@ -90,16 +91,17 @@ Model constants_of(const bearing::motion::BearingModel& model) {
       .cage_drag = {model.cage_drag.coefficient}};
 }
 
-double largest_difference(const bearing::motion::BearingModel& model, const Eigen::VectorXd& x, int states) {
+Difference largest_difference(const bearing::motion::BearingModel& model, const Eigen::VectorXd& x,
+                              int states) {
   constexpr double kLength = 2e-6, kSpeed = 0.05, kRotating = 0.01;  // [m], [m/s], [-] of an angular speed
   const Equations frozen(constants_of(model));
   bearing::vectorised::VectorBearing today(model);
   const auto kinds = bearing::motion::variable_kinds(model.layout);
   std::mt19937 chance(1);
   std::uniform_real_distribution<double> some(-1.0, 1.0);
-  double largest = 0.0;
+  Difference largest;
   for (int i = 0; i < states; ++i) {
-    Eigen::VectorXd moved = x;
+    Eigen::VectorXd moved = x, rounded = x;
     for (Eigen::Index k = 0; k < x.size(); ++k) {
       using enum bearing::motion::VariableKind;
       const auto kind = kinds[static_cast<std::size_t>(k)];
@@ -107,18 +109,22 @@ double largest_difference(const bearing::motion::BearingModel& model, const Eige
                                   : kind == velocity      ? kSpeed
                                   : kind == angular_speed ? kRotating * std::abs(x[k])
                                                           : kLength / model.geometry.pitch_radius);
+      rounded[k] = std::nextafter(moved[k], std::copysign(INFINITY, some(chance)));
     }
-    Eigen::VectorXd then(x.size()), now(x.size());
+    Eigen::VectorXd then(x.size()), beside(x.size()), now(x.size());
     frozen.derivative(moved, then);
+    frozen.derivative(rounded, beside);
     today.derivative(0.0, moved, now);
     for (const auto kind : kinds) {
-      double difference = 0.0, size = 0.0;
+      double difference = 0.0, by_rounding = 0.0, size = 0.0;
       for (Eigen::Index k = 0; k < x.size(); ++k) {
         if (kinds[static_cast<std::size_t>(k)] != kind) continue;
         difference = std::max(difference, std::abs(then[k] - now[k]));
+        by_rounding = std::max(by_rounding, std::abs(then[k] - beside[k]));
         size = std::max(size, std::abs(now[k]));
       }
-      largest = std::max(largest, difference / size);
+      largest.of_rates = std::max(largest.of_rates, difference / size);
+      largest.by_rounding = std::max(largest.by_rounding, by_rounding / size);
     }
   }
   return largest;

@@ -10,9 +10,15 @@ namespace orbearing::bench::frozen {
 /// Throws std::invalid_argument where `model` has what the frozen equations leave out.
 Model constants_of(const bearing::motion::BearingModel& model);
 
-/// Largest difference of the frozen rates from those of the program's readable equations over `states`
-/// bearings moved at random about `x`, each rate over the largest of its kind. Round-off, or the ratios
-/// against the frozen equations compare different physics.
-double largest_difference(const bearing::motion::BearingModel& model, const Eigen::VectorXd& x, int states);
+/// Each over the largest rate of its kind.
+struct Difference {
+  double of_rates = 0.0;     // [-]  frozen ones from those of the program
+  double by_rounding = 0.0;  // [-]  frozen ones of states that differ in the last bit of each number
+};
+
+/// The largest over `states` bearings moved at random about `x`. Differences of rates beyond round-off mean
+/// that ratios against the frozen equations compare different physics.
+Difference largest_difference(const bearing::motion::BearingModel& model, const Eigen::VectorXd& x,
+                              int states);
 
 }  // namespace orbearing::bench::frozen
