@@ -145,16 +145,36 @@ struct RunAway : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+bool on_pins(const SetModel& model, double off) {
+  return off <= kRunAway * model.parameters.carrier.radius;
+}
+
+// [m]  of the planet that is furthest off its pin
+double most_off_pin(const SetModel& model, const Eigen::Ref<const Eigen::VectorXd>& x) {
+  double most = 0.0;
+  for (const gearset::dynamics::PlanetBearing& bearing : model.bearings)
+    most = std::max(most, bearing_deflection(bearing, x).norm());
+  return most;
+}
+
 void require_on_pins(const SetModel& model, double time, const Eigen::Ref<const Eigen::VectorXd>& x) {
-  const double most = kRunAway * model.parameters.carrier.radius;
-  for (const gearset::dynamics::PlanetBearing& bearing : model.bearings) {
-    const double off = bearing_deflection(bearing, x).norm();
-    if (off <= most) continue;
-    std::ostringstream text;
-    text << "a planet is " << 1e3 * off << " mm off its pin at t = " << time
-         << " s: the vibration grows without bound";
-    throw RunAway(text.str());
-  }
+  const double off = most_off_pin(model, x);
+  if (on_pins(model, off)) return;
+  std::ostringstream text;
+  text << "a planet is " << 1e3 * off << " mm off its pin at t = " << time
+       << " s: the vibration grows without bound";
+  throw RunAway(text.str());
+}
+
+// Springs are those of small displacements: there is no motion about a state far from the pins.
+void require_on_pins_at_rest(const SetModel& model, const Eigen::VectorXd& start) {
+  const double off = most_off_pin(model, start);
+  if (on_pins(model, off)) return;
+  std::ostringstream text;
+  text << "a planet is " << 1e3 * off << " mm off its pin under the load at rest, more than "
+       << 100.0 * kRunAway << " % of the centre distance: pins or bearings are too soft for the load "
+       << "(support.stiffness, gearset.dynamics.planet.bearing_stiffness)";
+  throw RunAway(text.str());
 }
 
 // The run in progress: state, time, budget.
@@ -370,6 +390,7 @@ GearRunResult run_gears_from(const Eigen::VectorXd& start, const SetModel& model
   GearRun run(model, options, result);
   GearSignals observed(model.layout.planets, options.harmonics);
   try {
+    require_on_pins_at_rest(model, start);
     if (run.run_up() && settle(run, model, options, result)) {
       run.observe(options.observed_periods, observed, &result.series);
       result.planets = observed.statistics();

@@ -217,7 +217,14 @@ TEST(GearsThatRunAway, AreGivenUpWithTheReason) {
   options.integration.most_steps = 100'000;  // a run that is not given up uses all of them, and says so
   const study::GearRunResult run = study::run_gears(model, options);
   EXPECT_FALSE(run.completed);
-  EXPECT_THAT(run.message, testing::HasSubstr("off its pin"));
+  EXPECT_THAT(run.message, testing::HasSubstr("grows without bound"));
+}
+
+TEST(GearsOnSoftPins, HaveNoMotionAboutTheirRest) {
+  const study::GearRunResult run = study::run_gears(model_on(law(1e3, 0.0, 0.0)), {});
+  EXPECT_FALSE(run.completed);
+  EXPECT_EQ(run.report.steps, 0);
+  EXPECT_THAT(run.message, testing::HasSubstr("off its pin under the load at rest"));
 }
 
 }  // namespace
