@@ -51,7 +51,8 @@ void describe_factors(Record& record, const bearing::rating::RatingLives& lives)
   record.value("a_1", dimension::ratio, "for reliability", lives.reliability_factor);
   record.value("a_ISO", dimension::ratio, "life modification factor", lives.life_modification);
   if (!lives.oil) return;
-  record.value("kappa", dimension::ratio, "viscosity ratio", lives.oil->viscosity_ratio);
+  record.value("kappa", dimension::ratio, "viscosity ratio; a_ISO takes at most 4",
+               lives.oil->viscosity_ratio);
   record.value("e_C", dimension::ratio, "contamination factor", lives.oil->contamination_factor);
 }
 

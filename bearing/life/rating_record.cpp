@@ -45,7 +45,7 @@ void describe_loads(described::Record& record, const RatingLives& lives) {
 }
 
 void describe_factors(described::Record& record, const RatingLives& lives) {
-  add_entries(record, {{"kappa", dimension::ratio, "kappa", "viscosity ratio of ISO 281",
+  add_entries(record, {{"kappa", dimension::ratio, "kappa", "viscosity ratio; a_ISO takes at most 4",
                         lives.oil ? lives.oil->viscosity_ratio : kAbsent},
                        {"e_C", dimension::ratio, "e_C", "contamination factor of ISO 281",
                         lives.oil ? lives.oil->contamination_factor : kAbsent},
