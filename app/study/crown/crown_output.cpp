@@ -152,7 +152,10 @@ void describe_tolerance(Record& record, const CrownStudy& study) {
 void describe_recommended(Record& record, const CrownStudy& study) {
   const auto& [design, advice, duties] = study.recommended;
   record.value("profile", "kind", design.profile);
-  record.value("drop_um", dimension::small_length, "recommended", design.crown.drop);
+  record.value(
+      "drop_um", dimension::small_length,
+      "the one to take: pressures at the ends of the rollers count, unlike in the optimum by laminae",
+      design.crown.drop);
   record.value("least_drop_um", dimension::small_length, "of the band that keeps the life",
                advice.band.least);
   record.value("most_drop_um", dimension::small_length, "of that band", advice.band.most);
