@@ -117,7 +117,7 @@ double inlet_drag(const BearingNumbers& b, double radius, double speed, double l
   const double W = load / (modulus * radius * b.roller_length);
   const double M = W / std::sqrt(twice_U);
   const double L = b.oil.pressure_viscosity * modulus * std::pow(twice_U, 0.25);
-  const double rigid = 1.4909 * std::sqrt(M);
+  const double rigid = 1.4705 * std::sqrt(M);
   const double elastic = 2.2818 / (std::pow(M, 0.04543) * std::pow(L, 0.0923));
   const double group = 1.0 / std::cbrt(1.0 / std::pow(rigid, 3) + 1.0 / std::pow(elastic, 3));
   return modulus * radius * b.roller_length * std::pow(twice_U, 0.75) * group *

@@ -112,7 +112,7 @@ TEST(RollingResistance, ComputedFollowsItsInterpolation) {
   const double load = 1e4, twice_speed = 2.0 * 0.02 * 10.0 / (2e11 * 0.01);
   const double M = load / (2e11 * 0.01 * 0.01) / std::sqrt(twice_speed);
   const double L = 2e-8 * 2e11 * std::pow(twice_speed, 0.25);
-  const double rigid = 1.4909 * std::sqrt(M), elastic = 2.2818 * std::pow(M, -0.04543) * std::pow(L, -0.0923);
+  const double rigid = 1.4705 * std::sqrt(M), elastic = 2.2818 * std::pow(M, -0.04543) * std::pow(L, -0.0923);
   const double scale = 2e11 * 0.01 * 0.01 * std::pow(twice_speed, 0.75);
   const double both = scale * std::pow(std::pow(rigid, -3) + std::pow(elastic, -3), -1.0 / 3.0);
   EXPECT_NEAR(resistance(contact, load, 10.0, 10.0), both * std::sqrt(load / (load + 1.0)), 1e-12 * both);

@@ -273,13 +273,13 @@ double rigid_share(double begin) {
 }
 
 TEST(RollerFriction, InletsThatEndResistAsRigidCylindersDo) {
-  // F_0 = 1.4909 sqrt(2 eta u Q l) and h_0 = 4.896 eta u R l/Q make 12 eta u R l/(X F_0) of the begin.
+  // F_0 = 1.4705 sqrt(2 eta u Q l) and h_0 = 4.896 eta u R l/Q make 12 eta u R l/(X F_0) of the begin.
   for (const double begin : {2.5, 4.0, 7.0, 15.0, 60.0}) {
-    const double far = 12.0 / (begin * std::sqrt(2.0 * 4.896)) / (1.4909 * std::sqrt(2.0));
+    const double far = 12.0 / (begin * std::sqrt(2.0 * 4.896)) / (1.4705 * std::sqrt(2.0));
     const double exact = rigid_share(begin);
     EXPECT_NEAR(ended_inlet_share(far), exact, 0.12 * exact) << begin;
   }
-  EXPECT_NEAR(1.0 - rigid_share(60.0), 12.0 / (60.0 * std::sqrt(2.0 * 4.896)) / (1.4909 * std::sqrt(2.0)),
+  EXPECT_NEAR(1.0 - rigid_share(60.0), 12.0 / (60.0 * std::sqrt(2.0 * 4.896)) / (1.4705 * std::sqrt(2.0)),
               2e-3);
 }
 

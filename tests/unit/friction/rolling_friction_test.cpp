@@ -22,7 +22,7 @@ constexpr Lubricant kOil{.viscosity = 0.01, .pressure_viscosity = 1.5e-8};
 double resistance(double modulus, double radius, double length, double speed, double load) {
   const double u = kOil.viscosity * speed / (modulus * radius), w = load / (modulus * radius * length);
   const double m = w / std::sqrt(2.0 * u), l = kOil.pressure_viscosity * modulus * std::pow(2.0 * u, 0.25);
-  const double a = 1.4909 * std::sqrt(m), b = 2.2818 * std::pow(m, -0.04543) * std::pow(l, -0.0923);
+  const double a = 1.4705 * std::sqrt(m), b = 2.2818 * std::pow(m, -0.04543) * std::pow(l, -0.0923);
   return modulus * radius * length * std::pow(2.0 * u, 0.75) /
          std::cbrt(std::pow(a, -3.0) + std::pow(b, -3.0));
 }
