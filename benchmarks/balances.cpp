@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "bearing/equilibrium/static_bearing.hpp"
+#include "bearing/equilibrium/row_group.hpp"
 #include "bearing/film/reynolds/point.hpp"
 #include "benchmarks/clocks.hpp"
 #include "mechanics/constants.hpp"
@@ -29,8 +29,7 @@ double time_of(const Work& work, int count) {
 // Bearing 218 of [Harris2006] with 16 balls under a load in all its directions.
 double ball_balance() {
   using namespace bearing;
-  constexpr double kDegree = constants::degree,
-                   kRpm = constants::pi / 30.0;
+  constexpr double kDegree = constants::degree, kRpm = constants::pi / 30.0;
   const Bearing balls{.inner = {.osculation = 0.5232},
                       .outer = {.osculation = 0.5232},
                       .elements = Balls{.count = 16, .diameter = 22.23e-3, .contact_angle = 40.0 * kDegree},

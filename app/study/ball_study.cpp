@@ -11,7 +11,7 @@
 #include "app/study/static_study.hpp"
 #include "bearing/contact/point_contact.hpp"
 #include "bearing/equilibrium/balls.hpp"
-#include "bearing/equilibrium/static_bearing.hpp"
+#include "bearing/equilibrium/row_group.hpp"
 #include "bearing/friction/oil_supply.hpp"
 #include "bearing/geometry.hpp"
 #include "bearing/life/ball_capacity.hpp"

@@ -12,7 +12,7 @@
 #include "app/results/record_writers.hpp"
 #include "app/results/result_row.hpp"
 #include "app/units.hpp"
-#include "bearing/equilibrium/static_bearing.hpp"
+#include "bearing/equilibrium/row_group.hpp"
 
 namespace orbearing::app {
 

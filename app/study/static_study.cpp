@@ -14,7 +14,7 @@
 #include "bearing/equilibrium/balls.hpp"
 #include "bearing/equilibrium/ring_axes.hpp"
 #include "bearing/equilibrium/rollers.hpp"
-#include "bearing/equilibrium/static_bearing.hpp"
+#include "bearing/equilibrium/row_group.hpp"
 #include "bearing/life/lamina_life.hpp"
 #include "bearing/life/rating_lives.hpp"
 #include "bearing/life/reference_life.hpp"
@@ -501,7 +501,8 @@ std::optional<StaticSteps> static_steps(const bearing::Bearing& bearing, const r
                     .lateral_moment = state.lateral_moment,
                     .angle = equilibrium::element_angles(bearing),
                     .approach = Eigen::ArrayXd::Zero(bearing.element_count())};
-  std::visit(StepsOf{bearing, ratings, state, steps}, equilibrium::row_of(bearing));
+  const StepsOf put{bearing, ratings, state, steps};
+  bearing.has_rollers() ? put(equilibrium::RollerRow(bearing)) : put(equilibrium::BallRow(bearing));
   return steps;
 }
 

@@ -15,7 +15,7 @@
 #include "app/study/planetary_case.hpp"
 #include "app/study/static_study.hpp"
 #include "bearing/equilibrium/lamina_stiffness.hpp"
-#include "bearing/equilibrium/static_bearing.hpp"
+#include "bearing/equilibrium/row_group.hpp"
 
 namespace orbearing::app {
 

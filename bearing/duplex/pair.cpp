@@ -4,31 +4,28 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "bearing/equilibrium/row_group.hpp"
 #include "mechanics/checks.hpp"
 
 namespace orbearing::bearing::duplex {
 
-namespace {
-
-using equilibrium::RingImbalance;
 using equilibrium::RingLoad;
 using equilibrium::RingPosition;
 using equilibrium::RingState;
 
-}  // namespace
+namespace {
+
+// Towards which side both rows are pressed: +1 towards the first row's end of the shaft.
+struct Sides {
+  double first = 1.0;
+  double second = 1.0;
+};
 
 Sides sides_of(Arrangement arrangement) {
-  switch (arrangement) {
-    case Arrangement::face_to_face:
-      return {1.0, -1.0};
-    case Arrangement::back_to_back:
-      return {-1.0, 1.0};
-    case Arrangement::tandem:
-      break;
-  }
-  return {1.0, 1.0};
+  return {arrangement == Arrangement::back_to_back ? -1.0 : 1.0,
+          arrangement == Arrangement::face_to_face ? -1.0 : 1.0};
 }
+
+}  // namespace
 
 double approach_under(const Bearing& bearing, double preload) {
   mechanics::require(preload >= 0.0, "preload [N]", preload, "not negative");
@@ -40,48 +37,12 @@ double approach_under(const Bearing& bearing, double preload) {
   return state.axial;
 }
 
-PairRow::PairRow(const Pair& pair) : row_(pair.bearing), approach_(pair.approach) {
+std::vector<equilibrium::RowOnShaft> rows_of(const Pair& pair, const equilibrium::RowMotion& motion) {
   const Sides sides = sides_of(pair.arrangement);
-  first_ = equilibrium::motion_of_row(pair.levers.first, sides.first, lever(), lever());
-  second_ = equilibrium::motion_of_row(-pair.levers.second, sides.second, lever(), lever());
-}
-
-RingPosition PairRow::in_row(const Stiffness& motion, const RingPosition& position) const {
-  RingPosition own = motion * position;
-  own[2] += approach_;
-  return own;
-}
-
-void PairRow::add_forces(const RingPosition& position, RingImbalance& sum) const {
-  for (const Stiffness& motion : {first_, second_}) {
-    const RingImbalance one = equilibrium::row_forces(row_, in_row(motion, position));
-    sum.force += motion.transpose() * one.force;
-    sum.stiffness += motion.transpose() * one.stiffness * motion;
-    sum.scale += one.scale;
-  }
-}
-
-void PairRow::put_loads(const RingPosition& position, RingState& state) const {
-  RingState first, second;
-  row_.put_loads(in_row(first_, position), first);
-  row_.put_loads(in_row(second_, position), second);
-  const Eigen::Index balls = row_.count();
-  state.contact_load.resize(2 * balls);
-  state.contact_load << first.contact_load, second.contact_load;
-  state.contact_angle.resize(2 * balls);
-  state.contact_angle << first.contact_angle, second.contact_angle;
-  state.largest_pressure = std::max(first.largest_pressure, second.largest_pressure);
-}
-
-double PairRow::stored_energy(const RingPosition& position) const {
-  return row_.stored_energy(in_row(first_, position)) + row_.stored_energy(in_row(second_, position));
-}
-
-PairRow::RowStiffnesses PairRow::row_stiffnesses(const RingPosition& position) const {
-  const auto of = [&](const Stiffness& motion) {
-    return equilibrium::by_tilt(equilibrium::row_forces(row_, in_row(motion, position)).stiffness, lever());
+  const auto row = [&](double position, double side) {
+    return equilibrium::RowOnShaft{pair.bearing, motion, position, side, pair.approach};
   };
-  return {of(first_), of(second_)};
+  return {row(pair.levers.first, sides.first), row(-pair.levers.second, sides.second)};
 }
 
 namespace {
@@ -100,7 +61,8 @@ Pressed pressed(const Pair& pair, const RingLoad& load) {
   if (pair.arrangement == Arrangement::tandem) {
     found.start[2] = pair.approach;
     found.pair.approach = 0.0;
-    found.load.axial -= equilibrium::row_forces(PairRow(found.pair), found.start).force[2];
+    found.load.axial -=
+        equilibrium::row_forces(equilibrium::RowGroup(rows_of(found.pair)), found.start).force[2];
   }
   return found;
 }
@@ -110,33 +72,23 @@ Pressed pressed(const Pair& pair, const RingLoad& load) {
 RingState balance_pair_at_speed(const Pair& pair, const equilibrium::RowMotion& motion,
                                 const RingLoad& load) {
   const Pressed all = pressed(pair, load);
-  const Sides sides = sides_of(pair.arrangement);
-  const auto row = [&](double position, double side) {
-    return equilibrium::RowOnShaft{.bearing = pair.bearing,
-                                   .motion = motion,
-                                   .position = position,
-                                   .side = side,
-                                   .approach = all.pair.approach};
-  };
-  return equilibrium::balance_rows(
-      {row(pair.levers.first, sides.first), row(-pair.levers.second, sides.second)}, all.load);
+  return equilibrium::balance_rows(rows_of(all.pair, motion), all.load);
 }
 
 PairState balance_pair(const Pair& pair, const RingLoad& load) {
   const Pressed all = pressed(pair, load);
-  const PairRow row(all.pair);
-  PairState state{.ring = equilibrium::balance_ring(row, all.load, all.start), .rows = {}};
-  state.rows = row.row_stiffnesses(equilibrium::position_of(state.ring, row.lever()));
-  return state;
+  const equilibrium::RowGroup rows(rows_of(all.pair));
+  const RingState ring = equilibrium::balance_ring(rows, all.load, all.start);
+  return {ring, rows.row_stiffnesses(equilibrium::position_of(ring, rows.lever()))};
 }
 
-Stiffness pair_stiffness(const PairRow::RowStiffnesses& rows, Arrangement arrangement,
+Stiffness pair_stiffness(const std::vector<Stiffness>& rows, Arrangement arrangement,
                          const RowLevers& levers) {
   constexpr double by_angle = 1.0;
   const Sides sides = sides_of(arrangement);
   const Stiffness first = equilibrium::motion_of_row(levers.first, sides.first, by_angle, by_angle);
   const Stiffness second = equilibrium::motion_of_row(-levers.second, sides.second, by_angle, by_angle);
-  return first.transpose() * rows.first * first + second.transpose() * rows.second * second;
+  return first.transpose() * rows[0] * first + second.transpose() * rows[1] * second;
 }
 
 PressedRow pressed_row(const Bearing& bearing, double approach) {

@@ -4,17 +4,15 @@
 //          |<-- first lever --->|<-- second lever -->|     first row; x and y across
 //     -----+--------------------o--------------------+---> -z
 //
-// The outer rings stand. Each row is that of bearing/equilibrium/balls.hpp in coordinates of its own, whose z
-// points to where the row is pressed: of the shaft's motion (x, y, z, tilt in the plane of x and z, tilt in
-// that of y and z) a row at position p that is pressed towards s = +1 or -1 has
-//
-//     (1)  (x - p tilt, y - p tilt', s z + approach, s tilt, s tilt')
+// The outer rings stand. Both rows are those of bearing/equilibrium/row_group.hpp, Eq. (1), without a motion
+// of the balls where nothing else is said.
 #pragma once
 
 #include <Eigen/Core>
 
-#include "bearing/equilibrium/balls.hpp"
-#include "bearing/equilibrium/jones_balls.hpp"
+#include <vector>
+
+#include "bearing/equilibrium/row_group.hpp"
 #include "mechanics/described.hpp"
 
 namespace orbearing::bearing::duplex {
@@ -40,13 +38,6 @@ struct RowLevers {
   double second = 0.0;
 };
 
-/// Towards which side both rows are pressed: +1 towards the first row's end of the shaft.
-struct Sides {
-  double first = 1.0;
-  double second = 1.0;
-};
-Sides sides_of(Arrangement arrangement);
-
 /// What a pair is; `bearing` is either of both.
 struct Pair {
   Bearing bearing;
@@ -61,43 +52,17 @@ struct Pair {
 /// found.
 double approach_under(const Bearing& bearing, double preload);
 
-/// The row of both: the problem of equilibrium/ring_balance.hpp for the shaft.
-class PairRow {
- public:
-  explicit PairRow(const Pair& pair);
-
-  double lever() const { return row_.lever(); }
-  double reach(double load) const { return row_.reach(load) + approach_; }
-  void add_forces(const equilibrium::RingPosition& position, equilibrium::RingImbalance& sum) const;
-  /// Loads and angles of the first row's balls, then of the second's.
-  void put_loads(const equilibrium::RingPosition& position, equilibrium::RingState& state) const;
-  double stored_energy(const equilibrium::RingPosition& position) const;
-
-  /// Stiffness of both rows in coordinates of their own, Eq. (1).
-  struct RowStiffnesses {
-    Stiffness first;
-    Stiffness second;
-  };
-  RowStiffnesses row_stiffnesses(const equilibrium::RingPosition& position) const;
-
-  const equilibrium::BallRow& row() const { return row_; }
-
- private:
-  equilibrium::RingPosition in_row(const Stiffness& motion, const equilibrium::RingPosition& position) const;
-
-  equilibrium::BallRow row_;
-  double approach_;
-  Stiffness first_, second_;  // motion of the rows by that of the shaft, tilts at the lever
-};
+/// Both rows on the shaft.
+std::vector<equilibrium::RowOnShaft> rows_of(const Pair& pair, const equilibrium::RowMotion& motion = {});
 
 /// A pair in balance.
 struct PairState {
-  equilibrium::RingState ring;   // of the shaft against the outer rings; balls of the first row come first
-  PairRow::RowStiffnesses rows;  // where it balances
+  equilibrium::RingState ring;  // of the shaft against the outer rings; balls of the first row come first
+  std::vector<Stiffness> rows;  // (rows)  in coordinates of their own, where the shaft balances
 };
 
 /// Where the shaft balances under `load` beside the preload. Of a tandem the preload is a load of twice its
-/// approach_under along the shaft, which this function adds. Throws as PairRow does.
+/// approach_under along the shaft, which this function adds. Throws as RowGroup does.
 PairState balance_pair(const Pair& pair, const equilibrium::RingLoad& load = {});
 
 /// The same with the shaft turning: balls are thrown outward and held against their gyroscopic moments. Rows
@@ -106,7 +71,7 @@ equilibrium::RingState balance_pair_at_speed(const Pair& pair, const equilibrium
                                              const equilibrium::RingLoad& load = {});
 
 /// Stiffness of the shaft about its mass centre from that of its rows: Eq. (1) on both sides.
-Stiffness pair_stiffness(const PairRow::RowStiffnesses& rows, Arrangement arrangement,
+Stiffness pair_stiffness(const std::vector<Stiffness>& rows, Arrangement arrangement,
                          const RowLevers& levers);
 
 // Stiffness of a face-to-face pair by the linear formulas (9) to (14) of [FangDuplex], with the contact angle

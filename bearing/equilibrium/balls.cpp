@@ -102,13 +102,4 @@ void BallRow::put_loads(const RingPosition& position, RingState& state) const {
       std::max(point_pressure(inner_, most).pressure, point_pressure(outer_, most).pressure);
 }
 
-double BallRow::stored_energy(const RingPosition& position) const {
-  double energy = 0.0;
-  for (Eigen::Index j = 0; j < cosine_.size(); ++j) {
-    const double approach = position_of(j, position).approach;
-    if (approach > 0.0) energy += 0.4 * constant_ * std::pow(approach, 2.5);
-  }
-  return energy;
-}
-
 }  // namespace orbearing::bearing::equilibrium

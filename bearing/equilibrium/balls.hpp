@@ -21,7 +21,6 @@ class BallRow {
   double reach(double load) const;
   void add_forces(const RingPosition& position, RingImbalance& sum) const;
   void put_loads(const RingPosition& position, RingState& state) const;
-  double stored_energy(const RingPosition& position) const;
 
   double groove_distance() const { return groove_distance_; }  // [m]  of the centres, just touching: A
   double radial_distance() const { return radial_distance_; }  // [m]  concentric: A cos(alpha) - s/2

@@ -298,20 +298,18 @@ int JonesRow::beyond_grooves() const {
   }));
 }
 
-Eigen::VectorXd JonesRow::positions(const RingPosition& ring) const {
-  Eigen::VectorXd all(5 + 2 * geometry_.count());
-  all.head<5>() = ring;
+Eigen::VectorXd JonesRow::ball_positions() const {
+  Eigen::VectorXd all(2 * geometry_.count());
   for (Eigen::Index j = 0; j < geometry_.count(); ++j)
-    all.segment<2>(5 + 2 * j) = memory_[static_cast<std::size_t>(j)].position;
+    all.segment<2>(2 * j) = memory_[static_cast<std::size_t>(j)].position;
   return all;
 }
 
-RingPosition JonesRow::put_positions(const Eigen::VectorXd& all) {
-  const RingPosition ring = all.head<5>();
+void JonesRow::put_positions(const RingPosition& ring, const Eigen::VectorXd& balls) {
   for (Eigen::Index j = 0; j < geometry_.count(); ++j) {
     BallMemory& ball = memory_[static_cast<std::size_t>(j)];
     ball.grooves = grooves_at(j, ring);
-    ball.position = all.segment<2>(5 + 2 * j);
+    ball.position = balls.segment<2>(2 * j);
     BallForces at;
     at.of(*this, ball.position, ball);
     remember(at, ball);
@@ -319,20 +317,19 @@ RingPosition JonesRow::put_positions(const Eigen::VectorXd& all) {
   }
   known_ = ring;
   settled_ = true;
-  return ring;
 }
 
-mechanics::Imbalance<Eigen::Dynamic> JonesRow::all_forces(const Eigen::VectorXd& all) const {
-  const Eigen::Index size = all.size();
+mechanics::Imbalance<Eigen::Dynamic> JonesRow::all_forces(const RingPosition& ring,
+                                                          const Eigen::VectorXd& balls) const {
+  const Eigen::Index size = 5 + balls.size();
   mechanics::Imbalance<Eigen::Dynamic> sum{.force = Eigen::VectorXd::Zero(size),
                                            .stiffness = Eigen::MatrixXd::Zero(size, size)};
-  const RingPosition ring = all.head<5>();
   BallForces at;
   for (Eigen::Index j = 0; j < geometry_.count(); ++j) {
     const Eigen::Index row = 5 + 2 * j;
     BallMemory ball = memory_[static_cast<std::size_t>(j)];
     ball.grooves = grooves_at(j, ring);
-    at.of(*this, all.segment<2>(row), ball);
+    at.of(*this, balls.segment<2>(2 * j), ball);
     at.on_ring();
     const RingActs acts = acts_of(j);
     const auto grooves_by_ring = acts.leftCols<2>().transpose();

@@ -72,13 +72,13 @@ BallLaw<double> ball_law(const Bearing& bearing, const RowMotion& motion, const 
 
 class JonesRow {
  public:
-  static constexpr bool follows_motion = true;  // its forces have no energy
-
   /// Throws std::invalid_argument as BallRow does.
   JonesRow(const Bearing& bearing, const RowMotion& motion);
   /// The same, of a bearing whose row at rest is there.
   JonesRow(const Bearing& bearing, const RowMotion& motion, const BallRow& at_rest);
 
+  /// Whether its forces have no energy.
+  bool follows_motion() const { return !frozen_; }
   double lever() const { return geometry_.lever(); }
   double reach(double load) const;
   /// Of a ball's forces and moment on the coordinates of the ring.
@@ -104,12 +104,13 @@ class JonesRow {
   bool has_stiffness() const;
   /// Balls, where the loads were put, that are loaded where a groove stands upright and so has ended.
   int beyond_grooves() const;
-  /// Places of ring (5) and balls (2 each, from their outer groove centre) [m].
-  Eigen::VectorXd positions(const RingPosition& ring) const;
-  /// Takes such places over; returns that of the ring.
-  RingPosition put_positions(const Eigen::VectorXd& all);
-  /// Forces on all of them, without the outer load; their scale is the sum of the contact loads.
-  mechanics::Imbalance<Eigen::Dynamic> all_forces(const Eigen::VectorXd& all) const;
+  /// Positions of the balls (2 each, from their outer groove centre) [m].
+  Eigen::VectorXd ball_positions() const;
+  /// Takes such positions over, with that of the ring.
+  void put_positions(const RingPosition& ring, const Eigen::VectorXd& balls);
+  /// Forces on ring (5) and balls, without the outer load; their scale is the sum of the contact loads.
+  mechanics::Imbalance<Eigen::Dynamic> all_forces(const RingPosition& ring,
+                                                  const Eigen::VectorXd& balls) const;
 
   const BallRow& geometry() const { return geometry_; }
   const std::vector<JonesBall>& balls() const { return balls_; }  // where the loads were put

@@ -13,7 +13,6 @@
 #include <Eigen/Core>
 #include <optional>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 #include "bearing/parameters.hpp"
@@ -119,14 +118,12 @@ inline Eigen::ArrayXd element_angles(const Bearing& bearing) {
 /// What a row adds to the ring's balance: force [N] of the elements on the ring, its stiffness, and as scale
 /// the sum of the contact loads, however they cancel.
 ///
-/// A row whose forces follow its motion, and so have no energy, says `static constexpr bool follows_motion`;
-/// one whose balance is a start for another, how near it needs be: `static constexpr double near` [-]. A row
-/// is a type with
+/// A row is a type with
 ///     double lever() const;                                     // [m]  of the tilts
 ///     double reach(double load) const;                          // [m]  scale of the place under `load` [N]
-///     void add_forces(const RingPlace&, RingImbalance&) const;
-///     void put_loads(const RingPlace&, RingState&) const;       // all of the elements, and the pressure
-///     double stored_energy(const RingPlace&) const;             // [J]
+///     void add_forces(const RingPosition&, RingImbalance&) const;
+///     void put_loads(const RingPosition&, RingState&) const;    // all of the elements, and the pressure
+///     bool follows_motion() const;     // where its forces may follow its motion, and so have no energy
 template <class Row>
 RingImbalance row_forces(Row&& row, const RingPosition& position) {
   RingImbalance sum;
@@ -166,9 +163,11 @@ RingState state_at(Row&& row, const RingPosition& position) {
   return state;
 }
 
-/// The search begins at `start`; a tilt that is given stays.
+/// The search begins at `start`; a tilt that is given stays. `near` [-]: force that may remain of the loads,
+/// where the balance is a start for another; 0: round-off.
 template <class Row>
-RingState balance_ring(Row&& row, const RingLoad& load, const RingPosition& start = RingPosition::Zero()) {
+RingState balance_ring(Row&& row, const RingLoad& load, const RingPosition& start = RingPosition::Zero(),
+                       double near = 0.0) {
   const double lever = row.lever();
   const bool tilt_given = load.tilt.has_value();
   const RingPosition outer = outer_load(load, lever);
@@ -189,12 +188,13 @@ RingState balance_ring(Row&& row, const RingLoad& load, const RingPosition& star
   RingImbalance now;
   BalanceReport report;
   mechanics::SearchLimits limits{.reach = reach, .tolerance = 1e-13, .most_iterations = 300};
-  if constexpr (requires { std::remove_cvref_t<Row>::follows_motion; }) {
+  if (near > 0.0) limits.tolerance = limits.acceptable = near;
+  bool in_motion = false;
+  if constexpr (requires { row.follows_motion(); }) in_motion = row.follows_motion();
+  if (in_motion) {
     limits.most_iterations = 60;  // begins near its end, or not at all
     report = {mechanics::find_root<5>(imbalance_at, limits, position, now)};
   } else {
-    if constexpr (requires { std::remove_cvref_t<Row>::near; })
-      limits.tolerance = limits.acceptable = std::remove_cvref_t<Row>::near;
     report = {mechanics::find_balance<5>(imbalance_at, limits, position, now)};
   }
   if (!report.converged) report.message = "the ring found no static equilibrium on its rolling elements";

@@ -94,13 +94,4 @@ void RollerRow::put_loads(const RingPosition& position, RingState& state) const 
   state.largest_pressure = hertz_pressure(state.lamina_load.maxCoeff(), sharpest_radius_, lamina, material_);
 }
 
-double RollerRow::stored_energy(const RingPosition& position) const {
-  double energy = 0.0;
-  for (Eigen::Index j = 0; j < cosine_.size(); ++j) {
-    const Eigen::Vector2d at = coordinates(j, position);
-    energy += contact_.energy(at[0], at[1]);
-  }
-  return energy;
-}
-
 }  // namespace orbearing::bearing::equilibrium

@@ -23,17 +23,15 @@ class RollerRow {
   double reach(double load) const;
   void add_forces(const RingPosition& position, RingImbalance& sum) const;
   void put_loads(const RingPosition& position, RingState& state) const;
-  double stored_energy(const RingPosition& position) const;
 
   /// Both contacts of a roller as one.
   const laminae::LaminaContact& contact() const { return contact_; }
-  /// Of ring and ring at one roller, less the clearance: approach in the middle, and by how much more they approach
-  /// at z = l/2 [m]; and how both follow the place of the ring.
+  /// Of ring and ring at one roller, less the clearance: approach in the middle, and by how much more they
+  /// approach at z = l/2 [m]; and how both follow the place of the ring.
   Eigen::Vector2d coordinates(Eigen::Index roller, const RingPosition& position) const;
   Eigen::Matrix<double, 5, 2> moves(Eigen::Index roller) const;
 
  private:
-
   Material material_;
   double sharpest_radius_;          // [m]  equivalent, on the inner race: D (1 - gamma)/2
   laminae::LaminaContact contact_;  // c_L in all, drops of both contacts

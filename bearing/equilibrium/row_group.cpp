@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string>
 
 #include "mechanics/checks.hpp"
@@ -79,6 +80,7 @@ void RowGroup::put_loads(const RingPosition& position, RingState& state) const {
   for (Placed& one : rows_) {
     RingState own;
     std::visit([&](auto& row) { row.put_loads(one.in_row(position), own); }, one.row);
+    if (rows_.size() == 1) state.lamina_load = own.lamina_load;
     append(own.contact_load, state.contact_load);
     append(own.contact_angle, state.contact_angle);
     append(own.outer_load, state.outer_load);
@@ -96,55 +98,67 @@ void RowGroup::put_loads(const RingPosition& position, RingState& state) const {
   }
 }
 
+std::vector<Eigen::Matrix<double, 5, 5>> RowGroup::row_stiffnesses(const RingPosition& position) const {
+  std::vector<Eigen::Matrix<double, 5, 5>> all;
+  for (Placed& one : rows_)
+    all.push_back(std::visit(
+        [&](auto& row) { return by_tilt(row_forces(row, one.in_row(position)).stiffness, row.lever()); },
+        one.row));
+  return all;
+}
+
+std::vector<JonesRow*> RowGroup::rotating() const {
+  std::vector<JonesRow*> all;
+  for (Placed& one : rows_)
+    if (JonesRow* balls = one.rotating()) all.push_back(balls);
+  return all;
+}
+
+bool RowGroup::follows_motion() const {
+  const std::vector<JonesRow*> all = rotating();
+  return std::any_of(all.begin(), all.end(), std::mem_fn(&JonesRow::follows_motion));
+}
+
 bool RowGroup::settled() const {
-  return std::all_of(rows_.begin(), rows_.end(), [](Placed& one) {
-    const JonesRow* balls = one.rotating();
-    return !balls || balls->settled();
-  });
+  const std::vector<JonesRow*> all = rotating();
+  return std::all_of(all.begin(), all.end(), std::mem_fn(&JonesRow::settled));
+}
+
+bool RowGroup::has_stiffness() const {
+  const std::vector<JonesRow*> all = rotating();
+  return std::all_of(all.begin(), all.end(), std::mem_fn(&JonesRow::has_stiffness));
 }
 
 bool RowGroup::choose_control() {
   bool changed = false;
-  for (Placed& one : rows_)
-    if (JonesRow* balls = one.rotating()) changed = balls->choose_control() || changed;
+  for (JonesRow* balls : rotating()) changed = balls->choose_control() || changed;
   return changed;
 }
 
 void RowGroup::freeze(bool frozen) {
-  for (Placed& one : rows_)
-    if (JonesRow* balls = one.rotating()) balls->freeze(frozen);
+  for (JonesRow* balls : rotating()) balls->freeze(frozen);
 }
 
 void RowGroup::push_unlike(int path) {
-  for (Placed& one : rows_)
-    if (JonesRow* balls = one.rotating()) balls->push_unlike(path);
+  for (JonesRow* balls : rotating()) balls->push_unlike(path);
 }
 
 int RowGroup::beyond_grooves() const {
   int sum = 0;
-  for (Placed& one : rows_)
-    if (const JonesRow* balls = one.rotating()) sum += balls->beyond_grooves();
+  for (const JonesRow* balls : rotating()) sum += balls->beyond_grooves();
   return sum;
 }
 
-bool RowGroup::has_stiffness() const {
-  return std::all_of(rows_.begin(), rows_.end(), [](Placed& one) {
-    const JonesRow* balls = one.rotating();
-    return !balls || balls->has_stiffness();
-  });
-}
-
-// The shaft's place, then those of all balls that turn, row by row.
+// The shaft's position, then those of all balls that turn, row by row.
 Eigen::VectorXd RowGroup::positions(const RingPosition& shaft) const {
   Eigen::VectorXd all(positions_);
   all.head<5>() = shaft;
   Eigen::Index from = 5;
-  for (Placed& one : rows_)
-    if (const JonesRow* balls = one.rotating()) {
-      const Eigen::VectorXd own = balls->positions(one.in_row(shaft));
-      all.segment(from, own.size() - 5) = own.tail(own.size() - 5);
-      from += own.size() - 5;
-    }
+  for (const JonesRow* balls : rotating()) {
+    const Eigen::VectorXd own = balls->ball_positions();
+    all.segment(from, own.size()) = own;
+    from += own.size();
+  }
   return all;
 }
 
@@ -154,9 +168,7 @@ RingPosition RowGroup::put_positions(const Eigen::VectorXd& all) {
   for (Placed& one : rows_)
     if (JonesRow* balls = one.rotating()) {
       const Eigen::Index count = 2 * balls->geometry().count();
-      Eigen::VectorXd own(5 + count);
-      own << one.in_row(shaft), all.segment(from, count);
-      balls->put_positions(own);
+      balls->put_positions(one.in_row(shaft), all.segment(from, count));
       from += count;
     }
   return shaft;
@@ -172,9 +184,8 @@ mechanics::Imbalance<Eigen::Dynamic> RowGroup::all_forces(const Eigen::VectorXd&
     const auto back = one.motion.transpose();
     if (const JonesRow* balls = one.rotating()) {
       const Eigen::Index count = 2 * balls->geometry().count();
-      Eigen::VectorXd own(5 + count);
-      own << position, all.segment(from, count);
-      const mechanics::Imbalance<Eigen::Dynamic> forces = balls->all_forces(own);
+      const mechanics::Imbalance<Eigen::Dynamic> forces =
+          balls->all_forces(position, all.segment(from, count));
       sum.force.head<5>() += back * forces.force.head<5>();
       sum.force.segment(from, count) = forces.force.tail(count);
       sum.stiffness.topLeftCorner<5, 5>() += back * forces.stiffness.topLeftCorner<5, 5>() * one.motion;
@@ -196,30 +207,8 @@ mechanics::Imbalance<Eigen::Dynamic> RowGroup::all_forces(const Eigen::VectorXd&
 
 namespace {
 
-// A group whose forces have no energy.
-struct RotatingGroup {
-  static constexpr bool follows_motion = true;
-  const RowGroup& group;
-
-  double lever() const { return group.lever(); }
-  double reach(double load) const { return group.reach(load); }
-  void add_forces(const RingPosition& position, RingImbalance& sum) const { group.add_forces(position, sum); }
-  void put_loads(const RingPosition& position, RingState& state) const { group.put_loads(position, state); }
-};
-
-// A group while it is frozen: a search in a convex energy.
-struct FrozenGroup {
-  static constexpr double near = 1e-4;
-  const RowGroup& group;
-
-  double lever() const { return group.lever(); }
-  double reach(double load) const { return group.reach(load); }
-  void add_forces(const RingPosition& position, RingImbalance& sum) const { group.add_forces(position, sum); }
-  void put_loads(const RingPosition&, RingState&) const {}
-};
-
 RingState balance_with_inertia(const RowGroup& group, const RingLoad& load, const RingPosition& position) {
-  RingState state = balance_ring(RotatingGroup{group}, load, position);
+  RingState state = balance_ring(group, load, position);
   if (state.report.converged && !group.settled()) {
     state.report.converged = false;
     state.report.message = "a ball found no static equilibrium between its races";
@@ -265,8 +254,9 @@ struct AllForcesAt {
 // From the balance of the frozen rows, which is alone and found from any start, along the path on which the
 // motion comes in.
 RingState balance_along(RowGroup& group, const RingLoad& load, const RingPosition& start) {
+  constexpr double near = 1e-4;  // of the loads: a start for the path
   group.freeze(true);
-  const RingPosition frozen = position_of(balance_ring(FrozenGroup{group}, load, start), group.lever());
+  const RingPosition frozen = position_of(balance_ring(group, load, start, near), group.lever());
   RingState state;
   group.put_loads(frozen, state);
   const int lost_at_start = group.beyond_grooves();

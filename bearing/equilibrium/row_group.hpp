@@ -52,10 +52,13 @@ class RowGroup {
   double lever() const { return lever_; }
   double reach(double load) const;
   void add_forces(const RingPosition& position, RingImbalance& sum) const;
-  /// Loads and angles of the first row's elements, then of the second's and so on; no laminae.
+  /// Loads and angles of the first row's elements, then of the second's and so on; laminae of a single row.
   void put_loads(const RingPosition& position, RingState& state) const;
+  /// (rows)  by displacement and tilt in coordinates of their own.
+  std::vector<Eigen::Matrix<double, 5, 5>> row_stiffnesses(const RingPosition& position) const;
 
-  // Of moving_balls.hpp, of all rows whose balls turn.
+  // Of JonesRow, of all rows whose balls turn.
+  bool follows_motion() const;
   bool settled() const;
   bool choose_control();
   void freeze(bool frozen);
@@ -76,9 +79,10 @@ class RowGroup {
     RingPosition in_row(const RingPosition& position) const;
     JonesRow* rotating() { return std::get_if<JonesRow>(&row); }
   };
+  std::vector<JonesRow*> rotating() const;
 
   mutable std::vector<Placed> rows_;
-  double lever_ = 0.0;       // [m]
+  double lever_ = 0.0;          // [m]
   Eigen::Index positions_ = 5;  // of the shaft and of the balls that turn
 };
 
@@ -87,5 +91,13 @@ class RowGroup {
 /// in. A balance that presses balls beyond the ends of their grooves, or has no stiffness, is none; the
 /// report says so. Throws as RowGroup does.
 RingState balance_rows(const std::vector<RowOnShaft>& bearings, const RingLoad& load);
+
+/// The same of a single bearing, of rollers or balls.
+inline RingState balance_bearing(const Bearing& bearing, const RowMotion& motion, const RingLoad& load) {
+  return balance_rows({{bearing, motion}}, load);
+}
+inline RingState balance_bearing(const Bearing& bearing, const RingLoad& load) {
+  return balance_bearing(bearing, {}, load);
+}
 
 }  // namespace orbearing::bearing::equilibrium

@@ -5,7 +5,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 
-#include "bearing/equilibrium/static_bearing.hpp"
+#include "bearing/equilibrium/row_group.hpp"
 #include "bearing/geometry.hpp"
 #include "bearing/life/standard_life.hpp"
 #include "coupling/integration/rosenbrock2.hpp"

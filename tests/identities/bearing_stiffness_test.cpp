@@ -11,7 +11,7 @@
 
 #include "bearing/equilibrium/lamina_stiffness.hpp"
 #include "bearing/equilibrium/ring_axes.hpp"
-#include "bearing/equilibrium/static_bearing.hpp"
+#include "bearing/equilibrium/row_group.hpp"
 #include "bearing/profile/profile.hpp"
 #include "mechanics/constants.hpp"
 

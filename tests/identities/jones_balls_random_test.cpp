@@ -9,7 +9,6 @@
 #include <random>
 
 #include "bearing/equilibrium/row_group.hpp"
-#include "bearing/equilibrium/static_bearing.hpp"
 #include "bearing/geometry.hpp"
 #include "mechanics/constants.hpp"
 

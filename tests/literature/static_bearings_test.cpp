@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "bearing/equilibrium/static_bearing.hpp"
-#include "bearing/life/standard_life.hpp"
+#include "bearing/equilibrium/row_group.hpp"
+#include "bearing/life/rating_lives.hpp"
 #include "tests/unit/bearing/example_bearings.hpp"
 
 namespace orbearing::bearing::static_bearings_test {
@@ -19,8 +19,8 @@ using equilibrium::RingLoad;
 using equilibrium::RingState;
 
 constexpr double kPublishedLoad = 0.05;  // [N]  half a unit of the last digit given
-constexpr double kDisplacement = 4e-4;  // [um]  half a unit of the last of five or six digits
-constexpr double kLife = 1e-3;          // two programs' constants carry four digits
+constexpr double kDisplacement = 4e-4;   // [um]  half a unit of the last of five or six digits
+constexpr double kLife = 1e-3;           // two programs' constants carry four digits
 
 struct Row {
   std::string name;
@@ -73,9 +73,9 @@ TEST(StaticBearings, RollersAndBallsGoOneWay) {
 
     rating::StatedRatings stated;
     if (row.dynamic_capacity > 0.0) stated.dynamic_capacity = row.dynamic_capacity;
-    const rating::Ratings ratings = rating::ratings_of(row.bearing, stated);
     const rating::ElementLoads loads{state.contact_load, state.lamina_load};
-    const BearingLife life = rating::reference_life(row.bearing, ratings.contacts, loads, loads);
+    const BearingLife life =
+        rating::rating_lives(rating::bearing_rating(row.bearing, stated), {}, loads, loads).reference;
     EXPECT_GT(life.bearing, 0.0);
     if (row.life > 0.0) {
       EXPECT_NEAR(1e-6 * life.bearing / row.life, 1.0, kLife);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bearing/equilibrium/static_bearing.hpp"
+#include "bearing/equilibrium/row_group.hpp"
 #include "bearing/geometry.hpp"
 #include "bearing/motion/balls/bodies.hpp"
 #include "bearing/motion/balls/mixture.hpp"

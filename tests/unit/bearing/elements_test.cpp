@@ -9,7 +9,7 @@
 #include "bearing/equilibrium/aligned_pitch.hpp"
 #include "bearing/equilibrium/lamina_bearing.hpp"
 #include "bearing/equilibrium/quasi_static.hpp"
-#include "bearing/equilibrium/static_bearing.hpp"
+#include "bearing/equilibrium/row_group.hpp"
 #include "bearing/geometry.hpp"
 #include "bearing/life/ball_capacity.hpp"
 #include "bearing/life/lundberg_palmgren.hpp"

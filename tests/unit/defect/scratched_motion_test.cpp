@@ -4,7 +4,7 @@
 
 #include "bearing/contact/line_contact.hpp"
 #include "bearing/defect/scratched_bearing.hpp"
-#include "bearing/equilibrium/static_bearing.hpp"
+#include "bearing/equilibrium/row_group.hpp"
 #include "tests/messages.hpp"
 #include "tests/unit/defect/scratched_bearings.hpp"
 

@@ -3,8 +3,7 @@
 // size are assumed.
 #include <gtest/gtest.h>
 
-
-#include "bearing/equilibrium/static_bearing.hpp"
+#include "bearing/equilibrium/row_group.hpp"
 #include "mechanics/constants.hpp"
 
 namespace orbearing::bearing::equilibrium::ball_film_test {

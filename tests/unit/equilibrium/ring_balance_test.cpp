@@ -1,4 +1,4 @@
-// Forces of static bearings are slopes of their energy; balances hold for any load.
+// Forces of static bearings have an energy; balances hold for any load.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -34,30 +34,30 @@ Bearing balls(double contact_angle, double clearance) {
           .radial_clearance = clearance};
 }
 
-// Central differences of the energy; the contacts' laws leave an error of step^2 beside their curvature.
+// The stiffness is the slope of the forces, by central differences, whose error is that of step^2 beside the
+// curvature of the contacts' laws; and it is symmetric, so that the forces have an energy.
 template <class Row>
 void expect_slopes(const Row& row, const RingPosition& position) {
   constexpr double step = 1e-3 * kMicrometre;
-  constexpr double truncation = 1e-5;
+  constexpr double truncation = 1e-5, round_off = 1e-14;
   const RingImbalance now = row_forces(row, position);
+  EXPECT_LT((now.stiffness - now.stiffness.transpose()).norm(), round_off * now.stiffness.norm());
   for (int i = 0; i < 5; ++i) {
     const RingPosition change = RingPosition::Unit(i) * step;
-    EXPECT_NEAR((row.stored_energy(position - change) - row.stored_energy(position + change)) / (2.0 * step),
-                now.force[i], truncation * now.force.norm());
     const RingPosition slope =
         (row_forces(row, position - change).force - row_forces(row, position + change).force) / (2.0 * step);
     EXPECT_LT((slope - now.stiffness.col(i)).norm(), truncation * now.stiffness.norm());
   }
 }
 
-TEST(StaticRollers, ForcesAreSlopesOfTheEnergy) {
+TEST(StaticRollers, ForcesHaveAnEnergy) {
   const RingPosition position = (RingPosition() << 15.0, -4.0, 2.0, 3.0, 2.0).finished() * kMicrometre;
   Bearing bearing = rollers();
   bearing.first_element = 0.2;
   expect_slopes(RollerRow(bearing), position);
 }
 
-TEST(StaticBalls, ForcesAreSlopesOfTheEnergy) {
+TEST(StaticBalls, ForcesHaveAnEnergy) {
   Bearing bearing = balls(0.3, 0.0);
   bearing.first_element = 0.2;
   const RingPosition position = (RingPosition() << 12.0, -5.0, 30.0, 14.0, -9.0).finished() * kMicrometre;

@@ -7,7 +7,6 @@
 #include <string>
 
 #include "bearing/duplex/shaft.hpp"
-#include "bearing/equilibrium/static_bearing.hpp"
 #include "mechanics/constants.hpp"
 
 namespace orbearing::bearing::equilibrium::row_group_test {

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "bearing/equilibrium/static_bearing.hpp"
+#include "bearing/equilibrium/row_group.hpp"
 #include "bearing/geometry.hpp"
 #include "bearing/motion/balls/ball_bearing.hpp"
 #include "tests/unit/bearing/example_bearings.hpp"
