@@ -98,23 +98,6 @@ RollerBalance InclinedContacts::balance(double inertial_load, double approach) c
   return both;
 }
 
-double InclinedContacts::energy(double inertial_load, double approach) const {
-  const RollerBalance both = balance(inertial_load, approach);
-  const double outer_load = cosine_ * both.outer_load, races = approach / cosine_;
-  const auto inner_approach = [&](double load) {
-    return lines_ ? lines_->inner.approach(load) : std::pow(load / inner_->constant, 2.0 / 3.0);
-  };
-  const auto outer_approach = [&](double load) {
-    return lines_ ? lines_->outer.approach(load) : std::pow(load / outer_->constant, 2.0 / 3.0);
-  };
-  const double inner = inner_approach(both.inner_load), outer = outer_approach(outer_load);
-  const double exponent = lines_ ? kLineExponent : 1.5;
-  const double elastic = (both.inner_load * inner + outer_load * outer) / (exponent + 1.0);
-  // How far the element has moved inward: until it rests on a race.
-  const double inward = both.inner_load > 0.0 ? inner : races - outer;
-  return elastic + inertial_load * inward;
-}
-
 double InclinedContacts::approach(double outer_load) const {
   if (!lines_) return std::pow(outer_load / in_series(*inner_, *outer_), 2.0 / 3.0);
   const double scaled = cosine_ * outer_load;
@@ -217,16 +200,14 @@ InclinedPlanet::Position InclinedPlanet::tilts(const InclinedRow& row, double an
 
 void InclinedPlanet::settle(const InclinedRow& row, double angle, const Position& position,
                             laminae::RollerState& state) const {
+  const double approach = row.approach - moves(row, angle).dot(position),
+               inertial_load = along_inner_normal(row, angle);
+  if (!row.cut) return laminae::put_whole(row.contacts.balance(inertial_load, approach), state);
   laminae::converge_roller(roller_of(row),
-                           {.approach = approach(row, moves(row, angle), position),
+                           {.approach = approach,
                             .outer_end_displacement = tilts(row, angle).dot(position),
-                            .inertial_load = along_inner_normal(row, angle)},
+                            .inertial_load = inertial_load},
                            state);
-}
-
-double InclinedPlanet::approach(const InclinedRow& row, const Position& moves,
-                                const Position& position) const {
-  return row.approach - moves.dot(position);
 }
 
 template <class Use>
@@ -242,42 +223,21 @@ mechanics::Imbalance<5> InclinedPlanet::forces(const Position& position, double 
   for_each(first_element, [&](std::size_t k, int, double angle) {
     const InclinedRow& row = rows_[k];
     const Position out = moves(row, angle);
-    if (row.cut) {
-      laminae::RollerState fresh;
-      laminae::RollerState& state = rollers ? (*rollers)[next++] : fresh;
-      settle(row, angle, position, state);
-      Eigen::Matrix<double, 5, 2> ways;
-      ways << out, tilts(row, angle);
-      sum.force += ways * Eigen::Vector2d(state.outer.load, state.outer.end_load);
-      sum.stiffness += ways * laminae::roller_stiffness(state) * ways.transpose();
-      sum.scale = std::max(sum.scale, state.outer.load);
+    laminae::RollerState fresh;
+    laminae::RollerState& state = rollers ? (*rollers)[next++] : fresh;
+    settle(row, angle, position, state);
+    sum.scale = std::max(sum.scale, state.outer.load);
+    if (!row.cut) {
+      sum.force += state.outer.load * out;
+      sum.stiffness += state.stiffness * out * out.transpose();
       return;
     }
-    const RollerBalance element =
-        row.contacts.balance(along_inner_normal(row, angle), approach(row, out, position));
-    sum.force += element.outer_load * out;
-    sum.stiffness += element.stiffness * out * out.transpose();
-    sum.scale = std::max(sum.scale, element.outer_load);
+    Eigen::Matrix<double, 5, 2> ways;
+    ways << out, tilts(row, angle);
+    sum.force += ways * Eigen::Vector2d(state.outer.load, state.outer.end_load);
+    sum.stiffness += ways * laminae::roller_stiffness(state) * ways.transpose();
   });
   return sum;
-}
-
-double InclinedPlanet::stored_energy(const Position& position, double first_element) const {
-  double energy = 0.0;
-  for_each(first_element, [&](std::size_t k, int, double angle) {
-    const InclinedRow& row = rows_[k];
-    const double inertial = along_inner_normal(row, angle);
-    if (!row.cut) {
-      energy += row.contacts.energy(inertial, approach(row, moves(row, angle), position));
-      return;
-    }
-    laminae::RollerState state;
-    settle(row, angle, position, state);
-    energy += row.cut->inner.energy(state.inner_approach(), state.inner_end_displacement) +
-              row.cut->outer.energy(state.outer_approach, state.outer_end_displacement) +
-              inertial * state.inner_approach();
-  });
-  return energy;
 }
 
 namespace {
@@ -315,13 +275,10 @@ InclinedState InclinedPlanet::balance(const PlanetLoad& load, double first_eleme
   outer << load.force, load.axial, load.moment / lever_;
   const Eigen::Array<bool, 5, 1> held(false, false, !axial_, !tilt_, !tilt_);
   InclinedState state;
-  if (rows_.front().cut) {
-    std::size_t all = 0;
-    for (const InclinedRow& row : rows_) all += static_cast<std::size_t>(row.count);
-    state.rollers.resize(all);
-  }
+  for (const InclinedRow& row : rows_)
+    state.rollers.resize(state.rollers.size() + static_cast<std::size_t>(row.count));
   const auto imbalance_at = [&](const Position& at) {
-    mechanics::Imbalance<5> sum = forces(at, first_element, state.rollers.empty() ? nullptr : &state.rollers);
+    mechanics::Imbalance<5> sum = forces(at, first_element, &state.rollers);
     sum.force += outer;
     sum.scale = std::max(sum.scale, outer.cwiseAbs().maxCoeff());
     mechanics::hold<5>(held, sum);
@@ -341,26 +298,16 @@ InclinedState InclinedPlanet::balance(const PlanetLoad& load, double first_eleme
   state.displacement = position.head<2>();
   state.axial = position[2];
   state.tilt = position.tail<2>() / lever_;
-  const Position arms(1.0, 1.0, 1.0, lever_, lever_);
-  state.stiffness = arms.asDiagonal() * now.stiffness * arms.asDiagonal();
+  state.stiffness = equilibrium::by_tilt(now.stiffness, lever_);
   for (const InclinedRow& row : rows_) {
     state.inner_load.emplace_back(Eigen::ArrayXd::Zero(row.count));
     state.outer_load.emplace_back(Eigen::ArrayXd::Zero(row.count));
   }
   std::size_t next = 0;
-  for_each(first_element, [&](std::size_t k, int j, double angle) {
-    const InclinedRow& row = rows_[k];
-    if (row.cut) {
-      laminae::RollerState& roller = state.rollers[next++];
-      settle(row, angle, position, roller);
-      state.inner_load[k][j] = roller.inner.load;
-      state.outer_load[k][j] = roller.outer.load;
-      return;
-    }
-    const RollerBalance element =
-        row.contacts.balance(along_inner_normal(row, angle), approach(row, moves(row, angle), position));
-    state.inner_load[k][j] = element.inner_load;
-    state.outer_load[k][j] = element.outer_load;
+  for_each(first_element, [&](std::size_t k, int j, double) {
+    const laminae::RollerState& roller = state.rollers[next++];
+    state.inner_load[k][j] = roller.inner.load;
+    state.outer_load[k][j] = roller.outer.load;
   });
   if (state.report.converged && !laminae::are_settled(state.rollers)) {
     state.report.converged = false;
@@ -409,7 +356,8 @@ void put_angle(const InclinedPlanet& planet, const InclinedState& state, Eigen::
       loads.radial +=
           part * outer * std::cos(row.contact_angle) * Eigen::Vector2d(std::cos(angle), std::sin(angle));
       loads.axial += part * outer * std::sin(row.contact_angle);
-      if (row.cut) put_laminae(row, state.rollers[next++], angle, part, column, loads);
+      const laminae::RollerState& roller = state.rollers[next++];
+      if (row.cut) put_laminae(row, roller, angle, part, column, loads);
     }
   }
 }

@@ -41,9 +41,6 @@ class InclinedContacts {
   /// Outer load, inner load and d(outer load)/d(approach). `inertial_load` [N] acts along the inner normal,
   /// outward positive. The rib of the inner ring holds tapered rollers along that ring's race.
   RollerBalance balance(double inertial_load, double approach) const;
-  /// Stored energy of both contacts and of the inertial load [J]; its slope by the approach is the outer
-  /// load.
-  double energy(double inertial_load, double approach) const;
   /// Approach [m] of an element without inertia at `outer_load` [N].
   double approach(double outer_load) const;
   double taper_cosine() const { return cosine_; }
@@ -103,7 +100,7 @@ struct InclinedState {
   double axial = 0.0;                                      // [m]
   Eigen::Vector2d tilt = Eigen::Vector2d::Zero();          // [rad]
   std::vector<Eigen::ArrayXd> inner_load, outer_load;      // [N]    (rows) (elements)
-  std::vector<laminae::RollerState> rollers;               // row by row; of cut contacts
+  std::vector<laminae::RollerState> rollers;               // row by row; of whole contacts loads alone
   /// By displacement (x, y, z) and tilt: [N/m], [N/rad], [N m/rad].
   Eigen::Matrix<double, 5, 5> stiffness = Eigen::Matrix<double, 5, 5>::Zero();
   SolverReport report;
@@ -128,17 +125,15 @@ class InclinedPlanet {
   InclinedState balance(const PlanetLoad& load, double first_element,
                         const InclinedState* near = nullptr) const;
 
-  /// Forces of the elements on the planet by its position, with their slopes. `rollers`: where those of cut
-  /// contacts stood before, one for each element of all rows or none.
+  /// Forces of the elements on the planet by its position, with their slopes. `rollers`: where they stood
+  /// before, and what they find.
   mechanics::Imbalance<5> forces(const Position& position, double first_element,
                                  std::vector<laminae::RollerState>* rollers = nullptr) const;
-  double stored_energy(const Position& position, double first_element) const;
 
   /// Inertial load of an element at `angle`, along the radius [N].
   double inertial_load(const InclinedRow& row, double angle) const;
 
  private:
-  double approach(const InclinedRow& row, const Position& moves, const Position& position) const;
   Position moves(const InclinedRow& row, double angle) const;
   Position tilts(const InclinedRow& row, double angle) const;
   void settle(const InclinedRow& row, double angle, const Position& position,

@@ -187,6 +187,13 @@ Eigen::Matrix2d roller_stiffness(const RollerState& roller) {
   return series;
 }
 
+void put_whole(const RollerBalance& whole, RollerState& state) {
+  state.inner.load = whole.inner_load;
+  state.outer.load = whole.outer_load;
+  state.stiffness = whole.stiffness;
+  state.settled = true;
+}
+
 void converge_roller(const TiltedRoller& roller, const RollerSetting& setting, RollerState& state) {
   const bool dry = roller.inner_film.cap() == 0.0 && roller.outer_film.cap() == 0.0;
   state.taper_cosine = roller.taper_cosine;

@@ -10,6 +10,7 @@
 
 #include "bearing/contact/lamina_contact.hpp"
 #include "bearing/contact/race_contact.hpp"
+#include "bearing/equilibrium/roller_balance.hpp"
 
 namespace orbearing::bearing::laminae {
 
@@ -62,6 +63,9 @@ inline Eigen::Matrix2d settling_stiffness(const RollerState& state) {
       state.inner.by_end_displacement + state.outer.by_end_displacement;
   return stiffness;
 }
+
+/// Loads and stiffness of a roller on whole contacts, all that these have of a state.
+void put_whole(const RollerBalance& whole, RollerState& state);
 
 /// Balance of forces and of moments about the middle: Q_o - Q_i = I, M_o = M_i; of a tapered roller Q_o times
 /// the cosine of its taper. Slopes follow from the
