@@ -33,32 +33,20 @@ double race_load_at(const BallSet& set, Race race, double pressure) {
                           pressure);
 }
 
-struct AxialFactor {
-  double relative_load;  // [N/mm^2]  F_a/(i Z D^2)
-  double limit;          // [-]  e: up to this F_a/F_r the axial load does not count
-  double axial;          // [-]  Y
+struct AxialRow {
+  double relative_load;      // [N/mm^2]  F_a/(i Z D^2)
+  AxialFactors at_0, at_15;  // of nominal angles [deg]
 };
 
-constexpr std::array<AxialFactor, 9> kDeepGroove{{{0.172, 0.19, 2.30},
-                                                  {0.345, 0.22, 1.99},
-                                                  {0.689, 0.26, 1.71},
-                                                  {1.03, 0.28, 1.55},
-                                                  {1.38, 0.30, 1.45},
-                                                  {2.07, 0.34, 1.31},
-                                                  {3.45, 0.38, 1.15},
-                                                  {5.17, 0.42, 1.04},
-                                                  {6.89, 0.44, 1.00}}};
-
-AxialFactor axial_factor(double relative_load) {
-  const double load =
-      std::clamp(relative_load, kDeepGroove.front().relative_load, kDeepGroove.back().relative_load);
-  std::size_t next = 1;
-  while (next + 1 < kDeepGroove.size() && kDeepGroove[next].relative_load < load) ++next;
-  const AxialFactor& low = kDeepGroove[next - 1];
-  const AxialFactor& high = kDeepGroove[next];
-  const double share = (load - low.relative_load) / (high.relative_load - low.relative_load);
-  return {load, std::lerp(low.limit, high.limit, share), std::lerp(low.axial, high.axial, share)};
-}
+constexpr std::array<AxialRow, 9> kAxialRows{{{0.172, {0.19, 2.30}, {0.38, 1.47}},
+                                              {0.345, {0.22, 1.99}, {0.40, 1.40}},
+                                              {0.689, {0.26, 1.71}, {0.43, 1.30}},
+                                              {1.03, {0.28, 1.55}, {0.46, 1.23}},
+                                              {1.38, {0.30, 1.45}, {0.47, 1.19}},
+                                              {2.07, {0.34, 1.31}, {0.50, 1.12}},
+                                              {3.45, {0.38, 1.15}, {0.55, 1.02}},
+                                              {5.17, {0.42, 1.04}, {0.56, 1.00}},
+                                              {6.89, {0.44, 1.00}, {0.56, 1.00}}}};
 
 }  // namespace
 
@@ -115,12 +103,24 @@ ContactCapacities contact_capacities(const BallSet& set, double dynamic_capacity
           .outer = share / 0.389 * std::pow(1.0 + 1.0 / ratio, kBothRaces)};
 }
 
-double deep_groove_equivalent_load(const BallSet& set, double radial, double axial) {
-  constexpr double radial_share = 0.56;                                           // X
+AxialFactors axial_factors(const BallSet& set, double axial) {
   const double area = kMillimetres * kMillimetres * set.diameter * set.diameter;  // [mm^2]
-  const AxialFactor factor = axial_factor(axial / (set.rows * set.balls * area));
-  const bool counts = axial > factor.limit * radial;
-  return counts ? std::max(radial, radial_share * radial + factor.axial * axial) : radial;
+  const double load = std::clamp(axial / (set.rows * set.balls * area), kAxialRows.front().relative_load,
+                                 kAxialRows.back().relative_load);
+  std::size_t next = 1;
+  while (next + 1 < kAxialRows.size() && kAxialRows[next].relative_load < load) ++next;
+  const AxialRow &low = kAxialRows[next - 1], &high = kAxialRows[next];
+  const double share = (load - low.relative_load) / (high.relative_load - low.relative_load);
+  const auto factors = set.contact_angle == 0.0 ? &AxialRow::at_0 : &AxialRow::at_15;
+  return {std::lerp((low.*factors).limit, (high.*factors).limit, share),
+          std::lerp((low.*factors).axial, (high.*factors).axial, share)};
+}
+
+double deep_groove_equivalent_load(const BallSet& set, double radial, double axial) {
+  constexpr double radial_share = 0.56;  // X
+  const AxialFactors factors = axial_factors(set, axial);
+  const bool counts = axial > factors.limit * radial;
+  return counts ? std::max(radial, radial_share * radial + factors.axial * axial) : radial;
 }
 
 namespace {
@@ -139,7 +139,7 @@ double life_by(double capacity, double load, double gamma, double balls, double 
 }  // namespace
 
 double life_of_balls(const Bearing& bearing, const ContactCapacities& capacities,
-                     const BallContactLoads& loads) {
+                     const EquivalentBallLoads& loads) {
   const Balls& balls = bearing.balls();
   const double gamma = geometry_of(bearing).slenderness, ratio = bearing.pitch_diameter / balls.diameter;
   const double count = balls.count;

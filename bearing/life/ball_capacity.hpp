@@ -13,6 +13,12 @@ struct ContactCapacities {
   double outer = 0.0;  // [N]
 };
 
+/// Equivalent loads [N] of the contacts of one ball with either race.
+struct EquivalentBallLoads {
+  double inner = 0.0;  // [N]
+  double outer = 0.0;  // [N]
+};
+
 /// One race turns relative to the load, the other stands.
 inline RaceMotions rotating(Race race) {
   if (race == Race::inner) return {};
@@ -57,21 +63,24 @@ double static_capacity(const BallSet& set);
 /// Capacities [N] of one ball on either race, of a bearing whose load rating is `dynamic_capacity` [N].
 ContactCapacities contact_capacities(const BallSet& set, double dynamic_capacity);
 
+/// Factors of [ISO281] that change with the axial load.
+struct AxialFactors {
+  double limit = 0.0;  // [-]  e: up to this F_a/F_r the axial load does not count
+  double axial = 0.0;  // [-]  Y
+};
+
+/// Under the axial load `axial` [N], linear over F_a/(i Z D^2), for nominal angles of 0 and of 15 degrees;
+/// beyond the table its end values hold.
+AxialFactors axial_factors(const BallSet& set, double axial);
+
 /// Dynamic equivalent radial load P_r [N] of a deep-groove ball bearing (nominal angle 0) under `radial` and
-/// `axial` [N], with the factors X and Y of [ISO281] interpolated linearly over F_a/(i Z D^2); beyond the
-/// table its end values hold.
+/// `axial` [N].
 double deep_groove_equivalent_load(const BallSet& set, double radial, double axial);
 
 // Fatigue of the balls themselves, which the ratings of bearings leave out, Eq. (35) of [Chen2026].
 
-/// Equivalent loads [N] of the contacts of one ball with either race, as it goes round: the ball turns
-/// through them, so their mean counts with the power 3.
-struct BallContactLoads {
-  double inner = 0.0;  // [N]
-  double outer = 0.0;  // [N]
-};
-
 /// Life [rev] of all balls together, in revolutions of one race relative to the other; infinite at no load.
+/// `loads`: a ball turns through them, so their mean counts with the power 3.
 ///
 /// A race and a ball of the same steel in one contact differ by the length of their track alone. By Lundberg
 /// and Palmgren's law, ln 1/S ~ N^e V, a ball bears (d_race/D)^(1/e) times the cycles N of the race, with
@@ -79,7 +88,7 @@ struct BallContactLoads {
 /// +- gamma) times; a ball turns (1 - gamma^2)/(2 gamma) times in each of them, N_j, and meets each race once
 /// in a turn. The track is taken to stay where it is on the ball: one that wanders lasts longer.
 double life_of_balls(const Bearing& bearing, const ContactCapacities& capacities,
-                     const BallContactLoads& loads);
+                     const EquivalentBallLoads& loads);
 
 /// Life of two parts of which neither may fail, by Weibull's product law for point contacts. Any unit.
 double life_of_both(double races, double balls);

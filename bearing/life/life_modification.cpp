@@ -63,10 +63,6 @@ double required_viscosity(double speed, double pitch_diameter) {
   return 1e-6 * mm2_per_s;
 }
 
-double viscosity_ratio(double viscosity, double required) {
-  return viscosity / required;
-}
-
 double fatigue_load_limit(RollingElement element, double static_capacity, double pitch_diameter) {
   const bool ball = element == RollingElement::ball;
   constexpr double large = 0.1;  // [m]
@@ -86,9 +82,9 @@ double contamination_factor(Lubrication lubrication, Cleanliness cleanliness, do
 }
 
 OilCondition oil_condition(const StatedOil& oil, double speed, double pitch_diameter) {
-  const double kappa = oil.viscosity_ratio ? *oil.viscosity_ratio
-                                           : viscosity_ratio(oil.kinematic_viscosity,
-                                                             required_viscosity(speed, pitch_diameter));
+  const double kappa = oil.viscosity_ratio
+                           ? *oil.viscosity_ratio
+                           : oil.kinematic_viscosity / required_viscosity(speed, pitch_diameter);
   return {kappa, oil.contamination_factor
                      ? *oil.contamination_factor
                      : contamination_factor(oil.lubrication, oil.cleanliness, kappa, pitch_diameter)};
@@ -99,7 +95,8 @@ double viscosity_ratio_of_film(double least_film, double roughness) {
 }
 
 double life_modification_factor(RollingElement element, double kappa, double fatigue_ratio) {
-  if (!(kappa >= kLeastViscosityRatio)) mechanics::refuse("viscosity ratio kappa", kappa, "at least 0.1, where a_ISO begins");
+  if (!(kappa >= kLeastViscosityRatio))
+    mechanics::refuse("viscosity ratio kappa", kappa, "at least 0.1, where a_ISO begins");
   if (!(fatigue_ratio >= 0.0)) mechanics::refuse("e_C C_u/P", fatigue_ratio, "at least 0");
   const double film = std::min(kappa, kLargestViscosityRatio);
   const FilmTerm term = film_term(element, film);

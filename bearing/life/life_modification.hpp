@@ -20,9 +20,6 @@ inline constexpr double kLargestLifeModification = 50.0;
 /// 2 % where they meet.) Throws std::invalid_argument at rest.
 double required_viscosity(double speed, double pitch_diameter);
 
-/// kappa [-]: kinematic viscosity of the oil at running temperature over the required one, both [m^2/s].
-double viscosity_ratio(double viscosity, double required);
-
 /// Fatigue load limit C_u [N] in the simplified form of [ISO281]: C_0/22 for balls, C_0/8.2 for rollers, less
 /// by (100 mm/d_m)^0.5 or ^0.3 above d_m = 100 mm. `static_capacity` [N], `pitch_diameter` [m].
 double fatigue_load_limit(RollingElement element, double static_capacity, double pitch_diameter);
@@ -37,13 +34,14 @@ enum class Cleanliness { highest, high, medium, low, lowest };
 
 /// Contamination factor e_C [-] for kappa [-] and d_m [m]: a (1 - c/d_m^(1/3)), a = min(b kappa^0.68
 /// d_m^0.55, 1), d_m in mm, of annex A of [ISO281]; kappa above 4 counts as 4. Coefficients b and c are from
-/// memory of the annex. Never negative; not a number where kappa is none. Throws std::invalid_argument for a level that the annex does not have.
+/// memory of the annex. Never negative; not a number where kappa is none. Throws std::invalid_argument for a
+/// level that the annex does not have.
 double contamination_factor(Lubrication lubrication, Cleanliness cleanliness, double kappa,
                             double pitch_diameter);
 
 /// What a_ISO needs beside the loads.
 struct OilCondition {
-  double viscosity_ratio = 0.0;       // [-]  kappa
+  double viscosity_ratio = 0.0;       // [-]  kappa: viscosity at running temperature over the required one
   double contamination_factor = 0.0;  // [-]  e_C
 };
 

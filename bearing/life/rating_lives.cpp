@@ -161,11 +161,4 @@ double hours_to_go_by(LifeMethod method, double lundberg_palmgren, const RatedHo
   return lundberg_palmgren;
 }
 
-double life_to_go_by(LifeMethod method, double lundberg_palmgren, const RatingLives& lives) {
-  return hours_to_go_by(
-      method, lundberg_palmgren,
-      {lives.basic, lives.reference.bearing, lives.modified, lives.modified_reference.bearing},
-      lives.oil.has_value());
-}
-
 }  // namespace orbearing::bearing::rating

@@ -109,12 +109,8 @@ RatedHours hours_of_equal(const RatedHours& one, int count, double slope);
 RatingLives rating_lives(const BearingRating& rating, const RatingCondition& condition,
                          const life::LaminaMeans& means);
 
-/// Equivalent loads of one ball over its positions [N]: exponent 3 on the race that rotates relative to the
-/// load, 10/3 on the stationary one.
-struct EquivalentBallLoads {
-  double inner = 0.0;  // [N]
-  double outer = 0.0;  // [N]
-};
+/// Of balls: equivalent loads over the positions, exponent 3 on the race that rotates relative to the load,
+/// 10/3 on the stationary one.
 RatingLives rating_lives(const BearingRating& rating, const RatingCondition& condition,
                          const EquivalentBallLoads& loads);
 
@@ -122,10 +118,8 @@ RatingLives rating_lives(const BearingRating& rating, const RatingCondition& con
 RatingLives rating_lives(const BearingRating& rating, const RatingCondition& condition,
                          const ElementLoads& inner, const ElementLoads& outer);
 
-/// The life by `method` [rev], from that of Lundberg and Palmgren and those of the standards; kNotRated where
+/// The life by `method` [h], from that of Lundberg and Palmgren and those of the standards; kNotRated where
 /// the oil is stated and kappa is below 0.1.
-double life_to_go_by(LifeMethod method, double lundberg_palmgren, const RatingLives& lives);
-/// The same in hours; `oil_is_stated` as in RatingLives.
 double hours_to_go_by(LifeMethod method, double lundberg_palmgren, const RatedHours& hours,
                       bool oil_is_stated);
 

@@ -27,8 +27,7 @@ Eigen::ArrayXXd loads_of_pressures(const Eigen::Ref<const Eigen::ArrayXXd>& pres
   const double side = race == Race::inner ? -gamma(set) : gamma(set);
   const double modulus = material.plane_strain_modulus();
   const double lamina = set.length / static_cast<double>(pressure.rows());  // [m]
-  return pressure.square() * constants::pi * set.diameter * (1.0 + side) * lamina /
-         modulus;
+  return pressure.square() * constants::pi * set.diameter * (1.0 + side) * lamina / modulus;
 }
 
 Eigen::ArrayXd equivalent_lamina_loads(const Eigen::Ref<const Eigen::ArrayXXd>& loads, RaceMotion motion) {
@@ -38,24 +37,6 @@ Eigen::ArrayXd equivalent_lamina_loads(const Eigen::Ref<const Eigen::ArrayXXd>& 
   return equivalent;
 }
 
-BearingLife lamina_reference_life(const ContactCapacities& capacities, const ByLamina& loads) {
-  const auto damage = [](double capacity, const Eigen::ArrayXd& equivalent) {
-    const double lamina = lamina_capacity(capacity, static_cast<int>(equivalent.size()));
-    return (equivalent / lamina).pow(life::line_contacts.damage_exponent()).sum();
-  };
-  return life::line_contacts.lives(damage(capacities.inner, loads.inner),
-                                   damage(capacities.outer, loads.outer));
-}
-
-BearingLife lamina_reference_life(const ContactCapacities& capacities,
-                                  const Eigen::Ref<const Eigen::ArrayXXd>& inner_loads,
-                                  const Eigen::Ref<const Eigen::ArrayXXd>& outer_loads,
-                                  const RaceMotions& motions) {
-  return lamina_reference_life(capacities,
-                               {equivalent_lamina_loads(with_stress_riser(inner_loads), motions.inner),
-                                equivalent_lamina_loads(with_stress_riser(outer_loads), motions.outer)});
-}
-
 double equivalent_ball_load(const Eigen::Ref<const Eigen::ArrayXd>& loads, RaceMotion motion) {
   return life::point_contacts.equivalent_load(loads, motion);
 }
@@ -63,14 +44,6 @@ double equivalent_ball_load(const Eigen::Ref<const Eigen::ArrayXd>& loads, RaceM
 BearingLife ball_reference_life(const ContactCapacities& capacities, double inner_load, double outer_load) {
   return life::point_contacts.lives(life::point_contacts.damage(inner_load, capacities.inner),
                                     life::point_contacts.damage(outer_load, capacities.outer));
-}
-
-BearingLife ball_reference_life(const ContactCapacities& capacities,
-                                const Eigen::Ref<const Eigen::ArrayXd>& inner_loads,
-                                const Eigen::Ref<const Eigen::ArrayXd>& outer_loads,
-                                const RaceMotions& motions) {
-  return ball_reference_life(capacities, equivalent_ball_load(inner_loads, motions.inner),
-                             equivalent_ball_load(outer_loads, motions.outer));
 }
 
 }  // namespace orbearing::bearing::rating

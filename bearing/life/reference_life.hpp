@@ -35,25 +35,10 @@ struct ByLamina {
   Eigen::ArrayXd inner, outer;  // (laminae)
 };
 
-/// L10r [rev] of races and bearing, for contact capacities [N] of a whole roller and equivalent loads [N]
-/// with the stress riser or pressures in them; infinite at no load.
-BearingLife lamina_reference_life(const ContactCapacities& capacities, const ByLamina& equivalent_loads);
-
-/// The same for lamina loads [N] (laminae, rollers) on both races, with the stress riser put on here.
-BearingLife lamina_reference_life(const ContactCapacities& capacities,
-                                  const Eigen::Ref<const Eigen::ArrayXXd>& inner_loads,
-                                  const Eigen::Ref<const Eigen::ArrayXXd>& outer_loads,
-                                  const RaceMotions& motions);
-
 /// Equivalent ball load [N]: power mean over all balls, exponent 3 (turning) or 10/3 (standing).
 double equivalent_ball_load(const Eigen::Ref<const Eigen::ArrayXd>& loads, RaceMotion motion);
 
 /// L10r [rev] of a ball bearing, for equivalent ball loads [N] of both races.
 BearingLife ball_reference_life(const ContactCapacities& capacities, double inner_load, double outer_load);
-/// For ball loads [N] (balls) on both races.
-BearingLife ball_reference_life(const ContactCapacities& capacities,
-                                const Eigen::Ref<const Eigen::ArrayXd>& inner_loads,
-                                const Eigen::Ref<const Eigen::ArrayXd>& outer_loads,
-                                const RaceMotions& motions);
 
 }  // namespace orbearing::bearing::rating

@@ -46,24 +46,6 @@ const AngularFactors* angular_factors(double contact_angle) {
   return found == kAngular.end() ? nullptr : &*found;
 }
 
-struct AxialFactors {
-  double limit;  // [-]  e
-  double axial;  // [-]  Y
-};
-
-// Linear over F_a/(i Z D^2); beyond the table its end values hold.
-AxialFactors axial_factors_at_15_degrees(const BallSet& set, double axial) {
-  constexpr std::array<double, 9> load{0.172, 0.345, 0.689, 1.03, 1.38, 2.07, 3.45, 5.17, 6.89};  // [N/mm^2]
-  constexpr std::array<double, 9> limit{0.38, 0.40, 0.43, 0.46, 0.47, 0.50, 0.55, 0.56, 0.56};
-  constexpr std::array<double, 9> share{1.47, 1.40, 1.30, 1.23, 1.19, 1.12, 1.02, 1.00, 1.00};
-  const double area = kMillimetres * kMillimetres * set.diameter * set.diameter;  // [mm^2]
-  const double at = std::clamp(axial / (set.rows * set.balls * area), load.front(), load.back());
-  std::size_t next = 1;
-  while (next + 1 < load.size() && load[next] < at) ++next;
-  const double part = (at - load[next - 1]) / (load[next] - load[next - 1]);
-  return {std::lerp(limit[next - 1], limit[next], part), std::lerp(share[next - 1], share[next], part)};
-}
-
 double factor_of(const RollerSet& set) {
   return roller_capacity_factor(gamma(set), set.reduction_factor);
 }
@@ -109,8 +91,8 @@ std::optional<double> equivalent_load(const Bearing& bearing, double radial, dou
   if (set.contact_angle == 0.0) return deep_groove_equivalent_load(set, radial, axial);
   const AngularFactors* factors = angular_factors(set.contact_angle);
   if (factors == nullptr) return std::nullopt;
-  const auto [limit, share] = factors->axial == 0.0 ? axial_factors_at_15_degrees(set, axial)
-                                                    : AxialFactors{factors->limit, factors->axial};
+  const auto [limit, share] =
+      factors->axial == 0.0 ? axial_factors(set, axial) : AxialFactors{factors->limit, factors->axial};
   return axial > limit * radial ? std::max(radial, factors->radial * radial + share * axial) : radial;
 }
 
@@ -121,13 +103,6 @@ std::optional<double> static_equivalent_load(const Bearing& bearing, double radi
   const AngularFactors* factors = angular_factors(bearing.contact_angle());
   if (factors == nullptr) return std::nullopt;
   return std::max(radial, angular_radial * radial + factors->static_axial * axial);
-}
-
-BearingLife reference_life(const Bearing& bearing, const ContactCapacities& capacities,
-                           const ElementLoads& inner, const ElementLoads& outer) {
-  if (bearing.has_rollers())
-    return lamina_reference_life(capacities, inner.laminae, outer.laminae, bearing.motions);
-  return ball_reference_life(capacities, inner.contact, outer.contact, bearing.motions);
 }
 
 }  // namespace orbearing::bearing::rating

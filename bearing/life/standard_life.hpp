@@ -1,5 +1,4 @@
-// Ratings and reference life of a bearing by the standards, of rollers or balls: one way from the bearing and
-// the loads of its elements to its life.
+// Ratings and equivalent loads of a bearing by the standards, of rollers or balls.
 #pragma once
 
 #include <Eigen/Core>
@@ -49,10 +48,5 @@ struct ElementLoads {
   Eigen::ArrayXd contact;   // (elements)
   Eigen::ArrayXXd laminae;  // (laminae, rollers); of balls none
 };
-
-/// L10r [rev] of races and bearing by [ISO16281], for contacts of `capacities` [N]: by the motion of each
-/// race relative to the load.
-BearingLife reference_life(const Bearing& bearing, const ContactCapacities& capacities,
-                           const ElementLoads& inner, const ElementLoads& outer);
 
 }  // namespace orbearing::bearing::rating

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bearing/equilibrium/rollers.hpp"
-#include "bearing/life/reference_life.hpp"
+#include "bearing/life/rating_lives.hpp"
 #include "tests/unit/bearing/example_bearings.hpp"
 
 namespace orbearing::bearing::equilibrium::harris_209_laminae_test {
@@ -48,10 +48,9 @@ double planet_life(int laminae) {
   planet.contact_law = ContactLaw::iso16281;
   const RingState state = balance_ring(RollerRow(planet), {.radial = 3000.0});
   EXPECT_TRUE(state.report.converged);
-  const rating::RollerSet set = rating::roller_set(planet);
-  return rating::lamina_reference_life(rating::contact_capacities(set, rating::dynamic_capacity(set)),
-                                       state.lamina_load, state.lamina_load, rating::rotating(Race::outer))
-      .bearing;
+  planet.motions = rating::rotating(Race::outer);
+  const rating::ElementLoads loads{state.contact_load, state.lamina_load};
+  return rating::rating_lives(rating::bearing_rating(planet), {}, loads, loads).reference.bearing;
 }
 
 // Recomputed by independent programs, in whole per cent.

@@ -58,13 +58,10 @@ Eigen::ArrayXXd loads_on(Race race, const CrownProblem& problem, const RollerPre
 double revolutions(const CrownProblem& problem, const RollerPressure& pressure, const Profile& profile,
                    const DutyLoads& loads, const bearing::RaceMotions& motions, int angles) {
   const rating::RollerSet set = rating::roller_set(problem.bearing);
-  const auto equivalent = [&](Race race, bearing::RaceMotion motion) {
-    return rating::equivalent_lamina_loads(loads_on(race, problem, pressure, profile, loads, angles), motion);
-  };
-  return rating::lamina_reference_life(
-             rating::contact_capacities(set, rating::dynamic_capacity(set)),
-             {equivalent(Race::inner, motions.inner), equivalent(Race::outer, motions.outer)})
-      .bearing;
+  const auto on = [&](Race race) { return loads_on(race, problem, pressure, profile, loads, angles); };
+  const auto capacities = rating::contact_capacities(set, rating::dynamic_capacity(set));
+  const auto laminae = bearing::life::lamina_rating(capacities, problem.bearing.rollers().laminae, motions);
+  return bearing::life::lamina_life(laminae, on(Race::inner), on(Race::outer)).bearing;
 }
 
 }  // namespace

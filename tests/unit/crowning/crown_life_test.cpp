@@ -32,10 +32,12 @@ TEST(CrownLife, OfTheStandardIsThatOfTheRatings) {
   const CrownProblem problem = problem_at(6000.0, LifeMeasure::iso16281);
   const Profile profile = bearing::profile::Iso16281{5.7e-3, 5.24e-3, 1.0};
   const auto loads = loads_at(problem, profile, Lean(1e-3, 0.0), 0);
-  const auto set = bearing::rating::roller_set(problem.bearing);
-  const auto expected = bearing::rating::lamina_reference_life(
-      bearing::rating::contact_capacities(set, bearing::rating::dynamic_capacity(set)),
-      loads.inner_lamina_load(), loads.outer_lamina_load(), bearing::rating::rotating(bearing::Race::outer));
+  bearing::Bearing turning = problem.bearing;
+  turning.motions = bearing::rating::rotating(bearing::Race::outer);
+  const bearing::BearingLife expected =
+      rating_lives(bearing::rating::bearing_rating(turning), {}, {{}, loads.inner_lamina_load()},
+                   {{}, loads.outer_lamina_load()})
+          .reference;
   const bearing::BearingLife ours =
       lamina_life(problem.ratings[0], loads.inner_lamina_load(), loads.outer_lamina_load());
   EXPECT_NEAR(ours.bearing, expected.bearing, kRoundOff * expected.bearing);

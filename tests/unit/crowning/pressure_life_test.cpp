@@ -34,23 +34,20 @@ TEST(PressureLife, OfADeepProfileIsThatOfItsLaminaeWithoutRiser) {
   const bearing::profile::Profile deep = bearing::profile::CircularCrown{5.7e-3, 12e-6};
   const auto loads = loads_at(problem, deep, Lean::Zero(), 0);
   const auto set = bearing::rating::roller_set(problem.bearing);
-  const bearing::RaceMotion inner = problem.ratings[0].motions.inner,
-                            outer = problem.ratings[0].motions.outer;
+  const auto rating = bearing::life::lamina_rating(
+      bearing::rating::contact_capacities(set, bearing::rating::dynamic_capacity(set)),
+      problem.bearing.rollers().laminae, problem.ratings[0].motions);
   const double revolutions =
-      bearing::rating::lamina_reference_life(
-          bearing::rating::contact_capacities(set, bearing::rating::dynamic_capacity(set)),
-          {bearing::rating::equivalent_lamina_loads(loads.inner_lamina_load(), inner),
-           bearing::rating::equivalent_lamina_loads(loads.outer_lamina_load(), outer)})
-          .bearing;
+      bearing::life::lamina_life(rating, loads.inner_lamina_load(), loads.outer_lamina_load()).bearing;
   const double expected =
       bearing::hours(revolutions, rotating_speed(problem.bearing, problem.duties[0].point));
   const double ours = pressure_life_hours(problem, pressure, deep, Lean::Zero());
   EXPECT_NEAR(std::pow(ours / expected, -1.0 / 9.0), 1.0, kPressure);
 }
 
-// Issue 44, item 4: the damage at a sharp end is that of a pressure averaged over one half-width, whatever the number of
-// laminae. The share of straight rollers is taken over a small crown near the best one, whose life hardly depends on its
-// drop.
+// Issue 44, item 4: the damage at a sharp end is that of a pressure averaged over one half-width, whatever
+// the number of laminae. The share of straight rollers is taken over a small crown near the best one, whose
+// life hardly depends on its drop.
 TEST(PressureLife, OfStraightRollersConvergesWithFinerLaminae) {
   constexpr double kConverged = 0.005;
   struct Speed {

@@ -198,16 +198,12 @@ TEST(RatingLives, WhereTheStandardsGiveNone) {
 }
 
 TEST(RatingLives, TheOneToGoBy) {
-  RatingLives lives{.basic = 1.0, .modified = 3.0};
-  lives.reference.bearing = 2.0;
-  lives.modified_reference.bearing = 4.0;
-  EXPECT_EQ(life_to_go_by(LifeMethod::lundberg_palmgren, 5.0, lives), 5.0);
-  EXPECT_EQ(life_to_go_by(LifeMethod::iso281, 5.0, lives), 1.0);
-  EXPECT_EQ(life_to_go_by(LifeMethod::iso16281, 5.0, lives), 2.0);
-  lives.oil = OilCondition{1.0, 0.5};
-  EXPECT_EQ(life_to_go_by(LifeMethod::lundberg_palmgren, 5.0, lives), 5.0);
-  EXPECT_EQ(life_to_go_by(LifeMethod::iso281, 5.0, lives), 3.0);
-  EXPECT_EQ(life_to_go_by(LifeMethod::iso16281, 5.0, lives), 4.0);
+  const RatedHours hours{.basic = 1.0, .reference = 2.0, .modified = 3.0, .modified_reference = 4.0};
+  for (const bool oil : {false, true}) {
+    EXPECT_EQ(hours_to_go_by(LifeMethod::lundberg_palmgren, 5.0, hours, oil), 5.0);
+    EXPECT_EQ(hours_to_go_by(LifeMethod::iso281, 5.0, hours, oil), oil ? 3.0 : 1.0);
+    EXPECT_EQ(hours_to_go_by(LifeMethod::iso16281, 5.0, hours, oil), oil ? 4.0 : 2.0);
+  }
 }
 
 TEST(StaticEquivalentLoad, IsNeverLessThanTheRadialLoad) {

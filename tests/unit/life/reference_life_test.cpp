@@ -6,13 +6,20 @@
 #include <limits>
 
 #include "bearing/contact/line_contact.hpp"
-#include "bearing/life/standard_life.hpp"
+#include "bearing/life/rating_lives.hpp"
 
 namespace orbearing::bearing::rating::reference_life_test {
 namespace {
 
 constexpr double kRoundOff = 1e-12;
 constexpr ContactCapacities kCapacities{.inner = 4000.0, .outer = 5000.0};
+
+// With the stress riser.
+BearingLife lamina_life(const ContactCapacities& capacities, const Eigen::ArrayXXd& inner,
+                        const Eigen::ArrayXXd& outer, const RaceMotions& motions) {
+  return life::lamina_life(life::lamina_rating(capacities, stress_riser(inner.rows()), motions), inner,
+                           outer);
+}
 
 TEST(StressRiser, LargestAtTheEndsOneInTheMiddleOfAnOddNumber) {
   const Eigen::ArrayXd even = stress_riser(40), odd = stress_riser(41);
@@ -37,7 +44,7 @@ TEST(EquivalentLaminaLoads, PowersByMotion) {
 // One lamina, evenly loaded: L = ((q/Q_i)^4.5 + (q/Q_o)^4.5)^(-8/9) million revolutions.
 TEST(ReferenceLife, OneLaminaByHand) {
   const Eigen::ArrayXXd loads = Eigen::ArrayXXd::Constant(1, 12, 500.0);
-  const BearingLife life = lamina_reference_life(kCapacities, loads, loads, rotating(Race::inner));
+  const BearingLife life = lamina_life(kCapacities, loads, loads, rotating(Race::inner));
   EXPECT_NEAR(life.inner, 1e6 * 4096.0, 1e6 * 4096.0 * kRoundOff);
   EXPECT_NEAR(life.outer, 1e10, 1e10 * kRoundOff);
   const double both = 1e6 * std::pow(std::pow(8.0, -4.5) + std::pow(10.0, -4.5), -8.0 / 9.0);
@@ -47,10 +54,10 @@ TEST(ReferenceLife, OneLaminaByHand) {
 TEST(ReferenceLife, HalfTheLoadLivesSixteenTimesAndNoneForever) {
   const Eigen::ArrayXXd loads = Eigen::ArrayXXd::Random(40, 15).abs() * 30.0;
   const RaceMotions motions = rotating(Race::outer);
-  const double life = lamina_reference_life(kCapacities, loads, loads, motions).bearing;
-  EXPECT_NEAR(lamina_reference_life(kCapacities, 0.5 * loads, 0.5 * loads, motions).bearing / life, 16.0,
+  const double life = lamina_life(kCapacities, loads, loads, motions).bearing;
+  EXPECT_NEAR(lamina_life(kCapacities, 0.5 * loads, 0.5 * loads, motions).bearing / life, 16.0,
               16.0 * kRoundOff);
-  EXPECT_EQ(lamina_reference_life(kCapacities, 0.0 * loads, 0.0 * loads, motions).bearing,
+  EXPECT_EQ(lamina_life(kCapacities, 0.0 * loads, 0.0 * loads, motions).bearing,
             std::numeric_limits<double>::infinity());
 }
 
@@ -58,10 +65,10 @@ TEST(ReferenceLife, HalfTheLoadLivesSixteenTimesAndNoneForever) {
 TEST(ReferenceLife, GoesByMotionAndNotByName) {
   const ContactCapacities alike{4000.0, 4000.0};
   const Eigen::ArrayXXd a = Eigen::ArrayXXd::Random(8, 15).abs(), b = Eigen::ArrayXXd::Random(8, 15).abs();
-  const BearingLife one = lamina_reference_life(alike, a, b, rotating(Race::inner));
-  const BearingLife other = lamina_reference_life(alike, b, a, rotating(Race::outer));
+  const BearingLife one = lamina_life(alike, a, b, rotating(Race::inner));
+  const BearingLife other = lamina_life(alike, b, a, rotating(Race::outer));
   EXPECT_NEAR(one.bearing / other.bearing, 1.0, kRoundOff);
-  EXPECT_NE(one.bearing, lamina_reference_life(alike, a, b, rotating(Race::outer)).bearing);
+  EXPECT_NE(one.bearing, lamina_life(alike, a, b, rotating(Race::outer)).bearing);
 }
 
 // The bearing says which race turns: 3 and 10/3 of balls, 4 and 4.5 of rollers change races, nothing else.
@@ -83,7 +90,7 @@ TEST(ReferenceLife, FollowsTheBearingsTurningRace) {
     of_balls.motions = of_rollers.motions = rotating(race);
     const ContactCapacities balls = ratings_of(of_balls).contacts, rollers = ratings_of(of_rollers).contacts;
     const ElementLoads on_inner{inner, inner.transpose()}, on_outer{outer, outer.transpose()};
-    const BearingLife ball_life = reference_life(of_balls, balls, on_inner, on_outer);
+    const BearingLife ball_life = rating_lives(bearing_rating(of_balls), {}, on_inner, on_outer).reference;
     const double rotating_ball = 3.0, stationary_ball = 10.0 / 3.0;
     const double expected_inner =
         life_of(balls.inner, mean(inner, inner_turns ? rotating_ball : stationary_ball), 3.0);
@@ -91,7 +98,8 @@ TEST(ReferenceLife, FollowsTheBearingsTurningRace) {
         life_of(balls.outer, mean(outer, inner_turns ? stationary_ball : rotating_ball), 3.0);
     EXPECT_NEAR(ball_life.inner / expected_inner, 1.0, kRoundOff);
     EXPECT_NEAR(ball_life.outer / expected_outer, 1.0, kRoundOff);
-    const BearingLife roller_life = reference_life(of_rollers, rollers, on_inner, on_outer);
+    const BearingLife roller_life =
+        rating_lives(bearing_rating(of_rollers), {}, on_inner, on_outer).reference;
     EXPECT_NEAR(roller_life.inner / life_of(rollers.inner, mean(inner, inner_turns ? 4.0 : 4.5), 4.0), 1.0,
                 kRoundOff);
     EXPECT_NEAR(roller_life.outer / life_of(rollers.outer, mean(outer, inner_turns ? 4.5 : 4.0), 4.0), 1.0,
@@ -121,7 +129,8 @@ TEST(LoadsOfPressures, HertzOfALineContactGivesTheLoadBack) {
 
 TEST(BallReferenceLife, OneLoadByHand) {
   const Eigen::ArrayXd loads = Eigen::ArrayXd::Constant(9, 500.0);
-  const BearingLife life = ball_reference_life(kCapacities, loads, loads, rotating(Race::inner));
+  const BearingLife life = ball_reference_life(kCapacities, equivalent_ball_load(loads, RaceMotion::rotating),
+                                               equivalent_ball_load(loads, RaceMotion::stationary));
   EXPECT_NEAR(life.inner, 512e6, 512e6 * kRoundOff);
   EXPECT_NEAR(life.outer, 1e9, 1e9 * kRoundOff);
   EXPECT_NEAR(life.bearing, 1e6 * std::pow(std::pow(512.0, -10.0 / 9.0) + std::pow(1e3, -10.0 / 9.0), -0.9),
