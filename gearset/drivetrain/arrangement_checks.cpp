@@ -25,26 +25,15 @@ Eigen::MatrixXd willis_matrix(const Arrangement& arrangement) {
   return weights;
 }
 
-std::vector<SpeedCondition> speed_conditions(const Arrangement& arrangement) {
-  std::vector<SpeedCondition> conditions;
-  for (std::size_t set = 0; set < arrangement.sets.size(); ++set)
-    conditions.push_back({SpeedCondition::Kind::willis, set});
+// Of all sets, then shaft by shaft of grounds and of shafts that have the port.
+std::vector<Origin> origins_of(const Arrangement& arrangement, bool Shaft::*port) {
+  std::vector<Origin> origins;
+  for (std::size_t set = 0; set < arrangement.sets.size(); ++set) origins.push_back({Origin::Kind::set, set});
   for (std::size_t shaft = 0; shaft < arrangement.shafts.size(); ++shaft) {
-    if (arrangement.shafts[shaft].ground) conditions.push_back({SpeedCondition::Kind::ground, shaft});
-    if (arrangement.shafts[shaft].motor) conditions.push_back({SpeedCondition::Kind::motor, shaft});
+    if (arrangement.shafts[shaft].ground) origins.push_back({Origin::Kind::ground, shaft});
+    if (arrangement.shafts[shaft].*port) origins.push_back({Origin::Kind::port, shaft});
   }
-  return conditions;
-}
-
-std::vector<TorqueUnknown> torque_unknowns(const Arrangement& arrangement) {
-  std::vector<TorqueUnknown> unknowns;
-  for (std::size_t set = 0; set < arrangement.sets.size(); ++set)
-    unknowns.push_back({TorqueUnknown::Kind::set, set});
-  for (std::size_t shaft = 0; shaft < arrangement.shafts.size(); ++shaft) {
-    if (arrangement.shafts[shaft].ground) unknowns.push_back({TorqueUnknown::Kind::ground, shaft});
-    if (arrangement.shafts[shaft].load) unknowns.push_back({TorqueUnknown::Kind::load, shaft});
-  }
-  return unknowns;
+  return origins;
 }
 
 }  // namespace
@@ -57,34 +46,32 @@ double willis_weight(const ArrangedSet& set, Member member) {
 }
 
 // Eqs. (26) and (27).
-SpeedSystem speed_system(const Arrangement& arrangement) {
-  SpeedSystem system;
-  system.conditions = speed_conditions(arrangement);
-  const Eigen::Index rows = as_index(system.conditions.size());
+ArrangementSystem speed_system(const Arrangement& arrangement) {
+  ArrangementSystem system{.matrix = {}, .right = {}, .origins = origins_of(arrangement, &Shaft::motor)};
+  const Eigen::Index rows = as_index(system.origins.size());
   const Eigen::Index sets = as_index(arrangement.sets.size());
   system.matrix = Eigen::MatrixXd::Zero(rows, as_index(arrangement.shafts.size()));
   system.right = Eigen::VectorXd::Zero(rows);
   system.matrix.topRows(sets) = willis_matrix(arrangement);
   for (Eigen::Index row = sets; row < rows; ++row) {
-    const SpeedCondition& condition = system.conditions[static_cast<std::size_t>(row)];
-    system.matrix(row, as_index(condition.index)) = 1.0;
-    if (condition.kind == SpeedCondition::Kind::motor) system.right(row) = 1.0;
+    const Origin& origin = system.origins[static_cast<std::size_t>(row)];
+    system.matrix(row, as_index(origin.index)) = 1.0;
+    if (origin.kind == Origin::Kind::port) system.right(row) = 1.0;
   }
   return system;
 }
 
 // Eqs. (28) and (29).
-TorqueSystem torque_system(const Arrangement& arrangement) {
-  TorqueSystem system;
-  system.unknowns = torque_unknowns(arrangement);
-  const Eigen::Index columns = as_index(system.unknowns.size());
+ArrangementSystem torque_system(const Arrangement& arrangement) {
+  ArrangementSystem system{.matrix = {}, .right = {}, .origins = origins_of(arrangement, &Shaft::load)};
+  const Eigen::Index columns = as_index(system.origins.size());
   const Eigen::Index sets = as_index(arrangement.sets.size());
   const Eigen::Index shafts = as_index(arrangement.shafts.size());
   system.matrix = Eigen::MatrixXd::Zero(shafts, columns);
   system.right = Eigen::VectorXd::Zero(shafts);
   system.matrix.leftCols(sets) = willis_matrix(arrangement).transpose();
   for (Eigen::Index column = sets; column < columns; ++column)
-    system.matrix(as_index(system.unknowns[static_cast<std::size_t>(column)].index), column) = -1.0;
+    system.matrix(as_index(system.origins[static_cast<std::size_t>(column)].index), column) = -1.0;
   for (Eigen::Index shaft = 0; shaft < shafts; ++shaft)
     if (arrangement.shafts[static_cast<std::size_t>(shaft)].motor) system.right(shaft) = 1.0;
   return system;
@@ -120,13 +107,13 @@ std::vector<Eigen::Index> without(const std::vector<Eigen::Index>& rows, std::si
   return fewer;
 }
 
-}  // namespace
-
+// Whether some x satisfies matrix * x = right. Entries are expected to be of order 1.
 bool is_consistent(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right) {
   return rank_of(with_column(matrix, right)) == rank_of(matrix);
 }
 
-// Deletion filter: a row without which the contradiction stays is not needed for it.
+// Rows that contradict each other and of which none can be left out without the contradiction going away;
+// none of a consistent system. Deletion filter: a row without which the contradiction stays is not needed.
 std::vector<Eigen::Index> minimal_conflict(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right) {
   if (is_consistent(matrix, right)) return {};
   std::vector<Eigen::Index> kept;
@@ -141,6 +128,7 @@ std::vector<Eigen::Index> minimal_conflict(const Eigen::MatrixXd& matrix, const 
   return kept;
 }
 
+// Unknowns that the equations do not fix: those in which some vector of the null space has a part.
 std::vector<Eigen::Index> undetermined_unknowns(const Eigen::MatrixXd& matrix) {
   const auto decomposition = ranked(matrix);
   if (decomposition.rank() == matrix.cols()) return {};
@@ -150,8 +138,6 @@ std::vector<Eigen::Index> undetermined_unknowns(const Eigen::MatrixXd& matrix) {
     if (null_space.row(i).norm() > rank_tolerance) unknowns.push_back(i);
   return unknowns;
 }
-
-namespace {
 
 using Problems = std::vector<ArrangementProblem>;
 using Shafts = std::vector<std::size_t>;
@@ -232,14 +218,15 @@ void add_members(const std::vector<SetMember>& more, std::vector<SetMember>& mem
 }
 
 // The shafts that ask for a speed are the culprits; the sets only pass it on.
-void check_speed_conflict(const Arrangement& arrangement, const SpeedSystem& system, Problems& problems) {
+void check_speed_conflict(const Arrangement& arrangement, const ArrangementSystem& system,
+                          Problems& problems) {
   ArrangementProblem problem;
   for (const Eigen::Index row : minimal_conflict(system.matrix, system.right)) {
-    const SpeedCondition& condition = system.conditions[static_cast<std::size_t>(row)];
-    if (condition.kind == SpeedCondition::Kind::willis)
-      add_members(members_of_set(condition.index), problem.members);
+    const Origin& origin = system.origins[static_cast<std::size_t>(row)];
+    if (origin.kind == Origin::Kind::set)
+      add_members(members_of_set(origin.index), problem.members);
     else
-      problem.shafts.push_back(condition.index);
+      problem.shafts.push_back(origin.index);
   }
   if (problem.shafts.empty()) return;
   // Grounds before the motor: a ground too many is the likelier slip.
@@ -252,7 +239,8 @@ void check_speed_conflict(const Arrangement& arrangement, const SpeedSystem& sys
   problems.push_back(std::move(problem));
 }
 
-void check_speed_freedom(const Arrangement& arrangement, const SpeedSystem& system, Problems& problems) {
+void check_speed_freedom(const Arrangement& arrangement, const ArrangementSystem& system,
+                         Problems& problems) {
   ArrangementProblem problem;
   for (const Eigen::Index column : undetermined_unknowns(system.matrix)) {
     const auto shaft = static_cast<std::size_t>(column);
@@ -266,7 +254,8 @@ void check_speed_freedom(const Arrangement& arrangement, const SpeedSystem& syst
 }
 
 // With all speeds fixed, the torques fail to balance only where the power cannot leave.
-void check_torque_conflict(const Arrangement& arrangement, const TorqueSystem& system, Problems& problems) {
+void check_torque_conflict(const Arrangement& arrangement, const ArrangementSystem& system,
+                           Problems& problems) {
   if (is_consistent(system.matrix, system.right)) return;
   ArrangementProblem problem;
   problem.shafts = shafts_where(arrangement, &Shaft::load);
@@ -279,11 +268,12 @@ void check_torque_conflict(const Arrangement& arrangement, const TorqueSystem& s
   problems.push_back(std::move(problem));
 }
 
-void check_torque_freedom(const Arrangement& arrangement, const TorqueSystem& system, Problems& problems) {
+void check_torque_freedom(const Arrangement& arrangement, const ArrangementSystem& system,
+                          Problems& problems) {
   ArrangementProblem problem;
   for (const Eigen::Index column : undetermined_unknowns(system.matrix)) {
-    const TorqueUnknown& unknown = system.unknowns[static_cast<std::size_t>(column)];
-    if (unknown.kind == TorqueUnknown::Kind::set) {
+    const Origin& unknown = system.origins[static_cast<std::size_t>(column)];
+    if (unknown.kind == Origin::Kind::set) {
       add_members(members_of_set(unknown.index), problem.members);
     } else {
       problem.shafts.push_back(unknown.index);
@@ -307,11 +297,11 @@ void check_torque_freedom(const Arrangement& arrangement, const TorqueSystem& sy
 Problems arrangement_problems(const Arrangement& arrangement) {
   Problems problems = structural_problems(arrangement);
   if (!problems.empty()) return problems;
-  const SpeedSystem speeds = speed_system(arrangement);
+  const ArrangementSystem speeds = speed_system(arrangement);
   check_speed_conflict(arrangement, speeds, problems);
   check_speed_freedom(arrangement, speeds, problems);
   if (!problems.empty()) return problems;
-  const TorqueSystem torques = torque_system(arrangement);
+  const ArrangementSystem torques = torque_system(arrangement);
   check_torque_conflict(arrangement, torques, problems);
   check_torque_freedom(arrangement, torques, problems);
   return problems;

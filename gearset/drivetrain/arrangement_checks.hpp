@@ -14,53 +14,29 @@ namespace orbearing::gearset {
 // The linear equations of an arrangement, each row and column with a name, so that a fault can be stated in
 // the user's words. Eqs. (26) to (29) of gearset/README.md.
 
-/// A condition that the speeds must meet.
-struct SpeedCondition {
-  enum class Kind { willis, ground, motor };
-  Kind kind = Kind::willis;
-  std::size_t index = 0;  // of the set for willis, else of the shaft
-};
-
-/// matrix * (speeds of shafts / speed of the motor) = right.
-struct SpeedSystem {
-  Eigen::MatrixXd matrix;  // (conditions, shafts)
-  Eigen::VectorXd right;   // (conditions)
-  std::vector<SpeedCondition> conditions;
-};
-
-/// A torque that is not known beforehand.
-struct TorqueUnknown {
-  enum class Kind { set, ground, load };
+/// Where an equation of the speeds, or a torque that is not known beforehand, comes from.
+struct Origin {
+  enum class Kind { set, ground, port };  // port: the motor of speeds, the load of torques
   Kind kind = Kind::set;
   std::size_t index = 0;  // of the set, else of the shaft
 };
 
-/// matrix * (torques / torque of the motor) = right. A set's unknown is what its carrier delivers; its
-/// members' torques are `willis_weight` times it.
-struct TorqueSystem {
-  Eigen::MatrixXd matrix;  // (shafts, unknowns)
-  Eigen::VectorXd right;   // (shafts)
-  std::vector<TorqueUnknown> unknowns;
+/// matrix * unknowns = right.
+struct ArrangementSystem {
+  Eigen::MatrixXd matrix;
+  Eigen::VectorXd right;
+  std::vector<Origin> origins;  // of its rows for speeds, of its columns for torques
 };
 
 /// Weight of a member in Willis' equation, scaled so that the carrier's is -1: z_s/(z_s + z_r), z_r/(z_s +
 /// z_r), -1.
 double willis_weight(const ArrangedSet& set, Member member);
 
-SpeedSystem speed_system(const Arrangement& arrangement);
-TorqueSystem torque_system(const Arrangement& arrangement);
-
-// Which equations of a linear system contradict each other, and which unknowns it leaves open.
-
-/// Whether some x satisfies matrix * x = right. Entries are expected to be of order 1.
-bool is_consistent(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right);
-
-/// Rows that contradict each other and of which none can be left out without the contradiction going away;
-/// empty for a consistent system.
-std::vector<Eigen::Index> minimal_conflict(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right);
-
-/// Unknowns that the equations do not fix: those in which some vector of the null space has a part.
-std::vector<Eigen::Index> undetermined_unknowns(const Eigen::MatrixXd& matrix);
+/// Unknowns: speeds of the shafts over that of the motor. Rows: Willis' equations, grounds, motor.
+ArrangementSystem speed_system(const Arrangement& arrangement);
+/// Unknowns: what the carrier of each set delivers, whose members' torques are `willis_weight` times it, and
+/// the torques of grounds and loads, over the torque of the motor. Rows: shafts.
+ArrangementSystem torque_system(const Arrangement& arrangement);
 
 /// What is wrong, where, and what is required. The text names the members and shafts.
 struct ArrangementProblem {

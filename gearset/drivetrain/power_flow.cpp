@@ -72,8 +72,8 @@ void put_shaft(const Arrangement& arrangement, const Eigen::VectorXd& speeds,
 
 PowerFlow power_flow(const Arrangement& arrangement) {
   require_sound(arrangement);
-  const SpeedSystem speed_equations = speed_system(arrangement);
-  const TorqueSystem torque_equations = torque_system(arrangement);
+  const ArrangementSystem speed_equations = speed_system(arrangement);
+  const ArrangementSystem torque_equations = torque_system(arrangement);
   const Eigen::VectorXd speeds = solution(speed_equations.matrix, speed_equations.right);
   const Eigen::VectorXd torques = solution(torque_equations.matrix, torque_equations.right);
   PowerFlow flow;
