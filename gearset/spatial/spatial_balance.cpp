@@ -440,21 +440,6 @@ mechanics::Imbalance<Eigen::Dynamic> imbalance(const SpatialSet& set, const Spat
   return imbalance_of(Builder(set, load, angle, slices).built(), position);
 }
 
-double energy(const SpatialSet& set, const SpatialLoad& load, double angle, int slices,
-              const VectorXd& position) {
-  const Assembly assembly = Builder(set, load, angle, slices).built();
-  double sum = -assembly.force.dot(position);
-  for (const Spring& spring : assembly.springs)
-    sum += 0.5 * spring.stiffness * std::pow(deflection(spring, position), 2);
-  for (const MeshFlanks& mesh : assembly.meshes)
-    for (const Flanks* flanks : {&mesh.driving, &mesh.back})
-      sum += 0.5 * flanks->stiffness * compression(*flanks, assembly.height, position).square().sum();
-  for (const RadialSpring& spring : assembly.radial)
-    sum += 0.5 * spring.stiffness * std::pow(compression(spring, deflection(spring, position)), 2);
-  const VectorXd seats = seats_moved(assembly, position);
-  return sum + 0.5 * seats.dot(assembly.housing * seats);
-}
-
 SpatialBalance balance(const SpatialSet& set, const SpatialLoad& load, double angle, int slices,
                        const VectorXd& start) {
   const Assembly assembly = Builder(set, load, angle, slices).built();

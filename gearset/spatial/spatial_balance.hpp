@@ -45,9 +45,6 @@ SpatialBalance balance(const SpatialSet& set, const SpatialLoad& load, double an
 /// Force [N] out of balance and stiffness at any `position`, as the search sees them: for tests.
 mechanics::Imbalance<Eigen::Dynamic> imbalance(const SpatialSet& set, const SpatialLoad& load, double angle,
                                                int slices, const Eigen::VectorXd& position);
-/// The energy [J] whose negative slope it is.
-double energy(const SpatialSet& set, const SpatialLoad& load, double angle, int slices,
-              const Eigen::VectorXd& position);
 
 /// Stiffness [N/m] about a loaded set: all driving flanks touch, no back flank does, and bearings have used
 /// up their clearance. The sun may turn; `ring_moves`: the ring is a body behind the planets, which nothing
