@@ -17,6 +17,17 @@ double arc_height(double radius, double width) {
 
 }  // namespace
 
+std::vector<double> angles_of(const Scratch& scratch) {
+  std::vector<double> angles{scratch.angle};
+  angles.insert(angles.end(), scratch.more_angles.begin(), scratch.more_angles.end());
+  return angles;
+}
+
+void require_sound(const Scratch& scratch) {
+  mechanics::require_positive(scratch.width, "width of the scratch [m]");
+  mechanics::require_positive(scratch.depth, "depth of the scratch [m]");
+}
+
 double greatest_depth(double width, Race race, const BearingGeometry& geometry) {
   const double of_race = race == Race::inner ? arc_height(geometry.inner_radius, width)
                                              : -arc_height(geometry.outer_radius, width);
@@ -40,7 +51,8 @@ DefectDepthTable rolled_over(const std::vector<double>& depths, double width, Ra
     double least = depth_at(static_cast<double>(i) / kLast);
     for (int k = 0; k <= kFine * kLast; ++k) {
       const double off = width * (static_cast<double>(k) / (kFine * kLast) - static_cast<double>(i) / kLast);
-      least = std::min(least, depth_at(static_cast<double>(k) / (kFine * kLast)) + 0.5 * curvature * off * off);
+      least =
+          std::min(least, depth_at(static_cast<double>(k) / (kFine * kLast)) + 0.5 * curvature * off * off);
     }
     table.depth[i] = least;
   }
@@ -55,7 +67,8 @@ ScratchLaw scratch_law(const Scratch& scratch, Race race, const BearingGeometry&
       scratch.form, scratch.width, scratch.depth, greatest_depth(scratch.width, race, geometry), {}};
   if (scratch.form != ScratchForm::profile) return law;
   if (scratch.profile.size() < 3)
-    mechanics::refuse("depths of a measured scratch", static_cast<double>(scratch.profile.size()), "at least 3");
+    mechanics::refuse("depths of a measured scratch", static_cast<double>(scratch.profile.size()),
+                      "at least 3");
   std::vector<double> depths = scratch.profile;
   for (double& depth : depths) {
     mechanics::require(depth >= 0.0, "depth of a measured scratch over its largest [-]", depth, "0 or more");

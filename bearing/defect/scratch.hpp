@@ -100,6 +100,12 @@ void describe(Visitor& visit, Scratch& m) {
 /// less by that of the concave outer one. For a scratch of the element itself `race` is the one it meets.
 double greatest_depth(double width, Race race, const BearingGeometry& geometry);
 
+/// Of the middles of all of them [rad].
+std::vector<double> angles_of(const Scratch& scratch);
+
+/// Throws std::invalid_argument where they have no width or no depth.
+void require_sound(const Scratch& scratch);
+
 /// Whether the scratch is one of a rolling element.
 inline bool of_element(Scratched scratched) {
   return scratched == Scratched::ball || scratched == Scratched::roller;

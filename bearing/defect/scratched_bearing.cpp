@@ -111,10 +111,8 @@ void ScratchedMotion::set_scratches() {
     mechanics::require(scratch.element >= 1 && scratch.element <= elements(), "scratched element",
                        scratch.element, "one of the bearing's, counted from 1");
   }
-  mechanics::require_positive(scratch.width, "width of the scratch [m]");
-  mechanics::require_positive(scratch.depth, "depth of the scratch [m]");
-  middle_ = scratch.more_angles;
-  middle_.insert(middle_.begin(), scratch.angle);
+  require_sound(scratch);
+  middle_ = angles_of(scratch);
   on_inner_ = scratch_law(scratch, Race::inner, geometry_);
   on_outer_ = scratch_law(scratch, Race::outer, geometry_);
   between_ = 2.0 * kHalfTurn;

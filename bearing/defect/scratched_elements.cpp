@@ -11,10 +11,8 @@ namespace orbearing::bearing::defect {
 namespace {
 
 balls::ScratchNumbers scratch_numbers(const Scratch& scratch, Race race, const BearingGeometry& geometry) {
-  mechanics::require_positive(scratch.width, "width of the scratch [m]");
-  mechanics::require_positive(scratch.depth, "depth of the scratch [m]");
-  std::vector<double> angles = scratch.more_angles;
-  angles.insert(angles.begin(), scratch.angle);
+  require_sound(scratch);
+  const std::vector<double> angles = angles_of(scratch);
   if (angles.size() > balls::ScratchNumbers::kMost)
     mechanics::refuse("scratches", static_cast<double>(angles.size()), "at most 32 in this motion");
   balls::ScratchNumbers numbers{
@@ -26,12 +24,10 @@ balls::ScratchNumbers scratch_numbers(const Scratch& scratch, Race race, const B
 }
 
 balls::SpotNumbers spot_numbers(const Scratch& scratch, int balls, const BearingGeometry& geometry) {
-  mechanics::require_positive(scratch.width, "width of the scratch [m]");
-  mechanics::require_positive(scratch.depth, "depth of the scratch [m]");
+  require_sound(scratch);
   mechanics::require(scratch.element >= 1 && scratch.element <= balls, "scratched ball", scratch.element,
                      "one of the bearing's, counted from 1");
-  std::vector<double> angles = scratch.more_angles;
-  angles.insert(angles.begin(), scratch.angle);
+  const std::vector<double> angles = angles_of(scratch);
   if (angles.size() > balls::SpotNumbers::kMost)
     mechanics::refuse("scratches of a ball", static_cast<double>(angles.size()), "at most 4 in this motion");
   balls::SpotNumbers numbers{.count = static_cast<int>(angles.size()),
@@ -83,8 +79,7 @@ balls::BallDuty scratched_duty(const ScratchedBearing& scratched) {
 namespace {
 
 void check(const Scratch& scratch, const motion::BearingModel& model) {
-  mechanics::require_positive(scratch.width, "width of the scratch [m]");
-  mechanics::require_positive(scratch.depth, "depth of the scratch [m]");
+  require_sound(scratch);
   mechanics::require(scratch.width <= model.geometry.element_radius, "width of the scratch [m]",
                      scratch.width, "at most the radius of a roller");
   if (scratch.race == Scratched::ball)
@@ -98,12 +93,6 @@ void check(const Scratch& scratch, const motion::BearingModel& model) {
   if (scratch.race == Scratched::roller)
     mechanics::require(scratch.element >= 1 && scratch.element <= model.layout.rollers, "scratched roller",
                        scratch.element, "one of the bearing's, counted from 1");
-}
-
-std::vector<double> angles_of(const Scratch& scratch) {
-  std::vector<double> angles{scratch.angle};
-  angles.insert(angles.end(), scratch.more_angles.begin(), scratch.more_angles.end());
-  return angles;
 }
 
 // Which of the followed rollers it is; from now on followed if it was not.
