@@ -109,32 +109,22 @@ Relief relief_of(const Table& profile, double x) {
 
 namespace {
 
-double* parameter_of(Straight&) {
-  return nullptr;
-}
-double* parameter_of(Chamfer& profile) {
-  return &profile.depth;
-}
-double* parameter_of(CircularCrown& profile) {
-  return &profile.end_drop;
-}
-double* parameter_of(StraightCircular& profile) {
-  return &profile.end_drop;
-}
-double* parameter_of(Lundberg& profile) {
-  return &profile.amplitude;
-}
-double* parameter_of(JohnsGohar& profile) {
-  return &profile.amplitude;
-}
-double* parameter_of(Iso16281& profile) {
-  return &profile.scale;
-}
-double* parameter_of(FujiwaraKawase& profile) {
-  return &profile.end_drop;
-}
-double* parameter_of(Table& profile) {
-  return &profile.scale;
+// The leading parameter, in which the kinds differ; none of straight rollers.
+double* parameter_of(Profile& profile) {
+  return std::visit(
+      [](auto& shape) -> double* {
+        if constexpr (requires { shape.depth; })
+          return &shape.depth;
+        else if constexpr (requires { shape.end_drop; })
+          return &shape.end_drop;
+        else if constexpr (requires { shape.amplitude; })
+          return &shape.amplitude;
+        else if constexpr (requires { shape.scale; })
+          return &shape.scale;
+        else
+          return nullptr;
+      },
+      profile);
 }
 
 [[noreturn]] void throw_no_relief(const Profile& profile) {
@@ -155,13 +145,12 @@ double drop(const Profile& profile, double x) {
 
 double leading_parameter(const Profile& profile) {
   Profile copy = profile;
-  const double* parameter = std::visit([](auto& shape) { return parameter_of(shape); }, copy);
+  const double* parameter = parameter_of(copy);
   return parameter ? *parameter : 0.0;
 }
 
 Profile with_parameter(Profile profile, double value) {
-  double* parameter = std::visit([](auto& shape) { return parameter_of(shape); }, profile);
-  if (parameter) *parameter = value;
+  if (double* parameter = parameter_of(profile)) *parameter = value;
   return profile;
 }
 
@@ -226,67 +215,35 @@ double design_load_of_drop(DesignLoad design, double drop) {
 namespace {
 
 using mechanics::require;
+using mechanics::require_not_negative;
 
-void require_length(double length) {
-  mechanics::require_positive(length, "length of a profile [m]");
-}
-
-void require_depth(const char* what, double depth) {
-  mechanics::require_not_negative(depth, what);
-}
-
-void require_width(double ratio) {
-  require(ratio > 0.0 && ratio < 1.0, "width over length of a profile's contact [-]", ratio,
-          "a ratio above 0 and below 1: the design load of the profile is zero or too high");
-}
-
-void check(const Straight&) {}
+// What kinds have beside their length, depth or amplitude, and leading parameter.
+template <class Shape>
+void check(const Shape&) {}
 
 void check(const Chamfer& profile) {
-  require_length(profile.length);
   require(profile.chamfer_length > 0.0 && profile.chamfer_length <= 0.5 * profile.length,
           "chamfer length of a profile [m]", profile.chamfer_length, "above 0, at most half the length");
-  require_depth("depth of a profile [m]", profile.depth);
 }
 
 void check(const CircularCrown& profile) {
-  require_length(profile.length);
-  require_depth("end drop of a profile [m]", profile.end_drop);
   require(profile.end_drop < 0.5 * profile.length, "end drop of a profile [m]", profile.end_drop,
           "less than half the length");
 }
 
 void check(const StraightCircular& profile) {
-  require_length(profile.length);
   require(profile.straight_length >= 0.0 && profile.straight_length < profile.length,
           "straight length of a profile [m]", profile.straight_length, "at least 0, less than the length");
-  require_depth("end drop of a profile [m]", profile.end_drop);
   require(profile.end_drop < 0.5 * (profile.length - profile.straight_length), "end drop of a profile [m]",
           profile.end_drop, "less than the length of a curved end");
 }
 
-void check(const Lundberg& profile) {
-  require_length(profile.length);
-  require_depth("amplitude of a profile [m]", profile.amplitude);
-  require_width(profile.width_ratio);
-}
-
-void check(const JohnsGohar& profile) {
-  require_length(profile.length);
-  require_depth("amplitude of a profile [m]", profile.amplitude);
-  require_width(profile.width_ratio);
-}
-
 void check(const Iso16281& profile) {
-  require_length(profile.length);
   require(std::isfinite(profile.diameter) && profile.diameter > 0.0, "roller diameter of a profile [m]",
           profile.diameter, "a length above 0");
-  require_depth("scale of a profile [-]", profile.scale);
 }
 
 void check(const FujiwaraKawase& profile) {
-  require_length(profile.length);
-  require_depth("end drop of a profile [m]", profile.end_drop);
   require(std::isfinite(profile.steepness) && profile.steepness > 0.0,
           "end drop over amplitude of a profile [-]", profile.steepness, "a ratio above 0");
   require(profile.crowned_fraction > 0.0 && profile.crowned_fraction <= 1.0,
@@ -300,15 +257,30 @@ void check(const Table& profile) {
   for (std::size_t i = 0; i < n; ++i) {
     require(std::isfinite(profile.x[i]) && (i == 0 || profile.x[i] > profile.x[i - 1]),
             "point of a profile [m]", profile.x[i], "finite positions in ascending order");
-    require_depth("drop of a profile [m]", profile.drop[i]);
+    require_not_negative(profile.drop[i], "drop of a profile [m]");
   }
-  require_depth("scale of a profile [-]", profile.scale);
 }
 
 }  // namespace
 
 void require_sound(const Profile& profile) {
-  std::visit([](const auto& shape) { check(shape); }, profile);
+  std::visit(
+      [](const auto& shape) {
+        if constexpr (requires { shape.length; })
+          mechanics::require_positive(shape.length, "length of a profile [m]");
+        if constexpr (requires { shape.depth; }) require_not_negative(shape.depth, "depth of a profile [m]");
+        if constexpr (requires { shape.end_drop; })
+          require_not_negative(shape.end_drop, "end drop of a profile [m]");
+        if constexpr (requires { shape.amplitude; })
+          require_not_negative(shape.amplitude, "amplitude of a profile [m]");
+        if constexpr (requires { shape.scale; }) require_not_negative(shape.scale, "scale of a profile [-]");
+        if constexpr (requires { shape.width_ratio; })
+          require(shape.width_ratio > 0.0 && shape.width_ratio < 1.0,
+                  "width over length of a profile's contact [-]", shape.width_ratio,
+                  "a ratio above 0 and below 1: the design load of the profile is zero or too high");
+        check(shape);
+      },
+      profile);
 }
 
 }  // namespace orbearing::bearing::profile
