@@ -13,7 +13,7 @@
 #include "app/study/fmu_model.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/study/sweep_study.hpp"
-#include "coupling/fmu/variable_table.hpp"
+#include "coupling/fmu/model.hpp"
 
 namespace orbearing::app {
 

@@ -13,7 +13,6 @@
 #include "coupling/fmu/export/description.hpp"
 #include "coupling/fmu/model.hpp"
 #include "coupling/fmu/model_file.hpp"
-#include "coupling/fmu/variable_table.hpp"
 #include "coupling/study/driven_setups.hpp"
 #include "coupling/system/driven_bearing.hpp"
 

@@ -108,14 +108,7 @@ fmi2Status fmi2GetReal(fmi2Component instance, const fmi2ValueReference referenc
 }
 fmi2Status fmi2GetInteger(fmi2Component instance, const fmi2ValueReference references[], size_t number,
                           fmi2Integer values[]) {
-  return guarded(instance, __func__, [&](Instance& it) {
-    for (size_t i = 0; i < number; ++i) {
-      require_position(values, "values");
-      std::int64_t value = 0;
-      it.get_whole({references == nullptr ? nullptr : references + i, 1}, &value);
-      values[i] = static_cast<fmi2Integer>(value);
-    }
-  });
+  return guarded(instance, __func__, [&](Instance& it) { it.get_whole({references, number}, values); });
 }
 fmi2Status fmi2GetBoolean(fmi2Component instance, const fmi2ValueReference*, size_t number, fmi2Boolean*) {
   return no_variables(instance, __func__, number);

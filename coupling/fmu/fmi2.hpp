@@ -43,7 +43,8 @@ struct fmi2CallbackFunctions {
   fmi2ComponentEnvironment componentEnvironment;
 };
 
-// Calls F(result, name, (arguments)) for each function of the interface.
+#define ORBEARING_FMI2_LISTS(...) \
+  (fmi2Component instance, const fmi2ValueReference references[], size_t number, __VA_ARGS__)
 #define ORBEARING_FMI2_FUNCTIONS(F)                                                                          \
   F(const char*, fmi2GetTypesPlatform, ())                                                                   \
   F(const char*, fmi2GetVersion, ())                                                                         \
@@ -60,25 +61,14 @@ struct fmi2CallbackFunctions {
   F(fmi2Status, fmi2ExitInitializationMode, (fmi2Component instance))                                        \
   F(fmi2Status, fmi2Terminate, (fmi2Component instance))                                                     \
   F(fmi2Status, fmi2Reset, (fmi2Component instance))                                                         \
-  F(fmi2Status, fmi2GetReal,                                                                                 \
-    (fmi2Component instance, const fmi2ValueReference references[], size_t number, fmi2Real values[]))       \
-  F(fmi2Status, fmi2GetInteger,                                                                              \
-    (fmi2Component instance, const fmi2ValueReference references[], size_t number, fmi2Integer values[]))    \
-  F(fmi2Status, fmi2GetBoolean,                                                                              \
-    (fmi2Component instance, const fmi2ValueReference references[], size_t number, fmi2Boolean values[]))    \
-  F(fmi2Status, fmi2GetString,                                                                               \
-    (fmi2Component instance, const fmi2ValueReference references[], size_t number, fmi2String values[]))     \
-  F(fmi2Status, fmi2SetReal,                                                                                 \
-    (fmi2Component instance, const fmi2ValueReference references[], size_t number, const fmi2Real values[])) \
-  F(fmi2Status, fmi2SetInteger,                                                                              \
-    (fmi2Component instance, const fmi2ValueReference references[], size_t number,                           \
-     const fmi2Integer values[]))                                                                            \
-  F(fmi2Status, fmi2SetBoolean,                                                                              \
-    (fmi2Component instance, const fmi2ValueReference references[], size_t number,                           \
-     const fmi2Boolean values[]))                                                                            \
-  F(fmi2Status, fmi2SetString,                                                                               \
-    (fmi2Component instance, const fmi2ValueReference references[], size_t number,                           \
-     const fmi2String values[]))                                                                             \
+  F(fmi2Status, fmi2GetReal, ORBEARING_FMI2_LISTS(fmi2Real values[]))                                        \
+  F(fmi2Status, fmi2GetInteger, ORBEARING_FMI2_LISTS(fmi2Integer values[]))                                  \
+  F(fmi2Status, fmi2GetBoolean, ORBEARING_FMI2_LISTS(fmi2Boolean values[]))                                  \
+  F(fmi2Status, fmi2GetString, ORBEARING_FMI2_LISTS(fmi2String values[]))                                    \
+  F(fmi2Status, fmi2SetReal, ORBEARING_FMI2_LISTS(const fmi2Real values[]))                                  \
+  F(fmi2Status, fmi2SetInteger, ORBEARING_FMI2_LISTS(const fmi2Integer values[]))                            \
+  F(fmi2Status, fmi2SetBoolean, ORBEARING_FMI2_LISTS(const fmi2Boolean values[]))                            \
+  F(fmi2Status, fmi2SetString, ORBEARING_FMI2_LISTS(const fmi2String values[]))                              \
   F(fmi2Status, fmi2GetFMUstate, (fmi2Component instance, fmi2FMUstate * state))                             \
   F(fmi2Status, fmi2SetFMUstate, (fmi2Component instance, fmi2FMUstate state))                               \
   F(fmi2Status, fmi2FreeFMUstate, (fmi2Component instance, fmi2FMUstate * state))                            \
@@ -91,11 +81,9 @@ struct fmi2CallbackFunctions {
     (fmi2Component instance, const fmi2ValueReference unknowns[], size_t unknown_number,                     \
      const fmi2ValueReference knowns[], size_t known_number, const fmi2Real seed[], fmi2Real sensitivity[])) \
   F(fmi2Status, fmi2SetRealInputDerivatives,                                                                 \
-    (fmi2Component instance, const fmi2ValueReference references[], size_t number,                           \
-     const fmi2Integer orders[], const fmi2Real values[]))                                                   \
+    ORBEARING_FMI2_LISTS(const fmi2Integer orders[], const fmi2Real values[]))                               \
   F(fmi2Status, fmi2GetRealOutputDerivatives,                                                                \
-    (fmi2Component instance, const fmi2ValueReference references[], size_t number,                           \
-     const fmi2Integer orders[], fmi2Real values[]))                                                         \
+    ORBEARING_FMI2_LISTS(const fmi2Integer orders[], fmi2Real values[]))                                     \
   F(fmi2Status, fmi2DoStep,                                                                                  \
     (fmi2Component instance, fmi2Real time, fmi2Real step_size, fmi2Boolean no_set_state_prior))             \
   F(fmi2Status, fmi2CancelStep, (fmi2Component instance))                                                    \

@@ -102,12 +102,7 @@ fmi3Status fmi3GetInt32(fmi3Instance instance, const fmi3ValueReference referenc
                         fmi3Int32 values[], size_t value_number) {
   return guarded(instance, __func__, [&](Instance& it) {
     require_equal(value_number, number);
-    for (size_t i = 0; i < number; ++i) {
-      require_position(values, "values");
-      std::int64_t value = 0;
-      it.get_whole({references == nullptr ? nullptr : references + i, 1}, &value);
-      values[i] = static_cast<fmi3Int32>(value);
-    }
+    it.get_whole({references, number}, values);
   });
 }
 fmi3Status fmi3SetFloat64(fmi3Instance instance, const fmi3ValueReference references[], size_t number,

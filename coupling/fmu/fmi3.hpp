@@ -2,8 +2,7 @@
 //
 // The names are those of the standard, which gives the meaning of each function; here stand the signatures
 // alone. A library that is an FMU defines them, an importer looks them up by name: ORBEARING_FMI3_FUNCTIONS
-// lists those that every FMU has, ORBEARING_FMI3_MODEL_EXCHANGE and ORBEARING_FMI3_SCHEDULED_EXECUTION those
-// of the kinds of FMU that Orbearing neither makes nor uses.
+// lists those that our FMUs carry out, the other lists those that they refuse.
 #pragma once
 
 #include <cstddef>
@@ -60,176 +59,120 @@ using fmi3LockPreemptionCallback = void (*)();
 using fmi3UnlockPreemptionCallback = void (*)();
 }
 
-// Calls F(result, name, (arguments)) for each function that all kinds of FMU have, and those of
-// co-simulation.
-#define ORBEARING_FMI3_FUNCTIONS(F)                                                                          \
-  F(const char*, fmi3GetVersion, ())                                                                         \
-  F(fmi3Status, fmi3SetDebugLogging,                                                                         \
-    (fmi3Instance instance, fmi3Boolean on, size_t number, const fmi3String categories[]))                   \
-  F(fmi3Instance, fmi3InstantiateModelExchange,                                                              \
-    (fmi3String name, fmi3String token, fmi3String resource_path, fmi3Boolean visible, fmi3Boolean logging,  \
-     fmi3InstanceEnvironment environment, fmi3LogMessageCallback log))                                       \
-  F(fmi3Instance, fmi3InstantiateCoSimulation,                                                               \
-    (fmi3String name, fmi3String token, fmi3String resource_path, fmi3Boolean visible, fmi3Boolean logging,  \
-     fmi3Boolean event_mode, fmi3Boolean early_return, const fmi3ValueReference intermediate[],              \
-     size_t intermediate_number, fmi3InstanceEnvironment environment, fmi3LogMessageCallback log,            \
-     fmi3IntermediateUpdateCallback update))                                                                 \
-  F(fmi3Instance, fmi3InstantiateScheduledExecution,                                                         \
-    (fmi3String name, fmi3String token, fmi3String resource_path, fmi3Boolean visible, fmi3Boolean logging,  \
-     fmi3InstanceEnvironment environment, fmi3LogMessageCallback log, fmi3ClockUpdateCallback clock_update,  \
-     fmi3LockPreemptionCallback lock, fmi3UnlockPreemptionCallback unlock))                                  \
-  F(void, fmi3FreeInstance, (fmi3Instance instance))                                                         \
-  F(fmi3Status, fmi3EnterInitializationMode,                                                                 \
-    (fmi3Instance instance, fmi3Boolean tolerance_defined, fmi3Float64 tolerance, fmi3Float64 start_time,    \
-     fmi3Boolean stop_time_defined, fmi3Float64 stop_time))                                                  \
-  F(fmi3Status, fmi3ExitInitializationMode, (fmi3Instance instance))                                         \
-  F(fmi3Status, fmi3EnterEventMode, (fmi3Instance instance))                                                 \
-  F(fmi3Status, fmi3Terminate, (fmi3Instance instance))                                                      \
-  F(fmi3Status, fmi3Reset, (fmi3Instance instance))                                                          \
-  F(fmi3Status, fmi3GetFloat32,                                                                              \
-    (fmi3Instance instance, const fmi3ValueReference references[], size_t number, fmi3Float32 values[],      \
-     size_t value_number))                                                                                   \
-  F(fmi3Status, fmi3GetFloat64,                                                                              \
-    (fmi3Instance instance, const fmi3ValueReference references[], size_t number, fmi3Float64 values[],      \
-     size_t value_number))                                                                                   \
-  F(fmi3Status, fmi3GetInt8,                                                                                 \
-    (fmi3Instance instance, const fmi3ValueReference references[], size_t number, fmi3Int8 values[],         \
-     size_t value_number))                                                                                   \
-  F(fmi3Status, fmi3GetUInt8,                                                                                \
-    (fmi3Instance instance, const fmi3ValueReference references[], size_t number, fmi3UInt8 values[],        \
-     size_t value_number))                                                                                   \
-  F(fmi3Status, fmi3GetInt16,                                                                                \
-    (fmi3Instance instance, const fmi3ValueReference references[], size_t number, fmi3Int16 values[],        \
-     size_t value_number))                                                                                   \
-  F(fmi3Status, fmi3GetUInt16,                                                                               \
-    (fmi3Instance instance, const fmi3ValueReference references[], size_t number, fmi3UInt16 values[],       \
-     size_t value_number))                                                                                   \
-  F(fmi3Status, fmi3GetInt32,                                                                                \
-    (fmi3Instance instance, const fmi3ValueReference references[], size_t number, fmi3Int32 values[],        \
-     size_t value_number))                                                                                   \
-  F(fmi3Status, fmi3GetUInt32,                                                                               \
-    (fmi3Instance instance, const fmi3ValueReference references[], size_t number, fmi3UInt32 values[],       \
-     size_t value_number))                                                                                   \
-  F(fmi3Status, fmi3GetInt64,                                                                                \
-    (fmi3Instance instance, const fmi3ValueReference references[], size_t number, fmi3Int64 values[],        \
-     size_t value_number))                                                                                   \
-  F(fmi3Status, fmi3GetUInt64,                                                                               \
-    (fmi3Instance instance, const fmi3ValueReference references[], size_t number, fmi3UInt64 values[],       \
-     size_t value_number))                                                                                   \
-  F(fmi3Status, fmi3GetBoolean,                                                                              \
-    (fmi3Instance instance, const fmi3ValueReference references[], size_t number, fmi3Boolean values[],      \
-     size_t value_number))                                                                                   \
-  F(fmi3Status, fmi3GetString,                                                                               \
-    (fmi3Instance instance, const fmi3ValueReference references[], size_t number, fmi3String values[],       \
-     size_t value_number))                                                                                   \
-  F(fmi3Status, fmi3GetBinary,                                                                               \
-    (fmi3Instance instance, const fmi3ValueReference references[], size_t number, size_t sizes[],            \
-     fmi3Binary values[], size_t value_number))                                                              \
-  F(fmi3Status, fmi3GetClock,                                                                                \
-    (fmi3Instance instance, const fmi3ValueReference references[], size_t number, fmi3Clock values[]))       \
-  F(fmi3Status, fmi3SetFloat32,                                                                              \
-    (fmi3Instance instance, const fmi3ValueReference references[], size_t number,                            \
-     const fmi3Float32 values[], size_t value_number))                                                       \
-  F(fmi3Status, fmi3SetFloat64,                                                                              \
-    (fmi3Instance instance, const fmi3ValueReference references[], size_t number,                            \
-     const fmi3Float64 values[], size_t value_number))                                                       \
-  F(fmi3Status, fmi3SetInt8,                                                                                 \
-    (fmi3Instance instance, const fmi3ValueReference references[], size_t number, const fmi3Int8 values[],   \
-     size_t value_number))                                                                                   \
-  F(fmi3Status, fmi3SetUInt8,                                                                                \
-    (fmi3Instance instance, const fmi3ValueReference references[], size_t number, const fmi3UInt8 values[],  \
-     size_t value_number))                                                                                   \
-  F(fmi3Status, fmi3SetInt16,                                                                                \
-    (fmi3Instance instance, const fmi3ValueReference references[], size_t number, const fmi3Int16 values[],  \
-     size_t value_number))                                                                                   \
-  F(fmi3Status, fmi3SetUInt16,                                                                               \
-    (fmi3Instance instance, const fmi3ValueReference references[], size_t number, const fmi3UInt16 values[], \
-     size_t value_number))                                                                                   \
-  F(fmi3Status, fmi3SetInt32,                                                                                \
-    (fmi3Instance instance, const fmi3ValueReference references[], size_t number, const fmi3Int32 values[],  \
-     size_t value_number))                                                                                   \
-  F(fmi3Status, fmi3SetUInt32,                                                                               \
-    (fmi3Instance instance, const fmi3ValueReference references[], size_t number, const fmi3UInt32 values[], \
-     size_t value_number))                                                                                   \
-  F(fmi3Status, fmi3SetInt64,                                                                                \
-    (fmi3Instance instance, const fmi3ValueReference references[], size_t number, const fmi3Int64 values[],  \
-     size_t value_number))                                                                                   \
-  F(fmi3Status, fmi3SetUInt64,                                                                               \
-    (fmi3Instance instance, const fmi3ValueReference references[], size_t number, const fmi3UInt64 values[], \
-     size_t value_number))                                                                                   \
-  F(fmi3Status, fmi3SetBoolean,                                                                              \
-    (fmi3Instance instance, const fmi3ValueReference references[], size_t number,                            \
-     const fmi3Boolean values[], size_t value_number))                                                       \
-  F(fmi3Status, fmi3SetString,                                                                               \
-    (fmi3Instance instance, const fmi3ValueReference references[], size_t number, const fmi3String values[], \
-     size_t value_number))                                                                                   \
-  F(fmi3Status, fmi3SetBinary,                                                                               \
-    (fmi3Instance instance, const fmi3ValueReference references[], size_t number, const size_t sizes[],      \
-     const fmi3Binary values[], size_t value_number))                                                        \
-  F(fmi3Status, fmi3SetClock,                                                                                \
-    (fmi3Instance instance, const fmi3ValueReference references[], size_t number, const fmi3Clock values[])) \
-  F(fmi3Status, fmi3GetNumberOfVariableDependencies,                                                         \
-    (fmi3Instance instance, fmi3ValueReference reference, size_t * number))                                  \
-  F(fmi3Status, fmi3GetVariableDependencies,                                                                 \
-    (fmi3Instance instance, fmi3ValueReference dependent, size_t elements_of_dependent[],                    \
-     fmi3ValueReference independents[], size_t elements_of_independents[], fmi3DependencyKind kinds[],       \
-     size_t number))                                                                                         \
-  F(fmi3Status, fmi3GetFMUState, (fmi3Instance instance, fmi3FMUState * state))                              \
-  F(fmi3Status, fmi3SetFMUState, (fmi3Instance instance, fmi3FMUState state))                                \
-  F(fmi3Status, fmi3FreeFMUState, (fmi3Instance instance, fmi3FMUState * state))                             \
-  F(fmi3Status, fmi3SerializedFMUStateSize, (fmi3Instance instance, fmi3FMUState state, size_t * size))      \
-  F(fmi3Status, fmi3SerializeFMUState,                                                                       \
-    (fmi3Instance instance, fmi3FMUState state, fmi3Byte bytes[], size_t size))                              \
-  F(fmi3Status, fmi3DeserializeFMUState,                                                                     \
-    (fmi3Instance instance, const fmi3Byte bytes[], size_t size, fmi3FMUState* state))                       \
-  F(fmi3Status, fmi3GetDirectionalDerivative,                                                                \
-    (fmi3Instance instance, const fmi3ValueReference unknowns[], size_t unknown_number,                      \
-     const fmi3ValueReference knowns[], size_t known_number, const fmi3Float64 seed[], size_t seed_number,   \
-     fmi3Float64 sensitivity[], size_t sensitivity_number))                                                  \
-  F(fmi3Status, fmi3GetAdjointDerivative,                                                                    \
-    (fmi3Instance instance, const fmi3ValueReference unknowns[], size_t unknown_number,                      \
-     const fmi3ValueReference knowns[], size_t known_number, const fmi3Float64 seed[], size_t seed_number,   \
-     fmi3Float64 sensitivity[], size_t sensitivity_number))                                                  \
-  F(fmi3Status, fmi3EnterConfigurationMode, (fmi3Instance instance))                                         \
-  F(fmi3Status, fmi3ExitConfigurationMode, (fmi3Instance instance))                                          \
-  F(fmi3Status, fmi3GetIntervalDecimal,                                                                      \
-    (fmi3Instance instance, const fmi3ValueReference references[], size_t number, fmi3Float64 intervals[],   \
-     fmi3IntervalQualifier qualifiers[]))                                                                    \
-  F(fmi3Status, fmi3GetIntervalFraction,                                                                     \
-    (fmi3Instance instance, const fmi3ValueReference references[], size_t number, fmi3UInt64 counters[],     \
-     fmi3UInt64 resolutions[], fmi3IntervalQualifier qualifiers[]))                                          \
-  F(fmi3Status, fmi3GetShiftDecimal,                                                                         \
-    (fmi3Instance instance, const fmi3ValueReference references[], size_t number, fmi3Float64 shifts[]))     \
-  F(fmi3Status, fmi3GetShiftFraction,                                                                        \
-    (fmi3Instance instance, const fmi3ValueReference references[], size_t number, fmi3UInt64 counters[],     \
-     fmi3UInt64 resolutions[]))                                                                              \
-  F(fmi3Status, fmi3SetIntervalDecimal,                                                                      \
-    (fmi3Instance instance, const fmi3ValueReference references[], size_t number,                            \
-     const fmi3Float64 intervals[]))                                                                         \
-  F(fmi3Status, fmi3SetIntervalFraction,                                                                     \
-    (fmi3Instance instance, const fmi3ValueReference references[], size_t number,                            \
-     const fmi3UInt64 counters[], const fmi3UInt64 resolutions[]))                                           \
-  F(fmi3Status, fmi3SetShiftDecimal,                                                                         \
-    (fmi3Instance instance, const fmi3ValueReference references[], size_t number,                            \
-     const fmi3Float64 shifts[]))                                                                            \
-  F(fmi3Status, fmi3SetShiftFraction,                                                                        \
-    (fmi3Instance instance, const fmi3ValueReference references[], size_t number,                            \
-     const fmi3UInt64 counters[], const fmi3UInt64 resolutions[]))                                           \
-  F(fmi3Status, fmi3EvaluateDiscreteStates, (fmi3Instance instance))                                         \
-  F(fmi3Status, fmi3UpdateDiscreteStates,                                                                    \
-    (fmi3Instance instance, fmi3Boolean * update_needed, fmi3Boolean * terminate,                            \
-     fmi3Boolean * nominals_changed, fmi3Boolean * values_changed, fmi3Boolean * next_event_defined,         \
-     fmi3Float64 * next_event_time))                                                                         \
-  F(fmi3Status, fmi3EnterStepMode, (fmi3Instance instance))                                                  \
-  F(fmi3Status, fmi3GetOutputDerivatives,                                                                    \
-    (fmi3Instance instance, const fmi3ValueReference references[], size_t number, const fmi3Int32 orders[],  \
-     fmi3Float64 values[], size_t value_number))                                                             \
-  F(fmi3Status, fmi3DoStep,                                                                                  \
-    (fmi3Instance instance, fmi3Float64 time, fmi3Float64 step_size, fmi3Boolean no_set_state_prior,         \
-     fmi3Boolean * event_handling_needed, fmi3Boolean * terminate, fmi3Boolean * early_return,               \
+// make an instance of another kind.
+#define ORBEARING_FMI3_LISTS(...) \
+  (fmi3Instance instance, const fmi3ValueReference references[], size_t number, __VA_ARGS__)
+#define ORBEARING_FMI3_VALUES(type) ORBEARING_FMI3_LISTS(type values[], size_t value_number)
+#define ORBEARING_FMI3_FUNCTIONS(F)                                                                         \
+  F(const char*, fmi3GetVersion, ())                                                                        \
+  F(fmi3Status, fmi3SetDebugLogging,                                                                        \
+    (fmi3Instance instance, fmi3Boolean on, size_t number, const fmi3String categories[]))                  \
+  F(fmi3Instance, fmi3InstantiateModelExchange,                                                             \
+    (fmi3String name, fmi3String token, fmi3String resource_path, fmi3Boolean visible, fmi3Boolean logging, \
+     fmi3InstanceEnvironment environment, fmi3LogMessageCallback log))                                      \
+  F(fmi3Instance, fmi3InstantiateCoSimulation,                                                              \
+    (fmi3String name, fmi3String token, fmi3String resource_path, fmi3Boolean visible, fmi3Boolean logging, \
+     fmi3Boolean event_mode, fmi3Boolean early_return, const fmi3ValueReference intermediate[],             \
+     size_t intermediate_number, fmi3InstanceEnvironment environment, fmi3LogMessageCallback log,           \
+     fmi3IntermediateUpdateCallback update))                                                                \
+  F(fmi3Instance, fmi3InstantiateScheduledExecution,                                                        \
+    (fmi3String name, fmi3String token, fmi3String resource_path, fmi3Boolean visible, fmi3Boolean logging, \
+     fmi3InstanceEnvironment environment, fmi3LogMessageCallback log, fmi3ClockUpdateCallback clock_update, \
+     fmi3LockPreemptionCallback lock, fmi3UnlockPreemptionCallback unlock))                                 \
+  F(void, fmi3FreeInstance, (fmi3Instance instance))                                                        \
+  F(fmi3Status, fmi3EnterInitializationMode,                                                                \
+    (fmi3Instance instance, fmi3Boolean tolerance_defined, fmi3Float64 tolerance, fmi3Float64 start_time,   \
+     fmi3Boolean stop_time_defined, fmi3Float64 stop_time))                                                 \
+  F(fmi3Status, fmi3ExitInitializationMode, (fmi3Instance instance))                                        \
+  F(fmi3Status, fmi3Terminate, (fmi3Instance instance))                                                     \
+  F(fmi3Status, fmi3Reset, (fmi3Instance instance))                                                         \
+  F(fmi3Status, fmi3GetFloat64, ORBEARING_FMI3_VALUES(fmi3Float64))                                         \
+  F(fmi3Status, fmi3GetInt32, ORBEARING_FMI3_VALUES(fmi3Int32))                                             \
+  F(fmi3Status, fmi3SetFloat64, ORBEARING_FMI3_VALUES(const fmi3Float64))                                   \
+  F(fmi3Status, fmi3GetNumberOfVariableDependencies,                                                        \
+    (fmi3Instance instance, fmi3ValueReference reference, size_t * number))                                 \
+  F(fmi3Status, fmi3GetVariableDependencies,                                                                \
+    (fmi3Instance instance, fmi3ValueReference dependent, size_t elements_of_dependent[],                   \
+     fmi3ValueReference independents[], size_t elements_of_independents[], fmi3DependencyKind kinds[],      \
+     size_t number))                                                                                        \
+  F(fmi3Status, fmi3GetFMUState, (fmi3Instance instance, fmi3FMUState * state))                             \
+  F(fmi3Status, fmi3SetFMUState, (fmi3Instance instance, fmi3FMUState state))                               \
+  F(fmi3Status, fmi3FreeFMUState, (fmi3Instance instance, fmi3FMUState * state))                            \
+  F(fmi3Status, fmi3SerializedFMUStateSize, (fmi3Instance instance, fmi3FMUState state, size_t * size))     \
+  F(fmi3Status, fmi3SerializeFMUState,                                                                      \
+    (fmi3Instance instance, fmi3FMUState state, fmi3Byte bytes[], size_t size))                             \
+  F(fmi3Status, fmi3DeserializeFMUState,                                                                    \
+    (fmi3Instance instance, const fmi3Byte bytes[], size_t size, fmi3FMUState* state))                      \
+  F(fmi3Status, fmi3GetDirectionalDerivative,                                                               \
+    (fmi3Instance instance, const fmi3ValueReference unknowns[], size_t unknown_number,                     \
+     const fmi3ValueReference knowns[], size_t known_number, const fmi3Float64 seed[], size_t seed_number,  \
+     fmi3Float64 sensitivity[], size_t sensitivity_number))                                                 \
+  F(fmi3Status, fmi3GetAdjointDerivative,                                                                   \
+    (fmi3Instance instance, const fmi3ValueReference unknowns[], size_t unknown_number,                     \
+     const fmi3ValueReference knowns[], size_t known_number, const fmi3Float64 seed[], size_t seed_number,  \
+     fmi3Float64 sensitivity[], size_t sensitivity_number))                                                 \
+  F(fmi3Status, fmi3DoStep,                                                                                 \
+    (fmi3Instance instance, fmi3Float64 time, fmi3Float64 step_size, fmi3Boolean no_set_state_prior,        \
+     fmi3Boolean * event_handling_needed, fmi3Boolean * terminate, fmi3Boolean * early_return,              \
      fmi3Float64 * last_successful_time))
 
-// Those of model exchange.
+// Those for variables that it has not: of other types, clocks, derivatives by time.
+#define ORBEARING_FMI3_OTHER_VARIABLES(F)                                                                    \
+  F(fmi3Status, fmi3GetFloat32, ORBEARING_FMI3_VALUES(fmi3Float32))                                          \
+  F(fmi3Status, fmi3GetInt8, ORBEARING_FMI3_VALUES(fmi3Int8))                                                \
+  F(fmi3Status, fmi3GetUInt8, ORBEARING_FMI3_VALUES(fmi3UInt8))                                              \
+  F(fmi3Status, fmi3GetInt16, ORBEARING_FMI3_VALUES(fmi3Int16))                                              \
+  F(fmi3Status, fmi3GetUInt16, ORBEARING_FMI3_VALUES(fmi3UInt16))                                            \
+  F(fmi3Status, fmi3GetUInt32, ORBEARING_FMI3_VALUES(fmi3UInt32))                                            \
+  F(fmi3Status, fmi3GetInt64, ORBEARING_FMI3_VALUES(fmi3Int64))                                              \
+  F(fmi3Status, fmi3GetUInt64, ORBEARING_FMI3_VALUES(fmi3UInt64))                                            \
+  F(fmi3Status, fmi3GetBoolean, ORBEARING_FMI3_VALUES(fmi3Boolean))                                          \
+  F(fmi3Status, fmi3GetString, ORBEARING_FMI3_VALUES(fmi3String))                                            \
+  F(fmi3Status, fmi3GetBinary,                                                                               \
+    ORBEARING_FMI3_LISTS(size_t sizes[], fmi3Binary values[], size_t value_number))                          \
+  F(fmi3Status, fmi3GetClock, ORBEARING_FMI3_LISTS(fmi3Clock values[]))                                      \
+  F(fmi3Status, fmi3SetFloat32, ORBEARING_FMI3_VALUES(const fmi3Float32))                                    \
+  F(fmi3Status, fmi3SetInt8, ORBEARING_FMI3_VALUES(const fmi3Int8))                                          \
+  F(fmi3Status, fmi3SetUInt8, ORBEARING_FMI3_VALUES(const fmi3UInt8))                                        \
+  F(fmi3Status, fmi3SetInt16, ORBEARING_FMI3_VALUES(const fmi3Int16))                                        \
+  F(fmi3Status, fmi3SetUInt16, ORBEARING_FMI3_VALUES(const fmi3UInt16))                                      \
+  F(fmi3Status, fmi3SetInt32, ORBEARING_FMI3_VALUES(const fmi3Int32))                                        \
+  F(fmi3Status, fmi3SetUInt32, ORBEARING_FMI3_VALUES(const fmi3UInt32))                                      \
+  F(fmi3Status, fmi3SetInt64, ORBEARING_FMI3_VALUES(const fmi3Int64))                                        \
+  F(fmi3Status, fmi3SetUInt64, ORBEARING_FMI3_VALUES(const fmi3UInt64))                                      \
+  F(fmi3Status, fmi3SetBoolean, ORBEARING_FMI3_VALUES(const fmi3Boolean))                                    \
+  F(fmi3Status, fmi3SetString, ORBEARING_FMI3_VALUES(const fmi3String))                                      \
+  F(fmi3Status, fmi3SetBinary,                                                                               \
+    ORBEARING_FMI3_LISTS(const size_t sizes[], const fmi3Binary values[], size_t value_number))              \
+  F(fmi3Status, fmi3SetClock, ORBEARING_FMI3_LISTS(const fmi3Clock values[]))                                \
+  F(fmi3Status, fmi3GetIntervalDecimal,                                                                      \
+    ORBEARING_FMI3_LISTS(fmi3Float64 intervals[], fmi3IntervalQualifier qualifiers[]))                       \
+  F(fmi3Status, fmi3GetIntervalFraction,                                                                     \
+    ORBEARING_FMI3_LISTS(fmi3UInt64 counters[], fmi3UInt64 resolutions[],                                    \
+                         fmi3IntervalQualifier qualifiers[]))                                                \
+  F(fmi3Status, fmi3GetShiftDecimal, ORBEARING_FMI3_LISTS(fmi3Float64 shifts[]))                             \
+  F(fmi3Status, fmi3GetShiftFraction, ORBEARING_FMI3_LISTS(fmi3UInt64 counters[], fmi3UInt64 resolutions[])) \
+  F(fmi3Status, fmi3SetIntervalDecimal, ORBEARING_FMI3_LISTS(const fmi3Float64 intervals[]))                 \
+  F(fmi3Status, fmi3SetIntervalFraction,                                                                     \
+    ORBEARING_FMI3_LISTS(const fmi3UInt64 counters[], const fmi3UInt64 resolutions[]))                       \
+  F(fmi3Status, fmi3SetShiftDecimal, ORBEARING_FMI3_LISTS(const fmi3Float64 shifts[]))                       \
+  F(fmi3Status, fmi3SetShiftFraction,                                                                        \
+    ORBEARING_FMI3_LISTS(const fmi3UInt64 counters[], const fmi3UInt64 resolutions[]))                       \
+  F(fmi3Status, fmi3GetOutputDerivatives,                                                                    \
+    ORBEARING_FMI3_LISTS(const fmi3Int32 orders[], fmi3Float64 values[], size_t value_number))
+
+// Those of event mode, of configuration mode, of model exchange and of scheduled execution.
+#define ORBEARING_FMI3_EVENTS(F)                                                                     \
+  F(fmi3Status, fmi3EnterEventMode, (fmi3Instance instance))                                         \
+  F(fmi3Status, fmi3EnterStepMode, (fmi3Instance instance))                                          \
+  F(fmi3Status, fmi3EvaluateDiscreteStates, (fmi3Instance instance))                                 \
+  F(fmi3Status, fmi3UpdateDiscreteStates,                                                            \
+    (fmi3Instance instance, fmi3Boolean * update_needed, fmi3Boolean * terminate,                    \
+     fmi3Boolean * nominals_changed, fmi3Boolean * values_changed, fmi3Boolean * next_event_defined, \
+     fmi3Float64 * next_event_time))
+#define ORBEARING_FMI3_CONFIGURATION(F)                              \
+  F(fmi3Status, fmi3EnterConfigurationMode, (fmi3Instance instance)) \
+  F(fmi3Status, fmi3ExitConfigurationMode, (fmi3Instance instance))
 #define ORBEARING_FMI3_MODEL_EXCHANGE(F)                                                                     \
   F(fmi3Status, fmi3EnterContinuousTimeMode, (fmi3Instance instance))                                        \
   F(fmi3Status, fmi3CompletedIntegratorStep,                                                                 \
@@ -245,8 +188,6 @@ using fmi3UnlockPreemptionCallback = void (*)();
     (fmi3Instance instance, fmi3Float64 nominals[], size_t number))                                          \
   F(fmi3Status, fmi3GetNumberOfEventIndicators, (fmi3Instance instance, size_t * number))                    \
   F(fmi3Status, fmi3GetNumberOfContinuousStates, (fmi3Instance instance, size_t * number))
-
-// That of scheduled execution.
 #define ORBEARING_FMI3_SCHEDULED_EXECUTION(F) \
   F(fmi3Status, fmi3ActivateModelPartition,   \
     (fmi3Instance instance, fmi3ValueReference clock, fmi3Float64 time))
@@ -257,6 +198,9 @@ extern "C" {
   using name##TYPE = result arguments;             \
   name##TYPE name;
 ORBEARING_FMI3_FUNCTIONS(ORBEARING_DECLARE)
+ORBEARING_FMI3_OTHER_VARIABLES(ORBEARING_DECLARE)
+ORBEARING_FMI3_EVENTS(ORBEARING_DECLARE)
+ORBEARING_FMI3_CONFIGURATION(ORBEARING_DECLARE)
 ORBEARING_FMI3_MODEL_EXCHANGE(ORBEARING_DECLARE)
 ORBEARING_FMI3_SCHEDULED_EXECUTION(ORBEARING_DECLARE)
 #undef ORBEARING_DECLARE

@@ -81,11 +81,6 @@ Refused no_state(const std::string& found, const std::string& required) {
 
 }  // namespace
 
-std::size_t byte_number(const InstanceState& s) {
-  const std::size_t lists = s.parameters.size() + 5 * s.inputs.size() + s.participant.size();
-  return sizeof(Header) + (kFixed + lists) * sizeof(double);
-}
-
 std::string bytes_of(const InstanceState& state, std::uint64_t model) {
   const std::vector<double> numbers = numbers_of(state);
   std::string body(numbers.size() * sizeof(double), '\0');
@@ -292,15 +287,17 @@ void Instance::get(References references, double* values) {
   std::copy(found.begin(), found.end(), values);
 }
 
-void Instance::get_whole(References references, std::int64_t* values) {
+void Instance::get_whole(References references, std::int32_t* values) {
   require_pointer(references.list, references.number, "value references");
   require_pointer(values, references.number, "values");
+  std::vector<std::int32_t> found;
   for (std::size_t i = 0; i < references.number; ++i) {
     const Variable& one = variable(references.list[i]);
     if (!one.whole())
       throw Refused(one.name + ": found a call for integers; required: one for real variables");
-    values[i] = static_cast<std::int64_t>(one.start);
+    found.push_back(static_cast<std::int32_t>(one.start));
   }
+  std::copy(found.begin(), found.end(), values);
 }
 
 void Instance::require_settable(const Variable& one, double value) const {
@@ -329,6 +326,255 @@ void Instance::set(References references, const double* values) {
   if (references.number == 0) return;
   outputs_.reset();
   if (state_.phase != Phase::stepping) state_.computed = false;
+}
+
+// Steps: inputs over a step, derivatives of inputs and of outputs.
+
+namespace {
+
+// Importers add step sizes up or multiply them: both differ by round-off.
+constexpr double kStepShare = 1e-6, kTimeShare = 1e-12;
+// An instance takes ten million steps of its own in one step at most, and none of a millisecond.
+constexpr double kLongestStep = 1e4;  // [s]
+constexpr const char* kTooManySteps = "largest number of steps";
+
+double slack(double time, double size) {
+  return kStepShare * size + kTimeShare * std::fabs(time);
+}
+
+}  // namespace
+
+void Instance::clear_derivatives() {
+  state_.first.assign(facts_.inputs.size(), 0.0);
+  state_.second.assign(facts_.inputs.size(), 0.0);
+  state_.has_first.assign(facts_.inputs.size(), false);
+}
+
+void Instance::set_derivatives(References references, const int* orders, const double* values) {
+  require_phase({Phase::initializing, Phase::stepping}, "derivatives of inputs");
+  if (references.number > 0 && (references.list == nullptr || orders == nullptr || values == nullptr))
+    throw Refused("derivatives of inputs: found NULL; required: lists of references, orders and values");
+  for (std::size_t i = 0; i < references.number; ++i) {
+    const Variable& one = variable(references.list[i]);
+    if (one.role != Role::input) throw Refused(one.name + ": found a derivative to set; required: an input");
+    if (orders[i] < 1 || orders[i] > 2)
+      throw Refused(one.name + ": found a derivative of order " + std::to_string(orders[i]) +
+                    "; required: 1 or 2");
+    if (!std::isfinite(values[i])) throw Refused(one.name + ": found a derivative that is not finite");
+  }
+  for (std::size_t i = 0; i < references.number; ++i) {
+    const std::size_t input = variables_[references.list[i]].index;
+    (orders[i] == 1 ? state_.first : state_.second)[input] = values[i];
+    state_.has_first[input] = true;
+  }
+}
+
+std::vector<system::InputPolynomial> Instance::polynomials() const {
+  std::vector<system::InputPolynomial> polynomials;
+  for (std::size_t i = 0; i < state_.inputs.size(); ++i)
+    polynomials.push_back({{state_.inputs[i], state_.first[i], 0.5 * state_.second[i], 0.0}});
+  for (std::size_t i = 0; i < polynomials.size(); ++i) {
+    const std::size_t rate = facts_.inputs[i].rate;
+    if (rate != system::kNone && !state_.has_first[i])
+      polynomials[i] = system::integral(state_.inputs[i], polynomials[rate]);
+  }
+  return polynomials;
+}
+
+std::vector<double> Instance::input_values(const std::vector<system::InputPolynomial>& polynomials,
+                                           double since) const {
+  std::vector<double> values;
+  for (std::size_t i = 0; i < polynomials.size(); ++i) {
+    values.push_back(polynomials[i].at(since));
+    if (!std::isfinite(values.back()))
+      throw Refused(Status::discard,
+                    facts_.inputs[i].name + ": found no finite value at the end of the step");
+  }
+  return values;
+}
+
+void Instance::require_step(double point, double size) const {
+  require_phase({Phase::stepping}, "step");
+  if (!std::isfinite(size) || !(size > 0.0))
+    throw Refused("step size: found " + seconds(size) + "; required: a finite number greater than 0");
+  if (size > kLongestStep)
+    throw Refused("step size: found " + seconds(size) + "; required: at most " + seconds(kLongestStep) +
+                  ", which ten million steps of an instance's own do not exceed");
+  if (!std::isfinite(point) || std::fabs(point - state_.time) > slack(state_.time, size))
+    throw Refused("communication point: found " + seconds(point) + "; required: the time of the instance, " +
+                  seconds(state_.time));
+  if (!(point + size > state_.time) || !std::isfinite(point + size))
+    throw Refused("step size: found " + seconds(size) + ", which does not move the time " + seconds(point));
+  if (state_.has_stop && point + size > state_.stop + slack(state_.stop, size))
+    throw Refused("step: found an end at " + seconds(point + size) +
+                  "; required: not beyond the stop time, " + seconds(state_.stop));
+}
+
+// Of half the length, half of that and so on; what a trial costs halves too. None: 0.
+double Instance::accepted_length(double length, const std::vector<system::InputPolynomial>& inputs) {
+  constexpr int kHalvings = 20;
+  system::SavedState before;
+  participant().save(before);
+  for (int i = 0; i < kHalvings; ++i) {
+    length *= 0.5;
+    if (!(state_.time + length > state_.time)) break;
+    try {
+      participant().advance({state_.time, state_.time + length}, inputs);
+      const std::vector<double> values =
+          participant().values(input_values(inputs, length), facts_.outputs.size());
+      participant().restore(before);
+      if (std::all_of(values.begin(), values.end(), [](double one) { return std::isfinite(one); }))
+        return length;
+    } catch (const std::exception&) {  // it stands at `before` then
+    }
+  }
+  return 0.0;
+}
+
+void Instance::refuse_step(double length, const std::vector<system::InputPolynomial>& inputs,
+                           const std::string& reason) {
+  // A trial of half the length would take as many steps again before it gives up.
+  if (reason.find(kTooManySteps) != std::string::npos)
+    throw Refused(Status::discard, "step too long: found " + seconds(length) + ", in which " + reason +
+                                       "; required: shorter steps");
+  const double accepted = accepted_length(length, inputs);
+  if (accepted > 0.0)
+    throw Refused(Status::discard, "step too long: found " + seconds(length) + ", in which " + reason +
+                                       "; required under these inputs: at most about " +
+                                       seconds(accepted, 4));
+  throw Refused(Status::discard, "step: found " + seconds(length) + ", in which " + reason +
+                                     ". No shorter step was accepted under these inputs either");
+}
+
+void Instance::step(double point, double size) {
+  require_step(point, size);
+  const system::Window window{state_.time, point + size};
+  const std::vector<system::InputPolynomial> inputs = polynomials();
+  std::vector<double> ends;
+  try {
+    ends = input_values(inputs, window.length());
+    participant().advance(window, inputs);
+  } catch (const std::exception& failure) {
+    refuse_step(window.length(), inputs, failure.what());
+  }
+  state_.time = window.end;
+  state_.inputs = std::move(ends);
+  clear_derivatives();
+  outputs_.reset();
+}
+
+// Of unknown i by known k.
+template <class Function>
+void Instance::for_each_slope(References unknowns, References knowns, const Function& function) {
+  for (std::size_t k = 0; k < knowns.number; ++k) {
+    const Variable& known = variable(knowns.list[k]);
+    require_phase({Phase::stepping, Phase::terminated}, "derivatives of outputs");
+    if (known.role != Role::input) throw Refused(known.name + ": found as a known; required: an input");
+    const std::vector<double> by = participant().slopes(state_.inputs, known.index);
+    for (std::size_t i = 0; i < unknowns.number; ++i) function(i, k, by[variables_[unknowns.list[i]].index]);
+  }
+}
+
+namespace {
+
+void require_lists(References unknowns, References knowns, const double* seed, double* sensitivity,
+                   const Instance& instance) {
+  const bool empty = unknowns.number == 0 && knowns.number == 0;
+  if (!empty &&
+      (unknowns.list == nullptr || knowns.list == nullptr || seed == nullptr || sensitivity == nullptr))
+    throw Refused(
+        "derivatives of outputs: found NULL; required: lists of unknowns, knowns, seed, sensitivity");
+  for (std::size_t i = 0; i < unknowns.number; ++i)
+    if (const Variable& one = instance.variable(unknowns.list[i]); one.role != Role::output)
+      throw Refused(one.name + ": found as an unknown; required: an output");
+}
+
+}  // namespace
+
+void Instance::directional(References unknowns, References knowns, const double* seed, double* sensitivity) {
+  require_lists(unknowns, knowns, seed, sensitivity, *this);
+  std::vector<double> sum(unknowns.number, 0.0);
+  for_each_slope(unknowns, knowns,
+                 [&](std::size_t i, std::size_t k, double slope) { sum[i] += slope * seed[k]; });
+  std::copy(sum.begin(), sum.end(), sensitivity);
+}
+
+void Instance::adjoint(References unknowns, References knowns, const double* seed, double* sensitivity) {
+  require_lists(unknowns, knowns, seed, sensitivity, *this);
+  std::vector<double> sum(knowns.number, 0.0);
+  for_each_slope(unknowns, knowns,
+                 [&](std::size_t i, std::size_t k, double slope) { sum[k] += slope * seed[i]; });
+  std::copy(sum.begin(), sum.end(), sensitivity);
+}
+
+// States: kept, gone back to, written as bytes.
+
+namespace {
+
+auto is_at(const InstanceState* state) {
+  return [state](const InstanceState& kept) { return &kept == state; };
+}
+
+}  // namespace
+
+void Instance::require_known(const InstanceState* state) const {
+  if (state == nullptr || std::none_of(kept_.begin(), kept_.end(), is_at(state)))
+    throw Refused("state: found none of this instance; required: one that it gave and that was not freed");
+}
+
+InstanceState Instance::present() const {
+  InstanceState state = state_;
+  if (state.computed) participant_->save(state.participant);
+  return state;
+}
+
+InstanceState* Instance::place_state(InstanceState state, InstanceState* again) {
+  if (again == nullptr) return &kept_.emplace_back(std::move(state));
+  require_known(again);
+  *again = std::move(state);
+  return again;
+}
+
+InstanceState* Instance::keep_state(InstanceState* again) {
+  return place_state(present(), again);
+}
+
+void Instance::go_to_state(const InstanceState* state) {
+  require_known(state);
+  if (participant_ && state->parameters != state_.parameters) participant_.reset();
+  state_ = *state;
+  state_.participant.clear();
+  outputs_.reset();
+  if (state->computed) participant().restore(state->participant);  // it fits: it was saved or tried before
+}
+
+void Instance::free_state(const InstanceState* state) {
+  if (state == nullptr) return;
+  require_known(state);
+  kept_.remove_if(is_at(state));
+}
+
+std::size_t Instance::state_size(const InstanceState* state) const {
+  require_known(state);
+  return bytes_of(*state, hash_).size();
+}
+
+void Instance::serialize(const InstanceState* state, char* bytes, std::size_t size) const {
+  require_known(state);
+  const std::string all = bytes_of(*state, hash_);
+  if (bytes == nullptr || size < all.size())
+    throw Refused("serialised state: found room for " + std::to_string(bytes == nullptr ? 0 : size) +
+                  " bytes; required: " + std::to_string(all.size()));
+  std::copy(all.begin(), all.end(), bytes);
+}
+
+InstanceState* Instance::deserialize(const char* bytes, std::size_t size, InstanceState* again) {
+  if (bytes == nullptr) throw Refused("serialised state: found NULL; required: bytes");
+  InstanceState state =
+      state_from(bytes, size, hash_, {facts_.shown.parameters.size(), facts_.inputs.size()});
+  if (state.computed)
+    make_participant(numbers_, state.parameters)->restore(state.participant);  // a state that fits
+  return place_state(std::move(state), again);
 }
 
 }  // namespace orbearing::fmu

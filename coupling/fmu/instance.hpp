@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "coupling/fmu/model.hpp"
 #include "coupling/fmu/model_file.hpp"
-#include "coupling/fmu/variable_table.hpp"
 #include "coupling/system/participant.hpp"
 
 namespace orbearing::fmu {
@@ -45,7 +45,6 @@ struct StateSizes {
 /// Header (magic, format, length, hashes of program version and model, checksum), then all numbers.
 /// @param model hash of the model and the program's version
 std::string bytes_of(const InstanceState& state, std::uint64_t model);
-std::size_t byte_number(const InstanceState& state);
 
 /// Throws Refused with the reason where `bytes` are not a whole state of this model and version.
 InstanceState state_from(const char* bytes, std::size_t size, std::uint64_t model, const StateSizes& sizes);
@@ -82,7 +81,8 @@ class Instance {
   void reset();
 
   void get(References references, double* values);
-  void get_whole(References references, std::int64_t* values);
+  /// Of integers as either version of the interface has them.
+  void get_whole(References references, std::int32_t* values);
   void set(References references, const double* values);
   /// Derivatives of inputs by time for the next step, of order 1 or 2.
   void set_derivatives(References references, const int* orders, const double* values);
@@ -125,7 +125,8 @@ class Instance {
   std::vector<system::InputPolynomial> polynomials() const;
   std::vector<double> input_values(const std::vector<system::InputPolynomial>& polynomials,
                                    double since) const;
-  std::vector<double> slopes(const Variable& known);
+  template <class Function>
+  void for_each_slope(References unknowns, References knowns, const Function& function);
   void clear_derivatives();
   InstanceState present() const;
   InstanceState* place_state(InstanceState state, InstanceState* again);

@@ -66,7 +66,7 @@ Profile empty_profile(std::size_t position, std::size_t numbers) {
 
 }  // namespace
 
-std::vector<double> profile_numbers(const Profile& profile) {
+std::vector<double> to_numbers(const Profile& profile) {
   std::vector<double> numbers{static_cast<double>(profile.index())};
   Profile copy = profile;
   std::visit(
@@ -77,9 +77,9 @@ std::vector<double> profile_numbers(const Profile& profile) {
   return numbers;
 }
 
-Profile profile_from(const std::vector<double>& numbers) {
+void from_numbers(const std::vector<double>& numbers, Profile& profile) {
   if (numbers.empty() || !(numbers[0] >= 0.0 && numbers[0] < 100.0)) refuse(numbers.size());
-  Profile profile = empty_profile(static_cast<std::size_t>(numbers[0]), numbers.size());
+  profile = empty_profile(static_cast<std::size_t>(numbers[0]), numbers.size());
   std::visit(
       [&](auto& p) {
         const std::vector<double*> members = members_of(p);
@@ -87,7 +87,6 @@ Profile profile_from(const std::vector<double>& numbers) {
         for (std::size_t i = 0; i < members.size(); ++i) *members[i] = numbers[i + 1];
       },
       profile);
-  return profile;
 }
 
 namespace {
@@ -169,13 +168,6 @@ void from_numbers(const std::vector<double>& numbers, std::vector<bearing::RaceH
   form.clear();
   for (std::size_t i = 0; i + 3 < numbers.size(); i += 4)
     form.push_back({static_cast<int>(numbers[i]), numbers[i + 1], numbers[i + 2], numbers[i + 3] != 0.0});
-}
-
-std::vector<double> to_numbers(const bearing::profile::Profile& profile) {
-  return profile_numbers(profile);
-}
-void from_numbers(const std::vector<double>& numbers, bearing::profile::Profile& profile) {
-  profile = profile_from(numbers);
 }
 
 std::vector<double> to_numbers(const gearset::PeriodicCurve& curve) {

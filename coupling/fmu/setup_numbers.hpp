@@ -17,14 +17,6 @@
 
 namespace orbearing::fmu {
 
-// Profiles of rollers and races as lists of numbers.
-
-/// Place of the kind in the variant, then its members; a table as scale, places, drops.
-std::vector<double> profile_numbers(const bearing::profile::Profile& profile);
-
-/// Throws std::invalid_argument where `numbers` are those of no profile.
-bearing::profile::Profile profile_from(const std::vector<double>& numbers);
-
 /// What is known of a variable of an FMU, whatever it belongs to.
 struct FieldFacts {
   std::string name;          // as the key of a case, where it has one
@@ -41,12 +33,14 @@ void require_allowed(const FieldFacts& facts, double value);
 
 std::vector<double> to_numbers(const std::vector<double>& list);
 std::vector<double> to_numbers(const std::vector<bearing::RaceHarmonic>& form);
+/// Place of the kind in the variant, then its members; a table as scale, places, drops.
 std::vector<double> to_numbers(const bearing::profile::Profile& profile);
 std::vector<double> to_numbers(const gearset::PeriodicCurve& curve);
 std::vector<double> to_numbers(const std::shared_ptr<const gearset::LoadedTeeth>& teeth);  // none: no numbers
 std::vector<double> to_numbers(const Eigen::Matrix2Xd& matrix);
 void from_numbers(const std::vector<double>& numbers, std::vector<double>& list);
 void from_numbers(const std::vector<double>& numbers, std::vector<bearing::RaceHarmonic>& form);
+/// Throws std::invalid_argument where `numbers` are those of no profile.
 void from_numbers(const std::vector<double>& numbers, bearing::profile::Profile& profile);
 void from_numbers(const std::vector<double>& numbers, gearset::PeriodicCurve& curve);
 void from_numbers(const std::vector<double>& numbers, std::shared_ptr<const gearset::LoadedTeeth>& teeth);

@@ -3,12 +3,9 @@
 set(ORBEARING_FMU_CORE
   guard.cpp
   instance.cpp
-  instance_keep.cpp
-  instance_step.cpp
   model.cpp
   model_file.cpp
   number_table.cpp
-  setup_numbers.cpp
-  variable_table.cpp)
+  setup_numbers.cpp)
 # The C interfaces, whose names an importer of others in the same program must not meet.
 set(ORBEARING_FMU_INTERFACE fmi2.cpp fmi3.cpp fmi3_refusing.cpp)

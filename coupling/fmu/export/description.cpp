@@ -12,7 +12,7 @@
 #include <string_view>
 #include <utility>
 
-#include "coupling/fmu/variable_table.hpp"
+#include "coupling/fmu/model.hpp"
 
 namespace orbearing::fmu {
 

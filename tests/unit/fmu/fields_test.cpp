@@ -10,6 +10,12 @@
 namespace orbearing::fmu::fields_test {
 namespace {
 
+bearing::profile::Profile profile_of(const std::vector<double>& numbers) {
+  bearing::profile::Profile profile;
+  from_numbers(numbers, profile);
+  return profile;
+}
+
 // Changes one member after the other; what is no single number is left to the texts' test.
 struct ChangeOne {
   template <class Member>
@@ -127,17 +133,16 @@ TEST(FmuFields, ProfilesOfEveryKindComeBack) {
                                       Table{{1, 2, 3}, {4, 5, 6}, 7}};
   ASSERT_EQ(profiles.size(), std::variant_size_v<Profile>);
   for (const Profile& profile : profiles) {
-    const std::vector<double> numbers = profile_numbers(profile);
-    const Profile again = profile_from(numbers);
+    const std::vector<double> numbers = to_numbers(profile);
+    const Profile again = profile_of(numbers);
     EXPECT_EQ(again.index(), profile.index());
-    EXPECT_EQ(profile_numbers(again), numbers);
+    EXPECT_EQ(to_numbers(again), numbers);
     std::vector<double> shorter(numbers.begin(), numbers.end() - 1);
-    EXPECT_REFUSED(std::invalid_argument, "fields 4", profile_from(shorter));
+    EXPECT_REFUSED(std::invalid_argument, "fields 4", profile_of(shorter));
   }
-  EXPECT_EQ(std::get<Table>(profile_from(profile_numbers(profiles.back()))).drop,
-            (std::vector<double>{4, 5, 6}));
-  EXPECT_REFUSED(std::invalid_argument, "fields 5", profile_from({9.0}));
-  EXPECT_REFUSED(std::invalid_argument, "fields 6", profile_from({-1.0}));
+  EXPECT_EQ(std::get<Table>(profile_of(to_numbers(profiles.back()))).drop, (std::vector<double>{4, 5, 6}));
+  EXPECT_REFUSED(std::invalid_argument, "fields 5", profile_of({9.0}));
+  EXPECT_REFUSED(std::invalid_argument, "fields 6", profile_of({-1.0}));
 }
 
 TEST(FmuModelText, SaysWhatIsWrong) {

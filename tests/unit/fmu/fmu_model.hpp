@@ -12,7 +12,6 @@
 #include "coupling/fmu/fmi2.hpp"
 #include "coupling/fmu/model.hpp"
 #include "coupling/fmu/model_file.hpp"
-#include "coupling/fmu/variable_table.hpp"
 #include "tests/gear_sets.hpp"
 #include "tests/messages.hpp"
 #include "tests/unit/cosim/driven_reducer.hpp"
