@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "coupling/integration/integration_options.hpp"
+#include "coupling/integration/run.hpp"
 
 namespace orbearing::integration::detail {
 
@@ -63,6 +64,71 @@ struct System {
     ++calls;
     derivative(time, view(x), Eigen::Map<Eigen::VectorXd>(dx.data(), static_cast<Eigen::Index>(dx.size())));
   }
+};
+
+/// The report of a run from `x`, which `advance(system, run)` takes to its end: false where it was given up.
+/// `starts` counts how often the stepper was started, which costs one call of the right-hand side each.
+template <class Advance>
+IntegrationReport reported(const RightHandSide& derivative, const Eigen::VectorXd& x,
+                           const OutputTimes& output, const IntegrationOptions& options, const long& starts,
+                           const Advance& advance) {
+  IntegrationReport report;
+  report.reached = output.time(0);
+  Run run(options, report);
+  if (!x.allFinite()) {
+    run.fail("the state is not finite");
+    return report;
+  }
+  report.smallest_step = std::numeric_limits<double>::infinity();
+  report.completed = advance(System{derivative, report.rhs_calls}, run, report);
+  if (starts > 0) report.rejected = std::max(0L, (report.rhs_calls - starts) / kRhsPerAttempt - report.steps);
+  if (report.steps == 0) report.smallest_step = 0.0;
+  report.wall_seconds = run.seconds();
+  return report;
+}
+
+/// Dopri5 in progress, started as often as its user wants; shows the state at the output times.
+class DenseRun {
+ public:
+  DenseRun(const OutputTimes& output, const Observer& observe, Run& run, const ControlledDopri5& controlled,
+           long& starts)
+      : output_(output), observe_(observe), run_(run), stepper_(controlled), starts_(starts) {}
+
+ protected:
+  void start(const State& x, double time, double step) {
+    stepper_.initialize(x, time, step);
+    ++starts_;
+  }
+  /// False where no step was small enough.
+  template <class Equations>
+  bool step(const Equations& equations) {
+    try {
+      stepper_.do_step(equations);
+      return true;
+    } catch (const odeint::odeint_error&) {
+      return run_.fail("no step was small enough, or the state is not finite,");
+    }
+  }
+  double last_step() const { return stepper_.current_time() - stepper_.previous_time(); }
+  /// Of the output times up to `time` that were not shown yet.
+  void show_until(double time) {
+    for (; sample_ <= output_.samples && output_.time(sample_) <= time; ++sample_) {
+      if (!observe_) continue;
+      at_sample_.resize(stepper_.current_state().size());
+      stepper_.calc_state(output_.time(sample_), at_sample_);
+      observe_(output_.time(sample_), view(at_sample_));
+    }
+  }
+
+  const OutputTimes& output_;
+  const Observer& observe_;
+  Run& run_;
+  DenseDopri5 stepper_;
+
+ private:
+  long& starts_;
+  long sample_ = 1;
+  State at_sample_;
 };
 
 }  // namespace orbearing::integration::detail

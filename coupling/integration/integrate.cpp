@@ -7,7 +7,6 @@
 #include <stdexcept>
 
 #include "coupling/integration/dopri5.hpp"
-#include "coupling/integration/run.hpp"
 
 namespace orbearing::integration {
 
@@ -74,32 +73,20 @@ void append(const IntegrationReport& part, IntegrationReport& all) {
 
 IntegrationReport integrate(const RightHandSide& derivative, Eigen::VectorXd& x, const OutputTimes& output,
                             const IntegrationOptions& options, const Observer& observe) {
-  IntegrationReport report;
-  report.reached = output.time(0);
-  Run run(options, report);
-  const System system{derivative, report.rhs_calls};
-  if (!x.allFinite()) {
-    run.fail("the state is not finite");
-    return report;
-  }
-  report.smallest_step = std::numeric_limits<double>::infinity();
-  switch (options.method) {
-    case Method::dopri5:
-      report.completed = run_dense(system, x, output, options, observe, run);
-      report.rejected = std::max(0L, (report.rhs_calls - 1) / kRhsPerAttempt - report.steps);
-      break;
-    case Method::fixed_dopri5:
-      report.completed = run_fixed<Dopri5>(system, x, output, options, observe, run);
-      break;
-    case Method::linearly_implicit:
-      throw std::invalid_argument("linearly implicit steps need a Jacobian: system::integrate_bearing()");
-    case Method::rk4:
-      report.completed = run_fixed<odeint::runge_kutta4<State>>(system, x, output, options, observe, run);
-      break;
-  }
-  if (report.steps == 0) report.smallest_step = 0.0;
-  report.wall_seconds = run.seconds();
-  return report;
+  const long starts = options.method == Method::dopri5 ? 1 : 0;
+  return reported(derivative, x, output, options, starts, [&](System system, Run& run, IntegrationReport&) {
+    switch (options.method) {
+      case Method::dopri5:
+        return run_dense(system, x, output, options, observe, run);
+      case Method::fixed_dopri5:
+        return run_fixed<Dopri5>(system, x, output, options, observe, run);
+      case Method::rk4:
+        return run_fixed<odeint::runge_kutta4<State>>(system, x, output, options, observe, run);
+      case Method::linearly_implicit:
+        break;
+    }
+    throw std::invalid_argument("linearly implicit steps need a Jacobian: system::integrate_bearing()");
+  });
 }
 
 }  // namespace orbearing::integration

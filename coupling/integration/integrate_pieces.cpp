@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "coupling/integration/dopri5.hpp"
-#include "coupling/integration/run.hpp"
 
 namespace orbearing::integration {
 
@@ -23,20 +22,14 @@ struct PieceSystem {
   }
 };
 
-// The run in progress: one stepper that is started anew in each piece.
-class PiecesRun {
+// One stepper that is started anew in each piece.
+class PiecesRun : public DenseRun {
  public:
   PiecesRun(System system, const OutputTimes& output, const IntegrationOptions& options,
-            const Observer& observe, Run& run)
-      : system_{system},
-        output_(output),
-        observe_(observe),
-        run_(run),
-        stepper_(ControlledDopri5(WeightedError(options))),
+            const Observer& observe, Run& run, long& starts)
+      : DenseRun(output, observe, run, ControlledDopri5(WeightedError(options)), starts),
+        system_{system},
         wanted_step_(options.step) {}
-
-  /// How often the stepper was started, which costs one call of the right-hand side each.
-  long starts() const { return starts_; }
 
   /// That the error allows, whatever ends of pieces cut short [s].
   double next_step() const { return wanted_step_; }
@@ -50,16 +43,12 @@ class PiecesRun {
     double time = begin;
     while (end - time > close) {
       fit_step(x, time, end);
-      try {
-        stepper_.do_step(system_);
-      } catch (const odeint::odeint_error&) {
-        return run_.fail("no step was small enough, or the state is not finite,");
-      }
+      if (!step(system_)) return false;
       take_over(x);
       time = stepper_.current_time();
-      if (!run_.accept(time, time - stepper_.previous_time())) return false;
+      if (!run_.accept(time, last_step())) return false;
       if (end - time <= close) time = end;
-      emit(time);
+      show_until(time);
     }
     going_on_ = false;
     return true;
@@ -72,8 +61,7 @@ class PiecesRun {
     attempted_ = left <= wanted_step_ ? left : left < 2.0 * wanted_step_ ? 0.5 * left : wanted_step_;
     if (going_on_ && attempted_ == stepper_.current_time_step()) return;
     start_.assign(x.data(), x.data() + x.size());
-    stepper_.initialize(start_, time, attempted_);
-    ++starts_;
+    start(start_, time, attempted_);
     going_on_ = true;
   }
 
@@ -86,33 +74,14 @@ class PiecesRun {
     wanted_step_ = shortened && !refused ? std::max(wanted_step_, suggested) : suggested;
   }
 
-  void emit(double time) {
-    while (sample_ <= output_.samples && output_.time(sample_) <= time) {
-      if (observe_) {
-        at_sample_.resize(stepper_.current_state().size());
-        stepper_.calc_state(output_.time(sample_), at_sample_);
-        observe_(output_.time(sample_), view(at_sample_));
-      }
-      ++sample_;
-    }
-  }
-
   PieceSystem system_;
-  const OutputTimes& output_;
-  const Observer& observe_;
-  Run& run_;
-  DenseDopri5 stepper_;
   double wanted_step_;      // [s]  that the error allows
   double attempted_ = 0.0;  // [s]
   bool going_on_ = false;   // the stepper stands where the last step ended
-  long starts_ = 0;
-  long sample_ = 1;
   State start_;
-  State at_sample_;
 };
 
-bool run_pieces(Eigen::VectorXd& x, const OutputTimes& output, const Jumps& jumps,
-                const JumpObserver& at_jump, PiecesRun& pieces) {
+bool run_pieces(Eigen::VectorXd& x, const OutputTimes& output, const Jumps& jumps, PiecesRun& pieces) {
   const double end = output.time(output.samples);
   double begin = output.time(0);
   long jump = 0;
@@ -123,7 +92,6 @@ bool run_pieces(Eigen::VectorXd& x, const OutputTimes& output, const Jumps& jump
     const bool last = next >= end - jumps.margin;
     const double stop = last ? end : next;
     if (!pieces.advance(x, begin, stop, jumps.margin)) return false;
-    if (at_jump && next <= stop + jumps.margin) at_jump(stop - jumps.margin, stop + jumps.margin, x);
     begin = stop;
     ++jump;
   }
@@ -134,24 +102,15 @@ bool run_pieces(Eigen::VectorXd& x, const OutputTimes& output, const Jumps& jump
 
 IntegrationReport integrate_pieces(const RightHandSide& derivative, Eigen::VectorXd& x,
                                    const OutputTimes& output, const Jumps& jumps,
-                                   const IntegrationOptions& options, const Observer& observe,
-                                   const JumpObserver& at_jump) {
-  IntegrationReport report;
-  report.reached = output.time(0);
-  Run run(options, report);
-  const System system{derivative, report.rhs_calls};
-  if (!x.allFinite()) {
-    run.fail("the state is not finite");
-    return report;
-  }
-  report.smallest_step = std::numeric_limits<double>::infinity();
-  PiecesRun pieces(system, output, options, observe, run);
-  report.completed = run_pieces(x, output, jumps, at_jump, pieces);
-  report.rejected = std::max(0L, (report.rhs_calls - pieces.starts()) / kRhsPerAttempt - report.steps);
-  report.next_step = pieces.next_step();
-  if (report.steps == 0) report.smallest_step = 0.0;
-  report.wall_seconds = run.seconds();
-  return report;
+                                   const IntegrationOptions& options, const Observer& observe) {
+  long starts = 0;
+  return reported(derivative, x, output, options, starts,
+                  [&](System system, Run& run, IntegrationReport& report) {
+                    PiecesRun pieces(system, output, options, observe, run, starts);
+                    const bool completed = run_pieces(x, output, jumps, pieces);
+                    report.next_step = pieces.next_step();
+                    return completed;
+                  });
 }
 
 namespace {

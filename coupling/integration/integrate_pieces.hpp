@@ -15,17 +15,11 @@ struct Jumps {
   double margin = 0.0;
 };
 
-/// Sees the state at a jump: `before` and `after` [s] are the times that the right-hand side is asked for on
-/// its two sides.
-using JumpObserver =
-    std::function<void(double before, double after, const Eigen::Ref<const Eigen::VectorXd>& x)>;
-
 /// As `integrate` with Method::dopri5, piece by piece between jumps. Allowed errors, budget and report as
 /// there.
 IntegrationReport integrate_pieces(const RightHandSide& derivative, Eigen::VectorXd& x,
                                    const OutputTimes& output, const Jumps& jumps,
-                                   const IntegrationOptions& options, const Observer& observe,
-                                   const JumpObserver& at_jump = {});
+                                   const IntegrationOptions& options, const Observer& observe);
 
 // What the integrator must know of a planetary set: where its right-hand side jumps, and which errors of a
 // step it bears.

@@ -3,7 +3,6 @@
 #include <optional>
 
 #include "coupling/integration/dopri5.hpp"
-#include "coupling/integration/run.hpp"
 
 namespace orbearing::integration {
 
@@ -17,47 +16,40 @@ struct Crossing {
   Eigen::Index which = 0;
 };
 
-// The run in progress: one stepper that is started anew at each switch.
-class SwitchedRun {
+// One stepper that is started anew at each switch.
+class SwitchedRun : public DenseRun {
  public:
-  SwitchedRun(System system, const OutputTimes& output, const Switches& switches,
-              const IntegrationOptions& options, const Observer& observe, Run& run)
-      : system_(system),
-        output_(output),
+  SwitchedRun(const System& system, const OutputTimes& output, const Switches& switches,
+              const IntegrationOptions& options, const Observer& observe, Run& run, long& starts)
+      : DenseRun(output, observe, run,
+                 ControlledDopri5(WeightedError(options), Adjuster(switches.largest_step)), starts),
+        system_(system),
         switches_(switches),
-        observe_(observe),
-        run_(run),
-        stepper_(ControlledDopri5(WeightedError(options), Adjuster(switches.largest_step))),
-        step_(options.step),
         values_(switches.count),
         sides_(switches.count) {}
 
-  long starts() const { return starts_; }
   double next_step() const { return stepper_.current_time_step(); }
 
-  bool advance(Eigen::VectorXd& x) {
+  /// The first step is `step` [s] long.
+  bool advance(Eigen::VectorXd& x, double step) {
     const double end = output_.time(output_.samples);
     double time = output_.time(0);
     switches_.values(time, x, values_);
     for (Eigen::Index i = 0; i < switches_.count; ++i) set(i, values_[i] > 0.0);
     at_.assign(x.data(), x.data() + x.size());
-    start(time);
+    start(at_, time, step);
     while (time < end) {
-      try {
-        stepper_.do_step(system_);
-      } catch (const odeint::odeint_error&) {
-        return run_.fail("no step was small enough, or the state is not finite,");
-      }
-      const double step = stepper_.current_time() - stepper_.previous_time();
+      if (!DenseRun::step(system_)) return false;
+      const double taken = last_step();
       const std::optional<Crossing> crossing = first_crossing();
       time = crossing ? crossing->time : stepper_.current_time();
-      emit(std::min(time, end));
+      show_until(std::min(time, end));
       stepper_.calc_state(std::min(time, end), at_);
       x = view(at_);
-      if (!run_.accept(std::min(time, end), step)) return false;
+      if (!run_.accept(std::min(time, end), taken)) return false;
       if (crossing && time < end) {
         set(crossing->which, !sides_[crossing->which]);
-        start(time);
+        start(at_, time, stepper_.current_time_step());
       }
     }
     return true;
@@ -69,12 +61,6 @@ class SwitchedRun {
   void set(Eigen::Index which, bool positive) {
     sides_[which] = positive;
     switches_.set(which, positive);
-  }
-
-  void start(double time) {
-    if (starts_ > 0) step_ = stepper_.current_time_step();
-    stepper_.initialize(at_, time, step_);
-    ++starts_;
   }
 
   bool has_changed(Eigen::Index which, double time) {
@@ -115,28 +101,10 @@ class SwitchedRun {
     return first;
   }
 
-  void emit(double time) {
-    while (sample_number_ <= output_.samples && output_.time(sample_number_) <= time) {
-      if (observe_) {
-        sample_.resize(at_.size());
-        stepper_.calc_state(output_.time(sample_number_), sample_);
-        observe_(output_.time(sample_number_), view(sample_));
-      }
-      ++sample_number_;
-    }
-  }
-
   System system_;
-  const OutputTimes& output_;
   const Switches& switches_;
-  const Observer& observe_;
-  Run& run_;
-  DenseDopri5 stepper_;
-  double step_;  // [s]
   Eigen::ArrayXd values_;
   Eigen::Array<bool, Eigen::Dynamic, 1> sides_;  // the form that now holds
-  long starts_ = 0;
-  long sample_number_ = 1;
   State at_;
   State sample_;
 };
@@ -146,21 +114,14 @@ class SwitchedRun {
 IntegrationReport integrate_switches(const RightHandSide& derivative, Eigen::VectorXd& x,
                                      const OutputTimes& output, const Switches& switches,
                                      const IntegrationOptions& options, const Observer& observe) {
-  IntegrationReport report;
-  report.reached = output.time(0);
-  Run run(options, report);
-  if (!x.allFinite()) {
-    run.fail("the state is not finite");
-    return report;
-  }
-  report.smallest_step = std::numeric_limits<double>::infinity();
-  SwitchedRun switched({derivative, report.rhs_calls}, output, switches, options, observe, run);
-  report.completed = switched.advance(x);
-  report.rejected = std::max(0L, (report.rhs_calls - switched.starts()) / kRhsPerAttempt - report.steps);
-  report.next_step = switched.next_step();
-  if (report.steps == 0) report.smallest_step = 0.0;
-  report.wall_seconds = run.seconds();
-  return report;
+  long starts = 0;
+  return reported(derivative, x, output, options, starts,
+                  [&](System system, Run& run, IntegrationReport& report) {
+                    SwitchedRun switched(system, output, switches, options, observe, run, starts);
+                    const bool completed = switched.advance(x, options.step);
+                    report.next_step = switched.next_step();
+                    return completed;
+                  });
 }
 
 }  // namespace orbearing::integration

@@ -12,6 +12,19 @@ namespace orbearing::integration {
 /// Writes the rate `dx` of the state `x` at `time` [s]; must not allocate if the steps shall not.
 using RightHandSide = std::function<void(double time, const Eigen::Ref<const Eigen::VectorXd>& x,
                                          Eigen::Ref<Eigen::VectorXd> dx)>;
+/// Sees the state at each output time.
+using Observer = std::function<void(double time, const Eigen::Ref<const Eigen::VectorXd>& x)>;
+
+/// Output times start, start + interval, ..., `samples` intervals in all, after the first `passed` ones.
+struct OutputTimes {
+  double start = 0.0;     // [s]
+  double interval = 0.0;  // [s]
+  long samples = 0;       // [-]
+  long passed = 0;        // [-]  so that runs in turn keep to multiples of one interval
+
+  double time(long sample) const { return start + static_cast<double>(passed + sample) * interval; }
+};
+
 enum class Method {
   dopri5,             // Dormand and Prince 5(4) [DormandPrince1980], controlled, output by its dense formula
   fixed_dopri5,       // the same formula of order 5 at a fixed step

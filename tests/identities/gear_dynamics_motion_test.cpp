@@ -61,15 +61,24 @@ Balance work_balance(const SetModel& model, double share, double periods) {
   VectorXd all = works.start(x);
   double jumped = 0.0;
   Balance balance;
-  const auto at_jump = [&](double left, double right, const Eigen::Ref<const VectorXd>& state) {
-    const double jump =
-        energy(model, right, state.head(n)).stored() - energy(model, left, state.head(n)).stored();
-    jumped += jump;
-    balance.at_jumps += std::abs(jump);
-  };
-  const integration::IntegrationReport report = integrate_pieces(
-      works.derivative(), all, {0.0, end, 1}, integration::jumps_of(model), options, {}, at_jump);
-  EXPECT_TRUE(report.completed) << report.message;
+  const auto stored = [&](double time) { return energy(model, time, all.head(n)).stored(); };
+  const integration::Jumps jumps = integration::jumps_of(model);
+  long jump = 0;
+  for (double begin = 0.0; begin < end;) {
+    double next = end;
+    while (jumps.time && (next = jumps.time(jump)) <= begin + jumps.margin) ++jump;
+    const double stop = std::min(next, end);
+    const integration::IntegrationReport report =
+        integrate_pieces(works.derivative(), all, {begin, stop - begin, 1}, jumps, options, {});
+    EXPECT_TRUE(report.completed) << report.message;
+    if (!report.completed) break;
+    options.step = report.next_step;
+    begin = stop;
+    if (stop == end) break;
+    const double change = stored(stop + jumps.margin) - stored(stop - jumps.margin);
+    jumped += change;
+    balance.at_jumps += std::abs(change);
+  }
   const double after = energy(model, end + 1e-9 / model.operation.mesh_frequency, all.head(n)).total();
   balance.residual = after - before - (all[n] - all[n + 1] + jumped);
   balance.turned_over = all[n + 2] + balance.at_jumps;
@@ -365,7 +374,7 @@ TEST_F(GearRun, DoesNotDriftAway) {
       run_gears(set_model(test::reducer_dynamics(), test::reducer_operation(628.0)), options());
   ASSERT_TRUE(result.completed);
   const double sun_speed = 628.0 * test::reducer_dynamics().sun.radius;
-  EXPECT_LT(std::abs(result.mean_rotation[0]), 1e-3 * sun_speed);
+  EXPECT_LT(std::abs(result.final_state[2]) / result.report.reached, 1e-3 * sun_speed);
 }
 
 }  // namespace
