@@ -10,6 +10,66 @@ namespace orbearing::cosim {
 
 namespace {
 
+struct NamedPosition {
+  const Port& port;
+  PortPosition position;
+};
+
+std::vector<NamedPosition> all_ports(const Sides& sides) {
+  std::vector<NamedPosition> out;
+  for (std::size_t s = 0; s < sides.size(); ++s)
+    for (std::size_t i = 0; i < sides[s].ports.size(); ++i) out.push_back({sides[s].ports[i], {s, i}});
+  return out;
+}
+
+bool is_same(const PortPosition& a, const PortPosition& b) {
+  return a.side == b.side && a.port == b.port;
+}
+
+[[noreturn]] void refuse(const std::string& name, const char* problem) {
+  throw std::invalid_argument("port " + name + ": found " + problem +
+                              "; required: one participant that gives its motion, others that give forces");
+}
+
+Connection joined(const NamedPosition& motion, const std::vector<NamedPosition>& ports) {
+  Connection out{motion.position, {}};
+  for (const NamedPosition& other : ports) {
+    if (other.port.name != motion.port.name || is_same(other.position, motion.position)) continue;
+    if (other.port.kind != motion.port.kind) refuse(motion.port.name, "a translation and a rotation");
+    if (other.port.gives == Gives::motion) refuse(motion.port.name, "two participants that give its motion");
+    out.forces.push_back(other.position);
+  }
+  if (out.forces.empty()) refuse(motion.port.name, "no participant that gives a force");
+  return out;
+}
+
+void require_whole(const Port& port) {
+  if (port.velocity == kNone || port.force == kNone ||
+      (port.gives == Gives::motion && port.displacement == kNone))
+    throw std::invalid_argument("port " + port.name +
+                                ": found no input or output for its motion or force; required: one each");
+}
+
+}  // namespace
+
+std::vector<Connection> connect_by_name(const Sides& sides) {
+  const std::vector<NamedPosition> ports = all_ports(sides);
+  for (const NamedPosition& port : ports) require_whole(port.port);
+  std::vector<Connection> out;
+  for (const NamedPosition& port : ports)
+    if (port.port.gives == Gives::motion) out.push_back(joined(port, ports));
+  for (const NamedPosition& port : ports) {
+    const auto same = [&](const NamedPosition& other) {
+      return other.port.name == port.port.name && other.port.gives == Gives::motion;
+    };
+    if (std::none_of(ports.begin(), ports.end(), same))
+      refuse(port.port.name, "no participant that gives its motion");
+  }
+  return out;
+}
+
+namespace {
+
 void require_points(const std::vector<TimedValue>& points) {
   mechanics::require(!points.empty() && points.size() <= 4, "points of a polynomial", points.size(),
                      "1 to 4");
@@ -44,12 +104,6 @@ InputPolynomial through(const std::vector<TimedValue>& points, double begin) {
   return out;
 }
 
-InputPolynomial hermite(double value, double slope, double end_value, double end_slope, double length) {
-  const double mean = (end_value - value) / length;
-  return {{value, slope, (3.0 * mean - 2.0 * slope - end_slope) / length,
-           (slope + end_slope - 2.0 * mean) / (length * length)}};
-}
-
 namespace {
 
 // The last order + 1 values of `member`, as far as there are so many.
@@ -79,6 +133,11 @@ InterfaceValues extrapolated(const InterfaceHistory& history, int order, const W
   return out;
 }
 
+namespace {
+
+// Polynomials of `joint` over `window` that end with `end`: the displacement as a cubic with both values and
+// velocities, the force as the polynomial through `end` and the last order + 1 ends. Eqs. (5) and (6) of
+// coupling/cosim/README.md. Where `end` is what extrapolated() says, these are the extrapolated polynomials.
 InputPolynomial motion_polynomial(const InterfaceHistory& history, std::size_t joint, const JointValue& end,
                                   const Window& window) {
   const JointValue& begin = history.back().joints[joint];
@@ -91,8 +150,6 @@ InputPolynomial force_polynomial(const InterfaceHistory& history, std::size_t jo
   points.push_back({window.end, end});
   return through(points, window.begin);
 }
-
-namespace {
 
 double largest_force(const InterfaceValues& values, const Exchange& exchange, PortKind kind) {
   double largest = 0.0;

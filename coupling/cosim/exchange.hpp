@@ -1,20 +1,87 @@
 // One pass of all sides over a window: who hears of whom, and when.
 #pragma once
 
+#include <cstddef>
 #include <deque>
+#include <functional>
+#include <string>
 #include <vector>
 
-#include "coupling/cosim/port.hpp"
 #include "coupling/system/input_polynomial.hpp"
+#include "coupling/system/participant.hpp"
 #include "mechanics/described.hpp"
 
 namespace orbearing::cosim {
 
+// Ports: power-conjugate pairs of a motion and a force, at which participants meet, and which of them are one
+// joint.
+//
+// A port is one freedom of a body. The displacement counts from the place where the joint is neither pressed
+// nor turned; the force is that which acts on the body whose motion it is, so that force x velocity [W] is
+// the power that flows into that body. One participant gives the motion and takes the force; all others that
+// are connected give forces, which add up.
+
+// What the exchange speaks of belongs to the system in time.
+using system::hermite;
+using system::Input;
+using system::InputPolynomial;
+using system::kNone;
+using system::Output;
+using system::Participant;
+using system::SavedState;
+using system::Window;
+
+/// Fixes the units of a pair: m, m/s and N, or rad, rad/s and N m.
+enum class PortKind { translation, rotation };
+
+/// The half of the pair that a participant gives; it takes the other.
+enum class Gives { motion, force };
+
+/// Inputs and outputs of a participant that belong together: the motion among its outputs and the force among
+/// its inputs where it gives the motion, else the other way round.
+struct Port {
+  std::string name;  // e.g. "planet_1.y"; unique within a participant
+  PortKind kind = PortKind::translation;
+  Gives gives = Gives::motion;
+  std::size_t displacement = kNone;  // may be missing where the motion is taken
+  std::size_t velocity = kNone;      // slope of the displacement
+  std::size_t force = kNone;
+};
+
+/// What an input or output runs through where nothing moves at the ports. A port's velocity adds to it.
+struct Nominal {
+  std::size_t position = kNone;
+  std::function<InputPolynomial(double time)> polynomial;  // from `time` [s] on
+};
+
+/// One side of a co-simulation.
+struct Side {
+  Participant* participant = nullptr;  // not owned
+  std::vector<Port> ports;
+  std::vector<Nominal> inputs = {};
+  std::vector<Nominal> outputs = {};
+};
+using Sides = std::vector<Side>;
+
+/// A port of a side, both counted from 0.
+struct PortPosition {
+  std::size_t side = 0;
+  std::size_t port = 0;
+};
+
+/// One joint: a side gives the motion; one or more give forces, which add up.
+struct Connection {
+  PortPosition motion;
+  std::vector<PortPosition> forces;
+};
+
+/// Joins ports of one name, in the order in which their motion is given. Throws std::invalid_argument where a
+/// name has not one giver of motion and at least one of force, or ports of different kinds.
+std::vector<Connection> connect_by_name(const Sides& sides);
+
 // What is known at the joints, and the polynomials that follow from it.
 
 // Polynomials through known values: how one participant's outputs become the inputs of another over a window.
-
-using system::InputPolynomial;
 
 /// A value and the time at which it holds.
 struct TimedValue {
@@ -25,15 +92,6 @@ struct TimedValue {
 /// The polynomial of least degree through one to four points; it counts from `begin` [s].
 /// Throws std::invalid_argument for another number of points, or two at one time.
 InputPolynomial through(const std::vector<TimedValue>& points, double begin);
-
-/// The cubic with the given values and slopes at both ends of a window of `length` [s].
-InputPolynomial hermite(double value, double slope, double end_value, double end_slope, double length);
-
-/// The slope of a polynomial.
-inline InputPolynomial slope_of(const InputPolynomial& polynomial) {
-  const auto& c = polynomial.coefficient;
-  return {{c[1], 2.0 * c[2], 3.0 * c[3], 0.0}};
-}
 
 /// At one joint and instant.
 struct JointValue {
@@ -62,14 +120,6 @@ using InterfaceHistory = std::deque<InterfaceValues>;
 /// (0 to 2, less where the history is short) through the last ends; displacements by integrating the velocity
 /// from the last one. Eqs. (3) and (4) of coupling/cosim/README.md.
 InterfaceValues extrapolated(const InterfaceHistory& history, int order, const Window& window);
-
-/// Polynomials of `joint` over `window` that end with `end`: the displacement as a cubic with both values and
-/// velocities, the force as the polynomial through `end` and the last order + 1 ends. Eqs. (5) and (6). Where
-/// `end` is what extrapolated() says, these are the extrapolated polynomials.
-InputPolynomial motion_polynomial(const InterfaceHistory& history, std::size_t joint, const JointValue& end,
-                                  const Window& window);
-InputPolynomial force_polynomial(const InterfaceHistory& history, std::size_t joint, double end, int order,
-                                 const Window& window);
 
 enum class ExchangeOrder {
   jacobi,        // all at once, each under what is expected of the others

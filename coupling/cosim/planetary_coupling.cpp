@@ -1,5 +1,6 @@
 #include "coupling/cosim/planetary_coupling.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -74,7 +75,9 @@ CoupledOptions with_window(CoupledOptions options, double window) {
 }  // namespace
 
 PlanetaryCoupling planetary_coupling(const system::CoupledSetup& setup) {
-  if (!setup.scratched.empty() || !setup.seats.empty())
+  const bool offset = std::ranges::any_of(
+      setup.seats, [](const system::BearingSeat& seat) { return !seat.pin_offset.isZero(0.0); });
+  if (!setup.scratched.empty() || offset)
     throw std::invalid_argument(
         "co-simulation: found scratched planet bearings, or planets whose tilt is computed; required: one "
         "system "

@@ -74,7 +74,17 @@ system::DrivenGearsSetup driven_gears_setup(const PlanetaryDrivetrain& drivetrai
 
 namespace {
 
-// Of all planets, each on its seat at rest under its own load.
+// Of all planets: each with its own tilt and form of the race.
+std::vector<system::BearingSeat> seats_of_unlike(const PlanetaryDrivetrain& drivetrain,
+                                                 const DrivetrainGeometry& geometry) {
+  std::vector<system::BearingSeat> seats;
+  for (const BearingDuty& duty : planet_duties(drivetrain, geometry))
+    seats.insert(seats.end(), static_cast<std::size_t>(drivetrain.bearings_per_planet),
+                 {.bore_tilt = duty.point.bore_tilt, .outer_race = duty.point.outer_race});
+  return seats;
+}
+
+// The same, each on its seat at rest under its own load.
 std::vector<system::BearingSeat> seats_of_all(const PlanetaryDrivetrain& drivetrain,
                                               const DrivetrainGeometry& geometry) {
   const std::vector<BearingDuty> duties = planet_duties(drivetrain, geometry);
@@ -99,16 +109,10 @@ system::CoupledSetup coupled_setup(const PlanetaryDrivetrain& drivetrain,
                                    const DrivetrainGeometry& geometry) {
   system::CoupledSetup setup{driven_gears_setup(drivetrain), driven_bearing_setup(drivetrain, geometry),
                              drivetrain.bearings_per_planet};
-  if (drivetrain.seats.tilt == TiltState::computed) {
+  if (drivetrain.seats.tilt == TiltState::computed)
     setup.seats = seats_of_all(drivetrain, geometry);
-    return setup;
-  }
-  const bool tilted = drivetrain.misalignment.planet_tilt != 0.0;
-  if (!drivetrain.uneven_planets || !(tilted || geometry.rim)) return setup;
-  for (const BearingDuty& duty : planet_duties(drivetrain, geometry)) {
-    if (tilted) setup.bore_tilts.push_back(duty.point.bore_tilt);
-    if (geometry.rim) setup.outer_races.push_back(duty.point.outer_race);
-  }
+  else if (drivetrain.uneven_planets && (drivetrain.misalignment.planet_tilt != 0.0 || geometry.rim))
+    setup.seats = seats_of_unlike(drivetrain, geometry);
   return setup;
 }
 

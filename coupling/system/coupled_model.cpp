@@ -34,10 +34,11 @@ constexpr int kMostRounds = 30;
 constexpr double kBalancedChange = 1e-9;  // [-]  of the largest force: good enough
 
 void put_seats(const CoupledSetup& setup, CoupledModel& model) {
+  if (setup.seats.empty()) return;
   mechanics::require(static_cast<int>(setup.seats.size()) == model.bearings(), "seats of bearings",
                      static_cast<double>(setup.seats.size()), "one for each bearing of all planets");
   for (int b = 0; b < model.bearings(); ++b) {
-    model.tilted.push_back(
+    model.seated.push_back(
         driven_model(bearing_of_planet(setup, b / model.per_planet, b % model.per_planet)));
     model.pin_offset.push_back(setup.seats[static_cast<std::size_t>(b)].pin_offset);
   }
@@ -91,8 +92,6 @@ double change(const std::vector<double>& before, const std::vector<double>& now)
 
 DrivenBearingSetup bearing_of_planet(const CoupledSetup& setup, int planet, int bearing) {
   DrivenBearingSetup own = setup.bearing;
-  if (!setup.bore_tilts.empty()) own.bore_tilt = setup.bore_tilts[static_cast<std::size_t>(planet)];
-  if (!setup.outer_races.empty()) own.outer_race = setup.outer_races[static_cast<std::size_t>(planet)];
   if (!setup.seats.empty()) {
     const BearingSeat& seat =
         setup.seats[static_cast<std::size_t>(planet * setup.bearings_per_planet + bearing)];
@@ -118,12 +117,7 @@ CoupledModel coupled_model(const CoupledSetup& setup) {
                      {},
                      setup.bearings_per_planet};
   for (const PlanetBearing& bearing : model.gears.bearings) model.ports.push_back(port_of(bearing));
-  if (!setup.seats.empty()) {
-    put_seats(setup, model);
-  } else if (!setup.bore_tilts.empty() || !setup.outer_races.empty()) {
-    for (int planet = 0; planet < setup.gears.set.planets; ++planet)
-      model.tilted.push_back(driven_model(bearing_of_planet(setup, planet, 0)));
-  }
+  put_seats(setup, model);
   put_scratched(setup, model);
   return model;
 }

@@ -21,7 +21,7 @@ struct ScratchedPlanet {
   std::vector<bearing::defect::Scratch> scratches;
 };
 
-/// A bearing of a planet that found its tilt at rest: what it has of its own, which stays in motion.
+/// What a bearing has of its own where planets are unlike or found their tilt at rest; it stays in motion.
 struct BearingSeat {
   double clearance_difference = 0.0;                    // [m]    beyond that of `CoupledSetup::bearing`
   Eigen::Vector2d bore_tilt = Eigen::Vector2d::Zero();  // [rad]
@@ -38,11 +38,8 @@ struct CoupledSetup {
   int bearings_per_planet = 2;
   /// Bearings that may take shorter steps than all others at a time; how many do is decided by what it costs.
   int most_substepped = std::numeric_limits<int>::max();  // [-]
-  std::vector<Eigen::Vector2d> bore_tilts = {};  // [rad]  (planets) where unlike; empty: bearing.bore_tilt
-  std::vector<bearing::ElasticRace> outer_races = {};  // (planets)  the same of bearing.outer_race
-  std::vector<ScratchedPlanet> scratched = {};         // all others are sound
-  /// (bearings of all planets) where their tilt is computed; takes the place of the two vectors above.
-  std::vector<BearingSeat> seats = {};
+  std::vector<ScratchedPlanet> scratched = {};            // all others are sound
+  std::vector<BearingSeat> seats = {};  // (bearings of all planets) where unlike; empty: as `bearing`
 };
 
 /// That of one bearing of a planet, both counted from 0.
@@ -71,9 +68,8 @@ struct CoupledModel {
   bearing::motion::BearingModel bearing;
   std::vector<PlanetPort> ports;  // (planets)
   int per_planet = 1;
-  /// (planets) where their tilts are unlike, (bearings) where each has its own seat.
-  std::vector<bearing::motion::BearingModel> tilted = {};
-  std::vector<Eigen::Vector2d> pin_offset = {};  // [m]  (bearings) of those on seats; none: zero
+  std::vector<bearing::motion::BearingModel> seated = {};  // (bearings) where each has its own seat
+  std::vector<Eigen::Vector2d> pin_offset = {};            // [m]  (bearings) of those on seats; none: zero
 
   std::vector<bearing::motion::BearingModel> scratched = {};
   std::vector<int> scratched_bearing = {};  // to which of all each of these belongs
@@ -81,8 +77,7 @@ struct CoupledModel {
   const bearing::motion::BearingModel& bearing_of(int b) const {
     for (std::size_t i = 0; i < scratched.size(); ++i)
       if (scratched_bearing[i] == b) return scratched[i];
-    if (tilted.empty()) return bearing;
-    return tilted[static_cast<std::size_t>(pin_offset.empty() ? b / per_planet : b)];
+    return seated.empty() ? bearing : seated[static_cast<std::size_t>(b)];
   }
   int bearings() const { return static_cast<int>(ports.size()) * per_planet; }
   const PlanetPort& port_of(int b) const { return ports[static_cast<std::size_t>(b / per_planet)]; }

@@ -14,18 +14,13 @@ using bearing::motion::BoreMotion;
 using bearing::vectorised::VectorBearing;
 using gearset::dynamics::SetLayout;
 
-bearing::motion::DamageSums empty_sums(const CoupledModel& model, long bins) {
-  return bearing::motion::DamageSums(bins, uneven_laminae(cut_races(model.bearing_of(0))));
-}
-
 constexpr Eigen::Index kEight = 8;  // the stepper works on as many numbers at once
 
 }  // namespace
 
-CoupledSystem::CoupledSystem(const CoupledModel& model, long bins, bool rotating)
+CoupledSystem::CoupledSystem(const CoupledModel& model, bool rotating)
     : loads(static_cast<std::size_t>(model.bearings()),
             system::LoadsAtStep(static_cast<int>(model.bearing.layout.rollers))),
-      sums(static_cast<std::size_t>(model.bearings()), empty_sums(model, bins)),
       counted(static_cast<std::size_t>(model.bearings()), false),
       model_(model),
       rotating_(rotating),
@@ -44,10 +39,6 @@ CoupledSystem::CoupledSystem(const CoupledModel& model, long bins, bool rotating
   rate_.resize(freedoms());
   gear_rate_.resize(2 * freedoms());
   gear_rate_after_.resize(2 * freedoms());
-}
-
-bearing::motion::DamageSums CoupledSystem::no_damage(long bins) const {
-  return empty_sums(model_, bins);
 }
 
 void CoupledSystem::set_piece(double begin, double first, double last) {
@@ -171,7 +162,7 @@ void CoupledSystem::begun(const std::vector<double>& x) {
 void CoupledSystem::stepped(double, double length) {
   ++steps;
   for (std::size_t b = 0; b < loads.size(); ++b) {
-    if (!counted[b]) loads[b].count(length, &sums[b]);
+    if (!counted[b]) loads[b].count(length);
     counted[b] = false;
   }
 }
@@ -213,25 +204,16 @@ std::vector<double> gears_alone(const CoupledSystem& system, const std::vector<d
   return allowed;
 }
 
-// The cubic through places and velocities at both ends of a step, and its slope.
-void join(double h, double from, double v_from, double to, double v_to, InputPolynomial& position,
-          InputPolynomial& velocity) {
-  const double mean = (to - from) / h;
-  const double bend = (3.0 * mean - 2.0 * v_from - v_to) / h, twist = (v_from + v_to - 2.0 * mean) / (h * h);
-  position = {{from, v_from, bend, twist}};
-  velocity = {{v_from, 2.0 * bend, 3.0 * twist, 0.0}};
-}
-
 InputPolynomial straight(double h, double from, double to) {
   return {{from, (to - from) / h, 0.0, 0.0}};
 }
 
 BoreInputs polynomial_between(const BoreMotion& from, const BoreMotion& to, double h) {
   BoreInputs polynomial;
-  join(h, from.position.x(), from.velocity.x(), to.position.x(), to.velocity.x(), polynomial.x,
-       polynomial.v_x);
-  join(h, from.position.y(), from.velocity.y(), to.position.y(), to.velocity.y(), polynomial.y,
-       polynomial.v_y);
+  polynomial.x = hermite(from.position.x(), from.velocity.x(), to.position.x(), to.velocity.x(), h);
+  polynomial.y = hermite(from.position.y(), from.velocity.y(), to.position.y(), to.velocity.y(), h);
+  polynomial.v_x = slope_of(polynomial.x);
+  polynomial.v_y = slope_of(polynomial.y);
   polynomial.speed = straight(h, from.speed, to.speed);
   polynomial.carrier_speed = straight(h, from.carrier_speed, to.carrier_speed);
   polynomial.carrier_acceleration = straight(h, from.carrier_acceleration, to.carrier_acceleration);
@@ -342,8 +324,7 @@ bearing::motion::BoreReaction CoupledSteps::substep(CoupledSystem& system, int b
   const BoreMotion from = motion_at(before, t);
   const BoreInputs polynomial = polynomial_between(from, motion_at(x, t + h), h);
   const auto position = static_cast<std::size_t>(b);
-  DrivenSystem driven(system.bearing(b), polynomial, from.angle, system.loads[position],
-                      system.sums[position]);
+  DrivenSystem driven(system.bearing(b), polynomial, from.angle, system.loads[position]);
   std::copy_n(system.of_bearing(before.data(), b), bearing_.size(), bearing_.begin());
   driven.resume(all_.slope().data() + system.offset(b), system.begin_reaction(b));
   double step = h * integration::StepControl::share(errors_[position]);

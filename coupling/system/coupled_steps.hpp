@@ -12,7 +12,6 @@
 #include "coupling/integration/step_control.hpp"
 #include "coupling/system/coupled_model.hpp"
 #include "coupling/system/driven_system.hpp"
-#include "coupling/system/stage_reactions.hpp"
 #include "gearset/dynamics/stage_matrix.hpp"
 
 namespace orbearing::system {
@@ -30,7 +29,7 @@ class CoupledSystem {
   using Vector = Eigen::Map<const Eigen::VectorXd>;
 
   /// `turning`: the matrix holds what rotations of the planets do to bearings, and these to them.
-  CoupledSystem(const CoupledModel& model, long bins, bool rotating = false);
+  explicit CoupledSystem(const CoupledModel& model, bool rotating = false);
 
   Eigen::Index freedoms() const { return model_.gears.layout.freedoms(); }
   /// Positions (from 0) or velocities (from freedoms()) of the gears.
@@ -61,13 +60,9 @@ class CoupledSystem {
   void stepped(double, double length);
   void settle(double time, std::vector<double>& x) const;
 
-  /// Sums of a bearing that nothing was counted of yet.
-  bearing::motion::DamageSums no_damage(long bins) const;
-
-  std::vector<system::LoadsAtStep> loads;         // (bearings)
-  std::vector<bearing::motion::DamageSums> sums;  // (bearings)
-  std::vector<bool> counted;  // (bearings)  their loads of this step are in the sums already
-  long steps = 0;             // [-]  accepted since construction
+  std::vector<system::LoadsAtStep> loads;  // (bearings)
+  std::vector<bool> counted;               // (bearings)  their loads of this step are counted already
+  long steps = 0;                          // [-]  accepted since construction
 
   /// Whether the matrix holds the rotations of the planets.
   bool rotating() const { return rotating_; }
@@ -120,8 +115,7 @@ class CoupledSystem {
 /// The same for steps that ask for all slopes, as those of order 4 do, that by time alone among them.
 class WithAllSlopes : public CoupledSystem {
  public:
-  WithAllSlopes(const CoupledModel& model, long bins, bool rotating = true)
-      : CoupledSystem(model, bins, rotating) {}
+  explicit WithAllSlopes(const CoupledModel& model, bool rotating = true) : CoupledSystem(model, rotating) {}
   void time_slope(double time, double* dx) { mesh_slope(time, dx); }
 };
 

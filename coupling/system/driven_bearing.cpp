@@ -202,24 +202,6 @@ BearingModel driven_model(const DrivenBearingSetup& setup) {
   return bearing_model(setup.bearing, point, setup.dynamics);
 }
 
-DrivenBearingOutput driven_output(const bearing::BearingGeometry& geometry, double bore_speed,
-                                  const Snapshot& now, const BoreReaction& reaction, double turned,
-                                  double life) {
-  constexpr double kLeastSpeed = 1e-9;  // [rad/s]  below it nothing turns
-  const double kinematic = kinematic_cage_speed(geometry, 0.0, bore_speed);
-  DrivenBearingOutput output;
-  output.reaction = reaction;
-  output.cage_speed = now.orbit_speed;
-  output.cage_slip = std::abs(kinematic) > kLeastSpeed ? 1.0 - now.orbit_speed / kinematic : 0.0;
-  output.revolutions = turned / constants::two_pi;
-  output.life_used = output.revolutions / life;
-  output.friction_loss = now.loss.total();
-  output.inner_load.assign(now.inner.load.begin(), now.inner.load.end());
-  output.outer_load.assign(now.outer.load.begin(), now.outer.load.end());
-  output.roller_angle.assign(now.angle.begin(), now.angle.end());
-  return output;
-}
-
 struct DrivenBearing::Inside {
   DrivenBearingSetup setup;
   BearingModel model;
@@ -267,7 +249,7 @@ struct DrivenBearing::Inside {
     const InputPolynomial angle = integral(state.angle, inputs.speed);
     const integration::WindowLimits limits{.most_steps = setup.most_steps};
     loads.step_before = state.step_before;
-    DrivenSystem system(vectorised, inputs, state.angle, loads, state.sums);
+    DrivenSystem system(vectorised, inputs, state.angle, loads, &state.sums);
     system.settle(0.0, state.x);
     integration::through_window(stepper, system, state.x, length, limits, state.step);
     state.step_before = loads.step_before;
@@ -377,11 +359,21 @@ BoreReaction DrivenBearing::reaction(const BoreMotion& motion) const {
 }
 
 DrivenBearingOutput DrivenBearing::output(const BoreMotion& motion) const {
+  constexpr double kLeastSpeed = 1e-9;  // [rad/s]  below it nothing turns
   Inside& in = *inside_;
   const BoreMotion here = in.here(motion);
-  return driven_output(in.model.geometry, motion.speed, driven_snapshot(in.model, here, in.flat()),
-                       in.reaction(here), in.state.turned,
-                       in.state.sums.life(in.setup.bearing, in.setup.reduction_factor).bearing);
+  const Snapshot now = driven_snapshot(in.model, here, in.flat());
+  const double kinematic = kinematic_cage_speed(in.model.geometry, 0.0, motion.speed);
+  const double revolutions = in.state.turned / constants::two_pi;
+  return {.reaction = in.reaction(here),
+          .cage_speed = now.orbit_speed,
+          .cage_slip = std::abs(kinematic) > kLeastSpeed ? 1.0 - now.orbit_speed / kinematic : 0.0,
+          .life_used = revolutions / in.state.sums.life(in.setup.bearing, in.setup.reduction_factor).bearing,
+          .revolutions = revolutions,
+          .friction_loss = now.loss.total(),
+          .inner_load = {now.inner.load.begin(), now.inner.load.end()},
+          .outer_load = {now.outer.load.begin(), now.outer.load.end()},
+          .roller_angle = {now.angle.begin(), now.angle.end()}};
 }
 
 void DrivenBearing::take_snapshot(const BoreMotion& motion, Snapshot& into) const {

@@ -100,12 +100,6 @@ struct DrivenBearingOutput {
   std::vector<double> roller_angle;  // [rad]  (rollers)
 };
 
-/// Of `now`, under a bore that turns at `bore_speed` [rad/s] and has turned by `turned` [rad] there and back;
-/// `life` [rev] under the loads so far.
-DrivenBearingOutput driven_output(const bearing::BearingGeometry& geometry, double bore_speed,
-                                  const bearing::motion::Snapshot& now,
-                                  const bearing::motion::BoreReaction& reaction, double turned, double life);
-
 /// Slopes of the force on the bore [N/m] and [N s/m]: rows x and y; the inner state held.
 struct ForceSlopes {
   Eigen::Matrix2d by_displacement = Eigen::Matrix2d::Zero();

@@ -7,16 +7,44 @@
 
 #include "coupling/system/input_polynomial.hpp"
 #include "coupling/system/loads_at_step.hpp"
-#include "coupling/system/stage_reactions.hpp"
 
 namespace orbearing::system {
+
+/// What a bearing did to its bore in one attempted step of ROS2, mean over the step: sums up its stages. Eq.
+/// (3) of coupling/system/README.md.
+class StageReactions {
+ public:
+  /// An attempt begins, at `now`.
+  void begin(const bearing::motion::BoreReaction& now) {
+    now_ = now;
+    sum_ = {};
+  }
+  /// The right-hand side of the next stage was asked for.
+  void evaluated(const bearing::motion::BoreReaction& now) { now_ = now; }
+  /// A stage was solved: `reduced` and `port` from VectorBearing, `rate` of the bore's velocity [m/s^2] and
+  /// rotation [rad/s^2].
+  void solved(const double (&reduced)[3], const double (&rate)[3],
+              const bearing::vectorised::PortMatrix& port) {
+    const auto of_stage = [&](int i) {
+      return reduced[i] - port.a[i][0] * rate[0] - port.a[i][1] * rate[1] - port.a[i][2] * rate[2];
+    };
+    for (int i = 0; i < 2; ++i) sum_.force[i] += now_.force[i] + of_stage(i);
+    sum_.moment += now_.moment + of_stage(2);
+  }
+  /// [N], [N m]  after both stages
+  bearing::motion::BoreReaction mean() const { return {0.5 * sum_.force, 0.5 * sum_.moment}; }
+
+ private:
+  bearing::motion::BoreReaction now_, sum_;
+};
 
 /// Times count from the beginning of the window. The rate of the bore's velocity is given, so its row in the
 /// matrix is that of the unit matrix.
 class DrivenSystem {
  public:
+  /// `sums` take the loads, where they are given.
   DrivenSystem(bearing::vectorised::VectorBearing& bearing, const BoreInputs& inputs, double angle,
-               system::LoadsAtStep& loads, bearing::motion::DamageSums& sums)
+               LoadsAtStep& loads, bearing::motion::DamageSums* sums = nullptr)
       : bearing_(bearing),
         inputs_(inputs),
         angle_(integral(angle, inputs.speed)),
@@ -29,8 +57,8 @@ class DrivenSystem {
     return motion;
   }
 
-  /// The bearing is linearised where the window begins: its `rate` (padded) and `reaction` there are known, and
-  /// so are its loads.
+  /// The bearing is linearised where the window begins: its `rate` (padded) and `reaction` there are known,
+  /// and so are its loads.
   void resume(const double* rate, const bearing::motion::BoreReaction& reaction) {
     known_ = rate;
     begin_ = reaction;
@@ -76,7 +104,7 @@ class DrivenSystem {
     loads_.take(bearing_, x.data());
   }
   void stepped(double, double length) {
-    loads_.count(length, &sums_);
+    loads_.count(length, sums_);
     impulse_.force += length * reactions_.mean().force;
     impulse_.moment += length * reactions_.mean().moment;
   }
@@ -100,8 +128,8 @@ class DrivenSystem {
   bearing::vectorised::VectorBearing& bearing_;
   const BoreInputs& inputs_;
   InputPolynomial angle_;
-  system::LoadsAtStep& loads_;
-  bearing::motion::DamageSums& sums_;
+  LoadsAtStep& loads_;
+  bearing::motion::DamageSums* sums_;
   bearing::vectorised::PortMatrix port_;
   bearing::motion::BoreReaction begin_;  // at the last linearisation
   const double* known_ = nullptr;        // rate at the beginning, where it need not be asked for

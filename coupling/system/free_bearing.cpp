@@ -42,7 +42,7 @@ class FreeSystem {
     loads_.take(bearing_, x.data());
   }
   void stepped(double time, double length) {
-    const double weight = loads_.count(length, nullptr);
+    const double weight = loads_.count(length);
     if (on_step_) on_step_({time, weight, from_.data(), loads_.loads(), force_});
   }
   void settle(double, std::vector<double>&) const {}

@@ -22,7 +22,6 @@ class ThermalNetwork {
   ThermalNetwork(const Eigen::VectorXd& capacity, const Eigen::MatrixXd& between,
                  const Eigen::VectorXd& outward, const Eigen::VectorXd& outside);
 
-  Eigen::Index size() const { return capacity_.size(); }
   /// Temperatures [degC] at which as much leaves as comes in: `heat` [W] of each body.
   Eigen::VectorXd steady(const Eigen::VectorXd& heat) const;
   /// Temperatures [degC] after `time` [s] of steady `heat` from `temperature` on: exact.

@@ -48,6 +48,20 @@ inline InputPolynomial integral(double start, const InputPolynomial& rate) {
   return {{start, c[0], c[1] / 2.0, c[2] / 3.0}};
 }
 
+/// The slope of a polynomial.
+inline InputPolynomial slope_of(const InputPolynomial& polynomial) {
+  const auto& c = polynomial.coefficient;
+  return {{c[1], 2.0 * c[2], 3.0 * c[3], 0.0}};
+}
+
+/// The cubic with the given values and slopes at both ends of a window of `length` [s].
+inline InputPolynomial hermite(double value, double slope, double end_value, double end_slope,
+                               double length) {
+  const double mean = (end_value - value) / length;
+  return {{value, slope, (3.0 * mean - 2.0 * slope - end_slope) / length,
+           (slope + end_slope - 2.0 * mean) / (length * length)}};
+}
+
 /// Motion of the bore of a bearing, and of its carrier, over a window.
 struct BoreInputs {
   InputPolynomial x, y;                  // [m]

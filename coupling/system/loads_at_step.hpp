@@ -11,9 +11,9 @@
 namespace orbearing::system {
 
 struct LoadsAtStep {
-  std::vector<double> angle, orbital_speed, inner, outer;   // [rad], [rad/s], [N]  (rollers)
+  std::vector<double> angle, orbital_speed, inner, outer;                // [rad], [rad/s], [N]  (rollers)
   std::vector<double> inner_approach, outer_approach, end_displacement;  // [m]  (rollers) or none
-  const bearing::motion::LaminaRaces* laminae = nullptr;    // where they are counted one by one
+  const bearing::motion::LaminaRaces* laminae = nullptr;                 // where they are counted one by one
   bearing::motion::RaceSpeeds races;
   double step_before = 0.0;                                   // [s]
   bearing::motion::StatisticsCollector* collector = nullptr;  // gets them, where there is one
@@ -51,7 +51,7 @@ struct LoadsAtStep {
   }
   /// A step of `length` [s] begins: the loads go to the collector and into `sums`, where there are any.
   /// @return how long they count [s]
-  double count(double length, bearing::motion::DamageSums* sums) {
+  double count(double length, bearing::motion::DamageSums* sums = nullptr) {
     const double time = 0.5 * (step_before + length);
     step_before = length;
     if (collector)

@@ -3,15 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <sstream>
 #include <stdexcept>
 
 #include "coupling/integration/integrate_pieces.hpp"
-#include "coupling/integration/rosenbrock4.hpp"
 #include "coupling/integration/window.hpp"
 #include "coupling/system/bearing_steps.hpp"
-#include "coupling/system/coupled_steps.hpp"
 #include "gearset/dynamics/snapshot.hpp"
 
 namespace orbearing::system {
@@ -22,7 +19,6 @@ using bearing::motion::BoreMotion;
 using bearing::motion::Snapshot;
 
 constexpr double kFirstStep = 1e-6;  // [s]
-constexpr double kSavedSystemKind = 30002.0;
 // Errors that linearly implicit steps may make in the gears, over those of dopri5.
 constexpr double kGearErrorFactor = 100.0;
 constexpr double kLongestPiece = 1.0;  // [s]  where nothing jumps
@@ -78,84 +74,25 @@ integration::Rosenbrock4 smooth_steps(const CoupledSetup& setup, const CoupledMo
 
 }  // namespace
 
-// State, steps, and what is shown of them. One object is either advanced from window to window or followed,
-// not both.
-struct Monolithic::Inside {
-  explicit Inside(const CoupledSetup& setup);
-  Inside(const Inside&) = delete;
-  Inside& operator=(const Inside&) = delete;
-
-  void start(double time, const CoupledStart& start);
-  void forget();
-  // Piece by piece between the jumps of the mesh stiffness; the last step ends with the window. The state is
-  // lost on an error.
-  void advance(const Window& window);
-  // To `time` [s], which steps may pass: the state shown is interpolated, positions by cubics, velocities in
-  // straight lines.
-  void follow(double time);
-
-  Eigen::VectorXd gear_state() const;
-  Eigen::VectorXd bearing_state(int b) const;
-  bearing::motion::BoreMotion planet_motion(int b) const;
-  bearing::motion::BoreMotion motion(int b) const { return at_seat(model_, b, planet_motion(b)); }
-
-  // Both throw std::runtime_error between two steps of follow().
-  SavedState saved();
-  // Throws std::invalid_argument where it is not one of such a system, and then nothing has changed.
-  void put(const SavedState& state);
-
-  // Between two jumps.
-  struct Piece {
-    double begin = 0.0, end = 0.0;  // [s]
-    double done = 0.0;              // [s]  since its beginning
-  };
-
-  Piece piece_from(double begin) const;
-  void enter(const Piece& piece);
-  void one_step();
-  void show(double time);
-  void show_all();
-  void count_turns();
-  void require_containment() const;
-  template <class Visit>
-  void each(Visit visit);
-  std::vector<double> head() const;
-  Eigen::Index freedoms() const { return model_.gears.layout.freedoms(); }
-
-  CoupledSetup setup_;
-  CoupledModel model_;
-  gearset::dynamics::PlanetarySetEquations equations;
-  WithAllSlopes system_;
-  std::optional<CoupledSteps> substepping_;         // of order 2
-  std::optional<integration::Rosenbrock4> smooth_;  // in its place where nothing bounces
-  long rejected_ = 0;                               // [-]  attempts
-  std::vector<double> x_;                           // as far as steps have gone
-  std::vector<double> before_;                      // where the last step of follow() began
-  std::vector<double> shown_;
-  std::vector<double> turned_, angle_;                        // [rad]  (bearings)
-  double time_ = 0.0, reached_ = 0.0, reached_before_ = 0.0;  // [s]  shown, of x_, of before_
-  double step_ = 1e-6;                                        // [s]  to try next
-  Piece piece_;
-  bool following_ = false;
-};
-
-Monolithic::Inside::Inside(const CoupledSetup& setup)
+Monolithic::Monolithic(const CoupledSetup& setup)
     : setup_(setup),
       model_(coupled_model(setup)),
-      equations(model_.gears),
-      system_(model_, setup.bearing.bins, is_smooth(model_)),
+      equations_(model_.gears),
+      system_(model_, is_smooth(model_)),
       x_(system_.size(), 0.0),
       before_(x_),
-      shown_(x_),
-      turned_(static_cast<std::size_t>(system_.bearings()), 0.0),
-      angle_(turned_) {
+      shown_(x_) {
   if (system_.rotating())
     smooth_.emplace(smooth_steps(setup, model_, system_));
   else
     substepping_.emplace(system_, step_options(setup, model_, system_));
 }
 
-void Monolithic::Inside::start(double time, const CoupledStart& start) {
+void Monolithic::initialize(double time) {
+  initialize(time, coupled_start(setup_, model_, time));
+}
+
+void Monolithic::initialize(double time, const CoupledStart& start) {
   time_ = reached_ = reached_before_ = time;
   step_ = kFirstStep;
   following_ = false;
@@ -167,20 +104,10 @@ void Monolithic::Inside::start(double time, const CoupledStart& start) {
   }
   system_.settle(0.0, x_);
   show_all();
-  forget();
+  for (LoadsAtStep& loads : system_.loads) loads.step_before = 0.0;
 }
 
-void Monolithic::Inside::forget() {
-  for (int b = 0; b < system_.bearings(); ++b) {
-    const auto position = static_cast<std::size_t>(b);
-    turned_[position] = 0.0;
-    angle_[position] = motion(b).angle;
-    system_.loads[position].step_before = 0.0;
-    system_.sums[position] = system_.no_damage(setup_.bearing.bins);
-  }
-}
-
-Monolithic::Inside::Piece Monolithic::Inside::piece_from(double begin) const {
+Monolithic::Piece Monolithic::piece_from(double begin) const {
   const double close = 4e-16 * std::abs(begin) + 1e-15;  // [s]  round-off of the times
   const integration::Jumps jumps = integration::jumps_of(model_.gears, begin);
   if (!jumps.time) return {begin, begin + kLongestPiece};
@@ -189,14 +116,14 @@ Monolithic::Inside::Piece Monolithic::Inside::piece_from(double begin) const {
   return {begin, jumps.time(jump)};
 }
 
-void Monolithic::Inside::enter(const Piece& piece) {
+void Monolithic::enter(const Piece& piece) {
   piece_ = piece;
   const double margin =
       std::min(integration::jumps_of(model_.gears).margin, 0.25 * (piece.end - piece.begin));
   system_.set_piece(piece.begin, piece.begin + margin, piece.end - margin);
 }
 
-void Monolithic::Inside::one_step() try {
+void Monolithic::one_step() try {
   const double length = piece_.end - piece_.begin;
   long attempts = 0;
   const integration::WindowLimits limits{.most_steps = setup_.bearing.most_steps};
@@ -211,9 +138,12 @@ void Monolithic::Inside::one_step() try {
   throw std::runtime_error(error.what() + ("; " + fastest_vibration(model_.bearing)));
 }
 
-void Monolithic::Inside::advance(const Window& window) {
+void Monolithic::advance(const Window& window) {
+  require_length(window);
   const double close = 4e-16 * std::abs(window.end) + 1e-15;  // [s]
-  if (smooth_) smooth_->forget();  // or a run that goes on from a saved state would step otherwise
+  if (following_)
+    throw std::runtime_error("monolithic solution: found follow() before a window; required: windows alone");
+  if (smooth_) smooth_->forget();  // each window by itself
   const long most = system_.steps + setup_.bearing.most_steps;
   reached_ = window.begin;
   while (reached_ < window.end) {
@@ -227,11 +157,10 @@ void Monolithic::Inside::advance(const Window& window) {
     }
   }
   show_all();
-  count_turns();
   require_containment();
 }
 
-void Monolithic::Inside::follow(double time) {
+void Monolithic::follow(double time) {
   if (!following_) {
     following_ = true;
     enter(piece_from(reached_));
@@ -243,16 +172,15 @@ void Monolithic::Inside::follow(double time) {
     one_step();
   }
   show(time);
-  count_turns();
   require_containment();
 }
 
-void Monolithic::Inside::show_all() {
+void Monolithic::show_all() {
   shown_ = x_;
   time_ = reached_;
 }
 
-void Monolithic::Inside::show(double time) {
+void Monolithic::show(double time) {
   if (!(reached_ > reached_before_)) return show_all();
   const system::WithinStep within(reached_before_, before_, reached_, x_, time, shown_);
   within.bend(0, freedoms(), freedoms());
@@ -261,16 +189,7 @@ void Monolithic::Inside::show(double time) {
   time_ = time;
 }
 
-void Monolithic::Inside::count_turns() {
-  for (int b = 0; b < system_.bearings(); ++b) {
-    const auto position = static_cast<std::size_t>(b);
-    const double now = motion(b).angle;
-    turned_[position] += std::abs(now - angle_[position]);
-    angle_[position] = now;
-  }
-}
-
-void Monolithic::Inside::require_containment() const {
+void Monolithic::require_containment() const {
   for (int b = 0; b < system_.bearings(); ++b) {
     const std::string reason = system::out_of_place(model_.bearing_of(b), bearing_state(b));
     if (reason.empty()) continue;
@@ -280,80 +199,22 @@ void Monolithic::Inside::require_containment() const {
   }
 }
 
-Eigen::VectorXd Monolithic::Inside::gear_state() const {
+Eigen::VectorXd Monolithic::gear_state() const {
   return Eigen::Map<const Eigen::VectorXd>(shown_.data(), 2 * freedoms());
 }
 
-Eigen::VectorXd Monolithic::Inside::bearing_state(int b) const {
+Eigen::VectorXd Monolithic::bearing_state(int b) const {
   Eigen::VectorXd flat(model_.bearing_of(b).layout.size());
   system_.bearing(b).flatten(system_.of_bearing(shown_.data(), b), flat);
   return flat;
 }
 
 // Of the planet of bearing `b`.
-BoreMotion Monolithic::Inside::planet_motion(int b) const {
+BoreMotion Monolithic::planet_motion(int b) const {
   return bore_motion(model_, model_.port_of(b), time_, system_.part(shown_.data(), 0),
                      system_.part(shown_.data(), freedoms()));
 }
 
-// Every number of the state in turn, for `visit(double* first, size)`.
-template <class Visit>
-void Monolithic::Inside::each(Visit visit) {
-  visit(&reached_, 1);
-  visit(&step_, 1);
-  for (std::vector<double>* all : {&x_, &turned_, &angle_})
-    visit(all->data(), static_cast<long>(all->size()));
-  for (std::size_t b = 0; b < turned_.size(); ++b) {
-    visit(&system_.loads[b].step_before, 1);
-    system_.sums[b].each(visit);
-  }
-}
-
-// Version, rollers, bearings, freedoms of the gears.
-std::vector<double> Monolithic::Inside::head() const {
-  if (following_)
-    throw std::runtime_error("monolithic solution: found follow() before save; required: windows alone");
-  return {kSavedSystemKind, static_cast<double>(model_.bearing.layout.rollers),
-          static_cast<double>(system_.bearings()), static_cast<double>(freedoms())};
-}
-
-SavedState Monolithic::Inside::saved() {
-  return saved_state(head(), *this);
-}
-
-void Monolithic::Inside::put(const SavedState& state) {
-  restore_state(state, "monolithic solution", head(), *this);
-  show_all();
-}
-
-Monolithic::Monolithic(const CoupledSetup& setup) : inside_(std::make_unique<Inside>(setup)) {}
-Monolithic::~Monolithic() = default;
-Monolithic::Monolithic(Monolithic&&) noexcept = default;
-Monolithic& Monolithic::operator=(Monolithic&&) noexcept = default;
-
-void Monolithic::initialize(double time) {
-  initialize(time, coupled_start(inside_->setup_, inside_->model_, time));
-}
-void Monolithic::initialize(double time, const CoupledStart& start) {
-  inside_->start(time, start);
-}
-void Monolithic::forget() {
-  inside_->forget();
-}
-
-void Monolithic::advance(const Window& window) {
-  require_length(window);
-  const SavedState before = inside_->saved();
-  try {
-    inside_->advance(window);
-  } catch (...) {
-    inside_->put(before);
-    throw;
-  }
-}
-void Monolithic::follow(double time) {
-  inside_->follow(time);
-}
 void Monolithic::advance(const integration::OutputTimes& times,
                          const std::function<void(double time)>& observe) {
   for (long sample = 1; sample <= times.samples; ++sample) {
@@ -362,40 +223,24 @@ void Monolithic::advance(const integration::OutputTimes& times,
   }
 }
 
-int Monolithic::planets() const {
-  return static_cast<int>(inside_->model_.ports.size());
-}
-int Monolithic::bearings() const {
-  return inside_->system_.bearings();
-}
-double Monolithic::time() const {
-  return inside_->time_;
-}
 integration::IntegrationReport Monolithic::report() const {
-  return {.completed = true,
-          .reached = inside_->reached_,
-          .steps = inside_->system_.steps,
-          .rejected = inside_->rejected_};
-}
-long Monolithic::substepped() const {
-  return inside_->substepping_ ? inside_->substepping_->substepped() : 0;
+  return {.completed = true, .reached = reached_, .steps = system_.steps, .rejected = rejected_};
 }
 
 DrivenGearsOutput Monolithic::gears() const {
-  const Inside& in = *inside_;
   Eigen::VectorXd workspace;
   gearset::dynamics::SetSnapshot snapshot;
-  gearset::dynamics::take_snapshot(in.equations, in.time_, in.gear_state(), workspace, snapshot);
+  gearset::dynamics::take_snapshot(equations_, time_, gear_state(), workspace, snapshot);
   DrivenGearsOutput out;
   for (int i = 0; i < planets(); ++i) {
-    const BoreMotion motion = in.planet_motion(i * in.model_.per_planet);
-    out.planets.push_back({.displacement = motion.position,
-                           .velocity = motion.velocity,
-                           .angle = in.model_.ports[static_cast<std::size_t>(i)].turn(
-                               in.gear_state().head(in.model_.gears.layout.freedoms())),
-                           .speed = motion.speed,
-                           .sun_mesh_force = snapshot.sun_mesh_force[i],
-                           .ring_mesh_force = snapshot.ring_mesh_force[i]});
+    const BoreMotion motion = planet_motion(i * model_.per_planet);
+    out.planets.push_back(
+        {.displacement = motion.position,
+         .velocity = motion.velocity,
+         .angle = model_.ports[static_cast<std::size_t>(i)].turn(gear_state().head(freedoms())),
+         .speed = motion.speed,
+         .sun_mesh_force = snapshot.sun_mesh_force[i],
+         .ring_mesh_force = snapshot.ring_mesh_force[i]});
     out.carrier_speed = motion.carrier_speed;
     out.carrier_acceleration = motion.carrier_acceleration;
   }
@@ -403,45 +248,23 @@ DrivenGearsOutput Monolithic::gears() const {
 }
 
 bearing::motion::BoreReaction Monolithic::reaction(int b) const {
-  return driven_snapshot(inside_->model_.bearing_of(b), inside_->motion(b), inside_->bearing_state(b))
-      .on_bore;
-}
-
-DrivenBearingOutput Monolithic::bearing(int b) const {
-  const Inside& in = *inside_;
-  const BoreMotion motion = in.motion(b);
-  const bearing::motion::BearingModel& model = in.model_.bearing_of(b);
-  const Snapshot now = driven_snapshot(model, motion, in.bearing_state(b));
-  return driven_output(model.geometry, motion.speed, now, now.on_bore,
-                       in.turned_[static_cast<std::size_t>(b)], life(b).bearing);
+  Snapshot now;
+  take_snapshot(b, now);
+  return now.on_bore;
 }
 
 void Monolithic::take_snapshot(int b, Snapshot& into) const {
-  into = driven_snapshot(inside_->model_.bearing_of(b), inside_->motion(b), inside_->bearing_state(b));
+  into = driven_snapshot(model_.bearing_of(b), at_seat(model_, b, planet_motion(b)), bearing_state(b));
 }
 
 void Monolithic::observe_steps(const system::StepObservers& observers) {
-  for (std::size_t b = 0; b < observers.loads.size(); ++b)
-    inside_->system_.loads[b].collector = observers.loads[b];
-}
-
-bearing::BearingLife Monolithic::life(int b) const {
-  const DrivenBearingSetup& setup = inside_->setup_.bearing;
-  return inside_->system_.sums[static_cast<std::size_t>(b)].life(setup.bearing, setup.reduction_factor);
+  for (std::size_t b = 0; b < observers.loads.size(); ++b) system_.loads[b].collector = observers.loads[b];
 }
 
 CoupledStart Monolithic::state() const {
-  CoupledStart all{inside_->gear_state(), {}};
-  for (int b = 0; b < bearings(); ++b) all.bearings.push_back(inside_->bearing_state(b));
+  CoupledStart all{gear_state(), {}};
+  for (int b = 0; b < bearings(); ++b) all.bearings.push_back(bearing_state(b));
   return all;
-}
-
-void Monolithic::save(SavedState& state) const {
-  state = inside_->saved();
-}
-
-void Monolithic::restore(const SavedState& state) {
-  inside_->put(state);
 }
 
 }  // namespace orbearing::system

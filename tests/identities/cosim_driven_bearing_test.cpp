@@ -84,8 +84,7 @@ TEST(DrivenBearingPath, HasOrderTwo) {
         vectorised.padded(driven_start(setup.bearing, model, setup.dynamics, inputs.at(0.0), 0.3));
     integration::Rosenbrock2 stepper(std::vector<double>(x.size(), 0.0), h);
     LoadsAtStep loads(setup.bearing.rollers().count);
-    bearing::motion::DamageSums sums(72);
-    DrivenSystem system(vectorised, inputs, 0.0, loads, sums);
+    DrivenSystem system(vectorised, inputs, 0.0, loads);
     double step = h;
     integration::through_window(stepper, system, x, kLength, {}, step);
     Eigen::VectorXd flat(model.layout.size());

@@ -109,7 +109,7 @@ class MonolithicPath : public testing::Test {
   // By linearly implicit steps of length `h` at most.
   template <class Stepper, class System>
   Eigen::VectorXd fixed_steps(double length, double h) {
-    System system(model, 72);
+    System system(model);
     const system::CoupledStart start = system::coupled_start(setup, model, 0.0);
     std::vector<double> x(system.size(), 0.0);
     std::copy(start.gears.begin(), start.gears.end(), x.begin());

@@ -40,7 +40,7 @@ class CoupledStepsOfReducer : public testing::Test {
  protected:
   CoupledSetup setup = smooth_reducer();
   CoupledModel model = coupled_model(setup);
-  CoupledSystem system{model, 72};
+  CoupledSystem system{model};
   Eigen::Index n = model.gears.layout.freedoms();
   double begin = 1e-3;  // [s]
 
@@ -94,7 +94,7 @@ TEST(TimeSlope, IsThatOfTheMeshStiffness) {
   Monolithic run(setup);
   run.initialize(0.0);
   run.advance({0.0, 1e-4});
-  WithAllSlopes system(model, 72);
+  WithAllSlopes system(model);
   const double begin = 1e-4, period = 1.0 / model.gears.operation.mesh_frequency;
   system.set_piece(begin, begin, begin + 100.0 * period);
   const std::vector<double> x = state_of(system, run);
@@ -154,8 +154,8 @@ TEST_F(CoupledStepsOfReducer, MeanReactionsAreWhatTheGearsFelt) {
 }
 
 // Issue 17, Build 5: gears take up what substepped bearings did beyond the step of all. Long steps with
-// these come closer to short ones than long steps alone, over states that follow each other: as many as it takes
-// that no single blow decides.
+// these come closer to short ones than long steps alone, over states that follow each other: as many as it
+// takes that no single blow decides.
 TEST_F(CoupledStepsOfReducer, GearsFeelWhatSubsteppedBearingsDid) {
   const double length = 60e-6, h = 6e-6;  // [s]
   Monolithic run(test::coupled_reducer());
@@ -208,7 +208,7 @@ TEST(DrivenSystem, ResumesFromWhatIsKnown) {
   const auto run = [&](bool resumes) {
     LoadsAtStep loads(setup.bearing.rollers().count);
     bearing::motion::DamageSums sums(72);
-    DrivenSystem system(vectorised, inputs, 0.0, loads, sums);
+    DrivenSystem system(vectorised, inputs, 0.0, loads, &sums);
     std::vector<double> x = start, rate(start.size());
     if (resumes) {
       system.linearise(0.0, x.data(), rate.data());
