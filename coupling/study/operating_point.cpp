@@ -93,11 +93,22 @@ std::vector<double> shared_loads(const Rating& rating, const BearingDuty& duty,
   return loads;
 }
 
+// Of bearings of which none may fail, and of `alike` such groups.
+void put_system_life(const std::vector<double>& lives, const std::vector<bearing::rating::RatedHours>& rated,
+                     int alike, PointResult& result) {
+  result.system_life_hours = bearing::system_life(life_together(lives), alike);
+  result.rating.system_hours = bearing::rating::hours_of_equal(
+      bearing::rating::hours_together(rated, kRollerSlope), alike, kRollerSlope);
+}
+
 // Planet by planet, from the means of one bearing of each and the load on its bore [N].
 void put_planets(const Rating& rating, const Eigen::ArrayXd& angle,
                  const std::vector<WindowStatistics>& means, const std::vector<double>& loads,
                  PointResult& result) {
+  const int per_planet = rating.drivetrain().bearings_per_planet;
   double tangential = 0.0;
+  std::vector<double> together;
+  std::vector<bearing::rating::RatedHours> rated;
   for (std::size_t i = 0; i < means.size(); ++i) {
     const Eigen::Vector2d force =
         mean_bore_force(means[i].outer, angle, rating.drivetrain().bearing.rollers().count);
@@ -107,53 +118,44 @@ void put_planets(const Rating& rating, const Eigen::ArrayXd& angle,
                               .life_hours = lives.hours,
                               .rated_hours = lives.rated_hours});
     tangential += force.y() / static_cast<double>(means.size());
+    together.push_back(bearing::system_life(lives.hours, per_planet));
+    rated.push_back(bearing::rating::hours_of_equal(lives.rated_hours, per_planet, kRollerSlope));
   }
   for (PlanetResult& planet : result.planets) planet.load_share /= tangential;
+  put_system_life(together, rated, 1, result);
 }
 
-// Of unlike planets.
-void put_system_life(const PlanetaryDrivetrain& drivetrain, PointResult& result) {
-  const int per_planet = drivetrain.bearings_per_planet;
-  std::vector<double> lives;
-  std::vector<bearing::rating::RatedHours> rated;
-  for (const PlanetResult& planet : result.planets) {
-    lives.push_back(bearing::system_life(planet.life_hours, per_planet));
-    rated.push_back(bearing::rating::hours_of_equal(planet.rated_hours, per_planet, kRollerSlope));
-  }
-  result.system_life_hours = life_together(lives);
-  result.rating.system_hours = bearing::rating::hours_together(rated, kRollerSlope);
+template <class Results>
+std::size_t shortest_lived(const Results& results) {
+  const auto shortest = std::ranges::min_element(results, {}, [](const auto& one) { return one.life_hours; });
+  return static_cast<std::size_t>(shortest - results.begin());
 }
 
-std::size_t shortest_lived(const std::vector<PlanetResult>& planets) {
-  const auto shortest = std::min_element(
-      planets.begin(), planets.end(),
-      [](const PlanetResult& a, const PlanetResult& b) { return a.life_hours < b.life_hours; });
-  return static_cast<std::size_t>(shortest - planets.begin());
-}
+// All bearings that were computed: of each duty those of its planet where their tilt is computed, else one.
+struct Bearings {
+  std::vector<WindowStatistics> means;
+  std::vector<Eigen::Vector2d> tilts;  // [rad]  of bore against pin
+};
 
-// Bearing by bearing of planets whose tilt is computed: their means, the loads on their bores [N], and tilts
-// of bore against pin; of one planet where all are alike, else planet by planet.
-void put_seats(const Rating& rating, const std::vector<WindowStatistics>& means,
-               const std::vector<double>& loads, const std::vector<Eigen::Vector2d>& tilts,
+// Bearing by bearing of planets whose tilt is computed, and the loads on their bores [N]; of one planet where
+// all are alike, else planet by planet.
+void put_seats(const Rating& rating, const Bearings& bearings, const std::vector<double>& loads,
                PointResult& result) {
   const PlanetaryDrivetrain& drivetrain = rating.drivetrain();
   const std::vector<double> positions = axial_positions(drivetrain);
   std::vector<double> lives;
   std::vector<bearing::rating::RatedHours> rated;
-  for (std::size_t k = 0; k < means.size(); ++k) {
-    const Rating::Lives one = rating.of(means[k], loads[k]);
+  for (std::size_t k = 0; k < loads.size(); ++k) {
+    const Rating::Lives one = rating.of(bearings.means[k], loads[k]);
     lives.push_back(one.hours);
     rated.push_back(one.rated_hours);
     result.seats.push_back({.position = positions[k % positions.size()],
                             .load = loads[k],
-                            .tilt = tilts[k],
+                            .tilt = bearings.tilts[k],
                             .life_hours = one.hours,
                             .rated_hours = one.rated_hours});
   }
-  const int alike = means.size() > positions.size() ? 1 : drivetrain.set.planets;
-  result.system_life_hours = bearing::system_life(life_together(lives), alike);
-  result.rating.system_hours = bearing::rating::hours_of_equal(
-      bearing::rating::hours_together(rated, kRollerSlope), alike, kRollerSlope);
+  put_system_life(lives, rated, loads.size() > positions.size() ? 1 : drivetrain.set.planets, result);
 }
 
 // The bearings of each planet, taken together. Planet by planet.
@@ -197,60 +199,47 @@ std::vector<double> seat_loads(const Rating& rating, const std::vector<BearingDu
   return loads;
 }
 
-// Of planets whose tilt is computed, alike or not; each unlike one has the life of its bearings taken
-// together.
-void put_seated_planets(const Rating& rating, const std::vector<BearingDuty>& duties,
-                        const Eigen::ArrayXd& angle, const std::vector<WindowStatistics>& means,
-                        const std::vector<double>& loads, const std::vector<Eigen::Vector2d>& tilts,
-                        PointResult& result) {
-  put_seats(rating, means, loads, tilts, result);
-  if (duties.size() == 1) return;
-  const int per_planet = rating.drivetrain().bearings_per_planet;
+// Loads and lives of all of them, together those of `all`. Each unlike planet whose tilt is computed has the
+// life of its bearings taken together.
+void put_bearings(const Rating& rating, const std::vector<BearingDuty>& duties, const Eigen::ArrayXd& angle,
+                  const Bearings& bearings, const WindowStatistics& all, PointResult& result) {
+  const PlanetaryDrivetrain& drivetrain = rating.drivetrain();
+  const bool seated = drivetrain.seats.tilt == TiltState::computed;
+  const std::vector<double> loads =
+      seated ? seat_loads(rating, duties, bearings.means, angle) : loads_of(rating, duties);
+  put_life(rating, all, loads, result);
+  const int per_planet = seated ? drivetrain.bearings_per_planet : 1;
   std::vector<double> of_planets;
   for (auto first = loads.begin(); first != loads.end(); first += per_planet)
     of_planets.push_back(mean_by_basic_life({first, first + per_planet}));
-  put_planets(rating, angle, by_planet(means, per_planet), of_planets, result);
-}
-
-std::size_t shortest_lived(const std::vector<SeatResult>& seats) {
-  const auto shortest = std::ranges::min_element(seats, {}, &SeatResult::life_hours);
-  return static_cast<std::size_t>(shortest - seats.begin());
+  if (duties.size() > 1)
+    put_planets(rating, angle, by_planet(bearings.means, per_planet), of_planets, result);
+  if (seated) put_seats(rating, bearings, loads, result);
 }
 
 PointResult quasi_static_point(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                                const std::vector<BearingDuty>& duties) {
   BearingsAtRest at_rest(drivetrain, geometry);
-  std::vector<QuasiStaticBearing> bearings;
-  std::vector<WindowStatistics> means;
+  std::vector<QuasiStaticBearing> resting;
+  Bearings bearings;
   for (const BearingDuty& duty : duties)
     for (QuasiStaticBearing& one : at_rest.of(duty)) {
-      means.push_back(std::move(one.means));
-      bearings.push_back(std::move(one));
+      bearings.means.push_back(std::move(one.means));
+      bearings.tilts.push_back(one.tilt);
+      resting.push_back(std::move(one));
     }
-  const WindowStatistics all = system::pooled(means);
-  const Rating rating(drivetrain, geometry, duties.front());
+  const WindowStatistics all = system::pooled(bearings.means);
   PointResult result;
   result.inner = race_result(all.inner);
   result.outer = race_result(all.outer);
-  const Eigen::ArrayXd& angle = bearings.front().loads.angle;
+  const Eigen::ArrayXd& angle = resting.front().loads.angle;
   result.distribution = {as_vector(angle), as_vector(all.inner.mean_load), as_vector(all.outer.mean_load),
-                         as_vector(bearings.front().loads.race_form)};
-  const bool seated = drivetrain.seats.tilt == TiltState::computed;
-  const std::vector<double> loads =
-      seated ? seat_loads(rating, duties, means, angle) : loads_of(rating, duties);
-  put_life(rating, all, loads, result);
-  if (seated) {
-    std::vector<Eigen::Vector2d> tilts;
-    for (const QuasiStaticBearing& one : bearings) tilts.push_back(one.tilt);
-    put_seated_planets(rating, duties, angle, means, loads, tilts, result);
-  } else if (duties.size() > 1) {
-    put_planets(rating, angle, means, loads, result);
-    put_system_life(drivetrain, result);
-  }
+                         as_vector(resting.front().loads.race_form)};
+  put_bearings(Rating(drivetrain, geometry, duties.front()), duties, angle, bearings, all, result);
   const std::size_t shown = result.planets.empty() ? 0
-                            : seated               ? shortest_lived(result.seats)
-                                                   : shortest_lived(result.planets);
-  result.laminae = record_of_laminae(at_rest.bearing(), bearings[shown]);
+                            : result.seats.empty() ? shortest_lived(result.planets)
+                                                   : shortest_lived(result.seats);
+  result.laminae = record_of_laminae(at_rest.bearing(), resting[shown]);
   return result;
 }
 
@@ -308,83 +297,70 @@ BearingDuty mean_duty(const PlanetaryDrivetrain& drivetrain, BearingDuty duty) {
   return duty;
 }
 
-// Of one bearing, or of unlike ones under `loads` [N] as passages of one.
-PointResult dynamic_point(const Rating& rating, const std::vector<double>& loads,
-                          const system::SteadyStateResult& run) {
+// But for lives: of one bearing, or of unlike ones as passages of one.
+PointResult dynamic_point(const PlanetaryDrivetrain& drivetrain, const system::SteadyStateResult& run) {
   if (!run.completed) throw std::runtime_error(run.message);
   PointResult result;
   result.inner = race_result(run.statistics.inner);
   result.outer = race_result(run.statistics.outer);
   result.dynamic = record_of(run);
-  if (rating.drivetrain().bearing.has_cage())
+  if (drivetrain.bearing.has_cage())
     result.cage_slip = run.orbit_slip();
   else
     result.dynamic->orbit_slip = run.orbit_slip();
   result.distribution = distribution_of(run.statistics);
-  put_life(rating, run.statistics, loads, result);
   return result;
 }
 
 PointResult driven_point(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                          const BearingDuty& duty, const OneWayRun& run) {
   const Rating rating(drivetrain, geometry, mean_duty(drivetrain, duty));
-  PointResult result = dynamic_point(rating, {rating.load_of(duty)}, run.bearing);
+  PointResult result = dynamic_point(drivetrain, run.bearing);
+  put_life(rating, run.bearing.statistics, {rating.load_of(duty)}, result);
   result.dynamic->one_way = run.fit;
   result.dynamic->one_way_load_difference = run.load_difference;
   return result;
 }
 
-// Of unlike planets or bearings: their loads as passages of one bearing, the series and the end of the
-// first's motion.
-system::SteadyStateResult together(const std::vector<system::SteadyStateResult>& runs,
-                                   const std::vector<WindowStatistics>& means) {
-  system::SteadyStateResult all = runs.front();
-  all.statistics = system::pooled(means);
-  for (const system::SteadyStateResult& run : runs) all.steady = all.steady && run.steady;
+// One bearing of each duty; where the tilt of planets is computed all of them, each under its own load.
+std::vector<SeatedBearing> bearings_to_drive(const PlanetaryDrivetrain& drivetrain,
+                                             const DrivetrainGeometry& geometry,
+                                             const std::vector<BearingDuty>& duties) {
+  std::vector<SeatedBearing> all;
+  if (drivetrain.seats.tilt != TiltState::computed) {
+    for (const BearingDuty& duty : duties) all.push_back({drivetrain, geometry, duty});
+    return all;
+  }
+  const PlanetSeat seat = seat_of_each(drivetrain, geometry);
+  for (const BearingDuty& duty : duties)
+    for (SeatedBearing& one : seated_bearings(seat, drivetrain, geometry, duty))
+      all.push_back(std::move(one));
   return all;
 }
 
-// Of planets whose tilt is computed, all bearings, each under its own load.
-PointResult seated_point(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
-                         const std::vector<BearingDuty>& duties, const GearsOnTangent& gears) {
-  std::vector<system::SteadyStateResult> runs;
-  std::vector<WindowStatistics> means;
-  std::vector<Eigen::Vector2d> tilts;
-  const PlanetSeat seat = seat_of_each(drivetrain, geometry);
-  for (const BearingDuty& duty : duties)
-    for (const SeatedBearing& one : seated_bearings(seat, drivetrain, geometry, duty)) {
-      runs.push_back(motion_of(one.drivetrain, one.geometry, one.duty, gears).bearing);
-      if (!runs.back().completed) throw std::runtime_error(runs.back().message);
-      means.push_back(runs.back().statistics);
-      tilts.push_back(one.duty.point.bore_tilt);
-    }
-  const Rating rating(drivetrain, geometry, mean_duty(drivetrain, duties.front()));
-  const Eigen::ArrayXd angle = position_angles(means.front().outer.mean_load.size());
-  const std::vector<double> loads = seat_loads(rating, duties, means, angle);
-  PointResult result = dynamic_point(rating, loads, together(runs, means));
-  put_seated_planets(rating, duties, angle, means, loads, tilts, result);
-  return result;
-}
-
+// Of unlike bearings: their loads as passages of one bearing, the series and the end of the first's motion.
 PointResult one_way_point(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                           const std::vector<BearingDuty>& duties) {
   const GearsOnTangent gears = gears_on_tangent(drivetrain, geometry);
-  if (drivetrain.seats.tilt == TiltState::computed) return seated_point(drivetrain, geometry, duties, gears);
-  if (duties.size() == 1)
+  if (duties.size() == 1 && drivetrain.seats.tilt != TiltState::computed)
     return driven_point(drivetrain, geometry, duties.front(),
                         motion_of(drivetrain, geometry, duties.front(), gears));
-  std::vector<system::SteadyStateResult> runs;
-  std::vector<WindowStatistics> means;
-  for (const BearingDuty& duty : duties) {
-    runs.push_back(motion_of(drivetrain, geometry, duty, gears).bearing);
-    if (!runs.back().completed) throw std::runtime_error(runs.back().message);
-    means.push_back(runs.back().statistics);
+  system::SteadyStateResult all;
+  Bearings bearings;
+  for (const SeatedBearing& one : bearings_to_drive(drivetrain, geometry, duties)) {
+    system::SteadyStateResult run = motion_of(one.drivetrain, one.geometry, one.duty, gears).bearing;
+    if (!run.completed) throw std::runtime_error(run.message);
+    const bool steady = run.steady && (bearings.means.empty() || all.steady);
+    bearings.means.push_back(run.statistics);
+    bearings.tilts.push_back(one.duty.point.bore_tilt);
+    if (bearings.means.size() == 1) all = std::move(run);
+    all.steady = steady;
   }
+  all.statistics = system::pooled(bearings.means);
   const Rating rating(drivetrain, geometry, mean_duty(drivetrain, duties.front()));
-  const std::vector<double> loads = loads_of(rating, duties);
-  PointResult result = dynamic_point(rating, loads, together(runs, means));
-  put_planets(rating, position_angles(means.front().outer.mean_load.size()), means, loads, result);
-  put_system_life(drivetrain, result);
+  PointResult result = dynamic_point(drivetrain, all);
+  put_bearings(rating, duties, position_angles(all.statistics.outer.mean_load.size()), bearings,
+               all.statistics, result);
   return result;
 }
 
@@ -419,17 +395,17 @@ PointResult coupled_point(const PlanetaryDrivetrain& drivetrain, const Drivetrai
     return shared_loads(rating, duty, means, angle);
   };
   const std::vector<double> loads = loads_under(run.bearings);
-  PointResult result = dynamic_point(rating, loads, run);
+  PointResult result = dynamic_point(drivetrain, run);
+  put_life(rating, run.statistics, loads, result);
+  const std::vector<WindowStatistics> planets = by_planet(run.bearings, drivetrain.bearings_per_planet);
+  put_planets(rating, angle, planets, loads_under(planets), result);
   std::vector<bearing::rating::RatedHours> rated;
   for (std::size_t i = 0; i < loads.size(); ++i) {
     const Rating::Lives lives = rating.of(run.bearings[i], loads[i]);
     record.bearing_life_hours.push_back(lives.hours);
     rated.push_back(lives.rated_hours);
   }
-  const std::vector<WindowStatistics> planets = by_planet(run.bearings, drivetrain.bearings_per_planet);
-  put_planets(rating, angle, planets, loads_under(planets), result);
-  result.system_life_hours = life_together(record.bearing_life_hours);
-  result.rating.system_hours = bearing::rating::hours_together(rated, kRollerSlope);
+  put_system_life(record.bearing_life_hours, rated, 1, result);
   result.coupled = record;
   return result;
 }

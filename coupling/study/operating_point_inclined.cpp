@@ -111,13 +111,7 @@ class Bearings {
             rating::inclined_static_load(set, radial, axial)};
   }
 
-  struct Lives {
-    bearing::BearingLife life;  // [rev]  of Lundberg and Palmgren
-    double hours = 0.0;
-    rating::RatingLives rating;
-    rating::RatedHours rated_hours;
-  };
-
+  using Lives = PlanetBearingRating::Lives;
   /// Of a bearing with `rows`, or of several taken together as passages of one.
   Lives lives(const Rows& rows, const RatedLoads& loads) const {
     const rating::RatingCondition condition{.dynamic_load = loads.dynamic,
