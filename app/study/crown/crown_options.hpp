@@ -7,7 +7,7 @@
 
 #include "app/case/resolved_case.hpp"
 #include "app/case/units.hpp"
-#include "coupling/study/crowning/tolerance_population.hpp"
+#include "coupling/study/crowning/half_space_search.hpp"
 
 namespace orbearing::app {
 
@@ -36,7 +36,7 @@ struct CrownOptions {
   std::string distribution;    // --distribution    of misses within the tolerances
   std::string life;            // --life            by life.method
   std::string of_set;          // --of: which of several sets
-  bool spectrum = false;  // all swept speeds
+  bool spectrum = false;       // all swept speeds
   int starts = 10;
 };
 

@@ -8,7 +8,6 @@
 #include "app/errors.hpp"
 #include "app/results/durable_file.hpp"
 #include "bearing/life/basic_life.hpp"
-#include "coupling/study/crowning/crown_grid.hpp"
 
 namespace orbearing::app {
 

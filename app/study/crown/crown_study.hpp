@@ -8,8 +8,6 @@
 #include <vector>
 
 #include "app/study/crown/crown_options.hpp"
-#include "coupling/study/crowning/crown_grid.hpp"
-#include "coupling/study/crowning/half_space_search.hpp"
 #include "mechanics/record.hpp"
 
 namespace orbearing::app {

@@ -19,6 +19,56 @@ using bearing::Race;
 using bearing::laminae::RollerState;
 using bearing::profile::Profile;
 
+void keep_worst(const RollerState& roller, Race race, double half_length, double angle, WorstRoller& worst) {
+  const bool inner = race == Race::inner;
+  const double load = inner ? roller.inner.load : roller.outer.load;
+  if (load <= worst.load) return;
+  worst = {load, (inner ? roller.inner_end_displacement : roller.outer_end_displacement) / half_length,
+           angle};
+}
+
+}  // namespace
+
+RollerPressure::RollerPressure(const CrownProblem& problem)
+    : bearing_(problem.bearing),
+      inner_(bearing::half_space::contact_of(problem.bearing, Race::inner)),
+      outer_(bearing::half_space::contact_of(problem.bearing, Race::outer)) {}
+
+bearing::half_space::RollerContactPressure RollerPressure::on(Race race, const Profile& profile, double load,
+                                                              double tilt) const {
+  const bearing::half_space::StripContact& strips = race == Race::inner ? inner_ : outer_;
+  const Profile& other = race == Race::inner ? bearing_.inner.profile : bearing_.outer.profile;
+  return strips.under_load(strips.relief(bearing::half_space::relief_of(profile, other)), load, tilt);
+}
+
+WorstRoller worst_roller(const CrownProblem& problem, const DutyLoads& loads, Race race) {
+  const double half_length = 0.5 * problem.bearing.rollers().length;
+  WorstRoller worst;
+  for (const QuasiStaticResult& one : loads.bearings)
+    for (const bearing::QuasiStaticState& state : one.states)
+      for (std::size_t j = 0; j < state.rollers.size(); ++j)
+        keep_worst(state.rollers[j], race, half_length, state.angle[static_cast<Eigen::Index>(j)], worst);
+  return worst;
+}
+
+PeakPressure peak_pressure(const CrownProblem& problem, const RollerPressure& pressure,
+                           const Profile& profile, const std::vector<DutyLoads>& loads) {
+  PeakPressure worst;
+  for (const Race race : {Race::inner, Race::outer}) {
+    WorstRoller roller;
+    for (const DutyLoads& duty : loads) {
+      const WorstRoller found = worst_roller(problem, duty, race);
+      if (found.load > roller.load) roller = found;
+    }
+    if (roller.load <= 0.0) continue;
+    const auto found = pressure.on(race, profile, roller.load, roller.tilt);
+    if (found.peak_pressure > worst.peak) worst = {found.peak_pressure, found.edge_ratio, race};
+  }
+  return worst;
+}
+
+namespace {
+
 constexpr double kIdle = 1e-3;  // of the greatest load: less takes nothing from the life
 
 // Pressures [Pa] (laminae, places) on one race, at some of the cage angles.
@@ -64,21 +114,21 @@ double revolutions(const CrownProblem& problem, const RollerPressure& pressure, 
   return bearing::life::lamina_life(laminae, on(Race::inner), on(Race::outer)).bearing;
 }
 
-}  // namespace
-
+// Of one duty alone, whose loads are known.
 double pressure_duty_hours(const CrownProblem& problem, const RollerPressure& pressure,
-                           const Profile& profile, const DutyLoads& loads, std::size_t duty, int angles) {
+                           const Profile& profile, const DutyLoads& loads, std::size_t duty, int angles = 2) {
   return bearing::hours(revolutions(problem, pressure, profile, loads, problem.ratings[duty].motions, angles),
                         rotating_speed(problem.bearing, problem.duties[duty].point));
 }
 
+}  // namespace
+
 double pressure_life_hours(const CrownProblem& problem, const RollerPressure& pressure,
                            const Profile& profile, const Lean& lean, int angles) {
-  Eigen::ArrayXd hours(static_cast<Eigen::Index>(problem.duties.size()));
-  for (std::size_t duty = 0; duty < problem.duties.size(); ++duty)
-    hours[static_cast<Eigen::Index>(duty)] =
-        pressure_duty_hours(problem, pressure, profile, loads_at(problem, profile, lean, duty), duty, angles);
-  return life_of_duties(problem, hours);
+  return life_of_duties(problem, [&](std::size_t duty) {
+    return pressure_duty_hours(problem, pressure, profile, loads_at(problem, profile, lean, duty), duty,
+                               angles);
+  });
 }
 
 std::vector<double> pressure_lives(const CrownProblem& problem, const RollerPressure& pressure,
@@ -114,21 +164,17 @@ std::vector<DutyRecord> duty_records(const CrownProblem& problem, const RollerPr
 
 namespace {
 
-using bearing::profile::Profile;
-
 // Loads are found once, for life and pressure.
 void put_duties(const CrownProblem& problem, const RollerPressure& pressure, const Profile& profile,
                 CrownPoint& point) {
   std::vector<DutyLoads> loads;
-  Eigen::ArrayXd hours(static_cast<Eigen::Index>(problem.duties.size()));
   std::vector<bearing::rating::RatedHours> rated;
-  for (std::size_t duty = 0; duty < problem.duties.size(); ++duty) {
+  point.life_hours = life_of_duties(problem, [&](std::size_t duty) {
     loads.push_back(loads_at(problem, profile, lean_by(problem, point.tilt), duty));
     point.largest_tilt = std::max(point.largest_tilt, loads.back().tilt);
-    hours[static_cast<Eigen::Index>(duty)] = duty_hours(problem, loads.back(), duty);
     rated.push_back(rated_duty_hours(problem, loads.back(), duty));
-  }
-  point.life_hours = life_of_duties(problem, hours);
+    return duty_hours(problem, loads.back(), duty);
+  });
   point.rated_hours = life_of_duties(problem, rated);
   point.pressure = peak_pressure(problem, pressure, profile, loads);
 }

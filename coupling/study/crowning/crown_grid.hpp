@@ -5,9 +5,48 @@
 #include <string>
 #include <vector>
 
-#include "coupling/study/crowning/roller_pressure.hpp"
+#include "bearing/pressure/strip_contact.hpp"
+#include "coupling/study/crowning/crown_problem.hpp"
 
 namespace orbearing::study::crowning {
+
+// Pressure along the most loaded roller of a bearing, from the elastic half-space.
+
+/// The half-space contacts of a bearing's rollers, laid out once; used from any thread.
+class RollerPressure {
+ public:
+  explicit RollerPressure(const CrownProblem& problem);
+
+  /// Under `load` [N] > 0 at `tilt` [rad] of the roller against the race. Roller profile `profile`.
+  bearing::half_space::RollerContactPressure on(bearing::Race race, const bearing::profile::Profile& profile,
+                                                double load, double tilt) const;
+
+ private:
+  bearing::Bearing bearing_;
+  bearing::half_space::StripContact inner_;
+  bearing::half_space::StripContact outer_;
+};
+
+/// The most loaded roller on one race, over all bearings and cage angles.
+struct WorstRoller {
+  double load = 0.0;   // [N]
+  double tilt = 0.0;   // [rad]  of the roller against the race: the contact closes more at positive places
+  double angle = 0.0;  // [rad]
+};
+
+WorstRoller worst_roller(const CrownProblem& problem, const DutyLoads& loads, bearing::Race race);
+
+/// Greatest pressure of both races, with the edge ratio of the contact that has it.
+struct PeakPressure {
+  double peak = 0.0;        // [Pa]
+  double edge_ratio = 0.0;  // [-]
+  bearing::Race race = bearing::Race::inner;
+};
+
+/// Of the most loaded roller on each race, at the duty that loads it most; `loads` are those of the duties,
+/// in their order. The roller's tilt is that of its balance on laminae.
+PeakPressure peak_pressure(const CrownProblem& problem, const RollerPressure& pressure,
+                           const bearing::profile::Profile& profile, const std::vector<DutyLoads>& loads);
 
 // Life from the pressures of the elastic half-space, which sees for itself what ends and tilts do.
 
@@ -17,11 +56,6 @@ namespace orbearing::study::crowning {
 /// of the rollers are those on laminae.
 double pressure_life_hours(const CrownProblem& problem, const RollerPressure& pressure,
                            const bearing::profile::Profile& profile, const Lean& lean, int angles = 2);
-
-/// The same of one duty alone, whose loads are known.
-double pressure_duty_hours(const CrownProblem& problem, const RollerPressure& pressure,
-                           const bearing::profile::Profile& profile, const DutyLoads& loads, std::size_t duty,
-                           int angles = 2);
 
 /// The same over the duties for each of `tilts` [rad], as lean_by() takes them, on `jobs` threads (0: all).
 std::vector<double> pressure_lives(const CrownProblem& problem, const RollerPressure& pressure,
@@ -48,13 +82,13 @@ std::vector<DutyRecord> duty_records(const CrownProblem& problem, const RollerPr
 
 /// One profile at one tilt, under the whole spectrum.
 struct CrownPoint {
-  double drop = 0.0;                 // [m]    of one roller at profile::kDropPosition
-  double tilt = 0.0;                 // [rad]  as stated, of the bore on its pin, or as lean_by() takes it
-  double largest_tilt = 0.0;         // [rad]  largest of a bore against its pin over bearings and duties
-  double life_hours = 0.0;           // [h]
+  double drop = 0.0;          // [m]    of one roller at profile::kDropPosition
+  double tilt = 0.0;          // [rad]  as stated, of the bore on its pin, or as lean_by() takes it
+  double largest_tilt = 0.0;  // [rad]  largest of a bore against its pin over bearings and duties
+  double life_hours = 0.0;    // [h]
   bearing::rating::RatedHours rated_hours{};  // by the standards
-  PeakPressure pressure;             // greatest over the spectrum
-  std::string status = "ok";         // "ok" or why there is no balance
+  PeakPressure pressure;                      // greatest over the spectrum
+  std::string status = "ok";                  // "ok" or why there is no balance
 };
 
 /// Called as points finish, from several threads, with how many are done.

@@ -275,20 +275,21 @@ bearing::rating::RatedHours rated_duty_hours(const CrownProblem& problem, const 
 }
 
 double life_hours(const CrownProblem& problem, const Profile& profile, const Lean& lean) {
-  Eigen::ArrayXd hours(static_cast<Eigen::Index>(problem.duties.size()));
-  for (std::size_t duty = 0; duty < problem.duties.size(); ++duty)
-    hours[static_cast<Eigen::Index>(duty)] =
-        duty_hours(problem, loads_at(problem, profile, lean, duty), duty);
-  return life_of_duties(problem, hours);
+  return life_of_duties(problem, [&](std::size_t duty) {
+    return duty_hours(problem, loads_at(problem, profile, lean, duty), duty);
+  });
 }
 
-double life_of_duties(const CrownProblem& problem, const Eigen::Ref<const Eigen::ArrayXd>& hours) {
-  const Eigen::Index duties = hours.size();
+double life_of_duties(const CrownProblem& problem, const std::function<double(std::size_t duty)>& hours) {
+  const auto duties = static_cast<Eigen::Index>(problem.duties.size());
   Eigen::ArrayXd shares(duties + 1), lives(duties + 1);
-  for (Eigen::Index duty = 0; duty < duties; ++duty)
-    shares[duty] = problem.duties[static_cast<std::size_t>(duty)].share;
+  for (Eigen::Index i = 0; i < duties; ++i) {
+    const auto duty = static_cast<std::size_t>(i);
+    shares[i] = problem.duties[duty].share;
+    lives[i] = hours(duty);
+  }
   shares[duties] = std::max(0.0, 1.0 - shares.head(duties).sum());
-  lives << hours, std::numeric_limits<double>::infinity();
+  lives[duties] = std::numeric_limits<double>::infinity();
   return bearing::rating::spectrum_life(shares, lives);
 }
 
@@ -296,12 +297,9 @@ bearing::rating::RatedHours life_of_duties(const CrownProblem& problem,
                                            const std::vector<bearing::rating::RatedHours>& hours) {
   using bearing::rating::RatedHours;
   RatedHours all;
-  Eigen::ArrayXd lives(static_cast<Eigen::Index>(hours.size()));
-  for (const auto life : bearing::rating::kRatedHours) {
-    for (Eigen::Index duty = 0; duty < lives.size(); ++duty)
-      lives[duty] = hours[static_cast<std::size_t>(duty)].*life;
-    if (!lives.isNaN().any()) all.*life = life_of_duties(problem, lives);
-  }
+  for (const auto life : bearing::rating::kRatedHours)
+    if (std::ranges::none_of(hours, [&](const RatedHours& of) { return std::isnan(of.*life); }))
+      all.*life = life_of_duties(problem, [&](std::size_t duty) { return hours[duty].*life; });
   return all;
 }
 
@@ -313,13 +311,12 @@ CrownLife crown_life(const CrownProblem& problem, const ProfileFamily& family, c
   std::vector<DutyLoads> here(problem.duties.size());
   const auto log_hours = [&](const Crown& at, bool beside) {
     const Profile profile = profile_of(family, at);
-    Eigen::ArrayXd hours(static_cast<Eigen::Index>(here.size()));
-    for (std::size_t duty = 0; duty < here.size(); ++duty) {
+    return std::log(life_of_duties(problem, [&](std::size_t duty) {
       DutyLoads loads = loads_at(problem, profile, lean, duty, beside ? &here[duty] : nullptr);
-      hours[static_cast<Eigen::Index>(duty)] = duty_hours(problem, loads, duty);
+      const double hours = duty_hours(problem, loads, duty);
       if (!beside) here[duty] = std::move(loads);
-    }
-    return std::log(life_of_duties(problem, hours));
+      return hours;
+    }));
   };
   const double now = log_hours(crown, false);
   const auto slope = [&](double drop, double share) {

@@ -1,6 +1,7 @@
 // One planet bearing, where it works, and what a crown of its rollers makes of its life.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -135,7 +136,7 @@ bearing::rating::RatedHours rated_duty_hours(const CrownProblem& problem, const 
 
 /// The rule of Palmgren and Miner: life [h] of all, given that of each duty alone. What the duties leave of
 /// the time is rest.
-double life_of_duties(const CrownProblem& problem, const Eigen::Ref<const Eigen::ArrayXd>& hours);
+double life_of_duties(const CrownProblem& problem, const std::function<double(std::size_t duty)>& hours);
 /// Life by life (duties); not a number where one is not.
 bearing::rating::RatedHours life_of_duties(const CrownProblem& problem,
                                            const std::vector<bearing::rating::RatedHours>& hours);

@@ -1,5 +1,5 @@
 // Issue 16, Build 9: tolerances weighted by probability.
-#include "coupling/study/crowning/tolerance_population.hpp"
+#include "coupling/study/crowning/half_space_search.hpp"
 
 #include <gtest/gtest.h>
 
