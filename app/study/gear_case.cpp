@@ -14,7 +14,6 @@
 #include "app/study/drivetrain_case.hpp"
 #include "app/study/mesh_study.hpp"
 #include "coupling/study/planet_stiffness.hpp"
-#include "coupling/study/set_operation.hpp"
 #include "gearset/mesh/loaded/tooth_pairs.hpp"
 #include "mechanics/constants.hpp"
 

@@ -13,7 +13,6 @@
 #include "app/errors.hpp"
 #include "app/study/drivetrain_case.hpp"
 #include "app/units.hpp"
-#include "coupling/study/set_operation.hpp"
 #include "gearset/checks.hpp"
 #include "gearset/mesh/loaded/tooth_pairs.hpp"
 #include "gearset/planet_body.hpp"

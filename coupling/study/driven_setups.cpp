@@ -4,7 +4,6 @@
 #include <stdexcept>
 
 #include "coupling/study/load_sharing.hpp"
-#include "coupling/study/set_operation.hpp"
 #include "coupling/study/tilting_planet.hpp"
 #include "gearset/dynamics/model.hpp"
 

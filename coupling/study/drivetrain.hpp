@@ -270,6 +270,13 @@ struct DrivetrainGeometry {
 /// Throws std::domain_error where the gears have no common centre distance or the planet no rim.
 DrivetrainGeometry derive(const PlanetaryDrivetrain& drivetrain);
 
+/// Speeds and torques of the members, whether the set is single or one of several: of the dynamics and the
+/// static balance of the set's gears. In an arrangement all torques are stated, and none follows from the
+/// power.
+/// @throws std::invalid_argument as gearset::mean_loads()
+gearset::dynamics::Operation set_operation(const PlanetaryDrivetrain& drivetrain,
+                                           const gearset::WorkingGeometry& gears);
+
 /// The clearance of the bearing at the drivetrain's speed, from the shelf on.
 bearing::ClearanceChain clearance_chain(const PlanetaryDrivetrain& drivetrain);
 

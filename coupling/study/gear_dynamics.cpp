@@ -215,7 +215,6 @@ class GearRun {
     const long kept = std::min(samples, options_.series_periods * options_.samples_per_period);
     if (series) resize(*series, model().layout.planets, kept);
     long sample = 0, apart = 0;
-    begin_rotation();
     const bool good =
         integrate({time_, interval, samples}, [&](double time, const Eigen::Ref<const Eigen::VectorXd>& x) {
           require_on_pins(model(), time, x);
@@ -226,7 +225,6 @@ class GearRun {
           if (series && position >= 0) record(time, snapshot_, position, *series);
         });
     result_.separated = static_cast<double>(apart) / static_cast<double>(samples);
-    end_rotation(static_cast<double>(samples) * interval);
     return good;
   }
 
@@ -244,13 +242,6 @@ class GearRun {
     return part.completed;
   }
 
-  Eigen::Array3d rotations() const {
-    const Eigen::VectorXd& x = result_.final_state;
-    return {x[2], x[5], x[8]};
-  }
-  void begin_rotation() { rotation_ = rotations(); }
-  void end_rotation(double duration) { result_.mean_rotation = (rotations() - rotation_) / duration; }
-
   PlanetarySetEquations equations_;
   const GearRunOptions& options_;
   GearRunResult& result_;
@@ -259,7 +250,6 @@ class GearRun {
   integration::RightHandSide derivative_;
   SetSnapshot snapshot_;
   Eigen::VectorXd workspace_;
-  Eigen::Array3d rotation_ = Eigen::Array3d::Zero();
   double time_ = 0.0;  // [s]
 };
 

@@ -118,9 +118,8 @@ struct GearRunResult {
   bool steady = false;     // false with completed: the motion still changed from window to window
   std::string message;
   std::vector<PlanetStatistics> planets;
-  Eigen::Array3d mean_rotation = Eigen::Array3d::Zero();  // [m/s]  mean u' of sun, ring, carrier
-  double separated = 0.0;                                 // [-]  share of time at which some mesh has parted
-  double mesh_frequency = 0.0;                            // [Hz]
+  double separated = 0.0;       // [-]  share of time at which some mesh has parted
+  double mesh_frequency = 0.0;  // [Hz]
   GearSeries series;
   Eigen::VectorXd final_state;
   int windows = 0;                        // until steady

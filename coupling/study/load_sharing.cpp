@@ -11,7 +11,6 @@
 #include "bearing/equilibrium/aligned_pitch.hpp"
 #include "bearing/equilibrium/elastic_waves.hpp"
 #include "coupling/study/planet_stiffness.hpp"
-#include "coupling/study/set_operation.hpp"
 #include "coupling/study/tilting_planet.hpp"
 #include "gearset/dynamics/bearing_force.hpp"
 #include "gearset/dynamics/snapshot.hpp"

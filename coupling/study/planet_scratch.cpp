@@ -8,7 +8,6 @@
 #include "coupling/study/driven_setups.hpp"
 #include "coupling/study/load_sharing.hpp"
 #include "coupling/study/low_pass.hpp"
-#include "coupling/study/set_operation.hpp"
 #include "coupling/study/tilting_planet.hpp"
 #include "coupling/system/monolithic.hpp"
 #include "gearset/mean_loads.hpp"

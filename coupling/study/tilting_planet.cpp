@@ -3,7 +3,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "coupling/study/set_operation.hpp"
 #include "gearset/dynamics/model.hpp"
 #include "gearset/stepped_planet.hpp"
 
@@ -136,11 +135,6 @@ bearing::laminae::PlanetOnPinResult tilting_planet(const PlanetSeat& seat,
   return tilting_planet(planet_on(seat, drivetrain.bearing), duty.point,
                         Eigen::Vector2d(duty.gears.overturning_moment, 0.0) + duty.couple,
                         quasi_static_options(drivetrain));
-}
-
-bearing::laminae::PlanetOnPinResult tilting_planet(const PlanetaryDrivetrain& drivetrain,
-                                                   const BearingDuty& duty) {
-  return tilting_planet(planet_seat(drivetrain), drivetrain, duty);
 }
 
 namespace {

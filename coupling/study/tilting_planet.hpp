@@ -59,11 +59,9 @@ bearing::laminae::PlanetOnPinResult tilting_planet(const bearing::laminae::Plane
                                                    const bearing::QuasiStaticOptions& options,
                                                    const bearing::laminae::PlanetOnPinResult* near = nullptr);
 
-/// The same of a drivetrain at one duty, on `seat` or on that of planets that carry alike.
+/// The same of a drivetrain at one duty.
 bearing::laminae::PlanetOnPinResult tilting_planet(const PlanetSeat& seat,
                                                    const PlanetaryDrivetrain& drivetrain,
-                                                   const BearingDuty& duty);
-bearing::laminae::PlanetOnPinResult tilting_planet(const PlanetaryDrivetrain& drivetrain,
                                                    const BearingDuty& duty);
 
 /// One bearing of a planet that found its tilt at rest, as it goes on in motion: load, tilt and clearance

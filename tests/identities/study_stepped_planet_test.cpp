@@ -35,7 +35,8 @@ TEST(SteppedPlanetOnItsPin, BearingsHoldForcesAndCouple) {
     const PlanetaryDrivetrain drivetrain = stepped_reducer(offset);
     const DrivetrainGeometry geometry = derive(drivetrain);
     const BearingDuty duty = bearing_duty(drivetrain, geometry);
-    const bearing::laminae::PlanetOnPinResult found = tilting_planet(drivetrain, duty);
+    const bearing::laminae::PlanetOnPinResult found =
+        tilting_planet(planet_seat(drivetrain), drivetrain, duty);
     const std::vector<double> positions = axial_positions(drivetrain);
     Eigen::Vector2d held = -mesh_tilt_stiffness(drivetrain) * found.tilt, carried = Eigen::Vector2d::Zero();
     for (std::size_t k = 0; k < positions.size(); ++k) {

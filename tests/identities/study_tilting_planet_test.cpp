@@ -58,8 +58,8 @@ TEST(TiltingPlanet, TiltOfTheReducerIsThatOfItsPin) {
   }
 }
 
-// Issue 44, item 16. The lines of action of sun and ring lean to opposite sides of the tangent: meshes that are
-// alike hold the planet about its radius and about its tangent, and let neither turn into the other.
+// Issue 44, item 16. The lines of action of sun and ring lean to opposite sides of the tangent: meshes that
+// are alike hold the planet about its radius and about its tangent, and let neither turn into the other.
 TEST(TiltingPlanet, MeshesThatAreAlikeHoldItAlongItsAxesAlone) {
   PlanetaryDrivetrain drivetrain = tilting_reducer();
   gearset::dynamics::SetParameters set;
@@ -88,7 +88,8 @@ TEST(TiltingPlanet, HoldsWhatHelicalTeethOverturn) {
     const double between =
         geometry.gears.planet.base_radius * (1.0 / std::cos(geometry.gears.sun_mesh.working_pressure_angle) +
                                              1.0 / std::cos(geometry.gears.ring_mesh.working_pressure_angle));
-    const bearing::laminae::PlanetOnPinResult found = tilting_planet(drivetrain, duty);
+    const bearing::laminae::PlanetOnPinResult found =
+        tilting_planet(planet_seat(drivetrain), drivetrain, duty);
     const std::vector<double> positions = axial_positions(drivetrain);
     Eigen::Vector2d held = -mesh_tilt_stiffness(drivetrain) * found.tilt;
     for (std::size_t k = 0; k < positions.size(); ++k)
@@ -104,14 +105,14 @@ TEST(TiltingPlanet, HoldsWhatHelicalTeethOverturn) {
   }
 }
 
-// P and P_0 are those of the forces that the bearings carry: the couple of helical teeth loads both of them more,
-// though the sum of their forces stays.
+// P and P_0 are those of the forces that the bearings carry: the couple of helical teeth loads both of them
+// more, though the sum of their forces stays.
 TEST(TiltingPlanet, RatesEachBearingUnderTheLoadThatItCarries) {
   PlanetaryDrivetrain drivetrain = tilting_reducer();
   drivetrain.set.helix_angle = 0.25;
   const DrivetrainGeometry geometry = derive(drivetrain);
   const bearing::laminae::PlanetOnPinResult planet =
-      tilting_planet(drivetrain, bearing_duty(drivetrain, geometry));
+      tilting_planet(planet_seat(drivetrain), drivetrain, bearing_duty(drivetrain, geometry));
   const PointResult point = evaluate(drivetrain, geometry);
   constexpr double p = 10.0 / 3.0;
   double sum = 0.0, powers = 0.0, largest = 0.0;
@@ -131,7 +132,8 @@ TEST(TiltingPlanet, RatesEachBearingUnderTheLoadThatItCarries) {
   EXPECT_NEAR(point.rating.lives.static_load / largest, 1.0, 1e-12);
 }
 
-// Issue 44, item 16. Flanks of the sun's mesh lie on the line (sin a, cos a) from outward to ahead, those of the ring's on
+// Issue 44, item 16. Flanks of the sun's mesh lie on the line (sin a, cos a) from outward to ahead, those of
+// the ring's on
 // (-sin a, cos a): across their difference in sense the radial parts of both add up, the mixed ones cancel.
 TEST(TiltingPlanet, IsHeldByBothMeshesEachOnItsSide) {
   const PlanetaryDrivetrain drivetrain = tilting_reducer();
@@ -183,10 +185,11 @@ TEST(TiltingPlanet, FeelsTheTwistOfItsCarrier) {
   // Mean of both places: the middle of the pin goes along by half of the wall's displacement.
   EXPECT_NEAR((compliance * loads).head<2>().mean() / (0.5 * inclination * span), 1.0, 1e-9);
   // What it does to the planet is what an inclined pin does to it.
-  const bearing::laminae::PlanetOnPinResult twisted = tilting_planet(drivetrain, duty);
+  const bearing::laminae::PlanetOnPinResult twisted =
+      tilting_planet(planet_seat(drivetrain), drivetrain, duty);
   PlanetaryDrivetrain stated = drivetrain;
   stated.seats.carrier_twist.reset();
-  const bearing::laminae::PlanetOnPinResult rigid = tilting_planet(stated, duty);
+  const bearing::laminae::PlanetOnPinResult rigid = tilting_planet(planet_seat(stated), stated, duty);
   const double wall = [&] {  // of the loads that are found: bearings no longer carry alike
     double force = 0.0;
     const std::vector<double> positions = axial_positions(drivetrain);
@@ -197,7 +200,7 @@ TEST(TiltingPlanet, FeelsTheTwistOfItsCarrier) {
   }();
   stated.seats.tangential_inclination =
       drivetrain.set.planets * a * a / *drivetrain.seats.carrier_twist * wall / span;
-  const bearing::laminae::PlanetOnPinResult inclined = tilting_planet(stated, duty);
+  const bearing::laminae::PlanetOnPinResult inclined = tilting_planet(planet_seat(stated), stated, duty);
   const double change = (twisted.tilt - rigid.tilt).norm();
   EXPECT_GT(change, 1e-6);
   EXPECT_LT((twisted.tilt - inclined.tilt).norm(), 1e-3 * change);
@@ -210,7 +213,8 @@ TEST(SeatedBearings, ShareTheLoadOfTheirPlanet) {
   drivetrain.seats.clearance_differences = {0.0, 10e-6};
   const DrivetrainGeometry geometry = derive(drivetrain);
   const BearingDuty duty = bearing_duty(drivetrain, geometry);
-  const std::vector<SeatedBearing> seated = seated_bearings(planet_seat(drivetrain), drivetrain, geometry, duty);
+  const std::vector<SeatedBearing> seated =
+      seated_bearings(planet_seat(drivetrain), drivetrain, geometry, duty);
   ASSERT_EQ(seated.size(), 2u);
   const Eigen::Vector2d both = seated[0].duty.point.bore_load + seated[1].duty.point.bore_load;
   EXPECT_LT((both - 2.0 * duty.point.bore_load).norm(), 1e-6 * both.norm());
@@ -218,7 +222,7 @@ TEST(SeatedBearings, ShareTheLoadOfTheirPlanet) {
   EXPECT_LT(seated[1].duty.share, 0.8);
   EXPECT_NEAR(seated[1].drivetrain.bearing.radial_clearance - seated[0].drivetrain.bearing.radial_clearance,
               10e-6, 1e-12);
-  const bearing::laminae::PlanetOnPinResult rest = tilting_planet(drivetrain, duty);
+  const bearing::laminae::PlanetOnPinResult rest = tilting_planet(planet_seat(drivetrain), drivetrain, duty);
   for (std::size_t k = 0; k < 2; ++k) EXPECT_EQ(seated[k].duty.point.bore_tilt, rest.bearing_tilt[k]);
 }
 
