@@ -106,8 +106,8 @@ Arrangement one(const ResolvedCase& resolved) {
 }
 
 // Whether every word of every shaft means something, once; objects to those that do not.
-bool check_words(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
-  const std::size_t before = mistakes.size();
+bool check_words(CheckedCase& resolved) {
+  const std::size_t before = resolved.mistakes.size();
   for (const std::string& name : resolved.shape().shafts) {
     const std::string path = shaft_path(name);
     if (!resolved.has(path)) return false;
@@ -115,12 +115,13 @@ bool check_words(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
     for (std::size_t i = 0; i < resolved.texts(path).size(); ++i) {
       const std::string& text = resolved.texts(path)[i];
       if (!put(resolved.shape(), text, shaft))
-        mistakes.push_back({resolved.item_location(path, i),
-                            path,
-                            {quote(text) + " cannot be joined", joint_hint(resolved.shape(), text)}});
+        resolved.mistakes.push_back(
+            {resolved.item_location(path, i),
+             path,
+             {quote(text) + " cannot be joined", joint_hint(resolved.shape(), text)}});
     }
   }
-  return mistakes.size() == before;
+  return resolved.mistakes.size() == before;
 }
 
 // Where the problem is best mended: its first shaft, else a member that is on none, else the shafts.
@@ -204,30 +205,28 @@ gearset::Drive drive_of(const ResolvedCase& resolved) {
   return drive;
 }
 
-void check_speed_of(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
-  if (!resolved.has(kSpeedOfPath) || !mistakes.empty()) return;
+void check_speed_of(CheckedCase& resolved) {
+  if (!resolved.has(kSpeedOfPath) || !resolved.mistakes.empty()) return;
   const SpeedOf member = from_case<gearset::Drive>(resolved).speed_of;
   if (member == SpeedOf::motor) return;
   const std::string& name = resolved.choice(kSpeedOfPath);
   if (resolved.shape().several && !is_of_several(member))
-    return add_error_at(resolved, kSpeedOfPath, name + " of several sets", "motor or load is required",
-                        mistakes);
+    return resolved.add_error_at(kSpeedOfPath, name + " of several sets", "motor or load is required");
   if (const std::string torque = stated_torque(resolved); member == SpeedOf::planet && !torque.empty())
-    return add_error_at(resolved, kSpeedOfPath, "planet together with " + torque,
-                        "the speed of a shaft, whose torque it is, or input.power is required", mistakes);
+    return resolved.add_error_at(kSpeedOfPath, "planet together with " + torque,
+                                 "the speed of a shaft, whose torque it is, or input.power is required");
   if (std::abs(ratio_to_motor(resolved, member)) < kStill)
-    add_error_at(resolved, kSpeedOfPath, name + ", which is stationary", "a member that rotates is required",
-                 mistakes);
+    resolved.add_error_at(kSpeedOfPath, name + ", which is stationary", "a member that rotates is required");
 }
 
-void check_arrangement(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
+void check_arrangement(CheckedCase& resolved) {
   const CaseShape& shape = resolved.shape();
-  if (!check_words(resolved, mistakes) || shape.sets.empty() || shape.shafts.empty()) return;
+  if (!check_words(resolved) || shape.sets.empty() || shape.shafts.empty()) return;
   for (const std::string& set : shape.sets)
     if (!has_teeth(resolved, set)) return;
   const Arrangement arrangement = several(resolved);
   for (const gearset::ArrangementProblem& problem : gearset::arrangement_problems(arrangement))
-    mistakes.push_back(mistake_of(resolved, arrangement, problem));
+    resolved.mistakes.push_back(mistake_of(resolved, arrangement, problem));
 }
 
 }  // namespace orbearing::app

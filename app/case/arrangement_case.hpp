@@ -15,7 +15,7 @@ gearset::Arrangement arrangement_of(const ResolvedCase& resolved);
 
 /// Appends a mistake for each shaft that names no member, and for each reason why speeds or torques do not
 /// follow; the latter only where teeth and shafts are whole. For cases of several sets.
-void check_arrangement(const ResolvedCase& resolved, std::vector<Mistake>& mistakes);
+void check_arrangement(CheckedCase& resolved);
 
 /// Power, speed and where they enter, with the speed of the motor by kinematics where the case states that of
 /// another member. Of one of several sets by ResolvedCase::of_set() input.speed stands for the motor's.
@@ -23,6 +23,6 @@ gearset::Drive drive_of(const ResolvedCase& resolved);
 
 /// Objects to the speed of a member that stands still, of one member among several sets, and to the torque of
 /// a planet.
-void check_speed_of(const ResolvedCase& resolved, std::vector<Mistake>& mistakes);
+void check_speed_of(CheckedCase& resolved);
 
 }  // namespace orbearing::app

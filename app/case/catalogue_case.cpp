@@ -320,10 +320,10 @@ std::optional<ConsistencyMessage> unknown_designation(const std::string& name, c
 
 namespace {
 
-void check_designation(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
+void check_designation(CheckedCase& in) {
   if (!in.has(catalogue_keys::kDesignation)) return;
   const auto add_error = [&](std::string found, std::string required) {
-    add_error_at(in, catalogue_keys::kDesignation, std::move(found), std::move(required), mistakes);
+    in.add_error_at(catalogue_keys::kDesignation, std::move(found), std::move(required));
   };
   const std::string& name = in.text(catalogue_keys::kDesignation);
   const bool of_rollers = (in.model() & with_rollers) != 0;
@@ -337,9 +337,9 @@ void check_designation(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
         rollers ? "one of balls, such as 6205, is required" : "one of rollers, such as NU 205, is required");
   if (entry->family == catalogue::Family::needle_cage && in.has(catalogue_keys::kRings) &&
       in.choice(catalogue_keys::kRings) != "none")
-    add_error_at(in, catalogue_keys::kRings,
-                 fmt::format("{} together with {}", in.choice(catalogue_keys::kRings), name),
-                 "none is required: needles in a cage run on the pin and in the planet", mistakes);
+    in.add_error_at(catalogue_keys::kRings,
+                    fmt::format("{} together with {}", in.choice(catalogue_keys::kRings), name),
+                    "none is required: needles in a cage run on the pin and in the planet");
   try {
     (void)known_inside(*entry);
   } catch (const std::invalid_argument& error) {
@@ -360,15 +360,15 @@ std::optional<double> bore_of(const ResolvedCase& in) {
   return in.has("bearing.bore") ? std::optional<double>(in.quantity("bearing.bore")) : std::nullopt;
 }
 
-void check_class(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
+void check_class(CheckedCase& in) {
   if (!in.has(catalogue_keys::kClass)) return;
   // Of a bearing that is not known its designation is to blame.
-  if (std::any_of(mistakes.begin(), mistakes.end(), [](const Mistake& mistake) {
+  if (std::any_of(in.mistakes.begin(), in.mistakes.end(), [](const Mistake& mistake) {
         return mistake.path.ends_with(catalogue_keys::kDesignation);
       }))
     return;
   const auto add_error = [&](std::string found, std::string required) {
-    add_error_at(in, catalogue_keys::kClass, std::move(found), std::move(required), mistakes);
+    in.add_error_at(catalogue_keys::kClass, std::move(found), std::move(required));
   };
   // A class that its table does not have leaves the default, which is no mistake of the case.
   const auto state = in.assumed().find(catalogue_keys::kState);
@@ -392,18 +392,17 @@ void check_class(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   }
 }
 
-void check_seat(const ResolvedCase& in, const char* seat_class, const char* diameter,
-                std::vector<Mistake>& mistakes) {
+void check_seat(CheckedCase& in, const char* seat_class, const char* diameter) {
   if (!has_all(in, {seat_class, diameter})) return;
   try {
     (void)catalogue::shaft_deviations("h6", in.quantity(diameter));
   } catch (const std::invalid_argument& error) {
-    add_error_at(in, seat_class, fmt::format("{} on {}", in.choice(seat_class), in.given(diameter)),
-                 error.what(), mistakes);
+    in.add_error_at(seat_class, fmt::format("{} on {}", in.choice(seat_class), in.given(diameter)),
+                    error.what());
   }
 }
 
-void check_complement(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
+void check_complement(CheckedCase& in) {
   if (!is_full_complement(in) ||
       !has_all(in, {catalogue_keys::kRollers, "bearing.pitch_diameter", "bearing.roller_diameter"}))
     return;
@@ -412,11 +411,11 @@ void check_complement(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   if (!(diameter < pitch)) return;
   const int most = most_rollers(pitch, diameter);
   if (in.integer(catalogue_keys::kRollers) < most)
-    add_error_at(
-        in, catalogue_keys::kComplement,
+    in.add_error_at(
+        catalogue_keys::kComplement,
         fmt::format("a full complement of {} rollers with room for {} more",
                     in.integer(catalogue_keys::kRollers), most - in.integer(catalogue_keys::kRollers)),
-        fmt::format("{} rollers, or their number left out, are required", most), mistakes);
+        fmt::format("{} rollers, or their number left out, are required", most));
 }
 
 std::vector<Derived> quantities_of_one(const ResolvedCase& in) {
@@ -467,12 +466,12 @@ void fill_from_catalogue(CaseData& data, Model model) {
   for (const std::string& set : data.shape.sets) CatalogueCase(data, set_prefix(set), model).fill();
 }
 
-void check_catalogue_bearing(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
-  check_designation(in, mistakes);
-  check_class(in, mistakes);
-  check_seat(in, catalogue_keys::kPinClass, "bearing.bore", mistakes);
-  check_seat(in, catalogue_keys::kPlanetClass, "bearing.outside_diameter", mistakes);
-  check_complement(in, mistakes);
+void check_catalogue_bearing(CheckedCase& in) {
+  check_designation(in);
+  check_class(in);
+  check_seat(in, catalogue_keys::kPinClass, "bearing.bore");
+  check_seat(in, catalogue_keys::kPlanetClass, "bearing.outside_diameter");
+  check_complement(in);
 }
 
 catalogue::ClearanceRange clearance_range_of(const ResolvedCase& in, const std::string& which) {

@@ -25,7 +25,7 @@ std::optional<ConsistencyMessage> unknown_designation(const std::string& name, c
                                                       Model model);
 
 /// Whether anything is known of such a bearing, and whether what says so fits together.
-void check_catalogue_bearing(const ResolvedCase& resolved, std::vector<Mistake>& mistakes);
+void check_catalogue_bearing(CheckedCase& resolved);
 
 /// Whether the bearing has no cage: a full complement of rollers.
 /// @param set what the paths of its set begin with

@@ -17,13 +17,19 @@ bool takes_part_in_consistency(std::string_view path);
 void check_consistency(const ResolvedCase& resolved, std::vector<Mistake>& mistakes);
 
 /// Parts of it. Do the lists of race waves and roller deviations fit each other and the bearing?
-void check_refinements(const ResolvedCase& resolved, std::vector<Mistake>& mistakes);
+void check_refinements(CheckedCase& in);
 /// The type of the bearings of one set of planets; nothing for cylindrical rollers.
-void check_bearing_type(const ResolvedCase& resolved, std::vector<Mistake>& mistakes);
+void check_bearing_type(CheckedCase& in);
 /// The values of one bearing under a static load; nothing for cases of other models.
-void check_static_bearing(const ResolvedCase& resolved, std::vector<Mistake>& mistakes);
+void check_static_bearing(CheckedCase& in);
+/// Do the balls, which are stated, fit around the pitch circle?
+void check_ball_circle(CheckedCase& in);
+/// The face of the planet; of a stepped one its whole length. [m]
+double planet_length(const ResolvedCase& in);
+/// Two ways to state the same thing exclude each other.
+void check_either(CheckedCase& in, const char* one, const char* other);
 /// Whether level and manner of lubrication fit, in cases of any model that know them.
-void check_cleanliness(const ResolvedCase& resolved, std::vector<Mistake>& mistakes);
+void check_cleanliness(CheckedCase& in);
 
 /// Appends a mistake for each value of an axis that contradicts the case. Each is looked at once, the other
 /// axes being at the case's own value where they hold it, else at their first: the sum of the axes'

@@ -32,9 +32,9 @@ study::Sampling sampling_of(const ResolvedCase& resolved);
 /// The band of the envelope that the case gives; none: the one of largest spectral kurtosis.
 std::optional<diagnosis::Band> stated_band_of(const ResolvedCase& resolved);
 
-/// Adds what is wrong to `mistakes`; nothing for cases of other models.
-void check_defect(const ResolvedCase& resolved, std::vector<Mistake>& mistakes);
+/// Adds what is wrong; nothing for cases of other models.
+void check_defect(CheckedCase& resolved);
 /// The same for a drivetrain of several sets, whose sets and shafts are checked before.
-void check_defect_of_sets(const ResolvedCase& resolved, std::vector<Mistake>& mistakes);
+void check_defect_of_sets(CheckedCase& resolved);
 
 }  // namespace orbearing::app

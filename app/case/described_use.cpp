@@ -1,10 +1,9 @@
 // Who uses the fields whose rows stand beside their members: use_of() of field_use.hpp. Beside the other
 // pairs of this folder it has no header of its own, since what it asks of a case stands above the fields.
-#include <algorithm>
 #include <initializer_list>
-#include <iterator>
 
 #include "app/case/field_use.hpp"
+#include "app/case/printable.hpp"
 #include "app/case/use_conditions.hpp"
 
 namespace orbearing::app {
@@ -88,10 +87,10 @@ unsigned leaving_out(described::Physics physics) {
 
 // How single parameters differ from what their physics says.
 struct Exception {
-  std::string_view path;
-  unsigned refused_by = 0;       // analyses that ought to take it and cannot
-  unsigned not_modelled_by = 0;  // analyses that vary it themselves, or do not need it
-  unsigned unused_by = 0;        // analyses that ought to include it and leave it out
+  std::initializer_list<std::string_view> paths;
+  unsigned refused_by = 0;       // analyses that ought to take them and cannot
+  unsigned not_modelled_by = 0;  // analyses that vary them themselves, or do not need them
+  unsigned unused_by = 0;        // analyses that ought to include them and leave them out
 };
 
 constexpr unsigned other_rungs = use::co_simulated | use::monolithic;
@@ -99,97 +98,49 @@ constexpr unsigned no_tilt =
     (use::rollers_in_motion & ~(use::dynamic | use::dynamic_of_sets)) | use::planet_stiffness;
 constexpr unsigned no_second_gear = use::of_a_drivetrain & ~unsigned{use::quasi_static};
 constexpr unsigned but_at_rest = use::of_a_drivetrain & ~unsigned{use::quasi_static | use::mesh};
-constexpr Exception exceptions[] = {
-    {"input.acceleration", use::quasi_static | other_rungs, 0, use::gears | use::fmu_gearset},
-    {"gearset.planet_rim", use::gears | use::fmu_gearset | use::fmu_bearing},
+const Exception exceptions[] = {
+    {{"input.acceleration"}, use::quasi_static | other_rungs, 0, use::gears | use::fmu_gearset},
+    {{"gearset.planet_rim"}, use::gears | use::fmu_gearset | use::fmu_bearing},
     // Coupled gears start on it; --fidelity dynamic fits a law of its own.
-    {"gearset.dynamics.planet.bearing_stiffness", 0, 0, use::dynamic},
-    {"gearset.dynamics.damping_ratio.bearing", 0, use::fmu_gearset, use::one_set_in_time},
-    {"film.approach", other_rungs | use::fmu_bearing},
-    {"bearing.roller_diameter_deviation", use::rollers_at_rest},  // their mean knows like rollers
-    {"bearing.cage.reference_speed", other_rungs | use::fmu_bearing},
-    {"bearing.misalignment.planet_tilt", 0, use::crown},
+    {{"gearset.dynamics.planet.bearing_stiffness"}, 0, 0, use::dynamic},
+    {{"gearset.dynamics.damping_ratio.bearing"}, 0, use::fmu_gearset, use::one_set_in_time},
+    {{"film.approach", "bearing.cage.reference_speed", "simulation.integrator"},
+     other_rungs | use::fmu_bearing},
+    {{"bearing.roller_diameter_deviation"}, use::rollers_at_rest},  // their mean knows like rollers
+    {{"bearing.misalignment.planet_tilt"}, 0, use::crown},
     // A computed tilt is that of bearings at rest, with which one bearing may go on; it has no effect on
     // gears.
-    {"bearing.tilt_state", no_tilt, use::bearings_as_springs},
-    {"bearing.axial_places", no_tilt, use::bearings_as_springs},
-    {"bearing.clearance_differences", no_tilt, use::bearings_as_springs},
-    {"support.pin_ends", no_tilt, use::bearings_as_springs},
-    {"support.pin_span", no_tilt, use::bearings_as_springs},
-    {"support.carrier_twist_stiffness", no_tilt, use::bearings_as_springs},
-    {"support.pin_inclination.radial", no_tilt, use::bearings_as_springs},
-    {"support.pin_inclination.tangential", no_tilt, use::bearings_as_springs},
-    {"load.tilt", use::ball_run},
-    {"traction.starvation", use::fmu_bearing},  // whose speeds change
-    {"film.inlet_heating", use::fmu_bearing},
+    {{"bearing.tilt_state", "bearing.axial_places", "bearing.clearance_differences", "support.pin_ends",
+      "support.pin_span", "support.carrier_twist_stiffness", "support.pin_inclination.radial",
+      "support.pin_inclination.tangential"},
+     no_tilt,
+     use::bearings_as_springs},
+    {{"load.tilt"}, use::ball_run},
+    {{"traction.starvation"}, use::fmu_bearing},  // whose speeds change
+    {{"film.inlet_heating"}, use::fmu_bearing},
     // Rows of other bearings than cylindrical ones are known at rest alone.
-    {"bearing.rows.contact_angle", but_at_rest},
-    {"bearing.rows.arrangement", but_at_rest},
-    {"bearing.rows.distance", but_at_rest},
-    {"bearing.rows.preload", but_at_rest},
-    {"bearing.rows.approach", but_at_rest},
-    {"bearing.balls", but_at_rest},
-    {"bearing.ball_diameter", but_at_rest},
+    {{"bearing.rows.contact_angle", "bearing.rows.arrangement", "bearing.rows.distance",
+      "bearing.rows.preload", "bearing.rows.approach", "bearing.balls", "bearing.ball_diameter"},
+     but_at_rest},
     // Contacts and oil of the whole motion have damping and steps of their own.
-    {"contact.damping_ratio", 0, use::moving_defect},
-    {"contact.damping_model", 0, use::moving_defect},
-    {"signal.length_error", 0, use::moving_defect},
-    {"simulation.integrator", other_rungs | use::fmu_bearing},
-    {"simulation.load_error_share", 0, 0, use::fmu_bearing},  // whose loads are not known before
-    // Two gears on a planet are known at rest.
-    {"gearset.stepped_planet.teeth", no_second_gear},
-    {"gearset.stepped_planet.module", no_second_gear},
-    {"gearset.stepped_planet.profile_shift", no_second_gear},
-    {"gearset.stepped_planet.face_width", no_second_gear},
-    {"gearset.stepped_planet.offset", no_second_gear},
-    // So are planets in pairs.
-    {"gearset.second_planet.teeth", no_second_gear},
-    {"gearset.second_planet.first_profile_shift", no_second_gear},
-    {"gearset.second_planet.profile_shift", no_second_gear},
-    {"gearset.second_planet.side", no_second_gear},
-    {"numerics.cage_positions", 0, use::dynamic_of_sets}};  // but for what is found at rest before
+    {{"contact.damping_ratio", "contact.damping_model", "signal.length_error"}, 0, use::moving_defect},
+    {{"simulation.load_error_share"}, 0, 0, use::fmu_bearing},  // whose loads are not known before
+    // Two gears on a planet are known at rest, and planets in pairs.
+    {{"gearset.stepped_planet.teeth", "gearset.stepped_planet.module", "gearset.stepped_planet.profile_shift",
+      "gearset.stepped_planet.face_width", "gearset.stepped_planet.offset", "gearset.second_planet.teeth",
+      "gearset.second_planet.first_profile_shift", "gearset.second_planet.profile_shift",
+      "gearset.second_planet.side"},
+     no_second_gear},
+    {{"numerics.cage_positions"}, 0, use::dynamic_of_sets}};  // but for what is found at rest before
 
-// What gives way under the planets besides, with its ends: it counts at rest too where planets carry unlike
-// loads, since then it decides who carries how much.
-constexpr std::string_view giving_way[] = {"bearing.bore",
-                                           "numerics.cage_positions",
-                                           "support.stiffness",
-                                           "gearset.dynamics.sun.mass",
-                                           "gearset.dynamics.sun.support_stiffness",
-                                           "gearset.dynamics.ring.mass",
-                                           "gearset.dynamics.ring.support_stiffness",
-                                           "gearset.dynamics.carrier.mass",
-                                           "gearset.dynamics.carrier.support_stiffness",
-                                           "gearset.dynamics.carrier.plate_ratio",
-                                           "gearset.dynamics.planet.mass",
-                                           "gearset.dynamics.backlash",
-                                           "gearset.dynamics.separation",
-                                           "gearset.dynamics.transmission_error.sun",
-                                           "gearset.dynamics.transmission_error.ring"};
-
-Use with_load_sharing(const Use& use, std::string_view path) {
-  const bool gives_way = makes_meshes(path) || std::find(std::begin(giving_way), std::end(giving_way),
-                                                         path) != std::end(giving_way);
-  return gives_way
-             ? use.used_too(use::quasi_static | use::dynamic_of_sets, where_planets_carry_unlike_loads())
-             : use;
-}
-
-// "one|other"
-std::vector<std::string> either_of(std::string_view values) {
-  std::vector<std::string> found;
-  for (std::size_t bar = 0; bar != std::string_view::npos; values.remove_prefix(bar + 1)) {
-    bar = values.find('|');
-    found.emplace_back(values.substr(0, bar));
-    if (bar == std::string_view::npos) break;
-  }
-  return found;
-}
-
-Exception exception_of(std::string_view path) {
+// By its physics, with what single parameters have in place of it.
+Use use_by_physics(const described::Facts& facts) {
+  Exception but{};
   for (const Exception& exception : exceptions)
-    if (exception.path == path) return exception;
-  return {path};
+    if (is_one_of(facts.path, exception.paths)) but = exception;
+  const unsigned without = leaving_out(facts.physics) | but.unused_by;
+  const unsigned by = holding(facts.physics) & ~(but.refused_by | but.not_modelled_by | but.unused_by);
+  return {by, (use::all & ~(by | but.refused_by | without)) | but.not_modelled_by, but.refused_by};
 }
 
 Use also_used(Use use, unsigned analyses) {
@@ -198,29 +149,44 @@ Use also_used(Use use, unsigned analyses) {
   return use;
 }
 
-// Power and speed make the load of the meshes, under which teeth give way and helical ones push along the
-// axis.
-Use with_mesh_loads(const Use& use, std::string_view path) {
-  const bool makes_them = path == "input.power" || path == "input.application_factor" ||
-                          path == "input.speed" || path == "input.speed_of" || path == "parallel_stage.front";
-  return makes_them ? also_used(use, use::mesh) : use;
+const Condition& where_filmed() {
+  static const Condition filmed = where("film.enabled", {"true"});
+  return filmed;
 }
 
-// Length and form of a relief count where there is one.
-Use with_relief(const Use& use, std::string_view path) {
-  if (path != "gearset.tip_relief.length" && path != "gearset.tip_relief.form") return use;
-  return use.when(
-      where_given({"gearset.tip_relief.sun", "gearset.tip_relief.planet", "gearset.tip_relief.ring"}));
+// What is used beyond its physics, or hangs on other inputs, follows for each part of a drivetrain in turn.
+
+Use with_meshes(Use use, std::string_view path) {
+  // What gives way under the planets besides, with its ends: it counts at rest too where planets carry unlike
+  // loads, since then it decides who carries how much.
+  if (makes_meshes(path) ||
+      is_one_of(path,
+                {"bearing.bore", "numerics.cage_positions", "support.stiffness", "gearset.dynamics.sun.mass",
+                 "gearset.dynamics.sun.support_stiffness", "gearset.dynamics.ring.mass",
+                 "gearset.dynamics.ring.support_stiffness", "gearset.dynamics.carrier.mass",
+                 "gearset.dynamics.carrier.support_stiffness", "gearset.dynamics.carrier.plate_ratio",
+                 "gearset.dynamics.planet.mass", "gearset.dynamics.backlash", "gearset.dynamics.separation",
+                 "gearset.dynamics.transmission_error.sun", "gearset.dynamics.transmission_error.ring"}))
+    use = use.used_too(use::quasi_static | use::dynamic_of_sets, where_planets_carry_unlike_loads());
+  // Length and form of a relief count where there is one.
+  if (is_one_of(path, {"gearset.tip_relief.length", "gearset.tip_relief.form"}))
+    return use.when(
+        where_given({"gearset.tip_relief.sun", "gearset.tip_relief.planet", "gearset.tip_relief.ring"}));
+  // Power and speed make the load of the meshes, under which teeth give way and helical ones push along the
+  // axis; a rim bends under them.
+  if (is_one_of(path, {"input.power", "input.application_factor", "input.speed", "input.speed_of",
+                       "parallel_stage.front", "gearset.planet_rim"}))
+    return also_used(use, use::mesh);
+  return use;
 }
 
 // Laminae and what tilts the bore belong to lives, and change the stiffness too; the law of line
 // contacts knows no modulus, their films do.
-Use with_stiffness(Use use, std::string_view path) {
+Use with_stiffness(const Use& use, std::string_view path) {
   if (path.starts_with("bearing.misalignment.")) return also_used(use, use::planet_stiffness);
-  if (path == "gearset.planet_rim") return also_used(use, use::mesh);
   if (path == "bearing.laminae") return also_used(use, use::stiffness | use::planet_stiffness);
   if (path != "material.youngs_modulus" && path != "material.poisson_ratio") return use;
-  return use.used_only(use::planet_stiffness, {where("film.enabled", {"true"})})
+  return use.used_only(use::planet_stiffness, {where_filmed()})
       .used_too(use::planet_stiffness, where("gearset.planet_rim", {"elastic"}));
 }
 
@@ -239,26 +205,6 @@ Use with_rotating_rings(const Use& use, const described::Facts& facts) {
   return use;
 }
 
-const Condition& where_filmed() {
-  static const Condition filmed = where("film.enabled", {"true"});
-  return filmed;
-}
-
-std::vector<Condition> where_viscosity_makes_kappa() {
-  return {where_given({"life.cleanliness", "life.contamination_factor"}),
-          where_absent("life.viscosity_ratio"), where_absent("lubricant.kinematic_viscosity")};
-}
-
-// It makes the viscosity of a grade, under films, or kinematic that which is stated.
-Use with_density(const Use& use) {
-  const Condition grade = where_given({"lubricant.grade"});
-  std::vector<Condition> stated = where_viscosity_makes_kappa();
-  stated.push_back(where_absent("lubricant.grade"));
-  return use.used_too(use::quasi_static, grade)
-      .used_too(use::crown | use::planet_stiffness | use::bearings_as_springs, {grade, where_filmed()})
-      .used_too(use::quasi_static | use::crown, stated);
-}
-
 bool share_is_stated(const ResolvedCase& in, std::string_view) {
   return !in.has("lubricant.fill") || in.choice("lubricant.fill") == "stated";
 }
@@ -266,83 +212,48 @@ bool share_is_stated(const ResolvedCase& in, std::string_view) {
 // Films stand in results of lives; elsewhere the oil counts where a film takes part in the approach, or
 // where the life by its cleanliness is made of its viscosity.
 Use with_oil(const Use& use, std::string_view path) {
-  if (path == "lubricant.density") return with_density(use);
+  std::vector<Condition> viscosity_makes_kappa{where_given({"life.cleanliness", "life.contamination_factor"}),
+                                               where_absent("life.viscosity_ratio"),
+                                               where_absent("lubricant.kinematic_viscosity")};
+  const Condition no_grade = where_absent("lubricant.grade"), dragged = where("drag.enabled", {"true"});
+  constexpr unsigned with_film_alone = use::bearings_as_springs | use::planet_stiffness | use::crown;
+  // It makes the viscosity of a grade, under films, or kinematic that which is stated.
+  if (path == "lubricant.density") {
+    const Condition grade = where_given({"lubricant.grade"});
+    viscosity_makes_kappa.push_back(no_grade);
+    return use.used_too(use::quasi_static, grade)
+        .used_too(with_film_alone, {grade, where_filmed()})
+        .used_too(use::quasi_static | use::crown, viscosity_makes_kappa);
+  }
   if (path == "lubricant.flow")
     return use.when(where("drag.mixture", {"carried"}))
-        .when(where("drag.enabled", {"true"}))
-        .used_too(use::ball_run, {where("lubricant.fill", {"parker"}), where("drag.enabled", {"true"})})
+        .when(dragged)
+        .used_too(use::ball_run, {where("lubricant.fill", {"parker"}), dragged})
         .used_too(use::ball_run, where("heat.enabled", {"true"}));
   if (path == "lubricant.share")
     return use.when(where_true(share_is_stated, "where lubricant.fill is stated"));
   if (path != "lubricant.viscosity" && path != "lubricant.pressure_viscosity") return use;
-  constexpr unsigned with_film_alone = use::bearings_as_springs | use::planet_stiffness | use::crown;
   Use oil = also_used(use, use::spin_film)
                 .used_only(with_film_alone, {where_filmed()})
                 .used_too(use::single_bearing_equilibrium, where_filmed());
-  if (path == "lubricant.viscosity") oil = oil.used_too(use::crown, where_viscosity_makes_kappa());
-  return oil.when(where_absent("lubricant.grade"));
+  if (path == "lubricant.viscosity") oil = oil.used_too(use::crown, viscosity_makes_kappa);
+  return oil.when(no_grade);
 }
 
-// Besides the friction of the races, others build up over the same sliding speed.
-Use with_other_frictions(const Use& use) {
-  constexpr unsigned moving = use::rollers_in_motion | use::balls_in_motion | use::planet_defect;
-  return use.used_too(moving, where_given({"bearing.cage.pocket_friction"}))
-      .used_too(moving, where_given({"bearing.cage.guide_land_diameter"}))
-      .used_too(moving, where("contact.lubrication", {"mixed"}))
-      .used_too(moving, {where("bearing.complement", {"full"}), where_given({"bearing.neighbour_friction"})});
-}
-
-Condition where_gears_run_up() {
-  return where_true(gears_run_up,
-                    "together with gearset.dynamics.run_up.duration and a run_up.from other than 1");
-}
-
-// The carrier's speed grows in a run-up, and as the master of an FMU has it.
-Use with_run_up(const Use& use) {
-  return use.used_only(use::dynamic | use::dynamic_of_sets, {where_given({"input.acceleration"})})
-      .used_only(use::gears | use::fmu_gearset, {where_gears_run_up()});
-}
-
-// Forces in the frame of the carrier; an FMU of a bearing has its speed as an input.
-Use with_rotating_carrier(const Use& use) {
-  return use.limited(use::of_a_drivetrain & ~unsigned{use::fmu_bearing},
-                     {where_true(carrier_rotates, "where the carrier rotates")});
-}
-
-// The diameter of the pin makes its stiffness where none is stated.
-Use with_pins(const Use& use) {
-  const Condition derived = where_absent("support.stiffness");
-  Use pins = use;
-  for (Way& way : pins.ways) way.conditions.push_back(derived);
-  return pins;
-}
-
-bool is_one_of(std::string_view path, std::initializer_list<std::string_view> paths) {
-  return std::find(paths.begin(), paths.end(), path) != paths.end();
-}
-
-// What makes the clearance of a bearing on its seats.
-bool makes_clearance(std::string_view path) {
-  return is_one_of(path, {"bearing.radial_clearance", "bearing.clearance_state"}) ||
+// What makes the race of the planet, and with it its mass: the clearance of a bearing on its seats, too.
+bool makes_race(std::string_view path) {
+  return is_one_of(path, {"bearing.radial_clearance", "bearing.clearance_state", "bearing.per_planet",
+                          "bearing.roller_diameter", "bearing.pitch_diameter", "bearing.width"}) ||
          path.starts_with("bearing.fit.") || path.starts_with("bearing.temperature.");
 }
 
-// What makes the race of the planet, and with it its mass.
-bool makes_race(std::string_view path) {
-  return makes_clearance(path) || is_one_of(path, {"bearing.per_planet", "bearing.roller_diameter",
-                                                   "bearing.pitch_diameter", "bearing.width"});
-}
-
-// What makes the rim that bends: bearings hold the race in it.
-Use with_rim(const Use& use, std::string_view path) {
-  return makes_race(path) ? use.used_too(use::mesh, where("gearset.planet_rim", {"elastic"})) : use;
-}
-
 // Gears are affected by a bearing through its springs, which the case may state; what makes the mass of a
-// planet as well affects them beside these too.
+// planet as well affects them beside these too, and what makes the rim that bends: bearings hold the race in
+// it.
 Use with_springs(const Use& use, const described::Facts& facts) {
   using enum described::Physics;
   const std::string_view path = facts.path;
+  if (makes_race(path)) return use.used_too(use::mesh, where("gearset.planet_rim", {"elastic"}));
   if (is_one_of(path, {"gearset.web.thickness", "gearset.web.rim"}))
     return use.limited(use::gears_in_motion | use::natural | use::quasi_static,
                        {where_true(teeth_make_meshes, "where the stiffness of a mesh is not given")});
@@ -360,9 +271,14 @@ Use with_springs(const Use& use, const described::Facts& facts) {
     return use.limited(use::modes, {where_bearings_make_springs()});
   const bool of_bearing = facts.physics == balance || facts.physics == carrier || facts.physics == pin ||
                           facts.physics == at_rest;
-  if (!of_bearing || makes_race(path) || path == "material.density" || path == "gearset.planet_rim")
-    return use;
+  if (!of_bearing || path == "material.density" || path == "gearset.planet_rim") return use;
   return use.limited(use::bearings_as_springs, {where_bearings_make_springs()});
+}
+
+// Forces in the frame of the carrier; an FMU of a bearing has its speed as an input.
+Use with_rotating_carrier(const Use& use) {
+  return use.limited(use::of_a_drivetrain & ~unsigned{use::fmu_bearing},
+                     {where_true(carrier_rotates, "where the carrier rotates")});
 }
 
 // A carrier that is held pulls on nothing.
@@ -396,100 +312,101 @@ Use with_held_members(const Use& use, std::string_view path) {
                                     where_given({std::string(block) + member + ".torsional_stiffness"})});
 }
 
-// The outer ring is a part of the planet's mass, and of its rim.
-Use with_ring_width(const Use& use) {
-  return use.limited(use::rollers_at_rest | use::bearings_as_springs,
-                     {where("bearing.rings", {"both", "outer"}), where("gearset.planet_rim", {"elastic"})});
+// A parameter counts only there. A set without teeth has no loads to share. Of several sets none has a driven
+// member of its own, but all share the power.
+Use with_own_condition(const Use& use, const described::Facts& facts) {
+  described::Where only = facts.details.where;
+  if (facts.physics == described::Physics::load_sharing) only = {.path = "input.power"};
+  if (only.path.empty()) return use;
+  return use.when({.paths = parts_of(only.path, '|'),
+                   .values = only.value.empty() ? std::vector<std::string>{} : parts_of(only.value, '|')});
 }
 
-// Friction of a single bearing by the formulas of others goes by its boundary dimensions.
-Use with_friction_of_others(const Use& use) {
-  return use.used_too(use::static_load, {where_given({"lubricant.grade", "lubricant.kinematic_viscosity"}),
-                                         where_given({"operation.shaft_speed", "operation.outer_speed"})});
+std::vector<Condition> where_others_know_friction() {
+  return {where_given({"lubricant.grade", "lubricant.kinematic_viscosity"}),
+          where_given({"operation.shaft_speed", "operation.outer_speed"})};
 }
 
-// Oil and heat of a roller bearing at rest count for its friction.
-Use with_roller_friction(const Use& use, std::string_view path) {
-  const bool of_heat = is_one_of(path, {"heat.model", "heat.inlet"});
-  if (!of_heat &&
-      !is_one_of(path, {"heat.enabled", "lubricant.flow", "lubricant.share", "traction.starvation"}))
-    return use;
-  std::vector<Condition> rotating{where_given({"lubricant.grade", "lubricant.kinematic_viscosity"}),
-                                  where_given({"operation.shaft_speed", "operation.outer_speed"})};
-  if (of_heat) rotating.push_back(where("heat.enabled", {"true"}));
-  return use.used_too(use::static_load, std::move(rotating));
-}
-
-// Fields of unlike physics, of which each hangs on other choices.
-Use with_other_ways(const Use& without, std::string_view path) {
-  const Use use = with_roller_friction(without, path);
-  if (path == "traction.sliding_scale") return with_other_frictions(use);
+Use with_friction_and_heat(const Use& use, std::string_view path) {
+  // Besides the friction of the races, others build up over the same sliding speed.
+  constexpr unsigned moving = use::rollers_in_motion | use::balls_in_motion | use::planet_defect;
+  if (path == "traction.sliding_scale")
+    return use.used_too(moving, where_given({"bearing.cage.pocket_friction"}))
+        .used_too(moving, where_given({"bearing.cage.guide_land_diameter"}))
+        .used_too(moving, where("contact.lubrication", {"mixed"}))
+        .used_too(moving,
+                  {where("bearing.complement", {"full"}), where_given({"bearing.neighbour_friction"})});
   if (path == "traction.largest_barus_exponent")
     return use.when(where("traction.law", {"limiting-shear", "ree-eyring"}));
+  if (path == "traction.limiting_friction")
+    return use.used_too(use::balls_in_motion, where("traction.law", {"ree-eyring"}));
   if (is_one_of(path, {"heat.surroundings", "heat.contact_conductance", "heat.oil_conductance",
                        "heat.fit_conductance", "heat.housing_conductance", "heat.shaft_conductance",
                        "heat.expansion", "heat.sizes_temperature"}))
     return use.when(where("heat.model", {"network"}));
-  if (path == "traction.starvation")
-    return use.limited(use::dynamic | use::dynamic_of_sets,
-                       {where_true(speed_is_steady, "where input.acceleration is 0")});
   if (path == "film.inlet_heating") return also_used(use, use::quasi_static);
   if (path == "heat.viscosity_slope")
     return use.used_too(use::quasi_static, where("film.inlet_heating", {"gupta"}));
+  // Friction of a single bearing by the formulas of others goes by its boundary dimensions, and by its
+  // density where rollers turn; oil and heat of a roller bearing at rest count for its friction.
+  if (is_one_of(path, {"bearing.bore", "bearing.outside_diameter", "bearing.width", "material.density",
+                       "heat.enabled", "lubricant.flow", "lubricant.share", "traction.starvation"}))
+    return use.used_too(use::static_load, where_others_know_friction());
+  if (!is_one_of(path, {"heat.model", "heat.inlet"})) return use;
+  std::vector<Condition> heated = where_others_know_friction();
+  heated.push_back(where("heat.enabled", {"true"}));
+  return use.used_too(use::static_load, std::move(heated));
+}
+
+// Fields of unlike physics, of which each hangs on other choices.
+Use with_other_ways(Use use, std::string_view path) {
+  const auto at_steady_speed = [&](const Use& any) {
+    return any.limited(use::dynamic | use::dynamic_of_sets,
+                       {where_true(speed_is_steady, "where input.acceleration is 0")});
+  };
+  // The diameter of the pin makes its stiffness where none is stated.
+  if (path == "bearing.bore")
+    for (Way& way : use.ways) way.conditions.push_back(where_absent("support.stiffness"));
+  // The outer ring is a part of the planet's mass, and of its rim.
+  if (path == "bearing.width")
+    use = use.limited(use::rollers_at_rest | use::bearings_as_springs,
+                      {where("bearing.rings", {"both", "outer"}), where("gearset.planet_rim", {"elastic"})});
+  use = with_friction_and_heat(use, path);
+  if (path == "traction.starvation") return at_steady_speed(use);
   if (path == "numerics.cage_positions")
     return use.used_too(use::dynamic_of_sets, where("bearing.tilt_state", {"computed"}));
-  if (path == "traction.limiting_friction")
-    return use.used_too(use::balls_in_motion, where("traction.law", {"ree-eyring"}));
   // Masses of rings warm up; that of the ring at rest counts for nothing besides.
   if (path == "bearing.outside_diameter")
-    return with_friction_of_others(use)
-        .used_too(use::ball_run, where("heat.enabled", {"true"}))
+    return use.used_too(use::ball_run, where("heat.enabled", {"true"}))
         .used_too(use::ball_run, where_given({"bearing.designation", "bearing.bore"}));
   if (path == "contact.roughness")
     return use.used_too(use::quasi_static | use::in_time, where("life.viscosity_ratio_by", {"film"}));
   if (path == "bearing.fit.expansion")
     return use.when(where_true(fits_are_warm, "together with a bearing.temperature"));
   if (path == "defect.profile") return use.when(where("defect.race", {"outer", "inner", "ball", "roller"}));
-  if (path == "material.density") return with_friction_of_others(use);  // of rollers that turn
-  if (path == "bearing.width") return with_friction_of_others(with_ring_width(use));
-  if (path == "inertia.euler") return with_rotating_carrier(with_run_up(use));
+  // The carrier's speed grows in a run-up, and as the master of an FMU has it.
+  if (path == "inertia.euler")
+    return with_rotating_carrier(
+        use.used_only(use::dynamic | use::dynamic_of_sets, {where_given({"input.acceleration"})})
+            .used_only(use::gears | use::fmu_gearset,
+                       {where_true(gears_run_up,
+                                   "together with gearset.dynamics.run_up.duration and a "
+                                   "run_up.from other than 1")}));
   // A run-up is observed from its begin to its end.
-  if (path == "simulation.observed_revolutions")
-    return use.limited(use::dynamic | use::dynamic_of_sets,
-                       {where_true(speed_is_steady, "where input.acceleration is 0")});
-  if (path == "bearing.bore") return with_friction_of_others(with_pins(use));
+  if (path == "simulation.observed_revolutions") return at_steady_speed(use);
   // Of a driven sun or ring the power makes the force of the teeth, whichever member is held.
   if (path == "gearset.fixed") return use.used_only(use::mesh, {where("input.member", {"carrier"})});
   return use;
 }
 
-// A set without teeth has no loads to share. Of several sets none has a driven member of its own, but all
-// share the power.
-described::Where only_where(const described::Facts& facts) {
-  if (facts.physics == described::Physics::load_sharing) return {.path = "input.power"};
-  return facts.details.where;
-}
-
 }  // namespace
 
 Use use_of(const described::Facts& facts) {
-  const Exception but = exception_of(facts.path);
-  const unsigned without = leaving_out(facts.physics) | but.unused_by;
-  const unsigned by = holding(facts.physics) & ~(but.refused_by | but.not_modelled_by | but.unused_by);
-  const unsigned not_modelled = (use::all & ~(by | but.refused_by | without)) | but.not_modelled_by;
-  const Use at_rest =
-      with_mesh_loads(with_load_sharing(Use(by, not_modelled, but.refused_by), facts.path), facts.path);
-  const Use with_films = with_oil(
-      with_relief(with_rotating_rings(with_stiffness(at_rest, facts.path), facts), facts.path), facts.path);
-  const Use use = with_carrier(
-      with_springs(with_held_members(with_rim(with_films, facts.path), facts.path), facts), facts.path);
-  const described::Where only = only_where(facts);
-  if (only.path.empty()) return with_other_ways(use, facts.path);
-  const std::vector<std::string> paths = either_of(only.path);
-  return with_other_ways(
-      use.when(only.value.empty() ? where_given(paths)
-                                  : Condition{.paths = paths, .values = either_of(only.value)}),
-      facts.path);
+  const std::string_view path = facts.path;
+  Use use = with_meshes(use_by_physics(facts), path);
+  use = with_oil(with_rotating_rings(with_stiffness(use, path), facts), path);
+  use = with_carrier(with_springs(with_held_members(use, path), facts), path);
+  return with_other_ways(with_own_condition(use, facts), path);
 }
 
 Use with_carrier_beside(const Use& use, std::string_view path) {

@@ -17,51 +17,47 @@ constexpr std::array<const char*, 5> kMeasured{"measured.tilt_x", "measured.tilt
                                                "measured.radial_x", "measured.radial_y"};
 
 // Two values that mean something together alone.
-void check_both(const ResolvedCase& in, const char* one, const char* other, std::vector<Mistake>& mistakes) {
+void check_both(CheckedCase& in, const char* one, const char* other) {
   if (in.has(one) != in.has(other))
-    add_error_at(in, in.has(one) ? one : other, fmt::format("no {} with it", in.has(one) ? other : one),
-                 "both or none are required", mistakes);
+    in.add_error_at(in.has(one) ? one : other, fmt::format("no {} with it", in.has(one) ? other : one),
+                    "both or none are required");
 }
 
-void check_shaft(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
-  check_both(in, "spindle.inertia_x", "spindle.inertia_y", mistakes);
-  check_both(in, "housing.mass", "housing.inertia", mistakes);
+void check_shaft(CheckedCase& in) {
+  check_both(in, "spindle.inertia_x", "spindle.inertia_y");
+  check_both(in, "housing.mass", "housing.inertia");
   if (!in.has("spindle.diameter") && !in.has("spindle.inertia_x") && in.has("spindle.mass"))
-    add_error_at(
-        in, "spindle.mass", "a shaft without inertia",
-        "spindle.inertia_x and spindle.inertia_y, or spindle.diameter of a solid cylinder, are required",
-        mistakes);
+    in.add_error_at(
+        "spindle.mass", "a shaft without inertia",
+        "spindle.inertia_x and spindle.inertia_y, or spindle.diameter of a solid cylinder, are required");
   if (in.has("spindle.diameter") && in.has("spindle.inertia_x") && !in.has("measured.preload"))
-    add_error_at(in, "spindle.diameter", "a cylinder together with the inertias of the shaft",
-                 "one of the two is required where nothing is identified", mistakes);
+    in.add_error_at("spindle.diameter", "a cylinder together with the inertias of the shaft",
+                    "one of the two is required where nothing is identified");
 }
 
-void check_measured(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
+void check_measured(CheckedCase& in) {
   if (!in.has("measured.preload")) {
     for (const char* path : kMeasured)
-      if (in.has(path))
-        add_error_at(in, path, "frequencies without measured.preload", "both are required", mistakes);
+      if (in.has(path)) in.add_error_at(path, "frequencies without measured.preload", "both are required");
     if (in.has("measured.contact_angle"))
-      add_error_at(in, "measured.contact_angle", "angles without measured.preload", "both are required",
-                   mistakes);
+      in.add_error_at("measured.contact_angle", "angles without measured.preload", "both are required");
     return;
   }
   const std::size_t pairs = in.list("measured.preload").size();
   const auto check_length = [&](const char* path) {
     if (!in.has(path))
-      add_error_at(in, "measured.preload", fmt::format("preloads without {}", path), "all are required",
-                   mistakes);
+      in.add_error_at("measured.preload", fmt::format("preloads without {}", path), "all are required");
     else if (in.list(path).size() != pairs)
-      add_error_at(in, path, fmt::format("{} values for {} preloads", in.list(path).size(), pairs),
-                   "one for each preload is required", mistakes);
+      in.add_error_at(path, fmt::format("{} values for {} preloads", in.list(path).size(), pairs),
+                      "one for each preload is required");
   };
   check_length("measured.contact_angle");
   for (const char* path : kMeasured) check_length(path);
   for (const char* path :
        {"identification.contact_angle", "identification.least_distance", "spindle.diameter"})
     if (!in.has(path))
-      add_error_at(in, "measured.preload", fmt::format("measured frequencies without {}", path),
-                   "it is required to identify the shaft", mistakes);
+      in.add_error_at("measured.preload", fmt::format("measured frequencies without {}", path),
+                      "it is required to identify the shaft");
 }
 
 bool is_identified_from(const ResolvedCase& in, double contact_angle) {
@@ -69,14 +65,14 @@ bool is_identified_from(const ResolvedCase& in, double contact_angle) {
   return std::abs(contact_angle - in.quantity("identification.contact_angle")) < same;
 }
 
-void check_identification(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
+void check_identification(CheckedCase& in) {
   if (!has_all(in, {"measured.preload", "measured.contact_angle", "identification.contact_angle"})) return;
   for (const double angle : in.list("measured.contact_angle"))
     if (is_identified_from(in, angle)) return;
-  add_error_at(
-      in, "identification.contact_angle",
+  in.add_error_at(
+      "identification.contact_angle",
       fmt::format("{}, which measured.contact_angle does not hold", in.given("identification.contact_angle")),
-      "one of those measured is required", mistakes);
+      "one of those measured is required");
 }
 
 }  // namespace
@@ -154,22 +150,21 @@ std::vector<MeasuredPair> measured_pairs_of(const ResolvedCase& in) {
   return pairs;
 }
 
-void check_duplex(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
+void check_duplex(CheckedCase& in) {
   if (in.model() != duplex_pair) return;
   if (has_all(in, {"stiffness", "operation.shaft_speed"}) && is_linear_pair(in) &&
       (in.quantity("operation.shaft_speed") != 0.0 || in.has("operation.speeds")))
-    add_error_at(in, in.has("operation.speeds") ? "operation.speeds" : "operation.shaft_speed",
-                 "a rotating shaft together with stiffness: linear",
-                 "nonlinear is required: the linear formulas include no speed", mistakes);
-  check_shaft(in, mistakes);
-  check_measured(in, mistakes);
-  check_identification(in, mistakes);
+    in.add_error_at(in.has("operation.speeds") ? "operation.speeds" : "operation.shaft_speed",
+                    "a rotating shaft together with stiffness: linear",
+                    "nonlinear is required: the linear formulas include no speed");
+  check_shaft(in);
+  check_measured(in);
+  check_identification(in);
   if (has_all(in, {"stiffness", "arrangement"}) && is_linear_pair(in) &&
       arrangement_of_pair(in) == duplex::Arrangement::back_to_back)
-    add_error_at(
-        in, "stiffness", "'linear' for a pair back to back",
-        "nonlinear is required: the linear formulas are printed for face-to-face, and are those of a tandem",
-        mistakes);
+    in.add_error_at(
+        "stiffness", "'linear' for a pair back to back",
+        "nonlinear is required: the linear formulas are printed for face-to-face, and are those of a tandem");
 }
 
 }  // namespace orbearing::app

@@ -40,7 +40,7 @@ struct MeasuredPair {
 };
 std::vector<MeasuredPair> measured_pairs_of(const ResolvedCase& resolved);
 
-/// Adds what is wrong to `mistakes`; nothing for cases of other models.
-void check_duplex(const ResolvedCase& resolved, std::vector<Mistake>& mistakes);
+/// Adds what is wrong; nothing for cases of other models.
+void check_duplex(CheckedCase& resolved);
 
 }  // namespace orbearing::app

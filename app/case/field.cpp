@@ -408,6 +408,28 @@ std::string kind_text(const Field& field, Kind kind) {
 
 }  // namespace
 
+Field& Field::by_default(std::string text, std::string reason) {
+  default_text = std::move(text);
+  default_reason = std::move(reason);
+  return *this;
+}
+
+Field& Field::required() {
+  required_by = models;
+  return *this;
+}
+
+Field& Field::listed() {
+  element = kind;
+  kind = Kind::list;
+  return *this;
+}
+
+Field& Field::under(Condition condition) {
+  use = use.when(std::move(condition));
+  return *this;
+}
+
 bool has_choices(const Field& field) {
   return std::any_of(field.columns.begin(), field.columns.end(),
                      [](const ListColumn& column) { return column.one_of > 0; });

@@ -55,7 +55,27 @@ struct Field {
   bool from_file = false;  // list of rows, or of a matrix: {file: NAME.csv} may stand in its place
   std::size_t group =
       0;  // list: of so many elements; or a list of such lists, whose elements follow each other
+
+  /// What a row may say besides; each gives the row itself.
+  Field& by_default(std::string text, std::string reason);
+  Field& required();                  // by all models that know it
+  Field& listed();                    // a list of such values
+  Field& under(Condition condition);  // where it counts
 };
+
+/// How a case writes the values of an enumeration, and the one that it writes so, if any.
+template <class E>
+std::vector<std::string> choices_of() {
+  std::vector<std::string> choices;
+  for (const auto& name : names_of(E{})) choices.emplace_back(name.text);
+  return choices;
+}
+template <class E>
+std::optional<E> value_named(std::string_view text) {
+  for (const auto& name : names_of(E{}))
+    if (name.text == text) return name.value;
+  return std::nullopt;
+}
 
 /// A checked value of a field.
 struct FieldValue {

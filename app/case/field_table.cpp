@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cctype>
+#include <initializer_list>
 #include <map>
 #include <numeric>
+#include <stdexcept>
 #include <unordered_map>
 
 #include "app/case/described_fields.hpp"
@@ -27,79 +29,35 @@ BlockOrder block_order(const std::string& path, std::map<std::string, std::size_
   }
 }
 
+struct KeysOfBlock {
+  std::string_view block;
+  std::initializer_list<std::string_view> keys;
+};
+
 // The order in which cases are written, where it is not that of the rows. What is not listed follows.
-constexpr const char* written_first[] = {"name",
-                                         "source",
-                                         "model",
-                                         "input",
-                                         "parallel_stage",
-                                         "spectrum",
-                                         "gearset",
-                                         "bearing",
-                                         "load",
-                                         "operation",
-                                         "material",
-                                         "contact",
-                                         "lubricant",
-                                         "film",
-                                         "life",
-                                         "inertia",
-                                         "numerics",
-                                         "traction",
-                                         "drag",
-                                         "support",
-                                         "simulation",
-                                         "gearset.fixed",
-                                         "gearset.planets",
-                                         "gearset.teeth",
-                                         "gearset.module",
-                                         "gearset.pressure_angle",
-                                         "gearset.profile_shift",
-                                         "gearset.face_width",
-                                         "bearing.type",
-                                         "bearing.per_planet",
-                                         "bearing.designation",
-                                         "bearing.complement",
-                                         "bearing.rollers",
-                                         "bearing.roller_diameter",
-                                         "bearing.roller_length",
-                                         "bearing.pitch_diameter",
-                                         "bearing.clearance_class",
-                                         "bearing.radial_clearance",
-                                         "bearing.rings",
-                                         "bearing.bore",
-                                         "bearing.outside_diameter",
-                                         "bearing.width",
-                                         "bearing.cage",
-                                         "bearing.laminae",
-                                         "bearing.profile",
-                                         "bearing.misalignment",
-                                         "bearing.inner_race",
-                                         "bearing.outer_race",
-                                         "bearing.cage.inner_diameter",
-                                         "bearing.cage.outer_diameter",
-                                         "bearing.cage.width",
-                                         "bearing.cage.material",
-                                         "bearing.cage.density",
-                                         "bearing.cage.guide_land_diameter",
-                                         "bearing.cage.guidance",
-                                         "bearing.cage.pocket_clearance",
-                                         "bearing.cage.pocket_stiffness",
-                                         "bearing.cage.pocket_damping",
-                                         "bearing.cage.pocket_friction",
-                                         "bearing.cage.largest_eccentricity",
-                                         "bearing.cage.touch_down_stiffness",
-                                         "bearing.cage.guidance_film",
-                                         "contact.law",
-                                         "contact.damping",
-                                         "contact.lubrication",
-                                         "contact.roughness",
-                                         "contact.boundary_friction"};
+const KeysOfBlock written_first[] = {
+    {"", {"name",    "source",  "model",     "input",    "parallel_stage", "spectrum",  "gearset",
+          "bearing", "load",    "operation", "material", "contact",        "lubricant", "film",
+          "life",    "inertia", "numerics",  "traction", "drag",           "support",   "simulation"}},
+    {"input.", {"member", "power", "torque", "torque_curve"}},
+    {"gearset.", {"fixed", "planets", "teeth", "module", "pressure_angle", "profile_shift", "face_width"}},
+    {"bearing.",
+     {"type", "per_planet", "designation", "complement", "rollers", "roller_diameter", "roller_length",
+      "pitch_diameter", "clearance_class", "radial_clearance"}},
+    {"bearing.",
+     {"rings", "bore", "outside_diameter", "width", "cage", "laminae", "profile", "misalignment",
+      "inner_race", "outer_race"}},
+    {"bearing.cage.",
+     {"inner_diameter", "outer_diameter", "width", "material", "density", "guide_land_diameter", "guidance",
+      "pocket_clearance", "pocket_stiffness", "pocket_damping", "pocket_friction", "largest_eccentricity",
+      "touch_down_stiffness", "guidance_film"}},
+    {"contact.", {"law", "damping", "lubrication", "roughness", "boundary_friction"}}};
 
 // Blocks stay together in what is written from the table, whichever file adds their fields.
 std::vector<Field> grouped(std::vector<Field> fields) {
   std::map<std::string, std::size_t> first_seen;
-  for (const char* path : written_first) block_order(path, first_seen);
+  for (const auto& [block, keys] : written_first)
+    for (const std::string_view key : keys) block_order(std::string(block) + std::string(key), first_seen);
   std::map<std::string, BlockOrder> order;
   for (const Field& field : fields) order[field.path] = block_order(field.path, first_seen);
   std::stable_sort(fields.begin(), fields.end(),
@@ -268,28 +226,63 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
 
 namespace table {
 
+Field& Rows::add(Kind kind, std::string path, std::string meaning, const Use& use, Range range) {
+  fields_.push_back({.path = std::move(path),
+                     .kind = kind,
+                     .meaning = std::move(meaning),
+                     .use = use,
+                     .models = models_,
+                     .range = range});
+  return fields_.back();
+}
+
+Field& Rows::quantity(std::string path, std::string meaning, const Use& use, const Dimension& dimension,
+                      Range range) {
+  Field& field = add(Kind::quantity, std::move(path), std::move(meaning), use, range);
+  field.dimension = dimension;
+  return field;
+}
+
+Field& Rows::number(std::string path, std::string meaning, const Use& use, Range range) {
+  return add(Kind::number, std::move(path), std::move(meaning), use, range);
+}
+
+Field& Rows::integer(std::string path, std::string meaning, const Use& use, Range range) {
+  return add(Kind::integer, std::move(path), std::move(meaning), use, range);
+}
+
+Field& Rows::choice(std::string path, std::string meaning, const Use& use, std::vector<std::string> choices) {
+  Field& field = add(Kind::choice, std::move(path), std::move(meaning), use);
+  field.choices = std::move(choices);
+  return field;
+}
+
+Field& Rows::text(std::string path, std::string meaning, const Use& use) {
+  return add(Kind::text, std::move(path), std::move(meaning), use);
+}
+
+Field& Rows::list_of_rows(std::string path, std::string meaning, const Use& use,
+                          std::vector<ListColumn> columns) {
+  Field& field = add(Kind::list, std::move(path), std::move(meaning), use);
+  field.element = Kind::list;
+  field.columns = std::move(columns);
+  return field;
+}
+
+Field& row_of(std::vector<Field>& fields, std::string_view path) {
+  const auto found = std::ranges::find(fields, path, &Field::path);
+  if (found == fields.end()) throw std::logic_error("no field '" + std::string(path) + "'");
+  return *found;
+}
+
 void add_case_fields(std::vector<Field>& fields) {
+  Rows rows(fields, every_model);
+  const Use always(use::all, 0);
   std::vector<std::string> names;
   for (const Model model : models()) names.emplace_back(model_name(model));
-  fields.push_back({.path = "name",
-                    .kind = Kind::text,
-                    .meaning = "name of the case",
-                    .use = Use(use::all, 0),
-                    .models = every_model,
-                    .required_by = every_model});
-  fields.push_back({.path = "source",
-                    .kind = Kind::text,
-                    .meaning = "where the data come from",
-                    .use = Use(use::all, 0),
-                    .models = every_model,
-                    .required_by = every_model});
-  fields.push_back({.path = "model",
-                    .kind = Kind::choice,
-                    .meaning = "what is computed",
-                    .use = Use(use::all, 0),
-                    .models = every_model,
-                    .required_by = every_model,
-                    .choices = names});
+  rows.text("name", "name of the case", always).required();
+  rows.text("source", "where the data come from", always).required();
+  rows.choice("model", "what is computed", always, std::move(names)).required();
 }
 
 }  // namespace table

@@ -47,12 +47,37 @@ const std::vector<Model>& models();
 std::string nearest_word(std::string_view word, const std::vector<std::string>& known);
 
 namespace table {
+/// Puts rows that stand beside no member into a table, all of the same models. What else a row says follows
+/// it: `rows.number(...).by_default("1", "no run-up")`.
+class Rows {
+ public:
+  Rows(std::vector<Field>& fields, unsigned models) : fields_(fields), models_(models) {}
+
+  Field& quantity(std::string path, std::string meaning, const Use& use, const Dimension& dimension,
+                  Range range);
+  Field& number(std::string path, std::string meaning, const Use& use, Range range);
+  Field& integer(std::string path, std::string meaning, const Use& use, Range range);
+  Field& choice(std::string path, std::string meaning, const Use& use, std::vector<std::string> choices);
+  Field& text(std::string path, std::string meaning, const Use& use);
+  Field& list_of_rows(std::string path, std::string meaning, const Use& use, std::vector<ListColumn> columns);
+
+ private:
+  Field& add(Kind kind, std::string path, std::string meaning, const Use& use, Range range = {});
+
+  std::vector<Field>& fields_;
+  unsigned models_;
+};
+
+/// The row of that path in a table that is being made, which has one.
+Field& row_of(std::vector<Field>& fields, std::string_view path);
+
 /// Rows by block; a new model adds a file with such a function.
 void add_case_fields(std::vector<Field>& fields);
 void add_drivetrain_fields(std::vector<Field>& fields);
 void add_bearing_fields(std::vector<Field>& fields);
 void add_gear_dynamics_fields(std::vector<Field>& fields);
 void add_static_fields(std::vector<Field>& fields);
+void add_requirements(std::vector<Field>& fields);
 void add_defect_fields(std::vector<Field>& fields);
 void add_duplex_fields(std::vector<Field>& fields);
 void add_film_fields(std::vector<Field>& fields);

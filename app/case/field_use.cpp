@@ -1,7 +1,6 @@
 #include "app/case/field_use.hpp"
 
 #include <algorithm>
-#include <initializer_list>
 #include <iterator>
 #include <utility>
 
@@ -25,23 +24,6 @@ void follow(Use& use, use::Analysis analysis, use::Analysis leader) {
   }
 }
 
-bool begins_with_one_of(std::string_view path, std::initializer_list<std::string_view> parts) {
-  return std::any_of(parts.begin(), parts.end(),
-                     [&](std::string_view part) { return path.starts_with(part); });
-}
-
-}  // namespace
-
-namespace {
-
-// Of planets that find their tilt at rest, with which the bearings go on in motion.
-bool is_of_computed_tilt(std::string_view path) {
-  constexpr std::string_view paths[] = {"bearing.tilt_state", "bearing.axial_places",
-                                        "bearing.clearance_differences", "support.carrier_twist_stiffness"};
-  return std::find(std::begin(paths), std::end(paths), path) != std::end(paths) ||
-         path.starts_with("support.pin_");
-}
-
 }  // namespace
 
 Use with_planet_defect(const Use& use, std::string_view path) {
@@ -55,7 +37,12 @@ Use with_planet_defect(const Use& use, std::string_view path) {
     put(more, use::planet_defect, &Use::not_modelled_by);
     return more;
   }
-  follow(more, use::planet_defect, is_of_computed_tilt(path) ? use::dynamic : use::monolithic);
+  // Of planets that find their tilt at rest, with which the bearings go on in motion.
+  const bool computed_tilt =
+      path.starts_with("support.pin_") ||
+      is_one_of(path, {"bearing.tilt_state", "bearing.axial_places", "bearing.clearance_differences",
+                       "support.carrier_twist_stiffness"});
+  follow(more, use::planet_defect, computed_tilt ? use::dynamic : use::monolithic);
   const auto is_to_a_life = [](const Condition& condition) {
     return std::any_of(condition.paths.begin(), condition.paths.end(),
                        [](const std::string& other) { return other.starts_with("life."); });
@@ -72,21 +59,12 @@ namespace {
 // Of what natural frequencies or points at rest use, what the carrier as a body leaves out: how members turn
 // and stand in their planes, tilts that it computes itself, and what is made of lives.
 bool is_left_out_of_carrier(std::string_view path) {
-  constexpr std::string_view dynamics = "gearset.dynamics.";
-  if (path.starts_with(dynamics) &&
-      (path.ends_with(".equivalent_mass") || path.ends_with(".torsional_stiffness")))
-    return true;
-  constexpr std::string_view others[] = {"gearset.dynamics.ring.mass",
-                                         "gearset.dynamics.ring.support_stiffness",
-                                         "gearset.dynamics.carrier.support_stiffness",
-                                         "gearset.dynamics.separation",
-                                         "bearing.tilt_state",
-                                         "bearing.axial_places",
-                                         "bearing.clearance_differences",
-                                         "support.carrier_twist_stiffness",
-                                         "life.method",
-                                         "life.minimum_load"};
-  return std::find(std::begin(others), std::end(others), path) != std::end(others) ||
+  const bool rotation = path.ends_with(".equivalent_mass") || path.ends_with(".torsional_stiffness");
+  return (rotation && path.starts_with("gearset.dynamics.")) ||
+         is_one_of(path, {"gearset.dynamics.ring.mass", "gearset.dynamics.ring.support_stiffness",
+                          "gearset.dynamics.carrier.support_stiffness", "gearset.dynamics.separation",
+                          "bearing.tilt_state", "bearing.axial_places", "bearing.clearance_differences",
+                          "support.carrier_twist_stiffness", "life.method", "life.minimum_load"}) ||
          begins_with_one_of(path, {"gearset.dynamics.transmission_error.", "bearing.misalignment.",
                                    "support.pin_", "requirements.", "spectrum"});
 }
@@ -98,9 +76,8 @@ Use with_carrier_body(Use use, std::string_view path) {
   if (path.starts_with("gearset.carrier.")) return use;
   // Springs that are linked, a ring that turns, other rows than cylindrical ones, two gears on a planet,
   // pairs.
-  if (path == "gearset.planet_rim" || path == "gearset.fixed" || path == "bearing.balls" ||
-      path == "bearing.ball_diameter" || path.starts_with("bearing.rows.") ||
-      path.starts_with("gearset.stepped_planet.") || path.starts_with("gearset.second_planet.")) {
+  if (is_one_of(path, {"gearset.planet_rim", "gearset.fixed", "bearing.balls", "bearing.ball_diameter"}) ||
+      begins_with_one_of(path, {"bearing.rows.", "gearset.stepped_planet.", "gearset.second_planet."})) {
     put(use, use::carrier, &Use::refused_by);
     return use;
   }

@@ -2,6 +2,8 @@
 // fields says so; what is given and not used is refused or warned of from here.
 #pragma once
 
+#include <algorithm>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -12,6 +14,15 @@
 namespace orbearing::app {
 
 class ResolvedCase;
+
+/// Whether `path` is one of these, or begins with one of them.
+inline bool is_one_of(std::string_view path, std::initializer_list<std::string_view> paths) {
+  return std::find(paths.begin(), paths.end(), path) != paths.end();
+}
+inline bool begins_with_one_of(std::string_view path, std::initializer_list<std::string_view> parts) {
+  return std::any_of(parts.begin(), parts.end(),
+                     [&](std::string_view part) { return path.starts_with(part); });
+}
 
 /// Analyses as bits, so that a row can name several. A new one is a bit here and a name in field_use.cpp;
 /// until the rows name it, all that a case gives is warned of.

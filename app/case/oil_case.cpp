@@ -125,12 +125,12 @@ void fill_from_grade(CaseData& data, Model model) {
   }
 }
 
-void check_grade(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
+void check_grade(CheckedCase& in) {
   if (!has_all(in, {kGrade, kIndex})) return;
   try {
     (void)bearing::viscosity_at_100(viscosity_40_of(in.choice(kGrade)), in.number(kIndex));
   } catch (const std::invalid_argument& error) {
-    add_error_at(in, kGrade, in.choice(kGrade), error.what(), mistakes);
+    in.add_error_at(kGrade, in.choice(kGrade), error.what());
   }
 }
 

@@ -37,6 +37,6 @@ double graded_viscosity_slope(const ResolvedCase& resolved);
 void fill_from_grade(CaseData& data, Model model);
 
 /// Whether anything is known of such an oil.
-void check_grade(const ResolvedCase& resolved, std::vector<Mistake>& mistakes);
+void check_grade(CheckedCase& resolved);
 
 }  // namespace orbearing::app

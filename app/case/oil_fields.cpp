@@ -1,8 +1,6 @@
 // Fields of an oil by its grade: what uses the viscosity uses them.
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "app/case/field_table.hpp"
 #include "bearing/film/oil_grade.hpp"
 
@@ -23,36 +21,20 @@ Use use_of_grade(const Field& viscosity) {
 }  // namespace
 
 void add_oil_fields(std::vector<Field>& fields) {
-  const auto viscosity = std::find_if(fields.begin(), fields.end(),
-                                      [](const Field& field) { return field.path == "lubricant.viscosity"; });
-  const Use use = use_of_grade(*viscosity), beside = use.when(where_given({"lubricant.grade"}));
-  const unsigned models = viscosity->models;
+  const Field viscosity = row_of(fields, "lubricant.viscosity");
+  const Use use = use_of_grade(viscosity), beside = use.when(where_given({"lubricant.grade"}));
+  Rows rows(fields, viscosity.models);
   std::vector<std::string> grades;
   for (const int grade : bearing::kOilGrades) grades.push_back(fmt::format("ISO VG {}", grade));
-  fields.push_back({.path = "lubricant.grade",
-                    .kind = Kind::choice,
-                    .meaning = "viscosity grade of a mineral oil; with the temperature it replaces "
-                               "lubricant.viscosity, pressure_viscosity and kinematic_viscosity",
-                    .use = use,
-                    .models = models,
-                    .choices = grades});
-  fields.push_back({.path = "lubricant.temperature",
-                    .kind = Kind::quantity,
-                    .meaning = "running temperature of the oil, stated with its grade",
-                    .use = beside,
-                    .models = models,
-                    .dimension = described::dimension::temperature,
-                    .range = {-20.0, 150.0},
-                    .default_text = "70 degC",
-                    .default_reason = "oil of a gearbox at full load"});
-  fields.push_back({.path = "lubricant.viscosity_index",
-                    .kind = Kind::number,
-                    .meaning = "viscosity index, stated with the grade",
-                    .use = beside,
-                    .models = models,
-                    .range = {0.0, 100.0},
-                    .default_text = "95",
-                    .default_reason = "an ordinary mineral oil"});
+  rows.choice("lubricant.grade",
+              "viscosity grade of a mineral oil; with the temperature it replaces lubricant.viscosity, "
+              "pressure_viscosity and kinematic_viscosity",
+              use, std::move(grades));
+  rows.quantity("lubricant.temperature", "running temperature of the oil, stated with its grade", beside,
+                dimension::temperature, {-20.0, 150.0})
+      .by_default("70 degC", "oil of a gearbox at full load");
+  rows.number("lubricant.viscosity_index", "viscosity index, stated with the grade", beside, {0.0, 100.0})
+      .by_default("95", "an ordinary mineral oil");
 }
 
 }  // namespace orbearing::app::table

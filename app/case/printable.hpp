@@ -4,14 +4,15 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace orbearing::app {
 
 /// Length [byte] of the UTF-8 character that begins at `at`; 0 where none does.
 std::size_t utf8_character(std::string_view text, std::size_t at);
 
-/// Where the first byte stands that is not UTF-8, and where the first control character other than tab and end
-/// of line; the size of the text where there is none.
+/// Where the first byte stands that is not UTF-8, and where the first control character other than tab and
+/// end of line; the size of the text where there is none.
 std::size_t first_byte_not_utf8(std::string_view text);
 std::size_t first_control_character(std::string_view text);
 
@@ -24,5 +25,13 @@ std::string shortened(std::string_view text);
 
 /// The same in quotes.
 std::string quote(std::string_view text);
+
+/// A text without the blanks around it.
+std::string trimmed(std::string_view text);
+
+/// Parts of a text between separators, without the blanks around them.
+std::vector<std::string> parts_of(std::string_view text, char separator);
+
+void replace_all(std::string& text, std::string_view what, std::string_view by);
 
 }  // namespace orbearing::app

@@ -103,29 +103,25 @@ Profile roller_profile_of(const ResolvedCase& in) {
   return deep;
 }
 
-void check_profile(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
+void check_profile(CheckedCase& in) {
   for (const std::string block : {"bearing.profile.", "bearing.misalignment."}) {
     const std::string present = first_of(in, block);
     if (present.empty() || in.has("bearing.laminae")) continue;
-    mistakes.push_back({in.location(present),
-                        present,
-                        {"an entry without bearing.laminae",
-                         "laminae, which it acts on, are required: for instance bearing.laminae: 40"}});
+    in.add_error_at(present, "an entry without bearing.laminae",
+                    "laminae, which it acts on, are required: for instance bearing.laminae: 40");
   }
   const std::string profile = first_of(in, kBlock);
   if (!profile.empty() && !in.has(kKind))
-    mistakes.push_back({in.location(profile),
-                        profile,
-                        {"a profile without bearing.profile.kind", "a kind of profile is required"}});
-  for (const char* needed : {"bearing.profile.kind", "bearing.roller_length", "bearing.roller_diameter",
-                             "bearing.pitch_diameter", "bearing.radial_clearance"})
-    if (!in.has(needed)) return;
+    in.add_error_at(profile, "a profile without bearing.profile.kind", "a kind of profile is required");
+  if (!has_all(in, {"bearing.profile.kind", "bearing.roller_length", "bearing.roller_diameter",
+                    "bearing.pitch_diameter", "bearing.radial_clearance"}))
+    return;
   try {
     roller_profile_of(in);
   } catch (const std::invalid_argument& error) {
     const std::string text = error.what();
     const auto split = text.find("; ");  // found; required
-    mistakes.push_back({in.location(kKind), kKind, {text.substr(0, split), text.substr(split + 2)}});
+    in.add_error_at(kKind, text.substr(0, split), text.substr(split + 2));
   }
 }
 

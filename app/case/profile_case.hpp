@@ -13,8 +13,8 @@ namespace orbearing::app {
 /// meaning.
 bearing::profile::Profile roller_profile_of(const ResolvedCase& resolved);
 
-/// Tells `mistakes` of a profile that cannot be made, and of profile or misalignment without the laminae that
+/// Objects to a profile that cannot be made, and to profile or misalignment without the laminae that
 /// are affected by them.
-void check_profile(const ResolvedCase& resolved, std::vector<Mistake>& mistakes);
+void check_profile(CheckedCase& resolved);
 
 }  // namespace orbearing::app

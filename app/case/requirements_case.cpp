@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "app/case/field_table.hpp"
+
 namespace orbearing::app {
 
 namespace {
@@ -44,29 +46,20 @@ std::string requirement_path(const RequirementRow& row) {
   return std::string("requirements.") + row.name;
 }
 
-Field requirement_field(const RequirementRow& row) {
-  return {.path = requirement_path(row),
-          .kind = row.dimension.name.empty() ? Kind::number : Kind::quantity,
-          .meaning = row.meaning,
-          .use = Use(kJudgedBy, use::all & ~kJudgedBy),
-          .models = row.models,
-          .dimension = row.dimension,
-          .range = positive(1e9)};
-}
-
 }  // namespace
 
-std::vector<Field> requirement_fields() {
-  std::vector<Field> fields;
-  for (const RequirementRow& row : kRequirementRows) fields.push_back(requirement_field(row));
-  fields.insert(fields.begin() + 1,
-                {.path = kLifeKeyPath,
-                 .kind = Kind::choice,
-                 .meaning = "life that requirements.life limits",
-                 .use = Use(kJudgedBy, use::all & ~kJudgedBy).when(where_given({kLifePath})),
-                 .models = kRated,
-                 .choices = {"L10h", "L10rh", "L10mh", "L10mrh", "life_h"}});
-  return fields;
+void table::add_requirements(std::vector<Field>& fields) {
+  const Use use(kJudgedBy, use::all & ~kJudgedBy);
+  for (const RequirementRow& row : kRequirementRows) {
+    Rows rows(fields, row.models);
+    if (row.dimension.name.empty())
+      rows.number(requirement_path(row), row.meaning, use, positive(1e9));
+    else
+      rows.quantity(requirement_path(row), row.meaning, use, row.dimension, positive(1e9));
+    if (requirement_path(row) == kLifePath)
+      rows.choice(kLifeKeyPath, "life that requirements.life limits", use.when(where_given({kLifePath})),
+                  {"L10h", "L10rh", "L10mh", "L10mrh", "life_h"});
+  }
 }
 
 std::vector<Requirement> stated_requirements(const ResolvedCase& in) {

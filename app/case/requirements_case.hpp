@@ -8,9 +8,6 @@
 
 namespace orbearing::app {
 
-/// Fields of the table, of the block `requirements`.
-std::vector<Field> requirement_fields();
-
 /// One limit.
 struct Requirement {
   std::string name;      // "life", as in the case

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cassert>
 #include <stdexcept>
 
@@ -101,6 +102,39 @@ bool ResolvedCase::operator==(const ResolvedCase& other) const {
 
 bool is_stated(const ResolvedCase& resolved, std::string_view path) {
   return resolved.has(path) && resolved.origin(path) != "default";
+}
+
+bool has_all(const ResolvedCase& in, std::initializer_list<const char*> paths) {
+  return std::ranges::all_of(paths, [&](const char* path) { return in.has(path); });
+}
+
+bool is_nonzero(const ResolvedCase& in, std::string_view path) {
+  return in.has(path) && in.quantity(path) != 0.0;
+}
+
+bool is_on(const ResolvedCase& in, std::string_view path) {
+  return in.has(path) && in.flag(path);
+}
+
+bool is_chosen(const ResolvedCase& in, std::string_view path, std::string_view choice) {
+  return in.has(path) && in.choice(path) == choice;
+}
+
+namespace {
+
+Location location_for(const ResolvedCase& in, const std::string& path) {
+  if (in.has(path)) return in.location(path);
+  for (const std::string& block : {path + ".", path.substr(0, path.rfind('.') + 1)})
+    for (const Input& input : in.inputs())
+      if (!block.empty() && input.path.starts_with(block) && is_stated(in, input.path))
+        return in.location(input.path);
+  return in.has("model") ? in.location("model") : Location{};
+}
+
+}  // namespace
+
+void CheckedCase::add_error_at(const std::string& path, std::string found, std::string required) {
+  mistakes.push_back({location_for(*this, path), path, {std::move(found), std::move(required)}});
 }
 
 std::vector<double> swept_speeds(const ResolvedCase& resolved) {

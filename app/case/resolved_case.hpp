@@ -201,28 +201,26 @@ struct Derived {
 /// does.
 std::vector<Condition> given_by(std::string_view path);
 
-// Words of the checks across fields.
+// Words of the checks across fields. What the case leaves out meets no condition.
 
-/// Where `path` stands; of a value that the case leaves out, the place of one of its block, or of the model.
-inline Location location_for(const ResolvedCase& in, const std::string& path) {
-  if (in.has(path)) return in.location(path);
-  const std::string block = path.substr(0, path.rfind('.') + 1);
-  for (const Input& input : in.inputs())
-    if (!block.empty() && input.path.starts_with(block) && is_stated(in, input.path))
-      return in.location(input.path);
-  return in.has("model") ? in.location("model") : Location{};
-}
+bool has_all(const ResolvedCase& in, std::initializer_list<const char*> paths);
+bool is_nonzero(const ResolvedCase& in, std::string_view path);  // of a quantity
+bool is_on(const ResolvedCase& in, std::string_view path);       // of a switch
+bool is_chosen(const ResolvedCase& in, std::string_view path, std::string_view choice);
 
-/// Adds a mistake at the place of `path`.
-inline void add_error_at(const ResolvedCase& in, const std::string& path, std::string found,
-                         std::string required, std::vector<Mistake>& mistakes) {
-  mistakes.push_back({location_for(in, path), path, {std::move(found), std::move(required)}});
-}
+/// A case that is being checked, and what is wrong with it.
+class CheckedCase : public ResolvedCase {
+ public:
+  CheckedCase(const ResolvedCase& resolved, std::vector<Mistake>& found)
+      : ResolvedCase(resolved), mistakes(found) {}
 
-inline bool has_all(const ResolvedCase& in, std::initializer_list<const char*> paths) {
-  for (const char* path : paths)
-    if (!in.has(path)) return false;
-  return true;
-}
+  bool is(std::string_view path, std::string_view choice) const { return is_chosen(*this, path, choice); }
+
+  /// Adds a mistake at the place of `path`; of a value that the case leaves out, or of a block, at that of
+  /// the first value in it, or beside it, or of the model.
+  void add_error_at(const std::string& path, std::string found, std::string required);
+
+  std::vector<Mistake>& mistakes;
+};
 
 }  // namespace orbearing::app

@@ -116,7 +116,7 @@ std::string geometry_text(const gearset::WorkingGeometry& geometry) {
 
 }  // namespace
 
-void check_stated_geometry(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
+void check_stated_geometry(CheckedCase& in) {
   if (!in.has(kDistance) && !in.has(kPlanetShift)) return;
   const gearset::PlanetarySet set = set_of(in);
   const gearset::WorkingGeometry geometry = gearset::working_geometry(set);
@@ -128,12 +128,12 @@ void check_stated_geometry(const ResolvedCase& in, std::vector<Mistake>& mistake
         "shift with that sign",
         kRingShift, -set.ring_shift, geometry_text(*other));
   if (in.has(kDistance) && !agrees(in.quantity(kDistance), geometry.centre_distance, kDistanceRounding))
-    add_error_at(in, kDistance, quote(in.given(kDistance)),
-                 fmt::format("{:.4f} mm within 0.01 mm, {}", per_milli * geometry.centre_distance, remedy),
-                 mistakes);
+    in.add_error_at(
+        kDistance, quote(in.given(kDistance)),
+        fmt::format("{:.4f} mm within 0.01 mm, {}", per_milli * geometry.centre_distance, remedy));
   if (in.has(kPlanetShift) && !agrees(in.number(kPlanetShift), geometry.planet_shift, kShiftRounding))
-    add_error_at(in, kPlanetShift, quote(in.given(kPlanetShift)),
-                 fmt::format("{:.4f} within 0.005, {}", geometry.planet_shift, remedy), mistakes);
+    in.add_error_at(kPlanetShift, quote(in.given(kPlanetShift)),
+                    fmt::format("{:.4f} within 0.005, {}", geometry.planet_shift, remedy));
 }
 
 std::vector<std::string> ring_sign_warnings(const ResolvedCase& in) {

@@ -46,7 +46,7 @@ std::string location_in_case(const ResolvedCase& resolved, const std::string& lo
 
 /// Refuses a stated centre distance or planet shift that does not follow from teeth, module and shifts. Both
 /// are checks alone: results follow from the independent values.
-void check_stated_geometry(const ResolvedCase& resolved, std::vector<Mistake>& mistakes);
+void check_stated_geometry(CheckedCase& resolved);
 
 /// A negative shift of the ring is legal, and what sources by DIN 3960 print for a positive one: both
 /// readings, where the other could be assembled too and nothing stated tells them apart.

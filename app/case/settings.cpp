@@ -83,18 +83,13 @@ void add_former_keys(const Entry& block, const std::string& prefix, std::vector<
   }
 }
 
-std::string trim(const std::string& text) {
-  const auto first = text.find_first_not_of(" \t");
-  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
 }  // namespace
 
 std::vector<FormerKey> former_keys_in(const Entry& root, const std::vector<std::string>& settings) {
   std::vector<FormerKey> found;
   add_former_keys(root, "", found);
   for (const std::string& setting : settings) {
-    const std::string path = trim(setting.substr(0, setting.find('='))), present = present_path(path);
+    const std::string path = trimmed(setting.substr(0, setting.find('='))), present = present_path(path);
     if (present != path) found.push_back({path, present});
   }
   return found;
@@ -178,7 +173,7 @@ void put(Entry& root, const std::vector<std::string>& keys, Entry value) {
 
 void apply(Entry& root, const std::string& setting, Location location, std::vector<Mistake>& mistakes) {
   const auto sign = setting.find('=');
-  const std::string path = present_path(trim(setting.substr(0, sign)));
+  const std::string path = present_path(trimmed(setting.substr(0, sign)));
   const std::vector<std::string> keys = keys_of(path);
   const bool gap = std::find(keys.begin(), keys.end(), "") != keys.end();
   if (sign == std::string::npos || gap) {

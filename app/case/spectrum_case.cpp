@@ -16,10 +16,8 @@ namespace orbearing::app {
 
 namespace {
 
-constexpr double kShareRoundOff = 1e-6;  // of shares that were rounded for typing
-constexpr double kRoundOff = 1e-12;      // of shares that add up: they stay as written
-constexpr double kMostPower = 1e10;      // [W]  as of input.power
-constexpr int kLoad = 1, kTime = 2;      // groups of columns of which a row has one
+constexpr double kRoundOff = 1e-12;  // of shares that add up: they stay as written
+constexpr double kMostPower = 1e10;  // [W]  as of input.power
 
 /// Columns of a row, in the order of the field.
 struct StatedBin {
@@ -72,32 +70,6 @@ const std::string* stated_duty(const CaseData& data) {
 
 }  // namespace
 
-Field torque_field(const Use& use_of_power) {
-  return {.path = kTorquePath,
-          .kind = Kind::quantity,
-          .meaning =
-              "torque on the shaft whose speed is input.speed, instead of input.power; a sweep over speed "
-              "then has constant torque",
-          .use = use_of_power,
-          .models = planetary_drivetrain,
-          .dimension = dimension::torque,
-          .range = positive(1e12)};
-}
-
-Field torque_curve_field(const Use& use_of_power) {
-  return {
-      .path = kTorqueCurvePath,
-      .kind = Kind::list,
-      .meaning =
-          "torque over speed, instead of input.power: rows in ascending order of speed, linear between them",
-      .use = use_of_power,
-      .models = planetary_drivetrain,
-      .element = Kind::list,
-      .columns = {{"speed", dimension::angular_speed, {0.0, 1e6}},
-                  {"torque", dimension::torque, {0.0, 1e12}}},
-      .from_file = true};
-}
-
 void replace_other_duty(CaseData& data, const std::string& path) {
   if (std::ranges::none_of(duty_paths, [&](const std::string* duty) { return *duty == path; })) return;
   for (const std::string* other : duty_paths)
@@ -134,80 +106,50 @@ void fill_from_torque(CaseData& data) {
 
 namespace {
 
-void check_curve(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
+void check_curve(CheckedCase& in) {
   if (!in.has(kTorqueCurvePath)) return;
   const std::vector<double>& curve = in.list(kTorqueCurvePath);
   for (std::size_t i = curve_columns; i < curve.size(); i += curve_columns)
     if (curve[i] <= curve[i - curve_columns])
-      return add_error_at(in, kTorqueCurvePath,
-                          fmt::format("row {} at no higher speed than the row before", i / curve_columns + 1),
-                          "rows in ascending order of speed are required", mistakes);
+      return in.add_error_at(
+          kTorqueCurvePath,
+          fmt::format("row {} at no higher speed than the row before", i / curve_columns + 1),
+          "rows in ascending order of speed are required");
   if (in.has(kSpeedPath) && !torque_at(curve, in.quantity(kSpeedPath)))
-    add_error_at(in, kTorqueCurvePath,
-                 fmt::format("{:g} to {:g} rpm without {:g} rpm", kRpm * curve.front(),
-                             kRpm * curve[curve.size() - curve_columns], kRpm * in.quantity(kSpeedPath)),
-                 "rows on both sides of input.speed are required: nothing is extrapolated", mistakes);
+    in.add_error_at(kTorqueCurvePath,
+                    fmt::format("{:g} to {:g} rpm without {:g} rpm", kRpm * curve.front(),
+                                kRpm * curve[curve.size() - curve_columns], kRpm * in.quantity(kSpeedPath)),
+                    "rows on both sides of input.speed are required: nothing is extrapolated");
 }
 
 }  // namespace
 
-void check_torque(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
-  const auto add_error = [&](const std::string& path, std::string found, std::string required) {
-    add_error_at(in, path, std::move(found), std::move(required), mistakes);
-  };
+void check_torque(CheckedCase& in) {
   if (in.has(kSpectrumPath) && in.has("input.application_factor") &&
       in.number("input.application_factor") != 1.0)
-    add_error("input.application_factor",
-              fmt::format("{:g} together with a spectrum", in.number("input.application_factor")),
-              "1 is required: a spectrum has the loads that act (ISO 6336-6)");
-  check_curve(in, mistakes);
+    in.add_error_at("input.application_factor",
+                    fmt::format("{:g} together with a spectrum", in.number("input.application_factor")),
+                    "1 is required: a spectrum has the loads that act (ISO 6336-6)");
+  check_curve(in);
   std::vector<std::string> stated;
   for (const std::string* path : duty_paths)
     if (is_stated(in, *path)) stated.push_back(*path);
   if (stated.size() > 1)
-    add_error(stated.back(), fmt::format("a duty stated by {}", fmt::join(stated, " and ")),
-              "one of them is required");
+    in.add_error_at(stated.back(), fmt::format("a duty stated by {}", fmt::join(stated, " and ")),
+                    "one of them is required");
   if (in.has(kTorquePath) && in.has(kSpeedPath) && !in.has(kPowerPath))
-    add_error(
+    in.add_error_at(
         kTorquePath,
         fmt::format("{:g} kW at input.speed", 1e-3 * in.quantity(kTorquePath) * in.quantity(kSpeedPath)),
         "a torque that makes 1e-06 to 1e7 kW is required");
   if (in.has(kTorqueCurvePath) && in.has(kSpeedPath) && !in.has(kPowerPath) &&
       torque_at(in.list(kTorqueCurvePath), in.quantity(kSpeedPath)))
-    add_error(kTorqueCurvePath, "no torque at input.speed", "a torque above 0 at each speed is required");
+    in.add_error_at(kTorqueCurvePath, "no torque at input.speed",
+                    "a torque above 0 at each speed is required");
   for (const SweepAxis& axis : in.axes())
     if (axis.path == kPowerPath && !stated.empty() && stated.back() != kPowerPath)
-      add_error(stated.back(), "a torque together with a sweep over input.power", "one of both is required");
-}
-
-Field spectrum_field() {
-  return {.path = kSpectrumPath,
-          .kind = Kind::list,
-          .meaning =
-              "load spectrum: duration of each power or torque with its speed. Use share or hours, the same "
-              "for all rows; speed 0 is rest. Optional: file, the record of a row, for damage by file",
-          .use = Use(use::lives, use::all & ~use::lives),
-          .models = planetary_drivetrain,
-          .element = Kind::list,
-          .columns = {{"power", dimension::power, {0.0, 1e7}, kLoad},
-                      {"torque", dimension::torque, {0.0, 1e12}, kLoad},
-                      {"speed", dimension::angular_speed, {0.0, 1e6}},
-                      {"share", {}, {0.0, 1.0 + kShareRoundOff}, kTime},
-                      {"hours", {"time", "s", "h", "120 h", 3600.0}, {0.0, 1e9}, kTime, "h"},
-                      {.name = "file", .text = true, .optional = true}},
-          .from_file = true};
-}
-
-Field minimum_load_field(const Use& use_of_runs) {
-  return {
-      .path = kMinimumLoadPath,
-      .kind = Kind::number,
-      .meaning =
-          "minimum load P/C: in rows of the spectrum below it, rolling elements may skid. Makers' rule of "
-          "thumb [SKFMinimumLoad]: 0.02 for roller bearings, 0.01 for ball bearings",
-      .use = use_of_runs.when(where_given({kSpectrumPath})),
-      .models = planetary_drivetrain,
-      .range = {.least = 0.0, .most = 1.0, .least_allowed = false}};
+      in.add_error_at(stated.back(), "a torque together with a sweep over input.power",
+                      "one of both is required");
 }
 
 std::vector<std::string> spectrum_warnings(const ResolvedCase& resolved, const std::string& command) {
@@ -230,10 +172,10 @@ std::optional<LoadSpectrum> load_spectrum(const ResolvedCase& resolved) {
   return spectrum;
 }
 
-void check_spectrum(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
+void check_spectrum(CheckedCase& resolved) {
   if (!resolved.has(kSpectrumPath)) return;
   const auto add_error = [&](std::string found, std::string required) {
-    add_error_at(resolved, kSpectrumPath, std::move(found), std::move(required), mistakes);
+    resolved.add_error_at(kSpectrumPath, std::move(found), std::move(required));
   };
   const std::vector<StatedBin> bins = stated_bins(resolved);
   const double time = sum_of(bins, &StatedBin::time);
@@ -251,10 +193,11 @@ void check_spectrum(const ResolvedCase& resolved, std::vector<Mistake>& mistakes
     add_error("a spectrum at rest", "a row with a speed and a share above 0 is required");
   for (std::size_t i = 0; i < bins.size(); ++i)
     if (bins[i].power > 0.0 && !LoadBin{.speed = bins[i].speed}.turns())
-      mistakes.push_back({resolved.item_location(kSpectrumPath, i),
-                          kSpectrumPath,
-                          {fmt::format("row {} with {:.4g} kW at speed 0", i + 1, 1e-3 * bins[i].power),
-                           "power 0, or torque instead of power, is required at rest"}});
+      resolved.mistakes.push_back(
+          {resolved.item_location(kSpectrumPath, i),
+           kSpectrumPath,
+           {fmt::format("row {} with {:.4g} kW at speed 0", i + 1, 1e-3 * bins[i].power),
+            "power 0, or torque instead of power, is required at rest"}});
   for (std::size_t i = 0; i < bins.size(); ++i)
     if (bins[i].own_power() > kMostPower)
       add_error(fmt::format("row {} with {:.4g} kW", i + 1, 1e-3 * bins[i].own_power()),

@@ -15,18 +15,15 @@ inline const std::string kSpectrumPath = "spectrum";
 /// P/C below which rolling elements may skid.
 inline const std::string kMinimumLoadPath = "life.minimum_load";
 
-/// Fields of the table.
-Field spectrum_field();
-Field minimum_load_field(const Use& use_of_runs);
-Field torque_field(const Use& use_of_power);
-Field torque_curve_field(const Use& use_of_power);
+/// Of a sum of shares that were rounded for typing.
+inline constexpr double kShareRoundOff = 1e-6;
 
 /// The power of a case that states torque, or torque over speed, at its speed. A value of --set replaces
 /// another of the file; of two that differ in one place check_torque() says so.
 void fill_from_torque(CaseData& data);
 /// After `path` was set: what stood in its place before is gone.
 void replace_other_duty(CaseData& data, const std::string& path);
-void check_torque(const ResolvedCase& resolved, std::vector<Mistake>& mistakes);
+void check_torque(CheckedCase& resolved);
 
 /// None where the case states none. Hours become shares of their sum; shares, which were checked to add up to
 /// 1, are divided by their sum to lose what rounding left. A row's torque times its speed is its power.
@@ -37,6 +34,6 @@ std::vector<std::string> spectrum_warnings(const ResolvedCase& resolved, const s
 
 /// Objects to rows of which some have shares and some hours, to shares that do not add up to 1, to a spectrum
 /// that never turns.
-void check_spectrum(const ResolvedCase& resolved, std::vector<Mistake>& mistakes);
+void check_spectrum(CheckedCase& resolved);
 
 }  // namespace orbearing::app

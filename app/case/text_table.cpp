@@ -17,16 +17,6 @@ constexpr const char* kNotText = "a text file in UTF-8";
 constexpr std::size_t kMostLinesBefore = 60;  // the names of the columns: descriptions of a simulation
 constexpr std::size_t kMostShownHeads = 40;
 
-bool is_blank(char c) {
-  return c == ' ' || c == '\t' || c == '\r';
-}
-
-std::string without_blanks(std::string_view text) {
-  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
-  return std::string(text);
-}
-
 std::vector<TableCell> split_at_blanks(const std::string& line) {
   std::vector<TableCell> cells;
   for (std::size_t begin = 0; (begin = line.find_first_not_of(" \t\r", begin)) != std::string::npos;) {
@@ -43,7 +33,7 @@ bool is_bracketed(const std::string& text) {
 }
 
 std::string without_brackets(const std::string& text) {
-  return is_bracketed(text) ? without_blanks(text.substr(1, text.size() - 2)) : text;
+  return is_bracketed(text) ? trimmed(text.substr(1, text.size() - 2)) : text;
 }
 
 /// Of the line of names.
@@ -149,9 +139,8 @@ std::vector<TableCell> split_cells(const std::string& line, char separator) {
     const bool quoted = first < line.size() && line[first] == '"';
     const std::size_t closing = quoted ? line.find('"', first + 1) : first;
     const std::size_t end = line.find(separator, std::min(closing, line.size()));
-    std::string cell = without_blanks(line.substr(begin, end == std::string::npos ? end : end - begin));
-    if (quoted && cell.size() > 1 && cell.back() == '"')
-      cell = without_blanks(cell.substr(1, cell.size() - 2));
+    std::string cell = trimmed(line.substr(begin, end == std::string::npos ? end : end - begin));
+    if (quoted && cell.size() > 1 && cell.back() == '"') cell = trimmed(cell.substr(1, cell.size() - 2));
     cells.push_back({std::move(cell), static_cast<int>(first) + 1});
     if (end == std::string::npos) return cells;
     begin = end + 1;
@@ -358,19 +347,6 @@ std::string columns_text(const std::vector<ColumnHead>& heads) {
   }
   if (heads.size() > kMostShownHeads) text += fmt::format(", ... ({} in all)", heads.size());
   return text;
-}
-
-std::vector<std::string> parts_of(const std::string& text, char separator) {
-  std::vector<std::string> parts;
-  std::size_t from = 0;
-  for (;;) {
-    const std::size_t to = text.find(separator, from);
-    std::string part = text.substr(from, to == std::string::npos ? to : to - from);
-    const std::size_t first = part.find_first_not_of(" \t"), last = part.find_last_not_of(" \t");
-    parts.push_back(first == std::string::npos ? "" : part.substr(first, last - first + 1));
-    if (to == std::string::npos) return parts;
-    from = to + 1;
-  }
 }
 
 }  // namespace orbearing::app

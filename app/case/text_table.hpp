@@ -114,7 +114,4 @@ class TextTable {
   Marks points_, commas_;
 };
 
-/// Parts of a text between separators, without the blanks around them.
-std::vector<std::string> parts_of(const std::string& text, char separator);
-
 }  // namespace orbearing::app

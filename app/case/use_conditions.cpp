@@ -14,14 +14,6 @@ namespace {
 
 constexpr double kSame = 1e-12;  // [m]  lengths that are stated as equal
 
-bool is_nonzero(const ResolvedCase& in, std::string_view path) {
-  return in.has(path) && in.quantity(path) != 0.0;
-}
-
-bool is_chosen(const ResolvedCase& in, std::string_view path, std::string_view value) {
-  return in.has(path) && in.choice(path) == value;
-}
-
 // Of values of bearings along the pin, or of points along a roller, from one end to the other.
 bool are_mirrored(const std::vector<double>& values, double sign) {
   for (std::size_t i = 0; i < values.size(); ++i)
@@ -69,11 +61,15 @@ bool is_grounded(const ResolvedCase& in, const std::string& member) {
   });
 }
 
-bool turns(const ResolvedCase& in) {
-  return is_nonzero(in, "operation.shaft_speed");
-}
-
 }  // namespace
+
+bool makes_meshes(std::string_view path) {
+  return is_one_of(path, {"gearset.addendum_of.sun", "gearset.addendum_of.ring", "gearset.clearance_of.sun",
+                          "gearset.clearance_of.ring", "gearset.web.thickness", "gearset.web.rim",
+                          "gearset.tooth_contact", "gearset.lead_slope.sun", "gearset.lead_slope.ring",
+                          "gearset.dynamics.mesh_stiffness.sun", "gearset.dynamics.mesh_stiffness.ring"}) ||
+         begins_with_one_of(path, {"gearset.tip_relief.", "gearset.lead_crown."});
+}
 
 bool planets_tilt(const ResolvedCase& in, std::string_view) {
   return is_nonzero(in, "gearset.helix_angle") || is_chosen(in, "support.pin_ends", "one") ||
@@ -88,7 +84,8 @@ bool bearings_tilt(const ResolvedCase& in, std::string_view set) {
 }
 
 bool pair_has_linear_column(const ResolvedCase& in, std::string_view) {
-  return in.has("arrangement") && in.choice("arrangement") != "back-to-back" && !turns(in);
+  return in.has("arrangement") && in.choice("arrangement") != "back-to-back" &&
+         !is_nonzero(in, "operation.shaft_speed");
 }
 
 bool pair_run_has_linear_column(const ResolvedCase& in, std::string_view set) {
@@ -104,8 +101,7 @@ bool carrier_rotates(const ResolvedCase& in, std::string_view set) {
 }
 
 bool carrier_pulls(const ResolvedCase& in, std::string_view set) {
-  constexpr std::string_view pull = "inertia.carrier_centrifugal";
-  return carrier_rotates(in, set) && in.has(pull) && in.flag(pull);
+  return carrier_rotates(in, set) && is_on(in, "inertia.carrier_centrifugal");
 }
 
 bool planet_counts_at_rest(const ResolvedCase& in, std::string_view set) {
@@ -138,7 +134,7 @@ bool teeth_make_meshes(const ResolvedCase& in, std::string_view) {
 
 bool material_makes_springs(const ResolvedCase& in, std::string_view set) {
   const bool pins = !is_stated(in, "support.stiffness");
-  const bool films = in.has("film.enabled") && in.flag("film.enabled");
+  const bool films = is_on(in, "film.enabled");
   return teeth_make_meshes(in, set) || is_chosen(in, "gearset.planet_rim", "elastic") ||
          (bearings_make_springs(in, set) && (pins || films));
 }

@@ -43,11 +43,6 @@ struct SignalNoise {
   std::uint64_t seed = 1;  // of the first signal; each has its own
 };
 
-std::string trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(' ');
-  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(' ') - first + 1);
-}
-
 // What stands between commas that no inner brackets hold.
 std::vector<std::string> entries_of(const std::string& list) {
   std::vector<std::string> entries(1);
