@@ -7,9 +7,6 @@
 
 namespace orbearing::app {
 
-// What a drivetrain and its gears are where a case says nothing: their members hold the defaults of the
-// fields.
-
 inline study::PlanetaryDrivetrain default_drivetrain() {
   study::PlanetaryDrivetrain drivetrain;
   drivetrain.steady_state.observed_windows = 10;

@@ -1,7 +1,6 @@
 #include "app/case/bearing_type.hpp"
 
 #include <algorithm>
-#include <iterator>
 
 namespace orbearing::app {
 
@@ -12,17 +11,12 @@ using bearing::PlanetBearingType;
 constexpr const char* kType = "bearing.type";
 
 PlanetBearingType type_named(std::string_view text) {
-  for (const auto& name : names_of(PlanetBearingType{}))
-    if (name.text == text) return name.value;
-  return PlanetBearingType::cylindrical_roller;
+  return value_named<PlanetBearingType>(text).value_or(PlanetBearingType::cylindrical_roller);
 }
 
 std::string path_in(std::string_view set, std::string_view path) {
   return std::string(set) + std::string(path);
 }
-
-constexpr std::string_view roller_paths[] = {"bearing.rollers", "bearing.roller_diameter",
-                                             "bearing.roller_length"};
 
 }  // namespace
 
@@ -52,7 +46,7 @@ bool is_unknown_type(const ResolvedCase& in, const Input& input, use::Analysis a
 
 bool goes_without(std::string_view type, std::string_view path) {
   return type_named(type) == PlanetBearingType::deep_groove_ball &&
-         std::ranges::find(roller_paths, path) != std::end(roller_paths);
+         is_one_of(path, {"bearing.rollers", "bearing.roller_diameter", "bearing.roller_length"});
 }
 
 }  // namespace orbearing::app

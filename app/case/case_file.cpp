@@ -17,7 +17,6 @@
 #include "app/case/consistency.hpp"
 #include "app/case/derived_defaults.hpp"
 #include "app/case/field_table.hpp"
-#include "app/case/matrix_file.hpp"
 #include "app/case/resolved_case.hpp"
 #include "app/case/rows_file.hpp"
 #include "app/case/settings.hpp"
@@ -47,7 +46,7 @@ std::vector<std::string> keys_under(const std::string& prefix, const CaseShape& 
 
 // What is required in place of the unknown `key` in the block of `prefix`.
 std::string key_hint(const std::string& key, const std::string& prefix, const CaseShape& shape) {
-  const std::string set = prefix.substr(0, set_prefix_length(prefix));
+  const std::string set = set_of(prefix);
   if (!set.empty() && key == "fixed")
     return "a known key is required. A member is stationary on a shaft with 'ground'";
   // The right name in the wrong block is likelier than a slip of the keyboard.
@@ -103,24 +102,20 @@ class Resolver {
     for (const Member& member : assumed->value.members) {
       const auto value = data_.values.find(member.key);
       if (value == data_.values.end() || value->second.location.option) continue;
-      const std::string own = member.key.substr(set_prefix_length(member.key));
-      if (is_rating(own) && member.value.text.starts_with("default:") &&
-          data_.values.contains(member.key.substr(0, set_prefix_length(member.key)) +
-                                catalogue_keys::kDesignation))
+      if (is_rating(member.key) && member.value.text.starts_with("default:") &&
+          data_.values.contains(set_of(member.key) + catalogue_keys::kDesignation))
         value->second.from_default = true;
     }
   }
 
   static bool is_rating(std::string_view path) {
-    return path == catalogue_keys::kDynamic || path == catalogue_keys::kStatic ||
-           path == catalogue_keys::kLimit;
+    return is_one_of(path.substr(set_prefix_length(path)),
+                     {catalogue_keys::kDynamic, catalogue_keys::kStatic, catalogue_keys::kLimit});
   }
 
   // Of a bearing that is not known nothing more is missed.
   void check_designations() {
-    std::vector<std::string> prefixes{""};
-    for (const std::string& set : data_.shape.sets) prefixes.push_back(set_prefix(set));
-    for (const std::string& prefix : prefixes) {
+    for (const std::string& prefix : set_prefixes(data_.shape)) {
       const auto name = data_.values.find(prefix + catalogue_keys::kDesignation);
       if (name == data_.values.end()) continue;
       const std::string file = prefix + catalogue_keys::kCatalogue;
@@ -309,7 +304,7 @@ class Resolver {
   // Nothing is missed of what another input would give that has a mistake itself, found here or by its own
   // check.
   bool is_of_faulty_giver(const Input& input) const {
-    const std::string set = input.path.substr(0, set_prefix_length(input.path));
+    const std::string set = set_of(input.path);
     const std::vector<Condition> givers = given_by(input.field->path);
     return std::any_of(givers.begin(), givers.end(), [&](const Condition& giver) {
       const std::string path = set + giver.paths.front();
@@ -320,7 +315,7 @@ class Resolver {
   // Inputs that would give what is missing.
   std::string in_its_place(const Input& input) const {
     std::vector<std::string> others;
-    const std::string set = input.path.substr(0, set_prefix_length(input.path));
+    const std::string set = set_of(input.path);
     for (const Condition& giver : given_by(input.field->path)) {
       const Field* other = find_field(set + giver.paths.front());
       if (other == nullptr || (other->models & allowed_) == 0 ||
@@ -331,25 +326,26 @@ class Resolver {
     return others.empty() ? "" : fmt::format(", or {} instead", fmt::join(others, " or "));
   }
 
+  // As stated in the set of an input; empty: not at all.
+  std::string given_beside(const Input& input, const char* path) const {
+    const auto found = data_.values.find(set_of(input.path) + path);
+    return found == data_.values.end() ? "" : found->second.value.given;
+  }
+
   // A full complement of rollers has no cage.
   bool is_of_missing_cage(const Input& input) const {
-    if (!input.field->path.starts_with("bearing.cage.")) return false;
-    const std::string set = input.path.substr(0, set_prefix_length(input.path));
-    const auto complement = data_.values.find(set + "bearing.complement");
-    return complement != data_.values.end() && complement->second.value.given == "full";
+    return input.field->path.starts_with("bearing.cage.") &&
+           given_beside(input, catalogue_keys::kComplement) == "full";
   }
 
   bool is_of_other_type(const Input& input) const {
-    const std::string set = input.path.substr(0, set_prefix_length(input.path));
-    const auto type = data_.values.find(set + "bearing.type");
-    return model_ == planetary_drivetrain && type != data_.values.end() &&
-           goes_without(type->second.value.given, input.field->path);
+    return model_ == planetary_drivetrain &&
+           goes_without(given_beside(input, "bearing.type"), input.field->path);
   }
 
   bool is_of_missing_bearing(const Input& input) const {
-    const std::size_t prefix = set_prefix_length(input.path);
-    return prefix > 0 && input.field->path.starts_with("bearing.") &&
-           !block_locations_.contains(input.path.substr(0, prefix) + "bearing");
+    return input.field->path.starts_with("bearing.") && set_prefix_length(input.path) > 0 &&
+           !has_bearing(input.path);
   }
 
   void report_missing() {
@@ -359,20 +355,18 @@ class Resolver {
         add_error(nearest_block(input.path), input.path, "missing",
                   requirement(*input.field) + " is required" + in_its_place(input));
     if (!data_.shape.several) return;
-    for (const char* key : {"sets", "shafts"})
-      if (is_nothing(key) && !is_faulty(key))
-        add_error(nearest_block(std::string(key) + "."), key, "missing",
+    for (const auto& [key, names] :
+         {std::pair<std::string, const std::vector<std::string>&>{"sets", data_.shape.sets},
+          {"shafts", data_.shape.shafts}})
+      if (names.empty() && !is_faulty(key))
+        add_error(nearest_block(key + "."), key, "missing",
                   "sets: {NAME: {gearset: ..., bearing: ...}} and shafts: {NAME: [motor, SET.sun], ...} are "
                   "required");
   }
 
-  bool is_nothing(const std::string& key) const {
-    return (key == "sets" ? data_.shape.sets : data_.shape.shafts).empty();
-  }
-
   bool has_bearing(const std::string& path) const {
-    const std::size_t prefix = set_prefix_length(path);
-    return prefix == 0 ? data_.shape.bearing : block_locations_.contains(path.substr(0, prefix) + "bearing");
+    const std::string set = set_of(path);
+    return set.empty() ? data_.shape.bearing : block_locations_.contains(set + "bearing");
   }
 
   void fill_defaults() {
@@ -388,13 +382,7 @@ class Resolver {
   void read_assumed() {
     const Member* assumed = find_member(root_, "assumed");
     if (assumed == nullptr) return;
-    std::set<std::string> seen;
-    for (const Member& member : assumed->value.members) {
-      if (seen.insert(member.key).second)
-        read_reason(member);
-      else
-        add_error(member.location, "assumed." + member.key, "duplicate key", "each key once is required");
-    }
+    read_each_once(assumed->value, "assumed", mistakes_, [&](const Member& member) { read_reason(member); });
   }
 
   void read_reason(const Member& member) {
@@ -415,7 +403,7 @@ class Resolver {
     // A value put in its place by an option is no longer the one that the file gives reasons for.
     if (value->second.location.option && !reason.location.option) return;
     if (!value->second.replaced.empty()) return;  // nor is one that another input replaced
-    if (value->second.from_default && is_rating(member.key.substr(set_prefix_length(member.key)))) return;
+    if (value->second.from_default && is_rating(member.key)) return;
     data_.assumed[member.key] = reason.text;
   }
 
@@ -460,14 +448,6 @@ class Resolver {
   std::set<std::string> faulty_;
   std::map<std::string, Location> block_locations_;
 };
-
-}  // namespace
-
-CaseData resolve(const Entry& root, const std::string& file, std::vector<Mistake>& mistakes) {
-  return Resolver(root, file, mistakes).resolve();
-}
-
-namespace {
 
 constexpr std::size_t largest_file =
     1U << 20U;  // [byte] a hundred times the largest case, small enough to check at once
@@ -551,7 +531,7 @@ Outcome resolve_all(std::string_view text, const std::string& name,
   if (root) rename_former_keys(*root);
   apply_settings(root ? *root : unread, settings, outcome.mistakes);
   if (!root) return outcome;
-  CaseData data = resolve(*root, name, outcome.mistakes);
+  CaseData data = Resolver(*root, name, outcome.mistakes).resolve();
   data.former = std::move(former);
   outcome.resolved.emplace(std::move(data));
   // What must fit together follows from the model.

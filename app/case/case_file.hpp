@@ -9,11 +9,6 @@
 
 namespace orbearing::app {
 
-// The tree of a case -> checked values, defaults, assumptions and sweep axes.
-
-/// Checks a whole tree and appends every mistake; what could be read stands in the result even so.
-CaseData resolve(const Entry& root, const std::string& file, std::vector<Mistake>& mistakes);
-
 /// Reads and checks a case file. `settings` are the texts of the --set options: "path=value".
 /// Throws BadInput (app/errors.hpp) with all mistakes, also where the file cannot be read.
 /// `file` may be a folder that holds case.yaml.

@@ -32,6 +32,13 @@ std::string shaft_path(std::string_view shaft) {
   return std::string(shafts_block) + std::string(shaft);
 }
 
+std::vector<std::string> set_prefixes(const CaseShape& shape) {
+  if (!shape.several) return {""};
+  std::vector<std::string> prefixes;
+  for (const std::string& set : shape.sets) prefixes.push_back(set_prefix(set));
+  return prefixes;
+}
+
 void find_parts(const Entry& root, CaseShape& shape) {
   const Member* gearset = find_member(root, "gearset");
   const auto states = [&](const char* key) {
@@ -42,6 +49,37 @@ void find_parts(const Entry& root, CaseShape& shape) {
   shape.defect = shape.bearing && find_member(root, "defect") != nullptr;
   shape.teeth = shape.bearing || !states("dynamics") || states("teeth");
 }
+
+namespace {
+
+// Of no use without a bearing; without teeth.
+bool is_of_bearing(const Field& field) {
+  return is_one_of(field.path, {"inertia.own_orbit", "input.acceleration", "spectrum"}) ||
+         begins_with_one_of(field.path, {"bearing.", "contact.", "traction.", "lubricant.", "film.", "life.",
+                                         "drag.", "heat.", "support.", "simulation.", "numerics."});
+}
+
+// What is scratched, or what is made of the vibration.
+bool is_of_defect(const Field& field) {
+  return begins_with_one_of(field.path, {"defect.", "signal."});
+}
+
+// Only a case of several sets has it.
+bool is_of_several_sets(const Field& field) {
+  return field.path == kScratchedSet;
+}
+
+bool is_of_teeth(const Field& field) {
+  if (field.path.find('.') == std::string::npos ||
+      is_one_of(field.path, {"gearset.planets", "gearset.pressure_angle"}))
+    return false;
+  // What follows from the drive or from the run in time is of no use without tooth numbers.
+  for (const char* used : {"run_up", "backlash", "separation", "error", "periods", "plate_ratio"})
+    if (field.path.find(used) != std::string::npos) return true;
+  return !field.path.starts_with("gearset.dynamics.");
+}
+
+}  // namespace
 
 ConsistencyMessage unused_field(const CaseShape& shape, std::string_view path) {
   const Field* field = find_field(path);
@@ -58,33 +96,6 @@ ConsistencyMessage unused_field(const CaseShape& shape, std::string_view path) {
             "a case without it, or with a bearing, is required"};
   return {"a field that a set without teeth does not use",
           "a case without it, or with gearset.teeth, is required"};
-}
-
-bool is_of_bearing(const Field& field) {
-  if (field.path == "inertia.own_orbit" || field.path == "input.acceleration" || field.path == "spectrum")
-    return true;
-  for (const char* block : {"bearing.", "contact.", "traction.", "lubricant.", "film.", "life.", "drag.",
-                            "heat.", "support.", "simulation.", "numerics."})
-    if (field.path.starts_with(block)) return true;
-  return false;
-}
-
-bool is_of_defect(const Field& field) {
-  return field.path.starts_with("defect.") || field.path.starts_with("signal.");
-}
-
-bool is_of_several_sets(const Field& field) {
-  return field.path == kScratchedSet;
-}
-
-bool is_of_teeth(const Field& field) {
-  if (field.path.find('.') == std::string::npos || field.path == "gearset.planets" ||
-      field.path == "gearset.pressure_angle")
-    return false;
-  // What follows from the drive or from the run in time is of no use without tooth numbers.
-  for (const char* used : {"run_up", "backlash", "separation", "error", "periods", "plate_ratio"})
-    if (field.path.find(used) != std::string::npos) return true;
-  return !field.path.starts_with("gearset.dynamics.");
 }
 
 bool belongs(const CaseShape& shape, std::string_view path) {

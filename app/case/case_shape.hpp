@@ -46,14 +46,9 @@ ConsistencyMessage unused_field(const CaseShape& shape, std::string_view path);
 /// "sets.NAME." and "shafts.NAME".
 std::string set_prefix(std::string_view set);
 std::string shaft_path(std::string_view shaft);
+/// What the paths of each set begin with: nothing in a case of one set.
+std::vector<std::string> set_prefixes(const CaseShape& shape);
 
-/// Whether a field is of no use without a bearing; without teeth.
-bool is_of_bearing(const Field& field);
-bool is_of_teeth(const Field& field);
-/// Whether it says what is scratched, or what is made of the vibration.
-bool is_of_defect(const Field& field);
-/// Whether only a case of several sets has it.
-bool is_of_several_sets(const Field& field);
 /// Of several sets, the one with the scratched bearing.
 inline constexpr std::string_view kScratchedSet = "defect.set";
 

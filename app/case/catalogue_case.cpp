@@ -41,9 +41,25 @@ int most_rollers(double pitch_diameter, double roller_diameter) {
 }
 
 catalogue::ClearanceClass class_of(const std::string& name) {
-  for (const auto& one : names_of(catalogue::ClearanceClass{}))
-    if (one.text == name) return one.value;
+  if (const auto known = value_named<catalogue::ClearanceClass>(name)) return *known;
   throw std::logic_error("no clearance class '" + name + "'");
+}
+
+// Where a bearing is seated by a tolerance class, in place of its interference.
+struct Seat {
+  const char *tolerance, *diameter, *interference;
+  catalogue::Deviations (*range)(std::string_view tolerance, double diameter);
+};
+constexpr std::array<Seat, 2> kSeats{
+    {{catalogue_keys::kPinClass, "bearing.bore", catalogue_keys::kInnerFit, catalogue::inner_interference},
+     {catalogue_keys::kPlanetClass, "bearing.outside_diameter", catalogue_keys::kOuterFit,
+      catalogue::outer_interference}}};
+
+// By its line, if any, or as a case states it.
+catalogue::Family family_of(const catalogue::Entry* entry, unsigned model, bool has_contact_angle) {
+  if (entry != nullptr) return entry->family;
+  if ((model & with_rollers) != 0) return catalogue::Family::cylindrical;
+  return has_contact_angle ? catalogue::Family::angular_contact : catalogue::Family::deep_groove;
 }
 
 // Each point of a sweep is a copy of its case that asks anew. Throws std::invalid_argument where nothing
@@ -217,8 +233,10 @@ class CatalogueCase {
     if (name == nullptr || (entry_ == nullptr && bore == nullptr)) return;
     const double diameter = entry_ != nullptr ? entry_->bore : bore->number;
     try {
+      const FieldValue* angle = find("bearing.contact_angle");
       const catalogue::ClearanceRange range =
-          catalogue::clearance_range(family(), class_of(name->given), diameter);
+          catalogue::clearance_range(family_of(entry_, model_, angle != nullptr && angle->number != 0.0),
+                                     class_of(name->given), diameter);
       put(catalogue_keys::kClearance, fmt::format("{:g} um", per_micro * range.middle()),
           fmt::format("default: middle of class {}, {:g} to {:g} um (ISO 5753)", name->given,
                       per_micro * range.least, per_micro * range.most));
@@ -228,32 +246,18 @@ class CatalogueCase {
     }
   }
 
-  catalogue::Family family() const {
-    if (entry_ != nullptr) return entry_->family;
-    if ((model_ & with_rollers) != 0) return catalogue::Family::cylindrical;
-    const FieldValue* angle = find("bearing.contact_angle");
-    return angle == nullptr || angle->number == 0.0 ? catalogue::Family::deep_groove
-                                                    : catalogue::Family::angular_contact;
-  }
-
-  // Both seats, each by its class.
+  // Each seat by its class.
   void fill_seats() {
-    fill_seat(catalogue_keys::kPinClass, "bearing.bore", catalogue_keys::kInnerFit,
-              catalogue::inner_interference);
-    fill_seat(catalogue_keys::kPlanetClass, "bearing.outside_diameter", catalogue_keys::kOuterFit,
-              catalogue::outer_interference);
-  }
-
-  void fill_seat(const char* seat_class, const char* diameter, const char* interference,
-                 catalogue::Deviations (*range_of)(std::string_view, double)) {
-    const FieldValue *name = find(seat_class), *size = find(diameter);
-    if (name == nullptr || size == nullptr) return;
-    try {
-      const catalogue::Deviations range = range_of(name->given, size->number);
-      put(interference, fmt::format("{:g} um", per_micro * range.middle()),
-          fmt::format("default: middle of class {}, {:g} to {:g} um (ISO 286, ISO 492)", name->given,
-                      per_micro * range.least, per_micro * range.most));
-    } catch (const std::invalid_argument&) {  // check_catalogue_bearing() says it
+    for (const Seat& seat : kSeats) {
+      const FieldValue *name = find(seat.tolerance), *size = find(seat.diameter);
+      if (name == nullptr || size == nullptr) continue;
+      try {
+        const catalogue::Deviations range = seat.range(name->given, size->number);
+        put(seat.interference, fmt::format("{:g} um", per_micro * range.middle()),
+            fmt::format("default: middle of class {}, {:g} to {:g} um (ISO 286, ISO 492)", name->given,
+                        per_micro * range.least, per_micro * range.most));
+      } catch (const std::invalid_argument&) {  // check_catalogue_bearing() says it
+      }
     }
   }
 
@@ -348,11 +352,7 @@ void check_designation(CheckedCase& in) {
 }
 
 catalogue::Family family_of(const ResolvedCase& in) {
-  if (const catalogue::Entry* entry = line_of(in)) return entry->family;
-  if ((in.model() & with_rollers) != 0) return catalogue::Family::cylindrical;
-  return in.has("bearing.contact_angle") && in.quantity("bearing.contact_angle") != 0.0
-             ? catalogue::Family::angular_contact
-             : catalogue::Family::deep_groove;
+  return family_of(line_of(in), in.model(), is_nonzero(in, "bearing.contact_angle"));
 }
 
 std::optional<double> bore_of(const ResolvedCase& in) {
@@ -392,13 +392,16 @@ void check_class(CheckedCase& in) {
   }
 }
 
-void check_seat(CheckedCase& in, const char* seat_class, const char* diameter) {
-  if (!has_all(in, {seat_class, diameter})) return;
-  try {
-    (void)catalogue::shaft_deviations("h6", in.quantity(diameter));
-  } catch (const std::invalid_argument& error) {
-    in.add_error_at(seat_class, fmt::format("{} on {}", in.choice(seat_class), in.given(diameter)),
-                    error.what());
+void check_seats(CheckedCase& in) {
+  for (const Seat& seat : kSeats) {
+    if (!has_all(in, {seat.tolerance, seat.diameter})) continue;
+    try {
+      (void)catalogue::shaft_deviations("h6", in.quantity(seat.diameter));
+    } catch (const std::invalid_argument& error) {
+      in.add_error_at(seat.tolerance,
+                      fmt::format("{} on {}", in.choice(seat.tolerance), in.given(seat.diameter)),
+                      error.what());
+    }
   }
 }
 
@@ -441,36 +444,27 @@ std::vector<Derived> quantities_of_one(const ResolvedCase& in) {
     rows.push_back(
         {"bearing.clearance_class.most", per_micro * range.most, "um", "of bearings of this class"});
   }
-  const auto add_seat = [&](const char* seat_class, const char* diameter, const std::string& interference,
-                            catalogue::Deviations (*range_of)(std::string_view, double)) {
-    if (!has_all(in, {seat_class, diameter})) return;
-    const catalogue::Deviations range = range_of(in.choice(seat_class), in.quantity(diameter));
+  for (const Seat& seat : kSeats) {
+    if (!has_all(in, {seat.tolerance, seat.diameter})) continue;
+    const catalogue::Deviations range = seat.range(in.choice(seat.tolerance), in.quantity(seat.diameter));
+    const std::string interference = seat.interference;
     rows.push_back(
         {interference + ".least", per_micro * range.least, "um", "of seats of this class; negative: loose"});
     rows.push_back({interference + ".most", per_micro * range.most, "um", "of seats of this class"});
-  };
-  add_seat(catalogue_keys::kPinClass, "bearing.bore", catalogue_keys::kInnerFit,
-           catalogue::inner_interference);
-  add_seat(catalogue_keys::kPlanetClass, "bearing.outside_diameter", catalogue_keys::kOuterFit,
-           catalogue::outer_interference);
+  }
   return rows;
 }
 
 }  // namespace
 
 void fill_from_catalogue(CaseData& data, Model model) {
-  if (!data.shape.several) {
-    CatalogueCase(data, "", model).fill();
-    return;
-  }
-  for (const std::string& set : data.shape.sets) CatalogueCase(data, set_prefix(set), model).fill();
+  for (const std::string& prefix : set_prefixes(data.shape)) CatalogueCase(data, prefix, model).fill();
 }
 
 void check_catalogue_bearing(CheckedCase& in) {
   check_designation(in);
   check_class(in);
-  check_seat(in, catalogue_keys::kPinClass, "bearing.bore");
-  check_seat(in, catalogue_keys::kPlanetClass, "bearing.outside_diameter");
+  check_seats(in);
   check_complement(in);
 }
 
@@ -569,7 +563,7 @@ std::vector<std::string> inferred_warnings(const ResolvedCase& resolved) {
   std::vector<std::string> warnings;
   for (const Input& input : resolved.inputs()) {
     if (input.field->path != catalogue_keys::kDesignation || !resolved.has(input.path)) continue;
-    const std::string set = input.path.substr(0, set_prefix_length(input.path));
+    const std::string set = set_of(input.path);
     const catalogue::Entry* entry = line_of(resolved, set);
     if (entry == nullptr) continue;
     warnings.push_back(inferred_warning(input.path, resolved.text(input.path), *entry));
@@ -579,7 +573,7 @@ std::vector<std::string> inferred_warnings(const ResolvedCase& resolved) {
 }
 
 std::optional<std::string> table_in_use(const ResolvedCase& resolved, const std::string& path) {
-  const std::string set = path.substr(0, set_prefix_length(path));
+  const std::string set = set_of(path);
   const catalogue::Entry* entry = line_of(resolved, set);
   if (entry == nullptr || entry != catalogue::find(catalogue_of(resolved.value(path)),
                                                    resolved.text(set + catalogue_keys::kDesignation)))

@@ -106,34 +106,6 @@ void describe_rows(Record& record, const Field& field, const FieldValue& value) 
   });
 }
 
-void describe_value(Record& record, const ResolvedCase& resolved, const Input& input) {
-  const auto& [path, field] = input;
-  const auto add = [&](const auto& plain) { record.value("value", "as given", plain); };
-  switch (field->kind) {
-    case Kind::quantity:
-      record.value("value", {}, "in SI", resolved.quantity(path));
-      return;
-    case Kind::number:
-      record.value("value", {}, "in SI", resolved.number(path));
-      return;
-    case Kind::integer:
-      return add(resolved.integer(path));
-    case Kind::flag:
-      return add(resolved.flag(path));
-    case Kind::list:
-      if (field->element == Kind::text) return add(resolved.texts(path));
-      if (!field->columns.empty()) return describe_rows(record, *field, resolved.value(path));
-      if (field->group > 0 && resolved.list(path).size() > field->group)
-        record.array("value", {}, "in SI", {"row", "column"}, in_rows(resolved.list(path), field->group));
-      else
-        record.array("value", {}, "in SI", {"element"}, resolved.list(path));
-      return;
-    case Kind::choice:
-    case Kind::text:
-      return add(resolved.given(path));
-  }
-}
-
 std::string si_unit(const Field& field) {
   return field.dimension.si.empty() ? "1" : std::string(field.dimension.si);
 }
@@ -186,6 +158,36 @@ std::string check_table(const ResolvedCase& resolved, const std::vector<Derived>
   std::string text;
   for (const Row& row : rows) text += line(row, widths);
   return text + not_modelled_text(resolved);
+}
+
+void describe_value(Record& record, const ResolvedCase& resolved, const Input& input) {
+  const auto& [path, field] = input;
+  const auto add = [&](const auto& plain) { record.value("value", "as given", plain); };
+  switch (field->kind) {
+    case Kind::quantity:
+      record.value("value", {}, "in SI", resolved.quantity(path));
+      return;
+    case Kind::number:
+      record.value("value", {}, "in SI", resolved.number(path));
+      return;
+    case Kind::integer:
+      return add(resolved.integer(path));
+    case Kind::flag:
+      return add(resolved.flag(path));
+    case Kind::list:
+      if (field->element == Kind::text) return add(resolved.texts(path));
+      if (!field->columns.empty()) return describe_rows(record, *field, resolved.value(path));
+      if (field->group > 0 && resolved.list(path).size() > field->group)
+        record.array("value", {}, "in SI", {"row", "column"}, in_rows(resolved.list(path), field->group));
+      else
+        record.array("value", {}, "in SI", {"element"}, resolved.list(path));
+      if (field->element == Kind::integer)
+        std::get<described::Numbers>(record.entry("value").content).kind = described::NumberKind::whole;
+      return;
+    case Kind::choice:
+    case Kind::text:
+      return add(resolved.given(path));
+  }
 }
 
 void describe_check(Record& record, const ResolvedCase& resolved, const std::vector<Derived>& derived) {

@@ -13,8 +13,12 @@ namespace orbearing::app {
 /// The table as text, one line for each quantity.
 std::string check_table(const ResolvedCase& resolved, const std::vector<Derived>& derived);
 
-/// The same as `{name, model, inputs: [{path, used_by, not_modelled_by, value, unit, given, standing, reason,
-/// origin}], derived: [...]}`; of inputs `value` is SI and `unit` its SI unit.
+/// The value of an input in SI, as "value": a number, a text, a switch, a list, or rows as a case writes
+/// them.
+void describe_value(described::Record& record, const ResolvedCase& resolved, const Input& input);
+
+/// That table as `{name, model, inputs: [{path, used_by, not_modelled_by, value, unit, given, standing,
+/// reason, origin}], derived: [...]}`; of inputs `value` is SI and `unit` its SI unit.
 void describe_check(described::Record& record, const ResolvedCase& resolved,
                     const std::vector<Derived>& derived);
 /// Units of those values by their paths.

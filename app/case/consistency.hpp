@@ -16,10 +16,8 @@ bool takes_part_in_consistency(std::string_view path);
 /// out.
 void check_consistency(const ResolvedCase& resolved, std::vector<Mistake>& mistakes);
 
-/// Parts of it. Do the lists of race waves and roller deviations fit each other and the bearing?
+/// Parts of it. Do race waves, roller deviations, tilts and types of bearings fit each other and the planets?
 void check_refinements(CheckedCase& in);
-/// The type of the bearings of one set of planets; nothing for cylindrical rollers.
-void check_bearing_type(CheckedCase& in);
 /// The values of one bearing under a static load; nothing for cases of other models.
 void check_static_bearing(CheckedCase& in);
 /// Do the balls, which are stated, fit around the pitch circle?

@@ -142,14 +142,14 @@ std::optional<gearset::PlanetarySet> teeth_of(const ValuesOfSet& value) {
 
 constexpr std::string_view sun_support_rule =
     "an overhung shaft of half the sun's diameter, 2.5 of its diameters long: proportional to size and "
-    "modulus, "
-    "1e8 N/m for a sun of 111 mm in steel";
+    "modulus, 1e8 N/m for a sun of 111 mm in steel";
 constexpr std::string_view ring_support_rule =
     "a ring bolted to its housing: proportional to size and modulus, 1e9 N/m for a ring of 237 mm in steel";
 constexpr std::string_view carrier_support_rule =
     "two bearings of the carrier: proportional to size and modulus, 5e8 N/m at a centre distance of 88.5 mm "
-    "in "
-    "steel";
+    "in steel";
+constexpr std::string_view backlash_rule =
+    "least backlash recommended by ISO/TR 10064-2, 2/3 (0.06 + 0.0005 a + 0.03 m_n) mm normal to the teeth";
 
 template <gearset::Member member, const std::string_view& reason>
 std::optional<DerivedDefault> support(const ValuesOfSet& value) {
@@ -165,10 +165,8 @@ std::optional<DerivedDefault> backlash(const ValuesOfSet& value) {
   if (!set) return std::nullopt;
   return DerivedDefault{
       fmt::format("{:.6g} mm", 1e3 * gearset::dynamics::default_backlash(*set)),
-      fmt::format(
-          "least backlash recommended by ISO/TR 10064-2, 2/3 (0.06 + 0.0005 a + 0.03 m_n) mm normal to "
-          "the teeth: a {:.4g} mm, m_n {:.4g} mm",
-          1e3 * gearset::dynamics::reference_centre_distance(*set), 1e3 * set->module)};
+      fmt::format("{}: a {:.4g} mm, m_n {:.4g} mm", backlash_rule,
+                  1e3 * gearset::dynamics::reference_centre_distance(*set), 1e3 * set->module)};
 }
 
 // Walls of the carrier as its mass has them: both together the plate ratio times the face width.
@@ -210,62 +208,43 @@ std::optional<DerivedDefault> load_error_share(const ValuesOfSet& value) {
   return DerivedDefault{"0", "simulation.length_error is given"};
 }
 
+// Whether a structure of parameters needs the value, and whether bearings have it that are not moved in time.
+enum class Needed { always, at_times, at_rest_too };
+
 struct DefaultRule {
   std::string_view path;
-  std::string_view text;
   Rule apply;
-  bool at_rest = false;  // also of bearings that are not moved in time
-  bool always = true;    // a structure of parameters needs the value
+  Needed needed;
+  std::string_view text;
 };
 
 // In an order in which each finds what it follows from.
 constexpr DefaultRule default_rules[] = {
-    {"bearing.cage.pocket_clearance",
-     "a fiftieth of the diameter of a roller or ball, at most half of the gap between them",
-     pocket_clearance},
-    {"bearing.cage.pocket_stiffness",
-     "a bar between two pockets, clamped at both ends, of the common cage material nearest in density",
-     pocket_stiffness},
-    {"bearing.cage.touch_down_stiffness",
-     "a fifth of the modulus of the common cage material nearest in density times the cage's width",
-     touch_down_stiffness},
-    {.path = "bearing.cage.guide_land_diameter",
-     .text = "a clearance of 6 % of the roller or ball diameter, at most half of that to the raceway",
-     .apply = guide_land,
-     .always = false},
-    {.path = "bearing.cage.pocket_damping",
-     .text = "1 s/m of polyamide, 0.3 s/m of metals, by the common cage material nearest in density",
-     .apply = pocket_damping,
-     .always = false},
-    {.path = "gearset.dynamics.sun.support_stiffness",
-     .text = sun_support_rule,
-     .apply = support<gearset::Member::sun, sun_support_rule>,
-     .always = false},
-    {.path = "gearset.dynamics.ring.support_stiffness",
-     .text = ring_support_rule,
-     .apply = support<gearset::Member::ring, ring_support_rule>,
-     .always = false},
-    {.path = "gearset.dynamics.carrier.support_stiffness",
-     .text = carrier_support_rule,
-     .apply = support<gearset::Member::carrier, carrier_support_rule>,
-     .always = false},
-    {.path = "gearset.dynamics.backlash",
-     .text =
-         "least backlash recommended by ISO/TR 10064-2, 2/3 (0.06 + 0.0005 a + 0.03 m_n) mm normal to the "
-         "teeth",
-     .apply = backlash,
-     .always = false},
-    {"support.stiffness",
+    {"bearing.cage.pocket_clearance", pocket_clearance, Needed::always,
+     "a fiftieth of the diameter of a roller or ball, at most half of the gap between them"},
+    {"bearing.cage.pocket_stiffness", pocket_stiffness, Needed::always,
+     "a bar between two pockets, clamped at both ends, of the common cage material nearest in density"},
+    {"bearing.cage.touch_down_stiffness", touch_down_stiffness, Needed::always,
+     "a fifth of the modulus of the common cage material nearest in density times the cage's width"},
+    {"bearing.cage.guide_land_diameter", guide_land, Needed::at_times,
+     "a clearance of 6 % of the roller or ball diameter, at most half of that to the raceway"},
+    {"bearing.cage.pocket_damping", pocket_damping, Needed::at_times,
+     "1 s/m of polyamide, 0.3 s/m of metals, by the common cage material nearest in density"},
+    {"gearset.dynamics.sun.support_stiffness", support<gearset::Member::sun, sun_support_rule>,
+     Needed::at_times, sun_support_rule},
+    {"gearset.dynamics.ring.support_stiffness", support<gearset::Member::ring, ring_support_rule>,
+     Needed::at_times, ring_support_rule},
+    {"gearset.dynamics.carrier.support_stiffness", support<gearset::Member::carrier, carrier_support_rule>,
+     Needed::at_times, carrier_support_rule},
+    {"gearset.dynamics.backlash", backlash, Needed::at_times, backlash_rule},
+    {"support.stiffness", pin_stiffness_of_bearing, Needed::always,
      "a solid pin that fills the bore of the inner ring, between the middles of both walls of the carrier, "
-     "shared by the bearings of a planet; each of several sets has its own",
-     pin_stiffness_of_bearing},
-    {"requirements.life_key", "L10mh, where requirements.life is given", required_life, true, false},
-    {.path = "simulation.load_error_share",
-     .text = "0, where simulation.length_error is given",
-     .apply = load_error_share,
-     .always = false},
-    {"life.minimum_load", "0.02, where spectrum is given: makers' rule of thumb for roller bearings",
-     minimum_load, true, false}};
+     "shared by the bearings of a planet; each of several sets has its own"},
+    {"requirements.life_key", required_life, Needed::at_rest_too, "L10mh, where requirements.life is given"},
+    {"simulation.load_error_share", load_error_share, Needed::at_times,
+     "0, where simulation.length_error is given"},
+    {"life.minimum_load", minimum_load, Needed::at_rest_too,
+     "0.02, where spectrum is given: makers' rule of thumb for roller bearings"}};
 
 void fill_one(CaseData& data, const std::string& prefix, const DefaultRule& rule) {
   const std::string path(rule.path);
@@ -295,8 +274,9 @@ std::string_view default_rule(std::string_view path) {
 }
 
 bool follows_always(std::string_view path) {
-  return std::ranges::any_of(default_rules,
-                             [&](const DefaultRule& rule) { return rule.always && rule.path == path; });
+  return std::ranges::any_of(default_rules, [&](const DefaultRule& rule) {
+    return rule.needed == Needed::always && rule.path == path;
+  });
 }
 
 void fill_derived_defaults(CaseData& data) {
@@ -309,16 +289,12 @@ void fill_derived_defaults(CaseData& data) {
   fill_from_grade(data, model);
   if ((model & planetary_drivetrain) != 0) fill_from_torque(data);
   const bool in_time = (model & described::in_time) != 0;
-  std::vector<std::string> prefixes{""};
-  if (data.shape.several) {
-    prefixes.clear();
-    for (const std::string& set : data.shape.sets) prefixes.push_back(set_prefix(set));
-  }
-  for (const std::string& prefix : prefixes)
+  for (const std::string& prefix : set_prefixes(data.shape))
     for (const DefaultRule& rule : default_rules) {
-      if (!in_time && !rule.at_rest) continue;
+      const bool at_rest = rule.needed == Needed::at_rest_too;
+      if (!in_time && !at_rest) continue;
       // The pin belongs to a set, though its field does not: each of several finds its own, in `of_set`.
-      if (data.shape.several && !in_each_set(*find_field(rule.path)) && !rule.at_rest) continue;
+      if (data.shape.several && !in_each_set(*find_field(rule.path)) && !at_rest) continue;
       if ((find_field(rule.path)->models & model) == 0) continue;
       fill_one(data, prefix, rule);
     }

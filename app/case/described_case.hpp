@@ -72,12 +72,9 @@ class DescribedCase {
   template <class Choice>
   requires std::is_enum_v<Choice>
   void read(Choice& member, const Facts& facts) {
-    for (const auto& name : names_of(member))
-      if (name.text == in_.choice(facts.path)) {
-        member = name.value;
-        return;
-      }
-    throw std::logic_error(facts.path + " has no choice '" + in_.choice(facts.path) + "'");
+    const auto stated = value_named<Choice>(in_.choice(facts.path));
+    if (!stated) throw std::logic_error(facts.path + " has no choice '" + in_.choice(facts.path) + "'");
+    member = *stated;
   }
   // Of kinds that no case states.
   template <class Other>

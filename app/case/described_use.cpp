@@ -1,6 +1,8 @@
 // Who uses the fields whose rows stand beside their members: use_of() of field_use.hpp. Beside the other
 // pairs of this folder it has no header of its own, since what it asks of a case stands above the fields.
+#include <algorithm>
 #include <initializer_list>
+#include <utility>
 
 #include "app/case/field_use.hpp"
 #include "app/case/printable.hpp"
@@ -13,64 +15,37 @@ namespace {
 // Analyses that hold the physics. What belongs to it alone has no effect on others.
 unsigned holding(described::Physics physics) {
   using enum described::Physics;
-  switch (physics) {
-    case everywhere:
-      return use::all;
-    case planet:
-      return use::of_a_drivetrain;
-    case pair:
-    case thrust:
-      return use::mesh;
-    case gear_bodies:
-      return use::gears_in_motion | use::natural;
-    case central_teeth:
-      return use::gears_in_motion | use::natural | use::mesh;
-    case output:
-      return 0;
-    case gear_motion:
-      return use::gears_in_motion;
-    case balance:
-      return use::lives | use::bearings_as_springs | use::fmu_bearing | use::single_bearing_equilibrium |
-             use::balls_in_motion | use::defect | use::duplex | use::planet_stiffness;
-    case carrier:
-      return use::lives | use::bearings_as_springs | use::fmu_bearing | use::balls_in_motion |
-             use::planet_stiffness;
-    case carrier_body:
-      return use::carrier;
-    case walls:
-      return use::gears_in_motion | use::natural | use::rollers_in_motion;
-    case pin:
-      return use::rollers_in_motion | use::bearings_as_springs | use::balls_in_motion;
-    case load_sharing:
-      return use::gears_in_motion | use::quasi_static | use::dynamic_of_sets;
-    case positions:
-      return use::gears_in_motion | use::quasi_static | use::dynamic_of_sets | use::natural | use::mesh;
-    case at_rest:
-      return use::rollers_at_rest | use::in_time | use::bearings_as_springs;
-    case motion:
-      return use::rollers_in_motion | use::balls_in_motion;
-    case euler:
-      return use::dynamic | use::dynamic_of_sets | use::gears | use::fmu_gearset | use::fmu_bearing;
-    case life:
-      return use::lives | use::fmu_bearing | use::static_load;
-    case run:
-      return use::in_time;
-    case run_up:
-      return use::dynamic | use::dynamic_of_sets;
-    case single_bearing:
-      return use::single_bearing_equilibrium | use::balls_in_motion | use::defect | use::duplex;
-    case rotating_balls:
-      return use::single_bearing_equilibrium | use::duplex;
-    case single_bearing_run:
-      return use::ball_run;
-    case defect:
-      return use::defect | use::moving_defect | use::planet_defect;
-    case exchange:
-      return use::co_simulated;
-    case one_contact:
-      return use::spin_film;
-  }
-  return 0;
+  static constexpr std::pair<described::Physics, unsigned> holders[] = {
+      {everywhere, use::all},
+      {planet, use::of_a_drivetrain},
+      {pair, use::mesh},
+      {thrust, use::mesh},
+      {gear_bodies, use::gears_in_motion | use::natural},
+      {central_teeth, use::gears_in_motion | use::natural | use::mesh},
+      {output, 0},
+      {gear_motion, use::gears_in_motion},
+      {balance, use::lives | use::bearings_as_springs | use::fmu_bearing | use::single_bearing_equilibrium |
+                    use::balls_in_motion | use::defect | use::duplex | use::planet_stiffness},
+      {carrier, use::lives | use::bearings_as_springs | use::fmu_bearing | use::balls_in_motion |
+                    use::planet_stiffness},
+      {carrier_body, use::carrier},
+      {walls, use::gears_in_motion | use::natural | use::rollers_in_motion},
+      {pin, use::rollers_in_motion | use::bearings_as_springs | use::balls_in_motion},
+      {load_sharing, use::gears_in_motion | use::quasi_static | use::dynamic_of_sets},
+      {positions, use::gears_in_motion | use::quasi_static | use::dynamic_of_sets | use::natural | use::mesh},
+      {at_rest, use::rollers_at_rest | use::in_time | use::bearings_as_springs},
+      {motion, use::rollers_in_motion | use::balls_in_motion},
+      {euler, use::dynamic | use::dynamic_of_sets | use::gears | use::fmu_gearset | use::fmu_bearing},
+      {life, use::lives | use::fmu_bearing | use::static_load},
+      {run, use::in_time},
+      {run_up, use::dynamic | use::dynamic_of_sets},
+      {single_bearing, use::single_bearing_equilibrium | use::balls_in_motion | use::defect | use::duplex},
+      {rotating_balls, use::single_bearing_equilibrium | use::duplex},
+      {single_bearing_run, use::ball_run},
+      {defect, use::defect | use::moving_defect | use::planet_defect},
+      {exchange, use::co_simulated},
+      {one_contact, use::spin_film}};
+  return std::ranges::find(holders, physics, &std::pair<described::Physics, unsigned>::first)->second;
 }
 
 // Analyses that ought to hold the physics and leave it out: they warn. Of several sets the meshes give mean

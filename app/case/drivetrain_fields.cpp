@@ -1,7 +1,9 @@
-// Fields of the gear set and of the power that drives it.
+// Fields of the gear set, of the power that drives it and of its run in time.
+#include "app/case/bearing_fields.hpp"
 #include "app/case/described_fields.hpp"
 #include "app/case/field_table.hpp"
 #include "app/case/spectrum_case.hpp"
+#include "app/case/use_conditions.hpp"
 #include "gearset/parameters.hpp"
 #include "gearset/planet_pair.hpp"
 #include "gearset/spatial/spatial_set.hpp"
@@ -76,6 +78,28 @@ void add_checks(std::vector<Field>& fields) {
       checked, {-2.0, 2.0});
 }
 
+// From a speed up to that of the input, until mesh periods repeat.
+void add_run(std::vector<Field>& fields) {
+  Rows rows(fields, planetary_drivetrain);
+  constexpr unsigned without_motion = use::rollers_at_rest | use::mesh | use::fmu_bearing | use::natural;
+  const Use of_run_up(use::gears | use::fmu_gearset, without_motion);
+  const Use of_run(use::gears, without_motion | use::in_time | use::fmu_gearset);
+  rows.number("gearset.dynamics.run_up.from", "speed at the start as a share of input.speed",
+              of_run_up.when(where_given({"gearset.dynamics.run_up.duration"})), positive(10.0))
+      .by_default("1", "no run-up");
+  rows.quantity("gearset.dynamics.run_up.duration", "time to reach input.speed",
+                of_run_up.used_only(use::fmu_gearset,
+                                    {where_true(gears_run_up, "with a run_up.from other than 1")}),
+                dimension::time, {0.0, 1e4})
+      .by_default("0 s", "no run-up");
+  rows.integer("gearset.dynamics.observed_periods",
+               "number of mesh periods for the means of the steady state", of_run, {1, 1000000})
+      .by_default("200", "many turns of the slowest vibration");
+  rows.integer("gearset.dynamics.settling_periods", "maximum number of mesh periods to reach a steady state",
+               of_run, {100, 10000000})
+      .by_default("4000", "several times what damping takes");
+}
+
 }  // namespace
 
 void add_drivetrain_fields(std::vector<Field>& fields) {
@@ -87,6 +111,8 @@ void add_drivetrain_fields(std::vector<Field>& fields) {
   row_of(fields, "gearset.carrier.housing_stiffness").from_file = true;
   add_bodies(fields);
   add_checks(fields);
+  add_described(fields, default_gears());
+  add_run(fields);
 }
 
 }  // namespace orbearing::app::table

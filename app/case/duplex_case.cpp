@@ -84,9 +84,7 @@ bearing::Bearing duplex_bearing_of(const ResolvedCase& in, std::optional<double>
 }
 
 duplex::Arrangement arrangement_of_pair(const ResolvedCase& in) {
-  for (const auto& name : duplex::names_of(duplex::Arrangement{}))
-    if (name.text == in.choice("arrangement")) return name.value;
-  return duplex::Arrangement::face_to_face;
+  return value_named<duplex::Arrangement>(in.choice("arrangement")).value();
 }
 
 bool is_linear_pair(const ResolvedCase& in) {

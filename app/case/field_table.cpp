@@ -69,14 +69,11 @@ std::vector<Field> build_table() {
   std::vector<Field> fields;
   table::add_case_fields(fields);
   table::add_drivetrain_fields(fields);
-  table::add_gear_dynamics_fields(fields);
   table::add_bearing_fields(fields);
   add_described(fields, gearset::GearPair{});
   table::add_static_fields(fields);
-  table::add_defect_fields(fields);
   table::add_duplex_fields(fields);
   table::add_film_fields(fields);
-  table::add_oil_fields(fields);
   for (Field& field : fields)
     if ((field.models & planetary_drivetrain) != 0)
       field.use = with_carrier_beside(

@@ -23,6 +23,11 @@ inline constexpr const char* name_rule =
 /// Length of "sets.NAME." at the beginning of a path; 0 for a path without it.
 std::size_t set_prefix_length(std::string_view path);
 
+/// That beginning.
+inline std::string set_of(std::string_view path) {
+  return std::string(path.substr(0, set_prefix_length(path)));
+}
+
 /// Whether only a case of one set has this field: shafts take its place.
 bool is_of_one_set(const Field& field);
 
@@ -75,13 +80,10 @@ Field& row_of(std::vector<Field>& fields, std::string_view path);
 void add_case_fields(std::vector<Field>& fields);
 void add_drivetrain_fields(std::vector<Field>& fields);
 void add_bearing_fields(std::vector<Field>& fields);
-void add_gear_dynamics_fields(std::vector<Field>& fields);
 void add_static_fields(std::vector<Field>& fields);
 void add_requirements(std::vector<Field>& fields);
-void add_defect_fields(std::vector<Field>& fields);
 void add_duplex_fields(std::vector<Field>& fields);
 void add_film_fields(std::vector<Field>& fields);
-void add_oil_fields(std::vector<Field>& fields);
 void add_catalogue_fields(std::vector<Field>& fields);  // after those that they put conditions on
 }  // namespace table
 

@@ -1,9 +1,44 @@
-// Fields of a contact that rolls and spins, by itself.
+// Fields of a contact that rolls and spins by itself, and of an oil by its grade.
+#include <fmt/format.h>
+
 #include "app/case/described_fields.hpp"
 #include "app/case/field_table.hpp"
 #include "bearing/film/film_choice.hpp"
+#include "bearing/film/oil_grade.hpp"
 
 namespace orbearing::app::table {
+
+namespace {
+
+// As the viscosity that follows, and for the life by film and cleanliness too.
+Use use_of_grade(const Field& viscosity) {
+  Use use = viscosity.use;
+  // That no grade is given.
+  use.conditions.clear();
+  for (Way& way : use.ways)
+    std::erase_if(way.conditions, [](const Condition& condition) { return condition.absent; });
+  return use.used_too(use::crown | use::static_load, where_absent("life.viscosity_ratio"));
+}
+
+// What uses the viscosity uses them.
+void add_oil(std::vector<Field>& fields) {
+  const Field viscosity = row_of(fields, "lubricant.viscosity");
+  const Use use = use_of_grade(viscosity), beside = use.when(where_given({"lubricant.grade"}));
+  Rows rows(fields, viscosity.models);
+  std::vector<std::string> grades;
+  for (const int grade : bearing::kOilGrades) grades.push_back(fmt::format("ISO VG {}", grade));
+  rows.choice("lubricant.grade",
+              "viscosity grade of a mineral oil; with the temperature it replaces lubricant.viscosity, "
+              "pressure_viscosity and kinematic_viscosity",
+              use, std::move(grades));
+  rows.quantity("lubricant.temperature", "running temperature of the oil, stated with its grade", beside,
+                dimension::temperature, {-20.0, 150.0})
+      .by_default("70 degC", "oil of a gearbox at full load");
+  rows.number("lubricant.viscosity_index", "viscosity index, stated with the grade", beside, {0.0, 100.0})
+      .by_default("95", "an ordinary mineral oil");
+}
+
+}  // namespace
 
 void add_film_fields(std::vector<Field>& fields) {
   add_described(fields, bearing::film::EllipticalContact{});
@@ -18,6 +53,7 @@ void add_film_fields(std::vector<Field>& fields) {
                      {"rolling speed", dimension::speed, positive(1e4)},
                      {"spin", dimension::spin, {-1e6, 1e6}}})
       .required();
+  add_oil(fields);
 }
 
 }  // namespace orbearing::app::table

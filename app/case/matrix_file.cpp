@@ -1,5 +1,4 @@
-#include "app/case/matrix_file.hpp"
-
+// The stiffness matrix of a housing in a file of its own: matrix_of_file() of rows_file.hpp.
 #include <fmt/format.h>
 
 #include <sstream>
@@ -18,10 +17,6 @@ std::string column_name(std::size_t column) {
   return fmt::format("{}{}", "xyz"[column % kDirections], column / kDirections + 1);
 }
 
-[[noreturn]] void refuse(int line, int column, std::string found, std::string required) {
-  throw TableFault{line, column, {std::move(found), std::move(required)}};
-}
-
 /// Reads a table as a matrix; throws TableFault at the first mistake.
 class MatrixReader {
  public:
@@ -34,8 +29,8 @@ class MatrixReader {
     while (table_.next(cells)) read_row(cells);
     table_.require_plain_decimals();
     if (row_count_ != units_.size())
-      refuse(table_.line(), 1, fmt::format("{} rows of {} columns", row_count_, units_.size()),
-             "a square matrix: as many rows as columns");
+      fail(table_.line(), 1, fmt::format("{} rows of {} columns", row_count_, units_.size()),
+           "a square matrix: as many rows as columns");
     require_stiffness();
     return std::move(list_);
   }
@@ -44,33 +39,32 @@ class MatrixReader {
   void read_head() {
     const std::vector<ColumnHead>& heads = table_.heads();
     const std::string names = "names of columns x1, y1, z1, x2, ..., three for each bearing of the carrier";
-    if (heads.empty()) refuse(1, 1, "no line", "a first line with the " + names);
+    if (heads.empty()) fail(1, 1, "no line", "a first line with the " + names);
     for (std::size_t i = 0; i < heads.size(); ++i) {
       const HeaderCell cell = header_cell(heads[i], {column_name(i)});
       const int line = table_.head_line(), column = heads[i].column;
       if (cell.name.empty())
-        refuse(line, column, fmt::format("the column {}", quote(heads[i].name)),
-               fmt::format("{} in a first line with the {}", column_name(i), names));
+        fail(line, column, fmt::format("the column {}", quote(heads[i].name)),
+             fmt::format("{} in a first line with the {}", column_name(i), names));
       if (cell.unit.empty())
-        refuse(line, column, fmt::format("the column {} without a unit", quote(heads[i].name)),
-               fmt::format("a unit of stiffness, as in '{}_N_per_mm', or (N/mm) below", column_name(i)));
+        fail(line, column, fmt::format("the column {} without a unit", quote(heads[i].name)),
+             fmt::format("a unit of stiffness, as in '{}_N_per_mm', or (N/mm) below", column_name(i)));
       units_.push_back(cell.unit);
     }
     if (units_.size() % kDirections != 0 || units_.size() > most_matrix_rows)
-      refuse(table_.head_line(), heads.back().column, fmt::format("{} columns", units_.size()),
-             fmt::format("three for each bearing of the carrier, {} at most", most_matrix_rows));
+      fail(table_.head_line(), heads.back().column, fmt::format("{} columns", units_.size()),
+           fmt::format("three for each bearing of the carrier, {} at most", most_matrix_rows));
   }
 
   void read_row(const std::vector<TableCell>& cells) {
     if (++row_count_ > units_.size())
-      refuse(table_.line(), 1, fmt::format("more rows than the {} columns", units_.size()),
-             "a square matrix: as many rows as columns");
+      fail(table_.line(), 1, fmt::format("more rows than the {} columns", units_.size()),
+           "a square matrix: as many rows as columns");
     for (std::size_t i = 0; i < cells.size(); ++i) {
       const std::string text = table_.number_text(cells[i]) + " " + units_[i];
       const Reading<double> value = read_quantity(text, field_.dimension);
       if (!value.value)
-        refuse(table_.line(), cells[i].column, fmt::format("{}: {}", quote(text), value.fault),
-               "a stiffness");
+        fail(table_.line(), cells[i].column, fmt::format("{}: {}", quote(text), value.fault), "a stiffness");
       values_.push_back(*value.value);
       list_.items.push_back(make_scalar(text, false, {false, table_.line(), cells[i].column, file_}));
     }
@@ -82,7 +76,7 @@ class MatrixReader {
     const std::size_t at =
         static_cast<std::size_t>(fault->row) * units_.size() + static_cast<std::size_t>(fault->column);
     const Location& location = list_.items[at].location;
-    refuse(location.line, location.column, fault->found, fault->required);
+    fail(location.line, location.column, fault->found, fault->required);
   }
 
   const Field& field_;
@@ -96,10 +90,12 @@ class MatrixReader {
 
 }  // namespace
 
-Entry matrix_of_text(const Field& field, const std::string& text, const std::string& path,
-                     const std::string& file, std::vector<Mistake>& mistakes) {
-  const std::string_view name = lasting(file);
-  std::istringstream stream(text);
+Entry matrix_of_file(const Field& field, const Entry& block, const std::string& path,
+                     const std::string& case_file, std::vector<Mistake>& mistakes) {
+  const auto file = file_of_block(field, block, path, case_file, mistakes);
+  if (!file) return {};
+  const std::string_view name = lasting(file->name);
+  std::istringstream stream(file->text);
   try {
     return MatrixReader(field, stream, name).read();
   } catch (const TableFault& fault) {
@@ -108,12 +104,6 @@ Entry matrix_of_text(const Field& field, const std::string& text, const std::str
                         {fault.message.found, fault.message.required + " is required"}});
     return {};
   }
-}
-
-Entry matrix_of_file(const Field& field, const Entry& block, const std::string& path,
-                     const std::string& case_file, std::vector<Mistake>& mistakes) {
-  const auto file = file_of_block(field, block, path, case_file, mistakes);
-  return file ? matrix_of_text(field, file->text, path, file->name, mistakes) : Entry{};
 }
 
 }  // namespace orbearing::app

@@ -17,12 +17,8 @@ using namespace bearing::profile;
 const std::string kBlock = "bearing.profile.";
 const std::string kKind = kBlock + "kind";
 
-double length_or(const ResolvedCase& in, const std::string& key, double otherwise) {
-  return in.has(kBlock + key) ? in.quantity(kBlock + key) : otherwise;
-}
-
-double number_or(const ResolvedCase& in, const std::string& key, double otherwise) {
-  return in.has(kBlock + key) ? in.number(kBlock + key) : otherwise;
+double value_or(const ResolvedCase& in, const std::string& key, double otherwise) {
+  return in.has(kBlock + key) ? in.value(kBlock + key).number : otherwise;
 }
 
 // What the roller of the case offers its profile.
@@ -38,18 +34,17 @@ Roller roller_of(const ResolvedCase& in) {
              .diameter = in.quantity("bearing.roller_diameter")};
   const double station = kDropPosition * 0.5 * out.length;
   const double standard = drop(Iso16281{out.length, out.diameter, 1.0}, station);
-  out.drop = length_or(in, "drop", standard);
+  out.drop = value_or(in, "drop", standard);
   out.design = bearing::design_under(from_case<bearing::Bearing>(in), 0.0);
-  out.design.load = in.has(kBlock + "design_load")
-                        ? in.quantity(kBlock + "design_load")
-                        : design_load_of_drop(out.design, out.drop > 0.0 ? out.drop : standard);
+  out.design.load =
+      value_or(in, "design_load", design_load_of_drop(out.design, out.drop > 0.0 ? out.drop : standard));
   return out;
 }
 
 FujiwaraKawase fujiwara_kawase(const ResolvedCase& in, const Roller& roller) {
-  const double k1 = number_or(in, "k1", 1.0);
+  const double k1 = value_or(in, "k1", 1.0);
   const double end = k1 * drop(johns_gohar_for(roller.design), 0.5 * roller.length);
-  return fujiwara_kawase_for(roller.design, k1, number_or(in, "k2", 1.0), length_or(in, "end_drop", end));
+  return fujiwara_kawase_for(roller.design, k1, value_or(in, "k2", 1.0), value_or(in, "end_drop", end));
 }
 
 Table table(const ResolvedCase& in) {
@@ -64,10 +59,10 @@ Table table(const ResolvedCase& in) {
 Profile own_profile(const ResolvedCase& in, const Roller& roller) {
   const std::string& kind = in.choice(kKind);
   const double l = roller.length, depth = std::max(roller.drop, 1e-9);
-  if (kind == "chamfer") return Chamfer{l, length_or(in, "chamfer_length", 0.1 * l), depth};
+  if (kind == "chamfer") return Chamfer{l, value_or(in, "chamfer_length", 0.1 * l), depth};
   if (kind == "circular") return CircularCrown{l, depth};
   if (kind == "straight-circular")
-    return StraightCircular{l, length_or(in, "straight_length", 0.6 * l), depth};
+    return StraightCircular{l, value_or(in, "straight_length", 0.6 * l), depth};
   if (kind == "lundberg") return lundberg_for(roller.design);
   if (kind == "johns-gohar") return johns_gohar_for(roller.design);
   if (kind == "iso16281") return Iso16281{l, roller.diameter, 1.0};

@@ -185,11 +185,7 @@ std::size_t sweep_size(const ResolvedCase& resolved);
 /// Settings of point `index`; the first axis changes slowest.
 std::vector<Setting> sweep_point(const ResolvedCase& resolved, std::size_t index);
 
-// Which inputs need not be stated, since others give them.
-
-// A value that follows from the inputs of a case, as `check` lists it.
-
-/// A quantity that follows from the inputs.
+/// A quantity that follows from the inputs of a case, as `check` lists it.
 struct Derived {
   std::string path;    // "gearset.centre_distance"
   double value = 0.0;  // [unit]

@@ -19,16 +19,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<std::string> keys_of(const Field& field) {
-  std::vector<std::string> keys;
-  for (const ListColumn& column : field.columns) keys.push_back(column_key(column));
-  return keys;
-}
-
-std::vector<std::string> required_keys_of(const Field& field) {
+// Of all columns, or those that a row cannot be without.
+std::vector<std::string> column_keys(const Field& field, bool required) {
   std::vector<std::string> keys;
   for (const ListColumn& column : field.columns)
-    if (!column.optional) keys.push_back(column_key(column));
+    if (!required || !column.optional) keys.push_back(column_key(column));
   return keys;
 }
 
@@ -60,7 +55,7 @@ class RowsReader {
   std::string required() const {
     return fmt::format(
         "a first line with the names {}, their units behind them, as in '{}_{}', and a row below is required",
-        fmt::join(required_keys_of(field_), ", "), column_key(field_.columns.front()),
+        fmt::join(column_keys(field_, true), ", "), column_key(field_.columns.front()),
         field_.columns.front().dimension.customary);
   }
 
@@ -87,7 +82,7 @@ class RowsReader {
 
   bool read_head(TextTable& table) {
     const std::vector<ColumnHead>& heads = table.heads();
-    for (const ColumnHead& head : heads) header_.push_back(header_cell(head, keys_of(field_)));
+    for (const ColumnHead& head : heads) header_.push_back(header_cell(head, column_keys(field_, false)));
     if (std::all_of(header_.begin(), header_.end(),
                     [](const HeaderCell& cell) { return cell.name.empty(); })) {
       add_error(table.head_line(), 1, unknown_heads(table),
@@ -193,11 +188,9 @@ HeaderCell header_cell(const ColumnHead& head, const std::vector<std::string>& n
   std::string unit = head.unit;
   replace_all(unit, " ", ".");
   if (!cell.unit.empty() && cell.unit != unit)
-    throw TableFault{
-        head.line,
-        head.column,
-        {fmt::format("the units {} and {} of {}", quote(cell.unit), quote(unit), quote(cell.name)),
-         "one of both"}};
+    fail(head.line, head.column,
+         fmt::format("the units {} and {} of {}", quote(cell.unit), quote(unit), quote(cell.name)),
+         "one of both");
   cell.unit = unit;
   return cell;
 }

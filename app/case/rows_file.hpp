@@ -1,4 +1,5 @@
-// Rows of a list that stand in a file of their own, as {file: loads.csv} says in place of the list.
+// Rows of a list, or of a matrix, that stand in a file of their own, as {file: loads.csv} says in place of
+// the list.
 //
 //     speed_rpm, torque_N_m, share        a column for each name of the field, its unit in the header:
 //     6000, 238.7, 0.4                    "torque_N_m", "torque [N.m]", "torque (N m)"; without one each cell
@@ -45,7 +46,18 @@ std::string unknown_heads(TextTable& table);
 Entry rows_of_file(const Field& field, const Entry& block, const std::string& path,
                    const std::string& case_file, std::vector<Mistake>& mistakes);
 
-/// The same list from the text of `file`.
+/// Most rows and columns of a matrix.
+inline constexpr std::size_t most_matrix_rows = 60;
+
+/// Elements of a square matrix row by row, from a file as rows_of_file() takes one:
+///
+///     x1       y1       z1       x2      ...     three columns for each bearing: across, upward, along the
+///     axis (N/mm)   (N/mm)   (N/mm)   (N/mm)  ...     in brackets, or behind the names: x1_N_per_mm
+///     3.1e6    2.0e4    0        4.5e5   ...     as many rows as columns, in their order
+Entry matrix_of_file(const Field& field, const Entry& block, const std::string& path,
+                     const std::string& case_file, std::vector<Mistake>& mistakes);
+
+/// The same list as rows_of_file() from the text of `file`.
 Entry rows_of_text(const Field& field, const std::string& text, const std::string& path,
                    const std::string& file, std::vector<Mistake>& mistakes);
 

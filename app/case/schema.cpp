@@ -30,6 +30,13 @@ Json with_range(Json schema, const Range& range) {
   return schema;
 }
 
+Json object_of(Json properties, Json required) {
+  return {{"type", "object"},
+          {"additionalProperties", false},
+          {"required", std::move(required)},
+          {"properties", std::move(properties)}};
+}
+
 Json cell_schema(const ListColumn& column) {
   const Json number = with_range({{"type", "number"}}, column.range);
   const Json quantity{{"type", "string"}, {"pattern", quantity_pattern}};
@@ -44,10 +51,7 @@ Json row_schema(const Field& field) {
                     {"minItems", field.columns.size()},
                     {"maxItems", field.columns.size()},
                     {"items", {{"type", "string"}, {"pattern", quantity_pattern}}}};
-  Json block{{"type", "object"},
-             {"additionalProperties", false},
-             {"required", Json::array()},
-             {"properties", Json::object()}};
+  Json block = object_of(Json::object(), Json::array());
   std::map<int, Json> choices;
   for (const ListColumn& column : field.columns) {
     block["properties"][column_key(column)] = cell_schema(column);
@@ -66,10 +70,7 @@ Json row_schema(const Field& field) {
 // The list itself, or the file that holds it.
 Json or_file(const Field& field, Json list) {
   if (!field.from_file) return list;
-  const Json file{{"type", "object"},
-                  {"additionalProperties", false},
-                  {"required", {"file"}},
-                  {"properties", {{"file", {{"type", "string"}, {"minLength", 1}}}}}};
+  const Json file = object_of({{"file", {{"type", "string"}, {"minLength", 1}}}}, {"file"});
   return {{"oneOf", {list, file}}};
 }
 
@@ -120,16 +121,15 @@ std::vector<std::string> built_in_designations() {
 
 Json field_schema(const Field& field) {
   Json schema = value_schema(field, field.kind);
-  schema["description"] = field.meaning + " (" + requirement(field) + ")";
-  if (schema["description"].get<std::string>().ends_with(",)"))
-    schema["description"] =
-        field.meaning + " (" + requirement(field).substr(0, requirement(field).size() - 1) + ")";
+  std::string required = requirement(field);
+  if (required.ends_with(',')) required.pop_back();
+  std::string description = fmt::format("{} ({})", field.meaning, required);
+  const std::string_view rule = default_rule(field.path);
+  if (!rule.empty()) description += fmt::format("; left out: {}", rule);
+  schema["description"] = description;
   if (field.kind == Kind::quantity) schema["examples"] = {field.dimension.example};
   if (field.path.ends_with(catalogue_keys::kDesignation)) schema["examples"] = built_in_designations();
-  if (const std::string_view rule = default_rule(field.path); !rule.empty())
-    schema["description"] = schema["description"].get<std::string>() + "; left out: " + std::string(rule);
-  else if (!field.default_text.empty())
-    schema["default"] = default_value(field);
+  if (rule.empty() && !field.default_text.empty()) schema["default"] = default_value(field);
   return schema;
 }
 
@@ -140,11 +140,7 @@ Json& block_of(Json& root, std::string_view path, bool required) {
     Json& list = (*block)["required"];
     if (required && std::find(list.begin(), list.end(), key) == list.end()) list.push_back(key);
     Json& child = (*block)["properties"][key];
-    if (child.is_null())
-      child = {{"type", "object"},
-               {"additionalProperties", false},
-               {"required", Json::array()},
-               {"properties", Json::object()}};
+    if (child.is_null()) child = object_of(Json::object(), Json::array());
     block = &child;
     path.remove_prefix(dot + 1);
   }
@@ -195,10 +191,7 @@ Json axis_schema(const Field& field) {
   Json step = value_schema(field, field.kind);
   for (const char* bound : {"minimum", "maximum", "exclusiveMaximum"}) step.erase(bound);
   if (field.kind != Kind::quantity) step["exclusiveMinimum"] = 0;
-  const Json range = {{"type", "object"},
-                      {"additionalProperties", false},
-                      {"required", {"from", "to", "step"}},
-                      {"properties", {{"from", value}, {"to", value}, {"step", step}}}};
+  const Json range = object_of({{"from", value}, {"to", value}, {"step", step}}, {"from", "to", "step"});
   const Json list = {{"type", "array"}, {"minItems", 1}, {"uniqueItems", true}, {"items", value}};
   return {{"description", field.meaning}, {"oneOf", {range, list}}};
 }
@@ -238,13 +231,6 @@ Json by_path(Model model, const char* key, const char* description, bool (*takes
 Json sweep_schema(Model model) {
   return by_path(model, "sweep", "values that are varied; several axes make every combination", is_numeric,
                  axis_schema);
-}
-
-Json object_of(Json properties, Json required) {
-  return {{"type", "object"},
-          {"additionalProperties", false},
-          {"required", std::move(required)},
-          {"properties", std::move(properties)}};
 }
 
 // One distribution, with or without a reason; ranges of the field are beyond it.
@@ -334,10 +320,7 @@ void add_shapes(Json& schema) {
 
 // Either the fields of one set at the top, or several sets and their shafts.
 void add_multi_stage(Json& schema) {
-  Json set = {{"type", "object"},
-              {"additionalProperties", false},
-              {"required", Json::array()},
-              {"properties", Json::object()}};
+  Json set = object_of(Json::object(), Json::array());
   for (const Field& field : all_fields())
     if (in_each_set(field)) add_field(set, field, planetary_drivetrain);
   Json& with_bearing = set["required"];  // a set may go without bearings
@@ -352,10 +335,7 @@ void add_multi_stage(Json& schema) {
 }
 
 Json model_schema(Model model) {
-  Json schema = {{"type", "object"},
-                 {"additionalProperties", false},
-                 {"required", Json::array()},
-                 {"properties", Json::object()}};
+  Json schema = object_of(Json::object(), Json::array());
   for (const Field* field : fields_of(kinds_of(model))) add_field(schema, *field, model);
   schema["properties"]["model"] = {{"const", model_name(model)}};
   if (model == planetary_drivetrain) schema["properties"]["sweep"] = sweep_schema(model);

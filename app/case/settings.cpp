@@ -34,15 +34,6 @@ std::size_t block_length(std::string_view path) {
   return 0;
 }
 
-void rename(Entry& block, const std::string& prefix) {
-  if (block.shape != Entry::Shape::block) return;
-  for (Member& member : block.members) {
-    const std::string present = present_path(prefix + member.key).substr(prefix.size());
-    if (present != member.key && find_member(block, present) == nullptr) member.key = present;
-    rename(member.value, prefix + member.key + ".");
-  }
-}
-
 }  // namespace
 
 std::string present_path(const std::string& path) {
@@ -58,8 +49,13 @@ std::string present_path(const std::string& path) {
   return path;
 }
 
-void rename_former_keys(Entry& root) {
-  rename(root, "");
+void rename_former_keys(Entry& block, const std::string& prefix) {
+  if (block.shape != Entry::Shape::block) return;
+  for (Member& member : block.members) {
+    const std::string present = present_path(prefix + member.key).substr(prefix.size());
+    if (present != member.key && find_member(block, present) == nullptr) member.key = present;
+    rename_former_keys(member.value, prefix + member.key + ".");
+  }
 }
 
 std::vector<FormerKey> former_keys() {

@@ -29,7 +29,7 @@ std::string present_path(const std::string& path);
 
 /// Gives all keys of a case file their present names. Where both names stand, the former one stays and is an
 /// unknown key.
-void rename_former_keys(Entry& root);
+void rename_former_keys(Entry& block, const std::string& prefix = "");
 
 /// Replacement of one independent value.
 struct Setting {

@@ -11,7 +11,6 @@ set(ORBEARING_CASE_SOURCES
   case/check_table.cpp
   case/consistency.cpp
   case/defect_case.cpp
-  case/defect_fields.cpp
   case/derived_defaults.cpp
   case/duplex_case.cpp
   case/duplex_fields.cpp
@@ -22,10 +21,8 @@ set(ORBEARING_CASE_SOURCES
   case/described_use.cpp
   case/field_use.cpp
   case/film_fields.cpp
-  case/gear_dynamics_fields.cpp
   case/mistake.cpp
   case/oil_case.cpp
-  case/oil_fields.cpp
   case/printable.cpp
   case/profile_case.cpp
   case/refinement_consistency.cpp
@@ -49,6 +46,5 @@ set(ORBEARING_CASE_SOURCES
   case/use_conditions.cpp
   case/yaml_tree.cpp
   case/bearing_type.cpp
-  case/type_consistency.cpp
   case/matrix_file.cpp)
 set(ORBEARING_CASE_LIBRARIES yaml-cpp udunits2 fmt::fmt nlohmann_json::nlohmann_json)

@@ -10,13 +10,6 @@ namespace orbearing::app {
 
 namespace {
 
-// What a case cannot say by fields alone.
-void complete(const ResolvedCase& in, bearing::CylindricalRollers& rollers) {
-  if (rollers.laminae == 0) rollers.laminae = default_laminae;
-  rollers.profile = roller_profile_of(in);
-}
-void complete(const ResolvedCase&, bearing::Balls&) {}
-
 std::optional<double> stated(const ResolvedCase& in, const char* path) {
   return in.has(path) ? std::optional<double>(in.quantity(path)) : std::nullopt;
 }
@@ -28,7 +21,11 @@ bearing::Bearing bearing_of(const ResolvedCase& in) {
   if ((in.model() & with_balls) != 0) bearing.elements = bearing::Balls{};
   bearing = from_case(in, bearing);
   if (is_full_complement(in)) bearing.cage = {};
-  std::visit([&](auto& elements) { complete(in, elements); }, bearing.elements);
+  // What a case cannot say by fields alone.
+  if (auto* rollers = std::get_if<bearing::CylindricalRollers>(&bearing.elements)) {
+    if (rollers->laminae == 0) rollers->laminae = default_laminae;
+    rollers->profile = roller_profile_of(in);
+  }
   bearing.motions = bearing::rating::rotating(
       in.choice("operation.turning_race") == "outer" ? bearing::Race::outer : bearing::Race::inner);
   return bearing;

@@ -1,15 +1,17 @@
-// Fields of one bearing under a static load: balls and grooves, loads, speeds, and what the standard life
-// asks.
+// Fields of one bearing: balls and grooves, loads, speeds, what the standard life asks, scratches and their
+// signal.
 #include "app/case/described_fields.hpp"
 #include "app/case/field_table.hpp"
-#include "app/case/requirements_case.hpp"
 #include "app/case/resolved_case.hpp"
 #include "app/case/spectrum_case.hpp"
+#include "bearing/defect/scratched_bearing.hpp"
 #include "bearing/equilibrium/jones_balls.hpp"
 #include "bearing/equilibrium/ring_balance.hpp"
 #include "bearing/life/rating_lives.hpp"
 #include "bearing/motion/balls/parameters.hpp"
 #include "bearing/parameters.hpp"
+#include "coupling/study/planet_scratch.hpp"
+#include "coupling/study/scratch_run.hpp"
 #include "coupling/system/heated_balls.hpp"
 
 namespace orbearing::app::table {
@@ -149,6 +151,23 @@ void add_life(std::vector<Field>& fields) {
       by_stated_kappa.when(where_absent("lubricant.grade")), dimension::kinematic_viscosity, positive(1e6));
 }
 
+void add_defects(std::vector<Field>& fields) {
+  add_described(fields, bearing::defect::VibratingRing{});
+  add_described(fields, bearing::defect::Scratch{});
+  add_described(fields, study::Sampling{});
+  add_described(fields, study::ScratchedPosition{});
+  add_described(fields, study::PlanetSampling{});
+  Rows(fields, planetary_drivetrain)
+      .text("defect.set", "set with the scratched bearing, of several sets", Use(use::planet_defect, 0));
+  Rows(fields, scratched_bearings)
+      .quantity("signal.band",
+                "lower and upper end of the band whose envelope is taken; left out: the band of largest "
+                "spectral kurtosis",
+                Use(use::defect | use::moving_defect | use::planet_defect, 0), dimension::frequency,
+                positive(1e5))
+      .listed();
+}
+
 }  // namespace
 
 void add_static_fields(std::vector<Field>& fields) {
@@ -162,6 +181,7 @@ void add_static_fields(std::vector<Field>& fields) {
   add_capacities(fields);
   add_life(fields);
   add_requirements(fields);
+  add_defects(fields);
 }
 
 }  // namespace orbearing::app::table

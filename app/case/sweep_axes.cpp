@@ -102,16 +102,13 @@ class AxisReader {
 
   bool has_range_keys() {
     const std::size_t before = mistakes_.size();
-    std::set<std::string> seen;
-    for (const Member& member : entry_.members) {
-      if (!seen.insert(member.key).second)
-        add_error(member.location, path_ + "." + member.key, "duplicate key", "each key once is required");
-      else if (std::find(range_keys.begin(), range_keys.end(), member.key) == range_keys.end())
+    read_each_once(entry_, path_, mistakes_, [&](const Member& member) {
+      if (std::ranges::find(range_keys, member.key) == range_keys.end())
         add_error(member.location, path_ + "." + member.key, "unknown key",
                   "only from, to and step are required");
-    }
+    });
     for (const std::string_view key : range_keys)
-      if (!seen.contains(std::string(key)))
+      if (find_member(entry_, key) == nullptr)
         add_error(entry_.location, fmt::format("{}.{}", path_, key), "missing", required_shape);
     return mistakes_.size() == before;
   }
@@ -171,50 +168,60 @@ class AxisReader {
   std::vector<Mistake>& mistakes_;
 };
 
-std::string path_hint(const std::string& key, unsigned model, const CaseShape& shape) {
+std::string path_hint(const FieldsByPath& fields, const std::string& key, unsigned model,
+                      const CaseShape& shape) {
   std::vector<std::string> known;
   for (const auto& [path, field] : inputs_of(model, shape)) {
-    if (!is_numeric(*field)) continue;
+    if (!fields.takes(*field)) continue;
     if (path.starts_with(key + ".")) return fmt::format("the whole path, as in '{}', is required", path);
     known.push_back(path);
   }
   const std::string near = nearest_word(key, known);
-  return near.empty() ? "the path of a numeric field, as in 'input.speed', is required"
-                      : fmt::format("the path of a numeric field is required; did you mean '{}'?", near);
+  return near.empty() ? fmt::format("the path of {}{} is required", fields.kind, fields.example)
+                      : fmt::format("the path of {} is required; did you mean '{}'?", fields.kind, near);
 }
 
-const Field* swept_field(const Member& member, unsigned model, const CaseShape& shape,
-                         std::vector<Mistake>& mistakes) {
-  const Field* field = find_field(member.key);
-  const std::string path = "sweep." + member.key;
-  if (field == nullptr || (field->models & model) == 0 || !belongs(shape, member.key)) {
-    mistakes.push_back({member.location, path, {"unknown path", path_hint(member.key, model, shape)}});
-    return nullptr;
-  }
-  if (is_numeric(*field)) return field;
-  mistakes.push_back(
-      {member.location, path, {"a field that is no number", path_hint(member.key, model, shape)}});
-  return nullptr;
-}
+constexpr FieldsByPath swept_fields{.block = "sweep",
+                                    .takes = is_numeric,
+                                    .kind = "a numeric field",
+                                    .example = ", as in 'input.speed',",
+                                    .wrong_kind = "a field that is no number"};
 
 }  // namespace
+
+void read_each_once(const Entry& block, const std::string& path, std::vector<Mistake>& mistakes,
+                    const std::function<void(const Member&)>& read) {
+  std::set<std::string> seen;
+  for (const Member& member : block.members)
+    if (seen.insert(member.key).second)
+      read(member);
+    else
+      mistakes.push_back(
+          {member.location, path + "." + member.key, {"duplicate key", "each key once is required"}});
+}
+
+const Field* field_by_path(const FieldsByPath& fields, const Member& member, unsigned model,
+                           const CaseShape& shape, std::vector<Mistake>& mistakes) {
+  const Field* field = find_field(member.key);
+  const bool known = field != nullptr && (field->models & model) != 0 && belongs(shape, member.key);
+  if (known && fields.takes(*field)) return field;
+  mistakes.push_back({member.location,
+                      fmt::format("{}.{}", fields.block, member.key),
+                      {known ? std::string(fields.wrong_kind) : "unknown path",
+                       path_hint(fields, member.key, model, shape)}});
+  return nullptr;
+}
 
 std::vector<SweepAxis> read_axes(const Entry& sweep, unsigned model, const CaseShape& shape,
                                  std::vector<Mistake>& mistakes) {
   std::vector<SweepAxis> axes;
-  std::set<std::string> seen;
   double points = 1.0;
-  for (const Member& member : sweep.members) {
-    if (!seen.insert(member.key).second) {
-      mistakes.push_back(
-          {member.location, "sweep." + member.key, {"duplicate key", "each key once is required"}});
-      continue;
-    }
-    const Field* field = swept_field(member, model, shape, mistakes);
-    if (field == nullptr) continue;
+  read_each_once(sweep, "sweep", mistakes, [&](const Member& member) {
+    const Field* field = field_by_path(swept_fields, member, model, shape, mistakes);
+    if (field == nullptr) return;
     axes.push_back(AxisReader(*field, member, mistakes).read());
     points *= static_cast<double>(axes.back().values.size());
-  }
+  });
   if (points > most_points)
     mistakes.push_back({sweep.location,
                         "sweep",

@@ -20,12 +20,6 @@ struct ValidationError {
   Mistake mistake;        // as of the value set alone, with the path that does not fit
 };
 
-/// Objections to the values of one axis.
-struct AxisErrors {
-  const SweepAxis* axis = nullptr;
-  std::vector<ValidationError> validation_errors;
-};
-
 std::string mistake_text(const Mistake& mistake) {
   return mistake.path + ": " + mistake.message.found + "; " + mistake.message.required;
 }
@@ -45,14 +39,14 @@ ResolvedCase at_reference(const ResolvedCase& resolved, const std::vector<const 
   return resolved.without_sweep().with(settings, ignored);
 }
 
-AxisErrors errors_of(const SweepAxis& axis, const ResolvedCase& reference) {
-  AxisErrors found{&axis, {}};
+std::vector<ValidationError> errors_of(const SweepAxis& axis, const ResolvedCase& reference) {
+  std::vector<ValidationError> errors;
   for (std::size_t i = 0; i < axis.values.size(); ++i) {
     std::vector<Mistake> mistakes;
     reference.with({axis.setting(i)}, mistakes);
-    for (Mistake& mistake : mistakes) found.validation_errors.push_back({i, std::move(mistake)});
+    for (Mistake& mistake : mistakes) errors.push_back({i, std::move(mistake)});
   }
-  return found;
+  return errors;
 }
 
 Mistake at_axis(const SweepAxis& axis, const ValidationError& validation_error) {
@@ -66,16 +60,17 @@ Mistake at_axis(const SweepAxis& axis, const ValidationError& validation_error) 
 }
 
 /// An axis is to blame for what is said of its own path; of the rest, for what nobody was blamed for before.
-void tell(const AxisErrors& found, std::set<std::string>& known, std::vector<Mistake>& mistakes) {
+void tell(const SweepAxis& axis, const std::vector<ValidationError>& errors, std::set<std::string>& known,
+          std::vector<Mistake>& mistakes) {
   std::size_t count = 0;
-  for (const ValidationError& validation_error : found.validation_errors) {
+  for (const ValidationError& validation_error : errors) {
     const bool fresh = known.insert(mistake_text(validation_error.mistake)).second;
-    if (!fresh && validation_error.mistake.path != found.axis->path) continue;
-    if (++count <= most_told) mistakes.push_back(at_axis(*found.axis, validation_error));
+    if (!fresh && validation_error.mistake.path != axis.path) continue;
+    if (++count <= most_told) mistakes.push_back(at_axis(axis, validation_error));
   }
   if (count > most_told)
-    mistakes.push_back({found.axis->locations.back(),
-                        "sweep." + found.axis->path,
+    mistakes.push_back({axis.locations.back(),
+                        "sweep." + axis.path,
                         {fmt::format("{} more contradictions", count - most_told),
                          "values that fit the rest of the case are required"}});
 }
@@ -89,15 +84,13 @@ void check_sweep_consistency(const ResolvedCase& resolved, std::vector<Mistake>&
     if (takes_part_in_consistency(axis.path) && !axis.values.empty()) axes.push_back(&axis);
   if (axes.empty()) return;
   const ResolvedCase reference = at_reference(resolved, axes);
-  std::vector<AxisErrors> all;
+  std::vector<std::vector<ValidationError>> errors;
   std::set<std::string> known;
   for (const Mistake& mistake : mistakes) known.insert(mistake_text(mistake));
-  for (const SweepAxis* axis : axes) {
-    all.push_back(errors_of(*axis, reference));
-    for (const ValidationError& validation_error : all.back().validation_errors)
+  for (const SweepAxis* axis : axes)
+    for (const ValidationError& validation_error : errors.emplace_back(errors_of(*axis, reference)))
       if (validation_error.mistake.path == axis->path) known.insert(mistake_text(validation_error.mistake));
-  }
-  for (const AxisErrors& found : all) tell(found, known, mistakes);
+  for (std::size_t i = 0; i < axes.size(); ++i) tell(*axes[i], errors[i], known, mistakes);
 }
 
 }  // namespace orbearing::app

@@ -107,8 +107,7 @@ std::string utf8_of_utf16(const std::string& bytes, bool big_endian) {
     if (bytes.size() % 2 != 0) throw boost::locale::conv::conversion_error();
     return boost::locale::conv::utf_to_utf<char>(units, boost::locale::conv::stop);
   } catch (const boost::locale::conv::conversion_error&) {
-    throw TableFault{
-        1, 1, {"a file in UTF-16 with a character that is not whole", "an undamaged file, or one in UTF-8"}};
+    fail(1, 1, "a file in UTF-16 with a character that is not whole", "an undamaged file, or one in UTF-8");
   }
 }
 
@@ -199,7 +198,7 @@ bool TextTable::read_line(Line& line) {
 
 void TextTable::decode(Line& line) {
   if (const std::size_t zero = line.text.find('\0'); zero != std::string::npos)
-    throw TableFault{line.number, static_cast<int>(zero) + 1, {"a zero byte, which no text holds", kNotText}};
+    fail(line.number, static_cast<int>(zero) + 1, "a zero byte, which no text holds", kNotText);
   const std::size_t beyond = first_beyond_ascii(line.text);
   if (beyond == line.text.size()) return;
   const std::size_t byte = first_byte_not_utf8(line.text);
@@ -207,15 +206,11 @@ void TextTable::decode(Line& line) {
   (utf8 ? utf8_line_ : latin1_line_) = line.number;
   // Where both are found, one of them is damaged.
   if (utf8_line_ > 0 && (latin1_line_ > 0 || beyond < byte) && !utf8)
-    throw TableFault{
-        line.number,
-        static_cast<int>(byte) + 1,
-        {fmt::format("a byte that is not UTF-8 in a file whose line {} holds UTF-8", utf8_line_), kNotText}};
+    fail(line.number, static_cast<int>(byte) + 1,
+         fmt::format("a byte that is not UTF-8 in a file whose line {} holds UTF-8", utf8_line_), kNotText);
   if (utf8 && latin1_line_ > 0)
-    throw TableFault{
-        line.number,
-        static_cast<int>(beyond) + 1,
-        {fmt::format("UTF-8 in a file whose line {} holds bytes that are not", latin1_line_), kNotText}};
+    fail(line.number, static_cast<int>(beyond) + 1,
+         fmt::format("UTF-8 in a file whose line {} holds bytes that are not", latin1_line_), kNotText);
   if (!utf8) line.text = utf8_of_latin1(line.text);
 }
 
@@ -295,19 +290,17 @@ std::string TextTable::number_text(const TableCell& cell) {
   const auto commas = std::count(number.begin(), number.end(), ',');
   if (points + commas == 0) return cell.text;
   if (points + commas > 1)
-    throw TableFault{line_,
-                     cell.column,
-                     {fmt::format("{} with {} marks between its digits", quote(cell.text), points + commas),
-                      "numbers without marks of thousands"}};
+    fail(line_, cell.column,
+         fmt::format("{} with {} marks between its digits", quote(cell.text), points + commas),
+         "numbers without marks of thousands");
   Marks& own = commas > 0 ? commas_ : points_;
   const Marks& other = commas > 0 ? points_ : commas_;
   if (own.line == 0) own = {line_, cell.column, cell.text, false};
   if (other.line > 0)
-    throw TableFault{line_,
-                     cell.column,
-                     {fmt::format("{}, and {} in line {}: both a comma and a point", quote(cell.text),
-                                  quote(other.text), other.line),
-                      "one of them for decimals in all of the file, and no marks of thousands"}};
+    fail(line_, cell.column,
+         fmt::format("{}, and {} in line {}: both a comma and a point", quote(cell.text), quote(other.text),
+                     other.line),
+         "one of them for decimals in all of the file, and no marks of thousands");
   const char mark = commas > 0 ? ',' : '.';
   own.sure = own.sure || !may_be_grouped(cell.text, mark) || (mark == '.' && separator_ == ',');
   std::replace(number.begin(), number.end(), ',', '.');
@@ -317,12 +310,10 @@ std::string TextTable::number_text(const TableCell& cell) {
 void TextTable::require_plain_decimals() const {
   for (const Marks* marks : {&points_, &commas_})
     if (marks->line > 0 && !marks->sure)
-      throw TableFault{
-          marks->line,
-          marks->column,
-          {fmt::format("{}, whose mark can be of decimals or of thousands, as in all of the file",
+      fail(marks->line, marks->column,
+           fmt::format("{}, whose mark can be of decimals or of thousands, as in all of the file",
                        quote(marks->text)),
-           "numbers without marks of thousands, one of them with decimals that show the mark (0.5)"}};
+           "numbers without marks of thousands, one of them with decimals that show the mark (0.5)");
 }
 
 std::string TextTable::shown_heads() {

@@ -14,6 +14,7 @@
 #include <istream>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/case/mistake.hpp"
@@ -26,6 +27,10 @@ struct TableFault {
   int column = 1;
   ConsistencyMessage message;
 };
+
+[[noreturn]] inline void fail(int line, int column, std::string found, std::string required) {
+  throw TableFault{line, column, {std::move(found), std::move(required)}};
+}
 
 struct TableCell {
   std::string text;  // without blanks around it and without quotes

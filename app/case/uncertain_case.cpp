@@ -19,6 +19,7 @@
 #include "app/case/field_table.hpp"
 #include "app/case/resolved_writer.hpp"
 #include "app/case/settings.hpp"
+#include "app/case/sweep_axes.hpp"
 #include "app/case/unused_inputs.hpp"
 
 namespace orbearing::app {
@@ -91,16 +92,13 @@ class UncertainReader {
   }
 
   void read_members() {
-    std::set<std::string> seen;
-    for (const Member& member : entry_.members) {
+    read_each_once(entry_, path_, mistakes_, [&](const Member& member) {
       const std::string path = path_ + "." + member.key;
-      if (!seen.insert(member.key).second)
-        add_error(member.location, path, "duplicate key", "each key once is required");
-      else if (member.key == "reason")
+      if (member.key == "reason")
         read_reason(member, path);
       else
         read_distribution(member, path);
-    }
+    });
     if (kinds_ != 1)
       add_error(entry_.location, path_, fmt::format("{} distributions", kinds_ == 0 ? "no" : "several"),
                 required_distribution);
@@ -152,27 +150,24 @@ class UncertainReader {
   void read_numbers(const DistributionWords& words, const Entry& block, const std::string& path) {
     const std::size_t before = mistakes_.size();
     std::vector<std::string> written;
-    std::set<std::string> seen;
-    for (const Member& member : block.members) {
+    read_each_once(block, path, mistakes_, [&](const Member& member) {
       const std::string at = path + "." + member.key;
-      const bool known = !member.key.empty() && std::find(words.numbers.begin(), words.numbers.end(),
-                                                          member.key) != words.numbers.end();
-      if (!seen.insert(member.key).second)
-        add_error(member.location, at, "duplicate key", "each key once is required");
-      else if (!known)
+      const bool known =
+          !member.key.empty() && std::ranges::find(words.numbers, member.key) != words.numbers.end();
+      if (!known)
         add_error(member.location, at, "unknown key", required_distribution);
       else if (const auto number = read_one(member, at))
         written.push_back(fmt::format("{}: {}", member.key, *number));
-    }
+    });
+    const auto has = [&](std::string_view key) { return find_member(block, key) != nullptr; };
     for (std::size_t i = 0; i < words.required_first; ++i)
-      if (!seen.contains(std::string(words.numbers[i])))
+      if (!has(words.numbers[i]))
         add_error(block.location, fmt::format("{}.{}", path, words.numbers[i]), "missing",
                   required_distribution);
-    if (words.kind == "normal" && seen.contains(kDeviation) == seen.contains(kRelativeDeviation))
-      add_error(
-          block.location, fmt::format("{}.{}", path, kDeviation),
-          seen.contains(kDeviation) ? fmt::format("found together with {}", kRelativeDeviation) : "missing",
-          required_distribution);
+    if (words.kind == "normal" && has(kDeviation) == has(kRelativeDeviation))
+      add_error(block.location, fmt::format("{}.{}", path, kDeviation),
+                has(kDeviation) ? fmt::format("found together with {}", kRelativeDeviation) : "missing",
+                required_distribution);
     if (mistakes_.size() == before) check_order(words, block.location, path);
     parts_.push_back(fmt::format("{}: {{{}}}", words.kind, fmt::join(written, ", ")));
   }
@@ -216,29 +211,10 @@ class UncertainReader {
   int kinds_ = 0;
 };
 
-std::string uncertain_path_hint(const std::string& key, unsigned model, const CaseShape& shape) {
-  std::vector<std::string> known;
-  for (const auto& [path, field] : inputs_of(model, shape)) {
-    if (!can_be_uncertain(*field)) continue;
-    if (path.starts_with(key + ".")) return fmt::format("the whole path, as in '{}', is required", path);
-    known.push_back(path);
-  }
-  const std::string near = nearest_word(key, known);
-  return "the path of a real number or of a list of them is required" +
-         (near.empty() ? std::string() : "; did you mean '" + near + "'?");
-}
-
-const Field* uncertain_field(const Member& member, unsigned model, const CaseShape& shape,
-                             std::vector<Mistake>& mistakes) {
-  const Field* field = find_field(member.key);
-  const bool known = field != nullptr && (field->models & model) != 0 && belongs(shape, member.key);
-  if (known && can_be_uncertain(*field)) return field;
-  mistakes.push_back({member.location,
-                      "uncertain." + member.key,
-                      {known ? "a field that is no real number" : "unknown path",
-                       uncertain_path_hint(member.key, model, shape)}});
-  return nullptr;
-}
+constexpr FieldsByPath uncertain_fields{.block = kUncertain,
+                                        .takes = can_be_uncertain,
+                                        .kind = "a real number or of a list of them",
+                                        .wrong_kind = "a field that is no real number"};
 
 constexpr const char* required_correlations =
     "{of: [PATH, ...], matrix: [[1, ...], ...]} with a row for each path is required";
@@ -415,52 +391,49 @@ class UncertainCheck {
     return sound;
   }
 
+  // As stated, or so many standard deviations from the mean.
+  static std::pair<double, double> ends_of(const UncertainInput& one, double deviations) {
+    const double reach = deviations * one.standard_deviation;
+    return {std::isnan(one.from) ? one.mean - reach : one.from,
+            std::isnan(one.to) ? one.mean + reach : one.to};
+  }
+
   bool check_range(const StatedUncertain& stated, const UncertainInput& one) {
     if (stated.kind != "normal") return true;
-    const double low = std::isnan(one.from) ? one.mean - kSurelyWithin * one.standard_deviation : one.from;
-    const double high = std::isnan(one.to) ? one.mean + kSurelyWithin * one.standard_deviation : one.to;
-    if (in_range(stated, low) && in_range(stated, high)) {
-      if (one.mean >= low && one.mean <= high) return true;
+    const auto [low, high] = ends_of(one, kSurelyWithin);
+    const bool within = in_range(stated, low) && in_range(stated, high);
+    if (!within)
+      add_error(stated, "a normal distribution beyond the range of its number",
+                requirement(*find_field(stated.path)) +
+                    " is required within six standard deviations. Limit the distribution by from or to");
+    else if (one.mean < low || one.mean > high)
       add_error(stated, "a mean outside 'from' and 'to'", "one between them is required");
-      return false;
-    }
-    add_error(stated, "a normal distribution beyond the range of its number",
-              requirement(*find_field(stated.path)) +
-                  " is required within six standard deviations. Limit the distribution by from or to");
-    return false;
+    return within && one.mean >= low && one.mean <= high;
   }
 
-  std::string text_of(double value, const Field& field) const {
-    return field.kind == Kind::number ? fmt::format("{}", value)
-                                      : fmt::format("{} {}", value, field.dimension.si);
-  }
-
-  // The same as users read it.
+  // As users read it.
   std::string customary_text(double value, const Field& field) const {
-    if (field.kind != Kind::quantity) return text_of(value, field);
-    const auto& dimension = field.dimension;
+    if (field.kind != Kind::quantity) return fmt::format("{}", value);
+    const Dimension& dimension = field.dimension;
     return fmt::format("{:.6g} {}", *convert(value, dimension.si, dimension.customary).value,
                        dimension.customary);
   }
 
   bool in_range(const StatedUncertain& stated, double value) const {
-    const Field field = field_of_number(*find_field(stated.path));
-    return read_field_text(field, text_of(value, field)).good;
+    return read_field_number(field_of_number(*find_field(stated.path)), value).good;
   }
 
   // What a value near either end contradicts.
   void check_ends(const StatedUncertain& stated, const UncertainInput& one) {
-    const double reach = kNormallyWithin * one.standard_deviation;
-    const bool normal = stated.kind == "normal";
-    const double low = std::isnan(one.from) ? one.mean - reach
-                       : normal             ? std::max(one.from, one.mean - reach)
-                                            : one.from;
-    const double high = std::isnan(one.to) ? one.mean + reach
-                        : normal           ? std::min(one.to, one.mean + reach)
-                                           : one.to;
+    auto [low, high] = ends_of(one, kNormallyWithin);
+    if (stated.kind == "normal") {
+      low = std::max(low, one.mean - kNormallyWithin * one.standard_deviation);
+      high = std::min(high, one.mean + kNormallyWithin * one.standard_deviation);
+    }
     for (const double end : {low, high}) {
       std::vector<Mistake> found;
-      (void)in_.without_sweep().with({{stated.path, with_element(stated, end)}}, found);
+      const std::string path = stated.path + (is_list(*find_field(stated.path)) ? "[0]" : "");
+      (void)in_.without_sweep().with({{path, "", end}}, found);
       if (found.empty()) continue;
       const Field field = field_of_number(*find_field(stated.path));
       add_error(stated,
@@ -469,17 +442,6 @@ class UncertainCheck {
                 found.front().message.required);
       return;
     }
-  }
-
-  // The value as a case would write it; of a list, its first element is `value`.
-  std::string with_element(const StatedUncertain& stated, double value) const {
-    const Field& field = *find_field(stated.path);
-    const Field one = field_of_number(field);
-    if (!is_list(field)) return text_of(value, one);
-    std::vector<std::string> elements;
-    for (const double element : in_.list(stated.path)) elements.push_back(text_of(element, one));
-    elements.front() = text_of(value, one);
-    return fmt::format("[{}]", fmt::join(elements, ", "));
   }
 
   const ResolvedCase& in_;
@@ -541,17 +503,12 @@ bool can_be_uncertain(const Field& field) {
 StatedUncertainty read_uncertain(const Entry& block, unsigned model, const CaseShape& shape,
                                  std::vector<Mistake>& mistakes) {
   StatedUncertainty stated;
-  std::set<std::string> seen;
-  for (const Member& member : block.members) {
-    if (!seen.insert(member.key).second) {
-      mistakes.push_back(
-          {member.location, "uncertain." + member.key, {"duplicate key", "each key once is required"}});
-    } else if (member.key == kCorrelations) {
+  read_each_once(block, "uncertain", mistakes, [&](const Member& member) {
+    if (member.key == kCorrelations)
       stated.correlations = read_correlations(member, mistakes);
-    } else if (const Field* field = uncertain_field(member, model, shape, mistakes)) {
+    else if (const Field* field = field_by_path(uncertain_fields, member, model, shape, mistakes))
       stated.inputs.push_back(UncertainReader(*field, member, mistakes).read());
-    }
-  }
+  });
   return stated;
 }
 

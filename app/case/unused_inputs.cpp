@@ -43,8 +43,7 @@ bool is_neutral(const ResolvedCase& in, const Input& input) {
 // A condition speaks of the same set as the field it is for.
 std::string beside(const std::string& path, const std::string& other) {
   const Field* field = find_field(other);
-  const std::size_t prefix = field != nullptr && in_each_set(*field) ? set_prefix_length(path) : 0;
-  return path.substr(0, prefix) + other;
+  return (field != nullptr && in_each_set(*field) ? set_of(path) : "") + other;
 }
 
 bool counts(const ResolvedCase& in, const std::string& path, const std::vector<std::string>& values) {
@@ -52,10 +51,6 @@ bool counts(const ResolvedCase& in, const std::string& path, const std::vector<s
   if (!values.empty()) return std::find(values.begin(), values.end(), in.given(path)) != values.end();
   const Field& field = *find_field(path);
   return !(has_magnitude(field) && all_zero(in.value(path)));
-}
-
-std::string_view set_of(std::string_view path) {
-  return path.substr(0, set_prefix_length(path));
 }
 
 // What hangs on inputs of another kind of case alone hangs on nothing here.
@@ -151,11 +146,10 @@ const std::initializer_list<Through> through_others = {
 
 bool is_chosen(const ResolvedCase& in, const Input& input, const Through& through) {
   const std::vector<Input> inputs = in.inputs();
-  const std::size_t prefix = set_prefix_length(input.path);  // 0: of the material, which is that of all sets
+  const std::string set = set_of(input.path);  // none: of the material, which is that of all sets
   return std::any_of(inputs.begin(), inputs.end(), [&](const Input& other) {
     return other.field->path == through.choice && in.has(other.path) &&
-           in.choice(other.path) == through.value &&
-           (prefix == 0 || other.path.substr(0, prefix) == input.path.substr(0, prefix));
+           in.choice(other.path) == through.value && other.path.starts_with(set);
   });
 }
 
@@ -225,7 +219,7 @@ bool moves_another(const ResolvedCase& in, const std::string& set, use::Analysis
 // A set without a bearing passes on torque and speed: the ratios of its teeth alone affect the other sets. So
 // does one beside a set with a scratched bearing.
 bool is_behind_ratios(const ResolvedCase& in, const Input& input, use::Analysis analysis) {
-  const std::string set = input.path.substr(0, set_prefix_length(input.path));
+  const std::string set = set_of(input.path);
   if (set.empty() || (has_planet_bearing(in, set) && !moves_another(in, set, analysis))) return false;
   return !input.field->path.starts_with("gearset.teeth.");
 }
@@ -270,52 +264,41 @@ std::string warning_of(const ResolvedCase& in, const Input& input, use::Analysis
   return fmt::format("{} has no effect on {}; {}", found, analysis_name(analysis), users_text(in, input));
 }
 
-// Axes that the analysis goes through, and those that an option gives to one that goes through none.
-class AxisCheck {
- public:
-  AxisCheck(const ResolvedCase& in, use::Analysis analysis, Axes sweeps)
-      : in_(in), analysis_(analysis), sweeps_(sweeps) {}
+bool goes_through(Axes sweeps, const SweepAxis& axis) {
+  return sweeps == Axes::all || (sweeps == Axes::speed && axis.path == kSpeedPath);
+}
 
-  void add(const SweepAxis& axis, std::vector<Mistake>& mistakes, std::vector<std::string>& warnings) const {
-    const std::string path = "sweep." + axis.path;
-    const bool goes_through = sweeps_ == Axes::all || (sweeps_ == Axes::speed && axis.path == "input.speed");
-    const Input input{axis.path, find_field(axis.path)};
-    if (goes_through && use_status_in_row(in_, input, analysis_) == UseStatus::used) {
-      const Condition* unmet = is_used(in_, input, analysis_) ? nullptr : first_unmet(in_, input);
-      if (unmet != nullptr && !is_swept(*unmet, axis.path))
-        mistakes.push_back({axis.location,
-                            path,
-                            {"a sweep of an input that has no effect: " + idle_text(in_, input, analysis_),
-                             "a case without this axis is required"}});
-      return;
-    }
-    if (sweeps_ != Axes::none)
-      mistakes.push_back(
-          {axis.location,
-           path,
-           {"a sweep of an input that " + analysis_name(analysis_) + " does not vary", required(axis)}});
-    else if (axis.location.option)
-      warnings.push_back(path + ": has no effect on " + analysis_name(analysis_) + "; used by sweep");
+// Then the condition may hold at some of the points.
+bool is_swept(const ResolvedCase& in, const Condition& condition, const std::string& path) {
+  return std::ranges::any_of(in.axes(), [&](const SweepAxis& axis) {
+    return std::ranges::any_of(condition.paths,
+                               [&](const std::string& other) { return axis.path == beside(path, other); });
+  });
+}
+
+// Of an axis that the analysis goes through, or that an option gives to one that goes through none.
+void check_axis(const ResolvedCase& in, const SweepAxis& axis, use::Analysis analysis, Axes sweeps,
+                std::vector<Mistake>& mistakes, std::vector<std::string>& warnings) {
+  const std::string path = "sweep." + axis.path;
+  const Input input{axis.path, find_field(axis.path)};
+  if (goes_through(sweeps, axis) && use_status_in_row(in, input, analysis) == UseStatus::used) {
+    const Condition* unmet = is_used(in, input, analysis) ? nullptr : first_unmet(in, input);
+    if (unmet != nullptr && !is_swept(in, *unmet, axis.path))
+      mistakes.push_back({axis.location,
+                          path,
+                          {"a sweep of an input that has no effect: " + idle_text(in, input, analysis),
+                           "a case without this axis is required"}});
+  } else if (sweeps != Axes::none) {
+    mistakes.push_back(
+        {axis.location,
+         path,
+         {"a sweep of an input that " + analysis_name(analysis) + " does not vary",
+          sweeps == Axes::speed ? "one value of it, under " + axis.path + ", is required"
+                                : "a case without this axis is required: " + users_text(in, input)}});
+  } else if (axis.location.option) {
+    warnings.push_back(path + ": has no effect on " + analysis_name(analysis) + "; used by sweep");
   }
-
- private:
-  // Then it may hold at some of the points.
-  bool is_swept(const Condition& condition, const std::string& path) const {
-    return std::any_of(in_.axes().begin(), in_.axes().end(), [&](const SweepAxis& axis) {
-      return std::any_of(condition.paths.begin(), condition.paths.end(),
-                         [&](const std::string& other) { return axis.path == beside(path, other); });
-    });
-  }
-
-  std::string required(const SweepAxis& axis) const {
-    if (sweeps_ == Axes::speed) return "one value of it, under " + axis.path + ", is required";
-    return "a case without this axis is required: " + users_text(in_, {axis.path, find_field(axis.path)});
-  }
-
-  const ResolvedCase& in_;
-  use::Analysis analysis_;
-  Axes sweeps_;
-};
+}
 
 // Of a type of bearing, the one that everything knows.
 std::string required_instead(const Input& input) {
@@ -381,15 +364,13 @@ std::vector<std::string> require_used(const ResolvedCase& resolved, use::Analysi
                use_status_in_row(resolved, input, analysis) == UseStatus::used;
       }))
     for (std::string& warning : inferred_warnings(resolved)) warnings.push_back(std::move(warning));
-  for (const SweepAxis& axis : resolved.axes()) {
-    const bool goes_through = sweeps == Axes::all || (sweeps == Axes::speed && axis.path == kSpeedPath);
-    if (goes_through && resolved.has(axis.path) && resolved.location(axis.path).option)
+  for (const SweepAxis& axis : resolved.axes())
+    if (goes_through(sweeps, axis) && resolved.has(axis.path) && resolved.location(axis.path).option)
       warnings.push_back(
           fmt::format("{}: {} has no effect together with sweep.{}, which sets it at each point", axis.path,
                       resolved.written(axis.path), axis.path));
-  }
-  const AxisCheck axes(resolved, analysis, sweeps);
-  for (const SweepAxis& axis : resolved.axes()) axes.add(axis, mistakes, warnings);
+  for (const SweepAxis& axis : resolved.axes())
+    check_axis(resolved, axis, analysis, sweeps, mistakes, warnings);
   for (const StatedUncertain& one : resolved.uncertain().inputs)
     if (one.location.option)
       warnings.push_back(fmt::format("uncertain.{}: has no effect on {}; used by uncertainty and validate",

@@ -50,16 +50,6 @@ Location location_at(std::string_view text, std::size_t position) {
   throw YamlFault{location, {std::move(found), std::move(required)}};
 }
 
-// yaml-cpp stops in silence at some control characters and repairs broken UTF-8: both would lose input.
-void check_characters(std::string_view text) {
-  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
-    refuse({}, "a file in UTF-16", "a text file in UTF-8 is required: save it as UTF-8");
-  if (const std::size_t byte = first_byte_not_utf8(text); byte < text.size())
-    refuse(location_at(text, byte), "a byte that is not UTF-8", "a text file in UTF-8 is required");
-  if (const std::size_t control = first_control_character(text); control < text.size())
-    refuse(location_at(text, control), "a control character", "a text file in UTF-8 is required");
-}
-
 // The first tab in the indentation of a line: YAML allows none, and its parser does not say so.
 std::optional<std::size_t> tab_of_indentation(std::string_view text) {
   for (std::size_t begin = 0; begin < text.size();) {
@@ -210,13 +200,19 @@ Entry parse(std::string_view text) {
 
 }  // namespace
 
+// yaml-cpp stops in silence at some control characters and repairs broken UTF-8: both would lose input.
 void check_text(std::string_view text) {
-  check_characters(text);
+  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
+    refuse({}, "a file in UTF-16", "a text file in UTF-8 is required: save it as UTF-8");
+  if (const std::size_t byte = first_byte_not_utf8(text); byte < text.size())
+    refuse(location_at(text, byte), "a byte that is not UTF-8", "a text file in UTF-8 is required");
+  if (const std::size_t control = first_control_character(text); control < text.size())
+    refuse(location_at(text, control), "a control character", "a text file in UTF-8 is required");
 }
 
 Entry read_yaml(std::string_view text) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-  check_characters(text);
+  check_text(text);
   try {
     return parse(text);
   } catch (const YAML::Exception& error) {
@@ -230,17 +226,11 @@ Entry read_yaml(std::string_view text) {
 }
 
 Entry make_entry(Entry::Shape shape, Location location) {
-  Entry entry;
-  entry.shape = shape;
-  entry.location = location;
-  return entry;
+  return {.shape = shape, .location = location};
 }
 
 Entry make_scalar(std::string text, bool quoted, Location location) {
-  Entry entry = make_entry(Entry::Shape::scalar, location);
-  entry.text = std::move(text);
-  entry.quoted = quoted;
-  return entry;
+  return {.shape = Entry::Shape::scalar, .text = std::move(text), .quoted = quoted, .location = location};
 }
 
 const Member* find_member(const Entry& block, std::string_view key) {

@@ -5,9 +5,11 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "app/case/check_table.hpp"
 #include "app/case/field_table.hpp"
 #include "app/errors.hpp"
 #include "app/results/progress.hpp"
+#include "app/results/record_writers.hpp"
 
 namespace orbearing::app {
 
@@ -25,43 +27,6 @@ const Field& field_at(const ResolvedCase& stated, const std::string& path) {
   throw BadInput(fmt::format(
       "{}: {}: found a path that this case does not have{}; required: the path of a value of the case",
       stated.file(), path, near.empty() ? "" : " (did you mean '" + near + "'?)"));
-}
-
-// Rows as a case writes them: a list of all columns, or the names of those that the row has.
-Json rows_of(const Field& field, const FieldValue& value) {
-  const std::vector<double>& numbers = value.list;
-  Json rows = Json::array();
-  const std::size_t columns = field.columns.size();
-  for (std::size_t i = 0; i + columns <= numbers.size(); i += columns) {
-    Json all = Json::array(), named = Json::object();
-    for (std::size_t k = 0; k < columns; ++k) {
-      all.push_back(numbers[i + k]);
-      const ListColumn& column = field.columns[k];
-      if ((column.one_of != 0 || column.optional) && numbers[i + k] == 0.0) continue;
-      if (column.text)
-        named[column_key(column)] = text_numbered(value.texts, numbers[i + k]);
-      else
-        named[column_key(column)] = numbers[i + k];
-    }
-    rows.push_back(has_choices(field) ? named : all);
-  }
-  return rows;
-}
-
-Json whole_numbers(const std::vector<double>& list, std::size_t group) {
-  const std::vector<long> whole(list.begin(), list.end());
-  if (group == 0 || list.size() == group) return whole;
-  Json groups = Json::array();
-  for (auto first = whole.begin(); first != whole.end(); first += static_cast<std::ptrdiff_t>(group))
-    groups.push_back(std::vector<long>(first, first + static_cast<std::ptrdiff_t>(group)));
-  return groups;
-}
-
-Json list_of(const ResolvedCase& stated, const Field& field, const std::string& path) {
-  if (field.element == Kind::text) return stated.texts(path);
-  if (!field.columns.empty()) return rows_of(field, stated.value(path));
-  if (field.element == Kind::integer) return whole_numbers(stated.list(path), field.group);
-  return stated.list(path);
 }
 
 const char* kind_name(Kind kind) {
@@ -108,23 +73,9 @@ Json described(const ResolvedCase& stated, const Input& input) {
 Json value_of(const ResolvedCase& stated, const std::string& path) {
   const Field& field = field_at(stated, path);
   if (!stated.has(path)) return nullptr;
-  switch (field.kind) {
-    case Kind::quantity:
-      return stated.quantity(path);
-    case Kind::number:
-      return stated.number(path);
-    case Kind::integer:
-      return stated.integer(path);
-    case Kind::flag:
-      return stated.flag(path);
-    case Kind::choice:
-      return stated.choice(path);
-    case Kind::text:
-      return stated.text(path);
-    case Kind::list:
-      return list_of(stated, field, path);
-  }
-  return nullptr;
+  described::Record record;
+  describe_value(record, stated, {path, &field});
+  return json_of(record).at("value");
 }
 
 Json given_of(const ResolvedCase& stated, const std::string& path) {
