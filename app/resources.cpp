@@ -17,8 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The one that was built beside the program; else that of an installation; else, without its compiled part,
-// that of the source tree.
+// The one that was built beside the program; else that of an installation; else, without the
+// program's library, that of the source tree.
 fs::path package_beside(const fs::path& folder) {
   const fs::path installed = folder / "share" / "orbearing" / "python";
   for (const fs::path& package : {folder / "python", installed, fs::path(source_folder) / "python"})

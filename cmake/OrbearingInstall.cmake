@@ -35,23 +35,18 @@ endif()")
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/cases" DESTINATION "${orbearing_data_dir}")
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/app/page/web/" DESTINATION "${orbearing_data_dir}/page")
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/python/orbearing" DESTINATION "${orbearing_data_dir}/python"
-          FILES_MATCHING PATTERN "*.py" PATTERN "*.pyi" PATTERN "*.css" PATTERN "*.js" PATTERN "*.mplstyle")
+          FILES_MATCHING PATTERN "*.py" PATTERN "*.css" PATTERN "*.js" PATTERN "*.mplstyle")
 endif()
-if(TARGET orbearing_python)
-  install(TARGETS orbearing_python LIBRARY DESTINATION "${orbearing_data_dir}/python/orbearing")
+if(TARGET orbearing_library)
   # A wheel holds all that is needed within the package; pyproject.toml asks for this component alone.
-  install(TARGETS orbearing_python LIBRARY DESTINATION orbearing COMPONENT wheel EXCLUDE_FROM_ALL)
+  install(FILES "$<TARGET_FILE:orbearing_library>" DESTINATION orbearing/lib RENAME liborbearing.so
+          COMPONENT wheel EXCLUDE_FROM_ALL)
   install(DIRECTORY "${PROJECT_BINARY_DIR}/lib/orbearing/fmu" DESTINATION orbearing/lib/orbearing
           COMPONENT wheel EXCLUDE_FROM_ALL FILES_MATCHING PATTERN "orbearing.so" PATTERN "orbearing.dll")
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/cases" DESTINATION orbearing/share/orbearing
           COMPONENT wheel EXCLUDE_FROM_ALL)
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/app/page/web/" DESTINATION orbearing/share/orbearing/page
           COMPONENT wheel EXCLUDE_FROM_ALL)
-  find_path(UDUNITS2_DATABASE udunits2.xml PATHS /usr/share/xml/udunits /usr/local/share/udunits /usr/share/udunits)
-  if(UDUNITS2_DATABASE)
-    install(DIRECTORY "${UDUNITS2_DATABASE}/" DESTINATION orbearing/share/udunits COMPONENT wheel EXCLUDE_FROM_ALL
-            FILES_MATCHING PATTERN "*.xml")
-  endif()
 endif()
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" "${PROJECT_SOURCE_DIR}/REFERENCES.md"
         DESTINATION "${CMAKE_INSTALL_DOCDIR}")

@@ -20,8 +20,6 @@ libnetcdf-dev: result files
 libzip-dev: archives of FMUs
 libcpp-httplib-dev: server of the page (orbearing open)
 libpugixml-dev: model descriptions of FMUs
-pybind11-dev: compiled part of the Python package
-python3-dev: the same
 g++-mingw-w64-x86-64-posix: Windows library inside FMUs
 '
 

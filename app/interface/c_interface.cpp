@@ -16,6 +16,7 @@
 #include "mechanics/cancellation.hpp"
 #include "orbearing/request.hpp"
 #include "orbearing/sweep.hpp"
+#include "orbearing/table.hpp"
 #include "orbearing/version.hpp"
 
 struct orbearing_case {
@@ -24,6 +25,10 @@ struct orbearing_case {
 
 struct orbearing_machine {
   orbearing::Participant of;
+};
+
+struct orbearing_table {
+  orbearing::Table of;
 };
 
 namespace {
@@ -218,6 +223,46 @@ char* orbearing_evaluate(const orbearing_case* stated, const char* request, cons
                                   seldom(progress, count, caller));
     *result = text(Json{{"columns", found.columns}, {"status", found.status}});
     *table = copied(found.numbers.data(), found.numbers.size());
+  });
+}
+
+char* orbearing_table_read(const char* file, orbearing_table** found) {
+  return failure_of([&] { *found = new orbearing_table{Table::read(file)}; });
+}
+
+void orbearing_table_delete(orbearing_table* table) {
+  delete table;
+}
+
+char* orbearing_table_case(const orbearing_table* table, orbearing_case** found) {
+  return failure_of([&] { *found = new orbearing_case{table->of.stated()}; });
+}
+
+char* orbearing_table_content(const orbearing_table* table, char** result) {
+  return failure_of([&] {
+    Json inputs = Json::array();
+    for (const TableInput& one : table->of.inputs())
+      inputs.push_back(Json::array({one.path, one.from, one.to}));
+    *result =
+        text(Json{{"results", table->of.results()}, {"inputs", inputs}, {"bound", table->of.bound()}});
+  });
+}
+
+char* orbearing_table_answers(const orbearing_table* table, const char* request, const double* values,
+                              std::size_t count, double** answers, char** failures) {
+  return failure_of([&] {
+    const Json asked = Json::parse(request);
+    TableQuery query{.compute = asked.at("compute"), .jobs = asked.at("jobs")};
+    if (!asked.at("bound").is_null()) query.bound = asked.at("bound");
+    const app::Interruption interruption;
+    const TableAnswers found =
+        table->of.answers(asked.at("result"), {values, values + count * table->of.inputs().size()}, query);
+    std::vector<double> rows;
+    for (std::size_t i = 0; i < count; ++i)
+      rows.insert(rows.end(), {found.values[i], found.errors[i], found.computed[i] != 0 ? 1.0 : 0.0});
+    *failures = text(Json(std::vector<std::pair<std::size_t, std::string>>(found.failures.begin(),
+                                                                           found.failures.end())));
+    *answers = copied(rows.data(), rows.size());
   });
 }
 

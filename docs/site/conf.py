@@ -24,7 +24,7 @@ autodoc_member_order = "bysource"
 autodoc_typehints = "signature"
 python_use_unqualified_type_names = True
 autodoc_default_options = {"members": True}
-# Types of other libraries and of the standard one have no pages here, nor has the compiled part; ours are known by the shorter names.
+# Types of other libraries and of the standard one have no pages here, nor has the part that calls the program; ours are known by the shorter names.
 nitpick_ignore_regex = [("py:.*", r"(?!orbearing\.).*"), ("py:.*", r"orbearing\.(_core|case|results|machine|studies|uncertainties|opened_page|table)\..*")]
 
 html_theme = "alabaster"

@@ -1,6 +1,6 @@
 """Sources of the documentation site: the repository's Markdown as it stands, with generated parts filled in.
 
-    stage.py FOLDER      needs ORBEARING (the program) and the package orbearing with its compiled part on PYTHONPATH
+    stage.py FOLDER      needs ORBEARING (the program) and the package orbearing on PYTHONPATH
 
 Every document keeps its path, so that links between documents are those of the repository. A line
 `<!-- generated: NAME ARGUMENTS -->` is replaced by what the function of that name below writes; tutorials are run, and

@@ -6,7 +6,7 @@
  * (stopped by the progress function or by a signal) or "other" (an error of the program).
  *
  * Texts are UTF-8. What a function returns, failures included, belongs to the caller: orbearing_free().
- * Threads may share a case, but not a machine. These functions stay within a major version. */
+ * Threads may share a case or a table, but not a machine. These functions stay within a major version. */
 #ifndef ORBEARING_C_INTERFACE_H
 #define ORBEARING_C_INTERFACE_H
 
@@ -18,6 +18,7 @@ extern "C" {
 
 typedef struct orbearing_case orbearing_case;       /* NOLINT: C */
 typedef struct orbearing_machine orbearing_machine; /* NOLINT: C */
+typedef struct orbearing_table orbearing_table;     /* NOLINT: C */
 
 /* Called from any thread, one call at a time. A result other than 0 stops the computation. */
 typedef int (*orbearing_progress)(size_t done, size_t all, const char* doing, void* caller); /* NOLINT: C */
@@ -59,6 +60,18 @@ char* orbearing_request(const orbearing_case* stated, const char* request, orbea
 char* orbearing_evaluate(const orbearing_case* stated, const char* request, const double* values,
                          size_t count, orbearing_progress progress, void* caller, char** result,
                          double** table);
+
+/* Results that `orbearing table` tabulated (table.hpp): a file table.json or the folder that holds it. */
+char* orbearing_table_read(const char* file, orbearing_table** found);
+void orbearing_table_delete(orbearing_table* table);
+char* orbearing_table_case(const orbearing_table* table, orbearing_case** found);
+/* {"results": [...], "inputs": [[path, from, to], ...], "bound": B} */
+char* orbearing_table_content(const orbearing_table* table, char** result);
+/* {"result": R, "bound": B or null, "compute": true or false, "jobs": N}; `values` [SI] has a row of all
+ * inputs for each of `count` queries. `answers` has a row of value, error and 1 or 0 (computed by the program
+ * or not) for each; `failures` is a list of [query, reason]. */
+char* orbearing_table_answers(const orbearing_table* table, const char* request, const double* values,
+                              size_t count, double** answers, char** failures);
 
 /* A bearing of a planet ("bearing") or the gear set ("gearset") that the caller moves (participant.hpp). */
 char* orbearing_machine_make(const orbearing_case* stated, const char* model, orbearing_machine** made);

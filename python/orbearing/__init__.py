@@ -7,7 +7,7 @@
     print(sweep.peak["refined_speed_rpm"], sweep.peak["refined_life_h"])
     sweep.to_xarray()
 
-Attributes are read when they are first asked for, so that a page can be drawn where the compiled part is missing.
+Attributes are read when they are first asked for, so that a page can be drawn where the program's library is missing.
 """
 
 from __future__ import annotations

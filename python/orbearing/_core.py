@@ -1,7 +1,4 @@
-"""The program within Python by the C functions of its shared library (include/orbearing/c_interface.h), for any Python from 3.9 on.
-
-A module compiled for one version of Python (`_core.*.so`, from python/bindings) has the same names and comes first where there is one.
-"""
+"""The program within Python by the C functions of its shared library (include/orbearing/c_interface.h), for any Python from 3.9 on."""
 
 from __future__ import annotations
 
@@ -11,6 +8,7 @@ import os
 import sys
 from ctypes import POINTER, byref, c_char_p, c_double, c_int, c_size_t, c_void_p
 from pathlib import Path
+from typing import Optional
 
 import numpy as np
 
@@ -25,14 +23,12 @@ def _library_file() -> Path:
     package = Path(__file__).absolute().parent
     named = os.environ.get("ORBEARING_LIBRARY")
     files = [Path(named)] if named else [package / "lib" / "liborbearing.so", package.parents[1] / "lib" / "liborbearing.so"]
-    if package.parts[-4:-1] == ("share", "orbearing", "python"):
-        files.append(package.parents[3] / "lib" / "liborbearing.so")
-    if package.parent.name == "dist-packages":
-        files += sorted(package.parents[2].glob("*/liborbearing.so.1"))
+    if package.parts[-4:-1] == ("share", "orbearing", "python") or package.parent.name == "dist-packages":
+        files += [file for pattern in ("lib*", "lib/*") for file in sorted(package.parents[3].glob(f"{pattern}/liborbearing.so.1"))]
     for file in files:
         if file.exists():
             return file
-    raise ImportError(f"no library of Orbearing in {', '.join(map(str, files))}; install the wheel again, or build the target orbearing_library")
+    raise ImportError(f"no library of Orbearing in {', '.join(map(str, files))}; install Orbearing again, or build the target orbearing_library")
 
 
 # Arguments of each function; all but those of _PLAIN return a failure or nothing.
@@ -44,6 +40,10 @@ _FUNCTIONS = {
     "case_query": (c_void_p, c_char_p, POINTER(c_void_p)),
     "request": (c_void_p, c_char_p, _PROGRESS, c_void_p, POINTER(c_void_p), POINTER(c_void_p)),
     "evaluate": (c_void_p, c_char_p, _Numbers, c_size_t, _PROGRESS, c_void_p, POINTER(c_void_p), POINTER(c_void_p)),
+    "table_read": (c_char_p, POINTER(c_void_p)),
+    "table_case": (c_void_p, POINTER(c_void_p)),
+    "table_content": (c_void_p, POINTER(c_void_p)),
+    "table_answers": (c_void_p, c_char_p, _Numbers, c_size_t, POINTER(c_void_p), POINTER(c_void_p)),
     "machine_make": (c_void_p, c_char_p, POINTER(c_void_p)),
     "machine_ports": (c_void_p, POINTER(c_void_p)),
     "machine_set_input": (c_void_p, c_char_p, c_double, _Numbers),
@@ -62,6 +62,7 @@ _PLAIN = {
     "free": (None, (c_void_p,)),
     "command_line": (c_int, (c_int, POINTER(c_char_p))),
     "case_delete": (None, (c_void_p,)),
+    "table_delete": (None, (c_void_p,)),
     "machine_delete": (None, (c_void_p,)),
     "machine_time": (c_double, (c_void_p,)),
 }
@@ -198,6 +199,50 @@ class CoreCase:
     def model(self) -> str:
         """planetary-drivetrain, ball-bearing, ..."""
         return _query(self.handle, of="model")
+
+
+class CoreTable:
+    """Results of a case over some of its inputs, with errors."""
+
+    def __init__(self, file: str):
+        self._table = None
+        table = c_void_p()
+        _call("table_read", _bytes(file), byref(table))
+        self._table, result = table, c_void_p()
+        _call("table_content", table, byref(result))
+        self._content = json.loads(_taken(result))
+
+    def __del__(self, delete=_library.orbearing_table_delete):
+        if getattr(self, "_table", None) is not None:
+            delete(self._table)
+
+    def case(self) -> CoreCase:
+        """The case of the table."""
+        return CoreCase("table_case", self._table)
+
+    def bound(self) -> float:
+        """Largest error of an answer."""
+        return self._content["bound"]
+
+    def results(self) -> list[str]:
+        """Their names."""
+        return self._content["results"]
+
+    def inputs(self) -> list[tuple[str, float, float]]:
+        """Path and range of each input, in SI."""
+        return [tuple(row) for row in self._content["inputs"]]
+
+    def answers(self, result: str, values, bound: Optional[float] = None, compute: bool = True,
+                jobs: int = 0) -> tuple[np.ndarray, np.ndarray, np.ndarray, dict[int, str]]:
+        """A result at rows of `values` (queries, inputs) [SI]: values, errors, which of them the program computed, and reasons of failures."""
+        rows = np.ascontiguousarray(values, dtype=float)
+        if rows.ndim != 2 or rows.shape[1] != len(self._content["inputs"]):
+            raise CaseError("values: found an array of another shape; required: (queries, inputs of the table)")
+        answers, failures = c_void_p(), c_void_p()
+        _call("table_answers", self._table, _json({"result": result, "bound": bound, "compute": compute, "jobs": jobs}), rows.ctypes.data_as(_Numbers),
+              len(rows), byref(answers), byref(failures))
+        value, error, computed = _numbers(answers, len(rows), 3).T
+        return value, error, computed, dict(json.loads(_taken(failures)))
 
 
 class Machine:

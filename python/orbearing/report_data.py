@@ -23,7 +23,7 @@ COUPLED = ("co-simulated", "monolithic")
 
 
 class Program:
-    """The program with the case of a result folder: its compiled part in this process, else a process of its own."""
+    """The program with the case of a result folder: in this process by its library, else as a process of its own."""
 
     def __init__(self, folder: Path, path: str = "", quiet: bool = True):
         self._folder, self._path, self._quiet = folder, path, quiet

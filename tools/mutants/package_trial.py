@@ -21,7 +21,7 @@ SKIPPED = (0, 77)
 
 
 class PackageCopies:
-    """In home/package_0, home/package_1 and so on: bin, lib and python as in the folder of a build, whose program and compiled part are used."""
+    """In home/package_0, home/package_1 and so on: bin, lib and python as in the folder of a build, whose program and library are used."""
 
     def __init__(self, root: pathlib.Path, home: pathlib.Path, build: pathlib.Path, jobs: int):
         self.root, self.home, self.build = root, home, build
@@ -44,8 +44,6 @@ class PackageCopies:
                 shutil.copy(file, folder / "bin" / file.name)
         (folder / "lib").symlink_to(self.build / "lib")
         shutil.copytree(self.root / FOLDER, folder / FOLDER, ignore=shutil.ignore_patterns("__pycache__"))
-        for compiled in (self.build / "python" / "orbearing").glob("_core*.so"):
-            shutil.copy(compiled, folder / FOLDER)
         return folder
 
     def tests(self, mutant: Mutant) -> list[pathlib.Path]:

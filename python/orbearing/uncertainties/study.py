@@ -257,7 +257,7 @@ def open_store(folder, core, settings: Settings, resume: bool) -> Store:
 
 
 def of_case(core, settings: Settings, progress=None, store: Store | None = None) -> UncertaintyResult:
-    """The study of a case as the compiled module holds it (`orbearing._core.CoreCase`); with a store it keeps the lives there."""
+    """The study of a case as the program holds it (`orbearing._core.CoreCase`); with a store it keeps the lives there."""
     from orbearing import _core  # the mathematics needs none of it
 
     record = json.loads(_core.compute(core, "check", {})[0])

@@ -14,7 +14,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[3]
 TAG = "py3-none-manylinux_2_28_x86_64"
-PACKAGE = {".py", ".pyi", ".css", ".js", ".mplstyle", ".typed"}
+PACKAGE = {".py", ".css", ".js", ".mplstyle", ".typed"}
 FIRST_DAY = (1980, 1, 1, 0, 0, 0)
 
 
