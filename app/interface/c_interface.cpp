@@ -1,23 +1,31 @@
 #include "orbearing/c_interface.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
 #include "app/case/case_file.hpp"
+#include "app/case/check_table.hpp"
+#include "app/case/field_table.hpp"
 #include "app/case/resolved_writer.hpp"
 #include "app/commands/command_line.hpp"
-#include "app/interface/case_values.hpp"
+#include "app/errors.hpp"
 #include "app/resources.hpp"
 #include "app/results/progress.hpp"
+#include "app/results/record_writers.hpp"
+#include "app/version.hpp"
 #include "mechanics/cancellation.hpp"
+#include "orbearing/participant.hpp"
 #include "orbearing/request.hpp"
 #include "orbearing/sweep.hpp"
 #include "orbearing/table.hpp"
-#include "orbearing/version.hpp"
 
 struct orbearing_case {
   orbearing::Case of;
@@ -98,16 +106,76 @@ std::vector<app::Setting> settings_of(const Json& rows) {
   return settings;
 }
 
-Json in_si(const app::ResolvedCase& stated, const std::string& path, const Json& texts) {
-  if (!texts.is_array()) return app::number_in_si(stated, path, texts);
-  Json numbers = Json::array();
-  for (const Json& one : texts) numbers.push_back(app::number_in_si(stated, path, one));
-  return numbers;
+app::Input input_at(const app::ResolvedCase& stated, const std::string& path) {
+  std::vector<std::string> known;
+  for (const app::Input& input : stated.inputs()) {
+    if (input.path == path) return input;
+    known.push_back(input.path);
+  }
+  const std::string near = app::nearest_word(path, known);
+  throw BadInput(fmt::format(
+      "{}: {}: found a path that this case does not have{}; required: the path of a value of the case",
+      stated.file(), path, near.empty() ? "" : " (did you mean '" + near + "'?)"));
+}
+
+Json value_of(const app::ResolvedCase& stated, const app::Input& input) {
+  app::Record record;
+  app::describe_value(record, stated, input);
+  return app::json_of(record).at("value");
+}
+
+Json in_si(const app::Input& input, const Json& text) {
+  if (text.is_array()) {
+    Json numbers = Json::array();
+    for (const Json& one : text) numbers.push_back(in_si(input, one));
+    return numbers;
+  }
+  const app::FieldReading reading = app::read_field_text(*input.field, text.get<std::string>());
+  if (!reading.good)
+    throw BadInput(fmt::format("{}: found {}; required: {}", input.path, reading.message.found,
+                               app::requirement(*input.field)));
+  return reading.value.number;
+}
+
+Json units_of(const std::string& path) {
+  const app::Field* field = app::find_field(path);
+  if (field == nullptr) return nullptr;
+  Json columns = Json::array();
+  for (const app::ListColumn& column : field->columns)
+    columns.push_back(Json::array({app::column_key(column), column.dimension.si}));
+  return Json::array({field->dimension.si, columns});
+}
+
+Json input_row(const app::ResolvedCase& stated, const app::Input& input) {
+  constexpr std::array kinds{"quantity", "integer", "number", "flag", "choice", "text", "list"};
+  const auto& [path, field] = input;
+  const bool given = stated.has(path);
+  const auto reason = stated.assumed().find(path);
+  const bool has_reason = reason != stated.assumed().end();
+  return {{"path", path},
+          {"kind", kinds.at(static_cast<std::size_t>(field->kind))},
+          {"unit", field->dimension.customary},
+          {"si_unit", field->dimension.si},
+          {"meaning", field->meaning},
+          {"given", given ? Json(stated.given(path)) : Json()},
+          {"source", !given                             ? "absent"
+                     : stated.origin(path) == "default" ? "default"
+                     : has_reason                       ? "assumed"
+                                                        : "given"},
+          {"reason", has_reason ? reason->second : ""}};
+}
+
+// Of one input of the case.
+Json answer_of(const app::ResolvedCase& stated, const std::string& of, const app::Input& input,
+               const Json& query) {
+  if (of == "si") return in_si(input, query.at("text"));
+  if (!stated.has(input.path)) return nullptr;
+  return of == "given" ? Json(stated.given(input.path)) : value_of(stated, input);
 }
 
 Json answer_of(const orbearing_case* stated, const Json& query) {
   const std::string of = query.at("of"), path = query.value("path", "");
-  if (of == "si_units") return app::si_units(path);
+  if (of == "si_units") return units_of(path);
   if (stated == nullptr) throw std::logic_error("no case was given");
   const app::ResolvedCase& content = stated->of.content();
   if (of == "name") return content.text("name");
@@ -115,12 +183,15 @@ Json answer_of(const orbearing_case* stated, const Json& query) {
   if (of == "file") return content.file();
   if (of == "hash") return app::case_hash(content);
   if (of == "resolved") return stated->of.resolved();
-  if (of == "inputs") return app::inputs_of(content);
-  if (of == "axes") return app::axes_of(content);
-  if (of == "value") return app::value_of(content, path);
-  if (of == "given") return app::given_of(content, path);
-  if (of == "si") return in_si(content, path, query.at("text"));
-  throw std::logic_error("unknown query: " + of);
+  if (of == "value" || of == "given" || of == "si")
+    return answer_of(content, of, input_at(content, path), query);
+  if (of != "inputs" && of != "axes") throw std::logic_error("unknown query: " + of);
+  Json rows = of == "axes" ? Json::object() : Json::array();
+  if (of == "axes")
+    for (const app::SweepAxis& axis : content.axes()) rows[axis.path] = axis.values;
+  else
+    for (const app::Input& input : content.inputs()) rows.push_back(input_row(content, input));
+  return rows;
 }
 
 Json port_rows(const std::vector<Port>& ports) {
@@ -151,13 +222,11 @@ void give(const std::vector<double>& numbers, double** values, std::size_t* coun
 extern "C" {
 
 const char* orbearing_version() {
-  static const std::string version = orbearing::version();
-  return version.c_str();
+  return app::program_version.data();
 }
 
 const char* orbearing_instruction_set() {
-  static const std::string name = orbearing::instruction_set();
-  return name.c_str();
+  return app::instruction_set.data();
 }
 
 void orbearing_free(void* memory) {
@@ -243,8 +312,7 @@ char* orbearing_table_content(const orbearing_table* table, char** result) {
     Json inputs = Json::array();
     for (const TableInput& one : table->of.inputs())
       inputs.push_back(Json::array({one.path, one.from, one.to}));
-    *result =
-        text(Json{{"results", table->of.results()}, {"inputs", inputs}, {"bound", table->of.bound()}});
+    *result = text(Json{{"results", table->of.results()}, {"inputs", inputs}, {"bound", table->of.bound()}});
   });
 }
 
@@ -260,8 +328,8 @@ char* orbearing_table_answers(const orbearing_table* table, const char* request,
     std::vector<double> rows;
     for (std::size_t i = 0; i < count; ++i)
       rows.insert(rows.end(), {found.values[i], found.errors[i], found.computed[i] != 0 ? 1.0 : 0.0});
-    *failures = text(Json(std::vector<std::pair<std::size_t, std::string>>(found.failures.begin(),
-                                                                           found.failures.end())));
+    *failures = text(
+        Json(std::vector<std::pair<std::size_t, std::string>>(found.failures.begin(), found.failures.end())));
     *answers = copied(rows.data(), rows.size());
   });
 }
@@ -299,7 +367,12 @@ char* orbearing_machine_initialize(orbearing_machine* machine, double time) {
 }
 
 char* orbearing_machine_advance(orbearing_machine* machine, double length) {
-  return failure_of([&] { app::advance_until_stopped(machine->of, length); });
+  return failure_of([&] {
+    constexpr double long_step = 1e-3;  // [s]  a caller may stop longer ones by Ctrl-C
+    std::optional<app::Interruption> interruption;
+    if (length > long_step) interruption.emplace();
+    machine->of.advance(length);
+  });
 }
 
 char* orbearing_machine_output(orbearing_machine* machine, const char* name, double* value) {

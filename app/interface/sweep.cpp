@@ -1,7 +1,6 @@
 #include "orbearing/sweep.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <mutex>
@@ -40,12 +39,6 @@ void require_varied(const app::ResolvedCase& point, const std::vector<std::strin
   if (!mistakes.empty()) throw BadInput(mistakes);
 }
 
-void require_rung(const std::string& fidelity) {
-  const std::vector<std::string>& names = app::fidelity_names();
-  if (std::find(names.begin(), names.end(), fidelity) == names.end())
-    throw BadInput(fmt::format("fidelity: found {}; required: one of {}", fidelity, fmt::join(names, ", ")));
-}
-
 study::PointResult point_with(const app::ResolvedCase& point, const std::vector<app::Setting>& settings,
                               study::Fidelity level) {
   study::PointResult result;
@@ -81,11 +74,10 @@ Points points_of(const app::TableHead& head, const std::vector<app::ResultRow>& 
 Points evaluate(const Case& stated, const std::vector<std::string>& paths, const std::vector<double>& values,
                 const std::string& fidelity, int jobs, const std::function<void(std::size_t)>& done) {
   const app::ResolvedCase point = stated.content().without_sweep();
-  require_rung(fidelity);
+  const study::Fidelity level = app::fidelity_of(fidelity);
   require_varied(point, paths, values.size());
   app::sweep_request(point, fidelity);  // refuses what has no operating points
   app::require_computable(point, fidelity, false);
-  const study::Fidelity level = app::fidelity_of(fidelity);
   const std::vector<std::string> sets = app::bearing_set_names(point);
   std::vector<app::ResultRow> rows(values.size() / paths.size());
   std::mutex telling;
