@@ -18,6 +18,8 @@ struct LoadBin {
   /// A drivetrain at rest uses up no life: such a bin counts as time alone and is not computed. Below the
   /// least speed that a case can have, 0.001 rpm, it is at rest.
   bool turns() const { return speed >= 1.1e-4; }
+  /// [N m]  Of the driving member.
+  double torque() const { return turns() ? power / speed : 0.0; }
   /// [W]  An idling drivetrain is computed with next to no power, since a case has some.
   double entering_power() const { return std::max(power, 0.01); }
   bool operator==(const LoadBin&) const = default;

@@ -24,8 +24,8 @@ namespace {
 
 struct Checked {
   std::vector<Derived> derived;
-  std::vector<std::string> warnings;
-  std::optional<PowerTable> power;  // of a drivetrain
+  std::vector<std::string> warnings{};
+  std::optional<PowerTable> power{};  // of a drivetrain
 };
 
 Checked check(const ResolvedCase& resolved) {
@@ -37,14 +37,16 @@ Checked check(const ResolvedCase& resolved) {
   const std::vector<Derived> own = analysis != nullptr && analysis->derived != nullptr
                                        ? analysis->derived(resolved)
                                        : std::vector<Derived>{};
-  if (resolved.model() != planetary_drivetrain) return {own, {}, {}};
-  Checked checked{derived_quantities(resolved), gear_warnings(resolved), {}};
+  if (resolved.model() != planetary_drivetrain) return {own};
+  Checked checked{derived_quantities(resolved),
+                  joined(gear_warnings(resolved), overturning_warnings(resolved.without_sweep()),
+                         cage_warnings(resolved), clearance_warnings(resolved))};
   if (resolved.shape().several || resolved.shape().teeth) checked.power = power_table(resolved);
   if (!resolved.shape().several && !has_stepped_planets(resolved) && !has_planet_pairs(resolved) &&
       has_cylindrical_rollers(resolved))
     for (const Derived& row : gear_dynamics_quantities(resolved))
       if (!resolved.has(row.path)) checked.derived.push_back(row);
-  checked.derived.insert(checked.derived.end(), own.begin(), own.end());
+  checked.derived = joined(checked.derived, own);
   return checked;
 }
 
@@ -52,39 +54,27 @@ Checked check(const ResolvedCase& resolved) {
 
 int check_command(const Options& options) {
   const ResolvedCase resolved = case_of(options);
-  Checked checked = check(resolved);
-  if (resolved.model() == planetary_drivetrain) {
-    for (std::string& warning : overturning_warnings(resolved.without_sweep()))
-      checked.warnings.push_back(std::move(warning));
-    for (std::string& warning : cage_warnings(resolved)) checked.warnings.push_back(std::move(warning));
-    for (std::string& warning : clearance_warnings(resolved)) checked.warnings.push_back(std::move(warning));
-  }
-  for (std::string& warning : default_warnings(resolved, checked.derived))
-    checked.warnings.push_back(std::move(warning));
-  for (const Derived& row : catalogue_quantities(resolved)) checked.derived.push_back(row);
-  for (const Derived& row : motion_time_quantities(resolved)) checked.derived.push_back(row);
-  for (std::string& warning : inferred_warnings(resolved)) checked.warnings.push_back(std::move(warning));
-  for (std::string& warning : uncertain_warnings(resolved)) checked.warnings.push_back(std::move(warning));
-  for (std::string& warning : former_key_warnings(resolved)) checked.warnings.push_back(std::move(warning));
+  auto [derived, warnings, power] = check(resolved);
+  warnings = joined(warnings, default_warnings(resolved, derived), inferred_warnings(resolved),
+                    uncertain_warnings(resolved), former_key_warnings(resolved), idle_inputs(resolved));
+  derived = joined(derived, catalogue_quantities(resolved), motion_time_quantities(resolved));
   // What the case states as a check stands among its inputs.
-  std::erase_if(checked.derived, [&](const Derived& row) { return resolved.has(row.path); });
-  const std::vector<std::string> idle = idle_inputs(resolved);
-  checked.warnings.insert(checked.warnings.end(), idle.begin(), idle.end());
+  std::erase_if(derived, [&](const Derived& row) { return resolved.has(row.path); });
   if (options.json) {
     Record record;
-    describe_check(record, resolved, checked.derived);
-    if (checked.power) describe(record, *checked.power);
+    describe_check(record, resolved, derived);
+    if (power) describe(record, *power);
     nlohmann::ordered_json object = json_of(record);
     if (!resolved.uncertain().inputs.empty()) object["uncertain"] = uncertain_json(resolved);
-    object["warnings"] = checked.warnings;
-    object["units"] = check_units(resolved, checked.derived);
+    object["warnings"] = warnings;
+    object["units"] = check_units(resolved, derived);
     print_result(std::move(object), record, options);
     return 0;
   }
   if (options.quiet) return 0;
-  fmt::print("{}", check_table(resolved, checked.derived));
-  if (checked.power) fmt::print("\n{}", text_of(record_of(*checked.power)));
-  print_warnings(checked.warnings);
+  fmt::print("{}", check_table(resolved, derived));
+  if (power) fmt::print("\n{}", text_of(record_of(*power)));
+  print_warnings(warnings);
   return 0;
 }
 

@@ -13,6 +13,7 @@
 #include <sstream>
 #include <system_error>
 
+#include "app/case/field_table.hpp"
 #include "app/case/printable.hpp"
 #include "app/commands/python_part.hpp"
 #include "app/errors.hpp"
@@ -38,14 +39,31 @@ void add_jobs(CLI::App& command, Options& options) {
       ->check(CLI::Range(1, 4096));
 }
 
-void add_settings(CLI::App& command, Options& options) {
-  command
-      .add_option("--set", options.settings,
-                  "path=value: replace one independent value; repeatable, e.g. --set \"input.power=75 kW\"")
+// An option that may be repeated, with one value each time.
+void add_repeated(CLI::App& command, const char* name, std::vector<std::string>& values,
+                  const std::string& meaning, const char* type) {
+  command.add_option(name, values, meaning)
       ->expected(1)
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-      ->type_name("PATH=VALUE");
+      ->type_name(type);
+}
+
+// An empty text, as a shell makes it of a variable that is not set, is no choice.
+template <class Text>
+CLI::Option& add_text(CLI::App& command, const char* name, Text& text, const std::string& meaning) {
+  return *command.add_option(name, text, meaning)
+              ->check(CLI::Validator(
+                  [](const std::string& given) {
+                    return given.empty() ? std::string("an empty text; a value is required") : "";
+                  },
+                  ""));
+}
+
+void add_settings(CLI::App& command, Options& options) {
+  add_repeated(command, "--set", options.settings,
+               "path=value: replace one independent value; repeatable, e.g. --set \"input.power=75 kW\"",
+               "PATH=VALUE");
 }
 
 void add_case(CLI::App& command, Options& options) {
@@ -111,49 +129,29 @@ void add_sweep(CLI::App& command, Options& options) {
       ->check(CLI::IsMember({"up", "down"}));
 }
 
-// An empty text, as a shell makes it of a variable that is not set, is no choice.
-const CLI::Validator not_empty(
-    [](const std::string& text) {
-      return text.empty() ? std::string("an empty text; a value is required") : "";
-    },
-    "");
-
 void add_crown_choices(CLI::App& command, CrownOptions& crown) {
-  command
-      .add_option("--profile", crown.profiles,
-                  "kinds of profile, separated by commas: chamfer, circular, straight-circular, lundberg, "
-                  "johns-gohar, iso16281, fujiwara-kawase; default: that of the case, else iso16281")
-      ->check(not_empty);
-  command
-      .add_option(
-          "--tilts", crown.tilts,
-          "stated tilts of the planet's bore on its pin: a list or FROM : TO : STEP. Default: none, tilts "
-          "are computed from planet, pin and bearings (if not possible: \"0 mrad, 1 mrad, 2 mrad\")")
-      ->check(not_empty);
-  command
-      .add_option("--drops", crown.drops,
-                  "relief of one roller at the outermost of 40 laminae: a list or FROM : TO : STEP of "
-                  "lengths. Default: 17 from 0 to about three times that of ISO/TS 16281")
-      ->check(not_empty);
+  add_text(command, "--profile", crown.profiles,
+           "kinds of profile, separated by commas: chamfer, circular, straight-circular, lundberg, "
+           "johns-gohar, iso16281, fujiwara-kawase; default: that of the case, else iso16281");
+  add_text(command, "--tilts", crown.tilts,
+           "stated tilts of the planet's bore on its pin: a list or FROM : TO : STEP. Default: none, tilts "
+           "are computed from planet, pin and bearings (if not possible: \"0 mrad, 1 mrad, 2 mrad\")");
+  add_text(command, "--drops", crown.drops,
+           "relief of one roller at the outermost of 40 laminae: a list or FROM : TO : STEP of "
+           "lengths. Default: 17 from 0 to about three times that of ISO/TS 16281");
   command.add_flag("--spectrum", crown.spectrum,
                    "all speeds of the sweep, for equal times, instead of the one speed of the case");
-  command
-      .add_option("--shares", crown.shares,
-                  "with --spectrum: shares of the time, one for each speed, separated by commas")
-      ->check(not_empty);
+  add_text(command, "--shares", crown.shares,
+           "with --spectrum: shares of the time, one for each speed, separated by commas");
 }
 
 void add_crown_aims(CLI::App& command, CrownOptions& crown) {
-  command
-      .add_option("--tolerance", crown.tolerance,
-                  "tolerance of the drop, plus and minus, that the recommended drop takes into account, e.g. "
-                  "\"1 um\"")
-      ->check(not_empty);
-  command
-      .add_option("--tilt-tolerance", crown.tilt_tolerance,
-                  "the same for each stated tilt, or for the inclination of the pin in either direction "
-                  "where tilts are computed, e.g. \"0.5 mrad\"")
-      ->check(not_empty);
+  add_text(command, "--tolerance", crown.tolerance,
+           "tolerance of the drop, plus and minus, that the recommended drop takes into account, e.g. "
+           "\"1 um\"");
+  add_text(command, "--tilt-tolerance", crown.tilt_tolerance,
+           "the same for each stated tilt, or for the inclination of the pin in either direction "
+           "where tilts are computed, e.g. \"0.5 mrad\"");
   command
       .add_option("--distribution", crown.distribution,
                   "distribution of deviations within the tolerances: normal (cut off at three standard "
@@ -200,14 +198,10 @@ void add_fmu(CLI::App& command, Options& options) {
 void add_signals(CLI::App& command, Options& options) {
   add_case(command, options);
   add_output_or_json(command, options);
-  command
-      .add_option("--vary", options.varied,
-                  "path=[value, value]: input that is varied from signal to signal; repeatable, all "
-                  "combinations; default: defect.race, all elements that can be scratched")
-      ->expected(1)
-      ->allow_extra_args(false)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-      ->type_name("PATH=[...]");
+  add_repeated(command, "--vary", options.varied,
+               "path=[value, value]: input that is varied from signal to signal; repeatable, all "
+               "combinations; default: defect.race, all elements that can be scratched",
+               "PATH=[...]");
   command
       .add_option(
           "--fidelity", options.fidelity,
@@ -230,34 +224,23 @@ void add_sensitivities(CLI::App& command, Options& options) {
                   "key of another number that run --json prints; a number within another one as "
                   "displacement/radial_um; default: the life selected by life.method")
       ->type_name("KEY");
-  command
-      .add_option("--by", options.by,
-                  "only this input, repeatable: two runs for each of its numbers; default: all inputs; "
-                  "required in motion")
-      ->expected(1)
-      ->allow_extra_args(false)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-      ->type_name("PATH");
+  add_repeated(command, "--by", options.by,
+               "only this input, repeatable: two runs for each of its numbers; default: all inputs; "
+               "required in motion",
+               "PATH");
   add_jobs(command, options);
   command.add_flag("--resume", options.resume, "if DIR holds exactly this table, show it again");
 }
 
 void add_table(CLI::App& command, Options& options) {
   add_computing(command, options);
-  const auto add_list = [&](const char* name, std::vector<std::string>& list, const char* type,
-                            const char* meaning) {
-    command.add_option(name, list, meaning)
-        ->expected(1)
-        ->allow_extra_args(false)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-        ->type_name(type);
-  };
-  add_list(
-      "--over", options.over, "PATH=FROM..TO",
+  add_repeated(
+      command, "--over", options.over,
       "input and its range, e.g. --over \"input.speed=1000 rpm..6000 rpm\"; repeatable, at most 6 inputs; "
-      "default: the ranges of the case's sweep");
-  add_list("--result", options.results, "KEY",
-           "column of a sweep's table, repeatable; default: the life selected by life.method");
+      "default: the ranges of the case's sweep",
+      "PATH=FROM..TO");
+  add_repeated(command, "--result", options.results,
+               "column of a sweep's table, repeatable; default: the life selected by life.method", "KEY");
   command
       .add_option("--bound", options.bound, "largest error of an answer from the table; default: 0.01 (1 %)")
       ->check(CLI::Range(1e-9, 1.0));
@@ -276,21 +259,17 @@ void add_spectrum(CLI::App& command, Options& options) {
           "or power of the driving member; several with --share or --hours")
       ->required();
   const auto add_column = [&](const char* name, std::string& column, const std::string& of) {
-    command.add_option(name, column, of)->check(not_empty)->type_name("COLUMN");
+    add_text(command, name, column, of).type_name("COLUMN");
   };
   add_column("--torque", options.columns.torque,
              "name of the column of torque; default: a column whose name begins with torque");
   add_column("--power", options.columns.power, "name of the column of power, instead of torque");
   add_column("--speed", options.columns.speed, "name of the column of speed; units are those of the file");
   add_column("--time", options.columns.time, "name of the column of time");
-  command
-      .add_option("--share", options.share, "time share of each record, separated by commas; the sum is 1")
-      ->check(not_empty)
-      ->type_name("S,S");
-  command
-      .add_option("--hours", options.hours, "hours of each record, separated by commas, instead of --share")
-      ->check(not_empty)
-      ->type_name("H,H");
+  add_text(command, "--share", options.share, "time share of each record, separated by commas; the sum is 1")
+      .type_name("S,S");
+  add_text(command, "--hours", options.hours, "hours of each record, separated by commas, instead of --share")
+      .type_name("H,H");
   command
       .add_option("-o,--output", options.output,
                   "CSV file for spectrum: {file: ...} of a case; an existing file is replaced. With --case, "
@@ -306,12 +285,11 @@ void add_spectrum(CLI::App& command, Options& options) {
                   "gives a shorter life")
       ->check(CLI::Range(1.0, 50.0));
   CLI::Option* stated =
-      command
-          .add_option("--case", options.case_file,
-                      "case file: compute the lives of its bearings under these bins, damage by bin and by "
-                      "file, and time in skid risk (life.minimum_load)")
-          ->check(not_empty)
-          ->type_name("CASE");
+      add_text(
+          command, "--case", options.case_file,
+          "case file: compute the lives of its bearings under these bins, damage by bin and by file, and "
+          "time in skid risk (life.minimum_load)")
+          .type_name("CASE");
   add_settings(command, options);
   add_fidelity(command, options);
   add_jobs(command, options);
@@ -499,12 +477,31 @@ void print_error(std::string_view text) {
   }
 }
 
+// A line for each option that was not expected and resembles one of its command.
+std::string proposals(const CLI::App& program) {
+  std::string lines;
+  for (const CLI::App* command : program.get_subcommands()) {
+    std::vector<std::string> known;
+    for (const CLI::Option* option : command->get_options())
+      if (!option->get_group().empty()) known.push_back(option->get_name(false, true));
+    for (const std::string& word : command->remaining()) {
+      const std::string near =
+          word.starts_with("--") ? nearest_word(word.substr(0, word.find('=')), known) : "";
+      if (!near.empty()) lines += fmt::format("\nDid you mean {}?", near);
+    }
+  }
+  return lines;
+}
+
 // The program of all commands, which writes what it reads into `asked`.
 class Reader {
  public:
   explicit Reader(Asked& asked) {
     program_.set_version_flag("--version", std::string(program_version));
     program_.require_subcommand(1);
+    program_.failure_message([](const CLI::App* program, const CLI::Error& error) {
+      return error.what() + proposals(*program) + "\nRun with --help for more information.\n";
+    });
     add_commands(CommandTable{program_, asked.options, asked.command});
   }
 
@@ -564,7 +561,7 @@ Asked asked_by(const std::vector<std::string>& words) {
   try {
     reader.program().parse(std::vector<std::string>(words.rbegin(), words.rend()));
   } catch (const CLI::ParseError& error) {
-    throw BadInput(error.what());
+    throw BadInput(error.what() + proposals(reader.program()));
   }
   return asked;
 }

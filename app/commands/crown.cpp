@@ -4,13 +4,12 @@
 #include <filesystem>
 #include <mutex>
 
-#include "app/case/printable.hpp"
 #include "app/case/resolved_writer.hpp"
 #include "app/case/unused_inputs.hpp"
+#include "app/commands/kept_result.hpp"
 #include "app/commands/presentation.hpp"
 #include "app/errors.hpp"
 #include "app/results/durable_file.hpp"
-#include "app/results/point_file.hpp"
 #include "app/results/progress.hpp"
 #include "app/results/record_writers.hpp"
 #include "app/results/result_folder.hpp"
@@ -25,19 +24,8 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string netcdf_of(const ManifestHeader& header, const CrownStudy& study, const Record& record) {
-  PointContent content = content_of(record);
-  const std::vector<std::pair<std::string, std::string>> common{
-      {"Conventions", "CF-1.10"},
-      {"title", header.case_name + ", crowning of the planet bearing's rollers"},
-      {"source", "Orbearing " + header.program_version},
-      {"case", header.case_name},
-      {"case_hash", header.case_hash},
-      {"program_version", header.program_version},
-      {"instruction_set", header.instruction_set},
-      {"options", header.fidelity},
-      {"status", study.failed == 0 ? "ok" : "some points found no static equilibrium"}};
-  content.attributes.insert(content.attributes.end(), common.begin(), common.end());
-  return netcdf_bytes(content);
+  return result_file(header, "crowning of the planet bearing's rollers", record,
+                     study.failed == 0 ? "ok" : "some points found no static equilibrium");
 }
 
 CrownStudy computed(const CrownRequest& request, const Options& options) {
@@ -61,24 +49,12 @@ nlohmann::ordered_json result_json(const ResolvedCase& resolved, const CrownOpti
   nlohmann::ordered_json object{{"case", resolved.text("name")}, {"options", options_json(options)}};
   object.update(json_of(record));
   object["assumptions"] = assumptions_json(resolved);
-  std::vector<std::string> warnings = noted;
-  for (std::string& warning : gear_warnings(resolved)) warnings.push_back(std::move(warning));
-  for (std::string& warning : slope_warnings(resolved)) warnings.push_back(std::move(warning));
-  for (std::string& warning : overturning_warnings(resolved.without_sweep()))
-    warnings.push_back(std::move(warning));
-  for (std::string& warning : clearance_warnings(resolved)) warnings.push_back(std::move(warning));
-  const std::vector<std::string> unused = require_crown_uses(resolved, options);
-  warnings.insert(warnings.end(), unused.begin(), unused.end());
-  warnings.insert(warnings.end(), study.warnings.begin(), study.warnings.end());
-  object["warnings"] = warnings;
+  object["warnings"] = joined(noted, gear_warnings(resolved), slope_warnings(resolved),
+                              overturning_warnings(resolved.without_sweep()), clearance_warnings(resolved),
+                              require_crown_uses(resolved, options), study.warnings);
   object["versions"] = versions_json();
   object["units"] = units_of(record);
   return object;
-}
-
-// Columns of a sweep have no place for a study: the row says only that it was done.
-ResultRow done_row(const TableHead& head) {
-  return {std::vector<double>(head.names.size(), std::numeric_limits<double>::quiet_NaN()), "ok"};
 }
 
 }  // namespace
@@ -106,14 +82,9 @@ int crown_command(const Options& options) {
       write_crown(options.output, result);
       others = checksums_of(options.output, {crown_file_name});
     }
-    folder.keep({{0, netcdf_of(header, study, record), done_row(folder.head()), std::move(others)}});
+    folder.keep({{0, netcdf_of(header, study, record), row_of_values(folder.head()), std::move(others)}});
   }
-  if (options.json)
-    print_object(result.object, options);
-  else if (!options.quiet)
-    fmt::print("{}", result.text);
-  for (const auto& warning : result.object["warnings"])
-    if (!options.json && !options.quiet) fmt::print("warning: {}\n", printable(warning.get<std::string>()));
+  present_result(result.object, result.text, options);
   if (result.failed == 0) return 0;
   print_failures(fmt::format("crown: {} points found no static equilibrium; their status gives the reason",
                              result.failed),

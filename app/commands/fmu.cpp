@@ -10,6 +10,7 @@
 #include "app/errors.hpp"
 #include "app/resources.hpp"
 #include "app/results/durable_file.hpp"
+#include "app/study/analysis.hpp"
 #include "app/study/fmu_model.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/study/sweep_study.hpp"
@@ -132,15 +133,12 @@ int fmu_command(const Options& options) {
   const std::string content = fmu_content(numbers, description, libraries.found);
   write_fmu(file, content);
   const fmu::ModelFacts facts = fmu::facts_of(numbers);
-  Outcome outcome{facts.inputs.size(),    facts.outputs.size(),   facts.shown.parameters.size(),
-                  content.size(),         fmu::token_of(numbers), platforms_of(libraries.found),
-                  gear_warnings(resolved)};
-  const std::vector<std::string> left_out =
-      options.model == "gearset" ? planar_warnings(resolved) : overturning_warnings(resolved);
-  outcome.warnings.insert(outcome.warnings.end(), left_out.begin(), left_out.end());
-  outcome.warnings.insert(outcome.warnings.end(), unused.begin(), unused.end());
-  outcome.warnings.insert(outcome.warnings.end(), libraries.missing.begin(), libraries.missing.end());
-  present(resolved, options, outcome);
+  present(resolved, options,
+          {facts.inputs.size(), facts.outputs.size(), facts.shown.parameters.size(), content.size(),
+           fmu::token_of(numbers), platforms_of(libraries.found),
+           joined(gear_warnings(resolved),
+                  options.model == "gearset" ? planar_warnings(resolved) : overturning_warnings(resolved),
+                  unused, libraries.missing)});
   return 0;
 }
 

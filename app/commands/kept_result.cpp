@@ -69,16 +69,6 @@ std::map<std::string, std::string> write_files(const std::filesystem::path& fold
   return sums;
 }
 
-void present_result(const nlohmann::ordered_json& object, const std::string& text, const Options& options) {
-  if (options.json) {
-    print_object(object, options);
-  } else if (!options.quiet) {
-    fmt::print("{}", text);
-    for (const nlohmann::ordered_json& warning : object.at("warnings"))
-      fmt::print("warning: {}\n", printable(warning.get<std::string>()));
-  }
-}
-
 // "load_max_N" of "inner" may be the column inner_load_max_N.
 void add_numbers(const std::string& prefix, const nlohmann::ordered_json& object,
                  std::vector<std::pair<std::string, double>>& numbers) {
@@ -108,6 +98,16 @@ int compute_and_keep(const ResolvedCase& resolved, const Options& options, const
   }
   present_result(object, shown.text, options);
   return result.failed ? 1 : 0;
+}
+
+void present_result(const nlohmann::ordered_json& object, const std::string& text, const Options& options) {
+  if (options.json) {
+    print_object(object, options);
+  } else if (!options.quiet) {
+    fmt::print("{}", text);
+    for (const nlohmann::ordered_json& warning : object.at("warnings"))
+      fmt::print("warning: {}\n", printable(warning.get<std::string>()));
+  }
 }
 
 std::string result_file(const ManifestHeader& header, const char* what, const Record& record,

@@ -35,6 +35,9 @@ nlohmann::ordered_json printed_json(const ResolvedCase& resolved, const Analysis
 std::string result_file(const ManifestHeader& header, const char* what, const Record& record,
                         const std::string& status = "ok");
 
+/// Prints a result as JSON, or its text and its warnings, as the options ask.
+void present_result(const nlohmann::ordered_json& object, const std::string& text, const Options& options);
+
 /// Prints a record as JSON with the case's name, warnings and units, or as text with `more` behind it, as the
 /// options ask.
 void present_record(const ResolvedCase& resolved, const Record& record,

@@ -38,10 +38,8 @@ int merge_command(const Options& options) {
   if (!grid.header.refined) return present_sweep(resolved, grid, options);
   SweepRequest request = sweep_request(resolved, grid.header.fidelity);
   refine_peak_of(resolved, request);
-  request.folder = options.output;
-  request.jobs = options.jobs;
+  put_options(options, request);
   request.resume = true;
-  request.quiet = options.quiet;
   return present_sweep(resolved, run_sweep(request), options);
 }
 

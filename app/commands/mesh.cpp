@@ -10,11 +10,10 @@ namespace orbearing::app {
 int mesh_command(const Options& options) {
   const ResolvedCase resolved = point_of(options);
   const std::vector<std::string> unused = require_used(resolved, use::mesh);  // refuses before it computes
-  MeshStudy study = mesh_study(resolved);
-  for (std::string& warning : judge(observations(resolved)).warnings)
-    study.warnings.push_back(std::move(warning));
-  study.warnings.insert(study.warnings.end(), unused.begin(), unused.end());
-  present_record(resolved, record_of(study), study.warnings, options, mesh_charts(study, glyphs_of_locale()));
+  const MeshStudy study = mesh_study(resolved);
+  present_record(resolved, record_of(study),
+                 joined(study.warnings, judge(observations(resolved)).warnings, unused), options,
+                 mesh_charts(study, glyphs_of_locale()));
   return 0;
 }
 

@@ -67,10 +67,9 @@ int modes_command(const Options& options) {
   const double speed = options.speed ? speed_option(*options.speed) : 0.0;
   if (has_planet_pairs(resolved)) require_used(resolved, use::modes);  // refuses before it computes
   const gearset::dynamics::SetModel model = model_at(resolved, options);
-  std::vector<std::string> warnings = gear_dynamics_warnings(resolved);
-  const std::vector<std::string> unused =
-      require_used(resolved, speed > 0.0 ? use::modes_at_speed : use::modes);
-  warnings.insert(warnings.end(), unused.begin(), unused.end());
+  std::vector<std::string> warnings =
+      joined(gear_dynamics_warnings(resolved),
+             require_used(resolved, speed > 0.0 ? use::modes_at_speed : use::modes));
   if (speed > 0.0 && resolved.has(kSpeedPath) && resolved.location(kSpeedPath).option)
     warnings.push_back(fmt::format("{}: {} has no effect with --speed, which replaces it", kSpeedPath,
                                    resolved.given(kSpeedPath)));

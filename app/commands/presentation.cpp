@@ -126,7 +126,11 @@ PlannedSweep plan_sweep(const ResolvedCase& resolved, const Options& options,
   return plan;
 }
 
-void take_points(const Options& options, SweepRequest& request) {
+void put_options(const Options& options, SweepRequest& request) {
+  request.folder = options.output;
+  request.jobs = options.jobs;
+  request.resume = options.resume;
+  request.quiet = options.quiet;
   if (options.take_point)
     request.take_row = [&options](const TableHead& head, const ResultRow& row) {
       options.take_point(row_json(head, row));

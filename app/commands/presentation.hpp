@@ -38,8 +38,8 @@ struct PlannedSweep {
 PlannedSweep plan_sweep(const ResolvedCase& resolved, const Options& options,
                         const std::function<SweepRequest(const ResolvedCase&)>& request_of);
 
-/// Makes a sweep give each row to the caller who takes points.
-void take_points(const Options& options, SweepRequest& request);
+/// Folder, threads and reports of a sweep as the options have them, and rows to the caller who takes points.
+void put_options(const Options& options, SweepRequest& request);
 
 /// What --json prints of a sweep or of one of its points, finished or not. `form` receives what it is made
 /// of.

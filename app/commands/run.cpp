@@ -19,11 +19,8 @@ int run_command(const Options& options) {
   require_computable(resolved, options.fidelity, false);
   auto [planned, request] = plan_sweep(
       resolved, options, [&](const ResolvedCase& in) { return sweep_request(in, options.fidelity); });
-  request.folder = options.output;
+  put_options(options, request);
   request.jobs = 1;
-  request.resume = options.resume;
-  request.quiet = options.quiet;
-  take_points(options, request);
   return present_sweep(planned, run_sweep(request), options);
 }
 

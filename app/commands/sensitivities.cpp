@@ -92,8 +92,8 @@ int sensitivities_command(const Options& options) {
   const ScalarResult result =
       scalar_result(resolved, options.fidelity_given ? options.fidelity : "", options.result);
   require_inputs(resolved, result, options);
-  std::vector<std::string> warnings = require_used(resolved, result.analysis);
-  for (std::string& text : spectrum_warnings(resolved, "sensitivities")) warnings.push_back(std::move(text));
+  const std::vector<std::string> warnings =
+      joined(require_used(resolved, result.analysis), spectrum_warnings(resolved, "sensitivities"));
   const ScalarResult::Value here = value_here(resolved, result);
   const std::string table = name_of_table(result, options);
   const ResultNames names{table.c_str(), "sensitivities of a result", "sensitivities.json"};

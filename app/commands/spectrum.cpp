@@ -12,6 +12,7 @@
 #include "app/results/durable_file.hpp"
 #include "app/results/record_writers.hpp"
 #include "app/results/result_row.hpp"
+#include "app/study/analysis.hpp"
 #include "app/study/drivetrain_case.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/study/load_series.hpp"
@@ -31,10 +32,6 @@ struct BinnedRecords {
   double exponent = kLineExponent;
   BinnedSeries found{};
 };
-
-double torque_of_bin(const LoadBin& bin) {
-  return bin.turns() ? bin.power / bin.speed : 0.0;
-}
 
 void describe_time(Record& record, double share, double hours) {
   record.value("share", dimension::ratio, "of time", share);
@@ -59,7 +56,7 @@ void describe_series(Record& record, const BinnedRecords& binned) {
       describe_time(row, one.share, spectrum.hours);
     });
   record.table("bins", "bin", "of the load spectrum", spectrum.bins, [&](Record& row, const LoadBin& bin) {
-    row.value("torque_N_m", dimension::torque, "of the driving member", torque_of_bin(bin));
+    row.value("torque_N_m", dimension::torque, "of the driving member", bin.torque());
     row.value("speed_rpm", dimension::angular_speed, "of the driving member", bin.speed);
     describe_time(row, bin.share, spectrum.hours);
     if (!bin.file.empty()) row.value("file", "record", bin.file);
@@ -186,15 +183,13 @@ int present_lives(const RatedCase& rated, const BinnedRecords& binned, const Opt
   const ResolvedCase& resolved = rated.resolved;
   require_computable(resolved, options.fidelity, false);
   SweepRequest request = sweep_request(resolved, options.fidelity);
-  if (!keeps_rows(options)) request.folder = options.output;
-  request.jobs = options.jobs;
-  request.resume = options.resume;
-  request.quiet = options.quiet;
+  put_options(options, request);
+  if (keeps_rows(options)) request.folder.clear();
   Record record;
   describe_series(record, binned);
-  std::vector<std::string> warnings = warnings_of(binned, stated_oil(resolved).has_value());
-  warnings.insert(warnings.end(), rated.warnings.begin(), rated.warnings.end());
-  return present_sweep(resolved, run_sweep(request), options, {&record, warnings});
+  return present_sweep(
+      resolved, run_sweep(request), options,
+      {&record, joined(warnings_of(binned, stated_oil(resolved).has_value()), rated.warnings)});
 }
 
 }  // namespace

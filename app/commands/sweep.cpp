@@ -40,11 +40,7 @@ int sweep_command(const Options& options) {
   require_computable(stated, options.fidelity, true);
   auto [resolved, request] =
       plan_sweep(stated, options, [&](const ResolvedCase& in) { return request_of(in, options); });
-  request.folder = options.output;
-  request.jobs = options.jobs;
-  request.resume = options.resume;
-  request.quiet = options.quiet;
-  take_points(options, request);
+  put_options(options, request);
   return present_sweep(resolved, run_sweep(request), options);
 }
 

@@ -47,10 +47,7 @@ int table_command(const Options& options) {
                           .bound = options.bound,
                           .points = static_cast<std::size_t>(options.points)});
   SweepRequest request = study.request();
-  request.folder = options.output;
-  request.jobs = options.jobs;
-  request.resume = options.resume;
-  request.quiet = options.quiet;
+  put_options(options, request);
   const TabulatedCase table = study.result(run_sweep(request));
   if (!options.output.empty()) write_aside_and_rename(request.folder / table_file_name, table_text(table));
   Record record;

@@ -165,10 +165,6 @@ std::vector<double> axis_values_of(const TableHead& head, const SpectrumResult& 
   return {};
 }
 
-double torque(const LoadBin& bin) {
-  return bin.turns() ? bin.power / bin.speed : 0.0;
-}
-
 /// Swept values that the rows of a spectrum do not state themselves, by their place among all.
 std::vector<std::size_t> own_axes(const TableHead& head) {
   std::vector<std::size_t> own;
@@ -224,7 +220,7 @@ void describe_bin(Record& row, const TableHead& head, const NumberedBin& numbere
   const SpectrumBin& bin = numbered.result->bins[numbered.number];
   row.value("bin", "number, as stated", numbered.number + 1);
   row.value("power_kW", dimension::power, "that enters", bin.bin.power);
-  row.value("torque_N_m", dimension::torque, "of the shaft whose speed is input.speed", torque(bin.bin));
+  row.value("torque_N_m", dimension::torque, "of the shaft whose speed is input.speed", bin.bin.torque());
   row.value("speed_rpm", dimension::angular_speed, "input.speed of the bin", bin.bin.speed);
   row.value("share", dimension::ratio, "of time", bin.bin.share);
   row.value("damage_share", dimension::ratio, "of the life of one bearing that results go by",
@@ -410,7 +406,7 @@ std::string spectrum_text(const ManifestHeader& header, const std::vector<Spectr
       const SpectrumBin& bin = result.bins[order[i]];
       const double life = bin.row ? life_to_go_by(head, *bin.row) : not_given;
       text += fmt::format("{:>5} {:>11.5g} {:>11.5g} {:>12.5g} {:>9.3g} {:>12} {:>9}\n", order[i] + 1,
-                          per_kilo * bin.bin.power, kRpm * bin.bin.speed, torque(bin.bin),
+                          per_kilo * bin.bin.power, kRpm * bin.bin.speed, bin.bin.torque(),
                           100.0 * bin.bin.share, std::isfinite(life) ? fmt::format("{:.5g}", life) : "-",
                           percent_text(bin.damage_share));
     }

@@ -3,11 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <utility>
 
 #include "app/results/record_writers.hpp"
 #include "bearing/life/life_modification.hpp"
@@ -39,25 +37,24 @@ bool is_life(const std::string& key) {
   return key == "life_h" || (key.starts_with("L10") && key.ends_with("h"));
 }
 
+// "L10mr_Mrev" of "L10mrh".
+std::string in_revolutions(const std::string& life) {
+  return (life == "life_h" ? "life" : life.substr(0, life.size() - 1)) + "_Mrev";
+}
+
 bool needs_oil(const std::string& key) {
   return key == "L10mh" || key == "L10mrh" || key == "kappa";
 }
 
 std::string missing_reason(const std::string& key, const LifeValue& value) {
-  constexpr std::array<std::pair<const char*, const char*>, 5> in_revolutions{{{"L10h", "L10_Mrev"},
-                                                                               {"L10rh", "L10r_Mrev"},
-                                                                               {"L10mh", "L10m_Mrev"},
-                                                                               {"L10mrh", "L10mr_Mrev"},
-                                                                               {"life_h", "life_Mrev"}}};
   const double kappa = value("kappa");
   if (needs_oil(key) && std::isnan(kappa))
     return "the case states no oil; state lubricant.grade, lubricant.temperature and life.cleanliness";
   if (needs_oil(key) && kappa < bearing::rating::kLeastViscosityRatio)
     return fmt::format("kappa is {:.3g}; a_ISO of ISO 281 begins at {:g}", kappa,
                        bearing::rating::kLeastViscosityRatio);
-  for (const auto& [hours, revolutions] : in_revolutions)
-    if (key == hours && !std::isnan(value(revolutions)))
-      return "the rings do not rotate; state operation.shaft_speed";
+  if (is_life(key) && !std::isnan(value(in_revolutions(key))))
+    return "the rings do not rotate; state operation.shaft_speed";
   if (key == "largest_load_share")
     return "all planets carry the same load in this case; state errors of the pins, as "
            "gearset.dynamics.pin_error.tangential";
@@ -110,9 +107,9 @@ std::vector<Verdict> verdicts_at(const std::vector<Requirement>& requirements, c
 // Errors of pins count for little where the torque is large: a gear rating takes K_gamma at full load.
 const SpectrumBin* of_largest_torque(const SpectrumResult& result) {
   const SpectrumBin* largest = nullptr;
-  const auto torque = [](const SpectrumBin& one) { return std::abs(one.bin.power / one.bin.speed); };
   for (const SpectrumBin& one : result.bins)
-    if (one.row && one.bin.share > 0.0 && (largest == nullptr || torque(one) > torque(*largest)))
+    if (one.row && one.bin.share > 0.0 &&
+        (largest == nullptr || std::abs(one.bin.torque()) > std::abs(largest->bin.torque())))
       largest = &one;
   return largest;
 }

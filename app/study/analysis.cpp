@@ -243,11 +243,6 @@ const std::vector<Analysis>& all_analyses() {
 
 }  // namespace
 
-std::vector<std::string> joined(std::vector<std::string> first, const std::vector<std::string>& second) {
-  first.insert(first.end(), second.begin(), second.end());
-  return first;
-}
-
 const Analysis* analysis_of(const ResolvedCase& resolved, const std::string& fidelity) {
   const Analysis* first = nullptr;
   for (const Analysis& one : all_analyses()) {

@@ -26,8 +26,12 @@ struct AnalysisResult {
   bool failed = false;                                       // in parts
 };
 
-/// The warnings of one and then of the other.
-std::vector<std::string> joined(std::vector<std::string> first, const std::vector<std::string>& second);
+/// What stands in one list and then in the others, as warnings.
+template <class Item, class... More>
+std::vector<Item> joined(std::vector<Item> first, const More&... more) {
+  (first.insert(first.end(), more.begin(), more.end()), ...);
+  return first;
+}
 
 /// Relative differences between runs whose inputs differ by round-off [-].
 namespace scatter {

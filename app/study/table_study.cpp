@@ -180,7 +180,14 @@ ResolvedCase over_box(const ResolvedCase& resolved, const std::vector<std::strin
                            one.substr(equals + 1, dots - equals - 1), one.substr(dots + 2));
   }
   if (!mistakes.empty()) throw BadInput(mistakes);
-  return parse_case(write_resolved(resolved), resolved.file(), {"sweep={" + sweep + "}"});
+  try {
+    return parse_case(write_resolved(resolved), resolved.file(), {"sweep={" + sweep + "}"});
+  } catch (BadInput& error) {
+    const std::string as_setting = "--set: sweep.";  // how a case that is changed names the option
+    for (std::string& line : error.messages)
+      if (line.starts_with(as_setting)) line.replace(0, as_setting.size(), "--over: ");
+    throw BadInput(std::move(error.messages));
+  }
 }
 
 // A table in progress. Rows of a resumed folder are gone through again, so that each round follows from the
@@ -325,8 +332,7 @@ std::vector<TabulatedResult> results_of_choice(const ManifestHeader& header,
   Json units = units_of(record);
   const Json of_set = units_of(record_of(study::SetResult{}));  // outlives its items
   for (const std::string& set : header.sets)
-    for (const auto& [column, unit] : of_set.items())
-      units["sets." + set + "." + column] = unit;
+    for (const auto& [column, unit] : of_set.items()) units["sets." + set + "." + column] = unit;
   std::vector<std::string> numbers;
   for (const auto& [name, unit] : units.items()) numbers.push_back(name);
   std::vector<TabulatedResult> results;
