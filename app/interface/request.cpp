@@ -78,11 +78,11 @@ Answer answer(const Request& request) {
       request_stop();
     };
   const app::ObservedProgress observed(std::move(observer));
-  app::MotionPace pace;
+  app::Pace pace;
   std::optional<system::ObservedMotions> motions;
   if (request.motion)
     motions.emplace([&](const system::MotionProgress& now) {
-      request.motion(app::motion_json(now, pace.seconds_left(now)));
+      request.motion(app::motion_json(now, pace.seconds_left(now)).dump());
     });
   answer.code = asked.command(options);
   return answer;

@@ -117,6 +117,13 @@ bool Job::has_points() {
   return !points_.empty();
 }
 
+fs::path temporary_folder() {
+  std::string name = (fs::temp_directory_path() / "orbearing-XXXXXX").string();
+  if (mkdtemp(name.data()) == nullptr)
+    throw ComputationFailed(fmt::format("{}: cannot be made: {}", name, std::strerror(errno)));
+  return name;
+}
+
 Jobs::~Jobs() {
   end();
 }
@@ -133,12 +140,7 @@ fs::path Jobs::folder_for(const Json& request) {
   }
   const std::string command = request.at("command");
   if (command != "sweep" && command != "run" && command != "report") return {};
-  if (temporary_.empty()) {
-    std::string name = (fs::temp_directory_path() / "orbearing-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr)
-      throw ComputationFailed(fmt::format("{}: cannot be made: {}", name, std::strerror(errno)));
-    temporary_ = name;
-  }
+  if (temporary_.empty()) temporary_ = temporary_folder();
   return temporary_ / fmt::format("{}-{}", command, last_ + 1);
 }
 

@@ -75,6 +75,9 @@ class Job {
   std::thread following_;
 };
 
+/// A new one. Throws ComputationFailed.
+std::filesystem::path temporary_folder();
+
 /// All of a page. Results of sweeps stand in folders below a temporary one.
 class Jobs {
  public:
@@ -84,8 +87,8 @@ class Jobs {
   ~Jobs();
 
   /// Begins one and returns its name. "continue" in the request names one that was stopped; `results` is a
-  /// folder of results that its sweep goes on in, else empty. Throws BadInput, and ComputationFailed where too
-  /// many run.
+  /// folder of results that its sweep goes on in, else empty. Throws BadInput, and ComputationFailed where
+  /// too many run.
   std::string start(const Json& request, const std::filesystem::path& results = {});
   /// None where there is none of that name.
   std::shared_ptr<Job> find(const std::string& name);

@@ -223,26 +223,10 @@ void save(const Opened& opened, const std::string& file, const std::string& text
 namespace {
 
 std::string html(std::string_view text) {
+  constexpr std::string_view signs = "&<>\"'";
   std::string escaped;
-  for (const char c : printable(text)) switch (c) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      case '\'':
-        escaped += "&#39;";
-        break;
-      default:
-        escaped += c;
-    }
+  for (const char c : printable(text))
+    escaped += signs.find(c) == std::string_view::npos ? std::string(1, c) : fmt::format("&#{};", int{c});
   return escaped;
 }
 

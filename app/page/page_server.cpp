@@ -406,11 +406,16 @@ class PageServer {
     require_sound_request(body);
     const Slot slot(computing_);
     if (!slot) return refuse_with(response, 429, "more than 8 requests at once");
-    Message message = answer_within(workers_, body, request_limit, ending_);
-    if (message.payload.empty())
-      return answer_failure(response, message.data.at("code"), message.data.at("errors"));
-    response.set_header("X-Orbearing-Code", message.data.at("code").dump());
-    answer_text(response, std::move(message.payload), "application/json");
+    answer_computed(body, request_limit, "application/json", response);
+  }
+
+  void answer_computed(const Json& request, std::chrono::seconds limit, const char* kind,
+                       Response& response) {
+    Message message = answer_within(workers_, request, limit, ending_);
+    const Json& code = message.data.at("code");
+    if (message.payload.empty()) return answer_failure(response, code, message.data.at("errors"));
+    response.set_header("X-Orbearing-Code", code.dump());
+    answer_text(response, std::move(message.payload), kind);
   }
 
   void start_job(const Asked&, const Json& body, Response& response) {
@@ -505,7 +510,7 @@ class PageServer {
       if (!job || !job->ended() || job->folder().empty())
         return refuse_with(response, 404, "there is no such job with results");
       request["folder"] = job->folder().string();
-      return answer_page(request, kind, response);
+      return answer_computed(request, report_limit, kind, response);
     }
     Json swept = body;
     if (swept.is_object()) swept["command"] = "sweep";
@@ -513,16 +518,12 @@ class PageServer {
     const TemporaryFolder folder;
     swept.update(request);
     swept["folder"] = (folder.path / "results").string();
-    answer_page(swept, kind, response);
+    answer_computed(swept, report_limit, kind, response);
   }
 
   struct TemporaryFolder {
-    fs::path path;
-    TemporaryFolder() {
-      std::string name = (fs::temp_directory_path() / "orbearing-XXXXXX").string();
-      if (mkdtemp(name.data()) == nullptr) throw ComputationFailed(name + ": cannot be made");
-      path = name;
-    }
+    fs::path path = temporary_folder();
+    TemporaryFolder() = default;
     TemporaryFolder(const TemporaryFolder&) = delete;
     TemporaryFolder& operator=(const TemporaryFolder&) = delete;
     ~TemporaryFolder() {
@@ -530,13 +531,6 @@ class PageServer {
       fs::remove_all(path, ignored);
     }
   };
-
-  void answer_page(const Json& request, const char* kind, Response& response) {
-    Message message = answer_within(workers_, request, report_limit, ending_);
-    if (message.payload.empty())
-      return answer_failure(response, message.data.at("code"), message.data.at("errors"));
-    answer_text(response, std::move(message.payload), kind);
-  }
 
   void answer_units(const Asked&, const Json& body, Response& response) {
     answer_json(response, converted(body));

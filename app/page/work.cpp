@@ -11,9 +11,9 @@
 
 #include "app/case/printable.hpp"
 #include "app/errors.hpp"
-#include "app/page/motion_event.hpp"
 #include "app/page/workers.hpp"
 #include "app/results/durable_file.hpp"
+#include "app/results/progress.hpp"
 #include "mechanics/cancellation.hpp"
 #include "orbearing/request.hpp"
 
@@ -22,7 +22,6 @@ namespace orbearing::app::page {
 namespace {
 
 namespace fs = std::filesystem;
-using Clock = std::chrono::steady_clock;
 
 // What this process is asked by and what it answers into.
 class Server {
@@ -80,30 +79,6 @@ class Server {
   std::mutex telling_;
 };
 
-// Time to go by what was done since the first report.
-class Pace {
- public:
-  Json report(std::size_t done, std::size_t all, const std::string& doing) {
-    if (doing != doing_ || !begun_) {
-      begun_ = true;
-      doing_ = doing;
-      first_ = done;
-      start_ = Clock::now();
-    }
-    const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
-    const Json left = done > first_ ? Json(seconds / static_cast<double>(done - first_) *
-                                           static_cast<double>(all - std::min(done, all)))
-                                    : Json();
-    return {{"done", done}, {"all", all}, {"doing", doing}, {"seconds_left", left}};
-  }
-
- private:
-  bool begun_ = false;
-  std::string doing_;
-  std::size_t first_ = 0;
-  Clock::time_point start_;
-};
-
 Request request_of(const Json& asked, Server& server, Pace& pace) {
   Request request{.command = asked.at("command"), .case_text = asked.value("case_text", "")};
   if (asked.contains("case_text") && request.case_text.empty()) request.case_text = "\n";  // none is given
@@ -113,7 +88,11 @@ Request request_of(const Json& asked, Server& server, Pace& pace) {
   if (!folder.empty()) options.update({{"output", folder}, {"resume", true}});
   request.options = options.dump();
   request.progress = [&](std::size_t done, std::size_t all, const std::string& doing) {
-    server.tell("progress", pace.report(done, all, doing));
+    const std::optional<double> left =
+        pace.seconds_left(doing, static_cast<double>(done), static_cast<double>(all));
+    server.tell(
+        "progress",
+        {{"done", done}, {"all", all}, {"doing", doing}, {"seconds_left", left ? Json(*left) : Json()}});
     return true;  // a wish to stop ends the computation itself
   };
   if (!folder.empty())
@@ -141,9 +120,9 @@ std::string report_of(const Json& asked, Server& server) {
 void answer_request(const Json& asked, Server& server) {
   if (asked.at("command") == "report") return server.tell("end", {{"code", 0}}, report_of(asked, server));
   Pace pace;
-  const system::ObservedMotions motions(
-      [&](const system::MotionProgress& now) { server.tell("motion", motion_event(now)); });
-  const Answer found = answer(request_of(asked, server, pace));
+  Request request = request_of(asked, server, pace);
+  request.motion = [&](const std::string& motion) { server.tell("motion", Json::parse(motion)); };
+  const Answer found = answer(request);
   // As the command prints it.
   server.tell("end", {{"code", found.code}, {"errors", found.failures}},
               Json::parse(found.result).dump(2) + '\n');

@@ -30,18 +30,6 @@ bool is_device(const std::filesystem::path& file) {
   return std::filesystem::is_character_file(status) || std::filesystem::is_fifo(status);
 }
 
-/// Closes what it holds; `release` first where the result of closing matters.
-struct Descriptor {
-  int number = -1;
-  explicit Descriptor(int opened) : number(opened) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() {
-    if (number >= 0) ::close(number);
-  }
-  int release() { return std::exchange(number, -1); }
-};
-
 /// Writes all of `text`; errno of the first failure, else 0.
 int write_all(int descriptor, std::string_view text) {
   while (!text.empty()) {
@@ -169,48 +157,30 @@ std::string read_file(const std::filesystem::path& file) {
   return content;
 }
 
-FolderLock::FolderLock(const std::filesystem::path& folder) {
-  Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (opened.number < 0) fail_to_write(folder, errno);
-  if (::flock(opened.number, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
-    throw BadInput(fmt::format("{}: another command is writing here; wait for its end", folder.string()));
-  descriptor_ = opened.release();
+Descriptor::~Descriptor() {
+  if (number >= 0) ::close(number);
 }
 
-FolderLock::~FolderLock() {
-  if (descriptor_ >= 0) ::close(descriptor_);
+FolderLock::FolderLock(const std::filesystem::path& folder)
+    : held_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+  if (held_.number < 0) fail_to_write(folder, errno);
+  if (::flock(held_.number, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+    throw BadInput(fmt::format("{}: another command is writing here; wait for its end", folder.string()));
 }
 
 AppendOnlyFile::AppendOnlyFile(const std::filesystem::path& file) : file_(file) {
   require_no_link(file);
-  Descriptor opened(::open(file.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC | O_NOFOLLOW, 0666));
-  if (opened.number < 0 && (errno == EMFILE || errno == ENFILE)) fail_to_write(file, errno);
-  if (opened.number < 0)
+  opened_ = Descriptor(::open(file.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC | O_NOFOLLOW, 0666));
+  if (opened_.number < 0 && (errno == EMFILE || errno == ENFILE)) fail_to_write(file, errno);
+  if (opened_.number < 0)
     throw BadInput(fmt::format("{}: cannot be written: {}; a folder that may be written to is required",
                                file.string(), std::strerror(errno)));
   // A file system without locks is no reason to refuse; only a lock that another holds is.
-  if (::flock(opened.number, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+  if (::flock(opened_.number, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
     throw BadInput(fmt::format("{}: another sweep is writing here; wait for its end, or use another folder",
                                file.string()));
   struct stat status {};
-  if (::fstat(opened.number, &status) == 0) length_ = static_cast<std::size_t>(status.st_size);
-  descriptor_ = opened.release();
-}
-
-AppendOnlyFile::AppendOnlyFile(AppendOnlyFile&& other) noexcept
-    : file_(std::move(other.file_)),
-      descriptor_(std::exchange(other.descriptor_, -1)),
-      length_(std::exchange(other.length_, 0)) {}
-
-AppendOnlyFile& AppendOnlyFile::operator=(AppendOnlyFile&& other) noexcept {
-  std::swap(file_, other.file_);
-  std::swap(descriptor_, other.descriptor_);
-  std::swap(length_, other.length_);
-  return *this;
-}
-
-AppendOnlyFile::~AppendOnlyFile() {
-  if (descriptor_ >= 0) ::close(descriptor_);
+  if (::fstat(opened_.number, &status) == 0) length_ = static_cast<std::size_t>(status.st_size);
 }
 
 std::string AppendOnlyFile::content() const {
@@ -219,7 +189,7 @@ std::string AppendOnlyFile::content() const {
 
 void AppendOnlyFile::truncate(std::size_t length) {
   if (length == length_) return;
-  if (::ftruncate(descriptor_, static_cast<off_t>(length)) != 0) fail_to_write(file_, errno);
+  if (::ftruncate(opened_.number, static_cast<off_t>(length)) != 0) fail_to_write(file_, errno);
   length_ = length;
 }
 
@@ -234,14 +204,14 @@ void AppendOnlyFile::blank(std::size_t begin, std::size_t length) {
 }
 
 void AppendOnlyFile::append(std::string_view text) {
-  int error = write_all(descriptor_, text);
-  if (error == 0 && ::fsync(descriptor_) != 0) error = errno;
+  int error = write_all(opened_.number, text);
+  if (error == 0 && ::fsync(opened_.number) != 0) error = errno;
   if (error == 0) {
     length_ += text.size();
     return;
   }
   // Should the cut fail too, the torn line is recognised when the sweep is resumed.
-  if (::ftruncate(descriptor_, static_cast<off_t>(length_)) != 0) error = errno;
+  if (::ftruncate(opened_.number, static_cast<off_t>(length_)) != 0) error = errno;
   fail_to_write(file_, error);
 }
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "app/errors.hpp"
@@ -14,7 +15,8 @@ namespace orbearing::app {
 /// Ending of files being written; a kill may leave them behind.
 inline constexpr const char* aside_ending = ".tmp";
 
-/// A file cannot be written. `cause` says which and why, `remedy` what to do before the command is given again.
+/// A file cannot be written. `cause` says which and why, `remedy` what to do before the command is given
+/// again.
 struct WriteFailed : ComputationFailed {
   WriteFailed(const std::string& cause_text, const std::string& remedy_text)
       : ComputationFailed(cause_text + "; " + remedy_text + ", then give the command again"),
@@ -26,7 +28,8 @@ struct WriteFailed : ComputationFailed {
 /// What mends a failure of the system with this `errno`: "make room" of a full disk.
 std::string remedy_of(int error);
 
-/// Throws BadInput where `path` is a symbolic link: what stands in a folder of results is no link to elsewhere.
+/// Throws BadInput where `path` is a symbolic link: what stands in a folder of results is no link to
+/// elsewhere.
 void require_no_link(const std::filesystem::path& path);
 
 struct FileContent {
@@ -35,8 +38,8 @@ struct FileContent {
 };
 
 /// Replaces each file by its content in one step. The contents are on the disk then; the names are after the
-/// next `sync_folder`. Where one cannot be written WriteFailed is thrown and nothing is left aside. A device or a
-/// pipe is written into.
+/// next `sync_folder`. Where one cannot be written WriteFailed is thrown and nothing is left aside. A device
+/// or a pipe is written into.
 void write_aside_and_rename(const std::vector<FileContent>& files);
 void write_aside_and_rename(const std::filesystem::path& file, std::string_view content);
 
@@ -49,17 +52,29 @@ void sync_folder(const std::filesystem::path& folder);
 /// Whole content. Throws BadInput where the file cannot be read or is none, as a pipe is.
 std::string read_file(const std::filesystem::path& file);
 
-/// Keeps others that ask for the same folder out for as long as it lives, and leaves no file behind. Throws BadInput
-/// where another holds it.
+/// Closes what it holds; `release` first where the result of closing matters.
+struct Descriptor {
+  int number = -1;
+
+  Descriptor() = default;
+  explicit Descriptor(int opened) : number(opened) {}
+  Descriptor(Descriptor&& other) noexcept : number(other.release()) {}
+  Descriptor& operator=(Descriptor&& other) noexcept {
+    std::swap(number, other.number);
+    return *this;
+  }
+  ~Descriptor();
+  int release() { return std::exchange(number, -1); }
+};
+
+/// Keeps others that ask for the same folder out for as long as it lives, and leaves no file behind. Throws
+/// BadInput where another holds it.
 class FolderLock {
  public:
   explicit FolderLock(const std::filesystem::path& folder);
-  FolderLock(const FolderLock&) = delete;
-  FolderLock& operator=(const FolderLock&) = delete;
-  ~FolderLock();
 
  private:
-  int descriptor_ = -1;
+  Descriptor held_;
 };
 
 /// A file that only grows, locked against other programs that open it in this way.
@@ -68,9 +83,6 @@ class AppendOnlyFile {
   AppendOnlyFile() = default;
   /// Opens, creates where missing, locks. Throws BadInput where that is impossible or another holds it.
   explicit AppendOnlyFile(const std::filesystem::path& file);
-  AppendOnlyFile(AppendOnlyFile&& other) noexcept;
-  AppendOnlyFile& operator=(AppendOnlyFile&& other) noexcept;
-  ~AppendOnlyFile();
 
   /// Content from the start.
   std::string content() const;
@@ -84,7 +96,7 @@ class AppendOnlyFile {
 
  private:
   std::filesystem::path file_;
-  int descriptor_ = -1;
+  Descriptor opened_;
   std::size_t length_ = 0;  // [bytes]
 };
 

@@ -151,7 +151,7 @@ SweepOutcome fill(ResultFolder& merged, const ManifestHeader& header,
   try {
     for (const ShardResults& shard : shards) copy_points(shard, !header.refined, merged);
     merged.write_table();
-    return outcome_of(header, merged, header.points);
+    return outcome_of(header, merged.finished(), header.points);
   } catch (...) {
     merged.discard();
     throw;

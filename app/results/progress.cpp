@@ -8,8 +8,11 @@
 #include <csignal>
 #include <cstdio>
 #include <mutex>
+#include <nlohmann/json.hpp>
 #include <utility>
 
+#include "app/units.hpp"
+#include "bearing/motion/snapshot.hpp"
 #include "mechanics/cancellation.hpp"
 
 namespace orbearing::app {
@@ -45,17 +48,21 @@ std::string progress_text(std::size_t done, std::size_t kept, std::size_t all, d
   return text;
 }
 
-// A point begins at time 0, and another one may roll at another speed.
-std::optional<double> MotionPace::seconds_left(const system::MotionProgress& now) {
-  if (now.time < last_ || now.rolling_cage_speed != rolling_) {
+std::optional<double> Pace::seconds_left(const std::string& piece, double done, double all) {
+  if (last_ < 0.0 || done < last_ || piece != piece_) {
     start_ = Clock::now();
-    from_ = now.time;
-    rolling_ = now.rolling_cage_speed;
+    from_ = done;
+    piece_ = piece;
   }
-  last_ = now.time;
-  if (!(now.time > from_)) return std::nullopt;
+  last_ = done;
+  if (!(done > from_)) return std::nullopt;
   const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
-  return seconds * std::max(0.0, now.expected - now.time) / (now.time - from_);
+  return seconds * std::max(0.0, all - done) / (done - from_);
+}
+
+// A point begins at time 0, and another one may roll at another speed.
+std::optional<double> Pace::seconds_left(const system::MotionProgress& now) {
+  return seconds_left(fmt::format("{}", now.rolling_cage_speed), now.time, now.expected);
 }
 
 namespace {
@@ -72,11 +79,29 @@ std::string motion_text(const system::MotionProgress& now, std::optional<double>
                      now.time, now.expected, 100.0 * now.share(), to_go(seconds_left));
 }
 
-std::string motion_json(const system::MotionProgress& now, std::optional<double> seconds_left) {
-  return fmt::format(
-      R"({{"time_s": {}, "expected_s": {}, "most_s": {}, "share": {}, "seconds_left": {}, "run": {}, "most_runs": {}}})",
-      now.time, now.expected, now.most, now.share(), seconds_left ? fmt::format("{}", *seconds_left) : "null",
-      now.run, now.most_runs);
+nlohmann::ordered_json motion_json(const system::MotionProgress& now, std::optional<double> seconds_left) {
+  const auto list = [](const Eigen::ArrayXd& values) {
+    return std::vector<double>(values.begin(), values.end());
+  };
+  const bearing::motion::Snapshot& bearing = now.bearing;
+  nlohmann::ordered_json object{
+      {"time_s", now.time},
+      {"expected_s", now.expected},
+      {"most_s", now.most},
+      {"share", now.share()},
+      {"seconds_left", nullptr},
+      {"run", now.run},
+      {"most_runs", now.most_runs},
+      {"rolling_cage_rpm", kRpm * now.rolling_cage_speed},
+      {"cage_rpm", kRpm * bearing.orbit_speed},
+      {"cage_turned_deg", kDegree * bearing.orbit_angle},
+      {"cage_um", {per_micro * bearing.cage_position.x(), per_micro * bearing.cage_position.y()}},
+      {"angle_deg", list(kDegree * bearing.angle)},
+      {"spin_rpm", list(kRpm * bearing.spin)},
+      {"inner_load_N", list(bearing.inner.load)},
+      {"outer_load_N", list(bearing.outer.load)}};
+  if (seconds_left) object["seconds_left"] = *seconds_left;
+  return object;
 }
 
 std::string share_text(double share, double simulated, double seconds) {

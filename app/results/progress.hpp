@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <functional>
 #include <mutex>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 
@@ -30,25 +31,27 @@ class ObservedProgress {
   ~ObservedProgress();
 };
 
-/// Time to go of one motion after the other, by what each has done since it was first seen.
-class MotionPace {
+/// Time to go of one piece of work after the other, by what each has done since it was first seen.
+class Pace {
  public:
-  /// [s]  none at the first sight of a motion
+  /// [s]  of the piece that is called so; none at its first sight
+  std::optional<double> seconds_left(const std::string& piece, double done, double all);
+  /// The same of a motion.
   std::optional<double> seconds_left(const system::MotionProgress& now);
 
  private:
   using Clock = std::chrono::steady_clock;
   Clock::time_point start_{};
-  double from_ = 0.0, last_ = 0.0;  // [s]  of motion
-  double rolling_ = 0.0;            // [rad/s]  tells points apart
+  double from_ = 0.0, last_ = -1.0;  // done
+  std::string piece_;
 };
 
 /// "run 2 of at most 8: 0.0231 s of 0.18 s in motion, 13 %, 0:04 to go". A motion that is not yet steady may
 /// go on for longer than expected.
 std::string motion_text(const system::MotionProgress& now, std::optional<double> seconds_left);
 
-/// The same for callers: {"time_s", "expected_s", "most_s", "share", "seconds_left", "run", "most_runs"}.
-std::string motion_json(const system::MotionProgress& now, std::optional<double> seconds_left);
+/// The same for callers, with cage and rollers (Request::motion).
+nlohmann::ordered_json motion_json(const system::MotionProgress& now, std::optional<double> seconds_left);
 
 /// "12 % of 0.5 s in motion, 0:04 to go": of an analysis in time that reports the share done. `simulated`
 /// [s] in all; `seconds` [s] went by.
@@ -82,7 +85,7 @@ class Progress {
   Clock::time_point last_{};
   std::size_t done_;
   double work_ = -1.0;  // [-]  done
-  MotionPace pace_;
+  Pace pace_;
   std::mutex printing_;  // motions are reported by those who compute
   std::optional<system::ObservedMotions> motions_;
 };

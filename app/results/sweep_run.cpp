@@ -251,10 +251,6 @@ std::string interrupted(const SweepRequest& request, const std::string& found) {
 
 }  // namespace
 
-SweepOutcome outcome_of(const ManifestHeader& header, const ResultFolder& folder, std::size_t kept) {
-  return outcome_of(header, folder.finished(), kept);
-}
-
 SweepOutcome outcome_of(const ManifestHeader& header, const std::map<std::size_t, ManifestEntry>& entries,
                         std::size_t kept) {
   SweepOutcome outcome{header, head_of(header), rows_in_table_order(header, entries),
@@ -290,7 +286,7 @@ SweepOutcome swept(const SweepRequest& request) {
         fmt::format("interrupted while the sweep was refined, with {} points added to the {} of the grid",
                     folder.finished().size() - request.header.points, request.header.points)));
   folder.write_table();
-  return outcome_of(request.header, folder, kept);
+  return outcome_of(request.header, folder.finished(), kept);
 }
 
 }  // namespace

@@ -90,7 +90,6 @@ struct SweepOutcome {
 SweepOutcome run_sweep(const SweepRequest& request);
 
 /// The rows of a folder; `kept` of its points were found finished.
-SweepOutcome outcome_of(const ManifestHeader& header, const ResultFolder& folder, std::size_t kept);
 SweepOutcome outcome_of(const ManifestHeader& header, const std::map<std::size_t, ManifestEntry>& entries,
                         std::size_t kept = 0);
 

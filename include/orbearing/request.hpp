@@ -27,8 +27,10 @@ struct Request {
   /// Called from any thread, one call at a time, with how far the computation is; false asks it to stop.
   std::function<bool(std::size_t done, std::size_t all, const std::string& doing)> progress{};
   /// Called from any thread, one call at a time, with how far a motion in progress is, a JSON object:
-  /// {"time_s", "expected_s", "most_s", "share", "seconds_left", "run", "most_runs"}. `seconds_left` is null
-  /// at first; `run` is 0 unless gears and bearing run in turn.
+  /// {"time_s", "expected_s", "most_s", "share", "seconds_left", "run", "most_runs", "rolling_cage_rpm",
+  /// "cage_rpm", "cage_turned_deg", "cage_um", "angle_deg", "spin_rpm", "inner_load_N", "outer_load_N"}.
+  /// `seconds_left` is null at first; `run` is 0 unless gears and bearing run in turn. Speeds are relative to
+  /// the carrier; without a cage its speed and angle are means over the rollers.
   std::function<void(const std::string& motion)> motion{};
   /// Receives each point of a sweep as it ends, a JSON object with the keys of `points`; first those that a
   /// resumed folder holds. One call at a time.

@@ -54,8 +54,7 @@ function(orbearing_engine)
     COMMAND /usr/bin/python3 "${here}/units_table.py" "${PROJECT_BINARY_DIR}/units/units_table.hpp"
     DEPENDS "${here}/units_table.py")
   file(MAKE_DIRECTORY "${PROJECT_BINARY_DIR}/units")
-  set(own "${here}/engine.cpp" "${here}/stand_ins.cpp" "${here}/units_by_table.cpp"
-    "${PROJECT_SOURCE_DIR}/app/page/motion_event.cpp")
+  set(own "${here}/engine.cpp" "${here}/stand_ins.cpp" "${here}/units_by_table.cpp")
   add_executable(engine ${sources} ${own} "${PROJECT_BINARY_DIR}/units/units_table.hpp")
   orbearing_compile_options(engine)
   set_target_properties(engine PROPERTIES POSITION_INDEPENDENT_CODE OFF)

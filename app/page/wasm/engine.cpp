@@ -8,7 +8,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/case/units.hpp"
-#include "app/page/motion_event.hpp"
 #include "mechanics/cancellation.hpp"
 #include "orbearing/errors.hpp"
 #include "orbearing/request.hpp"
@@ -37,12 +36,11 @@ Request request_of(const Json& asked) {
     tell_progress(static_cast<double>(done), static_cast<double>(all), doing.c_str());
     return true;
   };
+  request.motion = [](const std::string& motion) { tell_motion(motion.c_str()); };
   return request;
 }
 
 std::string computed(const Json& asked) {
-  const system::ObservedMotions motions(
-      [](const system::MotionProgress& now) { tell_motion(app::page::motion_event(now).dump().c_str()); });
   const Answer answer = orbearing::answer(request_of(asked));
   return fmt::format(R"({{"code": {}, "failures": {}, "result": {}}})", answer.code,
                      Json(answer.failures).dump(), answer.result);

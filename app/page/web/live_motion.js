@@ -10,7 +10,7 @@ const MOST_POINTS = 400;  // of the curve; beyond them every second one goes
 const CHART_EVERY = 500;  // ms
 const WHILE = 'Slip of the cage while it is computed';
 
-/** `motion` events as app/page/motion_event.hpp states them. */
+/** `motion` events as `motion` of include/orbearing/request.hpp states them. */
 export class LiveMotion {
   constructor() {
     this.drawn = element('div', {class: 'machine-room'});

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <thread>
 
@@ -174,9 +175,9 @@ TEST(Progress, TellsTimeShareAndTimeToGoOfAMotion) {
   const bearing::motion::Snapshot bearing;
   system::MotionProgress now{.time = 0.12, .most = 1.2, .expected = 0.48, .bearing = bearing};
   EXPECT_EQ(motion_text(now, std::nullopt), "0.12 s of 0.48 s in motion, 25 %");
-  EXPECT_EQ(
-      motion_json(now, 9.5),
-      R"({"time_s": 0.12, "expected_s": 0.48, "most_s": 1.2, "share": 0.25, "seconds_left": 9.5, "run": 0, "most_runs": 0})");
+  EXPECT_EQ(motion_json(now, 9.5).at("share"), 0.25);
+  EXPECT_EQ(motion_json(now, 9.5).at("seconds_left"), 9.5);
+  EXPECT_TRUE(motion_json(now, std::nullopt).at("seconds_left").is_null());
   now.run = 2;
   now.most_runs = 8;
   EXPECT_EQ(motion_text(now, 9.6), "run 2 of at most 8: 0.12 s of 0.48 s in motion, 25 %, 0:10 to go");
@@ -186,7 +187,7 @@ TEST(Progress, TellsTimeShareAndTimeToGoOfAMotion) {
 
 TEST(Progress, PaceIsThatOfEachMotion) {
   const bearing::motion::Snapshot bearing;
-  MotionPace pace;
+  Pace pace;
   const auto at = [&](double time, double rolling) {
     return system::MotionProgress{
         .time = time, .most = 1.0, .expected = 0.5, .rolling_cage_speed = rolling, .bearing = bearing};
