@@ -140,7 +140,12 @@ void require_lives(const fs::path& folder, const ResolvedCase& resolved) {
                    "; required: a run or sweep with lives of bearings. Without --pdf the page is drawn");
 }
 
-int report_of(const Options& options) {
+}  // namespace
+
+int report_command(const Options& options) {
+  if (!options.settings.empty())
+    throw BadInput("--set: " + options.settings.front() +
+                   ": found with report; required: set it in the sweep");
   const fs::path folder = options.folders.front();
   if (!options.bearing_points.empty()) {
     print_object(bearing_points(read_case((folder / "case.resolved.yaml").string()),
@@ -186,15 +191,6 @@ int report_of(const Options& options) {
   if (!options.json && !options.quiet && data.contains("missing") && data["missing"].is_object())
     print_warnings({data["missing"]["text"].get<std::string>()});
   return 0;
-}
-
-}  // namespace
-
-int report_command(const Options& options) {
-  if (!options.settings.empty())
-    throw BadInput("--set: " + options.settings.front() +
-                   ": found with report; required: set it in the sweep");
-  return report_of(options);
 }
 
 }  // namespace orbearing::app

@@ -146,8 +146,12 @@ std::vector<fs::path> missing_folders(fs::path folder) {
   return missing;
 }
 
-SweepOutcome fill(ResultFolder& merged, const ManifestHeader& header,
-                  const std::vector<ShardResults>& shards) {
+SweepOutcome write_merged(const std::vector<ShardResults>& shards, const fs::path& folder, bool grid_only) {
+  ManifestHeader header = *shards.front().manifest.header;
+  header.shard.reset();
+  if (grid_only) header.refined = false;
+  const std::string resolved = read_file(resolved_file(shards.front()));
+  ResultFolder merged(folder, header, resolved, OpenMode::fresh);
   try {
     for (const ShardResults& shard : shards) copy_points(shard, !header.refined, merged);
     merged.write_table();
@@ -156,15 +160,6 @@ SweepOutcome fill(ResultFolder& merged, const ManifestHeader& header,
     merged.discard();
     throw;
   }
-}
-
-SweepOutcome write_merged(const std::vector<ShardResults>& shards, const fs::path& folder, bool grid_only) {
-  ManifestHeader header = *shards.front().manifest.header;
-  header.shard.reset();
-  if (grid_only) header.refined = false;
-  const std::string resolved = read_file(resolved_file(shards.front()));
-  ResultFolder merged(folder, header, resolved, OpenMode::fresh);
-  return fill(merged, header, shards);
 }
 
 }  // namespace
