@@ -92,7 +92,6 @@ BallStudy ball_study(const ResolvedCase& in, const std::function<void(double)>& 
   if (!study.run.completed)
     throw ComputationFailed(fmt::format("{}: {}", in.text("name"), study.run.message));
   const double inner = duty.inner.speed_at(options.duration), outer = duty.outer.speed_at(options.duration);
-  study.rolling_cage_speed = kinematic_cage_speed(geometry_of(bearing), inner, outer);
   const double rotating = bearing.motions.inner == bearing::RaceMotion::rotating ? inner : outer;
   const system::BallMeans& means = study.run.means;
   study.rotating_speed = rotating;
@@ -113,12 +112,13 @@ BallStudy ball_study(const ResolvedCase& in, const std::function<void(double)>& 
   const double rolling = means.loss.rolling / std::abs(inner - outer);
   const bool isothermal = motion.race.inlet_heating == bearing::motion::InletHeating::none;
   study.friction_by_standards =
-      friction_by_standards(in, {.speed = std::abs(inner - outer),
-                                 .torque = std::abs(means.inner_torque),
-                                 .rolling = rolling,
-                                 .isothermal = isothermal ? rolling : 0.0,
-                                 .viscosity = in.quantity("lubricant.viscosity") / oil_density(in),
-                                 .static_capacity = ratings.static_capacity});
+      friction_by_standards(in,
+                            {.speed = std::abs(inner - outer),
+                             .torque = std::abs(means.inner_torque),
+                             .rolling = rolling,
+                             .isothermal = isothermal ? rolling : 0.0,
+                             .viscosity = in.quantity("lubricant.viscosity") / oil_density(in)},
+                            ratings.static_capacity);
   study.warnings = warnings_of_balls(study, duty, options);
   return study;
 }

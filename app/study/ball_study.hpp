@@ -18,7 +18,6 @@ namespace orbearing::app {
 struct BallStudy {
   system::BallRunResult run;
   std::vector<system::WarmState> warming;  // from cold to steady; empty where temperatures are stated
-  double rolling_cage_speed = 0.0;         // [rad/s]  of pure rolling, at the end
   double life_hours = 0.0;                 // [h]      of the bearing at the speed of the end
   double life_with_balls_hours = 0.0;      // [h]   where its balls may fail too, Eq. (35) of [Chen2026]
   double dynamic_capacity = 0.0;           // [N]

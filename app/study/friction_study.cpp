@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "app/case/catalogue_case.hpp"
+#include "app/case/described_case.hpp"
 #include "app/case/oil_case.hpp"
 #include "app/case/static_case.hpp"
 #include "app/errors.hpp"
@@ -60,8 +61,8 @@ bearing::Bearing with_rings(bearing::Bearing bearing, const friction::BearingSiz
 
 void put_torque(Record& record, double torque, const FrictionByStandards& standards) {
   record.value("torque_N_mm", dimension::small_torque, "in all", torque).symbol = "M";
-  record.value("power_W", dimension::heat, "the same times the speed", torque * standards.speed);
-  record.value("ours_over_it", dimension::ratio, "our torque over it", standards.ours / torque);
+  record.value("power_W", dimension::heat, "the same times the speed", torque * standards.ours.speed);
+  record.value("ours_over_it", dimension::ratio, "our torque over it", standards.ours.torque / torque);
 }
 
 template <class Standards>
@@ -78,7 +79,7 @@ void put_parted(Record& record, const friction::PartedTorque& torque, const Stan
 void describe(Record& record, const FrictionStudy& study) {
   const friction::RollingFriction& loss = study.loss;
   record.value("power_W", dimension::heat, "friction at pure rolling, in all", loss.total());
-  record.value("torque_N_mm", dimension::small_torque, "the same over the speed", study.torque());
+  record.value("torque_N_mm", dimension::small_torque, "the same over the speed", study.ours().torque);
   if (study.oil_temperature)
     record.value("oil_temperature_degC", dimension::temperature, "at which the oil leaves with that heat",
                  *study.oil_temperature);
@@ -116,8 +117,9 @@ void describe(Record& record, const FrictionByStandards& standards) {
     put_torque(one, of.skf.total(), of);
   });
   const double heating = standards.skf.inlet_heating, both = heating * standards.skf.starvation;
+  const OurFriction& ours = standards.ours;
   const auto with_factor = [&](double factor) {
-    return (standards.ours - standards.rolling + factor * standards.isothermal) * standards.speed;
+    return (ours.torque - ours.rolling + factor * ours.isothermal) * ours.speed;
   };
   record.value("ours_with_inlet_heating_W", dimension::heat,
                "our power, its isothermal rolling part times phi_ish", with_factor(heating));
@@ -128,22 +130,26 @@ void describe(Record& record, const FrictionByStandards& standards) {
              friction::thermal_reference::heat(standards.size))
       .symbol = "Phi_r";
   record.value("ours_over_reference_heat", dimension::ratio, "our power over it",
-               standards.ours * standards.speed / friction::thermal_reference::heat(standards.size));
-}
-
-std::optional<OilInContacts> oil_in_contacts(const ResolvedCase& in) {
-  if (in.has("lubricant.grade")) return OilInContacts{graded_lubricant(in), graded_viscosity_slope(in)};
-  if (!in.has("lubricant.kinematic_viscosity")) return std::nullopt;
-  const std::optional<bearing::OilGrade> oil = oil_with(in.quantity("lubricant.kinematic_viscosity"));
-  if (!oil) return std::nullopt;
-  constexpr double temperature = friction::thermal_reference::kTemperature;
-  return OilInContacts{bearing::lubricant_at(*oil, temperature), bearing::viscosity_slope(*oil, temperature)};
+               ours.torque * ours.speed / friction::thermal_reference::heat(standards.size));
 }
 
 namespace {
 
-std::optional<bearing::OilGrade> oil_grade_of(const ResolvedCase& in) {
+// Oil as contacts have it.
+struct OilInContacts {
+  bearing::Lubricant lubricant;
+  double viscosity_slope = 0.0;  // [1/K]  by which its viscosity falls
+};
+
+OilInContacts oil_at(const bearing::OilGrade& oil, double temperature) {
+  return {bearing::lubricant_at(oil, temperature), bearing::viscosity_slope(oil, temperature)};
+}
+
+// Of a case that states its viscosity, by grade or directly; none where it states neither, or a viscosity
+// that no mineral oil has at the default temperature.
+std::optional<bearing::OilGrade> oil_of(const ResolvedCase& in) {
   if (in.has("lubricant.grade")) return graded_oil(in);
+  if (!in.has("lubricant.kinematic_viscosity")) return std::nullopt;
   return oil_with(in.quantity("lubricant.kinematic_viscosity"));
 }
 
@@ -174,10 +180,9 @@ FrictionStudy roller_study(const ResolvedCase& in, const bearing::Bearing& beari
                          speed, viscosity};
   };
   if (!in.flag("heat.enabled")) return in_oil(stated, in.quantity("lubricant.kinematic_viscosity"));
-  const bearing::OilGrade grade = *oil_grade_of(in);
+  const bearing::OilGrade oil = *oil_of(in);
   const auto at = [&](double temperature) {
-    return in_oil({lubricant_at(grade, temperature), viscosity_slope(grade, temperature)},
-                  kinematic_viscosity(grade, temperature));
+    return in_oil(oil_at(oil, temperature), kinematic_viscosity(oil, temperature));
   };
   try {
     const double outlet = system::balanced_outlet(
@@ -194,36 +199,37 @@ FrictionStudy roller_study(const ResolvedCase& in, const bearing::Bearing& beari
 
 std::optional<FrictionStudy> friction_study(const ResolvedCase& in, const bearing::Bearing& bearing,
                                             const bearing::equilibrium::RingState& balance) {
-  const std::optional<OilInContacts> oil = oil_in_contacts(in);
+  const std::optional<bearing::OilGrade> stated = oil_of(in);
   const double speed = speed_of(in);
-  if (!oil || speed == 0.0) return std::nullopt;
-  if (bearing.has_rollers()) return roller_study(in, bearing, balance, *oil);
+  if (!stated || speed == 0.0) return std::nullopt;
+  const OilInContacts oil = in.has("lubricant.grade")
+                                ? OilInContacts{graded_lubricant(in), graded_viscosity_slope(in)}
+                                : oil_at(*stated, friction::thermal_reference::kTemperature);
+  if (bearing.has_rollers()) return roller_study(in, bearing, balance, oil);
   const std::optional<friction::BearingSize> size = size_of(in);
   if (!size || balance.inner_rolling.size() == 0) return std::nullopt;
   return FrictionStudy{
       friction::ball_friction(with_rings(bearing, *size), balance, ring_load_of(in), row_motion_of(in).speeds,
-                              oil->lubricant, {.viscosity_slope = oil->viscosity_slope}),
+                              oil.lubricant, {.viscosity_slope = oil.viscosity_slope}),
       speed, in.quantity("lubricant.kinematic_viscosity")};
 }
 
-std::optional<FrictionByStandards> friction_by_standards(const ResolvedCase& in, const OurFriction& ours) {
+std::optional<FrictionByStandards> friction_by_standards(const ResolvedCase& in, const OurFriction& ours,
+                                                         double static_capacity) {
   std::optional<friction::BearingSize> size = size_of(in);
   if (!size || ours.speed == 0.0) return std::nullopt;
-  size->static_capacity = ours.static_capacity;
+  size->static_capacity = static_capacity;
   const bearing::equilibrium::RingLoad load = ring_load_of(in);
   const friction::TorqueCondition at{
       .speed = ours.speed, .viscosity = ours.viscosity, .radial = load.radial, .axial = load.axial};
   const double mean = size->mean_diameter();
-  const friction::SkfTorque skf = skf_torque(*size, at);
-  return FrictionByStandards{
-      .size = *size,
-      .palmgren = parted_torque(palmgren_factors(*size, at), mean, at),
-      .gear_unit = parted_torque(gear_unit_factors(*size, at), mean, at),
-      .skf = skf,
-      .speed = ours.speed,
-      .ours = ours.torque,
-      .rolling = ours.rolling,
-      .isothermal = ours.isothermal > 0.0 ? ours.isothermal : ours.rolling / skf.inlet_heating};
+  FrictionByStandards found{.size = *size,
+                            .palmgren = parted_torque(palmgren_factors(*size, at), mean, at),
+                            .gear_unit = parted_torque(gear_unit_factors(*size, at), mean, at),
+                            .skf = skf_torque(*size, at),
+                            .ours = ours};
+  if (!(ours.isothermal > 0.0)) found.ours.isothermal = ours.rolling / found.skf.inlet_heating;
+  return found;
 }
 
 }  // namespace orbearing::app

@@ -13,13 +13,24 @@
 
 namespace orbearing::app {
 
+/// What the program finds, of which the formulas of others are to be beside.
+struct OurFriction {
+  double speed = 0.0;       // [rad/s]  of the rings against each other
+  double torque = 0.0;      // [N m]
+  double rolling = 0.0;     // [N m]  of it: resistance to rolling
+  double isothermal = 0.0;  // [N m]  that resistance without heating of the inlets; 0: not known
+  double viscosity = 0.0;   // [m^2/s]  of the oil, kinematic
+};
+
 struct FrictionStudy {
   bearing::friction::RollingFriction loss;  // [W]
   double speed = 0.0;                       // [rad/s]  of the rings against each other
   double viscosity = 0.0;                   // [m^2/s]  of the oil, kinematic
   std::optional<double> oil_temperature{};  // [degC]   where the friction heats the oil
 
-  double torque() const { return loss.total() / speed; }  // [N m]
+  OurFriction ours() const {
+    return {speed, loss.total() / speed, loss.rolling / speed, loss.isothermal_rolling / speed, viscosity};
+  }
 };
 
 void describe(described::Record& record, const FrictionStudy& study);
@@ -28,24 +39,11 @@ struct FrictionByStandards {
   bearing::friction::BearingSize size;
   bearing::friction::PartedTorque palmgren, gear_unit;
   bearing::friction::SkfTorque skf;
-  double speed = 0.0;       // [rad/s]
-  double ours = 0.0;        // [N m]
-  double rolling = 0.0;     // [N m]  of it: resistance to rolling
-  double isothermal = 0.0;  // [N m]  that resistance without heating of the inlets
+  OurFriction ours;  // with its resistance without heating
 };
 
 /// Of each formula its torque by part, its power and ours over it; the heat of [ISO15312] by the size.
 void describe(described::Record& record, const FrictionByStandards& standards);
-
-/// Oil as contacts have it.
-struct OilInContacts {
-  bearing::Lubricant lubricant;
-  double viscosity_slope = 0.0;  // [1/K]  by which its viscosity falls
-};
-
-/// The oil of a case that states its viscosity, by grade or directly; none where it states neither, or a
-/// viscosity that no mineral oil has at the default temperature.
-std::optional<OilInContacts> oil_in_contacts(const ResolvedCase& in);
 
 /// With `heat.enabled` at the temperature at which the oil leaves with all heat; throws ComputationFailed
 /// where that is too hot. None where no ring turns, no oil is stated, or, of balls, the width of the rings is
@@ -53,17 +51,8 @@ std::optional<OilInContacts> oil_in_contacts(const ResolvedCase& in);
 std::optional<FrictionStudy> friction_study(const ResolvedCase& in, const bearing::Bearing& bearing,
                                             const bearing::equilibrium::RingState& balance);
 
-/// What the program finds, of which the formulas of others are to be beside.
-struct OurFriction {
-  double speed = 0.0;            // [rad/s]  of the rings against each other
-  double torque = 0.0;           // [N m]
-  double rolling = 0.0;          // [N m]  of it: resistance to rolling
-  double isothermal = 0.0;       // [N m]  that resistance without heating of the inlets; 0: not known
-  double viscosity = 0.0;        // [m^2/s]  of the oil, kinematic
-  double static_capacity = 0.0;  // [N]
-};
-
-/// None where bore, outside diameter and width are not known, or nothing turns.
-std::optional<FrictionByStandards> friction_by_standards(const ResolvedCase& in, const OurFriction& ours);
+/// None where bore, outside diameter and width are not known, or nothing turns. `static_capacity` [N].
+std::optional<FrictionByStandards> friction_by_standards(const ResolvedCase& in, const OurFriction& ours,
+                                                         double static_capacity);
 
 }  // namespace orbearing::app

@@ -28,8 +28,18 @@ namespace {
 using described::Record;
 namespace dimension = described::dimension;
 
-bool has_balls(const StaticStudy& study) {
-  return study.contact_angle.size() > 0;
+namespace equilibrium = bearing::equilibrium;
+namespace rating = bearing::rating;
+using bearing::Race;
+
+// Races of balls that move bear unlike loads.
+bool balls_move(const equilibrium::RingState& state) {
+  return state.outer_load.size() > 0;
+}
+
+const Eigen::ArrayXd& load_on(Race race, const StaticStudy& study) {
+  const equilibrium::RingState& state = study.state;
+  return race == Race::outer && balls_move(state) ? state.outer_load : state.contact_load;
 }
 
 void describe_life(Record& record, const bearing::BearingLife& life) {
@@ -57,36 +67,35 @@ void describe_factors(Record& record, const bearing::rating::RatingLives& lives)
 }
 
 void describe_elements(Record& record, const StaticStudy& study) {
+  const equilibrium::RingState& state = study.state;
   const auto of_elements = [&](const char* name, const described::Dimension& of, const char* meaning,
                                const Eigen::ArrayXd& values) -> described::Entry& {
     return record.array(name, of, meaning, {"element"}, values);
   };
-  if (study.outer_load.size() > 0) {
-    of_elements("outer_contact_loads_N", dimension::force, "of each ball on the outer race", study.outer_load)
+  if (balls_move(state)) {
+    of_elements("outer_contact_loads_N", dimension::force, "of each ball on the outer race", state.outer_load)
         .variable = "outer_contact_load";
     of_elements("outer_contact_angles_deg", dimension::angle, "of each ball on the outer race",
-                study.outer_angle);
+                state.outer_angle);
     record.value("gyroscopic_friction", dimension::ratio, "traction over load that holds the balls, at most",
-                 study.friction);
+                 state.friction);
   }
   if (study.films) record.table("film", "film", "under each loaded ball", *study.films);
   if (study.over_speed) describe(record, *study.over_speed);
   record.child("lundberg_palmgren", "life by Lundberg and Palmgren", study.lundberg_palmgren, describe_life)
       .detail = true;
-  if (has_balls(study))
+  if (state.contact_angle.size() > 0)
     of_elements("contact_angles_deg", dimension::angle, "of each ball on the inner race",
-                study.contact_angle);
-  if (study.lamina_load.size() > 0)
+                state.contact_angle);
+  if (state.lamina_load.size() > 0)
     record
         .array("lamina_loads_N", dimension::force, "load of each lamina of each roller",
-               {"element", "lamina"}, study.lamina_load.transpose().eval())
+               {"element", "lamina"}, state.lamina_load.transpose().eval())
         .variable = "lamina_load";
 }
 
 // What the table of a sweep has columns for.
 void describe_races(Record& record, const StaticStudy& study) {
-  const Eigen::ArrayXd& inner = study.contact_load;
-  const Eigen::ArrayXd& outer = study.outer_load.size() > 0 ? study.outer_load : study.contact_load;
   const auto of_race = [&](const std::string& race, const Eigen::ArrayXd& loads, double life) {
     record.value(race + "_load_max_N", dimension::force, "largest load of an element", loads.maxCoeff())
         .detail = true;
@@ -96,8 +105,8 @@ void describe_races(Record& record, const StaticStudy& study) {
         .detail = true;
     record.value(race + "_life_Mrev", dimension::revolutions, "by Lundberg and Palmgren", life).detail = true;
   };
-  of_race("inner", inner, study.lundberg_palmgren.inner);
-  of_race("outer", outer, study.lundberg_palmgren.outer);
+  of_race("inner", load_on(Race::inner, study), study.lundberg_palmgren.inner);
+  of_race("outer", load_on(Race::outer, study), study.lundberg_palmgren.outer);
 }
 
 // Under the names that files of arrays have had.
@@ -117,7 +126,7 @@ void describe_for_files(Record& record, const StaticStudy& study) {
 void describe_displacement(Record& record, const StaticStudy& study) {
   record.value("radial_um", dimension::small_length, "inner ring along the radial load", study.radial)
       .variable = "radial_displacement";
-  record.value("axial_um", dimension::small_length, "inner ring along the axis", study.axial).variable =
+  record.value("axial_um", dimension::small_length, "inner ring along the axis", study.state.axial).variable =
       "axial_displacement";
 }
 
@@ -129,82 +138,121 @@ void describe_race(Record& record, const bearing::PointContact& contact) {
   record.value("elliptic_E", dimension::ratio, "second complete integral", contact.ellipse.second);
 }
 
+// The numbers between a bearing and its reference rating life, [ISO16281]: what anyone who computes the same
+// by another program compares step by step (cases/iso16281_worked_set).
+
 // Constants of contacts have units of their own: N/mm^(10/9) and N/mm^(3/2).
 constexpr double kPerMetre = 1e3;  // [mm/m]
 
-}  // namespace
+// What both kinds of elements have.
+struct ElementSteps {
+  Eigen::ArrayXd approach;  // [m]  (elements)
+  Eigen::ArrayXd inner_equivalent,
+      outer_equivalent;  // [N]  (laminae), the stress riser in them; of balls one
+};
 
-LifeTable StaticStudy::life_table() const {
-  using bearing::rating::RollingElement;
-  return {value_by_name(all_lives()),
-          {has_balls(*this) ? RollingElement::ball : RollingElement::roller, reduction_factor}};
-}
-
-double largest_load(const StaticStudy& study) {
-  const double inner = study.contact_load.maxCoeff();
-  return study.outer_load.size() > 0 ? std::max(inner, study.outer_load.maxCoeff()) : inner;
-}
-
-void describe(Record& record, const RollerSteps& rollers) {
+// Of rollers cut into laminae: Eq. (6) of bearing/equilibrium/README.md, Eqs. (4) and (5) of
+// bearing/life/README.md.
+ElementSteps describe_row(Record& record, const StaticStudy& study, const equilibrium::RollerRow& row) {
   constexpr described::Dimension line_constant{"contact constant", "1", "N/mm^(10/9)", ""};
+  const equilibrium::RingPosition position = equilibrium::position_of(study.state, row.lever());
+  const auto& contact = row.contact();
+  const int laminae = contact.laminae();
+  const Eigen::Index rollers = study.state.contact_load.size();
+  Eigen::ArrayXd approach(rollers), tilt(rollers);
+  for (Eigen::Index j = 0; j < rollers; ++j) {
+    const Eigen::Vector2d at = row.coordinates(j, position);
+    approach[j] = at[0];
+    tilt[j] = -std::atan(at[1] / row.lever());
+  }
   record.value("c_L_N_per_mm_10_9", line_constant, "of both contacts in series",
-               rollers.constant * std::pow(kPerMetre, -bearing::kLineExponent));
-  record.array("lamina_places_mm", dimension::length, "from the middle", {"lamina"}, rollers.lamina_position);
-  record.array("drops_um", dimension::small_length, "of both contacts: 2 P(x_k)", {"lamina"}, rollers.drop);
+               contact.constant() * std::pow(kPerMetre, -bearing::kLineExponent));
+  record.array("lamina_places_mm", dimension::length, "from the middle", {"lamina"},
+               (row.lever() * contact.positions()).eval());
+  record.array("drops_um", dimension::small_length, "of both contacts: 2 P(x_k)", {"lamina"},
+               contact.drops());
   record.array("element_tilts_mrad", dimension::small_angle, "of the races against each other", {"element"},
-               rollers.tilt);
-  record.array("stress_riser", dimension::ratio, "f_k", {"lamina"}, rollers.stress_riser);
+               tilt);
+  record.array("stress_riser", dimension::ratio, "f_k", {"lamina"}, rating::stress_riser(laminae));
   record.array("lamina_capacities_N", dimension::force, "of each race", {{"race", {"inner", "outer"}}},
-               std::array{rollers.inner_lamina_capacity, rollers.outer_lamina_capacity});
+               std::array{rating::lamina_capacity(study.ratings.contacts.inner, laminae),
+                          rating::lamina_capacity(study.ratings.contacts.outer, laminae)});
+  const Eigen::ArrayXXd stressed = rating::with_stress_riser(study.state.lamina_load);
+  const auto& motions = study.bearing.motions;
+  return {approach, rating::equivalent_lamina_loads(stressed, motions.inner),
+          rating::equivalent_lamina_loads(stressed, motions.outer)};
 }
 
-void describe(Record& record, const BallSteps& balls) {
+// Of balls: Eqs. (7) and (8) of bearing/equilibrium/README.md.
+ElementSteps describe_row(Record& record, const StaticStudy& study, const equilibrium::BallRow& row) {
   constexpr described::Dimension point_constant{"contact constant", "1", "N/mm^(3/2)", ""};
-  record.child("inner_contact", "of a ball on the inner race", balls.inner, describe_race);
-  record.child("outer_contact", "of a ball on the outer race", balls.outer, describe_race);
+  const equilibrium::RingPosition position = equilibrium::position_of(study.state, row.lever());
+  record.child("inner_contact", "of a ball on the inner race", row.contact(Race::inner), describe_race);
+  record.child("outer_contact", "of a ball on the outer race", row.contact(Race::outer), describe_race);
   record.value("c_P_N_per_mm_3_2", point_constant, "of both contacts in series",
-               balls.constant * std::pow(kPerMetre, -1.5));
-  record.value("groove_distance_mm", dimension::length, "A", balls.groove_distance);
-  record.value("tilt_radius_mm", dimension::length, "R_i", balls.tilt_radius);
-  record.value("free_angle_deg", dimension::angle, "contact angle without load", balls.free_angle);
+               row.constant() * std::pow(kPerMetre, -1.5));
+  record.value("groove_distance_mm", dimension::length, "A", row.groove_distance());
+  record.value("tilt_radius_mm", dimension::length, "R_i", row.lever());
+  record.value("free_angle_deg", dimension::angle, "contact angle without load", row.free_angle());
+  const Eigen::ArrayXd& load = study.state.contact_load;
+  const auto& motions = study.bearing.motions;
+  ElementSteps steps{Eigen::ArrayXd(load.size()),
+                     Eigen::ArrayXd::Constant(1, rating::equivalent_ball_load(load, motions.inner)),
+                     Eigen::ArrayXd::Constant(1, rating::equivalent_ball_load(load, motions.outer))};
+  for (Eigen::Index j = 0; j < load.size(); ++j) steps.approach[j] = row.position_of(j, position).approach;
+  return steps;
 }
 
-void describe(Record& record, const StaticSteps& steps) {
-  record.value("gamma", dimension::ratio, "D cos(alpha)/d_m", steps.gamma);
-  if (steps.rollers) describe(record, *steps.rollers);
-  if (steps.balls) describe(record, *steps.balls);
-  record.child("ring", "displacement of the inner ring", steps, [](Record& ring, const StaticSteps& of) {
-    ring.value("radial_um", dimension::small_length, "along the radial load", of.radial);
-    ring.value("lateral_um", dimension::small_length, "across it", of.lateral);
-    ring.value("axial_um", dimension::small_length, "along the axis", of.axial);
-    ring.value("tilt_mrad", dimension::small_angle, "in the plane of the load", of.tilt);
-    ring.value("lateral_tilt_mrad", dimension::small_angle, "in that across it", of.lateral_tilt);
-    ring.value("moment_across_N_m", dimension::torque, "in that plane", of.lateral_moment);
-  });
-  record.array("element_angles_deg", dimension::angle, "from the radial load", {"element"}, steps.angle);
+void describe_steps(Record& record, const StaticStudy& study) {
+  record.value("gamma", dimension::ratio, "D cos(alpha)/d_m", study.ratings.gamma);
+  const ElementSteps steps = study.bearing.has_rollers()
+                                 ? describe_row(record, study, equilibrium::RollerRow(study.bearing))
+                                 : describe_row(record, study, equilibrium::BallRow(study.bearing));
+  record.child("ring", "displacement of the inner ring", study.state,
+               [](Record& ring, const equilibrium::RingState& of) {
+                 ring.value("radial_um", dimension::small_length, "along the radial load", of.radial);
+                 ring.value("lateral_um", dimension::small_length, "across it", of.lateral);
+                 ring.value("axial_um", dimension::small_length, "along the axis", of.axial);
+                 ring.value("tilt_mrad", dimension::small_angle, "in the plane of the load", of.tilt);
+                 ring.value("lateral_tilt_mrad", dimension::small_angle, "in that across it",
+                            of.lateral_tilt);
+                 ring.value("moment_across_N_m", dimension::torque, "in that plane", of.lateral_moment);
+               });
+  record.array("element_angles_deg", dimension::angle, "from the radial load", {"element"},
+               equilibrium::element_angles(study.bearing));
   record.array("approaches_um", dimension::small_length, "negative: clearance of the rings", {"element"},
                steps.approach);
   record.child(
-      "equivalent_loads_N", "of each lamina, of balls one", steps, [](Record& loads, const StaticSteps& of) {
+      "equivalent_loads_N", "of each lamina, of balls one", steps, [](Record& loads, const ElementSteps& of) {
         loads.array("inner", dimension::force, "on the inner race", {"equivalent"}, of.inner_equivalent);
         loads.array("outer", dimension::force, "on the outer race", {"equivalent"}, of.outer_equivalent);
       });
 }
 
+}  // namespace
+
+LifeTable StaticStudy::life_table() const {
+  using rating::RollingElement;
+  return {value_by_name(all_lives()),
+          {bearing.has_rollers() ? RollingElement::roller : RollingElement::ball, reduction_factor}};
+}
+
 void describe(Record& record, const StaticStudy& study) {
   record.child("displacement", "from the concentric position", study, describe_displacement).variable = "";
   record.value("tilt_mrad", dimension::small_angle, "inner ring in the plane of the load", study.tilt);
-  record.value("contact_load_max_N", dimension::force, "largest of both races", largest_load(study));
+  record.value("contact_load_max_N", dimension::force, "largest of both races",
+               std::max(study.state.contact_load.maxCoeff(), load_on(Race::outer, study).maxCoeff()));
   record
       .array("contact_loads_N", dimension::force,
              "load of each rolling element, the first at bearing.first_element_angle from the load line",
-             {"element"}, study.contact_load)
+             {"element"}, study.state.contact_load)
       .variable = "contact_load";
   describe(record, study.all_lives());
   record.entry("life_h").variable = "life_hours";  // `life` is that in revolutions
-  record.value("moment_N_m", dimension::torque, "on the inner ring in the plane of the load", study.moment);
-  record.value("pressure_max_MPa", dimension::pressure, "after Hertz", study.largest_pressure).variable =
-      "largest_pressure";
+  record.value("moment_N_m", dimension::torque, "on the inner ring in the plane of the load",
+               study.state.moment);
+  record.value("pressure_max_MPa", dimension::pressure, "after Hertz", study.state.largest_pressure)
+      .variable = "largest_pressure";
   record.value("equivalent_load_N", dimension::force, "P of ISO 281", study.lives.dynamic_load);
   record.child("ratings", "by the standards", study.ratings, describe_ratings);
   record.child("factors", "of the modified lives", study.lives, describe_factors).detail = true;
@@ -214,10 +262,10 @@ void describe(Record& record, const StaticStudy& study) {
              describe_life)
       .detail = true;
   record.child("life_table", "comparison of lives", study.life_table()).detail = true;
-  if (study.steps)
-    record.child("steps", "between the bearing and its reference life", *study.steps).detail = true;
+  if (!balls_move(study.state))
+    record.child("steps", "between the bearing and its reference life", study, describe_steps).detail = true;
   record.array("stiffness", {}, "of the inner ring: x, y, z, tilt about x, tilt about y; SI",
-               {"freedom", "freedom_beside"}, study.stiffness);
+               {"freedom", "freedom_beside"}, equilibrium::stiffness_by_axes(study.state));
   if (study.passing)
     record.child("defect_frequencies", "at pure rolling, by their names in condition monitoring",
                  *study.passing);
@@ -230,8 +278,6 @@ void describe(Record& record, const StaticStudy& study) {
 }
 
 namespace {
-
-namespace rating = bearing::rating;
 
 // [rad/s]  of the rings against each other
 double relative_speed(const ResolvedCase& in) {
@@ -257,26 +303,22 @@ std::optional<rating::OilCondition> oil_of(const ResolvedCase& in) {
       in.origin("lubricant.kinematic_viscosity"), oil.viscosity_ratio, rating::kLeastViscosityRatio));
 }
 
-rating::ElementLoads loads_on(bearing::Race race, const StaticStudy& study) {
-  const bool own = race == bearing::Race::outer && study.outer_load.size() > 0;
-  return {own ? study.outer_load : study.contact_load, study.lamina_load};
-}
-
 // Of rollers by the capacities of Lundberg and Palmgren, lamina by lamina; of balls those of [ISO16281] are
 // theirs.
-bearing::BearingLife lundberg_palmgren(const bearing::Bearing& bearing, const StaticStudy& study) {
-  if (!bearing.has_rollers()) return study.lives.reference;
+bearing::BearingLife lundberg_palmgren(const StaticStudy& study) {
+  if (!study.bearing.has_rollers()) return study.lives.reference;
   return bearing::life::lamina_life(
-      bearing::life::lamina_rating(bearing, bearing::life::LifeMeasure::lundberg_palmgren,
+      bearing::life::lamina_rating(study.bearing, bearing::life::LifeMeasure::lundberg_palmgren,
                                    study.reduction_factor),
-      study.lamina_load, study.lamina_load);
+      study.state.lamina_load, study.state.lamina_load);
 }
 
 // Shoulders are not stated; one at 70 degrees is a third of a ball's diameter high.
 void warn_of_steep_contacts(StaticStudy& study) {
-  if (study.contact_angle.size() == 0) return;
+  const equilibrium::RingState& state = study.state;
+  if (state.contact_angle.size() == 0) return;
   constexpr double degree = constants::degree, normal_end = 70.0 * degree;
-  const Eigen::ArrayXd loaded_angle = (study.contact_load > 0.0).select(study.contact_angle.abs(), 0.0);
+  const Eigen::ArrayXd loaded_angle = (state.contact_load > 0.0).select(state.contact_angle.abs(), 0.0);
   const auto beyond = (loaded_angle > normal_end).count();
   if (beyond == 0) return;
   study.warnings.push_back(
@@ -288,9 +330,9 @@ void warn_of_steep_contacts(StaticStudy& study) {
 // One loaded element does not hold the ring across its line. Cylindrical rollers never hold it along the
 // axis.
 void warn_of_loose_rings(StaticStudy& study) {
-  const Eigen::Vector3d held = study.stiffness.diagonal().head<3>();
+  const Eigen::Vector3d held = study.state.stiffness.diagonal().head<3>();
   constexpr double nothing = 1e-9;
-  const int axes = study.contact_angle.size() > 0 ? 3 : 2;
+  const int axes = study.bearing.has_rollers() ? 2 : 3;
   for (int axis = 0; axis < axes; ++axis)
     if (held[axis] < nothing * held.maxCoeff())
       study.warnings.push_back(
@@ -327,17 +369,17 @@ void warn(const ResolvedCase& in, StaticStudy& study) {
   if (in.model() == roller_bearing && !in.has("bearing.laminae"))
     study.warnings.push_back(fmt::format(
         "bearing.laminae: not given; {} are used, and lives depend on their number", default_laminae));
-  if (study.lamina_load.rows() > 0 && study.lamina_load.rows() < 30)
+  if (const Eigen::Index laminae = study.state.lamina_load.rows(); laminae > 0 && laminae < 30)
     study.warnings.push_back(
         fmt::format("bearing.laminae: {} laminae; ISO/TS 16281 requires at least 30, and its stress riser "
                     "depends on their number",
-                    study.lamina_load.rows()));
+                    laminae));
   constexpr double slipping = 0.1;  // of lubricated steel
-  if (study.friction > slipping)
+  if (study.state.friction > slipping)
     study.warnings.push_back(
         fmt::format("operation: the gyroscopic moment of a ball requires a friction coefficient of {:.2g} on "
                     "a race. The ball will slip, which the equilibrium does not include",
-                    study.friction));
+                    study.state.friction));
   warn_of_steep_contacts(study);
   warn_of_loose_rings(study);
 }
@@ -356,13 +398,17 @@ namespace {
 
 // Puts all lives into a study whose loads and ratings are known, and warns where the standard's ranges are
 // left.
-void rate(const ResolvedCase& in, const bearing::Bearing& bearing, StaticStudy& study) {
+void rate(const ResolvedCase& in, StaticStudy& study) {
+  const bearing::Bearing& bearing = study.bearing;
   study.speed = relative_speed(in);
   if (bearing.has_rollers()) study.reduction_factor = in.number("life.reduction_factor");
-  study.lives = rating::rating_lives(rating::bearing_rating(bearing, stated_ratings_of(in)),
-                                     rating_condition_of(in, bearing), loads_on(bearing::Race::inner, study),
-                                     loads_on(bearing::Race::outer, study));
-  study.lundberg_palmgren = lundberg_palmgren(bearing, study);
+  const auto loads_on = [&](Race race) -> rating::ElementLoads {
+    return {load_on(race, study), study.state.lamina_load};
+  };
+  study.lives =
+      rating::rating_lives(rating::bearing_rating(bearing, stated_ratings_of(in)),
+                           rating_condition_of(in, bearing), loads_on(Race::inner), loads_on(Race::outer));
+  study.lundberg_palmgren = lundberg_palmgren(study);
   warn(in, study);
 }
 
@@ -427,83 +473,10 @@ std::vector<Derived> static_quantities(const ResolvedCase& in) {
 
 namespace {
 
-namespace equilibrium = bearing::equilibrium;
-
-void require_balance(const ResolvedCase& in, const equilibrium::BalanceReport& report) {
-  if (report.converged) return;
-  throw ComputationFailed(fmt::format("{}: {} ({} iterations, {:.2g} N unbalanced)", in.text("name"),
-                                      report.message, report.iterations, report.residual));
-}
-
 // Of both planes. Where load and elements are mirrored in that of the radial load, nothing moves across it,
 // and what moves along it keeps its sign.
 double resultant(double along, double across, bool mirrored) {
   return mirrored ? along : std::hypot(along, across);
-}
-
-struct StepsOf {
-  const bearing::Bearing& bearing;
-  const rating::Ratings& ratings;
-  const equilibrium::RingState& state;
-  StaticSteps& steps;
-
-  void operator()(const equilibrium::RollerRow& row) const {
-    const equilibrium::RingPosition position = equilibrium::position_of(state, row.lever());
-    const auto& contact = row.contact();
-    const int laminae = contact.laminae();
-    RollerSteps rollers{.constant = contact.constant(),
-                        .lamina_position = row.lever() * contact.positions(),
-                        .drop = contact.drops(),
-                        .tilt = steps.angle,
-                        .stress_riser = rating::stress_riser(laminae),
-                        .inner_lamina_capacity = rating::lamina_capacity(ratings.contacts.inner, laminae),
-                        .outer_lamina_capacity = rating::lamina_capacity(ratings.contacts.outer, laminae)};
-    for (Eigen::Index j = 0; j < steps.angle.size(); ++j) {
-      const Eigen::Vector2d at = row.coordinates(j, position);
-      steps.approach[j] = at[0];
-      rollers.tilt[j] = -std::atan(at[1] / row.lever());
-    }
-    const Eigen::ArrayXXd stressed = rating::with_stress_riser(state.lamina_load);
-    steps.inner_equivalent = rating::equivalent_lamina_loads(stressed, bearing.motions.inner);
-    steps.outer_equivalent = rating::equivalent_lamina_loads(stressed, bearing.motions.outer);
-    steps.rollers = std::move(rollers);
-  }
-
-  void operator()(const equilibrium::BallRow& row) const {
-    const equilibrium::RingPosition position = equilibrium::position_of(state, row.lever());
-    for (Eigen::Index j = 0; j < steps.angle.size(); ++j)
-      steps.approach[j] = row.position_of(j, position).approach;
-    const auto equivalent = [&](bearing::RaceMotion motion) {
-      return Eigen::ArrayXd::Constant(1, rating::equivalent_ball_load(state.contact_load, motion)).eval();
-    };
-    steps.inner_equivalent = equivalent(bearing.motions.inner);
-    steps.outer_equivalent = equivalent(bearing.motions.outer);
-    steps.balls = BallSteps{.inner = row.contact(bearing::Race::inner),
-                            .outer = row.contact(bearing::Race::outer),
-                            .constant = row.constant(),
-                            .groove_distance = row.groove_distance(),
-                            .tilt_radius = row.lever(),
-                            .free_angle = row.free_angle()};
-  }
-};
-
-// Of a state that a search without motion of the balls has found; none where balls turn, whose races bear
-// unlike loads.
-std::optional<StaticSteps> static_steps(const bearing::Bearing& bearing, const rating::Ratings& ratings,
-                                        const equilibrium::RingState& state) {
-  if (state.outer_load.size() > 0) return {};
-  StaticSteps steps{.gamma = ratings.gamma,
-                    .radial = state.radial,
-                    .lateral = state.lateral,
-                    .axial = state.axial,
-                    .tilt = state.tilt,
-                    .lateral_tilt = state.lateral_tilt,
-                    .lateral_moment = state.lateral_moment,
-                    .angle = equilibrium::element_angles(bearing),
-                    .approach = Eigen::ArrayXd::Zero(bearing.element_count())};
-  const StepsOf put{bearing, ratings, state, steps};
-  bearing.has_rollers() ? put(equilibrium::RollerRow(bearing)) : put(equilibrium::BallRow(bearing));
-  return steps;
 }
 
 }  // namespace
@@ -519,25 +492,17 @@ StaticStudy static_study(const ResolvedCase& in) {
   const bearing::Bearing bearing = bearing_of(in);
   const equilibrium::RingLoad load = ring_load_of(in);
   const equilibrium::RowMotion motion = row_motion_of(in);
-  const equilibrium::RingState state = equilibrium::balance_bearing(bearing, motion, load);
-  require_balance(in, state.report);
+  StaticStudy study{.bearing = bearing, .state = equilibrium::balance_bearing(bearing, motion, load)};
+  const equilibrium::RingState& state = study.state;
+  if (!state.report.converged)
+    throw ComputationFailed(fmt::format("{}: {} ({} iterations, {:.2g} N unbalanced)", in.text("name"),
+                                        state.report.message, state.report.iterations,
+                                        state.report.residual));
   const bool mirrored = load.moment_across == 0.0 && bearing.first_element == 0.0;
-  StaticStudy study{.model = in.choice("model"),
-                    .radial = resultant(state.radial, state.lateral, mirrored),
-                    .axial = state.axial,
-                    .tilt = resultant(state.tilt, state.lateral_tilt, mirrored),
-                    .moment = state.moment,
-                    .contact_load = state.contact_load,
-                    .contact_angle = state.contact_angle,
-                    .outer_load = state.outer_load,
-                    .outer_angle = state.outer_angle,
-                    .friction = state.friction,
-                    .stiffness = equilibrium::stiffness_by_axes(state),
-                    .lamina_load = state.lamina_load,
-                    .largest_pressure = state.largest_pressure};
+  study.radial = resultant(state.radial, state.lateral, mirrored);
+  study.tilt = resultant(state.tilt, state.lateral_tilt, mirrored);
   study.ratings = rating::ratings_of(bearing, stated_ratings_of(in));
-  study.steps = static_steps(bearing, study.ratings, state);
-  rate(in, bearing, study);
+  rate(in, study);
   if (study.speed != 0.0)
     study.passing = bearing::defect::passing_frequencies(bearing, in.quantity("operation.shaft_speed"),
                                                          in.quantity("operation.outer_speed"));
@@ -551,13 +516,8 @@ StaticStudy static_study(const ResolvedCase& in) {
         fmt::format("the friction heats the oil to {:.0f} degC; lives and kappa keep the stated viscosity",
                     *study.rolling_friction->oil_temperature));
   if (study.rolling_friction)
-    study.friction_by_standards = friction_by_standards(
-        in, {.speed = study.rolling_friction->speed,
-             .torque = study.rolling_friction->torque(),
-             .rolling = study.rolling_friction->loss.rolling / study.rolling_friction->speed,
-             .isothermal = study.rolling_friction->loss.isothermal_rolling / study.rolling_friction->speed,
-             .viscosity = study.rolling_friction->viscosity,
-             .static_capacity = study.ratings.static_capacity});
+    study.friction_by_standards =
+        friction_by_standards(in, study.rolling_friction->ours(), study.ratings.static_capacity);
   study.over_speed = speed_table(in);
   if (study.over_speed)
     for (const std::string& warning : study.over_speed->warnings) study.warnings.push_back(warning);

@@ -110,7 +110,8 @@ TEST(StandardLives, OfAPlanetBearingAreThoseOfTheSingleOne) {
   const RatingLives single = bearing::rating::rating_lives(
       bearing::rating::bearing_rating(bearing_of(in), stated_ratings_of(in)),
       {.dynamic_load = load, .static_load = load, .oil = bearing::rating::OilCondition{1.0, 0.8}},
-      {study.contact_load, study.lamina_load}, {study.contact_load, study.lamina_load});
+      {study.state.contact_load, study.state.lamina_load},
+      {study.state.contact_load, study.state.lamina_load});
   const RatingLives& lives = planet.rating.lives;
   for (const auto member :
        {&RatingLives::dynamic_capacity, &RatingLives::static_capacity, &RatingLives::fatigue_load_limit,

@@ -150,11 +150,12 @@ TEST(BallFilms, OfLoadedBallsAlone) {
       shipped("spin_bearing_7210", {"load.radial=4 kN", "load.axial=500 N", "operation.shaft_speed=6000 rpm",
                                     "operation.speeds=[6000 rpm]"}));
   ASSERT_TRUE(study.films);
-  Eigen::Index loaded = (study.contact_load > 0.0).count() + (study.outer_load > 0.0).count();
+  const bearing::equilibrium::RingState& state = study.state;
+  Eigen::Index loaded = (state.contact_load > 0.0).count() + (state.outer_load > 0.0).count();
   EXPECT_EQ(static_cast<Eigen::Index>(study.films->size()), loaded);
-  EXPECT_LT(loaded, 2 * study.contact_load.size());
+  EXPECT_LT(loaded, 2 * state.contact_load.size());
   for (const BallFilm& film : *study.films) {
-    const Eigen::ArrayXd& load = film.race == bearing::Race::inner ? study.contact_load : study.outer_load;
+    const Eigen::ArrayXd& load = film.race == bearing::Race::inner ? state.contact_load : state.outer_load;
     EXPECT_EQ(film.point.motion.load, load[film.ball]);
     EXPECT_GT(film.point.motion.rolling, 0.0);
     EXPECT_GE(film.point.motion.spin, 0.0);
