@@ -40,63 +40,77 @@ void warn_standard(const NamedMesh& mesh, std::vector<std::string>& texts) {
 
 constexpr const char* kGearNames[] = {"first gear", "second gear"};
 
-// The ring is the first gear of its mesh, whichever drives.
-MeshStudy internal_study(const ResolvedCase& in, const gearset::GearPair& pair) {
-  const gearset::InternalMesh internal = gearset::internal_mesh(pair);
-  const mechanics::Material material = elasticity_of(in);
-  const std::size_t ring = pair.ring(), inside = pair.inside();
-  const gearset::MeshingGears gears = gearset::meshing_gears(
-      gearset::make_mesh_gear(internal.ring, pair.ring_outside * internal.ring.root_radius, pair.face_width,
-                              material),
-      gearset::make_mesh_gear(internal.inside, 0.5 * pair.bore, pair.face_width, material),
-      internal.centre_distance, ring == 0);
-  MeshStudy study;
-  // The standard counts the shift of a ring as that of an external gear: positive inward.
-  study.meshes.push_back({.name = "pair",
-                          .first = kGearNames[ring],
-                          .second = kGearNames[inside],
-                          .stiffness = gearset::mesh_stiffness(gears),
-                          .standard = gearset::iso6336_stiffness(
-                              {pair.teeth[inside], 0, pair.shift[inside], -pair.shift[ring], pair.rack,
-                               internal.mesh.contact_ratio, material, pair.helix_angle, pair.web}),
-                          .face_width = pair.face_width});
-  gearset::PeriodicCurve& curve = study.meshes.front().stiffness.curve;
-  if (pair.web.thickness) curve = curve.times(gearset::web_factor(pair.web));
-  add_texts(gearset::pair_warnings(internal), study.warnings);
-  add_texts(gearset::foundation_warnings(gears.second, gearset::pitch_point(gears), kGearNames[inside],
-                                         "pair.bore"),
-            study.warnings);
-  warn_standard(study.meshes.front(), study.warnings);
-  return study;
+// A pair of either kind. The ring is the first gear of its mesh, whichever drives.
+struct MeshedPair {
+  std::size_t first = 0, second = 1;    // of the mesh, among the gears of the case
+  double centre_distance = 0.0;         // [m]
+  double working_pressure_angle = 0.0;  // [rad]
+  double contact_ratio = 0.0;           // [-]
+  std::array<double, 2> area{};         // [m^2]  of the gears of the case in section
+  gearset::MeshingGears gears;
+  gearset::Warnings warnings;
+};
+
+MeshedPair meshed_pair(const gearset::GearPair& pair, const mechanics::Material& material) {
+  const double bore = 0.5 * pair.bore;
+  const auto gear = [&](const gearset::ExternalTooth& tooth) {
+    return gearset::make_mesh_gear(tooth, bore, pair.face_width, material);
+  };
+  const auto area = [&](const gearset::ExternalTooth& tooth) {
+    return gearset::section_moments(tooth, bore).area;
+  };
+  if (!pair.is_internal()) {
+    const gearset::PairGeometry g = gearset::pair_geometry(pair);
+    const auto& [driving, driven] = g.gears;
+    return {.centre_distance = g.centre_distance,
+            .working_pressure_angle = g.working_pressure_angle,
+            .contact_ratio = g.contact_ratio,
+            .area = {area(driving), area(driven)},
+            .gears = gearset::meshing_gears(gear(driving), gear(driven), g.centre_distance, true),
+            .warnings = gearset::pair_warnings(g)};
+  }
+  const gearset::InternalMesh g = gearset::internal_mesh(pair);
+  const double outside = pair.ring_outside * g.ring.root_radius;
+  MeshedPair found{
+      .first = pair.ring(),
+      .second = pair.inside(),
+      .centre_distance = g.centre_distance,
+      .working_pressure_angle = g.mesh.working_pressure_angle,
+      .contact_ratio = g.mesh.contact_ratio,
+      .gears = gearset::meshing_gears(gearset::make_mesh_gear(g.ring, outside, pair.face_width, material),
+                                      gear(g.inside), g.centre_distance, pair.ring() == 0),
+      .warnings = gearset::pair_warnings(g)};
+  found.area.at(pair.ring()) = gearset::section_moments(g.ring, outside).area;
+  found.area.at(pair.inside()) = area(g.inside);
+  return found;
 }
 
 MeshStudy pair_study(const ResolvedCase& in) {
   const gearset::GearPair pair = pair_of(in);
-  if (pair.is_internal()) return internal_study(in, pair);
-  const gearset::PairGeometry geometry = gearset::pair_geometry(pair);
   const mechanics::Material material = elasticity_of(in);
-  const auto gear = [&](std::size_t i) {
-    return gearset::make_mesh_gear(geometry.gears.at(i), 0.5 * pair.bore, pair.face_width, material);
-  };
-  const gearset::MeshingGears gears =
-      gearset::meshing_gears(gear(0), gear(1), geometry.centre_distance, true);
+  const MeshedPair meshed = meshed_pair(pair, material);
+  const std::size_t first = meshed.first, second = meshed.second;
+  const bool ring = pair.is_internal();
   MeshStudy study;
+  // The standard counts the shift of a ring as that of an external gear: positive inward.
   study.meshes.push_back({.name = "pair",
-                          .first = kGearNames[0],
-                          .second = kGearNames[1],
-                          .stiffness = gearset::mesh_stiffness(gears),
+                          .first = kGearNames[first],
+                          .second = kGearNames[second],
+                          .stiffness = gearset::mesh_stiffness(meshed.gears),
                           .standard = gearset::iso6336_stiffness(
-                              {pair.teeth[0], pair.teeth[1], pair.shift[0], pair.shift[1], pair.rack,
-                               geometry.contact_ratio, material, pair.helix_angle, pair.web}),
+                              {pair.teeth.at(second), ring ? 0 : pair.teeth.at(first), pair.shift.at(second),
+                               ring ? -pair.shift.at(first) : pair.shift.at(first), pair.rack,
+                               meshed.contact_ratio, material, pair.helix_angle, pair.web}),
                           .face_width = pair.face_width});
   gearset::PeriodicCurve& curve = study.meshes.front().stiffness.curve;
   if (pair.web.thickness) curve = curve.times(gearset::web_factor(pair.web));
-  const double position = gearset::pitch_point(gears);
-  add_texts(gearset::pair_warnings(geometry), study.warnings);
-  add_texts(
-      gearset::foundation_warnings(gears.first, gears.line_length - position, "first gear", "pair.bore"),
-      study.warnings);
-  add_texts(gearset::foundation_warnings(gears.second, position, "second gear", "pair.bore"), study.warnings);
+  const double position = gearset::pitch_point(meshed.gears);
+  add_texts(meshed.warnings, study.warnings);
+  add_texts(gearset::foundation_warnings(meshed.gears.first, meshed.gears.line_length - position,
+                                         kGearNames[first], "pair.bore"),
+            study.warnings);
+  add_texts(gearset::foundation_warnings(meshed.gears.second, position, kGearNames[second], "pair.bore"),
+            study.warnings);
   warn_standard(study.meshes.front(), study.warnings);
   return study;
 }
@@ -228,32 +242,6 @@ MeshStudy set_study(const ResolvedCase& in) {
   return study;
 }
 
-// What `check` shows of a pair of either kind.
-struct PairNumbers {
-  double centre_distance = 0.0;         // [m]
-  double working_pressure_angle = 0.0;  // [rad]
-  double contact_ratio = 0.0;           // [-]
-  double overlap_ratio = 0.0;           // [-]
-  std::array<double, 2> area{};         // [m^2]  of both gears in section
-};
-
-PairNumbers pair_numbers(const gearset::GearPair& pair) {
-  if (!pair.is_internal()) {
-    const gearset::PairGeometry g = gearset::pair_geometry(pair);
-    const auto area = [&](std::size_t i) {
-      return gearset::section_moments(g.gears.at(i), 0.5 * pair.bore).area;
-    };
-    return {
-        g.centre_distance, g.working_pressure_angle, g.contact_ratio, g.overlap_ratio, {area(0), area(1)}};
-  }
-  const gearset::InternalMesh g = gearset::internal_mesh(pair);
-  PairNumbers found{g.centre_distance, g.mesh.working_pressure_angle, g.mesh.contact_ratio,
-                    gearset::overlap_ratio(pair.face_width, pair.module, pair.helix_angle)};
-  found.area.at(pair.ring()) = gearset::section_moments(g.ring, pair.ring_outside * g.ring.root_radius).area;
-  found.area.at(pair.inside()) = gearset::section_moments(g.inside, 0.5 * pair.bore).area;
-  return found;
-}
-
 }  // namespace
 
 MeshStudy mesh_study(const ResolvedCase& resolved) {
@@ -276,13 +264,14 @@ gearset::PlanetaryMeshes planetary_meshes_of(const ResolvedCase& resolved) {
 
 std::vector<Derived> pair_quantities(const ResolvedCase& resolved, const MeshStudy& study) {
   const gearset::GearPair pair = pair_of(resolved);
-  const PairNumbers geometry = pair_numbers(pair);
+  const MeshedPair geometry = meshed_pair(pair, elasticity_of(resolved));
   const double mass_per_area = resolved.quantity("material.density") * pair.face_width;
   return {{"pair.centre_distance", 1e3 * geometry.centre_distance, "mm", "working, without backlash"},
           {"pair.working_pressure_angle", kDegree * geometry.working_pressure_angle, "deg", "working"},
           {"pair.contact_ratio", geometry.contact_ratio, "1",
            "where the involutes end; of helical teeth transverse"},
-          {"pair.overlap_ratio", geometry.overlap_ratio, "1", "face width in axial pitches"},
+          {"pair.overlap_ratio", gearset::overlap_ratio(pair.face_width, pair.module, pair.helix_angle), "1",
+           "face width in axial pitches"},
           {"pair.mass.first", mass_per_area * geometry.area[0], "kg", "the driving gear"},
           {"pair.mass.second", mass_per_area * geometry.area[1], "kg", "the driven gear"},
           {"pair.mesh_stiffness", study.meshes.front().stiffness.curve.mean(), "N/m",
