@@ -72,35 +72,33 @@ void require_each_key_once(const Entry& entry, const std::string& file, std::vec
   }
 }
 
-void require_each_key_once(const std::string& file) {
+// The text of a file in which no key is twice and, what yaml-cpp repairs in silence, all is UTF-8.
+std::string sound_text(const std::string& file) {
+  std::string text = read_file(file);
   std::vector<std::string> mistakes;
   try {
-    require_each_key_once(read_yaml(read_file(file)), file, mistakes);
+    require_each_key_once(read_yaml(text), file, mistakes);
   } catch (const YamlFault& fault) {
     throw BadInput(fmt::format("{}:{}:{}: {}; {}", file, fault.location.line, fault.location.column,
                                fault.message.found, fault.message.required));
   }
   if (!mistakes.empty()) throw BadInput(mistakes);
+  return text;
 }
 
-std::string fidelity_of_row(const YAML::Node& node, const std::string& quantity) {
-  if (!node["fidelity"]) return fidelity_names().front();
-  const auto name = node["fidelity"].as<std::string>();
-  const std::vector<std::string>& names = fidelity_names();
-  if (std::find(names.begin(), names.end(), name) == names.end())
-    throw YAML::Exception(node["fidelity"].Mark(), "fidelity: found " + name);
-  if (!result_pointer(quantity))
-    throw YAML::Exception(node["fidelity"].Mark(),
-                          "fidelity: found together with a quantity that no command gives");
+std::string fidelity_at(const YAML::Node& node, const char* key) {
+  const auto name = node.as<std::string>();
+  if (std::ranges::find(fidelity_names(), name) == fidelity_names().end())
+    throw YAML::Exception(node.Mark(), std::string(key) + ": found " + name);
   return name;
 }
 
-std::vector<std::string> against_of_row(const YAML::Node& node, const std::string& quantity) {
-  if (!node["against"]) return {};
-  if (!result_pointer(quantity))
-    throw YAML::Exception(node["against"].Mark(),
-                          "against: found together with a quantity that no command gives");
-  return node["against"].as<std::vector<std::string>>();
+// Of a row whose quantity a command gives; else there is none.
+YAML::Node of_command(const YAML::Node& node, const char* key, const std::string& quantity) {
+  if (node[key] && !result_pointer(quantity))
+    throw YAML::Exception(node[key].Mark(),
+                          std::string(key) + ": found together with a quantity that no command gives");
+  return node[key];
 }
 
 PublishedValue published_value(const YAML::Node& node) {
@@ -116,9 +114,11 @@ PublishedValue published_value(const YAML::Node& node) {
                      .why = node["why"].as<std::string>(""),
                      .memory = node["memory"].as<bool>(false),
                      .fitted = node["fitted"].as<bool>(false)};
-  row.fidelity = fidelity_of_row(node, row.quantity);
+  if (const YAML::Node named = of_command(node, "fidelity", row.quantity))
+    row.fidelity = fidelity_at(named, "fidelity");
   if (node["settings"]) row.settings = node["settings"].as<std::vector<std::string>>();
-  row.against = against_of_row(node, row.quantity);
+  if (const YAML::Node other = of_command(node, "against", row.quantity))
+    row.against = other.as<std::vector<std::string>>();
   if (!node["value"]) throw YAML::Exception(node.Mark(), "value: missing");
   if (!node["value"].IsNull()) row.value = number_of(node["value"], "value");
   if (node["scatter"]) row.scatter = positive_number(node["scatter"], "scatter");
@@ -131,12 +131,9 @@ NamedChange alternative(const YAML::Node& node) {
 }
 
 MotionPlan motion_plan(const YAML::Node& node) {
-  MotionPlan plan{.fidelity = node["fidelity"].as<std::string>(), .speed_rpm = {}};
+  MotionPlan plan{.fidelity = fidelity_at(node["fidelity"], "motion.fidelity"), .speed_rpm = {}};
   for (const YAML::Node& speed : node["speeds_rpm"])
     plan.speed_rpm.push_back(positive_number(speed, "motion.speeds_rpm"));
-  const std::vector<std::string>& names = fidelity_names();
-  if (std::find(names.begin(), names.end(), plan.fidelity) == names.end())
-    throw YAML::Exception(node["fidelity"].Mark(), "motion.fidelity: found " + plan.fidelity);
   if (plan.speed_rpm.empty()) throw YAML::Exception(node.Mark(), "motion.speeds_rpm: found none");
   for (const YAML::Node& entry : node["alternatives"]) plan.alternatives.push_back(alternative(entry));
   return plan;
@@ -160,26 +157,11 @@ std::optional<ResultPointer> result_pointer(const std::string& quantity) {
   return ResultPointer{quantity.substr(0, colon), quantity.substr(colon + 1)};
 }
 
-namespace {
-
-// yaml-cpp repairs bytes that are not UTF-8 in silence.
-std::string text_of_file(const std::string& file) {
-  const std::string text = read_file(file);
-  try {
-    check_text(text);
-  } catch (const YamlFault& fault) {
-    throw BadInput(describe(Mistake{fault.location, "(file)", fault.message}, file));
-  }
-  return text;
-}
-
-}  // namespace
-
 ExpectedFile read_expected(const std::string& file) {
   if (!fs::exists(file)) return {};
-  require_each_key_once(file);
+  const std::string text = sound_text(file);
   try {
-    const YAML::Node root = YAML::Load(text_of_file(file));
+    const YAML::Node root = YAML::Load(text);
     ExpectedFile expected;
     for (const YAML::Node& node : root["published"]) expected.published.push_back(published_value(node));
     for (const YAML::Node& node : root["alternatives"]) expected.alternatives.push_back(alternative(node));

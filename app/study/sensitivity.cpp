@@ -20,14 +20,8 @@ namespace dimension = described::dimension;
 
 namespace {
 
-double speed_of_largest(const LifeCurve& curve, const std::vector<double>& values) {
-  return curve
-      .speed_rpm[static_cast<std::size_t>(std::max_element(values.begin(), values.end()) - values.begin())];
-}
-
 double speed_of_smallest(const LifeCurve& curve, const std::vector<double>& values) {
-  return curve
-      .speed_rpm[static_cast<std::size_t>(std::min_element(values.begin(), values.end()) - values.begin())];
+  return curve.speed_rpm[static_cast<std::size_t>(std::ranges::min_element(values) - values.begin())];
 }
 
 bool rises_then_falls(const LifeCurve& curve) {
@@ -47,10 +41,6 @@ double gain_at_best(const ChangeResult& reference, const ChangeResult& result) {
   const std::size_t at = best_point(reference);
   return life_of(result.points[at]) - life_of(reference.points[at]);
 }
-
-}  // namespace
-
-namespace {
 
 constexpr double kWorthKnowing = 0.1;  // [-]  of a life
 constexpr double kMore = 0.1;          // [-]  of a default
@@ -175,8 +165,10 @@ void describe(described::Record& record, const LifeCurve& curve) {
   const auto speed = [&](const char* name, const char* meaning, double rpm) {
     record.value(name, in_rpm, meaning, rpm);
   };
-  speed("peak_speed_rpm", "of the longest life on the grid", speed_of_largest(curve, curve.life_h));
-  record.value("peak_life_h", dimension::hours, "longest on the grid", std::ranges::max(curve.life_h));
+  const auto longest = std::ranges::max_element(curve.life_h);
+  speed("peak_speed_rpm", "of the longest life on the grid",
+        curve.speed_rpm[static_cast<std::size_t>(longest - curve.life_h.begin())]);
+  record.value("peak_life_h", dimension::hours, "longest on the grid", *longest);
   speed("least_load_speed_rpm", "of the least roller loads", speed_of_smallest(curve, curve.roller_load_rms));
   speed("shortest_life_speed_rpm", "of the shortest life", speed_of_smallest(curve, curve.life_h));
   record.value("life_rises_then_falls", "whether life has one maximum over speed", rises_then_falls(curve));

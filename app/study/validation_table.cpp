@@ -5,6 +5,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/triangular.hpp>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -29,12 +30,6 @@ double uniform_draw(std::mt19937_64& generator) {
   return std::ldexp(static_cast<double>(generator() >> 11), -53);
 }
 
-double triangular_quantile(const UncertainInput& one, double share) {
-  const double width = one.to - one.from, left = one.peak - one.from;
-  if (share * width < left) return one.from + std::sqrt(share * width * left);
-  return one.to - std::sqrt((1.0 - share) * width * (one.to - one.peak));
-}
-
 double normal_quantile(const UncertainInput& one, double share) {
   const auto share_below = [&](double end, double otherwise) {
     return std::isnan(end) ? otherwise : cdf(standard_normal, (end - one.mean) / one.standard_deviation);
@@ -46,7 +41,8 @@ double normal_quantile(const UncertainInput& one, double share) {
 // The value below which the share (0, 1) lies.
 double input_quantile(const UncertainInput& one, double share) {
   if (one.distribution == "uniform") return one.from + share * (one.to - one.from);
-  if (one.distribution == "triangular") return triangular_quantile(one, share);
+  if (one.distribution == "triangular")
+    return quantile(boost::math::triangular(one.from, one.peak, one.to), share);
   return normal_quantile(one, share);
 }
 
@@ -237,28 +233,21 @@ struct OurNumber {
   std::string unit{};
 };
 
-// Our numbers for rows of one and the same variant of a case. Throws BadInput and ComputationFailed.
-using ValuesOf = std::function<std::vector<OurNumber>(const ResolvedCase& variant, const Rows& rows)>;
-
 bool has_life_curve(const ResolvedCase& resolved) {
   return resolved.model() == planetary_drivetrain && !is_planet_defect(resolved) && resolved.shape().teeth;
 }
 
-// Numbers of the life curve by name.
-ValuesOf named_values(const ResolvedCase& resolved) {
-  if (!has_life_curve(resolved))
+// The numbers of the life curve, as a command would print them.
+nlohmann::ordered_json life_curve_json(const ResolvedCase& variant) {
+  if (!has_life_curve(variant))
     throw BadInput(
-        resolved.origin("model") + ": model: found " + resolved.choice("model") +
+        variant.origin("model") + ": model: found " + variant.choice("model") +
         "; quantities by name are those of planetary-drivetrain with teeth; required: this model, or "
         "quantities such as run:/json/pointer");
-  return [](const ResolvedCase& variant, const Rows& rows) {
-    const LifeCurve curve = life_curve(variant);
-    const nlohmann::ordered_json units = units_of(record_of(curve));
-    std::vector<OurNumber> values;
-    for (const PublishedValue* row : rows)
-      values.push_back({property(curve, row->quantity), units.value(row->quantity, "")});
-    return values;
-  };
+  const Record record = record_of(life_curve(variant));
+  nlohmann::ordered_json object = json_of(record);
+  object["units"] = units_of(record);
+  return object;
 }
 
 double number_at(const nlohmann::ordered_json& object, const std::string& quantity,
@@ -291,23 +280,25 @@ std::string unit_at(const nlohmann::ordered_json& units, const std::string& poin
   return unit;
 }
 
-// Numbers by pointers into what a command prints.
-ValuesOf pointed_values(const ResultOf& result_of) {
-  return [result_of](const ResolvedCase& variant, const Rows& rows) {
-    std::map<std::pair<std::string, std::string>, nlohmann::ordered_json> results;
-    std::vector<OurNumber> values;
-    for (const PublishedValue* row : rows) {
-      const ResultPointer at = *result_pointer(row->quantity);
-      const std::pair key{at.command, row->fidelity};
-      auto result = results.find(key);
-      if (result == results.end())
-        result = results.emplace(key, result_of(at.command, row->fidelity, variant)).first;
-      values.push_back(
-          {number_at(result->second, row->quantity, at.pointer),
-           unit_at(result->second.value("units", nlohmann::ordered_json::object()), at.pointer)});
-    }
-    return values;
-  };
+// Our numbers for rows of one and the same variant of a case: by pointers into what a command prints, or by
+// names of the life curve, where what it does not have is absent. Throws BadInput and ComputationFailed.
+std::vector<OurNumber> values_of(const ResolvedCase& variant, const Rows& rows, const ResultOf& result_of) {
+  std::map<std::pair<std::string, std::string>, nlohmann::ordered_json> results;
+  std::vector<OurNumber> values;
+  for (const PublishedValue* row : rows) {
+    const std::optional<ResultPointer> at = result_pointer(row->quantity);
+    const auto [result, is_new] = results.try_emplace({at ? at->command : "", row->fidelity});
+    if (is_new)
+      result->second = at ? result_of(at->command, row->fidelity, variant) : life_curve_json(variant);
+    const nlohmann::ordered_json& object = result->second;
+    const std::string pointer = at ? at->pointer : "/" + row->quantity;
+    if (!at && !object.contains(row->quantity))
+      values.emplace_back();
+    else
+      values.push_back({number_at(object, row->quantity, pointer),
+                        unit_at(object.value("units", nlohmann::ordered_json::object()), pointer)});
+  }
+  return values;
 }
 
 bool needs_band(const PublishedValue& published) {
@@ -337,7 +328,7 @@ std::optional<ValidationBand> band_of(std::vector<double> sampled, int lost) {
 // Values of `rows` at samples of the uncertain inputs of the variant: [row][sample]. A sample that
 // contradicts the case or cannot be computed gives none.
 std::vector<std::vector<double>> sampled_values(const ResolvedCase& variant, const Rows& rows,
-                                                const ValuesOf& values_of, const ValidationOptions& options) {
+                                                const ValidationOptions& options) {
   const UncertainInputs uncertain = uncertain_inputs(variant);
   for (const UncertainInput& one : uncertain.inputs)
     if (one.standard_deviation == 0.0)
@@ -350,7 +341,7 @@ std::vector<std::vector<double>> sampled_values(const ResolvedCase& variant, con
       settings.push_back({uncertain.inputs[i].path, "", sample[i]});
     std::vector<OurNumber> values(rows.size());
     try {
-      values = values_of(variant.with(settings), rows);
+      values = values_of(variant.with(settings), rows, options.result_of);
     } catch (const BadInput&) {
     } catch (const ComputationFailed&) {
     }
@@ -362,13 +353,13 @@ std::vector<std::vector<double>> sampled_values(const ResolvedCase& variant, con
 
 using Bands = std::map<const PublishedValue*, ValidationBand>;
 
-void put_bands(const ResolvedCase& variant, const Rows& rows, const ValuesOf& values_of,
-               const ValidationOptions& options, Bands& bands) {
+void put_bands(const ResolvedCase& variant, const Rows& rows, const ValidationOptions& options,
+               Bands& bands) {
   Rows measured;
   std::copy_if(rows.begin(), rows.end(), std::back_inserter(measured),
                [](const PublishedValue* row) { return needs_band(*row); });
   if (options.samples == 0 || measured.empty() || variant.uncertain().inputs.empty()) return;
-  const std::vector<std::vector<double>> sampled = sampled_values(variant, measured, values_of, options);
+  const std::vector<std::vector<double>> sampled = sampled_values(variant, measured, options);
   for (std::size_t i = 0; i < measured.size(); ++i)
     if (const auto band = band_of(sampled[i], options.samples - static_cast<int>(sampled[i].size())))
       bands.emplace(measured[i], *band);
@@ -383,7 +374,8 @@ ValidationRow failed(const PublishedValue& published, const std::string& reading
 
 struct Variant {
   std::vector<std::string> settings;
-  Rows named, pointed;
+  bool pointed = false;  // by pointers, else by names: one may fail without the other
+  Rows rows{};
 };
 
 // Rows by the variant of the case to which they belong, in the order of its first.
@@ -392,10 +384,11 @@ std::vector<Variant> variants_of(const ExpectedFile& expected, bool with_pointer
   for (const PublishedValue& published : expected.published) {
     const bool pointed = result_pointer(published.quantity).has_value();
     if (pointed && !with_pointers) continue;
-    auto variant = std::find_if(variants.begin(), variants.end(),
-                                [&](const Variant& one) { return one.settings == published.settings; });
-    if (variant == variants.end()) variant = variants.insert(variants.end(), {published.settings, {}, {}});
-    (pointed ? variant->pointed : variant->named).push_back(&published);
+    auto variant = std::ranges::find_if(variants, [&](const Variant& one) {
+      return one.settings == published.settings && one.pointed == pointed;
+    });
+    if (variant == variants.end()) variant = variants.insert(variants.end(), {published.settings, pointed});
+    variant->rows.push_back(&published);
   }
   return variants;
 }
@@ -408,8 +401,22 @@ class RowsOfCase {
 
   void compute(const Variant& variant) {
     const ResolvedCase changed = with_settings(resolved_, variant.settings);
-    if (!variant.named.empty()) compute(changed, variant.named, named_values(changed));
-    if (!variant.pointed.empty()) compute(changed, variant.pointed, pointed_values(options_.result_of));
+    const Rows& rows = variant.rows;
+    try {
+      const std::vector<OurNumber> values = values_of(changed, rows, options_.result_of);
+      for (std::size_t i = 0; i < rows.size(); ++i) {
+        const OurNumber number = compared(*rows[i], values[i]);
+        ValidationRow row = judged(*rows[i], number.value, reading_of(*rows[i]));
+        row.unit = number.unit;
+        rows_.emplace(rows[i], std::move(row));
+      }
+    } catch (const ComputationFailed& error) {
+      for (const PublishedValue* row : rows) rows_.emplace(row, failed(*row, reading_of(*row), error.what()));
+      return;
+    }
+    Bands bands;
+    put_bands(changed, rows, options_, bands);
+    for (const auto& [row, band] : bands) rows_.at(row).band = band;
   }
 
   std::vector<ValidationRow> in_order(const ExpectedFile& expected) const {
@@ -424,28 +431,10 @@ class RowsOfCase {
   OurNumber compared(const PublishedValue& row, const OurNumber& number) const {
     if (row.against.empty()) return number;
     const OurNumber other =
-        pointed_values(options_.result_of)(with_settings(resolved_, row.against), {&row}).front();
+        values_of(with_settings(resolved_, row.against), {&row}, options_.result_of).front();
     const double ratio = number.value / other.value;
     if (!row.is_trend() || std::isnan(ratio)) return {ratio, "1"};
     return {number.value > other.value ? 1.0 : 0.0, "1"};
-  }
-
-  void compute(const ResolvedCase& changed, const Rows& rows, const ValuesOf& values_of) {
-    try {
-      const std::vector<OurNumber> values = values_of(changed, rows);
-      for (std::size_t i = 0; i < rows.size(); ++i) {
-        const OurNumber number = compared(*rows[i], values[i]);
-        ValidationRow row = judged(*rows[i], number.value, reading_of(*rows[i]));
-        row.unit = number.unit;
-        rows_.emplace(rows[i], std::move(row));
-      }
-    } catch (const ComputationFailed& error) {
-      for (const PublishedValue* row : rows) rows_.emplace(row, failed(*row, reading_of(*row), error.what()));
-      return;
-    }
-    Bands bands;
-    put_bands(changed, rows, values_of, options_, bands);
-    for (const auto& [row, band] : bands) rows_.at(row).band = band;
   }
 
   const ResolvedCase& resolved_;
