@@ -154,6 +154,17 @@ double life_to_go_by(const TableHead& head, const ResultRow& row) {
   return value_of(head, row, head.life);
 }
 
+const ResultRow* longest_lived(const TableHead& head, std::span<const ResultRow> rows, bool grid_alone) {
+  const ResultRow* longest = nullptr;
+  double life = 0.0;
+  for (const ResultRow& row : rows) {
+    if ((grid_alone && row.refined) || !(life_to_go_by(head, row) > life)) continue;
+    life = life_to_go_by(head, row);
+    longest = &row;
+  }
+  return longest;
+}
+
 namespace {
 
 /// Where a row keeps the text of column `i`; null for a column of another kind.

@@ -5,6 +5,7 @@
 #include <limits>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -93,6 +94,10 @@ double value_of(const TableHead& head, const ResultRow& row, const std::string& 
 
 /// The life of one bearing that results go by [h]; NaN where the row has none.
 double life_to_go_by(const TableHead& head, const ResultRow& row);
+/// The first row with the longest of these lives, perhaps of those of the grid alone; null where none has
+/// one.
+const ResultRow* longest_lived(const TableHead& head, std::span<const ResultRow> rows,
+                               bool grid_alone = false);
 
 /// Whether two rows of a sweep differ in speed alone: all other axes have equal values.
 bool on_one_line(const TableHead& head, const ResultRow& one, const ResultRow& other);

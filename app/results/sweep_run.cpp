@@ -342,11 +342,9 @@ Record sweep_form(const LifePeak& peak) {
 
 LifePeak grid_peak(const TableHead& head, const std::vector<ResultRow>& rows) {
   LifePeak peak{.life = head.life};
-  for (const ResultRow& row : rows) {
-    const double life = life_to_go_by(head, row);
-    if (row.refined || std::isnan(life) || life <= peak.life_h) continue;
-    peak.life_h = life;
-    peak.speed_rpm = value_of(head, row, "input_speed_rpm");
+  if (const ResultRow* best = longest_lived(head, rows, true)) {
+    peak.life_h = life_to_go_by(head, *best);
+    peak.speed_rpm = value_of(head, *best, "input_speed_rpm");
   }
   return peak;
 }

@@ -291,15 +291,9 @@ struct ShownRows {
 /// All of a few; else the grid's every so many-th and, of the points added to it, the one that lives longest.
 ShownRows shown_rows(const TableHead& head, const std::vector<ResultRow>& rows) {
   ShownRows shown;
-  const ResultRow* longest = nullptr;
-  double life = 0.0;
+  const ResultRow* longest = longest_lived(head, rows);
   std::size_t grid = 0, added = 0;
-  for (const ResultRow& row : rows) {
-    ++(row.refined ? added : grid);
-    if (!(life_to_go_by(head, row) > life)) continue;
-    life = life_to_go_by(head, row);
-    longest = &row;
-  }
+  for (const ResultRow& row : rows) ++(row.refined ? added : grid);
   const bool all = rows.size() <= most_rows;
   const std::size_t step = all ? 1 : (grid + most_rows - 1) / most_rows;
   std::size_t location = 0;

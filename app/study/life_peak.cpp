@@ -7,6 +7,7 @@
 #include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <span>
 
 #include "app/case/bearing_type.hpp"
 #include "app/results/life_table.hpp"
@@ -38,7 +39,7 @@ constexpr double kRival = 1e-3;
 // Nor is one, in motion, whose neighbours stand nearer than this [of its speed]: no parabola is left to see.
 constexpr double kRivalStep = 1.0 / 160.0;
 
-using SpeedAxis = std::vector<LivedSpeed>;
+using SpeedLine = std::vector<LivedSpeed>;  // ascending
 
 struct SpeedGap {
   const LivedSpeed& low;
@@ -47,7 +48,7 @@ struct SpeedGap {
   double middle() const { return 0.5 * (low.rpm + high.rpm); }
 };
 
-SpeedGap gap_above(const SpeedAxis& axis, std::size_t i) {
+SpeedGap gap_above(const SpeedLine& axis, std::size_t i) {
   return {axis[i], axis[i + 1]};
 }
 
@@ -64,14 +65,11 @@ void halve(const SpeedGap& gap, const PeakSearch& search, std::vector<double>& s
   if (middle > gap.low.rpm && middle < gap.high.rpm) speeds.push_back(middle);
 }
 
-std::size_t best_position(const SpeedAxis& axis) {
-  const auto shorter = [](const LivedSpeed& one, const LivedSpeed& other) {
-    return one.life_h < other.life_h;
-  };
-  return static_cast<std::size_t>(std::max_element(axis.begin(), axis.end(), shorter) - axis.begin());
+std::size_t best_position(const SpeedLine& axis) {
+  return static_cast<std::size_t>(std::ranges::max_element(axis, {}, &LivedSpeed::life_h) - axis.begin());
 }
 
-std::vector<double> unseen_resonances(const SpeedAxis& axis, const PeakSearch& search) {
+std::vector<double> unseen_resonances(const SpeedLine& axis, const PeakSearch& search) {
   std::vector<double> speeds;
   std::vector<double> resonances = search.resonances_rpm;
   std::sort(resonances.begin(), resonances.end());
@@ -87,7 +85,7 @@ std::vector<double> unseen_resonances(const SpeedAxis& axis, const PeakSearch& s
 }
 
 // Gaps in which life could rise above the best: as far as the steepest rise from their higher end goes.
-std::vector<double> unseen_stretches(const SpeedAxis& axis, const PeakSearch& search) {
+std::vector<double> unseen_stretches(const SpeedLine& axis, const PeakSearch& search) {
   std::vector<double> speeds;
   const double best = axis[best_position(axis)].life_h;
   for (std::size_t i = 0; i + 1 < axis.size(); ++i) {
@@ -110,7 +108,7 @@ double log_top(const LivedSpeed& low, const LivedSpeed& middle, const LivedSpeed
   return std::log(middle.life_h) + rise;
 }
 
-bool is_rival(const SpeedAxis& axis, std::size_t i, double best) {
+bool is_rival(const SpeedLine& axis, std::size_t i, double best) {
   const LivedSpeed &low = axis[i - 1], &middle = axis[i], &high = axis[i + 1];
   if (!(low.life_h > 0.0 && high.life_h > 0.0)) return false;
   if (middle.life_h < low.life_h || middle.life_h < high.life_h) return false;
@@ -118,7 +116,7 @@ bool is_rival(const SpeedAxis& axis, std::size_t i, double best) {
 }
 
 // Both gaps beside the best point, and beside each other hill whose top may be higher.
-std::vector<double> beside_hills(const SpeedAxis& axis, const PeakSearch& search) {
+std::vector<double> beside_hills(const SpeedLine& axis, const PeakSearch& search) {
   const std::size_t best = best_position(axis);
   // Widths [rpm] to which the gaps are to be brought.
   std::vector<double> wanted(axis.size() - 1, std::numeric_limits<double>::infinity());
@@ -157,50 +155,40 @@ namespace {
 
 constexpr const char* kRangeOfSpeeds = "sweep.input.speed: ";
 
-using SpeedLine = std::vector<LivedSpeed>;
-
-SpeedLine::const_iterator longest_lived(const SpeedLine& line) {
-  return std::max_element(line.begin(), line.end(), [](const LivedSpeed& one, const LivedSpeed& other) {
-    return one.life_h < other.life_h;
-  });
+void put_refined(const SpeedLine& line, std::size_t best, LifePeak& peak) {
+  peak.refined_speed_rpm = line[best].rpm;
+  peak.refined_life_h = line[best].life_h;
+  if (best > 0) peak.lower_rpm = line[best - 1].rpm;
+  if (best + 1 < line.size()) peak.upper_rpm = line[best + 1].rpm;
 }
 
-void put_refined(const SpeedLine& line, LifePeak& peak) {
-  const auto best = longest_lived(line);
-  peak.refined_speed_rpm = best->rpm;
-  peak.refined_life_h = best->life_h;
-  if (best != line.begin()) peak.lower_rpm = (best - 1)->rpm;
-  if (best + 1 != line.end()) peak.upper_rpm = (best + 1)->rpm;
-}
-
-void warn_of_ends(const SpeedLine& line, std::vector<std::string>& warnings) {
-  const auto best = longest_lived(line);
-  if (best == line.begin())
+void warn_of_ends(const SpeedLine& line, std::size_t best, std::vector<std::string>& warnings) {
+  if (best == 0)
     warnings.push_back(fmt::format(
         "{}life decreases from the lowest swept speed, {:g} rpm, on; sweep lower speeds to find the peak",
-        kRangeOfSpeeds, best->rpm));
-  else if (best + 1 == line.end())
+        kRangeOfSpeeds, line[best].rpm));
+  else if (best + 1 == line.size())
     warnings.push_back(fmt::format(
         "{}life still increases at the highest swept speed, {:g} rpm; sweep higher speeds to find the peak",
-        kRangeOfSpeeds, best->rpm));
+        kRangeOfSpeeds, line[best].rpm));
 }
 
-void warn_of_neighbours(const SpeedLine& line, bool in_motion, std::vector<std::string>& warnings) {
-  const auto best = longest_lived(line);
-  const double resolution = peak_resolution(best->rpm, in_motion);
+void warn_of_neighbours(const SpeedLine& line, std::size_t best, bool in_motion,
+                        std::vector<std::string>& warnings) {
+  const double peak_rpm = line[best].rpm, resolution = peak_resolution(peak_rpm, in_motion);
   const auto look_at = [&](const LivedSpeed& neighbour) {
     if (!(neighbour.life_h > 0.0))
       warnings.push_back(fmt::format(
           "peak: the neighbouring point, at {:g} rpm, failed; life may rise further there", neighbour.rpm));
     // Speeds are asked for in whole digits, so that halves may differ by one.
-    if (std::abs(neighbour.rpm - best->rpm) > 1.5 * resolution)
+    if (std::abs(neighbour.rpm - peak_rpm) > 1.5 * resolution)
       warnings.push_back(
           fmt::format("peak: its speed, {:g} rpm, is known no better than to the next computed "
                       "point, {:g} rpm",
-                      best->rpm, neighbour.rpm));
+                      peak_rpm, neighbour.rpm));
   };
-  if (best != line.begin()) look_at(*(best - 1));
-  if (best + 1 != line.end()) look_at(*(best + 1));
+  if (best > 0) look_at(line[best - 1]);
+  if (best + 1 < line.size()) look_at(line[best + 1]);
 }
 
 // Of a sweep with more axes than speed, the one line on which points were added.
@@ -216,16 +204,14 @@ void warn_of_other_lines(const SweepOutcome& outcome, const ResultRow& best,
 }
 
 // The rows that differ from `row` in speed alone, ascending in speed; those that failed have no life.
-std::vector<LivedSpeed> line_through(const TableHead& head, const std::vector<ResultRow>& rows,
-                                     const ResultRow& row) {
+SpeedLine line_through(const TableHead& head, const std::vector<ResultRow>& rows, const ResultRow& row) {
   SpeedLine line;
   for (const ResultRow& other : rows) {
     if (!on_one_line(head, row, other)) continue;
     const double life = life_to_go_by(head, other);
     line.push_back({value_of(head, other, "input_speed_rpm"), life > 0.0 ? life : 0.0});
   }
-  std::stable_sort(line.begin(), line.end(),
-                   [](const LivedSpeed& one, const LivedSpeed& other) { return one.rpm < other.rpm; });
+  std::ranges::stable_sort(line, {}, &LivedSpeed::rpm);
   return line;
 }
 
@@ -236,35 +222,21 @@ FoundPeak find_peak(const SweepOutcome& outcome) {
   const ManifestHeader& header = outcome.header;
   // A shard's best point is not the sweep's.
   if (!(found.peak.life_h > 0.0) || header.shard) return found;
-  const auto best = std::find_if(outcome.rows.begin(), outcome.rows.end(), [&](const ResultRow& row) {
-    return !row.refined && life_to_go_by(outcome.head, row) == found.peak.life_h;
-  });
-  const SpeedLine line = line_through(outcome.head, outcome.rows, *best);
+  const ResultRow& of_grid = *longest_lived(outcome.head, outcome.rows, true);
+  const SpeedLine line = line_through(outcome.head, outcome.rows, of_grid);
   if (line.size() < 2) return found;
-  warn_of_ends(line, found.warnings);
+  const std::size_t best = best_position(line);
+  warn_of_ends(line, best, found.warnings);
   if (header.continued)
     found.warnings.push_back("peak: from the grid points only; a continued sweep adds no points around it");
   if (!header.refined) return found;
-  put_refined(line, found.peak);
-  warn_of_neighbours(line, in_time(fidelity_of(header.fidelity)), found.warnings);
-  warn_of_other_lines(outcome, *best, found.warnings);
+  put_refined(line, best, found.peak);
+  warn_of_neighbours(line, best, in_time(fidelity_of(header.fidelity)), found.warnings);
+  warn_of_other_lines(outcome, of_grid, found.warnings);
   return found;
 }
 
 namespace {
-
-// The only row, or that with the longest of the lives that results go by; null where there is none.
-const ResultRow* shown_row(const SweepOutcome& outcome) {
-  const ResultRow* shown = nullptr;
-  double longest = 0.0;
-  for (const ResultRow& row : outcome.rows) {
-    const double life = life_to_go_by(outcome.head, row);
-    if (!row.ok() || !std::isfinite(life) || life <= longest) continue;
-    longest = life;
-    shown = &row;
-  }
-  return shown;
-}
 
 LifeWords words_of(const ResolvedCase& in) {
   const bool balls = bearing_type_of(in) == bearing::PlanetBearingType::deep_groove_ball;
@@ -289,7 +261,7 @@ std::string carrier_text(const SweepOutcome& outcome, const ResultRow& row) {
 }  // namespace
 
 std::string lives_text_of(const ResolvedCase& resolved, const SweepOutcome& outcome) {
-  const ResultRow* row = shown_row(outcome);
+  const ResultRow* row = longest_lived(outcome.head, outcome.rows);
   if (row == nullptr) return "";
   const std::string table = carrier_text(outcome, *row) + lives_text(table_at(outcome, *row, resolved));
   if (outcome.rows.size() == 1) return table + "\n";
@@ -298,7 +270,7 @@ std::string lives_text_of(const ResolvedCase& resolved, const SweepOutcome& outc
 }
 
 nlohmann::ordered_json lives_record_of(const ResolvedCase& resolved, const SweepOutcome& outcome) {
-  const ResultRow* row = shown_row(outcome);
+  const ResultRow* row = longest_lived(outcome.head, outcome.rows);
   if (row == nullptr) return nullptr;
   Record record;
   describe(record, table_at(outcome, *row, resolved));
@@ -312,20 +284,6 @@ namespace {
 // Beyond so many added points a search is given up; the result says how well the peak is known then. No curve
 // that was seen needed a quarter of them.
 constexpr std::size_t kMostAdded = 400;
-
-// Number of the grid's point with the longest life; none where no point has one.
-std::optional<std::size_t> best_of_grid(const TableHead& head, const std::vector<ResultRow>& rows,
-                                        std::size_t points) {
-  std::optional<std::size_t> best;
-  double longest = 0.0;
-  for (std::size_t point = 0; point < points; ++point) {
-    const double life = life_to_go_by(head, rows[point]);
-    if (!(life > longest)) continue;
-    longest = life;
-    best = point;
-  }
-  return best;
-}
 
 PeakSearch search_on_line(bool in_motion, const std::vector<Resonance>& resonances) {
   PeakSearch search{.in_motion = in_motion};
@@ -344,22 +302,22 @@ void refine_peak_of(const ResolvedCase& resolved, SweepRequest& request) {
   const bool dips = request.header.resonances;
   const auto lines = dips ? std::make_shared<LinesOfResonances>(resolved) : nullptr;
   request.header.refined = true;
-  request.refinement =
-      Refinement{[resolved, lines, fidelity, points = request.header.grid()](
-                     const TableHead& head, const std::vector<ResultRow>& rows) {
-                   std::vector<SweepPoint> added;
-                   const std::optional<std::size_t> best = best_of_grid(head, rows, points);
-                   if (!best || rows.size() - points >= kMostAdded) return added;
-                   const std::vector<Setting> line = sweep_point(resolved, *best);
-                   const PeakSearch search =
-                       search_on_line(in_time(fidelity), lines ? lines->of(line) : std::vector<Resonance>{});
-                   for (const double rpm : next_speeds(line_through(head, rows, rows[*best]), search))
-                     added.push_back(point_at_rpm(resolved, line, rpm));
-                   return added;
-                 },
-                 [resolved, fidelity](const SweepPoint& point) {
-                   return compute_point(resolved, point.settings, fidelity);
-                 }};
+  request.refinement = Refinement{
+      [resolved, lines, fidelity, points = request.header.grid()](const TableHead& head,
+                                                                  const std::vector<ResultRow>& rows) {
+        std::vector<SweepPoint> added;
+        const ResultRow* best = longest_lived(head, std::span(rows).first(points));
+        if (best == nullptr || rows.size() - points >= kMostAdded) return added;
+        const std::vector<Setting> line = sweep_point(resolved, static_cast<std::size_t>(best - rows.data()));
+        const PeakSearch search =
+            search_on_line(in_time(fidelity), lines ? lines->of(line) : std::vector<Resonance>{});
+        for (const double rpm : next_speeds(line_through(head, rows, *best), search))
+          added.push_back(point_at_rpm(resolved, line, rpm));
+        return added;
+      },
+      [resolved, fidelity](const SweepPoint& point) {
+        return compute_point(resolved, point.settings, fidelity);
+      }};
 }
 
 }  // namespace orbearing::app
