@@ -2,6 +2,7 @@
 #include "app/commands/kept_result.hpp"
 #include "app/commands/presentation.hpp"
 #include "app/study/carrier_study.hpp"
+#include "app/study/drivetrain_case.hpp"
 
 namespace orbearing::app {
 
@@ -9,8 +10,8 @@ int carrier_command(const Options& options) {
   const ResolvedCase resolved = point_of(options);
   require_carrier(resolved);
   const std::vector<std::string> unused = require_used(resolved, use::carrier);  // refuses before it computes
-  const CarrierStudy study = carrier_study(resolved);
-  present_record(resolved, record_of(study), joined(unused, study.warnings), options);
+  const Record record = record_of(carrier_study(resolved));
+  present_record(resolved, record, joined(unused, gear_warnings(resolved)), options);
   return 0;
 }
 

@@ -1,7 +1,6 @@
 #include <fmt/core.h>
 
 #include <nlohmann/json.hpp>
-#include <optional>
 
 #include "app/case/bearing_type.hpp"
 #include "app/case/catalogue_case.hpp"
@@ -25,7 +24,7 @@ namespace {
 struct Checked {
   std::vector<Derived> derived;
   std::vector<std::string> warnings{};
-  std::optional<PowerTable> power{};  // of a drivetrain
+  bool has_power = false;  // a drivetrain whose members have speeds
 };
 
 Checked check(const ResolvedCase& resolved) {
@@ -40,8 +39,8 @@ Checked check(const ResolvedCase& resolved) {
   if (resolved.model() != planetary_drivetrain) return {own};
   Checked checked{derived_quantities(resolved),
                   joined(gear_warnings(resolved), overturning_warnings(resolved.without_sweep()),
-                         cage_warnings(resolved), clearance_warnings(resolved))};
-  if (resolved.shape().several || resolved.shape().teeth) checked.power = power_table(resolved);
+                         cage_warnings(resolved), clearance_warnings(resolved)),
+                  resolved.shape().several || resolved.shape().teeth};
   if (!resolved.shape().several && !has_stepped_planets(resolved) && !has_planet_pairs(resolved) &&
       has_cylindrical_rollers(resolved))
     for (const Derived& row : gear_dynamics_quantities(resolved))
@@ -54,7 +53,7 @@ Checked check(const ResolvedCase& resolved) {
 
 int check_command(const Options& options) {
   const ResolvedCase resolved = case_of(options);
-  auto [derived, warnings, power] = check(resolved);
+  auto [derived, warnings, has_power] = check(resolved);
   warnings = joined(warnings, default_warnings(resolved, derived), inferred_warnings(resolved),
                     uncertain_warnings(resolved), former_key_warnings(resolved), idle_inputs(resolved));
   derived = joined(derived, catalogue_quantities(resolved), motion_time_quantities(resolved));
@@ -63,7 +62,7 @@ int check_command(const Options& options) {
   if (options.json) {
     Record record;
     describe_check(record, resolved, derived);
-    if (power) describe(record, *power);
+    if (has_power) describe_power(record, resolved);
     nlohmann::ordered_json object = json_of(record);
     if (!resolved.uncertain().inputs.empty()) object["uncertain"] = uncertain_json(resolved);
     object["warnings"] = warnings;
@@ -73,7 +72,11 @@ int check_command(const Options& options) {
   }
   if (options.quiet) return 0;
   fmt::print("{}", check_table(resolved, derived));
-  if (power) fmt::print("\n{}", text_of(record_of(*power)));
+  if (has_power) {
+    Record power;
+    describe_power(power, resolved);
+    fmt::print("\n{}", text_of(power));
+  }
   print_warnings(warnings);
   return 0;
 }

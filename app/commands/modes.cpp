@@ -40,10 +40,9 @@ ResolvedCase with_speed(const ResolvedCase& resolved, const std::string& path, c
 
 // The set at rest, or turning at a speed of its driven member (of its carrier where it has no teeth).
 gearset::dynamics::SetModel model_at(const ResolvedCase& resolved, const Options& options) {
-  if (!options.speed) return gear_model_of(resolved);
-  const double speed = speed_option(*options.speed);
+  const double speed = options.speed ? speed_option(*options.speed) : 0.0;
   if (speed == 0.0 || resolved.model() != planetary_drivetrain || !resolved.shape().teeth)
-    return gear_model_at(resolved, speed);
+    return gear_model_of(resolved, speed);
   return gear_model_of(with_speed(resolved, "input.speed", *options.speed));
 }
 
@@ -76,8 +75,8 @@ int modes_command(const Options& options) {
   Record record;
   describe(record, mode_study(model, speed > 0.0));
   if (speed == 0.0 && carrier_is_body(resolved, ""))
-    record.child("in_three_dimensions", "with the carrier's bearings, axial motion and tilts",
-                 spatial_modes(resolved));
+    record.child("in_three_dimensions", "with the carrier's bearings, axial motion and tilts", resolved,
+                 describe_spatial_modes);
   if (speed > 0.0)
     record
         .child("campbell", "frequencies over speed", model,

@@ -144,13 +144,11 @@ nlohmann::ordered_json sweep_object(const ResolvedCase& resolved, const SweepOut
   form = sweep_form(found.peak);
   Record judged;
   const std::vector<Verdict> verdicts = verdicts_of(stated_requirements(resolved), outcome);
-  for (Record* record : {&form, &judged}) describe_verdicts(*record, verdicts);
-  object.update(json_of(judged));
-  if (resolved.axes().empty()) {
-    const PowerTable power = power_table(resolved);
-    object.update(json_of(record_of(power)));
-    describe(form, power);
+  for (Record* record : {&form, &judged}) {
+    describe_verdicts(*record, verdicts);
+    if (resolved.axes().empty()) describe_power(*record, resolved);
   }
+  object.update(json_of(judged));
   if (resolved.axes().empty() && outcome.failed == 0 && outcome.header.fidelity == "quasi-static") {
     object["stiffness"] = stiffness_of_run(resolved);
     if (has_cylindrical_rollers(resolved)) {
@@ -159,7 +157,7 @@ nlohmann::ordered_json sweep_object(const ResolvedCase& resolved, const SweepOut
       describe(form, rollers);
     }
     if (carrier_is_body(resolved, "")) {
-      const CarrierStudy carrier = carrier_study(resolved);
+      const study::CarrierRevolution carrier = carrier_study(resolved);
       Record child;
       for (Record* record : {&child, &form})
         record->child("carrier", "the carrier in three dimensions, over a revolution", carrier);

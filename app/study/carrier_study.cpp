@@ -37,10 +37,6 @@ void describe_mode(described::Record& row, const SpatialMode& mode) {
 
 }  // namespace
 
-void describe(described::Record& record, const CarrierStudy& study) {
-  describe(record, study.revolution);
-}
-
 void require_carrier(const ResolvedCase& in) {
   if (in.model() != planetary_drivetrain || in.shape().several || !in.shape().teeth || !in.shape().bearing)
     throw BadInput(in.file() + ": found " +
@@ -51,18 +47,16 @@ void require_carrier(const ResolvedCase& in) {
     throw BadInput(in.file() + ": " + kPositions +
                    ": missing; required: the positions of the carrier's bearings, as [-250 mm, 250 mm]");
   if (in.choice("gearset.fixed") != "ring")
-    throw BadInput(in.file() +
-                   ": gearset.fixed: found a rotating ring; required: ring, held by the housing");
+    throw BadInput(in.file() + ": gearset.fixed: found a rotating ring; required: ring, held by the housing");
 }
 
-CarrierStudy carrier_study(const ResolvedCase& resolved) {
+study::CarrierRevolution carrier_study(const ResolvedCase& resolved) {
   require_carrier(resolved);
   const study::NamedSet set = bearing_sets(resolved).front();
   if (!set.drivetrain.carrier_mounting)
     throw std::logic_error("carrier_study: of a case whose inputs were not asked for, require_used()");
   try {
-    return {.revolution = study::carrier_revolution(set.drivetrain, set.geometry),
-            .warnings = gear_warnings(resolved)};
+    return study::carrier_revolution(set.drivetrain, set.geometry);
   } catch (const BadInput&) {
     throw;
   } catch (const std::runtime_error& error) {
@@ -70,14 +64,12 @@ CarrierStudy carrier_study(const ResolvedCase& resolved) {
   }
 }
 
-void describe(described::Record& record, const SpatialModes& study) {
-  record.table("modes", "spatial_mode", "natural modes", study.modes, describe_mode);
-}
-
-SpatialModes spatial_modes(const ResolvedCase& resolved) {
+void describe_spatial_modes(described::Record& record, const ResolvedCase& resolved) {
   const study::NamedSet set = bearing_sets(resolved).front();
-  return {gearset::spatial::modes_at_rest(
-      study::moving_set(set.drivetrain, set.drivetrain.gear_set(), set.geometry.gears.base_helix_angle))};
+  record.table("modes", "spatial_mode", "natural modes",
+               gearset::spatial::modes_at_rest(study::moving_set(set.drivetrain, set.drivetrain.gear_set(),
+                                                                 set.geometry.gears.base_helix_angle)),
+               describe_mode);
 }
 
 }  // namespace orbearing::app

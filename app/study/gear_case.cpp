@@ -106,36 +106,22 @@ Derived row(const std::string& path, double value, const char* unit, const char*
 }  // namespace
 
 gearset::dynamics::SetModel gear_model_of(const ResolvedCase& resolved,
-                                          const study::PlanetaryDrivetrain& drivetrain) {
+                                          const study::PlanetaryDrivetrain& drivetrain,
+                                          const std::optional<study::DrivetrainGeometry>& known) {
   require_one_set(resolved);
   if (!resolved.shape().teeth) return lumped_model(resolved, 0.0);
-  require_known_springs(resolved);
+  if (!known) require_known_springs(resolved);
   try {
-    return geometric_model(resolved, drivetrain, geometry_of(resolved, drivetrain));
+    return geometric_model(resolved, drivetrain, known ? *known : geometry_of(resolved, drivetrain));
   } catch (const std::domain_error& error) {
     throw BadInput(resolved.file() + ": gearset: " + error.what());
   }
 }
 
-gearset::dynamics::SetModel gear_model_of(const ResolvedCase& resolved,
-                                          const study::PlanetaryDrivetrain& drivetrain,
-                                          const study::DrivetrainGeometry& geometry) {
-  require_one_set(resolved);
-  try {
-    return geometric_model(resolved, drivetrain, geometry);
-  } catch (const std::domain_error& error) {
-    throw BadInput(resolved.file() + ": gearset: " + error.what());
-  }
-}
-
-gearset::dynamics::SetModel gear_model_at(const ResolvedCase& resolved, double carrier_speed) {
+gearset::dynamics::SetModel gear_model_of(const ResolvedCase& resolved, double carrier_speed) {
   require_one_set(resolved);
   return resolved.shape().teeth ? gear_model_of(resolved, drivetrain_without_gear_set(resolved))
                                 : lumped_model(resolved, carrier_speed);
-}
-
-gearset::dynamics::SetModel gear_model_of(const ResolvedCase& resolved) {
-  return gear_model_at(resolved, 0.0);
 }
 
 gearset::dynamics::SetModel moving_gears_of(const ResolvedCase& resolved) {

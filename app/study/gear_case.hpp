@@ -1,6 +1,7 @@
 // From a resolved case to the dynamic model of its planetary set.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "app/case/check_table.hpp"
@@ -13,20 +14,13 @@
 namespace orbearing::app {
 
 /// The set of a case of the model planetary-drivetrain with one set. A set without teeth has neither torque
-/// nor speed: see `gear_model_at`. Throws BadInput for another case.
-gearset::dynamics::SetModel gear_model_of(const ResolvedCase& resolved);
+/// nor speed: its carrier turns at `carrier_speed` [rad/s]. Throws BadInput for another case.
+gearset::dynamics::SetModel gear_model_of(const ResolvedCase& resolved, double carrier_speed = 0.0);
 
-/// The same where the drivetrain of the case is at hand.
-gearset::dynamics::SetModel gear_model_of(const ResolvedCase& resolved,
-                                          const study::PlanetaryDrivetrain& drivetrain);
-
-/// The same of a set with teeth and a bearing whose geometry is at hand too.
+/// The same where the drivetrain of the case is at hand, and perhaps its geometry.
 gearset::dynamics::SetModel gear_model_of(const ResolvedCase& resolved,
                                           const study::PlanetaryDrivetrain& drivetrain,
-                                          const study::DrivetrainGeometry& geometry);
-
-/// That of the case, its carrier turning at `carrier_speed` [rad/s] if the set has no teeth.
-gearset::dynamics::SetModel gear_model_at(const ResolvedCase& resolved, double carrier_speed);
+                                          const std::optional<study::DrivetrainGeometry>& known = {});
 
 /// As they move in time: their meshes keep the mean stiffness where the case has no mesh variation.
 gearset::dynamics::SetModel moving_gears_of(const ResolvedCase& resolved);

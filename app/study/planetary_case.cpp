@@ -264,15 +264,15 @@ std::vector<std::string> clearance_warnings(const ResolvedCase& resolved) {
 namespace {
 
 // Built where it is first asked for, from any thread: teeth take a while, and each analysis asks again.
-template <class... Geometry>
 std::function<gearset::dynamics::SetParameters()> gears_built_once(
-    const ResolvedCase& in, const study::PlanetaryDrivetrain& drivetrain, const Geometry&... geometry) {
+    const ResolvedCase& in, const study::PlanetaryDrivetrain& drivetrain,
+    const std::optional<study::DrivetrainGeometry>& known = {}) {
   struct Built {
     std::once_flag once;
     gearset::dynamics::SetParameters set;
   };
-  return [in, drivetrain, geometry..., built = std::make_shared<Built>()] {
-    std::call_once(built->once, [&] { built->set = gear_model_of(in, drivetrain, geometry...).parameters; });
+  return [in, drivetrain, known, built = std::make_shared<Built>()] {
+    std::call_once(built->once, [&] { built->set = gear_model_of(in, drivetrain, known).parameters; });
     return built->set;
   };
 }
@@ -536,49 +536,34 @@ std::vector<Derived> derived_quantities(const ResolvedCase& resolved) {
   return rows;
 }
 
-PowerTable power_table(const ResolvedCase& resolved) {
+void describe_power(described::Record& record, const ResolvedCase& resolved) {
+  using namespace described;
   const gearset::Arrangement arrangement = arrangement_of(resolved);
   const gearset::PowerFlow flow = gearset::power_flow(arrangement);
   const gearset::Drive drive = drive_of(resolved);
   const double speed = drive.motor_speed(), power = drive.power;
-  PowerTable table;
-  for (const gearset::MemberFlow& member : flow.members)
-    table.rows.push_back(
-        {.set = arrangement.sets[member.member.set].name,
-         .member = gearset::member_word(arrangement.sets[member.member.set], member.member.member),
-         .shaft = arrangement.shafts[member.shaft].name,
-         .speed = speed * member.speed,
-         .torque = power / speed * member.torque,
-         .power = power * member.power,
-         .share = member.power});
-  const gearset::PowerCirculation circulation = gearset::power_circulation(flow);
-  table.largest_share = circulation.largest_share;
-  for (const gearset::SetMember& member : circulation.members)
-    table.circulating.push_back(name_of(arrangement, member));
-  return table;
-}
-
-void describe(described::Record& row, const PowerRow& member) {
-  using namespace described;
-  row.value("set", "of gears", member.set);
-  row.value("member", "of the set", member.member);
-  row.value("shaft", "that carries it", member.shaft);
-  row.value("speed_rpm", dimension::angular_speed, "of the member", member.speed);
-  row.value("torque_N_m", dimension::torque, "from the shaft on the member", member.torque);
-  row.value("power_W", dimension::heat, "positive where it enters the set", member.power);
-  row.value("share", dimension::ratio, "of the input power", member.share);
-}
-
-void describe(described::Record& record, const PowerTable& table) {
-  using namespace described;
-  record.table("power_flow", "member", "speeds, torques and power of all members", table.rows);
-  record.child("power_circulation", "members that carry more than the input", table,
-               [](Record& circulation, const PowerTable& of) {
-                 circulation.value("present", "whether power circulates", !of.circulating.empty());
-                 circulation.value("largest_share", dimension::ratio,
-                                   "of the input power, carried by one member", of.largest_share);
-                 circulation.value("members", "that carry more than the input", of.circulating);
+  record.table("power_flow", "member", "speeds, torques and power of all members", flow.members,
+               [&](Record& row, const gearset::MemberFlow& of) {
+                 const gearset::ArrangedSet& set = arrangement.sets[of.member.set];
+                 row.value("set", "of gears", set.name);
+                 row.value("member", "of the set", gearset::member_word(set, of.member.member));
+                 row.value("shaft", "that carries it", arrangement.shafts[of.shaft].name);
+                 row.value("speed_rpm", dimension::angular_speed, "of the member", speed * of.speed);
+                 row.value("torque_N_m", dimension::torque, "from the shaft on the member",
+                           power / speed * of.torque);
+                 row.value("power_W", dimension::heat, "positive where it enters the set", power * of.power);
+                 row.value("share", dimension::ratio, "of the input power", of.power);
                });
+  record.child(
+      "power_circulation", "members that carry more than the input", gearset::power_circulation(flow),
+      [&](Record& circulation, const gearset::PowerCirculation& of) {
+        circulation.value("present", "whether power circulates", of.present());
+        circulation.value("largest_share", dimension::ratio, "of the input power, carried by one member",
+                          of.largest_share);
+        circulation.value(
+            "members", "that carry more than the input",
+            each(of.members, [&](const gearset::SetMember& member) { return name_of(arrangement, member); }));
+      });
 }
 
 namespace {

@@ -132,10 +132,12 @@ inline std::string machine_result(const fmu::NumberTable& numbers, bool bearing,
 
 inline std::string modes_result(const ResolvedCase& in, bool rotating) {
   constexpr double carrier_speed = 100.0, nominal_speed = 900.0;  // [rad/s]
-  const auto model = in.shape().teeth ? gear_model_of(in) : gear_model_at(in, rotating ? carrier_speed : 0.0);
-  if (!rotating)
-    return record_text(mode_study(model)) +
-           (carrier_is_body(in, "") ? record_text(spatial_modes(in)) : std::string());
+  const auto model = gear_model_of(in, rotating ? carrier_speed : 0.0);
+  if (!rotating) {
+    Record spatial;
+    if (carrier_is_body(in, "")) describe_spatial_modes(spatial, in);
+    return record_text(mode_study(model)) + json_of(spatial).dump();
+  }
   Record campbell;
   describe_campbell(campbell, model, nominal_speed);
   return record_text(mode_study(model, true)) + json_of(campbell).dump();
