@@ -173,50 +173,37 @@ bearing::film::ContactMotion contact_motion(const balance::RingState& state, Rac
           .spin = std::abs((inner ? state.inner_spin : state.outer_spin)[ball])};
 }
 
-// One balance of the table, with film or without.
-class SpeedRow {
- public:
-  SpeedRow(const bearing::Bearing& bearing, const balance::RowMotion& motion)
-      : bearing_(bearing), motion_(motion) {}
-
-  void describe(const std::optional<balance::RingState>& state, Record& row) const {
-    const std::string kind = motion_.film ? "film_" : "hertz_",
-                      with = motion_.film ? "with film" : "after Hertz";
-    const auto put = [&](const std::string& name, const char* units, const std::string& meaning,
-                         double value) {
-      row.value(kind + name, {"", units, units, ""}, meaning + ", " + with, value).variable = kind + name;
-    };
-    const auto of_state = [&](double value) { return state ? value : kMissing; };
-    put("axial_um", "um", "axial displacement", of_state(state ? 1e6 * state->axial : 0.0));
-    put("radial_um", "um", "displacement along the radial load", of_state(state ? 1e6 * state->radial : 0.0));
-    for (const Race race : both_races) put_contact(state, race, put);
-  }
-
- private:
-  template <class Put>
-  void put_contact(const std::optional<balance::RingState>& state, Race race, const Put& put) const {
+// One balance of the table, with film or without; absent where none was found.
+void describe_balance(Record& row, const bearing::Bearing& bearing, const balance::RowMotion& motion,
+                      const std::optional<balance::RingState>& state) {
+  const std::string kind = motion.film ? "film_" : "hertz_", with = motion.film ? "with film" : "after Hertz";
+  const auto put = [&](const std::string& name, const char* units, const std::string& meaning, double value) {
+    row.value(kind + name, {"", units, units, ""}, meaning + ", " + with, value).variable = kind + name;
+  };
+  put("axial_um", "um", "axial displacement", state ? 1e6 * state->axial : kMissing);
+  put("radial_um", "um", "displacement along the radial load", state ? 1e6 * state->radial : kMissing);
+  for (const Race race : both_races) {
     const std::string name = race_name(race), where = " on the " + name + " race";
     double load = kMissing, angle = kMissing, approach = kMissing;
-    FilmPoint film;
-    film.motion = {kMissing, kMissing, kMissing};
-    film.films = {kMissing, kMissing, kMissing, kMissing, kMissing};
+    FilmPoint film{.motion = {kMissing, kMissing, kMissing},
+                   .films = {kMissing, kMissing, kMissing, kMissing, kMissing}};
     if (state) {
       Eigen::Index ball = 0;
       state->contact_load.maxCoeff(&ball);
       const bool unlike = state->outer_load.size() > 0 && race == Race::outer;
       load = (unlike ? state->outer_load : state->contact_load)[ball];
       angle = (unlike ? state->outer_angle : state->contact_angle)[ball];
-      approach = std::pow(load / balance::BallRow(bearing_).contact(race).constant, 2.0 / 3.0);
-      if (motion_.film && state->inner_rolling.size() > 0) {
+      approach = std::pow(load / balance::BallRow(bearing).contact(race).constant, 2.0 / 3.0);
+      if (motion.film && state->inner_rolling.size() > 0) {
         film.motion = contact_motion(*state, race, ball);
-        film.films = spin_films(bearing::film::ball_contact(bearing_, race), *motion_.film, film.motion);
+        film.films = spin_films(bearing::film::ball_contact(bearing, race), *motion.film, film.motion);
         approach = film.films.rigid;
       }
     }
     put(name + "_load_N", "N", "load" + where, load);
     put(name + "_contact_angle_deg", "degree", "contact angle" + where, kDegree * angle);
     put(name + "_approach_um", "um", "approach of the bodies" + where, 1e6 * approach);
-    if (!motion_.film) return;
+    if (!motion.film) continue;
     put(name + "_rolling_speed_m_s", "m s-1", "rolling speed" + where, film.motion.rolling);
     put(name + "_spin_rad_s", "rad s-1", "spin" + where, film.motion.spin);
     put(name + "_h_c_um", "um", "central film" + where, 1e6 * film.films.central);
@@ -226,10 +213,7 @@ class SpeedRow {
     put(name + "_h_min_HamrockDowson_um", "um", "least film without spin" + where,
         1e6 * film.films.least_hamrock_dowson);
   }
-
-  const bearing::Bearing& bearing_;
-  const balance::RowMotion& motion_;
-};
+}
 
 // Where a parabola through the largest value and its neighbours is highest; none at an end.
 std::optional<double> highest_at(const SpeedTable& table, const std::string& name) {
@@ -264,10 +248,10 @@ void add_row(const bearing::Bearing& bearing, balance::RowMotion motion, const b
       "speed_rpm";
   balance::RowMotion dry = motion;
   dry.film.reset();
-  SpeedRow(bearing, dry).describe(balanced(bearing, dry, load, speed, table), row);
+  describe_balance(row, bearing, dry, balanced(bearing, dry, load, speed, table));
   if (motion.film) {
     const std::optional<balance::RingState> state = balanced(bearing, motion, load, speed, table);
-    SpeedRow(bearing, motion).describe(state, row);
+    describe_balance(row, bearing, motion, state);
     if (state && !film_warnings(bearing, ball_films(bearing, *motion.film, *state)).empty())
       beyond.push_back(speed_in_rpm(speed));
   }
