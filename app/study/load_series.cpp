@@ -288,10 +288,6 @@ double exponent_of_life(const std::string& life) {
   return std::find_if(kLivesByPower.begin(), kLivesByPower.end(), falls)->power;
 }
 
-BinnedSeries binned(const LoadSeries& series, const BinCounts& counts, double exponent) {
-  return binned(std::vector<WeightedSeries>{{series}}, counts, exponent);
-}
-
 BinnedSeries binned(const std::vector<WeightedSeries>& records, const BinCounts& counts, double exponent) {
   const BinGrid grid = grid_of(records, counts);
   BinnedSeries result;

@@ -92,11 +92,9 @@ struct BinnedSeries {
                                                       // out too long
 };
 
-/// Bins of equal width between the least and the greatest torque and speed of all samples that turn. Torques
-/// and speeds count by their magnitude: a load that turns round presses the same rollers from the other side.
-/// Torques of a bin are averaged by `exponent` [-]. Throws BadInput where nothing ever turns.
-BinnedSeries binned(const LoadSeries& series, const BinCounts& counts, double exponent = kLineExponent);
-/// The same of several records, whose bins have the same edges.
+/// Bins of equal width between the least and the greatest torque and speed of all samples of all records that
+/// turn. Torques and speeds count by their magnitude: a load that turns round presses the same rollers from
+/// the other side. Torques of a bin are averaged by `exponent` [-]. Throws BadInput where nothing ever turns.
 BinnedSeries binned(const std::vector<WeightedSeries>& records, const BinCounts& counts,
                     double exponent = kLineExponent);
 

@@ -36,6 +36,10 @@ LoadSeries wavy(int samples) {
   return series;
 }
 
+BinnedSeries binned(const LoadSeries& series, const BinCounts& counts, double exponent = kLineExponent) {
+  return app::binned({{series}}, counts, exponent);
+}
+
 struct Sums {
   double share = 0.0, speed = 0.0, damage = 0.0;
 };
@@ -111,7 +115,7 @@ TEST(LoadSeries, WhatAModifiedLifeCanGainByWideBinsIsTheDamageByItsSteepestPower
 TEST(LoadSeries, OfSeveralCountByTheirShareAndNotByTheirLength) {
   const LoadSeries brief{{0.0, 1.0, 2.0}, {1.0, 3.0, 3.0}, {100.0, 100.0, 100.0}};
   const LoadSeries lengthy{{0.0, 1000.0, 2000.0}, {3.0, 3.0, 3.0}, {100.0, 0.0, 0.0}};
-  const BinnedSeries found = binned({{brief, 0.9, "brief"}, {lengthy, 0.1, "lengthy"}}, {2, 1});
+  const BinnedSeries found = app::binned({{brief, 0.9, "brief"}, {lengthy, 0.1, "lengthy"}}, {2, 1});
   const std::vector<LoadBin> right{{100.0, 100.0, 0.45, "brief"},
                                    {300.0, 100.0, 0.45, "brief"},
                                    {300.0, 100.0, 0.05, "lengthy"},
