@@ -300,17 +300,17 @@ void refine_peak_of(const ResolvedCase& resolved, SweepRequest& request) {
   if (*low == *high) return;
   const study::Fidelity fidelity = fidelity_of(request.header.fidelity);
   const bool dips = request.header.resonances;
-  const auto lines = dips ? std::make_shared<LinesOfResonances>(resolved) : nullptr;
+  const ResonancesOfLine resonances = dips ? resonances_by_line(resolved) : nullptr;
   request.header.refined = true;
   request.refinement = Refinement{
-      [resolved, lines, fidelity, points = request.header.grid()](const TableHead& head,
-                                                                  const std::vector<ResultRow>& rows) {
+      [resolved, resonances, fidelity, points = request.header.grid()](const TableHead& head,
+                                                                       const std::vector<ResultRow>& rows) {
         std::vector<SweepPoint> added;
         const ResultRow* best = longest_lived(head, std::span(rows).first(points));
         if (best == nullptr || rows.size() - points >= kMostAdded) return added;
         const std::vector<Setting> line = sweep_point(resolved, static_cast<std::size_t>(best - rows.data()));
         const PeakSearch search =
-            search_on_line(in_time(fidelity), lines ? lines->of(line) : std::vector<Resonance>{});
+            search_on_line(in_time(fidelity), resonances ? resonances(line) : std::vector<Resonance>{});
         for (const double rpm : next_speeds(line_through(head, rows, *best), search))
           added.push_back(point_at_rpm(resolved, line, rpm));
         return added;

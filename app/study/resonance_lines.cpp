@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 
 #include "app/case/bearing_type.hpp"
@@ -44,11 +45,6 @@ std::optional<Resonance> nearest(const std::vector<Resonance>& resonances, doubl
 
 namespace {
 
-std::vector<Setting> other_settings(std::vector<Setting> settings) {
-  std::erase_if(settings, [](const Setting& setting) { return setting.path == kSpeedPath; });
-  return settings;
-}
-
 // Whether resonances of its gears affect the motion of a case's bearings: one set with bearings, whose meshes
 // vary. Several sets have no gear dynamics yet.
 bool has_resonances(const ResolvedCase& resolved) {
@@ -66,32 +62,26 @@ std::vector<double> speeds_rpm(const ResolvedCase& resolved) {
   return speeds;
 }
 
-LinesOfResonances::LinesOfResonances(const ResolvedCase& resolved) : resolved_(resolved.without_sweep()) {
-  const std::vector<double> speeds = speeds_rpm(resolved);
-  const auto [low, high] = std::minmax_element(speeds.begin(), speeds.end());
-  lowest_ = *low;
-  highest_ = *high;
-}
-
-const std::vector<Resonance>& LinesOfResonances::of(const std::vector<Setting>& settings) {
-  const std::vector<Setting> line = other_settings(settings);
-  const auto [position, is_new] = lines_.try_emplace(line);
-  if (is_new) position->second = computed(line);
-  return position->second;
-}
-
-// A line on which the gears cannot be computed has points that say why.
-std::vector<Resonance> LinesOfResonances::computed(const std::vector<Setting>& line) const try {
-  return resonances(line.empty() ? resolved_ : resolved_.with(line), lowest_, highest_);
-} catch (const std::exception&) {
-  return {};
+ResonancesOfLine resonances_by_line(const ResolvedCase& resolved) {
+  const auto ends = std::ranges::minmax(speeds_rpm(resolved));
+  const auto lines = std::make_shared<std::map<std::vector<Setting>, std::vector<Resonance>>>();
+  return [ in = resolved.without_sweep(), ends, lines ](std::vector<Setting> line) -> const auto& {
+    std::erase_if(line, [](const Setting& setting) { return setting.path == kSpeedPath; });
+    const auto [position, is_new] = lines->try_emplace(line);
+    if (is_new) try {
+        position->second = resonances(line.empty() ? in : in.with(line), ends.min, ends.max);
+      } catch (
+          const std::exception&) {  // a line on which the gears cannot be computed has points that say why
+      }
+    return position->second;
+  };
 }
 
 void name_resonances(const ResolvedCase& resolved, SweepRequest& request) {
   if (!in_time(fidelity_of(request.header.fidelity)) || !has_resonances(resolved)) return;
   request.header.resonances = true;
-  request.resonance_of = [lines = std::make_shared<LinesOfResonances>(resolved)](const SweepPoint& point) {
-    return nearest(lines->of(point.settings), point.input_speed);
+  request.resonance_of = [line_of = resonances_by_line(resolved)](const SweepPoint& point) {
+    return nearest(line_of(point.settings), point.input_speed);
   };
 }
 

@@ -1,7 +1,7 @@
 // Resonances of the gears along the lines of speeds of a sweep.
 #pragma once
 
-#include <map>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -28,22 +28,10 @@ std::optional<Resonance> nearest(const std::vector<Resonance>& resonances, doubl
 /// Speeds [rpm] of the sweep; the case's own where none are swept.
 std::vector<double> speeds_rpm(const ResolvedCase& resolved);
 
-/// Resonances of each line of speeds, found when first asked for. One thread at a time.
-class LinesOfResonances {
- public:
-  explicit LinesOfResonances(const ResolvedCase& resolved);
-
-  /// Of the line on which the point that `settings` make lies.
-  const std::vector<Resonance>& of(const std::vector<Setting>& settings);
-
- private:
-  std::vector<Resonance> computed(const std::vector<Setting>& line) const;
-
-  ResolvedCase resolved_;
-  double lowest_ = 0.0;   // [rpm]
-  double highest_ = 0.0;  // [rpm]
-  std::map<std::vector<Setting>, std::vector<Resonance>> lines_;
-};
+/// Resonances of the line of speeds on which the point lies that settings make, of each line found when first
+/// asked for. One thread at a time.
+using ResonancesOfLine = std::function<const std::vector<Resonance>&(const std::vector<Setting>&)>;
+ResonancesOfLine resonances_by_line(const ResolvedCase& resolved);
 
 /// Makes the rows of `request` name their nearest resonance where one affects the bearings' motion.
 void name_resonances(const ResolvedCase& resolved, SweepRequest& request);
