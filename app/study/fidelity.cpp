@@ -26,38 +26,26 @@ namespace {
 
 const std::string kAcceleration = "input.acceleration";
 
-[[noreturn]] void refuse(const ResolvedCase& in, const std::string& path, const std::string& found,
-                         const std::string& required) {
-  throw BadInput(fmt::format("{}: {}: found {}; required: {}", in.origin(path), path, found, required));
-}
-
-bool runs_up(const ResolvedCase& in) {
-  return in.quantity(kAcceleration) != 0.0;
-}
-
-// Gears and bearings that act on each other: one set with teeth.
-void require_coupled(const ResolvedCase& in, const std::string& fidelity) {
-  if (in.shape().several)
-    throw BadInput(in.file() +
-                   ": sets: found several sets; required: one set, as gearset at the top of a case, for "
-                   "--fidelity " +
-                   fidelity);
-}
-
 }  // namespace
 
 void require_computable(const ResolvedCase& in, const std::string& fidelity, bool sweep) {
   if (in.model() != planetary_drivetrain || !in.has(kAcceleration)) return;  // gears alone have none
-  if (is_coupled(fidelity_of(fidelity))) require_coupled(in, fidelity);
+  if (is_coupled(fidelity_of(fidelity)) && in.shape().several)
+    throw BadInput(in.file() +
+                   ": sets: found several sets; required: one set, as gearset at the top of a case, for "
+                   "--fidelity " +
+                   fidelity);
   const auto swept = std::find_if(in.axes().begin(), in.axes().end(),
                                   [](const SweepAxis& axis) { return axis.path == kAcceleration; });
   if (sweep && swept != in.axes().end())
     throw_mistakes(in.file(), {{swept->location,
                                 "sweep." + kAcceleration,
                                 {"a sweep of a run-up", "steady points are required: no axis of it"}}});
-  if (sweep && runs_up(in))
-    refuse(in, kAcceleration, in.given(kAcceleration),
-           "0 rpm/s in a sweep, whose points are steady; a run-up is a run with --fidelity dynamic");
+  if (sweep && in.quantity(kAcceleration) != 0.0)
+    throw BadInput(
+        fmt::format("{}: {}: found {}; required: 0 rpm/s in a sweep, whose points are steady; a run-up is a "
+                    "run with --fidelity dynamic",
+                    in.origin(kAcceleration), kAcceleration, in.given(kAcceleration)));
   require_used(in, rung_of(in, fidelity), sweep ? Axes::all : Axes::none);
 }
 
