@@ -225,11 +225,11 @@ bool states_any(const ResolvedCase& in, const std::string& set, std::initializer
 
 std::vector<std::string> cage_warnings(const ResolvedCase& resolved) {
   std::vector<std::string> warnings;
-  for (const Input& input : resolved.inputs()) {
-    if (input.field->path != "bearing.cage.inner_diameter" || !resolved.has(input.path)) continue;
-    const std::string set = input.path.substr(0, set_prefix_length(input.path));
+  for (const std::string& set : prefixes_of_sets(resolved)) {
     const std::string land = set + "bearing.cage.guide_land_diameter";
-    if (!resolved.has(land) || resolved.quantity(land) != 0.0 || is_full_complement(resolved, set)) continue;
+    if (!resolved.has(set + "bearing.cage.inner_diameter") || !resolved.has(land) ||
+        resolved.quantity(land) != 0.0 || is_full_complement(resolved, set))
+      continue;
     warnings.push_back(land +
                        ": 0; in motion (--fidelity dynamic and above) no land guides the cage. Only its "
                        "pockets hold it, and it may leave the bearing");
@@ -569,7 +569,8 @@ void describe_power(described::Record& record, const ResolvedCase& resolved) {
 namespace {
 
 // Along the roller whose most loaded lamina carries most on the inner race.
-void put_pressures(const study::NamedSet& set, const study::LaminaRecord& laminae, RollerLoads& loads) {
+std::vector<double> pressures_along(const study::NamedSet& set, const study::LaminaRecord& laminae,
+                                    const std::vector<double>& loads, bearing::Race race) {
   const bearing::Bearing& bearing = set.drivetrain.bearing;
   const bearing::PlanetRows& rows = set.drivetrain.rows;
   const bearing::BearingGeometry geometry =
@@ -577,17 +578,12 @@ void put_pressures(const study::NamedSet& set, const study::LaminaRecord& lamina
                             : bearing::geometry_of(bearing::rating::upright(bearing, rows));
   const auto count = static_cast<std::ptrdiff_t>(laminae.lamina_position.size());
   const auto most = std::ranges::max_element(laminae.inner_load) - laminae.inner_load.begin();
-  const auto along_roller = [&](const std::vector<double>& lamina_loads, bearing::Race race) {
-    std::vector<double> pressures;
-    for (std::ptrdiff_t k = 0; k < count; ++k)
-      pressures.push_back(bearing::hertz_pressure(
-          static_cast<double>(count) * lamina_loads[static_cast<std::size_t>(most / count * count + k)],
-          bearing::equivalent_radius(geometry, race), bearing.rollers().length, bearing.material));
-    return pressures;
-  };
-  loads.along = laminae.lamina_position;
-  loads.inner_pressure = along_roller(laminae.inner_load, bearing::Race::inner);
-  loads.outer_pressure = along_roller(laminae.outer_load, bearing::Race::outer);
+  std::vector<double> pressures;
+  for (std::ptrdiff_t k = 0; k < count; ++k)
+    pressures.push_back(bearing::hertz_pressure(
+        static_cast<double>(count) * loads[static_cast<std::size_t>(most / count * count + k)],
+        bearing::equivalent_radius(geometry, race), bearing.rollers().length, bearing.material));
+  return pressures;
 }
 
 }  // namespace
@@ -596,33 +592,33 @@ std::vector<RollerLoads> roller_loads(const ResolvedCase& resolved) {
   std::vector<RollerLoads> all;
   for (study::NamedSet& set : bearing_sets(resolved)) {
     set.drivetrain.carrier_mounting.reset();  // it moves no roller of the set's plane
-    const study::PointResult point =
-        study::evaluate(set.drivetrain, set.geometry, study::Fidelity::quasi_static);
-    RollerLoads& loads = all.emplace_back(RollerLoads{.set = set.name, .by_position = point.distribution});
-    if (point.laminae) put_pressures(set, *point.laminae, loads);
+    study::PointResult point = study::evaluate(set.drivetrain, set.geometry, study::Fidelity::quasi_static);
+    all.push_back({std::move(set), std::move(point)});
   }
   return all;
 }
 
 void describe(described::Record& row, const RollerLoads& loads) {
   using namespace described;
-  row.value("set", "of gears; empty in a case of one set", loads.set);
+  const study::LoadDistribution& by_position = loads.point.distribution;
+  row.value("set", "of gears; empty in a case of one set", loads.set.name);
   row.array("angle_deg", dimension::angle,
             "position in the load zone, from the outward radial direction towards carrier rotation",
-            {"position"}, loads.by_position.angle);
+            {"position"}, by_position.angle);
   row.array("inner_load_N", dimension::force, "load of a roller on the inner race", {"position"},
-            loads.by_position.inner_load);
+            by_position.inner_load);
   row.array("outer_load_N", dimension::force, "load of a roller on the outer race", {"position"},
-            loads.by_position.outer_load);
+            by_position.outer_load);
+  const study::LaminaRecord laminae = loads.point.laminae.value_or(study::LaminaRecord{});
   row.array("along_mm", dimension::length,
             "middle of a lamina, from the middle of the roller; none of whole contacts", {"lamina"},
-            loads.along);
+            laminae.lamina_position);
   row.array("inner_pressure_MPa", dimension::pressure,
             "pressure along the most loaded roller on the inner race, after Hertz", {"lamina"},
-            loads.inner_pressure);
+            pressures_along(loads.set, laminae, laminae.inner_load, bearing::Race::inner));
   row.array("outer_pressure_MPa", dimension::pressure,
             "pressure along the same roller on the outer race, after Hertz", {"lamina"},
-            loads.outer_pressure);
+            pressures_along(loads.set, laminae, laminae.outer_load, bearing::Race::outer));
 }
 
 void describe(described::Record& record, const std::vector<RollerLoads>& sets) {

@@ -54,15 +54,15 @@ void describe_power(described::Record& record, const ResolvedCase& resolved);
 
 // Loads of the rollers of a planet bearing by position, which drawings of a bearing show.
 
-/// Of one bearing of a set at a case's operating point, quasi-static. The most loaded roller is that of the
-/// inner race; what is along it there is of a bearing cut into laminae alone.
+/// Of one bearing of a set at a case's operating point, quasi-static.
 struct RollerLoads {
-  std::string set;  // empty in a case of one set
-  study::LoadDistribution by_position;
-  std::vector<double> along;           // [m]   (laminae)  from the middle of the roller
-  std::vector<double> inner_pressure;  // [Pa]  (laminae)  of the most loaded roller, after Hertz
-  std::vector<double> outer_pressure;  // [Pa]  (laminae)
+  study::NamedSet set;  // without a name in a case of one set
+  study::PointResult point;
 };
+
+/// The most loaded roller is that of the inner race; what is along it there is of a bearing cut into laminae
+/// alone.
+void describe(described::Record& row, const RollerLoads& loads);
 
 /// Of all sets with bearings. Throws std::runtime_error where a bearing has no equilibrium.
 std::vector<RollerLoads> roller_loads(const ResolvedCase& resolved);
