@@ -144,7 +144,7 @@ ResultRow row_of_values(const TableHead& head, const std::vector<std::pair<std::
 
 int run_analysis(const ResolvedCase& resolved, const Options& options, const Analysis& analysis) {
   const std::vector<std::string> unused = require_used(resolved, analysis.used);
-  return compute_and_keep(resolved, options, {analysis.name, analysis.title, analysis.json_file}, [&] {
+  return compute_and_keep(resolved, options, analysis.names, [&] {
     Wanted wanted{.files = !options.output.empty()};
     std::optional<Progress> bar;
     if (analysis.doing != nullptr) {

@@ -13,13 +13,6 @@
 
 namespace orbearing::app {
 
-/// How a result is named.
-struct ResultNames {
-  const char* name;                 // in the manifest
-  const char* title;                // of the netCDF file
-  const char* json_file = nullptr;  // of the folder, which holds what --json prints; null: none
-};
-
 /// Opens the folder that the options name, computes, keeps what is not kept yet and prints. Returns the exit
 /// code.
 int compute_and_keep(const ResolvedCase& resolved, const Options& options, const ResultNames& names,

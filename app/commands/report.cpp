@@ -118,7 +118,7 @@ void require_results(const fs::path& folder, const ResolvedCase& resolved, const
 bool is_static_run(const ResolvedCase& resolved, const Manifest& manifest) {
   if (!is_static_bearing(resolved) && !is_duplex(resolved)) return false;
   const Analysis* analysis = analysis_of(resolved);
-  return analysis != nullptr && manifest.header && manifest.header->fidelity == analysis->name;
+  return analysis != nullptr && manifest.header && manifest.header->fidelity == analysis->names.name;
 }
 
 nlohmann::ordered_json data_of(const ResolvedCase& resolved, const Manifest& manifest,

@@ -82,8 +82,8 @@ bool is_sweep(const Manifest& manifest) {
 Json printed_result(const Opened& opened, const ResolvedCase& resolved) {
   if (holds_crown(opened.folder)) return read_crown(opened.folder).object;
   const Analysis* analysis = analysis_of(resolved);
-  if (analysis == nullptr || analysis->json_file == nullptr) return nullptr;
-  const fs::path file = opened.folder / analysis->json_file;
+  if (analysis == nullptr || analysis->names.json_file == nullptr) return nullptr;
+  const fs::path file = opened.folder / analysis->names.json_file;
   return fs::exists(file) ? Json::parse(read_file(file)) : Json();
 }
 

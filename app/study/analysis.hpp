@@ -47,15 +47,20 @@ struct Wanted {
   bool files = false;                      // those of the folder
 };
 
+/// How a result is named.
+struct ResultNames {
+  const char* name;                 // in the manifest
+  const char* title;                // of the netCDF file
+  const char* json_file = nullptr;  // of the folder, which holds what --json prints; null: none
+};
+
 /// One row of the table.
 struct Analysis {
   use::Analysis used;                   // its name for users, and which inputs it uses
   bool (*is_of)(const ResolvedCase&);   // whether it is what `run` does with the case
   std::vector<std::string> fidelities;  // that --fidelity may name; the first is what it does without
   std::string required;                 // in place of another one
-  const char* name;                     // in the manifest
-  const char* title;                    // of the netCDF file
-  const char* json_file = nullptr;      // of the folder, which holds what --json prints; null: none
+  ResultNames names;
   double scatter = scatter::in_motion;  // of its results
   const char* doing = nullptr;          // begins the line of its progress; null: it is done at once
   std::size_t parts = 0;                // of that line
