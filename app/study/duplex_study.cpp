@@ -62,11 +62,9 @@ duplex::Observation observed_linear(const ResolvedCase& in, const MeasuredPair& 
           [row](const duplex::RowLevers& levers) { return duplex::linear_stiffness(row, levers); }};
 }
 
-std::array<double, 5> frequencies(const duplex::Observation& pair, const duplex::Shaft& shaft,
-                                  const std::optional<duplex::Housing>& housing, duplex::TiltPlanes planes) {
-  const duplex::PairModes modes = duplex::modes_of(pair.stiffness(shaft.levers), shaft, housing, planes);
+std::array<double, 5> frequencies_of(const duplex::PairModes& modes) {
   std::array<double, 5> found{};
-  for (std::size_t i = 0; i < found.size(); ++i) found[i] = modes[i].frequency;
+  std::ranges::transform(modes, found.begin(), &duplex::PairMode::frequency);
   return found;
 }
 
@@ -120,7 +118,8 @@ duplex::Identified predict(const ResolvedCase& in, std::vector<PredictedPair>& p
   const duplex::Identified found = identify(chosen);
   const std::optional<duplex::Housing> housing = housing_of(in);
   for (std::size_t k = 0; k < pairs.size(); ++k)
-    pairs[k].*model = frequencies(all[k], found.shaft, housing, planes);
+    pairs[k].*model =
+        frequencies_of(duplex::modes_of(all[k].stiffness(found.shaft.levers), found.shaft, housing, planes));
   return found;
 }
 
@@ -236,13 +235,6 @@ std::vector<std::string> frequency_names() {
   return names;
 }
 
-std::array<double, 5> frequencies(const PairAtSpeed& at) {
-  std::array<double, 5> found{};
-  for (std::size_t i = 0; i < found.size(); ++i)
-    found[i] = at.modes ? (*at.modes)[i].frequency : described::kAbsent;
-  return found;
-}
-
 void describe_balance(Record& record, const PairPoint& point) {
   const bearing::equilibrium::RingState& state = point.state;
   const bool moving = state.outer_load.size() > 0;
@@ -315,8 +307,10 @@ void describe(Record& row, const PairAtSpeed& at) {
   row.value("speed_rpm", dimension::angular_speed, "of the shaft", at.speed);
   row.value("status", "ok, or the reason why there is no static equilibrium",
             at.modes ? "ok" : at.state.report.message);
+  constexpr double absent = described::kAbsent;
   row.array("", dimension::cycles, "order of natural_frequency; none: no static equilibrium",
-            {{"mode", frequency_names()}}, frequencies(at))
+            {{"mode", frequency_names()}},
+            at.modes ? frequencies_of(*at.modes) : std::array{absent, absent, absent, absent, absent})
       .variable = "natural_frequency";
   const bearing::equilibrium::RingState& state = at.state;
   Eigen::Index ball = 0;

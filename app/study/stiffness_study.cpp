@@ -322,16 +322,9 @@ std::string ross_table(const StiffnessStudy& study, std::size_t series) {
   constexpr std::array<const char*, 9> heads{"kxx", "kxy", "kyx", "kyy", "cxx", "cxy", "cyx", "cyy", "speed"};
   for (std::size_t i = 0; i < heads.size(); ++i) sheet.label(0, i, heads[i]);
   const auto put_row = [&](std::size_t row, const StiffnessPoint& point, double speed) {
-    const std::array<double, 9> values{entry(point, 0, 0),
-                                       entry(point, 0, 1),
-                                       entry(point, 1, 0),
-                                       entry(point, 1, 1),
-                                       0.0,
-                                       0.0,
-                                       0.0,
-                                       0.0,
-                                       speed};
-    for (std::size_t i = 0; i < values.size(); ++i) sheet.number(row, i, values[i]);
+    for (std::size_t i = 0; i < 4; ++i) sheet.number(row, i, entry(point, i / 2, i % 2));
+    for (std::size_t i = 4; i < 8; ++i) sheet.number(row, i, 0.0);  // no damping
+    sheet.number(row, 8, speed);
   };
   for (std::size_t row = 0; row < points.size(); ++row) put_row(row + 1, *points[row], points[row]->speed);
   constexpr double another = 1000.0;  // [rad/s]  ROSS draws its curve through two speeds at least
