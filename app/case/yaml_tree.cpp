@@ -198,8 +198,6 @@ Entry parse(std::string_view text) {
   return root;
 }
 
-}  // namespace
-
 // yaml-cpp stops in silence at some control characters and repairs broken UTF-8: both would lose input.
 void check_text(std::string_view text) {
   if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
@@ -209,6 +207,8 @@ void check_text(std::string_view text) {
   if (const std::size_t control = first_control_character(text); control < text.size())
     refuse(location_at(text, control), "a control character", "a text file in UTF-8 is required");
 }
+
+}  // namespace
 
 Entry read_yaml(std::string_view text) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);

@@ -34,9 +34,6 @@ struct Member {
 /// text that is not UTF-8.
 Entry read_yaml(std::string_view text);
 
-/// Throws `YamlFault` for text that is not UTF-8 or holds control characters; read_yaml() does so itself.
-void check_text(std::string_view text);
-
 /// Wrong syntax, at a place.
 struct YamlFault {
   Location location;
