@@ -93,12 +93,11 @@ std::string fidelity_at(const YAML::Node& node, const char* key) {
   return name;
 }
 
-// Of a row whose quantity a command gives; else there is none.
-YAML::Node of_command(const YAML::Node& node, const char* key, const std::string& quantity) {
+// A key of rows whose quantity a command gives.
+void require_command(const YAML::Node& node, const char* key, const std::string& quantity) {
   if (node[key] && !result_pointer(quantity))
     throw YAML::Exception(node[key].Mark(),
                           std::string(key) + ": found together with a quantity that no command gives");
-  return node[key];
 }
 
 PublishedValue published_value(const YAML::Node& node) {
@@ -114,11 +113,11 @@ PublishedValue published_value(const YAML::Node& node) {
                      .why = node["why"].as<std::string>(""),
                      .memory = node["memory"].as<bool>(false),
                      .fitted = node["fitted"].as<bool>(false)};
-  if (const YAML::Node named = of_command(node, "fidelity", row.quantity))
-    row.fidelity = fidelity_at(named, "fidelity");
+  if (node["fidelity"]) row.fidelity = fidelity_at(node["fidelity"], "fidelity");
+  require_command(node, "fidelity", row.quantity);
   if (node["settings"]) row.settings = node["settings"].as<std::vector<std::string>>();
-  if (const YAML::Node other = of_command(node, "against", row.quantity))
-    row.against = other.as<std::vector<std::string>>();
+  require_command(node, "against", row.quantity);
+  if (node["against"]) row.against = node["against"].as<std::vector<std::string>>();
   if (!node["value"]) throw YAML::Exception(node.Mark(), "value: missing");
   if (!node["value"].IsNull()) row.value = number_of(node["value"], "value");
   if (node["scatter"]) row.scatter = positive_number(node["scatter"], "scatter");
