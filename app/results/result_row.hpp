@@ -46,12 +46,12 @@ struct SweptAxis {
 struct TableHead {
   std::vector<std::string> names;  // all columns, status included
   std::size_t status_location = 0;
-  std::size_t first_axis = 0;                    // swept axes stand from here
-  std::size_t axes = 0;                          // as many
-  std::optional<std::size_t> set_place;          // of the limiting set's name; none with one set
+  std::size_t first_axis = 0;                     // swept axes stand from here
+  std::size_t axes = 0;                           // as many
+  std::optional<std::size_t> set_place;           // of the limiting set's name; none with one set
   std::optional<std::size_t> refined_location{};  // of the column that says which points were added
-  std::optional<std::size_t> first_resonance{};  // columns of the nearest resonance stand from here, if any
-  std::string life{"life_h"};                    // column of the life that results go by, by life.method
+  std::optional<std::size_t> first_resonance{};   // columns of the nearest resonance stand from here, if any
+  std::string life{"life_h"};                     // column of the life that results go by, by life.method
   bool operator==(const TableHead&) const = default;
 };
 

@@ -55,7 +55,8 @@ TEST(BallMotion, PowerBalances) {
     const double growth = growth_of_energy(model, s.x);
     const BallSnapshot now = model.snapshot(0.0, s.x.data());
     const double balance = model.power_input(0.0, s.x.data()) - now.loss.total();
-    const double scale = now.loss.total() + std::abs(model.power_input(0.0, s.x.data())) + std::abs(growth) + 1.0;
+    const double scale =
+        now.loss.total() + std::abs(model.power_input(0.0, s.x.data())) + std::abs(growth) + 1.0;
     EXPECT_NEAR(growth, balance, 3e-5 * scale);
     EXPECT_GE(now.loss.rolling, 0.0);
     EXPECT_GE(now.loss.damping, 0.0);
@@ -76,14 +77,15 @@ void scratch_under_balls(RandomBalls& random, const Started& s, GrooveNumbers& g
   scratch.track_radius = radius;
   scratch.count = std::min(s.numbers.balls, ScratchNumbers::kMost);
   for (int j = 0; j < scratch.count; ++j)
-    scratch.angle[j] = s.x[static_cast<std::size_t>(lanes + j)] +
-                       random.between(-0.45, 0.45) * scratch.law.width / radius;
+    scratch.angle[j] =
+        s.x[static_cast<std::size_t>(lanes + j)] + random.between(-0.45, 0.45) * scratch.law.width / radius;
 }
 
 // Scratches are turned about the bearing's axis: by a tilt times its rate they would lag.
 void straighten(const StateLayout& layout, std::vector<double>& x) {
   for (const int ring : {layout.inner(), layout.outer()})
-    for (const int i : {3, 4}) x[static_cast<std::size_t>(ring + i)] = x[static_cast<std::size_t>(ring + kRingUnknowns + i)] = 0.0;
+    for (const int i : {3, 4})
+      x[static_cast<std::size_t>(ring + i)] = x[static_cast<std::size_t>(ring + kRingUnknowns + i)] = 0.0;
 }
 
 // Issue 14, Build 7: forces on a scratch are those of its energy, and a ring that carries one along pays for
@@ -141,8 +143,8 @@ void scratch_balls(RandomBalls& random, Started& s) {
   }
 }
 
-// Issue 14, Build 7: a scratch of a ball turns with the ball, wherever that turns, and its forces and moments are
-// those of the contacts' energy.
+// Issue 14, Build 7: a scratch of a ball turns with the ball, wherever that turns, and its forces and moments
+// are those of the contacts' energy.
 TEST(BallMotion, PowerBalancesOnScratchedBalls) {
   RandomBalls random(12);
   int struck = 0;
@@ -188,8 +190,8 @@ TEST(BallMotion, StagesAreSolvedByTheStiffSlopes) {
     Eigen::MatrixXd jacobian(n, n);
     const auto is_position = [&](int i) {
       const auto in = [&](int first, int unknowns) { return i >= first && i < first + unknowns; };
-      return i < 3 * layout.lanes() || in(layout.cage(), kCageUnknowns) || in(layout.inner(), kRingUnknowns) ||
-             in(layout.outer(), kRingUnknowns);
+      return i < 3 * layout.lanes() || in(layout.cage(), kCageUnknowns) ||
+             in(layout.inner(), kRingUnknowns) || in(layout.outer(), kRingUnknowns);
     };
     for (int i = 0; i < n; ++i) {
       const double step = is_position(i) ? 1e-10 : 1e-6;
@@ -199,7 +201,8 @@ TEST(BallMotion, StagesAreSolvedByTheStiffSlopes) {
       x[static_cast<std::size_t>(i)] -= 2.0 * step;
       model.derivative(0.0, x.data(), below.data());
       for (int m = 0; m < n; ++m)
-        jacobian(m, i) = (above[static_cast<std::size_t>(m)] - below[static_cast<std::size_t>(m)]) / (2.0 * step);
+        jacobian(m, i) =
+            (above[static_cast<std::size_t>(m)] - below[static_cast<std::size_t>(m)]) / (2.0 * step);
     }
     model.linearise(0.0, s.x.data(), rate.data());
     constexpr double g = 1e-6;  // [s]
@@ -235,7 +238,8 @@ TEST(BallMotion, InstructionSetsAgree) {
       k.insert(k.end(), rate.begin(), rate.end());
       if (first.empty()) first = k;
       const double scale = *std::max_element(first.begin(), first.end());
-      for (std::size_t i = 0; i < k.size(); ++i) EXPECT_NEAR(k[i], first[i], 1e-7 * std::abs(first[i]) + 1e-9 * scale);
+      for (std::size_t i = 0; i < k.size(); ++i)
+        EXPECT_NEAR(k[i], first[i], 1e-7 * std::abs(first[i]) + 1e-9 * scale);
     }
   }
 }

@@ -166,8 +166,8 @@ TEST(DynamicPath, ConvergesAtTheOrderOfTheMethodWhereContactsStayClosed) {
   free_cage.cage.guide_diameter = 0.0;
   test::Random random;
   Path path(preloaded, free_cage,
-                  test::shaken_state(model_at_6000_rpm(preloaded, free_cage), preloaded, free_cage, 2.4e-6,
-                                     4e-2, random));
+            test::shaken_state(model_at_6000_rpm(preloaded, free_cage), preloaded, free_cage, 2.4e-6, 4e-2,
+                               random));
   EXPECT_NEAR(std::log2(path.error(Method::rk4, 2e-7) / path.error(Method::rk4, 1e-7)), 4.0, kMargin);
   // Its constants of order 5 are small: the terms of orders 6 and 7 still lead where steps are long enough
   // for errors to stand above round-off (7e-15 m).
@@ -185,7 +185,7 @@ TEST_P(ImpactPath, ConvergesThroughImpacts) {
   const Bearing bearing = GetParam()();
   const DynamicsParameters parameters = test::reducer_parameters();
   constexpr double kLeastOrder = 1.5;  // 2 less the scatter of eight starts over a factor of four in the step
-  std::deque<Path> paths;  // which do not move
+  std::deque<Path> paths;              // which do not move
   for (double first_roller : {0.0, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35})
     paths.emplace_back(
         bearing, parameters,
@@ -316,7 +316,7 @@ TEST(SteadyState, RefusesABearingInWhichNothingTurns) {
   point.outer_speed = 0.0;
   EXPECT_REFUSED(std::invalid_argument, "dynamics_motion 1",
                  system::run_to_steady_state(test::reducer_bearing(), point, test::reducer_parameters(),
-                                           {.integration = {}}));
+                                             {.integration = {}}));
 }
 
 }  // namespace

@@ -43,7 +43,8 @@ Bodies bodies_of(const StateLayout& layout, const Surroundings& now, const doubl
   };
   return {at(layout.inner(), kRingUnknowns, now.inner_spin, now.inner_turn),
           at(layout.outer(), kRingUnknowns, now.outer_spin, now.outer_turn),
-          at(layout.cage(), kCageUnknowns, x[layout.cage() + 2 * kCageUnknowns - 1], 0.0), x[layout.cage() + 5]};
+          at(layout.cage(), kCageUnknowns, x[layout.cage() + 2 * kCageUnknowns - 1], 0.0),
+          x[layout.cage() + 5]};
 }
 
 Ball<double> ball_of(const StateLayout& layout, const double* x, int j) {
@@ -61,15 +62,15 @@ Ball<double> ball_of(const StateLayout& layout, const double* x, int j) {
 // Everything that happens to one ball.
 struct BallTouches {
   Ball<double> ball;
-  SeenBody<double> ring[2];   // inner, outer
+  SeenBody<double> ring[2];  // inner, outer
   RaceTouch<double> race[2];
   PocketTouch<double> pocket;
 };
 
 template <class Law>
-[[gnu::noinline]] RaceTouch<double> touch_of(const Law& law, const BallNumbers& c, const GrooveNumbers& groove,
-                                             const Ball<double>& ball, const SeenBody<double>& ring,
-                                             const SeenSpots<double>& spots) {
+[[gnu::noinline]] RaceTouch<double> touch_of(const Law& law, const BallNumbers& c,
+                                             const GrooveNumbers& groove, const Ball<double>& ball,
+                                             const SeenBody<double>& ring, const SeenSpots<double>& spots) {
   ContactSlopes<double> unused;
   return race_touch<false>(law, c, groove, ball, ring, spots, unused);
 }
@@ -97,15 +98,16 @@ std::vector<BallTouches> touches_of(const BallNumbers& c, const StateLayout& lay
     const double ahead = two_pi * j / c.balls + bodies.cage_turn - x[layout.lanes() + j];
     ContactSlopes<double> unused;
     PocketFilmSlopes<double> none;
-    now.pocket = pocket_touch<false>(c, now.ball, cage,
-                                     pocket_direction(cage.axis, std::cos(ahead), std::sin(ahead)), unused, none);
+    now.pocket = pocket_touch<false>(
+        c, now.ball, cage, pocket_direction(cage.axis, std::cos(ahead), std::sin(ahead)), unused, none);
   }
   return all;
 }
 
 ContactSnapshot shown(const RaceTouch<double>& touch) {
-  return {touch.load, touch.approach, std::asin(std::clamp(touch.contact_angle, -1.0, 1.0)),
-          touch.sliding_along, touch.spin, touch.entrainment, touch.film};
+  return {touch.load,          touch.approach, std::asin(std::clamp(touch.contact_angle, -1.0, 1.0)),
+          touch.sliding_along, touch.spin,     touch.entrainment,
+          touch.film};
 }
 
 // What a ball takes from the drive of a ring: moment about the ring's axis of what it does to the ring.
@@ -149,8 +151,12 @@ BallBearing::BallBearing(const BallNumbers& numbers, const BallDuty& duty, mecha
       last_rate_(last_x_.size()) {}
 
 Surroundings BallBearing::surroundings(double time) const {
-  return {duty_.inner.speed_at(time), duty_.outer.speed_at(time), duty_.inner.angle_at(time),
-          duty_.outer.angle_at(time), duty_.on_inner,             duty_.on_outer};
+  return {duty_.inner.speed_at(time),
+          duty_.outer.speed_at(time),
+          duty_.inner.angle_at(time),
+          duty_.outer.angle_at(time),
+          duty_.on_inner,
+          duty_.on_outer};
 }
 
 void BallBearing::derivative(double time, const double* x, double* dx) {
@@ -254,7 +260,8 @@ double BallBearing::power_input(double time, const double* x) const {
   return power;
 }
 
-std::vector<double> start_state(const Bearing& bearing, const BallBearing& model, double first, double share) {
+std::vector<double> start_state(const Bearing& bearing, const BallBearing& model, double first,
+                                double share) {
   const BallNumbers& c = model.numbers();
   const StateLayout layout = model.layout();
   // What the inner ring carries; a free outer one carries the opposite and goes the opposite way.
@@ -288,10 +295,10 @@ std::vector<double> start_state(const Bearing& bearing, const BallBearing& model
   // Balls and cage go round together, as the mean of the loaded contact angles has it.
   const double carried = std::max(1e-300, state.contact_load.sum());
   BearingGeometry leaning = geometry_of(bearing);
-  leaning.slenderness = 2.0 * c.radius / bearing.pitch_diameter *
-                        (state.contact_load.sum() > 0.0
-                             ? (state.contact_load * state.contact_angle.cos()).sum() / carried
-                             : std::cos(bearing.balls().contact_angle));
+  leaning.slenderness =
+      2.0 * c.radius / bearing.pitch_diameter *
+      (state.contact_load.sum() > 0.0 ? (state.contact_load * state.contact_angle.cos()).sum() / carried
+                                      : std::cos(bearing.balls().contact_angle));
   const double cage = share * kinematic_cage_speed(leaning, inner_speed, outer_speed);
   const Surroundings now = model.surroundings(0.0);
   const Bodies bodies = bodies_of(layout, now, x.data());
@@ -300,8 +307,8 @@ std::vector<double> start_state(const Bearing& bearing, const BallBearing& model
   for (int j = 0; j < c.balls; ++j) {
     const double angle = first + two_pi * j / c.balls;
     const auto entry = [&](int group) -> double& { return x[static_cast<std::size_t>(group * lanes + j)]; };
-    // On the line of both groove centres, with the approach that its load needs on the outer race; an unloaded
-    // ball midway.
+    // On the line of both groove centres, with the approach that its load needs on the outer race; an
+    // unloaded ball midway.
     const Ball<double> axes{0.0, 0.0, std::cos(angle), std::sin(angle), {}, {}, 0.0};
     const auto groove_centre = [&](const Body& ring, const GrooveNumbers& groove) {
       const Triple<double> centre = in_axes_of(axes, ring.centre), axis = in_axes_of(axes, ring.axis);
@@ -310,7 +317,8 @@ std::vector<double> start_state(const Bearing& bearing, const BallBearing& model
     };
     const Eigen::Vector2d at_inner = groove_centre(bodies.inner, c.inner);
     const Eigen::Vector2d at_outer = groove_centre(bodies.outer, c.outer);
-    const double inner_r = at_inner.x(), inner_z = at_inner.y(), outer_r = at_outer.x(), outer_z = at_outer.y();
+    const double inner_r = at_inner.x(), inner_z = at_inner.y(), outer_r = at_outer.x(),
+                 outer_z = at_outer.y();
     const double length = std::hypot(inner_r - outer_r, inner_z - outer_z);
     const double load_here = state.contact_load[j];
     const double from_outer = load_here > 0.0

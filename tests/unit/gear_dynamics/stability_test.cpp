@@ -10,8 +10,8 @@
 #include "gearset/dynamics/equations.hpp"
 #include "gearset/dynamics/period_map.hpp"
 #include "gearset/dynamics/static_state.hpp"
-#include "tests/messages.hpp"
 #include "tests/gear_sets.hpp"
+#include "tests/messages.hpp"
 
 namespace orbearing::gearset::dynamics::stability_test {
 namespace {
