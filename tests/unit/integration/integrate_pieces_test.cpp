@@ -51,19 +51,6 @@ TEST(IntegratePieces, CostsLessThanSteppingAcrossTheJumps) {
   EXPECT_LT(2 * pieces.rhs_calls, blind.rhs_calls);
 }
 
-TEST(IntegratePieces, TellsEachJumpOnceWithTheTimesOfItsSides) {
-  VectorXd x = VectorXd::Ones(1);
-  std::vector<double> seen;
-  integrate_pieces(kAlternating, x, {0.2, 0.9, 2}, kHalfSeconds, options(1e-9), {},
-                   [&](double before, double after, const Eigen::Ref<const VectorXd>&) {
-                     EXPECT_NEAR(after - before, 2e-9, 1e-15);
-                     seen.push_back(0.5 * (before + after));
-                   });
-  ASSERT_EQ(seen.size(), 4u);  // 0.5, 1.0, 1.5, and that at the very end
-  EXPECT_NEAR(seen[0], 0.5, 1e-12);
-  EXPECT_NEAR(seen[3], 2.0, 1e-12);
-}
-
 TEST(IntegratePieces, GivesUpOnAStateThatIsNotFinite) {
   VectorXd x = VectorXd::Ones(1);
   const RightHandSide explodes = [](double, const Eigen::Ref<const VectorXd>& at, Eigen::Ref<VectorXd> dx) {
