@@ -136,7 +136,7 @@ void add_catalogue_fields(std::vector<Field>& fields) {
   limit("bearing.temperature.inner_ring", with_both_rings);
   limit(kOuterFit, with_outer_ring);
   limit("bearing.temperature.outer_ring", with_outer_ring);
-  std::ranges::move(added, std::back_inserter(fields));
+  std::move(added.begin(), added.end(), std::back_inserter(fields));
 }
 
 }  // namespace table

@@ -64,7 +64,7 @@ duplex::Observation observed_linear(const ResolvedCase& in, const MeasuredPair& 
 
 std::array<double, 5> frequencies_of(const duplex::PairModes& modes) {
   std::array<double, 5> found{};
-  std::ranges::transform(modes, found.begin(), &duplex::PairMode::frequency);
+  std::transform(modes.begin(), modes.end(), found.begin(), std::mem_fn(&duplex::PairMode::frequency));
   return found;
 }
 

@@ -65,7 +65,8 @@ void warn_where(const SweepOutcome& outcome, const std::string& text,
                 const std::function<bool(const ResultRow&)>& holds, Texts& warnings) {
   const std::vector<const ResultRow*> rows = rows_of(outcome, true);
   std::vector<const ResultRow*> found;
-  std::ranges::copy_if(rows, std::back_inserter(found), [&](const ResultRow* row) { return holds(*row); });
+  std::copy_if(rows.begin(), rows.end(), std::back_inserter(found),
+               [&](const ResultRow* row) { return holds(*row); });
   if (!found.empty())
     warnings.push_back(fmt::format("{}: {} of {} points, first at {:g} rpm", text, found.size(), rows.size(),
                                    value_of(outcome.head, *found.front(), "input_speed_rpm")));
