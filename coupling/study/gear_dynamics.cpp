@@ -291,7 +291,9 @@ class RepeatingMotion {
     for (int i = 0; i < kMostPeriods; ++i) {
       const Eigen::VectorXd before = result_.final_state;
       const std::optional<Eigen::VectorXd> change = change_to_it();
-      if (!change || !(errors_in(*change) < away)) return false;
+      if (!change) return false;
+      // Over a long period the errors of many steps add up: no nearer is then near enough.
+      if (!(errors_in(*change) < away)) return away <= kNear;
       away = errors_in(*change);
       result_.final_state = before + *change;
       if (away <= kFound) return true;
@@ -306,7 +308,7 @@ class RepeatingMotion {
     std::optional<Eigen::VectorXd> change;
     for (long i = 0; i <= kRepeatingPeriods; ++i)
       if (!(change = change_to_it())) return false;
-    return errors_in(*change) <= kDied;
+    return errors_in(*change) <= kNear;
   }
 
  private:
@@ -322,7 +324,7 @@ class RepeatingMotion {
 
   static constexpr int kMostPeriods = 12;
   // [-]  of the errors allowed in one step:
-  static constexpr double kFound = 1.0, kDisturbed = 30.0, kDied = 10.0;
+  static constexpr double kFound = 1.0, kNear = 10.0, kDisturbed = 30.0;
 
   GearRun& run_;
   const gearset::dynamics::PeriodMap& map_;

@@ -18,6 +18,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kStep = 0.4;      // [rad]  of the fastest motion, by classic Runge-Kutta
+constexpr double kDecay = 2.0;     // [-]  of the fastest decay in a step: it is stable up to 2.78
 constexpr double kMargin = 1e-9;   // [mesh period]  kept off jumps, to be on one side of them
 constexpr double kNothing = 1e-6;  // [-]  of the fastest frequency: round-off of multipliers of one
 constexpr double kFree = 1e-8;     // [-]  of the largest pivot: a direction that the map leaves as it is
@@ -37,6 +38,8 @@ class Linearised {
 
   /// [rad/s]  by the largest sum of a row
   double fastest() const { return std::sqrt(by_position_.cwiseAbs().rowwise().sum().maxCoeff()); }
+  /// [1/s]  likewise. The friction of slow, heavily loaded bearings is a damper faster than any vibration.
+  double fastest_decay() const { return by_velocity_.cwiseAbs().rowwise().sum().maxCoeff(); }
 
   void at(double time) {
     force_slopes(model_, time, still_, slopes_);  // linear: of no state
@@ -93,10 +96,11 @@ void require_steady_speed(const Operation& operation) {
 
 // Classic Runge-Kutta from `begin` to `end` [s], inside of which nothing jumps.
 void pass_piece(Linearised& linear, double frequency, double begin, double end, MatrixXd& x) {
-  const long steps = std::max(1L, std::lround(std::ceil((end - begin) * frequency / kStep)));
+  linear.at(begin);
+  const double pace = std::max(frequency / kStep, linear.fastest_decay() / kDecay);  // [1/s]
+  const long steps = std::max(1L, std::lround(std::ceil((end - begin) * pace)));
   const double h = (end - begin) / static_cast<double>(steps);
   MatrixXd k1(x.rows(), x.cols()), k2 = k1, k3 = k1, k4 = k1;
-  linear.at(begin);
   for (long i = 0; i < steps; ++i) {
     linear.rate(frequency, x, k1);
     linear.at(begin + (static_cast<double>(i) + 0.5) * h);

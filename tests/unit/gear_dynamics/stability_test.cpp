@@ -187,6 +187,11 @@ TEST(PeriodMap, KnowsLoadedTeethByTheirMeanLoad) {
   EXPECT_LT(size_of(model, map.to_repeating(after_period(model, x) - x)), 0.1 * size_of(model, step));
 }
 
+// Faster than any vibration, as the friction of slow, heavily loaded bearings: nothing grows.
+TEST(PeriodMap, FollowsADamperThatIsFasterThanVibrations) {
+  EXPECT_LE(PeriodMap(model_on(law(3e8, 0.0, 1e6))).largest_growth(), 0.0);
+}
+
 TEST(PeriodMap, RefusesWhatHasNoPeriod) {
   SetModel model = model_on(law(3e8, 0.0, 500.0));
   model.operation.run_up = {.from = 0.5, .duration = 1.0};
