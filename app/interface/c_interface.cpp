@@ -107,11 +107,11 @@ std::vector<app::Setting> settings_of(const Json& rows) {
 }
 
 app::Input input_at(const app::ResolvedCase& stated, const std::string& path) {
+  const std::vector<app::Input>& inputs = stated.inputs();
+  const auto found = std::ranges::find(inputs, path, &app::Input::path);
+  if (found != inputs.end()) return *found;
   std::vector<std::string> known;
-  for (const app::Input& input : stated.inputs()) {
-    if (input.path == path) return input;
-    known.push_back(input.path);
-  }
+  for (const app::Input& input : inputs) known.push_back(input.path);
   const std::string near = app::nearest_word(path, known);
   throw BadInput(fmt::format(
       "{}: {}: found a path that this case does not have{}; required: the path of a value of the case",
