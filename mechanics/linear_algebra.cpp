@@ -1,7 +1,6 @@
 #include "mechanics/linear_algebra.hpp"
 
 #include <Eigen/Cholesky>
-
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <Eigen/QR>
@@ -13,6 +12,12 @@ namespace orbearing::mechanics {
 SymmetricModes symmetric_modes(const Eigen::MatrixXd& matrix) {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(matrix);
   return {solver.eigenvalues(), solver.eigenvectors()};
+}
+
+Eigen::VectorXcd eigenvalues(const Eigen::MatrixXd& matrix, Eigen::MatrixXcd* vectors) {
+  const Eigen::EigenSolver<Eigen::MatrixXd> solver(matrix, vectors != nullptr);
+  if (vectors != nullptr) *vectors = solver.eigenvectors();
+  return solver.eigenvalues();
 }
 
 Eigen::MatrixXd least_squares(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right, double threshold) {

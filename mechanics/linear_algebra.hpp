@@ -15,6 +15,9 @@ struct SymmetricModes {
 /// Eigenvalues and eigenvectors of a symmetric matrix, of which the lower half is read.
 SymmetricModes symmetric_modes(const Eigen::MatrixXd& matrix);
 
+/// Eigenvalues of a square matrix; with `vectors`, its right eigenvectors as columns of length 1.
+Eigen::VectorXcd eigenvalues(const Eigen::MatrixXd& matrix, Eigen::MatrixXcd* vectors = nullptr);
+
 /// The shortest x for which |matrix x - right| is least. Pivots below `threshold` [-] of the largest one
 /// count as none; where it is 0, those below round-off do.
 Eigen::MatrixXd least_squares(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right,

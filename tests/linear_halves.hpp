@@ -25,6 +25,12 @@ struct LinearPair {
   double behind_stiffness = 2.0;  // [N/m]
 };
 
+/// State after `time` [s] under a linear law.
+inline Eigen::VectorXd after(const Eigen::MatrixXd& law, double time, const Eigen::VectorXd& start) {
+  const Eigen::MatrixXd change = (law * time).exp();
+  return change * start;
+}
+
 /// State under a linear law with a polynomial of degree 3 as input, over `length` [s].
 /// @param inputs a polynomial for each column of `by_input`
 inline Eigen::VectorXd moved(const Eigen::MatrixXd& law, const Eigen::MatrixXd& by_input,
@@ -46,7 +52,7 @@ inline Eigen::VectorXd moved(const Eigen::MatrixXd& law, const Eigen::MatrixXd& 
   Eigen::VectorXd start = Eigen::VectorXd::Zero(n + powers);
   start.head(n) = x;
   start[n] = size;
-  return ((all * length).exp() * start).head(n);
+  return after(all, length, start).head(n);
 }
 
 /// One half: its laws, and what it gives from its state and its inputs.
@@ -124,7 +130,7 @@ inline Eigen::Vector4d exact(const LinearPair& p, double time, double displaceme
       p.joint_stiffness / p.mass, p.joint_damping / p.mass;
   law.row(3) << p.joint_stiffness / p.behind, p.joint_damping / p.behind,
       -(p.joint_stiffness + p.behind_stiffness) / p.behind, -p.joint_damping / p.behind;
-  return (law * time).exp() * Eigen::Vector4d(displacement, 0.0, 0.0, 0.0);
+  return after(law, time, Eigen::Vector4d(displacement, 0.0, 0.0, 0.0));
 }
 
 /// A pair of halves and their run.

@@ -11,16 +11,16 @@
 namespace orbearing::bearing::equilibrium {
 
 /// What does not change with the load.
-class BallRow {
+class BallRow : public RingRow {
  public:
   /// Throws std::invalid_argument where the elements are no balls, grooves are no wider than balls or the
   /// clearance leaves no contact.
   explicit BallRow(const Bearing& bearing);
 
-  double lever() const { return lever_; }
-  double reach(double load) const;
-  void add_forces(const RingPosition& position, RingImbalance& sum) const;
-  void put_loads(const RingPosition& position, RingState& state) const;
+  double lever() const override { return lever_; }
+  double reach(double load) const override;
+  void add_forces(const RingPosition& position, RingImbalance& sum) const override;
+  void put_loads(const RingPosition& position, RingState& state) const override;
 
   double groove_distance() const { return groove_distance_; }  // [m]  of the centres, just touching: A
   double radial_distance() const { return radial_distance_; }  // [m]  concentric: A cos(alpha) - s/2

@@ -195,7 +195,7 @@ JonesRow::RingActs JonesRow::acts_of(Eigen::Index ball) const {
       .finished();
 }
 
-void JonesRow::add_forces(const RingPosition& position, RingImbalance& sum) {
+void JonesRow::add_forces(const RingPosition& position, RingImbalance& sum) const {
   const bool known = known_ && *known_ == position;
   if (!known) settled_ = true;
   for (Eigen::Index j = 0; j < geometry_.count(); ++j) {
@@ -225,7 +225,7 @@ JonesBall JonesRow::ball_at(const BallMemory& ball) const {
           .motion = at.motion};
 }
 
-void JonesRow::put_loads(const RingPosition& position, RingState& state) {
+void JonesRow::put_loads(const RingPosition& position, RingState& state) const {
   RingImbalance unused;
   add_forces(position, unused);
   const Eigen::Index count = geometry_.count();

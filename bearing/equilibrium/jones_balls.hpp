@@ -70,23 +70,22 @@ struct JonesBall {
 /// What the balls of a row in motion have in common. Throws std::invalid_argument as BallRow does.
 BallLaw<double> ball_law(const Bearing& bearing, const RowMotion& motion, const BallRow& at_rest);
 
-class JonesRow {
+class JonesRow : public RingRow {
  public:
   /// Throws std::invalid_argument as BallRow does.
   JonesRow(const Bearing& bearing, const RowMotion& motion);
   /// The same, of a bearing whose row at rest is there.
   JonesRow(const Bearing& bearing, const RowMotion& motion, const BallRow& at_rest);
 
-  /// Whether its forces have no energy.
-  bool follows_motion() const { return !frozen_; }
-  double lever() const { return geometry_.lever(); }
-  double reach(double load) const;
+  bool follows_motion() const override { return !frozen_; }
+  double lever() const override { return geometry_.lever(); }
+  double reach(double load) const override;
   /// Of a ball's forces and moment on the coordinates of the ring.
   using RingActs = Eigen::Matrix<double, 5, 3>;
   RingActs acts_of(Eigen::Index ball) const;
   /// Remembers where the balls came to rest, to begin there the next time.
-  void add_forces(const RingPosition& position, RingImbalance& sum);
-  void put_loads(const RingPosition& position, RingState& state);
+  void add_forces(const RingPosition& position, RingImbalance& sum) const override;
+  void put_loads(const RingPosition& position, RingState& state) const override;
   /// Whether all balls found their balance the last time.
   bool settled() const { return settled_; }
   /// Race control alone: gives each ball the race that resists its spin more, by its loads of the last time.
@@ -143,10 +142,10 @@ class JonesRow {
   BallLaw<double> law_;
   double default_centrifugal_ = 0.0;  // [N]  at the nominal contact angle
   bool frozen_ = false;
-  bool settled_ = true;
-  std::optional<RingPosition> known_;  // where the memory holds the forces
-  std::vector<BallMemory> memory_;
-  std::vector<JonesBall> balls_;
+  mutable bool settled_ = true;
+  mutable std::optional<RingPosition> known_;  // where the memory holds the forces
+  mutable std::vector<BallMemory> memory_;
+  mutable std::vector<JonesBall> balls_;
 };
 
 }  // namespace orbearing::bearing::equilibrium

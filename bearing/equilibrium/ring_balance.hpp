@@ -19,7 +19,6 @@
 #include "mechanics/constants.hpp"
 #include "mechanics/convex_search.hpp"
 #include "mechanics/described.hpp"
-#include "mechanics/root_search.hpp"
 
 namespace orbearing::bearing::equilibrium {
 
@@ -115,92 +114,35 @@ inline Eigen::ArrayXd element_angles(const Bearing& bearing) {
   return bearing.first_element + pitch * Eigen::ArrayXd::LinSpaced(count, 0.0, count - 1.0);
 }
 
-/// What a row adds to the ring's balance: force [N] of the elements on the ring, its stiffness, and as scale
-/// the sum of the contact loads, however they cancel.
-///
-/// A row is a type with
-///     double lever() const;                                     // [m]  of the tilts
-///     double reach(double load) const;                          // [m]  scale of the place under `load` [N]
-///     void add_forces(const RingPosition&, RingImbalance&) const;
-///     void put_loads(const RingPosition&, RingState&) const;    // all of the elements, and the pressure
-///     bool follows_motion() const;     // where its forces may follow its motion, and so have no energy
-template <class Row>
-RingImbalance row_forces(Row&& row, const RingPosition& position) {
-  RingImbalance sum;
-  row.add_forces(position, sum);
-  return sum;
-}
+/// One row or several, that bear a ring.
+class RingRow {
+ public:
+  virtual ~RingRow() = default;
+  virtual double lever() const = 0;             // [m]  of the tilts
+  virtual double reach(double load) const = 0;  // [m]  scale of the place under `load` [N]
+  /// Adds force [N] of the elements on the ring, its stiffness, and as scale the sum of the contact loads,
+  /// however they cancel.
+  virtual void add_forces(const RingPosition& position, RingImbalance& sum) const = 0;
+  /// Loads of all elements, and the pressure.
+  virtual void put_loads(const RingPosition& position, RingState& state) const = 0;
+  /// Whether its forces follow its motion, and so have no energy.
+  virtual bool follows_motion() const { return false; }
+};
+
+RingImbalance row_forces(const RingRow& row, const RingPosition& position);
 
 /// The load on the place's coordinates [N]; a given tilt bears the moments.
-inline RingPosition outer_load(const RingLoad& load, double lever) {
-  const bool held = load.tilt.has_value();
-  return (RingPosition() << load.radial, 0.0, load.axial, held ? 0.0 : load.moment / lever,
-          held ? 0.0 : load.moment_across / lever)
-      .finished();
-}
+RingPosition outer_load(const RingLoad& load, double lever);
 
 /// Stiffness by displacement [m] and tilt [rad] of one by places, whose tilts are taken at the lever [m].
-inline Eigen::Matrix<double, 5, 5> by_tilt(const Eigen::Matrix<double, 5, 5>& stiffness, double lever) {
-  const Eigen::Vector<double, 5> arms(1.0, 1.0, 1.0, lever, lever);
-  return arms.asDiagonal() * stiffness * arms.asDiagonal();
-}
+Eigen::Matrix<double, 5, 5> by_tilt(const Eigen::Matrix<double, 5, 5>& stiffness, double lever);
 
 /// Where the ring is, what its row bears there and how stiffly. The report is that of no search.
-template <class Row>
-RingState state_at(Row&& row, const RingPosition& position) {
-  const double lever = row.lever();
-  const RingImbalance borne = row_forces(row, position);
-  RingState state;
-  state.radial = position[0];
-  state.lateral = position[1];
-  state.axial = position[2];
-  state.tilt = std::atan(position[3] / lever);
-  state.lateral_tilt = std::atan(position[4] / lever);
-  state.moment = -borne.force[3] * lever;
-  state.lateral_moment = -borne.force[4] * lever;
-  state.stiffness = by_tilt(borne.stiffness, lever);
-  row.put_loads(position, state);
-  return state;
-}
+RingState state_at(const RingRow& row, const RingPosition& position);
 
 /// The search begins at `start`; a tilt that is given stays. `near` [-]: force that may remain of the loads,
 /// where the balance is a start for another; 0: round-off.
-template <class Row>
-RingState balance_ring(Row&& row, const RingLoad& load, const RingPosition& start = RingPosition::Zero(),
-                       double near = 0.0) {
-  const double lever = row.lever();
-  const bool tilt_given = load.tilt.has_value();
-  const RingPosition outer = outer_load(load, lever);
-  const Eigen::Array<bool, 5, 1> held(false, false, false, tilt_given, tilt_given);
-  RingPosition position = start;
-  if (tilt_given) {
-    position[3] = lever * std::tan(*load.tilt);
-    position[4] = 0.0;
-  }
-  const double reach = row.reach(outer.norm()) + std::abs(position[3]);
-  const auto imbalance_at = [&](const RingPosition& at) {
-    RingImbalance sum = row_forces(row, at);
-    sum.force += outer;
-    sum.scale = std::max(sum.scale, outer.cwiseAbs().maxCoeff());
-    mechanics::hold<5>(held, sum);
-    return sum;
-  };
-  RingImbalance now;
-  BalanceReport report;
-  mechanics::SearchLimits limits{.reach = reach, .tolerance = 1e-13, .most_iterations = 300};
-  if (near > 0.0) limits.tolerance = limits.acceptable = near;
-  bool in_motion = false;
-  if constexpr (requires { row.follows_motion(); }) in_motion = row.follows_motion();
-  if (in_motion) {
-    limits.most_iterations = 60;  // begins near its end, or not at all
-    report = {mechanics::find_root<5>(imbalance_at, limits, position, now)};
-  } else {
-    report = {mechanics::find_balance<5>(imbalance_at, limits, position, now)};
-  }
-  if (!report.converged) report.message = "the ring found no static equilibrium on its rolling elements";
-  RingState state = state_at(row, position);
-  state.report = report;
-  return state;
-}
+RingState balance_ring(const RingRow& row, const RingLoad& load,
+                       const RingPosition& start = RingPosition::Zero(), double near = 0.0);
 
 }  // namespace orbearing::bearing::equilibrium

@@ -13,16 +13,16 @@ namespace orbearing::bearing::equilibrium {
 
 /// What does not change with the load: both contacts of a roller as one, and where the rollers stand. The
 /// axial place is free: rollers without flanges bear no axial load.
-class RollerRow {
+class RollerRow : public RingRow {
  public:
   /// Throws std::invalid_argument where the elements are no rollers, there are no laminae or a profile has no
   /// meaning.
   explicit RollerRow(const Bearing& bearing);
 
-  double lever() const { return contact_.half_length(); }
-  double reach(double load) const;
-  void add_forces(const RingPosition& position, RingImbalance& sum) const;
-  void put_loads(const RingPosition& position, RingState& state) const;
+  double lever() const override { return contact_.half_length(); }
+  double reach(double load) const override;
+  void add_forces(const RingPosition& position, RingImbalance& sum) const override;
+  void put_loads(const RingPosition& position, RingState& state) const override;
 
   /// Both contacts of a roller as one.
   const laminae::LaminaContact& contact() const { return contact_; }

@@ -12,10 +12,6 @@ namespace orbearing::bearing::equilibrium {
 
 namespace {
 
-double lever_of_row(const std::variant<BallRow, RollerRow, JonesRow>& row) {
-  return std::visit([](const auto& one) { return one.lever(); }, row);
-}
-
 void append(const Eigen::ArrayXd& more, Eigen::ArrayXd& all) {
   const Eigen::Index before = all.size();
   all.conservativeResize(before + more.size());
@@ -36,11 +32,11 @@ RowGroup::RowGroup(const std::vector<RowOnShaft>& bearings) {
       rows_.push_back({.row = RollerRow(one.bearing)});
     else
       rows_.push_back({.row = BallRow(one.bearing), .approach = one.approach});
-    lever_ = std::max(lever_, lever_of_row(rows_.back().row));
+    lever_ = std::max(lever_, rows_.back().bearing().lever());
   }
   for (std::size_t k = 0; k < rows_.size(); ++k)
     rows_[k].motion =
-        motion_of_row(bearings[k].position, bearings[k].side, lever_, lever_of_row(rows_[k].row));
+        motion_of_row(bearings[k].position, bearings[k].side, lever_, rows_[k].bearing().lever());
 }
 
 RowGroup::RowGroup(const RowGroup& at_rest, const std::vector<RowOnShaft>& bearings) : RowGroup(at_rest) {
@@ -61,15 +57,13 @@ RingPosition RowGroup::Placed::in_row(const RingPosition& position) const {
 double RowGroup::reach(double load) const {
   double longest = 0.0;
   for (const Placed& one : rows_)
-    longest = std::max(longest, std::abs(one.approach) +
-                                    std::visit([&](const auto& row) { return row.reach(load); }, one.row));
+    longest = std::max(longest, std::abs(one.approach) + one.bearing().reach(load));
   return longest;
 }
 
 void RowGroup::add_forces(const RingPosition& position, RingImbalance& sum) const {
-  for (Placed& one : rows_) {
-    RingImbalance own;
-    std::visit([&](auto& row) { row.add_forces(one.in_row(position), own); }, one.row);
+  for (const Placed& one : rows_) {
+    const RingImbalance own = row_forces(one.bearing(), one.in_row(position));
     sum.force += one.motion.transpose() * own.force;
     sum.stiffness += one.motion.transpose() * own.stiffness * one.motion;
     sum.scale += own.scale;
@@ -79,7 +73,7 @@ void RowGroup::add_forces(const RingPosition& position, RingImbalance& sum) cons
 void RowGroup::put_loads(const RingPosition& position, RingState& state) const {
   for (Placed& one : rows_) {
     RingState own;
-    std::visit([&](auto& row) { row.put_loads(one.in_row(position), own); }, one.row);
+    one.bearing().put_loads(one.in_row(position), own);
     if (rows_.size() == 1) state.lamina_load = own.lamina_load;
     append(own.contact_load, state.contact_load);
     append(own.contact_angle, state.contact_angle);
@@ -100,10 +94,8 @@ void RowGroup::put_loads(const RingPosition& position, RingState& state) const {
 
 std::vector<Eigen::Matrix<double, 5, 5>> RowGroup::row_stiffnesses(const RingPosition& position) const {
   std::vector<Eigen::Matrix<double, 5, 5>> all;
-  for (Placed& one : rows_)
-    all.push_back(std::visit(
-        [&](auto& row) { return by_tilt(row_forces(row, one.in_row(position)).stiffness, row.lever()); },
-        one.row));
+  for (const Placed& one : rows_)
+    all.push_back(by_tilt(row_forces(one.bearing(), one.in_row(position)).stiffness, one.bearing().lever()));
   return all;
 }
 
@@ -195,8 +187,7 @@ mechanics::Imbalance<Eigen::Dynamic> RowGroup::all_forces(const Eigen::VectorXd&
       sum.scale += forces.scale;
       from += count;
     } else {
-      RingImbalance own;
-      std::visit([&](auto& row) { row.add_forces(position, own); }, one.row);
+      const RingImbalance own = row_forces(one.bearing(), position);
       sum.force.head<5>() += back * own.force;
       sum.stiffness.topLeftCorner<5, 5>() += back * own.stiffness * one.motion;
       sum.scale += own.scale;

@@ -42,23 +42,23 @@ struct RowOnShaft {
 };
 
 /// All rows: the problem of ring_balance.hpp for the shaft. Balls that turn remember where they were.
-class RowGroup {
+class RowGroup : public RingRow {
  public:
   /// All rows at rest. Throws std::invalid_argument as the rows do or where there are none.
   explicit RowGroup(const std::vector<RowOnShaft>& bearings);
   /// The same rows in motion: balls that move turn.
   RowGroup(const RowGroup& at_rest, const std::vector<RowOnShaft>& bearings);
 
-  double lever() const { return lever_; }
-  double reach(double load) const;
-  void add_forces(const RingPosition& position, RingImbalance& sum) const;
+  double lever() const override { return lever_; }
+  double reach(double load) const override;
+  void add_forces(const RingPosition& position, RingImbalance& sum) const override;
   /// Loads and angles of the first row's elements, then of the second's and so on; laminae of a single row.
-  void put_loads(const RingPosition& position, RingState& state) const;
+  void put_loads(const RingPosition& position, RingState& state) const override;
   /// (rows)  by displacement and tilt in coordinates of their own.
   std::vector<Eigen::Matrix<double, 5, 5>> row_stiffnesses(const RingPosition& position) const;
 
   // Of JonesRow, of all rows whose balls turn.
-  bool follows_motion() const;
+  bool follows_motion() const override;
   bool settled() const;
   bool choose_control();
   void freeze(bool frozen);
@@ -76,6 +76,9 @@ class RowGroup {
     // Of the row by that of the shaft, tilts at both levers.
     Eigen::Matrix<double, 5, 5> motion = Eigen::Matrix<double, 5, 5>::Identity();
 
+    const RingRow& bearing() const {
+      return std::visit([](const RingRow& one) -> const RingRow& { return one; }, row);
+    }
     RingPosition in_row(const RingPosition& position) const;
     JonesRow* rotating() { return std::get_if<JonesRow>(&row); }
   };

@@ -1,6 +1,5 @@
 #include "gearset/dynamics/modes.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -90,14 +89,15 @@ RawModes raw_modes_at_speed(const SetModel& model) {
   const double scale = std::sqrt(companion.bottomLeftCorner(n, n).cwiseAbs().maxCoeff());
   companion.topRightCorner(n, n) *= scale;
   companion.bottomLeftCorner(n, n) /= scale;
-  const Eigen::EigenSolver<MatrixXd> solver(companion);
-  const std::vector<Index> chosen = one_of_each_pair(solver.eigenvalues());
+  MatrixXcd vectors;
+  const Eigen::VectorXcd values = mechanics::eigenvalues(companion, &vectors);
+  const std::vector<Index> chosen = one_of_each_pair(values);
   RawModes raw{VectorXd(chosen.size()), VectorXd(chosen.size()), MatrixXcd(n, chosen.size())};
   for (Index k = 0; k < raw.frequency.size(); ++k) {
     const Index i = chosen[static_cast<std::size_t>(k)];
-    raw.frequency[k] = std::abs(solver.eigenvalues()[i].imag());
-    raw.growth[k] = solver.eigenvalues()[i].real();
-    raw.shapes.col(k) = solver.eigenvectors().col(i).head(n).normalized();
+    raw.frequency[k] = std::abs(values[i].imag());
+    raw.growth[k] = values[i].real();
+    raw.shapes.col(k) = vectors.col(i).head(n).normalized();
   }
   raw.shapes = to_all_freedoms(raw.shapes, model, free);
   return raw;

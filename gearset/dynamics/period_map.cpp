@@ -1,6 +1,5 @@
 #include "gearset/dynamics/period_map.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -68,8 +67,7 @@ class Linearised {
 
 // The largest rate among the multipliers of `map`.
 double growth_of(const MatrixXd& map, double period, double frequency) {
-  const Eigen::VectorXcd multipliers = Eigen::EigenSolver<MatrixXd>(map, false).eigenvalues();
-  const double growth = std::log(multipliers.cwiseAbs().maxCoeff()) / period;
+  const double growth = std::log(mechanics::eigenvalues(map).cwiseAbs().maxCoeff()) / period;
   return growth > kNothing * frequency ? growth : std::min(growth, 0.0);
 }
 

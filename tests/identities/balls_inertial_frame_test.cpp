@@ -9,6 +9,7 @@
 #include "bearing/motion/balls/ball_bearing.hpp"
 #include "coupling/integration/rosenbrock2.hpp"
 #include "tests/reference/inertial_balls.hpp"
+#include "tests/shortest_turn.hpp"
 
 namespace orbearing::bearing::balls::balls_inertial_frame_test {
 namespace {
@@ -139,7 +140,7 @@ class Seen {
     seen.velocity = {rate[0], rate[1], rate[2]};
     const Vector a = axis(position);
     seen.attitude =
-        (Eigen::Quaterniond::FromTwoVectors(Vector::UnitZ(), a) * Eigen::AngleAxisd(angle, Vector::UnitZ()))
+        (shortest_turn(Vector::UnitZ(), a) * Eigen::AngleAxisd(angle, Vector::UnitZ()))
             .toRotationMatrix();
     seen.attitude.col(2) = a;
     seen.rotating = a.cross(axis_rate(position, rate)) + spin * a;
@@ -512,7 +513,7 @@ TEST(BallsInertialFrame, CountsTheCagesAngleAsItTurns) {
       const double speed = cage.rotating.norm();
       const Matrix turned = Eigen::AngleAxisd(time * speed, cage.rotating / speed) * cage.attitude;
       const Vector first =
-          Eigen::Quaterniond::FromTwoVectors(Vector(turned.col(2)), Vector::UnitZ()) * turned.col(0);
+          shortest_turn(turned.col(2), Vector::UnitZ()) * turned.col(0);
       return std::atan2(first.y(), first.x());
     };
     const double step = 1e-4 / cage.rotating.norm();

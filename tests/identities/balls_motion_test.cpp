@@ -2,7 +2,7 @@
 // results of all instruction sets, order of the steps, the static bearing as the limit of slow turning.
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <cmath>
 
 #include "bearing/equilibrium/row_group.hpp"
@@ -11,6 +11,7 @@
 #include "coupling/integration/rosenbrock2.hpp"
 #include "coupling/system/ball_run.hpp"
 #include "coupling/system/balls_in_time.hpp"
+#include "mechanics/linear_algebra.hpp"
 #include "tests/random_balls.hpp"
 
 namespace orbearing::bearing::balls::balls_motion_test {
@@ -210,7 +211,7 @@ TEST(BallMotion, StagesAreSolvedByTheStiffSlopes) {
     model.solve(rate.data(), k.data());
     const Eigen::Map<Eigen::VectorXd> right(rate.data(), n), ours(k.data(), n);
     const Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(n, n) - g * jacobian;
-    const Eigen::VectorXd exact = matrix.partialPivLu().solve(right);
+    const Eigen::VectorXd exact = mechanics::solution(matrix, right);
     // By kinds: what is left out of the slopes is slow, so that it changes the stage by little.
     const auto expect_kind = [&](int first, int count, double share) {
       const double most = exact.segment(first, count).cwiseAbs().maxCoeff() +

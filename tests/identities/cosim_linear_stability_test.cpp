@@ -2,9 +2,10 @@
 // in windows, Eqs. (12) to (14) of coupling/cosim/README.md, and what the scheme does on both sides of it.
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <cmath>
 
+#include "mechanics/linear_algebra.hpp"
 #include "tests/linear_halves.hpp"
 
 namespace orbearing::cosim::cosim_linear_stability_test {
@@ -38,7 +39,7 @@ Eigen::Matrix4d amplification(const LinearPair& pair, int order, double h) {
 }
 
 double growth(const LinearPair& pair, int order, double h) {
-  return amplification(pair, order, h).eigenvalues().cwiseAbs().maxCoeff();
+  return mechanics::eigenvalues(amplification(pair, order, h)).cwiseAbs().maxCoeff();
 }
 
 // The longest window that does not grow.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "bearing/motion/balls/pocket_contact.hpp"
+#include "tests/shortest_turn.hpp"
 
 namespace orbearing::bearing::balls::pocket_contact_test {
 namespace {
@@ -180,7 +181,7 @@ TEST(PocketContact, SlopesOfBothSidesAreThoseOfTheirLoad) {
 // Eq. (17): the pocket's direction in a tilted cage is that of the shortest turn of its axis.
 TEST(PocketContact, DirectionsTurnWithTheAxis) {
   const Eigen::Vector3d axis = Eigen::Vector3d(0.02, -0.03, 1.0).normalized();
-  const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), axis);
+  const Eigen::Quaterniond turn = shortest_turn(Eigen::Vector3d::UnitZ(), axis);
   for (const double angle : {0.0, 0.7, 2.5, -1.9}) {
     const Triple<double> ours =
         pocket_direction<double>({axis.x(), axis.y(), axis.z()}, std::cos(angle), std::sin(angle));

@@ -3,13 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
-
 #include "coupling/study/gear_dynamics.hpp"
 #include "gearset/dynamics/bearing_force.hpp"
 #include "gearset/dynamics/equations.hpp"
 #include "gearset/dynamics/period_map.hpp"
 #include "gearset/dynamics/static_state.hpp"
+#include "mechanics/linear_algebra.hpp"
 #include "tests/gear_sets.hpp"
 #include "tests/messages.hpp"
 
@@ -47,7 +46,7 @@ double growth_by_differences(const SetModel& model) {
   const Eigen::Index n = x.size() / 2;
   slopes.topRightCorner(n, n) *= length;
   slopes.bottomLeftCorner(n, n) /= length;
-  return slopes.eigenvalues().real().maxCoeff();
+  return mechanics::eigenvalues(slopes).real().maxCoeff();
 }
 
 double largest_growth(const SetModel& model) {
