@@ -32,7 +32,7 @@ inline gearset::dynamics::SetParameters reducer_gears(const study::PlanetaryDriv
 /// With real meshes, whose stiffness jumps, or with smooth ones.
 inline study::PlanetaryDrivetrain coupled_reducer(bool smooth) {
   study::PlanetaryDrivetrain drivetrain = reducer();
-  drivetrain.film_in_approach = true;
+  drivetrain.dynamics.race.film_in_approach = true;
   gearset::dynamics::SetParameters gears = reducer_gears(drivetrain);
   if (smooth)
     for (gearset::dynamics::Mesh* mesh : {&gears.sun_mesh, &gears.ring_mesh}) {

@@ -29,7 +29,7 @@ inline study::PlanetaryDrivetrain reducer() {
       .pitch_diameter = 35.64e-3,
       .width = 11.9e-3};
   drivetrain.bearings_per_planet = 2;
-  drivetrain.lubricant = {.viscosity = 0.01, .pressure_viscosity = 1.5e-8};
+  drivetrain.dynamics.lubricant = {.viscosity = 0.01, .pressure_viscosity = 1.5e-8};
   return drivetrain;
 }
 

@@ -107,14 +107,14 @@ build() {
   cmake --build "$root/build/$preset" --parallel "$(parallel_jobs)" ${1:+--target "$@"}
 }
 
-# Three at a time on two cores: those of browsers, servers and killed runs wait more than they compute.
+# Four at a time on two cores: those of browsers, servers and killed runs wait more than they compute.
 # run_tests <preset> [ctest options...]
 run_tests() {
   local preset=$1
   shift
   say "running the tests of preset $preset"
   local result=0
-  ctest --test-dir "$root/build/$preset" --output-on-failure --no-tests=error -j 3 "$@" || result=$?
+  ctest --test-dir "$root/build/$preset" --output-on-failure --no-tests=error -j 4 "$@" || result=$?
   skipped_within "$root/build/$preset/Testing/Temporary/LastTest.log"
   return "$result"
 }

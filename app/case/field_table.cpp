@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <initializer_list>
 #include <map>
 #include <numeric>
 #include <stdexcept>
@@ -29,13 +28,9 @@ BlockOrder block_order(const std::string& path, std::map<std::string, std::size_
   }
 }
 
-struct KeysOfBlock {
-  std::string_view block;
-  std::initializer_list<std::string_view> keys;
-};
-
-// The order in which cases are written, where it is not that of the rows. What is not listed follows.
-const KeysOfBlock written_first[] = {
+// The order in which cases are written, where it is not that of the rows: keys of blocks. What is not listed
+// follows.
+const std::pair<std::string_view, std::vector<std::string_view>> written_first[] = {
     {"", {"name",    "source",  "model",     "input",    "parallel_stage", "spectrum",  "gearset",
           "bearing", "load",    "operation", "material", "contact",        "lubricant", "film",
           "life",    "inertia", "numerics",  "traction", "drag",           "support",   "simulation"}},

@@ -90,10 +90,6 @@ study::PlanetaryDrivetrain drivetrain_without_gear_set(const ResolvedCase& in) {
   out.set = set_of(in);
   out.drive = drive_of(in);
   if (is_full_complement(in)) out.bearing.cage = {};  // what is stated of one has no effect
-  out.inertia = out.dynamics.inertia;
-  out.lubricant = out.dynamics.lubricant;
-  out.film_in_approach = out.dynamics.race.film_in_approach;
-  out.film_approach = out.dynamics.race.film_approach;
   out.rows.type = bearing_type_of(in);
   if (out.rows.has_balls())
     out.bearing.elements = bearing::Balls{out.rows.balls, out.rows.ball_diameter};

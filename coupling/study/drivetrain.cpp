@@ -87,20 +87,17 @@ void turn_at(double speed, PlanetaryDrivetrain& drivetrain, DrivetrainGeometry& 
 }
 
 bearing::QuasiStaticOptions quasi_static_options(const PlanetaryDrivetrain& drivetrain) {
-  bearing::QuasiStaticOptions options{.inertia = drivetrain.inertia,
+  const bearing::motion::DynamicsParameters& dynamics = drivetrain.dynamics;
+  bearing::QuasiStaticOptions options{.inertia = dynamics.inertia,
                                       .cage_positions = drivetrain.cage_positions};
-  if (drivetrain.film_in_approach) options.film = drivetrain.lubricant;
-  options.film_approach = drivetrain.film_approach;
+  if (dynamics.race.film_in_approach) options.film = dynamics.lubricant;
+  options.film_approach = dynamics.race.film_approach;
   return options;
 }
 
 bearing::motion::DynamicsParameters bearing_dynamics(const PlanetaryDrivetrain& drivetrain,
                                                      const DrivetrainGeometry& geometry) {
   bearing::motion::DynamicsParameters parameters = drivetrain.dynamics;
-  parameters.inertia = drivetrain.inertia;
-  parameters.lubricant = drivetrain.lubricant;
-  parameters.race.film_in_approach = drivetrain.film_in_approach;
-  parameters.race.film_approach = drivetrain.film_approach;
   parameters.bore_mass = geometry.planet_mass / drivetrain.bearings_per_planet;
   if (parameters.race.starvation == bearing::motion::Starvation::none ||
       drivetrain.run_up.acceleration != 0.0)  // at speeds that grow
@@ -152,7 +149,7 @@ BearingDuty bearing_duty(const PlanetaryDrivetrain& drivetrain, const Drivetrain
   duty.gears = gear_loads(drivetrain, geometry);
   duty.point.carrier = {.speed = duty.gears.carrier_speed, .orbit_radius = geometry.gears.centre_distance};
   duty.point.outer_speed = duty.gears.planet_speed_relative;
-  const bearing::CarrierFrame frame = bearing::carrier_frame(duty.point.carrier, drivetrain.inertia);
+  const bearing::CarrierFrame frame = bearing::carrier_frame(duty.point.carrier, drivetrain.dynamics.inertia);
   const Eigen::Vector2d meshes(duty.gears.radial_force, duty.gears.tangential_force);
   const Eigen::Vector2d acceleration =
       bearing::inertial_acceleration(frame, Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero());

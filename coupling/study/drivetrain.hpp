@@ -202,14 +202,10 @@ struct PlanetaryDrivetrain {
   bearing::PlanetRows rows;    // which kind of bearing it is; others than cylindrical at rest alone
   int bearings_per_planet = 1;
   PlanetRim rim = PlanetRim::rigid;
-  bearing::InertiaSwitches inertia;
-  bearing::Lubricant lubricant;
-  bool film_in_approach = false;
-  bearing::FilmApproach film_approach = bearing::FilmApproach::added;
   double reduction_factor = 0.83;  // [-]  product lambda nu of ISO/TR 1281-1
   Misalignment misalignment;
   PinSeats seats;
-  bearing::motion::DynamicsParameters dynamics;  // roller dynamics: what the members above do not state
+  bearing::motion::DynamicsParameters dynamics;  // roller dynamics; oil, film and inertia at rest too
   system::SteadyStateOptions steady_state;
   cosim::CoupledOptions exchange{.window = 5e-6};  // of gears and bearings that are co-simulated
   RunUp run_up;
@@ -240,8 +236,6 @@ void describe(Visitor& visit, PlanetaryDrivetrain& m) {
             "rim of the planet with the outer rings of its bearings: rigid, or elastic between rollers and "
             "teeth",
             {.models = planetary_drivetrain, .reason = "as published models have it; thin rims bend"}),
-      apart(m.inertia), apart(m.lubricant), apart(m.film_in_approach),
-      apart(m.film_approach),  // dynamics' own
       system::reduction_factor_row(m.reduction_factor), part(m.misalignment), part(m.seats), part(m.dynamics),
       part(m.steady_state), part(m.exchange), part(m.run_up), apart(m.gear_set), apart(m.uneven_planets),
       apart(m.carrier_mounting), apart(m.rated),

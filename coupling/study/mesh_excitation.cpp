@@ -53,7 +53,7 @@ Matrix2cd inertia_of(double mass, const bearing::CarrierFrame& frame, double w) 
 Matrix2cd load_over_force(const PlanetaryDrivetrain& drivetrain, const BearingDuty& duty,
                           const AffineBearing& law, double bore_mass, double w) {
   const double number = drivetrain.bearings_per_planet;
-  bearing::CarrierFrame frame = bearing::carrier_frame(duty.point.carrier, drivetrain.inertia);
+  bearing::CarrierFrame frame = bearing::carrier_frame(duty.point.carrier, drivetrain.dynamics.inertia);
   frame.orbit_radius = 0.0;  // the planet's inertial load in its nominal place is part of the mean load
   const Matrix2cd force_over_motion =
       -(law.stiffness.cast<Complex>() + Complex(0.0, w) * law.damping.cast<Complex>());

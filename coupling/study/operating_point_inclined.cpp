@@ -66,7 +66,7 @@ class Bearings {
         geometry_(geometry),
         speed_(rotating_speed(drivetrain.bearing, duty.point)),
         rows_(bearing::inclined_rows(drivetrain.bearing, drivetrain.rows, axial_positions(drivetrain))) {
-    const bearing::InclinedPlanet planet(rows_, duty.point, drivetrain.inertia);
+    const bearing::InclinedPlanet planet(rows_, duty.point, drivetrain.dynamics.inertia);
     const double count = drivetrain.bearings_per_planet;
     result_ = bearing::inclined_planet_over_a_pitch(
         planet,
@@ -114,10 +114,8 @@ class Bearings {
   using Lives = PlanetBearingRating::Lives;
   /// Of a bearing with `rows`, or of several taken together as passages of one.
   Lives lives(const Rows& rows, const RatedLoads& loads) const {
-    const rating::RatingCondition condition{.dynamic_load = loads.dynamic,
-                                            .static_load = loads.most,
-                                            .oil = oil(),
-                                            .reliability_factor = drivetrain_.rated.reliability_factor};
+    const rating::RatingCondition condition = rating_condition(drivetrain_.rated, loads.dynamic, loads.most,
+                                                               speed_, drivetrain_.bearing.pitch_diameter);
     Lives all = drivetrain_.rows.has_balls() ? ball_lives(rows, condition) : roller_lives(rows, condition);
     all.hours = bearing::hours(all.life.bearing, speed_);
     all.rated_hours = rating::rated_hours(all.rating, speed_);
@@ -125,11 +123,6 @@ class Bearings {
   }
 
  private:
-  std::optional<rating::OilCondition> oil() const {
-    if (!drivetrain_.rated.oil) return std::nullopt;
-    return rating::oil_condition(*drivetrain_.rated.oil, speed_, drivetrain_.bearing.pitch_diameter);
-  }
-
   // Balls by the capacities of ISO 16281, which are those of Lundberg and Palmgren.
   Lives ball_lives(const Rows& rows, const rating::RatingCondition& condition) const {
     const auto equivalent = [&](Eigen::ArrayXd bearing::InclinedRowLoads::*race, bearing::RaceMotion motion) {
@@ -194,8 +187,9 @@ void put_races(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& 
   result.inner = race_of(all_loads(rows, &bearing::InclinedRowLoads::inner_load));
   result.outer = race_of(all_loads(rows, &bearing::InclinedRowLoads::outer_load));
   if (!drivetrain.rows.has_balls()) {
-    const bearing::RollerContacts rolling = bearing::rolling_contacts(
-        drivetrain.bearing, geometry.bearing, point.inner_speed, point.outer_speed, drivetrain.lubricant);
+    const bearing::RollerContacts rolling =
+        bearing::rolling_contacts(drivetrain.bearing, geometry.bearing, point.inner_speed, point.outer_speed,
+                                  drivetrain.dynamics.lubricant);
     const auto put = [&](bearing::Race race, const bearing::Film& film, RaceResult& of) {
       of.least_film = least_film_at_rest(drivetrain, geometry, race, film, of.load_max);
     };
@@ -302,13 +296,13 @@ Eigen::Vector2d bore_load_with_cage(const PlanetaryDrivetrain& drivetrain, const
                                     const bearing::OperatingPoint& point) {
   const bearing::Bearing& one = drivetrain.bearing;
   if (drivetrain.rows.is_cylindrical())
-    return bearing::total_bore_load(one, geometry.bearing, point, drivetrain.inertia);
+    return bearing::total_bore_load(one, geometry.bearing, point, drivetrain.dynamics.inertia);
   if (one.cage.guidance != Race::outer) return point.bore_load;
   const int elements = drivetrain.rows.rows() * one.element_count();
   const double mass = geometry.bearing.cage_mass + 0.5 * elements * geometry.bearing.element_mass;
-  return point.bore_load +
-         mass * bearing::inertial_acceleration(bearing::carrier_frame(point.carrier, drivetrain.inertia),
-                                               Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero());
+  return point.bore_load + mass * bearing::inertial_acceleration(
+                                      bearing::carrier_frame(point.carrier, drivetrain.dynamics.inertia),
+                                      Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero());
 }
 
 PointResult inclined_point(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,

@@ -17,9 +17,9 @@ namespace orbearing::study {
 double least_film_at_rest(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                           bearing::Race race, const bearing::Film& film, double load) {
   if (!(film.cap() > 0.0)) return std::numeric_limits<double>::quiet_NaN();
-  const auto heating = bearing::FilmHeating::of(drivetrain.dynamics.race, drivetrain.lubricant);
+  const auto heating = bearing::FilmHeating::of(drivetrain.dynamics.race, drivetrain.dynamics.lubricant);
   return film.least(load) * heating.share(bearing::film_contact(drivetrain.bearing, geometry.bearing, race,
-                                                                drivetrain.lubricant),
+                                                                drivetrain.dynamics.lubricant),
                                           load, std::exp(film.log_speed()));
 }
 
@@ -50,7 +50,7 @@ QuasiStaticBearing bearing_under(const PlanetaryDrivetrain& drivetrain, const Dr
   if (!loads.report.converged) throw std::runtime_error(loads.report.message);
   const bearing::RollerContacts rolling =
       bearing::rolling_contacts(drivetrain.bearing, geometry.bearing, duty.point.inner_speed,
-                                duty.point.outer_speed, drivetrain.lubricant);
+                                duty.point.outer_speed, drivetrain.dynamics.lubricant);
   WindowStatistics means;
   const auto means_on = [&](bearing::Race race, const bearing::Film& film, const Eigen::ArrayXd& load) {
     return race_means(load, least_film_at_rest(drivetrain, geometry, race, film, load.maxCoeff()));
@@ -101,6 +101,16 @@ bearing::QuasiStaticResult BearingsAtRest::loads_under(const BearingDuty& duty) 
   return bearing::quasi_static_bearing(bearing_, duty.point, options_);
 }
 
+bearing::rating::RatingCondition rating_condition(const RatedBearing& rated, double load, double largest_load,
+                                                  double speed, double pitch_diameter) {
+  bearing::rating::RatingCondition condition{.dynamic_load = load,
+                                             .static_load = largest_load,
+                                             .oil = std::nullopt,
+                                             .reliability_factor = rated.reliability_factor};
+  if (rated.oil) condition.oil = bearing::rating::oil_condition(*rated.oil, speed, pitch_diameter);
+  return condition;
+}
+
 PlanetBearingRating::Lives PlanetBearingRating::of(const WindowStatistics& means, double load,
                                                    double largest_load) const {
   const bearing::life::LaminaMeans powers =
@@ -110,26 +120,15 @@ PlanetBearingRating::Lives PlanetBearingRating::of(const WindowStatistics& means
       drivetrain_.bearing, bearing::life::LifeMeasure::lundberg_palmgren, drivetrain_.reduction_factor);
   Lives lives{.life = bearing::life::life_of_means(rating, powers)};
   lives.hours = bearing::hours(lives.life.bearing, speed_);
-  const RatedBearing& rated = drivetrain_.rated;
-  lives.rating = bearing::rating::rating_lives(geometry_.rating,
-                                               {.dynamic_load = load,
-                                                .static_load = largest_load,
-                                                .oil = oil_under(means),
-                                                .reliability_factor = rated.reliability_factor},
-                                               powers);
+  RatedBearing rated = drivetrain_.rated;
+  if (rated.oil && rated.roughness)
+    rated.oil->viscosity_ratio = bearing::rating::viscosity_ratio_of_film(
+        std::min(means.inner.least_film, means.outer.least_film), *rated.roughness);
+  lives.rating = bearing::rating::rating_lives(
+      geometry_.rating,
+      rating_condition(rated, load, largest_load, speed_, drivetrain_.bearing.pitch_diameter), powers);
   lives.rated_hours = bearing::rating::rated_hours(lives.rating, speed_);
   return lives;
-}
-
-std::optional<bearing::rating::OilCondition> PlanetBearingRating::oil_under(
-    const WindowStatistics& means) const {
-  const RatedBearing& rated = drivetrain_.rated;
-  if (!rated.oil) return std::nullopt;
-  bearing::rating::StatedOil oil = *rated.oil;
-  if (rated.roughness)
-    oil.viscosity_ratio = bearing::rating::viscosity_ratio_of_film(
-        std::min(means.inner.least_film, means.outer.least_film), *rated.roughness);
-  return bearing::rating::oil_condition(oil, speed_, drivetrain_.bearing.pitch_diameter);
 }
 
 double mean_by_basic_life(const std::vector<double>& loads) {

@@ -55,6 +55,11 @@ double least_film_at_rest(const PlanetaryDrivetrain& drivetrain, const Drivetrai
 Eigen::Vector2d bore_load_with_cage(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                                     const bearing::OperatingPoint& point);
 
+/// What the standards ask of a bearing beside the loads on its elements: P and P_0 [N], and the oil at
+/// `speed` [rad/s], where something is said of it.
+bearing::rating::RatingCondition rating_condition(const RatedBearing& rated, double load, double largest_load,
+                                                  double speed, double pitch_diameter);
+
 /// Loads and lives of the bearings of one point, which share speeds, oil and ratings. Keeps references to
 /// both drivetrain and geometry.
 class PlanetBearingRating {
@@ -88,9 +93,6 @@ class PlanetBearingRating {
   const PlanetaryDrivetrain& drivetrain() const { return drivetrain_; }
 
  private:
-  std::optional<bearing::rating::OilCondition> oil_under(
-      const bearing::motion::WindowStatistics& means) const;
-
   const PlanetaryDrivetrain& drivetrain_;
   const DrivetrainGeometry& geometry_;
   double speed_ = 0.0;  // [rad/s]  of the race that turns relative to the load

@@ -182,7 +182,7 @@ std::vector<SeatedBearing> seated_bearings(const PlanetSeat& seat, const Planeta
   bearing::OperatingPoint unloaded = duty.point;
   unloaded.bore_load.setZero();
   const Eigen::Vector2d through_cage =
-      total_bore_load(drivetrain.bearing, geometry.bearing, unloaded, drivetrain.inertia);
+      total_bore_load(drivetrain.bearing, geometry.bearing, unloaded, drivetrain.dynamics.inertia);
   std::vector<SeatedBearing> all;
   for (std::size_t k = 0; k < planet.bearings.size(); ++k) {
     SeatedBearing one{drivetrain, geometry, duty};

@@ -341,5 +341,30 @@ TEST(BallMotion, StartsRolling) {
   }
 }
 
+// A moment in the plane of the radial load tilts the ring at the start as it does at rest.
+TEST(BallMotion, StartsTiltedByItsMoment) {
+  Bearing b;
+  b.elements = Balls{9, 10e-3, 0.4};
+  b.pitch_diameter = 46e-3;
+  b.width = 16e-3;
+  b.inner.seat_diameter = 30e-3;
+  b.outer.seat_diameter = 62e-3;
+  b.cage = {44e-3, 49e-3, 14e-3, 1310.0, Race::outer};
+  MotionParameters p;
+  p.inner.mass = 0.3;
+  p.inner.across = 5e-5;
+  const BallDuty duty{RingDrive::steady(30.0), RingDrive::steady(0.0), {{800.0, 0.0, 2000.0, -4.0, 1.5}}, {}};
+  const BallBearing model(ball_numbers(b, p), duty);
+  const std::vector<double> x = start_state(b, model, 0.0);
+  const double* ring = x.data() + model.layout().inner();
+  const equilibrium::RingState state = equilibrium::balance_bearing(
+      b, {.radial = 800.0, .axial = 2000.0, .moment = 4.0, .moment_across = -1.5});
+  ASSERT_TRUE(state.report.converged);
+  EXPECT_GT(std::abs(state.tilt), 1e-6);
+  EXPECT_NEAR(ring[0], state.radial, 1e-9 * std::abs(state.radial));
+  EXPECT_NEAR(ring[3], -state.tilt, 1e-9 * std::abs(state.tilt));
+  EXPECT_NEAR(ring[4], -state.lateral_tilt, 1e-9 * std::abs(state.tilt));
+}
+
 }  // namespace
 }  // namespace orbearing::bearing::balls::balls_motion_test

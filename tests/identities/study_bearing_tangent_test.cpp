@@ -18,7 +18,7 @@ using example::reducer;
 Vector2d bore_displacement(const PlanetaryDrivetrain& drivetrain, const Vector2d& more) {
   bearing::OperatingPoint point = bearing_duty(drivetrain, derive(drivetrain)).point;
   point.bore_load += more;
-  return bearing::quasi_static_bearing(drivetrain.bearing, point, {.inertia = drivetrain.inertia})
+  return bearing::quasi_static_bearing(drivetrain.bearing, point, {.inertia = drivetrain.dynamics.inertia})
       .displacement;
 }
 
@@ -74,14 +74,14 @@ TEST(BearingTangent, OnASoftSupportIsThatOfTheSupport) {
 TEST(BearingTangent, OnARigidSupportIsThatOfTheRollers) {
   PlanetaryDrivetrain drivetrain = reducer();
   drivetrain.dynamics.support = {.stiffness = 1e15, .damping_ratio = 0.0};
-  drivetrain.inertia = {.own_orbit = false, .coriolis = false, .carrier_centrifugal = false, .euler = false};
+  drivetrain.dynamics.inertia = {.own_orbit = false, .coriolis = false, .carrier_centrifugal = false, .euler = false};
   const gearset::dynamics::AffineBearing law = bearing_tangent(drivetrain, derive(drivetrain));
   // Both contacts of a roller carry the same load then, and its pair is as stiff as 10/9 Q over half of what
   // both approach: damping / stiffness = lambda Q/2 / (dQ/d(2 approach)), alike but for the power 1/10 of the
   // load.
   const bearing::QuasiStaticResult still =
       bearing::quasi_static_bearing(drivetrain.bearing, bearing_duty(drivetrain, derive(drivetrain)).point,
-                                    {.inertia = drivetrain.inertia});
+                                    {.inertia = drivetrain.dynamics.inertia});
   Matrix2d damping = Matrix2d::Zero();
   const double share = 1.0 / drivetrain.cage_positions;
   for (Eigen::Index i = 0; i < still.angle.size(); ++i) {

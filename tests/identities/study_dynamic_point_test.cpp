@@ -91,7 +91,7 @@ TEST(StudyDynamicPoint, MeshStiffnessRaisesTheLargestLoad) {
 // bearings and both meshes are in it.
 TEST(StudyDynamicPoint, LoadOfTheGearsIsWhatAcceleratesThePlanetLessItsBearings) {
   PlanetaryDrivetrain drivetrain = short_run();
-  drivetrain.inertia = {.own_orbit = false, .coriolis = false, .carrier_centrifugal = false, .euler = false};
+  drivetrain.dynamics.inertia = {.own_orbit = false, .coriolis = false, .carrier_centrifugal = false, .euler = false};
   gearset::dynamics::SetParameters gears = gears_of(drivetrain);
   gears.frame = {.coriolis = false, .centrifugal = false, .euler = false};
   gears.sun_mesh.backlash = gears.ring_mesh.backlash = 1e-3;  // [m]  teeth that strike back do not repeat
@@ -146,7 +146,7 @@ TEST(StudyDynamicPoint, BearingsOfAPlanetShareItsMass) {
 // What a run-up makes of the speeds it passes: each uses up life by the passages at it and by its own load.
 TEST(StudyDynamicPoint, RunUpLivesAsTheSpeedsThatItPasses) {
   PlanetaryDrivetrain drivetrain = short_run();
-  drivetrain.inertia.euler = false;  // what the quasi-static bearing has not
+  drivetrain.dynamics.inertia.euler = false;  // what the quasi-static bearing has not
   drivetrain.steady_state.least_windows = drivetrain.steady_state.most_windows = 1;
   constexpr double kGrowth = 20.0, kDuration = 0.02;  // [1/s], [s]  to 1.4 of the first speed
   drivetrain.run_up = {.acceleration = kGrowth * drivetrain.drive.speed, .duration = kDuration};

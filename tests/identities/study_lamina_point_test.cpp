@@ -27,7 +27,7 @@ PlanetaryDrivetrain crowned(double scale) {
 TEST(LaminaPoint, StraightAndLevelIsTheUncutPoint) {
   for (const bool film : {false, true}) {
     PlanetaryDrivetrain uncut = example::reducer(), cut = crowned(0.0);
-    uncut.film_in_approach = cut.film_in_approach = film;
+    uncut.dynamics.race.film_in_approach = cut.dynamics.race.film_in_approach = film;
     const PointResult expected = point(uncut), found = point(cut);
     EXPECT_NEAR(found.life_hours, expected.life_hours, kRoundOff * expected.life_hours);
     EXPECT_NEAR(found.inner.load_max, expected.inner.load_max, kRoundOff * expected.inner.load_max);
@@ -44,7 +44,7 @@ TEST(LaminaPoint, HasItsLeastFilmUnderTheLargestLoad) {
   const BearingDuty duty = bearing_duty(drivetrain, geometry);
   const bearing::RollerContacts contacts =
       bearing::rolling_contacts(drivetrain.bearing, geometry.bearing, duty.point.inner_speed,
-                                duty.point.outer_speed, drivetrain.lubricant);
+                                duty.point.outer_speed, drivetrain.dynamics.lubricant);
   EXPECT_NEAR(found.inner.least_film / contacts.inner.film().least(found.inner.load_max), 1.0, kRoundOff);
   EXPECT_NEAR(found.outer.least_film / contacts.outer.film().least(found.outer.load_max), 1.0, kRoundOff);
   EXPECT_LT(found.inner.least_film, 0.99 * contacts.inner.film().least(found.inner.load_rms));

@@ -86,7 +86,7 @@ TEST(OneWay, IsExactForALinearBearing) {
   const DrivetrainGeometry geometry = derive(drivetrain);
   const BearingDuty duty = bearing_duty(drivetrain, geometry);
   const PlanetStatistics planet = gear_run_on(drivetrain, lopsided()).planets.front();
-  bearing::CarrierFrame frame = bearing::carrier_frame(duty.point.carrier, drivetrain.inertia);
+  bearing::CarrierFrame frame = bearing::carrier_frame(duty.point.carrier, drivetrain.dynamics.inertia);
   frame.orbit_radius = 0.0;
   for (const double mass : {0.5 * geometry.planet_mass, geometry.bearing.outer_ring_mass}) {
     const bearing::motion::MeshExcitation excitation =

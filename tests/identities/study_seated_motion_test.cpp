@@ -17,7 +17,7 @@ namespace {
 
 PlanetaryDrivetrain tilting_reducer() {
   PlanetaryDrivetrain drivetrain = example::coupled_reducer(true);
-  drivetrain.film_in_approach = false;
+  drivetrain.dynamics.race.film_in_approach = false;
   drivetrain.mesh_variation = false;
   drivetrain.bearing.rollers().laminae = 10;
   drivetrain.seats.tilt = TiltState::computed;

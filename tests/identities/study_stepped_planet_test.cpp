@@ -55,7 +55,7 @@ TEST(SteppedPlanetOnItsPin, BearingsHoldForcesAndCouple) {
 // inward.
 TEST(SteppedPlanetOnItsPin, CoupleIsThatOfBothForces) {
   PlanetaryDrivetrain drivetrain = stepped_reducer(30e-3);
-  drivetrain.inertia.carrier_centrifugal = false;
+  drivetrain.dynamics.inertia.carrier_centrifugal = false;
   const DrivetrainGeometry geometry = derive(drivetrain);
   const BearingDuty duty = bearing_duty(drivetrain, geometry);
   const double sun = geometry.gears.sun_mesh.working_pressure_angle,

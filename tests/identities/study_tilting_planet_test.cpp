@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "coupling/study/operating_point.hpp"
+#include "coupling/study/rated_bearing.hpp"
 #include "coupling/study/tilting_planet.hpp"
 #include "tests/coupled_reducer.hpp"
 #include "tests/messages.hpp"
@@ -56,6 +57,32 @@ TEST(TiltingPlanet, TiltOfTheReducerIsThatOfItsPin) {
     EXPECT_NEAR(found.seats[0].tilt.norm() / slope, 1.0,
                 0.2);  // tilted rollers straighten it, their cage loads it more
   }
+}
+
+// A distance of the rows is that of the two bearings of a pair of tapered rollers, and of no other bearings.
+TEST(TiltingPlanet, BearingsStandAcrossTheFaceUnlessTheyArePairs) {
+  PlanetaryDrivetrain drivetrain = tilting_reducer();
+  const std::vector<double> evenly = axial_positions(drivetrain);
+  drivetrain.rows.distance = 40e-3;
+  EXPECT_EQ(axial_positions(drivetrain), evenly);
+  drivetrain.rows.type = bearing::PlanetBearingType::tapered_roller;
+  EXPECT_EQ(axial_positions(drivetrain), (std::vector<double>{-20e-3, 20e-3}));
+  drivetrain.rows.distance.reset();
+  EXPECT_EQ(axial_positions(drivetrain), evenly);
+}
+
+// What a cage on the outer ring adds to the load on the bore: the centrifugal force of it and of half of the
+// rolling elements, whose other half their orbit pushes outward.
+TEST(TiltingPlanet, CageOnTheOuterRingPullsWithHalfOfTheElements) {
+  PlanetaryDrivetrain drivetrain = example::reducer();
+  drivetrain.rows.type = bearing::PlanetBearingType::spherical_roller;
+  const DrivetrainGeometry geometry = derive(drivetrain);
+  const bearing::OperatingPoint point = bearing_duty(example::reducer(), derive(example::reducer())).point;
+  const Eigen::Vector2d added = bore_load_with_cage(drivetrain, geometry, point) - point.bore_load;
+  const double mass = geometry.bearing.cage_mass +
+                      drivetrain.bearing.element_count() * geometry.bearing.element_mass;  // half of two rows
+  const double force = mass * point.carrier.orbit_radius * point.carrier.speed * point.carrier.speed;
+  EXPECT_NEAR(added.norm(), force, 1e-12 * force);
 }
 
 // Issue 44, item 16. The lines of action of sun and ring lean to opposite sides of the tangent: meshes that

@@ -227,7 +227,7 @@ TEST(Together, ElasticPlanetsShareAsTheirSpringsSay) {
   for (const bool rim : {false, true}) {
     PlanetaryDrivetrain drivetrain = reducer_with({.rim = rim});
     drivetrain.bearing.rollers().laminae = 0;
-    drivetrain.inertia.carrier_centrifugal = false;  // as of the gears below
+    drivetrain.dynamics.inertia.carrier_centrifugal = false;  // as of the gears below
     gearset::dynamics::SetParameters gears = drivetrain.gear_set();
     for (gearset::dynamics::CentralMember* member : {&gears.sun, &gears.ring, &gears.carrier})
       member->support.held = true;

@@ -55,7 +55,7 @@ TEST(Gai2025Sweep, PeakStaysWithTheListedClearanceTheOtherShiftsAndOneBearing) {
 
 TEST(Gai2025Sweep, WithoutTheCarriersCentrifugalForceThereIsNoPeak) {
   PlanetaryDrivetrain drivetrain = reducer();
-  drivetrain.inertia.carrier_centrifugal = false;
+  drivetrain.dynamics.inertia.carrier_centrifugal = false;
   EXPECT_EQ(best_of_the_grid(drivetrain), 12000.0);
 }
 

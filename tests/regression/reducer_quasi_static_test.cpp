@@ -23,7 +23,7 @@ using Row = std::vector<double>;
 Row row_at(double speed_rpm, bool film) {
   PlanetaryDrivetrain drivetrain = example::reducer();
   drivetrain.drive.speed = speed_rpm * example::rpm;
-  drivetrain.film_in_approach = film;
+  drivetrain.dynamics.race.film_in_approach = film;
   const PointResult p = evaluate(drivetrain, derive(drivetrain));
   return {speed_rpm,        film ? 1.0 : 0.0, p.planet_load,      p.inner.load_max, p.inner.load_rms,
           p.outer.load_max, p.outer.load_rms, p.inner.least_film, p.life_hours};

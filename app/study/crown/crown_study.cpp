@@ -101,10 +101,8 @@ CrownSearch search_of(const Bench& bench, const std::string& name, const Profile
                               .jobs = bench.jobs};
   const CrownOptimum best =
       best_crown(bench.problem, family, members_of(bench.request.tilts, tolerance), options);
-  CrownSearch search{.best = crowned(bench, name, family, best.crown), .ends = best.ends};
-  for (const SearchEnd& end : best.ends) search.in_best += is_same(end, best, options);
-  search.at_end = best.crown.drop >= (1.0 - kAtEnd) * options.greatest_drop;
-  return search;
+  return {crowned(bench, name, family, best.crown), best.ends, best.in_best,
+          best.crown.drop >= (1.0 - kAtEnd) * options.greatest_drop};
 }
 
 template <class Life>

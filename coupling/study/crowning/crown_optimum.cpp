@@ -205,11 +205,6 @@ double worst_life_hours(const CrownProblem& problem, const ProfileFamily& family
   return worst;
 }
 
-bool is_same(const SearchEnd& end, const CrownOptimum& best, const SearchOptions& options) {
-  return std::abs(end.crown.drop - best.crown.drop) <= kSameDrop * options.greatest_drop &&
-         std::abs(end.life_hours - best.life_hours) <= kSameLife * best.life_hours;
-}
-
 CrownOptimum best_crown(const CrownProblem& problem, const ProfileFamily& family,
                         const std::vector<Member>& members, const SearchOptions& options) {
   if (problem.seat && members.size() != 1)
@@ -232,9 +227,9 @@ CrownOptimum best_crown(const CrownProblem& problem, const ProfileFamily& family
         "smaller greatest drop are required");
   optimum.crown = best->crown;
   optimum.life_hours = best->life_hours;
-  optimum.unique = std::all_of(optimum.ends.begin(), optimum.ends.end(), [&](const SearchEnd& end) {
-    return end.converged && is_same(end, optimum, options);
-  });
+  for (const SearchEnd& end : optimum.ends)
+    optimum.in_best += std::abs(end.crown.drop - optimum.crown.drop) <= kSameDrop * options.greatest_drop &&
+                       std::abs(end.life_hours - optimum.life_hours) <= kSameLife * optimum.life_hours;
   return optimum;
 }
 

@@ -55,14 +55,13 @@ struct CrownOptimum {
   Crown crown;
   double life_hours = 0.0;      // [h]  shortest over the members
   std::vector<SearchEnd> ends;  // of all starts
-  bool unique = false;          // all starts ended in it
+  int in_best = 0;              // starts that ended in it
 };
 
 /// Two ends are one where they are as close as this. Laminae that begin to touch excitation the life by about
 /// 1e-6 with a period of hundredths of a micrometre, each excitation with an optimum of its own.
 inline constexpr double kSameDrop = 5e-3;  // of the greatest drop
 inline constexpr double kSameLife = 1e-4;  // relative
-bool is_same(const SearchEnd& end, const CrownOptimum& best, const SearchOptions& options);
 
 /// Throws std::runtime_error where no start ends, std::invalid_argument for several members where tilts are
 /// computed.

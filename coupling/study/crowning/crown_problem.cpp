@@ -9,6 +9,7 @@
 #include "bearing/life/basic_life.hpp"
 #include "bearing/life/rating_lives.hpp"
 #include "bearing/profile/profile.hpp"
+#include "coupling/study/rated_bearing.hpp"
 
 namespace orbearing::study::crowning {
 
@@ -263,12 +264,8 @@ bearing::rating::RatedHours rated_duty_hours(const CrownProblem& problem, const 
   const double load =
       bearing::total_bore_load(problem.bearing, geometry_of(problem.bearing), point, problem.options.inertia)
           .norm();
-  RatingCondition condition{.dynamic_load = load,
-                            .static_load = load,
-                            .oil = std::nullopt,
-                            .reliability_factor = problem.rated.reliability_factor};
-  if (problem.rated.oil)
-    condition.oil = oil_condition(*problem.rated.oil, speed, problem.bearing.pitch_diameter);
+  const RatingCondition condition =
+      rating_condition(problem.rated, load, load, speed, problem.bearing.pitch_diameter);
   const auto means = bearing::life::means_of_loads(problem.bearing.motions, loads.inner_lamina_load(),
                                                    loads.outer_lamina_load());
   return rated_hours(rating_lives(problem.rating, condition, means), speed);

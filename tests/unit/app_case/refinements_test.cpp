@@ -41,7 +41,7 @@ TEST(Refinements, ChoicesReachTheModel) {
   EXPECT_EQ(drivetrain.dynamics.race.lubrication, Lubrication::mixed);
   EXPECT_DOUBLE_EQ(drivetrain.dynamics.race.roughness, 0.3e-6);
   EXPECT_EQ(drivetrain.dynamics.cage.pocket_film, PocketFilm::hydrodynamic);
-  EXPECT_EQ(drivetrain.film_approach, bearing::FilmApproach::literature_variant);
+  EXPECT_EQ(drivetrain.dynamics.race.film_approach, bearing::FilmApproach::literature_variant);
   EXPECT_EQ(drivetrain.dynamics.race.damping_law, DampingLaw::literature_variant);
   EXPECT_EQ(drivetrain.dynamics.cage.reference_speed, ReferenceSpeed::literature_variant);
   EXPECT_NEAR(drivetrain.run_up.acceleration, 200.0 * M_PI, 1e-9);

@@ -121,5 +121,15 @@ TEST(ProfileFamily, ReferenceDropIsThatOfTheStandard) {
   EXPECT_NEAR(reference_drop(reducer().bearing), 0.00035 * 5.24e-3 * -std::log(1.0 - 0.975 * 0.975), 1e-15);
 }
 
+// A lean is stated along the load and across it, to its left: by both the bore turns about no axis twice.
+TEST(Tilted, IsStatedAlongTheLoadAndAcrossIt) {
+  Duty duty;
+  duty.point.bore_load = {-3e3, 4e3};
+  const Eigen::Vector2d along = tilted(duty, Lean(1e-3, 0.0)).bore_tilt,
+                        across = tilted(duty, Lean(0.0, 1e-3)).bore_tilt;
+  EXPECT_LT((along - Eigen::Vector2d(-0.6e-3, 0.8e-3)).norm(), 1e-15);
+  EXPECT_LT((across - Eigen::Vector2d(-0.8e-3, -0.6e-3)).norm(), 1e-15);
+}
+
 }  // namespace
 }  // namespace orbearing::study::crowning::crown_life_test

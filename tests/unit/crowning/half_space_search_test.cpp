@@ -48,6 +48,8 @@ TEST(HalfSpaceAdvice, IsWhereTheShortestLifeIsLongest) {
   EXPECT_NEAR(found.straight_life_hours, life(0.0), kCurve * best);
   EXPECT_NEAR(found.other.life_share, life(4e-6) / best, kCurve);
   EXPECT_NEAR(found.high.life_share, life(found.drop + 0.5e-6) / best, kCurve);
+  EXPECT_DOUBLE_EQ(found.low.drop, std::max(found.drop - 0.5e-6, 0.0));
+  EXPECT_NEAR(found.low.life_share, life(found.low.drop) / best, kCurve);
   EXPECT_LE(found.interpolation_error, 5e-3);
   EXPECT_FALSE(found.band.open);
   EXPECT_NEAR(life(found.band.most) / best, kKeptLife, kCurve);

@@ -1,5 +1,5 @@
-// Issue 14, Build 9: order tracking. Lines planted over orders are found, levels by Parseval; over frequency they
-// are smeared.
+// Issue 14, Build 9: order tracking. Lines planted over orders are found, levels by Parseval; over frequency
+// they are smeared.
 #include "coupling/diagnosis/defect_view.hpp"
 
 #include <gtest/gtest.h>
@@ -14,10 +14,10 @@ namespace orbearing::diagnosis::orders_test {
 namespace {
 
 constexpr double kTwoPi = 6.283185307179586;
-constexpr double kRate = 4096.0, kTime = 2.0;        // [Hz], [s]
-constexpr double kFrom = 10.0, kRamp = 40.0;         // [rev/s], [rev/s^2]
-constexpr double kStrong = 1.0, kWeak = 0.4;         // of the orders 3 and 7.5
-constexpr double kInterpolation = 1e-3;              // window and interpolation at these orders, relative
+constexpr double kRate = 4096.0, kTime = 2.0;  // [Hz], [s]
+constexpr double kFrom = 10.0, kRamp = 40.0;   // [rev/s], [rev/s^2]
+constexpr double kStrong = 1.0, kWeak = 0.4;   // of the orders 3 and 7.5
+constexpr double kInterpolation = 1e-3;        // window and interpolation at these orders, relative
 
 Eigen::ArrayXd times() {
   return Eigen::ArrayXd::LinSpaced(static_cast<Eigen::Index>(kRate * kTime), 0.0, kTime - 1.0 / kRate);
@@ -85,6 +85,17 @@ TEST(OrderTracking, RefusesAShaftThatStands) {
   angle[100] = angle[99];
   EXPECT_REFUSED(std::invalid_argument, "orders 1", resampled(run_up(), angle));
   EXPECT_REFUSED(std::invalid_argument, "orders 2", resampled(run_up(), angle.head(10)));
+}
+
+// A speed that sways is no parabola over the window: each sample is sought between its neighbours.
+TEST(OrderTracking, FollowsASpeedThatSways) {
+  const Eigen::ArrayXd angle = kTwoPi * (30.0 * times() + 2.0 * (kTwoPi * 1.5 * times()).sin());
+  const AngleSignal turned = resampled((3.0 * angle).sin(), angle);
+  const std::vector<Peak> peaks =
+      peaks_of(order_spectrum(turned, Window::hann), {.highest = 20.0, .most = 1});
+  ASSERT_EQ(peaks.size(), 1u);
+  EXPECT_NEAR(peaks[0].frequency, 3.0, 1e-3);
+  EXPECT_NEAR(peaks[0].amplitude, 1.0, kInterpolation);
 }
 
 }  // namespace

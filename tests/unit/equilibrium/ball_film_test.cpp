@@ -93,5 +93,18 @@ TEST(BallFilm, StiffnessIsTheSlopeOfTheForces) {
   }
 }
 
+// Where spin is shared, all of the motion is.
+TEST(BallMotionBetween, MixesEachMemberWithItself) {
+  const BallMotion<double> a{1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0}, b{10.0, 20.0, 30.0, 40.0, 50.0, 60.0, 70.0};
+  const BallMotion<double> mixed = ball_detail::between(a, b, 0.25);
+  EXPECT_DOUBLE_EQ(mixed.orbit, 0.75 * a.orbit + 0.25 * b.orbit);
+  EXPECT_DOUBLE_EQ(mixed.radial_spin, 0.75 * a.radial_spin + 0.25 * b.radial_spin);
+  EXPECT_DOUBLE_EQ(mixed.axial_spin, 0.75 * a.axial_spin + 0.25 * b.axial_spin);
+  EXPECT_DOUBLE_EQ(mixed.inner_spin, 0.75 * a.inner_spin + 0.25 * b.inner_spin);
+  EXPECT_DOUBLE_EQ(mixed.outer_spin, 0.75 * a.outer_spin + 0.25 * b.outer_spin);
+  EXPECT_DOUBLE_EQ(mixed.inner_rolling, 0.75 * a.inner_rolling + 0.25 * b.inner_rolling);
+  EXPECT_DOUBLE_EQ(mixed.outer_rolling, 0.75 * a.outer_rolling + 0.25 * b.outer_rolling);
+}
+
 }  // namespace
 }  // namespace orbearing::bearing::equilibrium::ball_film_test

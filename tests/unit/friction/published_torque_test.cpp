@@ -93,5 +93,21 @@ TEST(ThermalReference, HeatByHand) {
   EXPECT_NEAR(thermal_reference::heat(large), 155823.0 * 0.016 * std::pow(3.11646, -0.34), 0.2);
 }
 
+// 7205: 25 x 52 mm, d_m 38.5 mm, under 500 N radial and 1000 N axial: Tables 3 and 3a of [SKF6000].
+TEST(SkfTorque, OfAnAngularContactBearingByHand) {
+  const BearingSize size{TorqueFamily::angular_contact, 25e-3, 52e-3, 15e-3, 10e3, 2, false};
+  constexpr double d = 38.5, n = 5000.0, nu = 12.0;
+  const SkfTorque torque = skf_torque(size, at(n, nu, 500.0, 1000.0));
+  const double spin = std::pow(d, 4.0) * n * n;
+  const double rolling =
+      5.03e-7 * std::pow(d, 1.97) * std::pow(500.0 + 1.90e-12 * spin + 1.97 * 1000.0, 0.54);
+  EXPECT_NEAR(torque.rolling,
+              1e-3 * torque.inlet_heating * torque.starvation * rolling * std::pow(nu * n, 0.6), 1e-9);
+  const double sliding = 1.30e-2 * std::pow(d, 0.26) *
+                         (std::pow(500.0 + 1.91e-12 * spin, 4.0 / 3) + 0.68 * std::pow(1000.0, 4.0 / 3));
+  const double mu = torque.boundary_share * 0.15 + (1.0 - torque.boundary_share) * 0.05;
+  EXPECT_NEAR(torque.sliding, 1e-3 * mu * sliding, 1e-9);
+}
+
 }  // namespace
 }  // namespace orbearing::bearing::friction::published_torque_test

@@ -137,6 +137,8 @@ TEST_P(DrivenBore, StartsWithThePinInBalance) {
     motion.carrier_speed = point.carrier.speed;
     const PinBalance balance = balance_pin(bearing, model, parameters, motion, 0.3);
     ASSERT_TRUE(balance.rollers.report.converged);
+    EXPECT_GT(balance.pin.norm(), 0.0);
+    EXPECT_LT((balance.rollers.displacement - (motion.position - balance.pin)).norm(), 1e-18);
     Vector2 force = model.pin_mass * inertial_acceleration(vectorised::surroundings_of(model, motion).frame,
                                                            Vector2(0.0, 0.0), Vector2(0.0, 0.0)) -
                     model.support.stiffness * balance.pin;

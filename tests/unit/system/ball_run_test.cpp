@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "bearing/equilibrium/row_group.hpp"
 #include "bearing/life/standard_life.hpp"
 #include "coupling/system/ball_run.hpp"
 #include "coupling/system/balls_in_time.hpp"
@@ -101,6 +102,20 @@ TEST(BallRun, SamplesWhereItSaysAndBalancesTheLoad) {
   // The drive gives what is lost.
   EXPECT_NEAR(result.means.inner_torque * 300.0 / result.means.loss.total(), 1.0, 0.2);
   EXPECT_GT(result.means.life.bearing, 0.0);
+}
+
+// Under an axial load balls press on both races at the angle of the static balance, where they hardly turn.
+TEST(BallRun, ContactAnglesOfBothRacesAreThoseOfTheStaticBalance) {
+  const bearing::Bearing b = small_ball_bearing(20e-6);
+  BallDuty duty;
+  duty.inner = RingDrive::steady(20.0);
+  duty.on_inner = {{0.0, 0.0, 800.0, 0.0, 0.0}};
+  const BallMeans found =
+      run_balls(b, small_ball_motion(), duty, bearing::rating::ratings_of(b, {}).contacts, short_run()).means;
+  const double at_rest =
+      bearing::equilibrium::balance_bearing(b, {.axial = 800.0}).contact_angle.mean();
+  EXPECT_NEAR(std::abs(found.inner_angle), std::abs(at_rest), 0.02 * std::abs(at_rest));
+  EXPECT_NEAR(std::abs(found.outer_angle), std::abs(at_rest), 0.02 * std::abs(at_rest));
 }
 
 TEST(BallRun, MoreLoadIsLessLifeByItsCube) {
