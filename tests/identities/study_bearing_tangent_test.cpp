@@ -18,8 +18,9 @@ using example::reducer;
 Vector2d bore_displacement(const PlanetaryDrivetrain& drivetrain, const Vector2d& more) {
   bearing::OperatingPoint point = bearing_duty(drivetrain, derive(drivetrain)).point;
   point.bore_load += more;
-  return bearing::quasi_static_bearing(drivetrain.bearing, point, {.inertia = drivetrain.dynamics.inertia})
-      .displacement;
+  bearing::QuasiStaticOptions options = quasi_static_options(drivetrain);
+  options.cage_positions = bearing::QuasiStaticOptions{}.cage_positions;
+  return bearing::quasi_static_bearing(drivetrain.bearing, point, options).displacement;
 }
 
 // A roller that just touches is as stiff as the ninth root of its approach, so that the slope over a finite
@@ -28,10 +29,12 @@ Vector2d bore_displacement(const PlanetaryDrivetrain& drivetrain, const Vector2d
 constexpr double kSlopeDifference = 1e-4;
 
 TEST(BearingTangent, IsTheSlopeOfLoadOverDisplacement) {
-  for (const double clearance : {0.0, 37e-6}) {
+  for (const auto& [clearance, filmed] :
+       {std::pair(0.0, false), std::pair(37e-6, false), std::pair(0.0, true)}) {
     PlanetaryDrivetrain drivetrain = reducer();
     drivetrain.bearing.radial_clearance = clearance;
-    const double step = 1e-3;  // [N]
+    drivetrain.dynamics.race.film_in_approach = filmed;  // on both races, each at its own speed
+    const double step = 1e-3;                            // [N]
     Matrix2d compliance;
     for (const Vector2d& along : {Vector2d(Vector2d::UnitX()), Vector2d(Vector2d::UnitY())})
       compliance.col(along.x() > 0.0 ? 0 : 1) =
@@ -74,7 +77,8 @@ TEST(BearingTangent, OnASoftSupportIsThatOfTheSupport) {
 TEST(BearingTangent, OnARigidSupportIsThatOfTheRollers) {
   PlanetaryDrivetrain drivetrain = reducer();
   drivetrain.dynamics.support = {.stiffness = 1e15, .damping_ratio = 0.0};
-  drivetrain.dynamics.inertia = {.own_orbit = false, .coriolis = false, .carrier_centrifugal = false, .euler = false};
+  drivetrain.dynamics.inertia = {
+      .own_orbit = false, .coriolis = false, .carrier_centrifugal = false, .euler = false};
   const gearset::dynamics::AffineBearing law = bearing_tangent(drivetrain, derive(drivetrain));
   // Both contacts of a roller carry the same load then, and its pair is as stiff as 10/9 Q over half of what
   // both approach: damping / stiffness = lambda Q/2 / (dQ/d(2 approach)), alike but for the power 1/10 of the
@@ -92,6 +96,34 @@ TEST(BearingTangent, OnARigidSupportIsThatOfTheRollers) {
   damping *= drivetrain.bearings_per_planet;
   // The mean over places of compliance x damping x compliance is not that of each; rollers are many.
   EXPECT_LT((law.damping - damping).norm(), 0.02 * damping.norm());
+}
+
+// Contacts of unlike slopes a and b, by their films and loads: (Q_i a^2 + Q_o b^2)/(a + b)^2 lambda of each
+// roller, at one position of the cage.
+TEST(BearingTangent, DampsByTheSlopesOfFilmedContacts) {
+  PlanetaryDrivetrain drivetrain = reducer();
+  drivetrain.dynamics.support = {.stiffness = 1e15, .damping_ratio = 0.0};
+  drivetrain.dynamics.race.film_in_approach = true;
+  drivetrain.cage_positions = 1;
+  const DrivetrainGeometry geometry = derive(drivetrain);
+  const bearing::OperatingPoint point = bearing_duty(drivetrain, geometry).point;
+  const bearing::QuasiStaticResult still =
+      bearing::quasi_static_bearing(drivetrain.bearing, point, quasi_static_options(drivetrain));
+  const bearing::RollerContacts contacts =
+      bearing::rolling_contacts(drivetrain.bearing, geometry.bearing, point.inner_speed, point.outer_speed,
+                                drivetrain.dynamics.lubricant);
+  Matrix2d damping = Matrix2d::Zero();
+  for (Eigen::Index i = 0; i < still.angle.size(); ++i) {
+    const double inner = still.inner_load[i], outer = still.outer_load[i];
+    if (!(inner > 0.0 && outer > 0.0)) continue;
+    const double a = contacts.inner.compliance(inner), b = contacts.outer.compliance(outer);
+    const Vector2d outward(std::cos(still.angle[i]), std::sin(still.angle[i]));
+    damping += drivetrain.dynamics.race.damping * (inner * a * a + outer * b * b) / ((a + b) * (a + b)) *
+               outward * outward.transpose();
+  }
+  damping *= drivetrain.bearings_per_planet;
+  const Matrix2d found = bearing_tangent(drivetrain, geometry).damping;
+  EXPECT_LT((found - damping).norm(), 1e-6 * damping.norm());
 }
 
 }  // namespace
