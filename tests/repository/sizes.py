@@ -10,7 +10,7 @@ import sys
 ROOT = pathlib.Path(os.environ.get("ORBEARING_SOURCE_DIR", pathlib.Path(__file__).parents[2]))
 LIBRARY = ("mechanics", "gearset", "bearing", "coupling", "include", "app")
 KINDS = {".hpp", ".cpp", ".inl", ".ipp", ".in"}
-BASE = {"lines": 80_390, "lines of app": 27_450, "types": 1_185, "headers": 329}  # when results, analyses and laws were stated once
+BASE = {"lines": 80_373, "lines of app": 27_430, "types": 1_185, "headers": 329}  # when results, analyses and laws were stated once
 DECLARED = (  # lines, of these of app, types and headers of later capabilities
     ("the catalogue as a table that users extend, needle roller and cage assemblies", 740, 650, 8, 1),
     ("OpenFAST and spreadsheet tables, several records with --case, damage by file, hours in skid risk", 1_380, 1_370, 20, 2),
