@@ -28,10 +28,6 @@ Eigen::RowVector2d by_inner(const Slopes& x) {
   return {x.slope[2], x.slope[3]};
 }
 
-}  // namespace
-
-namespace {
-
 BallRaceLaw<double> race_law(const Bearing& bearing, Race race, const BallRow& row,
                              const std::optional<Lubricant>& oil) {
   const PointContact& contact = row.contact(race);

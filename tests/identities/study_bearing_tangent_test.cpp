@@ -18,9 +18,8 @@ using example::reducer;
 Vector2d bore_displacement(const PlanetaryDrivetrain& drivetrain, const Vector2d& more) {
   bearing::OperatingPoint point = bearing_duty(drivetrain, derive(drivetrain)).point;
   point.bore_load += more;
-  bearing::QuasiStaticOptions options = quasi_static_options(drivetrain);
-  options.cage_positions = bearing::QuasiStaticOptions{}.cage_positions;
-  return bearing::quasi_static_bearing(drivetrain.bearing, point, options).displacement;
+  return bearing::quasi_static_bearing(drivetrain.bearing, point, quasi_static_options(drivetrain))
+      .displacement;
 }
 
 // A roller that just touches is as stiff as the ninth root of its approach, so that the slope over a finite

@@ -121,7 +121,7 @@ TEST(ProfileFamily, ReferenceDropIsThatOfTheStandard) {
   EXPECT_NEAR(reference_drop(reducer().bearing), 0.00035 * 5.24e-3 * -std::log(1.0 - 0.975 * 0.975), 1e-15);
 }
 
-// A lean is stated along the load and across it, to its left: by both the bore turns about no axis twice.
+// A lean is stated along the load and across it, to its left; the tilt of the bore in x and y.
 TEST(Tilted, IsStatedAlongTheLoadAndAcrossIt) {
   Duty duty;
   duty.point.bore_load = {-3e3, 4e3};
