@@ -251,7 +251,8 @@ def _where(report: Report) -> str:
     if _is_pair(report):
         return "Values under the preload of the case alone. P and L10h of ISO 281 require a load from outside and are not computed; L10rh is by the load of each ball."
     if _single(report):
-        return "Values of the bearing under the load of the case."
+        governing = report.record("life_table").get("governing")
+        return "Values of the bearing under the load of the case." + (f" The governing life is {governing} (life.method)." if governing else "")
     speed, own = operating_row(report).get("input_speed_rpm"), report.content.get("own_speed_rpm")
     computed = not any(same(point.get("input_speed_rpm"), own) for point in report.along_speed().records("points"))
     own_words = "of the case" + (", which the sweep does not have and which was computed for this page" if computed else "")

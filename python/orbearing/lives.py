@@ -6,7 +6,7 @@ import json
 from html import escape
 
 from orbearing.blocks import Table, format_number, format_quantity, is_number
-from orbearing.result_folder import Report, records
+from orbearing.result_folder import Report, record, records
 from orbearing.tables import table
 
 
@@ -22,6 +22,20 @@ def governing_life(core) -> dict | None:
     from orbearing import _core
 
     return json.loads(_core.compute(core, "check", {})[0]).get("governing_life")
+
+
+def governing_number(content: dict) -> tuple[str, float, str] | None:
+    """Key, number and unit of the governing life of one bearing whose run printed `content`: in hours, else in million revolutions; of L10r where it has
+    no number."""
+    key = str(record(content.get("life_table")).get("governing") or "L10mrh")
+    names = [(key, key, "h"), (key.removesuffix("h").removesuffix("_"), revolutions_of(key), "million revolutions"),
+             ("L10rh", "L10rh", "h"), ("L10r", "L10r_Mrev", "million revolutions")]
+    return next(((name, content[column], unit) for name, column, unit in names if is_number(content.get(column))), None)
+
+
+def revolutions_of(key: str) -> str:
+    """Key of the same life in million revolutions."""
+    return f"{key.removesuffix('h').removesuffix('_')}_Mrev"
 
 
 def life_in_words(name: str) -> str | None:
