@@ -8,9 +8,8 @@ namespace orbearing::bearing {
 
 inline BearingLife whole_contact_life(const Bearing& bearing, double reduction_factor,
                                       const Eigen::ArrayXd& inner, const Eigen::ArrayXd& outer) {
-  return life::lamina_life(
-      life::lamina_rating(bearing, life::LifeMeasure::lundberg_palmgren, reduction_factor), inner.transpose(),
-      outer.transpose());
+  return life::lamina_life(life::lamina_rating(bearing, reduction_factor), inner.transpose(),
+                           outer.transpose());
 }
 
 }  // namespace orbearing::bearing

@@ -12,10 +12,21 @@ constexpr unsigned of_laminae =
 constexpr unsigned but_crown = of_laminae & ~unsigned{use::crown};
 constexpr unsigned gears_alone = use::bearings_as_springs | use::mesh;
 
+Condition where_profile_acts_on_loads() {
+  return where_true(
+      [](const ResolvedCase& in, std::string_view set) {
+        const std::string of_set(set);
+        return in.has(of_set + "bearing.laminae") ||
+               is_chosen(in, of_set + "bearing.profile.kind", "straight");
+      },
+      "where bearing.laminae is given");
+}
+
 constexpr const char *kKind = "bearing.profile.kind", *kDrop = "bearing.profile.drop",
                      *kDesignLoad = "bearing.profile.design_load";
 
-// None has a default: a case without them is computed with whole contacts, as before there were laminae.
+// The kind has a default by the type of bearing (derived_defaults.cpp). Without laminae loads are those of
+// whole contacts, and the profile acts on lives by the standards alone.
 void add_profile(std::vector<Field>& fields) {
   Rows rows(fields, with_rollers);
   const Use profile(of_laminae, gears_alone), depth(but_crown, use::crown | gears_alone);  // crown varies it
@@ -29,7 +40,8 @@ void add_profile(std::vector<Field>& fields) {
   drop_beside_end_drop.push_back(where_absent(kDesignLoad));
   constexpr Range end_length{0.0, 1e4}, relief{0.0, 1000.0};
 
-  rows.choice(kKind, "profile of the rollers along their length; left out: straight", profile,
+  rows.choice(kKind, "profile of the rollers along their length; straight: with sharp ends",
+              profile.limited(use::fmu_bearing | use::planet_stiffness, {where_profile_acts_on_loads()}),
               {"straight", "chamfer", "circular", "straight-circular", "lundberg", "johns-gohar", "iso16281",
                "fujiwara-kawase", "table"});
   rows.quantity(

@@ -8,9 +8,11 @@
 #include "app/case/catalogue_case.hpp"
 #include "app/case/field_table.hpp"
 #include "app/case/oil_case.hpp"
+#include "app/case/requirements_case.hpp"
 #include "app/case/settings.hpp"
 #include "app/case/spectrum_case.hpp"
 #include "bearing/default_design.hpp"
+#include "bearing/life/rating_lives.hpp"
 #include "gearset/dynamics/bodies.hpp"
 
 namespace orbearing::app {
@@ -191,9 +193,32 @@ std::optional<DerivedDefault> pin_stiffness_of_bearing(const ValuesOfSet& value)
                   1e3 * pin.diameter, 1e3 * pin.span)};
 }
 
+// No maker's roller has a sharp end.
+std::optional<DerivedDefault> roller_profile(const ValuesOfSet& value) {
+  if (!value.has({"bearing.rollers", "bearing.type"}) || value.choice("bearing.type") == "spherical-roller")
+    return std::nullopt;
+  return DerivedDefault{"iso16281",
+                        "reference profile of ISO/TS 16281, since catalogue rollers have relieved ends; "
+                        "straight ones state straight"};
+}
+
+std::optional<DerivedDefault> life_method(const ValuesOfSet& value) {
+  const bool required =
+      std::ranges::any_of(requirement_paths(), [&](const std::string& path) { return value.has({path}); });
+  if (!required && !value.has({"bearing.dynamic_capacity"})) return std::nullopt;
+  return DerivedDefault{"iso-16281", required ? "a requirement is stated" : "the rating C is known"};
+}
+
+bool oil_is_stated(const ValuesOfSet& value) {
+  const auto is_stated = [&](std::string_view path) { return value.has({path}); };
+  return std::ranges::any_of(kCleanlinessPaths, is_stated) || std::ranges::any_of(kViscosityPaths, is_stated);
+}
+
 std::optional<DerivedDefault> required_life(const ValuesOfSet& value) {
-  if (!value.has({"requirements.life"})) return std::nullopt;
-  return DerivedDefault{"L10mh", "the modified rating life of ISO 281, which includes oil and cleanliness"};
+  if (!value.has({"requirements.life", "life.method"})) return std::nullopt;
+  const bearing::rating::Life life = bearing::rating::governing_life(
+      *value_named<bearing::rating::LifeMethod>(value.choice("life.method")), oil_is_stated(value));
+  return DerivedDefault{bearing::rating::hours_key(life), "the governing life, by life.method"};
 }
 
 // Planet bearings have rollers.
@@ -240,7 +265,12 @@ constexpr DefaultRule default_rules[] = {
     {"support.stiffness", pin_stiffness_of_bearing, Needed::always,
      "a solid pin that fills the bore of the inner ring, between the middles of both walls of the carrier, "
      "shared by the bearings of a planet; each of several sets has its own"},
-    {"requirements.life_key", required_life, Needed::at_rest_too, "L10mh, where requirements.life is given"},
+    {"bearing.profile.kind", roller_profile, Needed::at_rest_too,
+     "iso16281: catalogue rollers have relieved ends; straight ones state straight"},
+    {"life.method", life_method, Needed::at_rest_too,
+     "iso-16281, where C is known from the catalogue or stated, or a requirement is"},
+    {"requirements.life_key", required_life, Needed::at_rest_too,
+     "the governing life, where requirements.life is given"},
     {"simulation.load_error_share", load_error_share, Needed::at_times,
      "0, where simulation.length_error is given"},
     {"life.minimum_load", minimum_load, Needed::at_rest_too,

@@ -1,7 +1,9 @@
 // An oil by its grade and temperature, in place of the single properties that follow from it.
 #pragma once
 
+#include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/case/mistake.hpp"
@@ -21,6 +23,12 @@ void substitute(CaseData& data, const std::string& path, const std::string& text
 /// The same where nothing is stated; what is stated stays.
 void put_where_absent(CaseData& data, const std::string& path, const std::string& text,
                       const std::string& reason);
+
+/// Inputs of which one states the oil or its cleanliness: then lives include a_ISO.
+inline constexpr std::array<std::string_view, 2> kCleanlinessPaths{"life.contamination_factor",
+                                                                   "life.cleanliness"};
+inline constexpr std::array<std::string_view, 2> kViscosityPaths{"life.viscosity_ratio",
+                                                                 "lubricant.kinematic_viscosity"};
 
 /// Density of the oil [kg/m^3]: the stated one where it counts, that of a mineral oil where it does not.
 double oil_density(const ResolvedCase& resolved);

@@ -1,5 +1,7 @@
 #include "app/case/profile_case.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <stdexcept>
 #include <string>
@@ -7,6 +9,7 @@
 #include "app/case/described_case.hpp"
 #include "app/case/field_table.hpp"
 #include "bearing/geometry.hpp"
+#include "bearing/life/reference_life.hpp"
 
 namespace orbearing::app {
 
@@ -79,6 +82,19 @@ bool has_own_depth(const ResolvedCase& in) {
          (kind == "lundberg" || kind == "johns-gohar" || kind == "fujiwara-kawase");
 }
 
+// ISO/TS 16281 has no life of fewer; where rollers are straight the stress riser stands for their ends.
+void check_laminae(CheckedCase& in) {
+  if (!has_all(in, {"bearing.laminae", "bearing.profile.kind", "life.method"})) return;
+  const int laminae = in.integer("bearing.laminae");
+  if (laminae == 0 || laminae >= bearing::rating::kLeastRatedLaminae) return;
+  if (!in.is(kKind, "straight") || !in.is("life.method", "iso-16281")) return;
+  in.add_error_at("bearing.laminae",
+                  fmt::format("{} laminae of straight rollers with life.method: iso-16281", laminae),
+                  fmt::format("at least {} are required, as ISO/TS 16281 has L10r; or bearing.profile.kind: "
+                              "iso16281; or life.method: lundberg-palmgren",
+                              bearing::rating::kLeastRatedLaminae));
+}
+
 std::string first_of(const ResolvedCase& in, const std::string& block) {
   for (const Field& field : all_fields())
     if (field.path.starts_with(block) && in.has(field.path)) return field.path;
@@ -99,12 +115,11 @@ Profile roller_profile_of(const ResolvedCase& in) {
 }
 
 void check_profile(CheckedCase& in) {
-  for (const std::string block : {"bearing.profile.", "bearing.misalignment."}) {
-    const std::string present = first_of(in, block);
-    if (present.empty() || in.has("bearing.laminae")) continue;
-    in.add_error_at(present, "an entry without bearing.laminae",
+  const std::string misaligned = first_of(in, "bearing.misalignment.");
+  if (!misaligned.empty() && !in.has("bearing.laminae"))
+    in.add_error_at(misaligned, "an entry without bearing.laminae",
                     "laminae, which it acts on, are required: for instance bearing.laminae: 40");
-  }
+  check_laminae(in);
   const std::string profile = first_of(in, kBlock);
   if (!profile.empty() && !in.has(kKind))
     in.add_error_at(profile, "a profile without bearing.profile.kind", "a kind of profile is required");

@@ -9,12 +9,12 @@
 
 namespace orbearing::app {
 
-/// Profile of one roller; straight where the case states none. Throws std::invalid_argument where it has no
+/// Profile of one roller; straight where the case has none. Throws std::invalid_argument where it has no
 /// meaning.
 bearing::profile::Profile roller_profile_of(const ResolvedCase& resolved);
 
-/// Objects to a profile that cannot be made, and to profile or misalignment without the laminae that
-/// are affected by them.
+/// Objects to a profile that cannot be made, to misalignment without the laminae that it acts on, and to
+/// fewer laminae than the governing life requires.
 void check_profile(CheckedCase& resolved);
 
 }  // namespace orbearing::app

@@ -62,6 +62,12 @@ void table::add_requirements(std::vector<Field>& fields) {
   }
 }
 
+std::vector<std::string> requirement_paths() {
+  std::vector<std::string> paths;
+  for (const RequirementRow& row : kRequirementRows) paths.push_back(requirement_path(row));
+  return paths;
+}
+
 std::vector<Requirement> stated_requirements(const ResolvedCase& in) {
   std::vector<Requirement> stated;
   for (const RequirementRow& row : kRequirementRows) {

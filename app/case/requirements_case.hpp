@@ -17,6 +17,9 @@ struct Requirement {
   bool at_most = false;  // else at least
 };
 
+/// Inputs that state a limit.
+std::vector<std::string> requirement_paths();
+
 /// In the order of the block; none where the case states none.
 std::vector<Requirement> stated_requirements(const ResolvedCase& resolved);
 

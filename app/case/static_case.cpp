@@ -49,6 +49,8 @@ bearing::rating::StatedRatings stated_ratings_of(const ResolvedCase& in) {
                                          .static_capacity = stated(in, "bearing.static_capacity"),
                                          .fatigue_load_limit = stated(in, "bearing.fatigue_load_limit")};
   if (in.has("life.reduction_factor")) ratings.reduction_factor = in.number("life.reduction_factor");
+  if (in.has("life.stress_riser"))
+    ratings.stress_riser = *value_named<bearing::rating::StressRiser>(in.choice("life.stress_riser"));
   return ratings;
 }
 

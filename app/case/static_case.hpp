@@ -9,7 +9,7 @@
 namespace orbearing::app {
 
 /// Laminae of rollers where the case states none.
-inline constexpr int default_laminae = 40;
+inline constexpr int default_laminae = bearing::rating::kLeastRatedLaminae;
 
 /// Rollers are always cut into laminae. Throws std::invalid_argument where their profile has no meaning.
 bearing::Bearing bearing_of(const ResolvedCase& resolved);

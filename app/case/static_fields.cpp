@@ -104,14 +104,23 @@ void add_life(std::vector<Field>& fields) {
   // Unless kappa is that of the film, which crown does not compute.
   const Use by_stated_kappa = by_life.when(where("life.viscosity_ratio_by", {"speed"}))
                                   .used_too(use::crown, std::vector<Condition>{});
-  planets
-      .choice("life.method",
-              "life of peaks, spectra and sensitivities. lundberg-palmgren: life_h; iso-281: L10mh where the "
-              "oil is stated, else L10h; iso-16281: L10mrh where the oil is stated, else L10rh. crown uses "
-              "L10rh with iso-16281, else life_h",
-              by_planets.used_too(use::crown, where("life.method", {"iso-16281"})),
-              choices_of<bearing::rating::LifeMethod>())
-      .by_default("lundberg-palmgren", "what published cases use");
+  rows.choice(
+          "life.method",
+          "governing life, by which requirements, peaks, spectra, crowns and sensitivities go. "
+          "lundberg-palmgren: life_h; iso-281: L10mh where the oil is stated, else L10h; iso-16281: L10mrh "
+          "where the oil is stated, else L10rh. crown uses life_h with iso-281, whose life is that of all "
+          "crowns",
+          by_life.used_too(use::crown, where("life.method", {"iso-16281"})),
+          choices_of<bearing::rating::LifeMethod>())
+      .by_default("lundberg-palmgren", "neither the rating C nor a requirement is stated");
+  Rows(fields, roller_bearing | planetary_drivetrain)
+      .choice(
+          "life.stress_riser",
+          "stress at the ends of rollers in L10rh and L10mrh. position: a function of the position along "
+          "the roller, equal to the formula of ISO/TS 16281 for 30 laminae; standard: its formula for the "
+          "laminae of the case, on whose number lives of straight rollers then depend",
+          by_life, choices_of<bearing::rating::StressRiser>())
+      .by_default("position", "lives do not depend on the number of laminae");
   planets.number(
       kMinimumLoadPath,
       "minimum load P/C: in rows of the spectrum below it, rolling elements may skid. Makers' rule "

@@ -11,6 +11,7 @@
 #include "app/commands/presentation.hpp"
 #include "app/results/record_writers.hpp"
 #include "app/study/analysis.hpp"
+#include "app/study/drivetrain_case.hpp"
 #include "app/study/gear_case.hpp"
 #include "app/study/mesh_study.hpp"
 #include "app/study/motion_budget.hpp"
@@ -49,6 +50,20 @@ Checked check(const ResolvedCase& resolved) {
   return checked;
 }
 
+// Of cases with a bearing whose lives are computed.
+bool has_governing_life(const ResolvedCase& resolved) {
+  if (!resolved.has("life.method")) return false;
+  return resolved.model() != planetary_drivetrain || resolved.shape().several || has_planet_bearing(resolved);
+}
+
+void describe_governing_life(Record& record, const ResolvedCase& resolved) {
+  record.value("key", "of the governing life among the results", governing_life_key(resolved));
+  record.value("method", "life.method", resolved.choice("life.method"));
+  const auto reason = resolved.assumed().find("life.method");
+  record.value("reason", "of a method that the case does not state",
+               reason == resolved.assumed().end() ? "" : reason->second);
+}
+
 }  // namespace
 
 int check_command(const Options& options) {
@@ -63,6 +78,8 @@ int check_command(const Options& options) {
     Record record;
     describe_check(record, resolved, derived);
     if (has_power) describe_power(record, resolved);
+    if (has_governing_life(resolved))
+      record.child("governing_life", "by which results go", resolved, describe_governing_life);
     nlohmann::ordered_json object = json_of(record);
     if (!resolved.uncertain().inputs.empty()) object["uncertain"] = uncertain_json(resolved);
     object["warnings"] = warnings;
@@ -77,6 +94,9 @@ int check_command(const Options& options) {
     describe_power(power, resolved);
     fmt::print("\n{}", text_of(power));
   }
+  if (has_governing_life(resolved))
+    fmt::print("\ngoverning life: {} (life.method: {})\n", governing_life_key(resolved),
+               resolved.choice("life.method"));
   print_warnings(warnings);
   return 0;
 }

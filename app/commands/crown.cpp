@@ -5,6 +5,7 @@
 #include <mutex>
 
 #include "app/case/resolved_writer.hpp"
+#include "app/case/spectrum_case.hpp"
 #include "app/case/unused_inputs.hpp"
 #include "app/commands/kept_result.hpp"
 #include "app/commands/presentation.hpp"
@@ -14,6 +15,7 @@
 #include "app/results/record_writers.hpp"
 #include "app/results/result_folder.hpp"
 #include "app/study/crown/crown_study.hpp"
+#include "app/study/derivatives.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/study/sweep_study.hpp"
 
@@ -43,6 +45,28 @@ std::vector<std::string> require_crown_uses(const ResolvedCase& resolved, const 
   return require_used(resolved, use::crown, spectrum ? Axes::speed : Axes::none);
 }
 
+// The governing life that `run` of the case gives, as it is and with the recommended profile; null under a
+// spectrum, of several sets and of a profile that has a straight middle, which a drop does not state.
+nlohmann::ordered_json lives_in_run(const ResolvedCase& given, const CrownStudy& study) {
+  const CrownDesign& design = study.recommended.design;
+  if (given.shape().several || given.has(kSpectrumPath) || design.has_share) return nullptr;
+  const ResolvedCase point = given.without_sweep();
+  const ResolvedCase crowned = point.with(
+      std::vector<Setting>{{"bearing.profile.kind", design.profile},
+                           {"bearing.profile.drop", fmt::format("{:.6g} um", 1e6 * design.crown.drop)}});
+  const ScalarResult life = scalar_result(point);
+  return {{"life_key", life.quantity},
+          {"case_h", life.compute(point).number},
+          {"recommended_h", life.compute(crowned).number}};
+}
+
+std::string text_in_run(const nlohmann::ordered_json& lives) {
+  if (lives.is_null()) return "";
+  return fmt::format("\nrun gives {} {:.6g} h for the case, {:.6g} h with the recommended profile\n",
+                     lives.at("life_key").get<std::string>(), lives.at("case_h").get<double>(),
+                     lives.at("recommended_h").get<double>());
+}
+
 nlohmann::ordered_json result_json(const ResolvedCase& resolved, const CrownOptions& options,
                                    const std::vector<std::string>& noted, const CrownStudy& study,
                                    const Record& record) {
@@ -61,7 +85,8 @@ nlohmann::ordered_json result_json(const ResolvedCase& resolved, const CrownOpti
 
 int crown_command(const Options& options) {
   require_output(options);
-  const auto [resolved, noted] = crown_case(case_of(options), options.crown);
+  const ResolvedCase given = case_of(options);
+  const auto [resolved, noted] = crown_case(given, options.crown);
   const CrownRequest request = crown_request(resolved, options.crown);
   require_crown_uses(resolved, options.crown);
   const ManifestHeader header = manifest_header(resolved, options_text(options.crown));
@@ -76,7 +101,10 @@ int crown_command(const Options& options) {
     Record record;
     describe(record, study);
     if (options.take_record) options.take_record(record);
-    result = {result_json(resolved, options.crown, noted, study, record), text_of(record), study.failed};
+    const nlohmann::ordered_json in_run = lives_in_run(given, study);
+    result = {result_json(resolved, options.crown, noted, study, record),
+              text_of(record) + text_in_run(in_run), study.failed};
+    result.object["in_run"] = in_run;
     std::map<std::string, std::string> others;
     if (!options.output.empty()) {
       write_crown(options.output, result);

@@ -157,7 +157,7 @@ int present_bins(const BinnedRecords& binned, const Options& options) {
 
 // The largest of the lives that results and requirements go by: a larger one makes a life shorter.
 double exponent_of_case(const ResolvedCase& resolved) {
-  double exponent = exponent_of_life(life_to_go_by(resolved));
+  double exponent = exponent_of_life(governing_life_key(resolved));
   for (const Requirement& one : stated_requirements(resolved))
     if (one.name == "life") exponent = std::max(exponent, exponent_of_life(one.key));
   return exponent;

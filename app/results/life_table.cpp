@@ -73,23 +73,34 @@ bool has_modified(const LifeValue& value) {
   return !std::isnan(value("L10mr_Mrev")) || !std::isnan(value("L10mrh"));
 }
 
-// By which life to design, and why the lives differ. `oil`: there are lives with a_ISO.
-std::string design_advice(bool oil, rating::RollingElement element) {
-  const bool balls = element == rating::RollingElement::ball;
-  const std::string includes = balls ? "clearance, tilt and the load of each ball"
-                                     : "clearance, tilt, profile and the load of each lamina";
+std::string included(rating::Life life, bool balls) {
+  using rating::Life;
+  const std::string loads = balls ? "clearance, tilt and the load of each ball"
+                                  : "clearance, tilt, profile and the load of each lamina";
+  switch (life) {
+    case Life::modified_reference:
+      return loads + ", the oil film and its cleanliness";
+    case Life::reference:
+      return loads + ". State lubricant.grade, lubricant.temperature and life.cleanliness to get L10mrh";
+    case Life::modified:
+      return "the equivalent load P, the oil film and its cleanliness";
+    case Life::basic:
+      return "the equivalent load P alone";
+    case Life::lundberg_palmgren:
+      break;
+  }
+  return balls ? "the load of each ball" : "the load of each roller, as published lives do, not the oil";
+}
+
+// Which life governs, and why the lives differ.
+std::string design_advice(const LifeValue& value, const LifeWords& words) {
+  const bool balls = words.element == rating::RollingElement::ball, oil = has_modified(value);
   std::string differ = fmt::format("The lives differ: {} P of a bearing without clearance and tilt.",
                                    oil ? "L10h and L10mh take" : "L10h takes");
   if (oil) differ += " L10h, L10rh and life_h do not include the oil.";
   if (!balls) differ += " life_h falls with the power 4 of the load, L10h with 10/3.";
-  if (oil)
-    return fmt::format("Design by L10mrh: it includes {}, the oil film and its cleanliness.\n{}\n", includes,
-                       differ);
-  return fmt::format(
-      "Design by L10rh: it includes {}. State lubricant.grade, lubricant.temperature and life.cleanliness to "
-      "get "
-      "L10mrh.\n{}\n",
-      includes, differ);
+  return fmt::format("Governing life: {} (life.method). It includes {}.\n{}\n",
+                     rating::hours_key(words.governing), included(words.governing, balls), differ);
 }
 
 }  // namespace
@@ -159,7 +170,8 @@ void describe(Record& record, const LifeTable& table) {
                  row.value("value", {}, "in the stated unit", value(entry.name));
                  row.value("unit", "of the value", unit_beside(entry));
                });
-  record.value("advice", "life to use for the design", design_advice(has_modified(value), words.element));
+  record.value("governing", "key of the governing life, by life.method", rating::hours_key(words.governing));
+  record.value("advice", "governing life, and why the lives differ", design_advice(value, words));
 }
 
 std::string lives_text(const LifeTable& table) {
@@ -171,7 +183,7 @@ std::string lives_text(const LifeTable& table) {
   const std::vector<described::Entry> loads = load_entries();
   const auto ratios = std::ranges::find_if(loads, [](const auto& entry) { return entry.name == "C_over_P"; });
   return text + listed(value, {loads.begin(), ratios}) + listed(value, {ratios, loads.end()}) +
-         design_advice(has_modified(value), words.element);
+         design_advice(value, words);
 }
 
 }  // namespace orbearing::app

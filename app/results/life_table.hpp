@@ -25,6 +25,7 @@ void describe(described::Record& record, const BearingLives& lives);
 struct LifeWords {
   bearing::rating::RollingElement element = bearing::rating::RollingElement::roller;
   double reduction_factor = 0.0;  // [-]  of the capacities of Lundberg and Palmgren; 0: not said
+  bearing::rating::Life governing = bearing::rating::Life::lundberg_palmgren;
 };
 
 /// The number of one of those names in the unit that it ends in, infinite without load; not a number where
@@ -32,7 +33,7 @@ struct LifeWords {
 using LifeValue = std::function<double(const std::string&)>;
 LifeValue value_by_name(const BearingLives& lives);
 
-/// Lives with the clause each is by, ratings and loads, and by which life to design and why they differ.
+/// Lives with the clause each is by, ratings and loads, and which of them governs and why they differ.
 struct LifeTable {
   LifeValue value;
   LifeWords words;

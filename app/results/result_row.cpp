@@ -150,7 +150,7 @@ double value_of(const TableHead& head, const ResultRow& row, const std::string& 
                                       : row.values[static_cast<std::size_t>(location - head.names.begin())];
 }
 
-double life_to_go_by(const TableHead& head, const ResultRow& row) {
+double governing_life_in(const TableHead& head, const ResultRow& row) {
   return value_of(head, row, head.life);
 }
 
@@ -158,8 +158,8 @@ const ResultRow* longest_lived(const TableHead& head, std::span<const ResultRow>
   const ResultRow* longest = nullptr;
   double life = 0.0;
   for (const ResultRow& row : rows) {
-    if ((grid_alone && row.refined) || !(life_to_go_by(head, row) > life)) continue;
-    life = life_to_go_by(head, row);
+    if ((grid_alone && row.refined) || !(governing_life_in(head, row) > life)) continue;
+    life = governing_life_in(head, row);
     longest = &row;
   }
   return longest;

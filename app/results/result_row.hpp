@@ -93,7 +93,7 @@ void add_resonance(const std::optional<Resonance>& resonance, ResultRow& row);
 double value_of(const TableHead& head, const ResultRow& row, const std::string& name);
 
 /// The life of one bearing that results go by [h]; NaN where the row has none.
-double life_to_go_by(const TableHead& head, const ResultRow& row);
+double governing_life_in(const TableHead& head, const ResultRow& row);
 /// The first row with the longest of these lives, perhaps of those of the grid alone; null where none has
 /// one.
 const ResultRow* longest_lived(const TableHead& head, std::span<const ResultRow> rows,

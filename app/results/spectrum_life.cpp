@@ -404,7 +404,7 @@ std::string spectrum_text(const ManifestHeader& header, const std::vector<Spectr
     const std::vector<std::size_t> order = by_damage(result);
     for (std::size_t i = 0; i < std::min(order.size(), most_bins); ++i) {
       const SpectrumBin& bin = result.bins[order[i]];
-      const double life = bin.row ? life_to_go_by(head, *bin.row) : not_given;
+      const double life = bin.row ? governing_life_in(head, *bin.row) : not_given;
       text += fmt::format("{:>5} {:>11.5g} {:>11.5g} {:>12.5g} {:>9.3g} {:>12} {:>9}\n", order[i] + 1,
                           per_kilo * bin.bin.power, kRpm * bin.bin.speed, bin.bin.torque(),
                           100.0 * bin.bin.share, std::isfinite(life) ? fmt::format("{:.5g}", life) : "-",

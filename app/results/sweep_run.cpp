@@ -343,7 +343,7 @@ Record sweep_form(const LifePeak& peak) {
 LifePeak grid_peak(const TableHead& head, const std::vector<ResultRow>& rows) {
   LifePeak peak{.life = head.life};
   if (const ResultRow* best = longest_lived(head, rows, true)) {
-    peak.life_h = life_to_go_by(head, *best);
+    peak.life_h = governing_life_in(head, *best);
     peak.speed_rpm = value_of(head, *best, "input_speed_rpm");
   }
   return peak;

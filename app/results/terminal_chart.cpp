@@ -90,7 +90,7 @@ Curve curve_of(const TableHead& head, const std::vector<ResultRow>& rows) {
   Curve curve;
   for (const ResultRow& row : rows) {
     const double speed = value_of(head, row, "input_speed_rpm");
-    const double life = life_to_go_by(head, row);
+    const double life = governing_life_in(head, row);
     if (!std::isfinite(speed) || !(life > 0.0)) continue;
     curve.speed.push_back(speed);
     curve.life.push_back(life);

@@ -81,6 +81,7 @@ BallStudy ball_study(const ResolvedCase& in, const std::function<void(double)>& 
   const bearing::rating::Ratings& ratings = rating.ratings;
   BallStudy study;
   study.dynamic_capacity = ratings.dynamic_capacity;
+  study.governing = governing_life(in);
   const system::HeatParameters heat = heat_of(in);
   const auto reached = [&](double time) {
     if (progress) progress(time / options.duration);

@@ -30,11 +30,12 @@ struct BallStudy {
   /// is none.
   std::optional<bearing::equilibrium::RingStiffness> stiffness;
   std::optional<FrictionByStandards> friction_by_standards;  // none without boundary dimensions
+  bearing::rating::Life governing{};
   std::vector<std::string> warnings;
 
   BearingLives all_lives() const { return {lives, run.means.life.bearing, rotating_speed, largest_pressure}; }
   LifeTable life_table() const {
-    return {value_by_name(all_lives()), {bearing::rating::RollingElement::ball}};
+    return {value_by_name(all_lives()), {bearing::rating::RollingElement::ball, 0.0, governing}};
   }
 };
 

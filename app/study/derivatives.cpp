@@ -68,10 +68,11 @@ Run run_of(const ResolvedCase& in, const std::string& fidelity) {
   throw BadInput(in.origin(path) + ": " + path + ": found " + found + "; required: " + required);
 }
 
-// Key and unit of the life that results go by.
+// Key and unit of the governing life.
 std::pair<std::string, std::string> life_key(const ResolvedCase& in) {
-  if (is_static_bearing(in)) return {"L10r_Mrev", "Mrev"};
-  if (is_ball_run(in)) return {"life_h", "h"};
+  if (is_static_bearing(in) && in.quantity("operation.shaft_speed") == in.quantity("operation.outer_speed"))
+    return {bearing::rating::revolutions_key(governing_life(in)), "Mrev"};
+  if (is_static_bearing(in) || is_ball_run(in)) return {governing_life_key(in), "h"};
   if (in.model() != planetary_drivetrain)
     refuse_life(
         in, "model", in.choice("model"),
@@ -84,7 +85,7 @@ std::pair<std::string, std::string> life_key(const ResolvedCase& in) {
         "other number of its run");
   if (!is_of_planet_bearings(in))
     throw BadInput(in.file() + ": bearing: missing; required: a planet bearing, for its life");
-  return {life_to_go_by(in), "h"};
+  return {governing_life_key(in), "h"};
 }
 
 double number_of(const Json& object, const std::string& key) {

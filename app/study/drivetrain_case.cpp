@@ -1,5 +1,7 @@
 #include "app/study/drivetrain_case.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -38,18 +40,16 @@ rating::Cleanliness cleanliness_of(const std::string& found) {
   return static_cast<rating::Cleanliness>(level - levels.begin());
 }
 
-rating::LifeMethod life_method(const ResolvedCase& in) {
-  for (const auto& name : names_of(rating::LifeMethod{}))
-    if (in.choice("life.method") == name.text) return name.value;
-  return rating::LifeMethod::lundberg_palmgren;
+bool says_any(const ResolvedCase& in, const std::array<std::string_view, 2>& paths) {
+  return std::ranges::any_of(paths, [&](std::string_view path) { return in.has(std::string(path)); });
 }
 
 bool says_cleanliness(const ResolvedCase& in) {
-  return in.has("life.contamination_factor") || in.has("life.cleanliness");
+  return says_any(in, kCleanlinessPaths);
 }
 
 bool says_viscosity(const ResolvedCase& in) {
-  return in.has("life.viscosity_ratio") || in.has("lubricant.kinematic_viscosity");
+  return says_any(in, kViscosityPaths);
 }
 
 void add_waves(const ResolvedCase& in, const std::string& block, bool rotating,
@@ -152,22 +152,30 @@ std::optional<rating::StatedOil> stated_oil(const ResolvedCase& in) {
   return oil;
 }
 
-std::vector<std::string> oil_warnings(const ResolvedCase& in) {
-  if (!says_viscosity(in) || says_cleanliness(in)) return {};
-  return {"life.cleanliness: not given with the oil; 'high' (-/15/12 of ISO 4406) is taken for a_ISO"};
+std::vector<std::string> rating_warnings(const ResolvedCase& in) {
+  std::vector<std::string> warnings;
+  if (says_viscosity(in) && !says_cleanliness(in))
+    warnings.emplace_back(
+        "life.cleanliness: not given with the oil; 'high' (-/15/12 of ISO 4406) is taken for a_ISO");
+  const std::string governing = governing_life_key(in);
+  if (in.has("requirements.life_key") && in.choice("requirements.life_key") != governing)
+    warnings.push_back(
+        fmt::format("requirements.life_key: {} is judged; the governing life of this case is {} "
+                    "(life.method: {})",
+                    in.choice("requirements.life_key"), governing, in.choice("life.method")));
+  return warnings;
 }
 
-std::string life_to_go_by(const ResolvedCase& in) {
-  const bool oil = stated_oil(in).has_value();
-  switch (life_method(in)) {
-    case rating::LifeMethod::iso281:
-      return oil ? "L10mh" : "L10h";
-    case rating::LifeMethod::iso16281:
-      return oil ? "L10mrh" : "L10rh";
-    case rating::LifeMethod::lundberg_palmgren:
-      break;
-  }
-  return "life_h";
+rating::LifeMethod life_method(const ResolvedCase& in) {
+  return *value_named<rating::LifeMethod>(in.choice("life.method"));
+}
+
+rating::Life governing_life(const ResolvedCase& in) {
+  return rating::governing_life(life_method(in), stated_oil(in).has_value());
+}
+
+std::string governing_life_key(const ResolvedCase& in) {
+  return rating::hours_key(governing_life(in));
 }
 
 }  // namespace orbearing::app

@@ -29,11 +29,16 @@ std::vector<std::string> planar_warnings(const ResolvedCase& resolved);
 /// None where neither oil nor cleanliness is said: then lives know no a_ISO.
 std::optional<bearing::rating::StatedOil> stated_oil(const ResolvedCase& resolved);
 
-/// What it takes for granted: a cleanliness that is not said.
-std::vector<std::string> oil_warnings(const ResolvedCase& resolved);
+/// What lives take for granted, a cleanliness that is not said; and a requirement of another life than the
+/// governing one.
+std::vector<std::string> rating_warnings(const ResolvedCase& resolved);
 
-/// Column of a sweep's table that holds the life that results go by: by life.method, and whether oil is
-/// stated.
-std::string life_to_go_by(const ResolvedCase& resolved);
+/// How the governing life is computed, by life.method.
+bearing::rating::LifeMethod life_method(const ResolvedCase& resolved);
+
+/// The governing life of the bearings of a case: by life.method, and whether oil is stated.
+bearing::rating::Life governing_life(const ResolvedCase& resolved);
+/// Its key in hours: L10h, L10rh, L10mh, L10mrh or life_h.
+std::string governing_life_key(const ResolvedCase& resolved);
 
 }  // namespace orbearing::app

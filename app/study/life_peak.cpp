@@ -13,6 +13,7 @@
 #include "app/results/life_table.hpp"
 #include "app/results/record_writers.hpp"
 #include "app/results/result_row.hpp"
+#include "app/study/drivetrain_case.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/study/resonance_lines.hpp"
 #include "app/study/sweep_study.hpp"
@@ -208,7 +209,7 @@ SpeedLine line_through(const TableHead& head, const std::vector<ResultRow>& rows
   SpeedLine line;
   for (const ResultRow& other : rows) {
     if (!on_one_line(head, row, other)) continue;
-    const double life = life_to_go_by(head, other);
+    const double life = governing_life_in(head, other);
     line.push_back({value_of(head, other, "input_speed_rpm"), life > 0.0 ? life : 0.0});
   }
   std::ranges::stable_sort(line, {}, &LivedSpeed::rpm);
@@ -241,7 +242,7 @@ namespace {
 LifeWords words_of(const ResolvedCase& in) {
   const bool balls = bearing_type_of(in) == bearing::PlanetBearingType::deep_groove_ball;
   return {balls ? bearing::rating::RollingElement::ball : bearing::rating::RollingElement::roller,
-          in.has("life.reduction_factor") ? in.number("life.reduction_factor") : 0.0};
+          in.has("life.reduction_factor") ? in.number("life.reduction_factor") : 0.0, governing_life(in)};
 }
 
 LifeTable table_at(const SweepOutcome& outcome, const ResultRow& row, const ResolvedCase& in) {

@@ -82,7 +82,7 @@ std::vector<ChangeResult> results_of(const ResolvedCase& resolved, const std::ve
 }
 
 double life_of(const study::PointResult& point) {
-  return is_computed(point.status) ? point.life_hours : std::numeric_limits<double>::quiet_NaN();
+  return is_computed(point.status) ? study::governing_hours(point) : std::numeric_limits<double>::quiet_NaN();
 }
 
 std::size_t best_point(const ChangeResult& result) {

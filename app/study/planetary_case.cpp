@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <mutex>
 
@@ -14,6 +15,7 @@
 #include "app/case/set_case.hpp"
 #include "app/case/use_conditions.hpp"
 #include "app/errors.hpp"
+#include "app/study/drivetrain_case.hpp"
 #include "app/study/gear_case.hpp"
 #include "app/units.hpp"
 #include "bearing/equilibrium/inclined_rows.hpp"
@@ -481,9 +483,12 @@ void add_load_sharing(const ResolvedCase& in, const study::NamedSet& set, std::v
     rows.push_back({"one_pin_off.load_share", largest->load_share, "1",
                     "K_gamma: load of the most loaded planet over the mean " + off});
     if (tilts) return;  // the life includes the tilt
-    const auto shortest = std::ranges::min_element(point.planets, {}, &study::PlanetResult::life_hours);
-    rows.push_back(
-        {"one_pin_off.shortest_life", shortest->life_hours, "h", "life_h of the most loaded bearing " + off});
+    const bearing::rating::Life life = governing_life(in);
+    double shortest = std::numeric_limits<double>::infinity();
+    for (const study::PlanetResult& planet : point.planets)
+      shortest = std::min(shortest, bearing::rating::hours_of(life, planet.life_hours, planet.rated_hours));
+    rows.push_back({"one_pin_off.shortest_life", shortest, "h",
+                    std::string(bearing::rating::hours_key(life)) + " of the most loaded bearing " + off});
   } catch (const BadInput&) {  // where such a pin is refused
   }
 }

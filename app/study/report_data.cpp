@@ -198,7 +198,7 @@ LifeCurve swept_curve(const SweepOutcome& outcome) {
   LifeCurve curve;
   for (const auto& [speed, row] : by_speed) {
     curve.speed_rpm.push_back(speed);
-    curve.life_h.push_back(value_of(outcome.head, *row, "life_h"));
+    curve.life_h.push_back(value_of(outcome.head, *row, outcome.head.life));
     curve.roller_load_rms.push_back(value_of(outcome.head, *row, "outer_load_rms_N"));
   }
   return curve;

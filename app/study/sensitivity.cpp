@@ -120,13 +120,14 @@ void warn_of_load_sharing(const ResolvedCase& in, const std::vector<Derived>& de
   };
   const double share = value("one_pin_off.load_share"), shortest = value("one_pin_off.shortest_life");
   if (!std::isfinite(shortest)) return;
-  const double even = life_at_rest(scalar_result(in, "", "life_h"), in);
+  const ScalarResult life = scalar_result(in);
+  const double even = life_at_rest(life, in);
   if (!(shortest < (1.0 - kWorthKnowing) * even)) return;
   warnings.push_back(fmt::format(
       "gearset.dynamics.pin_error: not stated; planets share the load evenly. One pin off by its tolerance, "
       "js7 of "
-      "ISO 286-1, gives K_gamma {:.3g} and a shortest life_h of {:.5g} h, {:+.0f} % against {:.5g} h",
-      share, shortest, 100.0 * (shortest / even - 1.0), even));
+      "ISO 286-1, gives K_gamma {:.3g} and a shortest {} of {:.5g} h, {:+.0f} % against {:.5g} h",
+      share, life.quantity, shortest, 100.0 * (shortest / even - 1.0), even));
 }
 
 }  // namespace
@@ -150,7 +151,7 @@ LifeCurve life_curve(const ChangeResult& result) {
     const study::PointResult& point = result.points[i];
     if (!is_computed(point.status)) continue;  // the sweep tells why
     curve.speed_rpm.push_back(in_table_unit(result.speed[i], 1.0 / kRadiansPerSecond));
-    curve.life_h.push_back(point.life_hours);
+    curve.life_h.push_back(study::governing_hours(point));
     curve.roller_load_rms.push_back(point.outer.load_rms);
   }
   if (curve.speed_rpm.empty()) throw ComputationFailed("no point of the sweep has a life");

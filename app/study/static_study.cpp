@@ -173,11 +173,12 @@ ElementSteps describe_row(Record& record, const StaticStudy& study, const equili
                contact.drops());
   record.array("element_tilts_mrad", dimension::small_angle, "of the races against each other", {"element"},
                tilt);
-  record.array("stress_riser", dimension::ratio, "f_k", {"lamina"}, rating::stress_riser(laminae));
+  record.array("stress_riser", dimension::ratio, "f_k", {"lamina"},
+               rating::stress_riser(laminae, study.stress_riser));
   record.array("lamina_capacities_N", dimension::force, "of each race", {{"race", {"inner", "outer"}}},
                std::array{rating::lamina_capacity(study.ratings.contacts.inner, laminae),
                           rating::lamina_capacity(study.ratings.contacts.outer, laminae)});
-  const Eigen::ArrayXXd stressed = rating::with_stress_riser(study.state.lamina_load);
+  const Eigen::ArrayXXd stressed = rating::with_stress_riser(study.state.lamina_load, study.stress_riser);
   const auto& motions = study.bearing.motions;
   return {approach, rating::equivalent_lamina_loads(stressed, motions.inner),
           rating::equivalent_lamina_loads(stressed, motions.outer)};
@@ -233,8 +234,9 @@ void describe_steps(Record& record, const StaticStudy& study) {
 
 LifeTable StaticStudy::life_table() const {
   using rating::RollingElement;
-  return {value_by_name(all_lives()),
-          {bearing.has_rollers() ? RollingElement::roller : RollingElement::ball, reduction_factor}};
+  return {
+      value_by_name(all_lives()),
+      {bearing.has_rollers() ? RollingElement::roller : RollingElement::ball, reduction_factor, governing}};
 }
 
 void describe(Record& record, const StaticStudy& study) {
@@ -307,10 +309,8 @@ std::optional<rating::OilCondition> oil_of(const ResolvedCase& in) {
 // theirs.
 bearing::BearingLife lundberg_palmgren(const StaticStudy& study) {
   if (!study.bearing.has_rollers()) return study.lives.reference;
-  return bearing::life::lamina_life(
-      bearing::life::lamina_rating(study.bearing, bearing::life::LifeMeasure::lundberg_palmgren,
-                                   study.reduction_factor),
-      study.state.lamina_load, study.state.lamina_load);
+  return bearing::life::lamina_life(bearing::life::lamina_rating(study.bearing, study.reduction_factor),
+                                    study.state.lamina_load, study.state.lamina_load);
 }
 
 // Shoulders are not stated; one at 70 degrees is a third of a ball's diameter high.
@@ -355,7 +355,7 @@ void warn_of_open_grooves(const ResolvedCase& in, StaticStudy& study) {
 
 void warn(const ResolvedCase& in, StaticStudy& study) {
   const rating::Ratings& ratings = study.ratings;
-  for (std::string& text : oil_warnings(in)) study.warnings.push_back(std::move(text));
+  for (std::string& text : rating_warnings(in)) study.warnings.push_back(std::move(text));
   warn_of_open_grooves(in, study);
   if (ratings.gamma > ratings.slenderness_limit && !in.has("bearing.dynamic_capacity"))
     study.warnings.push_back(fmt::format(
@@ -366,14 +366,11 @@ void warn(const ResolvedCase& in, StaticStudy& study) {
     study.warnings.push_back(
         "L10: ISO 281 has factors X and Y for nominal contact angles of 0, 15, 20, 25, 30, 35, 40 and 45 "
         "degrees; L10r does not require them");
-  if (in.model() == roller_bearing && !in.has("bearing.laminae"))
-    study.warnings.push_back(fmt::format(
-        "bearing.laminae: not given; {} are used, and lives depend on their number", default_laminae));
-  if (const Eigen::Index laminae = study.state.lamina_load.rows(); laminae > 0 && laminae < 30)
+  if (study.bearing.has_rollers() && rating::has_too_few_laminae(study.bearing))
     study.warnings.push_back(
-        fmt::format("bearing.laminae: {} laminae; ISO/TS 16281 requires at least 30, and its stress riser "
-                    "depends on their number",
-                    laminae));
+        fmt::format("bearing.laminae: {} laminae of straight rollers; L10r and L10mr are left out, for which "
+                    "ISO/TS 16281 requires at least {}",
+                    study.bearing.rollers().laminae, rating::kLeastRatedLaminae));
   constexpr double slipping = 0.1;  // of lubricated steel
   if (study.state.friction > slipping)
     study.warnings.push_back(
@@ -405,9 +402,12 @@ void rate(const ResolvedCase& in, StaticStudy& study) {
   const auto loads_on = [&](Race race) -> rating::ElementLoads {
     return {load_on(race, study), study.state.lamina_load};
   };
+  const rating::StatedRatings stated = stated_ratings_of(in);
+  study.stress_riser = stated.stress_riser;
+  study.governing = governing_life(in);
   study.lives =
-      rating::rating_lives(rating::bearing_rating(bearing, stated_ratings_of(in)),
-                           rating_condition_of(in, bearing), loads_on(Race::inner), loads_on(Race::outer));
+      rating::rating_lives(rating::bearing_rating(bearing, stated), rating_condition_of(in, bearing),
+                           loads_on(Race::inner), loads_on(Race::outer));
   study.lundberg_palmgren = lundberg_palmgren(study);
   warn(in, study);
 }

@@ -24,9 +24,11 @@ struct StaticStudy {
   double radial = 0.0;  // [m]    displacement across the axis, of both planes
   double tilt = 0.0;    // [rad]  of both planes
   bearing::rating::Ratings ratings;
-  bearing::rating::RatingLives lives;          // by the standards
-  bearing::BearingLife lundberg_palmgren;      // [rev]
-  double reduction_factor = 0.0;               // [-]      in its capacities; of rollers
+  bearing::rating::RatingLives lives;           // by the standards
+  bearing::BearingLife lundberg_palmgren;       // [rev]
+  double reduction_factor = 0.0;                // [-]      in its capacities; of rollers
+  bearing::rating::StressRiser stress_riser{};  // of L10r; of rollers
+  bearing::rating::Life governing{};
   double speed = 0.0;                          // [rad/s]  of the rings against each other; 0: not known
   std::optional<std::vector<BallFilm>> films;  // of balls whose film takes part
   std::optional<bearing::defect::PassingFrequencies> passing;  // at pure rolling; none without a speed

@@ -170,7 +170,7 @@ SweepRequest sweep_request(const ResolvedCase& resolved, const std::string& fide
   for (const SweepAxis& axis : resolved.axes())
     if (axis.path != kSpeedPath) request.header.axes.push_back(axis_column(axis.path));
   request.header.sets = bearing_set_names(resolved);
-  request.header.life = life_to_go_by(resolved);
+  request.header.life = governing_life_key(resolved);
   request.resolved_case = write_resolved(resolved);
   const study::Fidelity level = fidelity_of(fidelity);
   const std::vector<SweepPoint> bins(request.points.begin() + static_cast<std::ptrdiff_t>(grid),

@@ -72,8 +72,8 @@ void warn_where(const SweepOutcome& outcome, const std::string& text,
                                    value_of(outcome.head, *found.front(), "input_speed_rpm")));
 }
 
-// Where a profile or a tilt is resolved by so few that they hardly show it; then where lives go by
-// ISO/TS 16281, whose stress riser depends on the number of laminae.
+// Where a profile or a tilt is resolved by so few that they hardly show it; then where ISO/TS 16281 has no
+// lives of so few.
 void warn_of_few_laminae(const ResolvedCase& resolved, Texts& warnings) {
   constexpr int enough = 10;  // within 2 % of the life of many, the wind turbine's planets
   constexpr int least = bearing::rating::kLeastRatedLaminae;
@@ -85,15 +85,16 @@ void warn_of_few_laminae(const ResolvedCase& resolved, Texts& warnings) {
     const bool computed =
         has("bearing.tilt_state") && resolved.choice(prefix + "bearing.tilt_state") == "computed";
     if (laminae < enough &&
-        (computed || has("bearing.profile.kind") || has("bearing.misalignment.planet_tilt") ||
-         has("bearing.misalignment.carrier_wind_up")))
+        (computed || !is_chosen(resolved, prefix + "bearing.profile.kind", "straight") ||
+         has("bearing.misalignment.planet_tilt") || has("bearing.misalignment.carrier_wind_up")))
       warnings.push_back(
           fmt::format("{}bearing.laminae: {} resolve a profile or a tilt coarsely (one: not at all), which "
                       "affects loads and lives. Use {} or more",
                       prefix, laminae, enough));
-    if (laminae > 0 && laminae < least && resolved.choice("life.method") == "iso-16281")
+    if (laminae > 0 && laminae < least && is_chosen(resolved, prefix + "bearing.profile.kind", "straight"))
       rated.push_back(
-          fmt::format("{}bearing.laminae: {} laminae; ISO/TS 16281 requires at least {} for L10rh and L10mrh",
+          fmt::format("{}bearing.laminae: {} laminae of straight rollers; L10rh and L10mrh are left out, for "
+                      "which ISO/TS 16281 requires at least {}",
                       prefix, laminae, least));
   }
   add(rated, warnings);
@@ -247,7 +248,7 @@ std::vector<std::string> sweep_warnings(const ResolvedCase& resolved, const Swee
   }
   add(clearance_warnings(resolved), warnings);
   warn_of_few_laminae(resolved, warnings);
-  add(oil_warnings(resolved), warnings);
+  add(rating_warnings(resolved), warnings);
   warn_of_carrier(resolved, outcome, warnings);
   warn_of_free_bores(resolved, outcome, warnings);
   warn_of_soft_rims(resolved, outcome, warnings);

@@ -104,4 +104,19 @@ double LaminaContact::energy(double approach, double end_displacement) const {
          (LaminaLaw::exponent + 1.0);
 }
 
+// The load rises with its slope: from above, Newton's method falls to the root without passing it.
+double approach_under(const LaminaContact& contact, double load) {
+  if (!(load > 0.0)) return contact.least_drop();
+  constexpr int most_steps = 60;
+  constexpr double round_off = 1e-14;
+  double approach = contact.greatest_drop() + std::pow(load / contact.constant(), 1.0 / kLineExponent);
+  for (int step = 0; step < most_steps; ++step) {
+    const LaminaForce now = contact.evaluate(approach, 0.0);
+    const double less = (now.load - load) / now.by_approach;
+    approach -= less;
+    if (std::abs(less) <= round_off * approach) break;
+  }
+  return approach;
+}
+
 }  // namespace orbearing::bearing::laminae

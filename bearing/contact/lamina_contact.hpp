@@ -40,10 +40,10 @@ std::vector<double> lamina_drops(const profile::Profile& roller, const profile::
 /// Load of a contact and how it follows the approach. Moments are divided by half the length, tilts
 /// multiplied.
 struct LaminaForce {
-  double load = 0.0;         // [N]
-  double end_load = 0.0;     // [N]    moment about the middle over l/2
-  double by_approach = 0.0;  // [N/m]  d(load)/d(approach)
-  double mixed = 0.0;        // [N/m]  d(load)/d(end displacement) = d(end load)/d(approach)
+  double load = 0.0;                 // [N]
+  double end_load = 0.0;             // [N]    moment about the middle over l/2
+  double by_approach = 0.0;          // [N/m]  d(load)/d(approach)
+  double mixed = 0.0;                // [N/m]  d(load)/d(end displacement) = d(end load)/d(approach)
   double by_end_displacement = 0.0;  // [N/m]  d(end load)/d(end displacement)
 };
 
@@ -82,8 +82,11 @@ class LaminaContact {
   int laminae_;
   int padded_;
   std::vector<double> position_;  // [-]  (padded)
-  std::vector<double> drop_;   // [m]  (padded)
+  std::vector<double> drop_;      // [m]  (padded)
   const vectorised::LaminaKernel* kernel_;
 };
+
+/// Approach [m] in the middle of an aligned contact under `load` [N].
+double approach_under(const LaminaContact& contact, double load);
 
 }  // namespace orbearing::bearing::laminae

@@ -135,9 +135,8 @@ life::LaminaMeans means_of(const RaceMotions& motions, const RaceDamageView& inn
 
 BearingLife life_under(const Bearing& bearing, double reduction_factor, const RaceDamageView& inner,
                        const RaceDamageView& outer) {
-  return life::life_of_means(
-      life::lamina_rating(bearing, life::LifeMeasure::lundberg_palmgren, reduction_factor),
-      means_of(bearing.motions, inner, outer));
+  return life::life_of_means(life::lamina_rating(bearing, reduction_factor),
+                             means_of(bearing.motions, inner, outer));
 }
 
 BearingLife DamageSums::life(const Bearing& bearing, double reduction_factor) const {

@@ -56,9 +56,7 @@ BearingRating planet_bearing_rating(const Bearing& bearing, const PlanetRows& ro
   rating.ratings = ratings_of(set, stated);
   rating.elements = set.rows * set.rollers;
   rating.contact_angle = set.contact_angle;
-  const int cut = bearing.rollers().laminae;
-  rating.laminae = life::lamina_rating(rating.ratings.contacts,
-                                       stress_riser(cut > 0 ? cut : kLeastRatedLaminae), bearing.motions);
+  rating.laminae = rated_laminae(rating.ratings.contacts, bearing, stated.stress_riser);
   return rating;
 }
 

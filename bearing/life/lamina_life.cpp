@@ -14,20 +14,6 @@ using Loads = LaminaLoads;
 static_assert(line_contacts.load_exponent == 4.0 && line_contacts.damage_exponent() == 4.5,
               "means of a rotating race are of squares of squares, of a stationary one times a root");
 
-rating::ContactCapacities capacities_of(const Bearing& bearing, LifeMeasure measure,
-                                        double reduction_factor) {
-  if (measure == LifeMeasure::lundberg_palmgren)
-    return {contact_capacity(bearing, Race::inner, reduction_factor),
-            contact_capacity(bearing, Race::outer, reduction_factor)};
-  const rating::RollerSet set = rating::roller_set(bearing);
-  return rating::contact_capacities(set, rating::dynamic_capacity(set));
-}
-
-Eigen::ArrayXd riser_of(int laminae, LifeMeasure measure) {
-  if (measure == LifeMeasure::iso16281) return rating::stress_riser(laminae);
-  return Eigen::ArrayXd::Ones(laminae);
-}
-
 Eigen::ArrayXd weights(const Eigen::ArrayXd& riser, double capacity) {
   return (riser / rating::lamina_capacity(capacity, static_cast<int>(riser.size())))
       .pow(line_contacts.damage_exponent());
@@ -77,10 +63,6 @@ Eigen::ArrayXd by_lamina(const Eigen::ArrayXd& weight, const Eigen::ArrayXd& mea
 
 }  // namespace
 
-std::string name_of(LifeMeasure measure) {
-  return measure == LifeMeasure::iso16281 ? "iso16281" : "lundberg-palmgren";
-}
-
 LaminaRating lamina_rating(const rating::ContactCapacities& capacities, int laminae,
                            const RaceMotions& motions) {
   return lamina_rating(capacities, Eigen::ArrayXd::Ones(laminae), motions);
@@ -91,10 +73,10 @@ LaminaRating lamina_rating(const rating::ContactCapacities& capacities, const Ei
   return {weights(riser, capacities.inner), weights(riser, capacities.outer), motions};
 }
 
-LaminaRating lamina_rating(const Bearing& bearing, LifeMeasure measure, double reduction_factor) {
-  const rating::ContactCapacities capacities = capacities_of(bearing, measure, reduction_factor);
-  return lamina_rating(capacities, riser_of(std::max(bearing.rollers().laminae, 1), measure),
-                       bearing.motions);
+LaminaRating lamina_rating(const Bearing& bearing, double reduction_factor) {
+  return lamina_rating({contact_capacity(bearing, Race::inner, reduction_factor),
+                        contact_capacity(bearing, Race::outer, reduction_factor)},
+                       std::max(bearing.rollers().laminae, 1), bearing.motions);
 }
 
 BearingLife lamina_life(const LaminaRating& rating, const Loads& inner, const Loads& outer) {

@@ -11,20 +11,10 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <string>
 
 #include "bearing/life/reference_life.hpp"
 
 namespace orbearing::bearing::life {
-
-/// Which capacities hold, and whether ends carry more stress than their laminae.
-enum class LifeMeasure {
-  lundberg_palmgren,  // Q_c of [Gai2025], no stress riser: straight and untilted it is that of whole contacts
-  iso16281,           // Q_c and stress riser of [ISO16281]
-};
-
-/// Name as in options: lundberg-palmgren, iso16281.
-std::string name_of(LifeMeasure measure);
 
 /// How lamina loads become a life, laid out once for a bearing.
 struct LaminaRating {
@@ -33,9 +23,9 @@ struct LaminaRating {
   RaceMotions motions;
 };
 
-/// `reduction_factor` [-] enters the capacities of Lundberg and Palmgren only. A bearing without laminae has
-/// one.
-LaminaRating lamina_rating(const Bearing& bearing, LifeMeasure measure, double reduction_factor);
+/// By the capacities of Lundberg and Palmgren [Gai2025] with `reduction_factor` [-], without stress riser:
+/// straight and untilted it is that of whole contacts. A bearing without laminae has one.
+LaminaRating lamina_rating(const Bearing& bearing, double reduction_factor);
 
 /// The same for stated capacities [N] of a whole contact, without stress riser.
 LaminaRating lamina_rating(const rating::ContactCapacities& capacities, int laminae,

@@ -43,6 +43,17 @@ double modification(const BearingRating& rating, const OilCondition& oil, double
   return life_modification_factor(rating.element, oil.viscosity_ratio, load > 0.0 ? limit / load : kInfinity);
 }
 
+// Means over the positions by lamina, on the laminae of the rating.
+life::LaminaMeans on_rated_laminae(const life::LaminaRating& rating, const life::LaminaMeans& means) {
+  const Eigen::Index laminae = rating.inner_weight.size();
+  const auto of = [&](const Eigen::ArrayXd& powers, RaceMotion motion) -> Eigen::ArrayXd {
+    if (powers.size() == laminae || powers.size() == 1) return powers;
+    const double exponent = life::line_contacts.mean_exponent(motion);
+    return on_equal_laminae(powers.pow(1.0 / exponent), laminae).pow(exponent);
+  };
+  return {of(means.inner, rating.motions.inner), of(means.outer, rating.motions.outer)};
+}
+
 bool is_modified(const std::optional<OilCondition>& oil) {
   return oil && oil->viscosity_ratio >= kLeastViscosityRatio;
 }
@@ -74,16 +85,29 @@ BearingRating bearing_rating(const Bearing& bearing, const StatedRatings& stated
                        .motions = bearing.motions,
                        .laminae = {}};
   if (!bearing.has_rollers()) return rating;
-  const int cut = bearing.rollers().laminae;
-  rating.laminae = life::lamina_rating(rating.ratings.contacts,
-                                       stress_riser(cut > 0 ? cut : kLeastRatedLaminae), bearing.motions);
+  rating.laminae = rated_laminae(rating.ratings.contacts, bearing, stated.stress_riser);
+  rating.on_too_few_laminae = has_too_few_laminae(bearing);
   return rating;
+}
+
+bool has_too_few_laminae(const Bearing& bearing) {
+  const CylindricalRollers& rollers = bearing.rollers();
+  return rollers.laminae > 0 && rollers.laminae < kLeastRatedLaminae &&
+         std::holds_alternative<profile::Straight>(rollers.profile);
+}
+
+life::LaminaRating rated_laminae(const ContactCapacities& contacts, const Bearing& bearing,
+                                 StressRiser riser) {
+  const int cut = bearing.rollers().laminae;
+  const bool own = riser == StressRiser::standard && cut > 0;
+  return life::lamina_rating(contacts, stress_riser(own ? cut : kLeastRatedLaminae), bearing.motions);
 }
 
 RatingLives rating_lives(const BearingRating& rating, const RatingCondition& condition,
                          const life::LaminaMeans& means) {
   RatingLives lives = lives_by_load(rating, condition);
-  const auto [inner, outer] = life::lamina_damage(rating.laminae, means);
+  if (rating.on_too_few_laminae) return lives;
+  const auto [inner, outer] = life::lamina_damage(rating.laminae, on_rated_laminae(rating.laminae, means));
   lives.reference = life::line_contacts.lives(inner.sum(), outer.sum());
   if (!is_modified(condition.oil)) return lives;
   const LaminaLoad load(rating, inner.size());
@@ -148,17 +172,19 @@ RatedHours hours_of_equal(const RatedHours& one, int count, double slope) {
   return all;
 }
 
-double hours_to_go_by(LifeMethod method, double lundberg_palmgren, const RatedHours& hours,
-                      bool oil_is_stated) {
-  switch (method) {
-    case LifeMethod::iso281:
-      return oil_is_stated ? hours.modified : hours.basic;
-    case LifeMethod::iso16281:
-      return oil_is_stated ? hours.modified_reference : hours.reference;
-    case LifeMethod::lundberg_palmgren:
-      break;
-  }
-  return lundberg_palmgren;
+const char* hours_key(Life life) {
+  constexpr std::array keys{"L10h", "L10rh", "L10mh", "L10mrh", "life_h"};
+  return keys[static_cast<std::size_t>(life)];
+}
+
+const char* revolutions_key(Life life) {
+  constexpr std::array keys{"L10_Mrev", "L10r_Mrev", "L10m_Mrev", "L10mr_Mrev", "life_Mrev"};
+  return keys[static_cast<std::size_t>(life)];
+}
+
+double hours_of(Life life, double lundberg_palmgren, const RatedHours& hours) {
+  if (life == Life::lundberg_palmgren) return lundberg_palmgren;
+  return hours.*kRatedHours[static_cast<std::size_t>(life)];
 }
 
 }  // namespace orbearing::bearing::rating

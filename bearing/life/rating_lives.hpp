@@ -12,7 +12,9 @@
 //   q_ci/q_ce)^(9/2)]}^(2/9),
 //        q_i, q_e the equivalent loads of lamina k with f_k, of n laminae
 //
-// A contact that is not cut carries evenly: it counts as kLeastRatedLaminae equal laminae, or as many as the
+// By position (StressRiser) n is always kLeastRatedLaminae: the equivalent loads of a bearing with another
+// number are those of the laminae that lie over each. By the standard's formula n is the bearing's own. A
+// contact that is not cut carries evenly: it counts as kLeastRatedLaminae equal laminae, or as many as the
 // bearing has. L10m and L10mr hold a_1; L10 and L10r are for a reliability of 90 %.
 #pragma once
 
@@ -27,10 +29,7 @@
 
 namespace orbearing::bearing::rating {
 
-/// The least number of laminae for which [ISO16281] gives L10r.
-inline constexpr int kLeastRatedLaminae = 30;
-
-/// The life that results go by.
+/// How the governing life is computed.
 enum class LifeMethod {
   lundberg_palmgren,  // of the loads of that fidelity, exponents 4 and 9/8 (rollers), 3 and 10/9 (balls)
   iso281,             // L10m where the oil is stated, else L10
@@ -52,10 +51,19 @@ struct BearingRating {
   int elements = 0;            // [-]
   double contact_angle = 0.0;  // [rad]  nominal
   RaceMotions motions;
-  life::LaminaRating laminae;  // of rollers: contacts of C_r, with stress riser
+  life::LaminaRating laminae;       // of rollers: contacts of C_r, with stress riser
+  bool on_too_few_laminae = false;  // straight rollers on fewer than [ISO16281] allows: L10r, L10mr not rated
 };
 
 BearingRating bearing_rating(const Bearing& bearing, const StatedRatings& stated = {});
+
+/// Whether straight rollers are cut into fewer laminae than [ISO16281] has lives of.
+bool has_too_few_laminae(const Bearing& bearing);
+
+/// Laminae with stress riser of contacts of C_r: kLeastRatedLaminae, or by the standard's formula the
+/// bearing's.
+life::LaminaRating rated_laminae(const ContactCapacities& contacts, const Bearing& bearing,
+                                 StressRiser riser);
 
 /// Load of one bearing, its oil and the reliability.
 struct RatingCondition {
@@ -118,9 +126,21 @@ RatingLives rating_lives(const BearingRating& rating, const RatingCondition& con
 RatingLives rating_lives(const BearingRating& rating, const RatingCondition& condition,
                          const ElementLoads& inner, const ElementLoads& outer);
 
-/// The life by `method` [h], from that of Lundberg and Palmgren and those of the standards; kNotRated where
-/// the oil is stated and kappa is below 0.1.
-double hours_to_go_by(LifeMethod method, double lundberg_palmgren, const RatedHours& hours,
-                      bool oil_is_stated);
+/// The lives of one bearing that results hold.
+enum class Life { basic, reference, modified, modified_reference, lundberg_palmgren };
+
+/// The life that governs: requirements, peaks, spectra, crowns and sensitivities go by it.
+constexpr Life governing_life(LifeMethod method, bool oil_is_stated) {
+  if (method == LifeMethod::lundberg_palmgren) return Life::lundberg_palmgren;
+  if (method == LifeMethod::iso281) return oil_is_stated ? Life::modified : Life::basic;
+  return oil_is_stated ? Life::modified_reference : Life::reference;
+}
+
+/// Its keys among the results, in hours and in million revolutions.
+const char* hours_key(Life life);
+const char* revolutions_key(Life life);
+
+/// One of them [h]; kNotRated where the oil is stated and kappa is below 0.1.
+double hours_of(Life life, double lundberg_palmgren, const RatedHours& hours);
 
 }  // namespace orbearing::bearing::rating

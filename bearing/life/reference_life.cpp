@@ -1,5 +1,6 @@
 #include "bearing/life/reference_life.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "bearing/life/lundberg_palmgren.hpp"
@@ -18,8 +19,46 @@ Eigen::ArrayXd stress_riser(Eigen::Index laminae) {
   return riser;
 }
 
-Eigen::ArrayXXd with_stress_riser(const Eigen::Ref<const Eigen::ArrayXXd>& loads) {
-  return loads.colwise() * stress_riser(loads.rows());
+namespace {
+
+// Shared length of lamina `own` of `count` with lamina `other` of `others` [-], of the whole length.
+double overlap(Eigen::Index own, Eigen::Index count, Eigen::Index other, Eigen::Index others) {
+  const auto end = [](Eigen::Index k, Eigen::Index n) {
+    return static_cast<double>(k) / static_cast<double>(n);
+  };
+  return std::max(0.0, std::min(end(own + 1, count), end(other + 1, others)) -
+                           std::max(end(own, count), end(other, others)));
+}
+
+// Means over `count` equal laminae of what is constant over each of those of `values`.
+Eigen::ArrayXd means_over(const Eigen::ArrayXd& values, Eigen::Index count) {
+  Eigen::ArrayXd means = Eigen::ArrayXd::Zero(count);
+  for (Eigen::Index k = 0; k < count; ++k)
+    for (Eigen::Index j = k * values.size() / count; j < values.size(); ++j) {
+      const double shared = overlap(k, count, j, values.size());
+      if (shared == 0.0 && j > k * values.size() / count) break;
+      means[k] += shared * static_cast<double>(count) * values[j];
+    }
+  return means;
+}
+
+}  // namespace
+
+Eigen::ArrayXd stress_riser(Eigen::Index laminae, StressRiser riser) {
+  if (riser == StressRiser::standard) return stress_riser(laminae);
+  if (laminae == kLeastRatedLaminae) return stress_riser(laminae);
+  constexpr double e = life::line_contacts.damage_exponent();
+  return means_over(stress_riser(kLeastRatedLaminae).pow(e), laminae).pow(1.0 / e);
+}
+
+Eigen::ArrayXXd with_stress_riser(const Eigen::Ref<const Eigen::ArrayXXd>& loads, StressRiser riser) {
+  return loads.colwise() * stress_riser(loads.rows(), riser);
+}
+
+Eigen::ArrayXd on_equal_laminae(const Eigen::ArrayXd& loads, Eigen::Index count) {
+  if (loads.size() == count) return loads;
+  const double each = static_cast<double>(loads.size()) / static_cast<double>(count);
+  return each * means_over(loads, count);
 }
 
 Eigen::ArrayXXd loads_of_pressures(const Eigen::Ref<const Eigen::ArrayXXd>& pressure, const RollerSet& set,

@@ -8,16 +8,37 @@
 
 #include "bearing/life/ball_capacity.hpp"
 #include "bearing/life/roller_capacity.hpp"
+#include "mechanics/described.hpp"
 
 namespace orbearing::bearing::rating {
 
-/// Stress at the ends of a roller beyond that of its laminae, as a factor on their loads [-] (laminae):
+/// The least number of laminae for which [ISO16281] gives L10r.
+inline constexpr int kLeastRatedLaminae = 30;
+
+/// How the stress at the ends of a roller, beyond that of its laminae, is taken into account.
+enum class StressRiser {
+  position,  // a function of the position along the roller: that of the standard's least number of laminae
+  standard,  // the standard's formula for the number at hand, on which lives of straight rollers then depend
+};
+
+constexpr described::Names<StressRiser, 2> names_of(StressRiser) {
+  return {{{StressRiser::position, "position"}, {StressRiser::standard, "standard"}}};
+}
+
+/// Formula of [ISO16281], as a factor on the loads of laminae [-] (laminae):
 /// 1 - 0.01/ln(1.985 |2k - n - 1|/(2n - 2)) for lamina k = 1 ... n, whatever the profile; 1 in the middle of
 /// an odd n.
 Eigen::ArrayXd stress_riser(Eigen::Index laminae);
 
+/// Either of them [-] (laminae). By position: the formula for kLeastRatedLaminae, held over each of these;
+/// (mean of its power 9/2 over a lamina)^(2/9), so that equal loads have the same life with any number.
+Eigen::ArrayXd stress_riser(Eigen::Index laminae, StressRiser riser);
+
 /// Loads [N] (laminae, rollers) with the stress riser on them.
-Eigen::ArrayXXd with_stress_riser(const Eigen::Ref<const Eigen::ArrayXXd>& loads);
+Eigen::ArrayXXd with_stress_riser(const Eigen::Ref<const Eigen::ArrayXXd>& loads, StressRiser riser);
+
+/// Loads [N] (laminae) of a roller on `count` equal laminae of the same length: each takes what lies over it.
+Eigen::ArrayXd on_equal_laminae(const Eigen::ArrayXd& loads, Eigen::Index count);
 
 /// Lamina loads [N] (laminae, rollers) that would press as hard, as line contacts of Hertz, as the largest
 /// pressures `pressure` [Pa] found in the laminae by a finer model do: q = p^2 pi D (1 -+ gamma) l (1 -

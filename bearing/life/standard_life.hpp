@@ -15,10 +15,11 @@ RollingElement rolling_element(const Bearing& bearing);
 
 /// What takes the place of values that the standards give.
 struct StatedRatings {
-  std::optional<double> reduction_factor;    // [-]  reduction factor of roller bearings; none: 0.83
-  std::optional<double> dynamic_capacity;    // [N]  C_r
-  std::optional<double> static_capacity{};   // [N]  C_0r; C_u follows from it unless stated
-  std::optional<double> fatigue_load_limit;  // [N]  C_u
+  std::optional<double> reduction_factor;            // [-]  reduction factor of roller bearings; none: 0.83
+  std::optional<double> dynamic_capacity;            // [N]  C_r
+  std::optional<double> static_capacity{};           // [N]  C_0r; C_u follows from it unless stated
+  std::optional<double> fatigue_load_limit;          // [N]  C_u
+  StressRiser stress_riser = StressRiser::position;  // of L10r and L10mr of rollers
 };
 
 /// What the standards know of a bearing without its load.

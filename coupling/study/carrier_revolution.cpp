@@ -455,13 +455,19 @@ CarrierRevolution carrier_revolution(const PlanetaryDrivetrain& drivetrain,
   const BearingDuty even = bearing_duty(tilted, geometry);
   const PlanetBearingRating rating(tilted, geometry, even);
   BearingsAtRest at_rest(tilted, geometry);
+  const PlanetaryDrivetrain cut = is_rated_on_laminae(tilted) ? cut_for_rating(tilted) : tilted;
+  const PlanetBearingRating cut_rating(cut, geometry, even);
+  BearingsAtRest cut_at_rest(cut, geometry);
   const History& history = turned.history();
   for (std::size_t b = 0; b < history.load.size(); ++b) {
     const std::size_t planet = b / static_cast<std::size_t>(rows);
     const Index row = static_cast<Index>(b) % rows;
-    std::vector<double> loads;
-    BearingOverRevolution over = over_revolution(
-        rating, at_rest, duties_of(even, history.load[b], history.tilt[planet]), options.life_step, loads);
+    const std::vector<BearingDuty> duties = duties_of(even, history.load[b], history.tilt[planet]);
+    std::vector<double> loads, same_loads;
+    BearingOverRevolution over = over_revolution(rating, at_rest, duties, options.life_step, loads);
+    if (is_rated_on_laminae(tilted))
+      over.rated_hours =
+          over_revolution(cut_rating, cut_at_rest, duties, options.life_step, same_loads).rated_hours;
     over.position = row_position(set, row);
     const auto first = static_cast<Index>(planet), last = angles.step > 0 ? turned.planets() : first + 1;
     for (Index p = first; p < last; ++p) {

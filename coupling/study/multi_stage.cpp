@@ -23,7 +23,7 @@ SetResult summary(const std::string& name, const PointResult& point) {
 
 // What is not known, as with kappa below 0.1, is no better than the shortest.
 double life(const PointResult& point) {
-  const double hours = life_to_go_by(point);
+  const double hours = governing_hours(point);
   return std::isnan(hours) ? 0.0 : hours;
 }
 

@@ -470,6 +470,40 @@ PointResult completed(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeo
   return result;
 }
 
+// What the standards rate of the same bearings, cut into laminae, takes the place of what whole contacts
+// give.
+template <class Unlike>
+void take_rated_hours(const std::vector<Unlike>& rated, std::vector<Unlike>& of) {
+  for (std::size_t k = 0; k < of.size(); ++k) of[k].rated_hours = rated[k].rated_hours;
+}
+
+PointResult rated_by(const PointResult& cut, PointResult whole) {
+  whole.rating = cut.rating;
+  whole.contact_pressure = cut.contact_pressure;
+  take_rated_hours(cut.planets, whole.planets);
+  take_rated_hours(cut.seats, whole.seats);
+  return whole;
+}
+
+PointResult inclined(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry) {
+  const BearingDuty duty = bearing_duty(drivetrain, geometry);
+  return completed(drivetrain, geometry, {duty}, inclined_point(drivetrain, geometry, duty));
+}
+
+PointResult cylindrical_at_rest(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                                const std::vector<BearingDuty>& duties) {
+  return completed(drivetrain, geometry, duties, quasi_static_point(drivetrain, geometry, duties));
+}
+
+// Loads are those of whole contacts; lives by the standards and the pressure are those of laminae.
+PointResult cylindrical_at_rest_rated(const PlanetaryDrivetrain& drivetrain,
+                                      const DrivetrainGeometry& geometry, std::vector<BearingDuty> duties) {
+  PointResult whole = cylindrical_at_rest(drivetrain, geometry, duties);
+  if (!is_rated_on_laminae(drivetrain)) return whole;
+  for (BearingDuty& duty : duties) duty.near.reset();  // of whole contacts
+  return rated_by(cylindrical_at_rest(cut_for_rating(drivetrain), geometry, duties), std::move(whole));
+}
+
 void require_cylindrical_beyond_rest(const PlanetaryDrivetrain& drivetrain, Fidelity fidelity) {
   if (fidelity == Fidelity::quasi_static && !drivetrain.uneven_planets && drivetrain.rim == PlanetRim::rigid)
     return;
@@ -486,9 +520,10 @@ bool moves_with_its_gears(const PlanetaryDrivetrain& drivetrain, double slip) {
   return moving && (!drivetrain.bearing.has_cage() || slip > kLightSlip);
 }
 
-double life_to_go_by(const PointResult& result) {
-  return bearing::rating::hours_to_go_by(result.life_method, result.life_hours, result.rating.hours,
-                                         result.rating.lives.oil.has_value());
+double governing_hours(const PointResult& result) {
+  return bearing::rating::hours_of(
+      bearing::rating::governing_life(result.life_method, result.rating.lives.oil.has_value()),
+      result.life_hours, result.rating.hours);
 }
 
 bearing::motion::DynamicsParameters dynamics_parameters(const PlanetaryDrivetrain& drivetrain,
@@ -505,19 +540,16 @@ PointResult evaluate(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeom
                      Fidelity fidelity) {
   if (!drivetrain.rows.is_cylindrical()) {
     require_cylindrical_beyond_rest(drivetrain, fidelity);
-    const BearingDuty duty = bearing_duty(drivetrain, geometry);
-    return completed(drivetrain, geometry, {duty}, inclined_point(drivetrain, geometry, duty));
+    PointResult whole = inclined(drivetrain, geometry);
+    if (!is_rated_on_laminae(drivetrain)) return whole;
+    return rated_by(inclined(cut_for_rating(drivetrain), geometry), std::move(whole));
   }
   const std::vector<BearingDuty> duties = planet_duties(drivetrain, geometry);
-  const auto point = [&] {
-    if (fidelity == Fidelity::quasi_static) {
-      PointResult at_rest = quasi_static_point(drivetrain, geometry, duties);
-      if (drivetrain.carrier_mounting) at_rest.carrier = carrier_revolution(drivetrain, geometry);
-      return at_rest;
-    }
-    return moving_point(drivetrain, geometry, duties, fidelity);
-  };
-  return completed(drivetrain, geometry, duties, point());
+  if (fidelity != Fidelity::quasi_static)
+    return completed(drivetrain, geometry, duties, moving_point(drivetrain, geometry, duties, fidelity));
+  PointResult at_rest = cylindrical_at_rest_rated(drivetrain, geometry, duties);
+  if (drivetrain.carrier_mounting) at_rest.carrier = carrier_revolution(drivetrain, geometry);
+  return at_rest;
 }
 
 double gain_by_stiffer_rim(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,

@@ -163,9 +163,8 @@ void describe_row(described::Record& record, const PointResult& point);
 void describe(described::Record& record, const PointResult& point);
 void describe(described::Record& record, const SetResult& set);
 
-/// The life of one bearing that results go by, by the drivetrain's method [h]; not a number where the
-/// standards give none.
-double life_to_go_by(const PointResult& result);
+/// Governing life of one bearing, by the drivetrain's method [h]; not a number where the standards give none.
+double governing_hours(const PointResult& result);
 
 /// Loads, lives and the largest pressure of bearings that are not cylindrical, at rest; speeds and loads on
 /// the bore are not put in. The overturning moment of helical teeth is in the balance where a planet has two

@@ -111,13 +111,46 @@ bearing::rating::RatingCondition rating_condition(const RatedBearing& rated, dou
   return condition;
 }
 
+bool is_rated_on_laminae(const PlanetaryDrivetrain& drivetrain) {
+  const bool in_lines =
+      drivetrain.rows.is_cylindrical() || drivetrain.rows.type == bearing::PlanetBearingType::tapered_roller;
+  if (!in_lines || drivetrain.bearing.rollers().laminae > 0) return false;
+  return !std::holds_alternative<bearing::profile::Straight>(drivetrain.bearing.rollers().profile);
+}
+
+PlanetaryDrivetrain cut_for_rating(PlanetaryDrivetrain drivetrain) {
+  drivetrain.bearing.rollers().laminae = bearing::rating::kLeastRatedLaminae;
+  return drivetrain;
+}
+
+namespace {
+
+// Loads of laminae in motion, whose contacts are whole: that of each bin lies along the roller as its profile
+// has it in static equilibrium of one contact.
+bearing::life::LaminaMeans along_the_roller(const bearing::laminae::LaminaBearing& bearing,
+                                            const bearing::RaceMotions& motions,
+                                            const WindowStatistics& means) {
+  const auto of = [&](bearing::Race race, const RaceStatistics& loads) -> Eigen::ArrayXXd {
+    const bearing::laminae::LaminaContact& contact = bearing.contact(race);
+    Eigen::ArrayXXd powers(contact.laminae(), loads.damage.size());
+    for (Eigen::Index bin = 0; bin < loads.damage.size(); ++bin) {
+      const double load = std::pow(loads.damage[bin], 0.25);
+      powers.col(bin) = contact.loads(bearing::laminae::approach_under(contact, load), 0.0).pow(4);
+    }
+    return powers;
+  };
+  return bearing::life::lamina_means(motions, of(bearing::Race::inner, means.inner),
+                                     of(bearing::Race::outer, means.outer));
+}
+
+}  // namespace
+
 PlanetBearingRating::Lives PlanetBearingRating::of(const WindowStatistics& means, double load,
                                                    double largest_load) const {
   const bearing::life::LaminaMeans powers =
       bearing::motion::means_of(drivetrain_.bearing.motions, damage_of(means.inner), damage_of(means.outer));
   // The one life of all fidelities.
-  const auto rating = bearing::life::lamina_rating(
-      drivetrain_.bearing, bearing::life::LifeMeasure::lundberg_palmgren, drivetrain_.reduction_factor);
+  const auto rating = bearing::life::lamina_rating(drivetrain_.bearing, drivetrain_.reduction_factor);
   Lives lives{.life = bearing::life::life_of_means(rating, powers)};
   lives.hours = bearing::hours(lives.life.bearing, speed_);
   RatedBearing rated = drivetrain_.rated;
@@ -126,7 +159,8 @@ PlanetBearingRating::Lives PlanetBearingRating::of(const WindowStatistics& means
         std::min(means.inner.least_film, means.outer.least_film), *rated.roughness);
   lives.rating = bearing::rating::rating_lives(
       geometry_.rating,
-      rating_condition(rated, load, largest_load, speed_, drivetrain_.bearing.pitch_diameter), powers);
+      rating_condition(rated, load, largest_load, speed_, drivetrain_.bearing.pitch_diameter),
+      laminae_ ? along_the_roller(*laminae_, drivetrain_.bearing.motions, means) : powers);
   lives.rated_hours = bearing::rating::rated_hours(lives.rating, speed_);
   return lives;
 }

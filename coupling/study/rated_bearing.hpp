@@ -46,6 +46,12 @@ class BearingsAtRest {
   std::optional<bearing::vectorised::AlignedPitch> level_;
 };
 
+/// Whether the lives by the standards are of laminae that the loads do not have: of whole contacts with a
+/// profile.
+bool is_rated_on_laminae(const PlanetaryDrivetrain& drivetrain);
+/// The same drivetrain with contacts cut into the least number of laminae that the standard allows.
+PlanetaryDrivetrain cut_for_rating(PlanetaryDrivetrain drivetrain);
+
 /// Least film [m] under a roller that rolls on `race` with `load` [N], heated where the case asks for it; NaN
 /// without oil.
 double least_film_at_rest(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
@@ -67,9 +73,9 @@ class PlanetBearingRating {
   /// `duty`: whose speeds count.
   PlanetBearingRating(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                       const BearingDuty& duty)
-      : drivetrain_(drivetrain),
-        geometry_(geometry),
-        speed_(rotating_speed(drivetrain.bearing, duty.point)) {}
+      : drivetrain_(drivetrain), geometry_(geometry), speed_(rotating_speed(drivetrain.bearing, duty.point)) {
+    if (is_rated_on_laminae(drivetrain)) laminae_.emplace(cut_for_rating(drivetrain).bearing);
+  }
 
   /// Of one bearing under a radial load [N].
   struct Lives {
@@ -96,6 +102,7 @@ class PlanetBearingRating {
   const PlanetaryDrivetrain& drivetrain_;
   const DrivetrainGeometry& geometry_;
   double speed_ = 0.0;  // [rad/s]  of the race that turns relative to the load
+  std::optional<bearing::laminae::LaminaBearing> laminae_;  // of whole contacts that are rated on laminae
 };
 
 /// P [N] of loads that take turns: [ISO281] by the exponent of its life.

@@ -151,7 +151,8 @@ std::vector<Output> bearing_outputs(int rollers, bool caged) {
       {"force.x", "N", "force of the bearing on the planet, outward", bore, all},
       {"force.y", "N", "force of the bearing on the planet, in the sense of carrier rotation", bore, all},
       {"moment", "N.m", "moment of the bearing on the planet about its axis", bore, all},
-      {"life_used", "1", "revolutions so far over the life under the loads so far", none, none, false},
+      {"life_used", "1", "revolutions so far over the life of Lundberg and Palmgren under the loads so far",
+       none, none, false},
       caged ? Output{"cage.slip", "1", "1 - speed of the cage over that at pure rolling", rotating, rotating}
             : Output{"rollers.slip", "1", "1 - mean orbital speed of the rollers over that at pure rolling",
                      rotating, rotating},

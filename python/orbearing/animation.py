@@ -11,6 +11,7 @@ import numpy as np
 
 from orbearing.blocks import format_number, is_number
 from orbearing.figures.cage_orbit import clearance
+from orbearing.lives import LUNDBERG_PALMGREN
 from orbearing.point_file import PointFile, read_point
 from orbearing.result_folder import Report
 
@@ -47,9 +48,9 @@ def file_name(speed_rpm: float) -> str:
 
 
 def speeds(report: Report) -> list[float]:
-    """Input speeds [rpm] that get a page: those with a life on the line of speeds that is shown."""
+    """Input speeds [rpm] that get a page: those computed on the line of speeds that is shown, also without a life by the standards."""
     alive = [p["input_speed_rpm"] for p in report.records("points")
-             if is_number(p.get("input_speed_rpm")) and is_number(p.get("life_h"))] if report.is_dynamic else []
+             if is_number(p.get("input_speed_rpm")) and is_number(p.get(LUNDBERG_PALMGREN))] if report.is_dynamic else []
     return sorted(set(alive))[:MOST_PAGES]
 
 

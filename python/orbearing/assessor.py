@@ -11,11 +11,12 @@ from html import escape
 from typing import Callable
 
 from orbearing.blocks import Table, format_number, is_number
+from orbearing.lives import LIVES
 from orbearing.point_file import read_point
 from orbearing.result_folder import Report, record, records, same
+from orbearing.style import life_name
 from orbearing.tables import table
 
-LIVES = ("L10h", "L10rh", "L10mh", "L10mrh", "life_h")
 NOTE_16281 = "ISO/TS 16281:2008 has since become ISO 16281:2025."
 RELIABILITY = "life.reliability"  # 90 % is what defines L10: no uncertain value
 LEAST_INFLUENCE = 0.01  # [%] of the life; assumptions below are listed without a line of their own
@@ -238,11 +239,11 @@ def _under(spectrum: dict, before: str, key: str) -> float | None:
 
 
 def operating_row(report: Report) -> dict:
-    """The point at the case's own speed, computed for the page where the sweep has none; else the one with the longest life, else the first."""
+    """The point at the case's own speed, computed for the page where the sweep has none; else the one with the longest governing life, else the first."""
     points = report.along_speed().records("points")
     own = report.content.get("own_speed_rpm")
-    alive = [point for point in points if is_number(point.get("life_h"))]
-    longest = max(alive, key=lambda point: point["life_h"], default=next(iter(points), {}))
+    alive = [point for point in points if is_number(point.get(report.life_key))]
+    longest = max(alive, key=lambda point: point[report.life_key], default=next(iter(points), {}))
     return next((point for point in points if same(point.get("input_speed_rpm"), own)), report.record("own_point") or longest)
 
 
@@ -250,12 +251,13 @@ def _where(report: Report) -> str:
     if _is_pair(report):
         return "Values under the preload of the case alone. P and L10h of ISO 281 require a load from outside and are not computed; L10rh is by the load of each ball."
     if _single(report):
-        return "Values of the bearing under the load of the case."
+        governing = report.record("life_table").get("governing")
+        return "Values of the bearing under the load of the case." + (f" The governing life is {governing} (life.method)." if governing else "")
     speed, own = operating_row(report).get("input_speed_rpm"), report.content.get("own_speed_rpm")
     computed = not any(same(point.get("input_speed_rpm"), own) for point in report.along_speed().records("points"))
     own_words = "of the case" + (", which the sweep does not have and which was computed for this page" if computed else "")
-    which = own_words if same(speed, own) else "with the longest life of this sweep, which has no point at the speed of the case"
-    text = f"Values at the operating point {which}, {format_number(speed)} rpm input speed."
+    which = own_words if same(speed, own) else f"with the longest {life_name(report.life_key)} of this sweep, which has no point at the speed of the case"
+    text = f"Values at the operating point {which}, {format_number(speed)} rpm input speed. The governing life is {report.life_key} (life.method)."
     return text + (" Under the load spectrum: lives by the rule of Palmgren and Miner; S0, p_max, kappa of the worst bin." if _spectrum(report) else "")
 
 
@@ -310,7 +312,7 @@ def _damage(report: Report, most: Most) -> str:
     left = f"<p>{len(order) - most.bins} more bins with less damage are in spectrum.csv.</p>" if len(order) > most.bins else ""
     hours = spectrum.get("hours")
     used = f" In {format_number(hours)} h the spectrum uses {format_number(100 * spectrum['used_up'])} % of the life." if is_number(hours) and is_number(spectrum.get("used_up")) else ""
-    note = (f"<p>{len(bins)} bins, largest damage first. Torque and speed of the driving member. Results go by {escape(life)} (life.method): "
+    note = (f"<p>{len(bins)} bins, largest damage first. Torque and speed of the driving member. The governing life is {escape(life)} (life.method): "
             f"{format_number(spectrum.get(life))} h for one bearing, {format_number(spectrum.get('system_' + life))} h for all bearings.{used} {escape(skid_text(spectrum))}</p>")
     by_file, more = files_table(spectrum, most.bins), len(records(spectrum.get("files"))) - most.bins
     left += table(by_file) if by_file else ""

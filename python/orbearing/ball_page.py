@@ -6,6 +6,7 @@ from typing import Sequence
 
 from orbearing import run_page
 from orbearing.blocks import FigureBlock, Table, format_quantity
+from orbearing.lives import governing_number
 from orbearing.result_folder import Report
 
 
@@ -20,8 +21,14 @@ def headline(study: Report) -> str:
     get = study.content.get
     heat, slip = study.record("heat_W").get("total"), get("cage_slip")
     percent = 100 * slip if isinstance(slip, (int, float)) else None
-    return (f"The bearing lives {format_quantity(get('life_h'), 'h', 4)} and gives off {format_quantity(heat, 'W', 3)}; its cage slips "
+    return (f"The bearing lives {_life(study)} and gives off {format_quantity(heat, 'W', 3)}; its cage slips "
             f"{format_quantity(percent, '%', 2)}.")
+
+
+def _life(study: Report) -> str:
+    """The governing life; that of Lundberg and Palmgren where the run names none."""
+    name, number, unit = (study.record("life_table") and governing_number(study.content)) or ("life", study.content.get("life_h"), "h")
+    return format_quantity(number, unit, 4) + ("" if name == "life" else f" ({name})")
 
 
 def _summary(study: Report) -> Table:
@@ -33,7 +40,7 @@ def _summary(study: Report) -> Table:
                 f"life {format_quantity(values.get('life_Mrev'), 'Mrev', 4)}")
 
     settled = get("slip_settling_s")
-    rows = [("Life", format_quantity(get("life_h"), "h", 4)), ("Inner race", race(inner)), ("Outer race", race(outer)),
+    rows = [("Life", _life(study)), ("Inner race", race(inner)), ("Outer race", race(outer)),
             ("Cage", f"{format_quantity(get('cage_speed_rpm'), 'rpm', 4)}; slip settled after "
                      f"{format_quantity(settled, 's', 3) if settled is not None else 'no time of this run'}"),
             ("Largest load of a ball on the cage", format_quantity(get("cage_impact_max_N"), "N", 3)),

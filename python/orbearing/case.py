@@ -98,6 +98,14 @@ class Case:
         return self._core.model()
 
     @property
+    def life_key(self) -> Optional[str]:
+        """The governing life (`life.method`): L10mrh, L10rh, L10mh, L10h or life_h; None of a model without one."""
+        from orbearing.lives import governing_life
+
+        governing = governing_life(self._core)
+        return governing and governing["key"]
+
+    @property
     def resolved(self) -> str:
         """The resolved case as YAML, from which the same numbers follow."""
         return self._core.resolved()

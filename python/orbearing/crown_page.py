@@ -7,7 +7,9 @@ from typing import Sequence
 
 from orbearing import page as pages
 from orbearing.blocks import FigureBlock, Table, format_change, format_number, format_quantity
+from orbearing.figures.crown import half_space_life_key, life_key_of
 from orbearing.result_folder import Report, record, records
+from orbearing.style import life_name
 
 
 def page(report: Report, blocks: Sequence[FigureBlock]) -> str:
@@ -46,19 +48,19 @@ def _summary(study: Report) -> Table:
     beyond = "beyond " if advice.get("most_is_greatest_studied") else ""
     band = f"{format_number(advice.get('least_drop_um'), 3)} to {beyond}{format_quantity(advice.get('most_drop_um'), 'µm', 3)}"
     kept = format_number(100 * advice.get("life_kept_in_band", 0), 3)
-    computed = study.content.get("tilt") == "computed"
+    computed, life = study.content.get("tilt") == "computed", life_name(life_key_of(study.content))
     tilts = sorted({point["tilt_mrad"] for point in (records(advice.get("points")) if computed else study.records("points"))})
     shown = [format_number(tilt) for tilt in dict.fromkeys((tilts[0], tilts[-1]) if computed else tilts)]
     rows = [("Operating points", where),
-            ("Recommended by", "life from half-space pressures of both races" + (" of all bearings of a planet" if computed else ", the shortest over the tilts")),
-            ("Optimum by", f"life on {study.content.get('laminae')} laminae after {study.content.get('life_measure')}"),
+            ("Recommended by", f"{half_space_life_key(study.content)} from half-space pressures of both races" + (" of all bearings of a planet" if computed else ", the shortest over the tilts")),
+            ("Optimum by", f"{study.content.get('life_key')} on {study.content.get('laminae')} laminae"),
             ("Tilts of the bore on its pin", (" to ".join(shown) + " mrad, computed from planet, pin and bearings") if computed else ", ".join(shown) + " mrad"),
             *_tolerances(record(advice.get("within_tolerances"))),
             ("Optimum by laminae", f"{best.get('profile')}, drop {format_quantity(best.get('drop_um'), 'µm', 4)}"),
             ("Recommended drop", f"{format_quantity(advice.get('drop_um'), 'µm', 3)}; {band} leaves at least {kept} % of the life"
                                  + (f"; no crown is needed: {advice.get('rollers')}" if advice.get("no_crown_needed") else "")),
-            *([] if computed else [("Without tilt", f"{format_quantity(best.get('untilted_life_h'), 'h')}, "
-                                    f"{format_change(best.get('untilted_life_h'), straight.get('untilted_life_h'))} against straight rollers")]),
+            *([] if computed else [("Without tilt", f"{life} {format_quantity(best.get('untilted_governing_life_h'), 'h')}, "
+                                    f"{format_change(best.get('untilted_governing_life_h'), straight.get('untilted_governing_life_h'))} against straight rollers")]),
             ("Greatest peak pressure", f"{format_quantity(best.get('peak_pressure_MPa'), 'MPa', 4)}, straight rollers "
                                        f"{format_quantity(straight.get('peak_pressure_MPa'), 'MPa', 4)}")]
     return Table(("Study", "Value"), rows)
@@ -77,7 +79,7 @@ def _tolerances(asked: dict) -> list[tuple[str, str]]:
 def _points(study: Report) -> str:
     """What the recommended crown meets at each operating point."""
     names = {"input_speed_rpm": "input speed (rpm)", "power_kW": "power (kW)", "share": "share of time", "tilt_mrad": "tilt (mrad)",
-             "load_share": "largest share of the load", "half_space_life_h": "life from half-space pressures (h)", "life_h": "life by laminae (h)", "damage_share": "share of damage", "peak_pressure_MPa": "peak pressure (MPa)",
+             "load_share": "largest share of the load", "half_space_life_h": "life from half-space pressures (h)", "governing_life_h": f"{life_name(life_key_of(study.content))} by laminae (h)", "damage_share": "share of damage", "peak_pressure_MPa": "peak pressure (MPa)",
              "edge_ratio": "edge ratio"}
     rows = [tuple(point.get(name) for name in names) for point in records(study.record("recommended").get("points"))]
     if not rows:
@@ -90,9 +92,9 @@ def _starts(study: Report) -> str:
     rows = []
     for best in study.records("optima"):
         for end in records(record(best.get("starts")).get("ends")):
-            rows.append((best.get("profile"), end.get("start_um"), end.get("drop_um"), end.get("crowned_share"), end.get("life_h"), end.get("evaluations")))
+            rows.append((best.get("profile"), end.get("start_um"), end.get("drop_um"), end.get("crowned_share"), end.get("governing_life_h"), end.get("evaluations")))
     note = "<p>Random starts of the search and where each ended.</p>"
-    head = ("profile", "started at drop (µm)", "ended at drop (µm)", "crowned share", "shortest life (h)", "evaluations")
+    head = ("profile", "started at drop (µm)", "ended at drop (µm)", "crowned share", f"shortest {life_name(life_key_of(study.content))} (h)", "evaluations")
     return pages._section("The search for the best", note + pages.table(Table(head, rows)))
 
 

@@ -17,8 +17,8 @@ from orbearing.terminal import StatusLine
 
 FINE_POINTS = 221
 RPM = 30.0 / np.pi  # of 1 rad/s
-FINE = ("life_h", "planet_load_N", "tangential_load_N", "radial_mesh_load_N", "centrifugal_load_N")
-IN_MOTION = ("life_h", "cage_slip", "orbit_slip", "roller_slip", "power_loss_W", "inner_load_rms_N", "outer_load_rms_N")
+FINE = ("planet_load_N", "tangential_load_N", "radial_mesh_load_N", "centrifugal_load_N")
+IN_MOTION = ("cage_slip", "orbit_slip", "roller_slip", "power_loss_W", "inner_load_rms_N", "outer_load_rms_N")
 COUPLED = ("co-simulated", "monolithic")
 
 
@@ -40,7 +40,7 @@ class Program:
         """At the speed of the case, by the quasi-static model."""
         return next(iter(records(self._ask("run", self._folder / "case.resolved.yaml").get("points"))), {})
 
-    def life_at(self, rpm: float, settings: list[str]) -> float | None:
+    def lundberg_palmgren_life_at(self, rpm: float, settings: list[str]) -> float | None:
         """Of one bearing of the case with these settings, by the quasi-static model [h]."""
         found = self._ask("sweep", self._folder / "case.resolved.yaml", set=[*settings, f"sweep={{input.speed: [{rpm!r} rpm]}}"])
         return found["points"][0]["life_h"]
@@ -96,7 +96,7 @@ class _Bearing:
 
 
 def influences(content: dict, program: Program, life: str = "") -> dict:
-    """The same for all assumptions of a result, on `life`, else the one that the case requires or that results go by; `problem` where there is none."""
+    """The same for all assumptions of a result, on `life`, else the one that the case requires, else the governing one; `problem` where there is none."""
     life = life or next((str(one.get("key")) for one in records(content.get("verdicts")) if one.get("requirement") == "life"), "")
     assumed = [str(row.get("key")) for row in records(content.get("assumptions"))]
     try:
@@ -131,29 +131,30 @@ def complete(content: dict, program: Program, every_effect: bool = False) -> dic
     _add_effects_of_assumptions(content)
     content["influences"] = influences(content, program)
     content["own_point"] = own_point(content, program)
-    content["published"] = published(content, lambda rpm: program.life_at(rpm, shown["settings"]))
-    content["fine"] = {"speed_rpm": fine.tolist(), **{name: _column(at_rest[0][1], name) for name in dict.fromkeys((*FINE, record(content.get("peak")).get("life_key") or "life_h"))}}
+    content["published"] = published(content, lambda rpm: program.lundberg_palmgren_life_at(rpm, shown["settings"]))
+    life = record(content.get("peak")).get("life_key") or "life_h"
+    content["fine"] = {"speed_rpm": fine.tolist(), **{name: _column(at_rest[0][1], name) for name in (life, *FINE)}}
     polar = {one["speed_rpm"]: one for one in _polar(bearing, sorted({*speeds, *(_best(content) if in_motion else [])}))}
     content["polar"] = [polar[speed] for speed in speeds]
     if "gears" in content:
         content["gears"] = gear_data.arranged(content["gears"])
     content["drawing"] |= _loads_of_rollers(polar[shown["peak_speed_rpm"]], content["drawing"]["rollers"])
-    content["ablation"] = [_curve(change, points, fine) for change, points in at_rest]
+    content["ablation"] = [_curve(change, points, fine, life) for change, points in at_rest]
     content["dynamic"] = None
     if in_motion:
         changes = [] if fidelity in COUPLED else bearing.under(effects.in_motion(inputs, every_effect, shown["set"]), speeds, "dynamic")
-        content["dynamic"] = {"ablation": [_motion(change, points, speeds) for change, points in changes],
+        content["dynamic"] = {"ablation": [_motion(change, points, speeds, life) for change, points in changes],
                               "quasi_static": {"polar": list(polar.values())}}
     if fidelity in COUPLED:
         one_way = bearing.points(grid, fidelity="dynamic")[0]
         content["coupled"] = {"how": how(inputs, fidelity),
-                              "one_way": {"speed_rpm": grid, **{name: _column(one_way, name) for name in ("life_h", "outer_load_rms_N")}},
+                              "one_way": {"speed_rpm": grid, **{name: _column(one_way, name) for name in (life, "outer_load_rms_N")}},
                               "convergence": record(content.get("coupled")).get("convergence")}
     return content
 
 
 def published(content: dict, life_at: Callable[[float], float | None]) -> list[dict]:
-    """Published peaks of life, each with our life at its speed.
+    """Published peaks of life, each with our life of Lundberg and Palmgren at its speed, since sources publish no other.
 
     Of the point of the sweep there, on the line of speeds that is shown; else computed where the sweep is by the quasi-static model, else None. Nothing
     is interpolated.
@@ -209,20 +210,20 @@ def _loads_of_rollers(polar: dict, rollers: int) -> dict:
             "outer_load_N": polar["outer_load_N"][::stride]}
 
 
-def _curve(change: effects.Change, points: list[dict], speeds_rpm: np.ndarray) -> dict:
-    lives = _column(points, "life_h")
+def _curve(change: effects.Change, points: list[dict], speeds_rpm: np.ndarray, life: str) -> dict:
+    lives = _column(points, life)
     best = max(range(len(lives)), key=lambda i: lives[i] if is_number(lives[i]) else -np.inf)
-    return {"name": change.name, "group": change.group, "speed_rpm": speeds_rpm.tolist(), "life_h": lives, "peak_speed_rpm": float(speeds_rpm[best]),
+    return {"name": change.name, "group": change.group, "speed_rpm": speeds_rpm.tolist(), "life_key": life, life: lives, "peak_speed_rpm": float(speeds_rpm[best]),
             "peak_life_h": lives[best]}
 
 
-def _motion(change: effects.Change, points: list[dict], speeds_rpm: list[float]) -> dict:
+def _motion(change: effects.Change, points: list[dict], speeds_rpm: list[float], life: str) -> dict:
     rows = []
     for speed, point in zip(speeds_rpm, points):
         rows.append({"speed_rpm": speed, "status": point["status"]})
-        if "life_h" in point:
-            rows[-1] |= {**{name: point.get(name) for name in IN_MOTION}, "steady": bool(point.get("steady"))}
-    return {"name": change.name, "group": change.group, "points": rows}
+        if life in point:
+            rows[-1] |= {**{name: point.get(name) for name in (life, *IN_MOTION)}, "steady": bool(point.get("steady"))}
+    return {"name": change.name, "group": change.group, "life_key": life, "points": rows}
 
 
 def _add_effects_of_assumptions(content: dict) -> None:

@@ -97,7 +97,7 @@ class Report:
 
     @property
     def life_key(self) -> str:
-        """The life that results go by (`life.method`)."""
+        """The governing life (`life.method`)."""
         return str(self.record("peak").get("life_key") or "life_h")
 
     @property
@@ -128,15 +128,16 @@ class Report:
 
     @property
     def shown_speeds(self) -> list[float]:
-        """Lowest, best and highest speed [rpm] of the points that have a life."""
+        """Lowest, best and highest speed [rpm] of the points that have the governing life."""
         speeds = [p["input_speed_rpm"] for p in self.records("points")
-                  if is_number(p.get("input_speed_rpm")) and is_number(p.get("life_h"))]
+                  if is_number(p.get("input_speed_rpm")) and is_number(p.get(self.life_key))]
         best = [min(speeds, key=lambda speed: abs(speed - self.peak_speed))] if speeds and self.peak_speed else []
         return sorted({min(speeds), *best, max(speeds)}) if speeds else []
 
     @property
     def failed_points(self) -> list[dict]:
-        return [p for p in self.records("points") if not str(p.get("status")).startswith(("ok", "implausible: ")) or not is_number(p.get("life_h"))]
+        """Points without the governing life."""
+        return [p for p in self.records("points") if not str(p.get("status")).startswith(("ok", "implausible: ")) or not is_number(p.get(self.life_key))]
 
 
 def read_report(folder: Path) -> Report:

@@ -223,10 +223,15 @@ def _html_table(heads, rows, title: str, warnings=()) -> str:
 
 
 class SweepResult(Result):
-    """Operating points. Columns of sweep.csv are attributes: result.life_h, result.input_speed_rpm, ... (points).
+    """Operating points. Columns of sweep.csv are attributes: result.L10mrh, result.life_h, result.input_speed_rpm, ... (points).
 
-    peak: speed and life of the grid's best point and of the best of all, as in the JSON.
+    life_key: the governing life, a column. peak: speed and that life of the grid's best point and of the best of all, as in the JSON.
     """
+
+    @property
+    def life_key(self) -> str:
+        """The governing life (`life.method`), by which the peak is found."""
+        return self.peak["life_key"]
 
     @property
     def columns(self) -> tuple[str, ...]:
@@ -235,8 +240,8 @@ class SweepResult(Result):
 
     @property
     def peak(self) -> Mapping[str, Optional[float]]:
-        """speed_rpm and life_h of the grid's best point, refined_speed_rpm and refined_life_h of the best of all, and
-        between_rpm, the neighbours of that one."""
+        """Of the governing life, life_key: speed_rpm and life_h of the grid's best point, refined_speed_rpm and refined_life_h of the best
+        of all, and between_rpm, the neighbours of that one."""
         return self._data["peak"]
 
     @property
@@ -296,11 +301,11 @@ class SweepResult(Result):
         return xarray.load_dataset(sorted((Path(self._folder) / "points").glob("*.nc"))[point])
 
     def plot(self, axes=None):
-        """Life over speed, with the peak."""
+        """Governing life over speed, with the peak."""
         from orbearing import style
 
         axes = axes or _new_axes()
-        speed, life = self.input_speed_rpm, self.column(self.peak.get("life_key", "life_h"))
+        speed, life = self.input_speed_rpm, self.column(self.life_key)
         order = np.argsort(speed, kind="stable")
         grid = ~self.refined[order]
         axes.plot(speed[order], np.where(life[order] > 0, life[order], np.nan), color=style.BLUE, linewidth=1.0)
@@ -310,17 +315,19 @@ class SweepResult(Result):
             axes.plot([best], [longest], "*", color=style.ORANGE, markersize=12, markeredgecolor=style.BLACK,
                       label=f"peak: {best:,.0f} rpm, {longest:,.0f} h")
         style.speed_axis(axes)
-        style.life_axis(axes)
+        style.life_axis(axes, self.life_key)
         axes.set_title(self._case.name, loc="left")
         axes.legend()
         return axes
 
     def _repr_html_(self) -> str:
-        shown = ["input_speed_rpm", "planet_load_N", "inner_load_max_N", "outer_load_max_N", "life_h", "system_life_h", "status"]
+        from orbearing import style
+
+        shown = ["input_speed_rpm", "planet_load_N", "inner_load_max_N", "outer_load_max_N", self.life_key, f"system_{self.life_key}", "status"]
         rows = [[_shown(point[name]) for name in shown] for point in self["points"] if not point.get("refined")]
         best = self.peak.get("refined_speed_rpm")
         title = f"{self._case.name}, {self._options.get('fidelity', 'quasi-static')}" + (
-            f": life peaks at {best:,.0f} rpm with {self.peak['refined_life_h']:,.0f} h" if best else "")
+            f": {style.life_name(self.life_key)} peaks at {best:,.0f} rpm with {self.peak['refined_life_h']:,.0f} h" if best else "")
         return _html_table(shown, rows, title, self.warnings)
 
 
@@ -398,11 +405,17 @@ class MeshResult(Result):
 
 
 class CrownResult(Result):
-    """Lives and pressures over drop and tilt; `optimum`, `straight` and `recommended` as in the JSON."""
+    """Lives and pressures over drop and tilt; `optimum`, `straight` and `recommended` as in the JSON. Their governing_life_h is the life
+    that `life_key` names, life_h that of Lundberg and Palmgren."""
+
+    @property
+    def life_key(self) -> str:
+        """The life that the optimum makes longest."""
+        return self["life_key"]
 
     @property
     def optimum(self) -> Mapping[str, Any]:
-        """The profile and drop that live longest, the worst over the tilts studied."""
+        """The profile and drop with the longest governing life, the worst over the tilts studied."""
         return self["optimum"]
 
     @property
@@ -411,7 +424,7 @@ class CrownResult(Result):
         return self["straight"]
 
     def plot(self, axes=None):
-        """Life over the drop, a line for each tilt."""
+        """Governing life over the drop, a line for each tilt."""
         from orbearing import style
 
         axes = axes or _new_axes()
@@ -421,12 +434,12 @@ class CrownResult(Result):
             series.setdefault((point.get("profile"), point.get("tilt_mrad") if stated else None), []).append(point)
         for ((profile, tilt), points), colour, dash in zip(series.items(), style.SERIES * 8, style.DASHES * 8):
             label = style.tilt_text(tilt) if profile is None else f"{profile}, {style.tilt_text(tilt)}"
-            axes.plot([p["drop_um"] for p in points], [p["life_h"] for p in points], "o", color=colour, linestyle=dash, markersize=3.5,
+            axes.plot([p["drop_um"] for p in points], [p["governing_life_h"] for p in points], "o", color=colour, linestyle=dash, markersize=3.5,
                       label=label)
-        axes.plot([self.optimum["drop_um"]], [self.optimum["life_h"]], "*", color=style.ORANGE, markeredgecolor=style.BLACK,
+        axes.plot([self.optimum["drop_um"]], [self.optimum["governing_life_h"]], "*", color=style.ORANGE, markeredgecolor=style.BLACK,
                   markersize=12, label="optimum")
         axes.set_xlabel("drop of one roller (µm)")
-        axes.set_ylabel("life of one bearing (h)")
+        axes.set_ylabel(style.life_label(self.life_key))
         style.thousands(axes.yaxis)
         axes.legend()
         return axes

@@ -5,7 +5,8 @@ from __future__ import annotations
 from typing import Sequence
 
 from orbearing import run_page
-from orbearing.blocks import FigureBlock, Table, format_quantity, is_number
+from orbearing.blocks import FigureBlock, Table, format_quantity
+from orbearing.lives import governing_number
 from orbearing.result_folder import Report
 
 
@@ -16,12 +17,9 @@ def page(report: Report, blocks: Sequence[FigureBlock]) -> str:
 
 
 def headline(study: Report) -> str:
-    """The life to design by, in one sentence."""
-    get = study.content.get
-    for key in ("L10mrh", "L10rh"):
-        if is_number(get(key)):
-            return f"Life of the bearing: {key} {format_quantity(get(key), 'h', 4)}."
-    return f"Life of the bearing: L10r {format_quantity(get('L10r_Mrev'), 'million revolutions', 4)}."
+    """The governing life, in one sentence."""
+    name, number, unit = governing_number(study.content) or ("L10r", None, "million revolutions")
+    return f"Life of the bearing: {name} {format_quantity(number, unit, 4)}."
 
 
 def _summary(study: Report) -> Table:

@@ -71,9 +71,19 @@ def plain_logarithmic(axis, labelled=(1, 2, 5)) -> None:
     axis.set_minor_formatter(NullFormatter())
 
 
+def life_name(life_key: str = "life_h") -> str:
+    """In a sentence: "life" of Lundberg and Palmgren, "L10mh"."""
+    return "life" if life_key == "life_h" else life_key
+
+
+def a_life(life_key: str = "life_h") -> str:
+    """The same with its article."""
+    return f"{'a' if life_key == 'life_h' else 'an'} {life_name(life_key)}"
+
+
 def life_label(life_key: str = "life_h") -> str:
     """Of an axis of lives: "life of one bearing (h)", "L10mh of one bearing (h)"."""
-    return f"{'life' if life_key == 'life_h' else life_key} of one bearing (h)"
+    return f"{life_name(life_key)} of one bearing (h)"
 
 
 def life_axis(axes: Axes, life_key: str = "life_h") -> None:

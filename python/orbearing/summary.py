@@ -5,7 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from orbearing.blocks import MISSING, Table, format_change, format_number, format_quantity, is_number
+from orbearing.figures.carrier_revolution import shortest_life
+from orbearing.lives import LUNDBERG_PALMGREN
 from orbearing.result_folder import Report, curve
+from orbearing.style import a_life, life_name
 
 # By which rung of the ladder: the answer's own words, and what the rung computes.
 HOW = {
@@ -37,15 +40,15 @@ def headline(report: Report) -> str:
     report, others = report.along_speed(), f" with {report.line}" if report.line else ""
     speed, life = best(report)
     if speed is None:
-        return "No point of this sweep gave a life, so there is no peak to report."
+        return f"No point of this sweep gave {a_life(report.life_key)}, so there is no peak to report."
     where = f"at {format_number(speed, 4)} rpm input speed{others}"
     missing = report.record("missing")
     if missing.get("points"):
         shard = f", shard {missing['shard']}" if missing.get("shard") else ""
-        return (f"Incomplete sweep, {missing.get('found')} of {missing.get('of')} points{shard}: the longest life of these points is {format_number(life, 3)} hours, "
+        return (f"Incomplete sweep, {missing.get('found')} of {missing.get('of')} points{shard}: the longest {life_name(report.life_key)} of these points is {format_number(life, 3)} hours, "
                 f"{where}; the missing points may have longer ones.")
     if missing:
-        return f"Peak not yet refined: the longest life of the points so far is {format_number(life, 3)} hours, {where}{HOW.get(report.fidelity, '')}."
+        return f"Peak not yet refined: the longest {life_name(report.life_key)} of the points so far is {format_number(life, 3)} hours, {where}{HOW.get(report.fidelity, '')}."
     if len(report.records("points")) == 1:
         return f"Operating point: {report.life_key} of the planet bearing {where}: {format_number(life, 3)} hours (a single point, no peak)."
     return f"Longest {report.life_key} of the planet bearing {where}: {format_number(life, 3)} hours{HOW.get(report.fidelity, '')}."
@@ -60,9 +63,10 @@ def summary_table(report: Report) -> Table:
         ("Case", f"{case.get('name') or MISSING} ({case.get('model') or 'model not named'})"),
         ("Source", case.get("source")),
         ("Fidelity", f"{report.fidelity}{FIDELITIES.get(report.fidelity, '')}"),
-        ("Points of the sweep", f"{len(points)}, of which {len(failed)} without a life{_added(points)}"),
+        ("Points of the sweep", f"{len(points)}, of which {len(failed)} without {a_life(report.life_key)}{_added(points)}"),
         *([("Missing", _capital(str(report.record("missing").get("text"))))] if report.record("missing") else []),
         *([("Shown over speed", f"the points with {line}, nearest to the case's own")] if line else []),
+        ("Governing life", report.life_key),
         ("Peak of the grid", _speed_and_life(peak.get("speed_rpm"), peak.get("life_h"))),
         ("Peak of all points", _speed_and_life(*best(report)) + _edge_note(report)),
         *_published_rows(report),
@@ -78,19 +82,22 @@ def _carrier_rows(report: Report) -> list[tuple[str, str]]:
     carrier = report.record("carrier")
     if not carrier:
         return []
-    worst = (f"{format_number(carrier.get('largest_load_share'), 4)} of the load shared evenly, L10h {format_quantity(carrier.get('shortest_L10h_h'), 'h', 4)}, "
+    found = shortest_life(report)
+    life = f"{report.life_key} {format_quantity(found[1], 'h', 4)}, " if found else ""
+    worst = (f"{format_number(carrier.get('largest_load_share'), 4)} of the load shared evenly, {life}"
              f"at the case's own operating point")
     return [("Worst bearing over a revolution of the carrier", worst)]
 
 
 def _published_rows(report: Report) -> list[tuple[str, str]]:
     changed = report.content.get("changed_inputs")
+    by = "" if report.life_key == LUNDBERG_PALMGREN else ", Lundberg-Palmgren"
     rows = [("Published numbers", f"not compared, since this case is another than the published one: {'; '.join(map(str, changed))}")] if changed else []
     for item in report.records("published"):
         speed, life = item.get("speed_rpm"), item.get("life_h")
         if is_number(speed) and is_number(life):
             ours = item.get("ours_h")
-            text = f"{_speed_and_life(speed, life)}; " + (
+            text = f"{_speed_and_life(speed, life)}{by}; " + (
                 f"ours there {format_quantity(ours, 'h')}, {format_change(ours, life)} ({item.get('ours_by') or 'computed'})" if is_number(ours)
                 else "ours there is not computed: the sweep has no point at that speed")
             rows.append((f"Published, {item.get('source') or 'unnamed source'}", text))

@@ -249,18 +249,18 @@ TEST(StandardLives, TheLifeToGoByIsChosen) {
     settings.push_back(std::string("life.method=") + method);
     return reducer(settings);
   };
-  EXPECT_EQ(life_to_go_by(reducer({})), "life_h");
-  EXPECT_EQ(life_to_go_by(at({}, "iso-281")), "L10h");
-  EXPECT_EQ(life_to_go_by(at({}, "iso-16281")), "L10rh");
-  EXPECT_EQ(life_to_go_by(at({oil}, "lundberg-palmgren")), "life_h");
-  EXPECT_EQ(life_to_go_by(at({oil}, "iso-281")), "L10mh");
-  EXPECT_EQ(life_to_go_by(at({oil}, "iso-16281")), "L10mrh");
+  EXPECT_EQ(governing_life_key(reducer({})), "life_h");
+  EXPECT_EQ(governing_life_key(at({}, "iso-281")), "L10h");
+  EXPECT_EQ(governing_life_key(at({}, "iso-16281")), "L10rh");
+  EXPECT_EQ(governing_life_key(at({oil}, "lundberg-palmgren")), "life_h");
+  EXPECT_EQ(governing_life_key(at({oil}, "iso-281")), "L10mh");
+  EXPECT_EQ(governing_life_key(at({oil}, "iso-16281")), "L10mrh");
   for (const char* method : {"lundberg-palmgren", "iso-281", "iso-16281"})
     for (const std::vector<std::string>& settings : {std::vector<std::string>{}, {oil}}) {
       const ResolvedCase in = at(settings, method);
       const study::PointResult one = point(in);
       const TableHead head = head_of(sweep_request(in, "quasi-static").header);
-      EXPECT_EQ(in_table_unit(study::life_to_go_by(one), 1.0), life_to_go_by(head, result_row(one, {})))
+      EXPECT_EQ(in_table_unit(study::governing_hours(one), 1.0), governing_life_in(head, result_row(one, {})))
           << method;
     }
 }
@@ -278,7 +278,7 @@ TEST(StandardLives, PeaksGoByTheLifeChosen) {
     refine_peak_of(in, request);
     const SweepOutcome outcome = run_sweep(request);
     const LifePeak peak = find_peak(outcome).peak;
-    EXPECT_EQ(peak.life, life_to_go_by(in));
+    EXPECT_EQ(peak.life, governing_life_key(in));
     double longest = 0.0, speed = 0.0;
     for (const ResultRow& row : outcome.rows) {
       const double life = value_of(outcome.head, row, peak.life);
@@ -291,8 +291,9 @@ TEST(StandardLives, PeaksGoByTheLifeChosen) {
   }
 }
 
-// Said where lives go by them alone.
-TEST(StandardLives, TooFewLaminaeAreSaid) {
+// Straight rollers on fewer laminae than the standard allows: refused where its life governs, elsewhere the
+// two lives are left out.
+TEST(StandardLives, TooFewLaminaeOfStraightRollers) {
   const auto warnings = [](const std::vector<std::string>& settings) {
     const ResolvedCase in = reducer(settings);
     SweepRequest request = sweep_request(in, "quasi-static");
@@ -300,13 +301,31 @@ TEST(StandardLives, TooFewLaminaeAreSaid) {
     const SweepOutcome outcome = run_sweep(request);
     return sweep_warnings(in, outcome, find_peak(outcome));
   };
+  EXPECT_THROW(reducer({"bearing.laminae=20", "life.method=iso-16281"}), BadInput);
+  EXPECT_NO_THROW(reducer({"bearing.laminae=20", "life.method=iso-16281", "bearing.profile.kind=iso16281"}));
   const std::string text =
-      "bearing.laminae: 20 laminae; ISO/TS 16281 requires at least 30 for L10rh and L10mrh";
-  EXPECT_THAT(warnings({"bearing.laminae=20", "life.method=iso-16281"}), testing::Contains(text));
-  EXPECT_THAT(warnings({"bearing.laminae=30", "life.method=iso-16281"}),
+      "bearing.laminae: 20 laminae of straight rollers; L10rh and L10mrh are left out, for which ISO/TS "
+      "16281 "
+      "requires at least 30";
+  EXPECT_THAT(warnings({"bearing.laminae=20"}), testing::Contains(text));
+  EXPECT_TRUE(std::isnan(point(reducer({"bearing.laminae=20"})).rating.hours.reference));
+  EXPECT_THAT(warnings({"bearing.laminae=30"}),
               Not(testing::Contains(testing::HasSubstr("ISO/TS 16281 requires"))));
-  EXPECT_THAT(warnings({"bearing.laminae=20"}),
-              Not(testing::Contains(testing::HasSubstr("ISO/TS 16281 requires"))));
+}
+
+// A requirement or a known C brings the standard's life; a stated method stays.
+TEST(StandardLives, TheGoverningLifeWithoutAStatedMethod) {
+  EXPECT_EQ(governing_life_key(reducer({"bearing.dynamic_capacity=20 kN"})), "L10rh");
+  EXPECT_EQ(governing_life_key(reducer({"requirements.S0=2"})), "L10rh");
+  EXPECT_EQ(governing_life_key(reducer({"requirements.S0=2", "lubricant.grade=ISO VG 220"})), "L10mrh");
+  EXPECT_EQ(governing_life_key(reducer({"requirements.S0=2", "life.method=lundberg-palmgren"})), "life_h");
+  const ResolvedCase required = reducer({"requirements.life=1000 h", "life.method=iso-281"});
+  EXPECT_EQ(required.choice("requirements.life_key"), "L10h");
+  EXPECT_THAT(rating_warnings(required), testing::IsEmpty());
+  EXPECT_THAT(
+      rating_warnings(reducer({"requirements.life=1000 h", "requirements.life_key=life_h"})),
+      testing::ElementsAre("requirements.life_key: life_h is judged; the governing life of this case is "
+                           "L10rh (life.method: iso-16281)"));
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ TEST_P(IdleRollers, FindTheirBalance) {
   drivetrain.drive.power = idle.power;
   drivetrain.bearing.radial_clearance = idle.clearance;
   const CrownProblem problem = crown_problem(drivetrain, derive(drivetrain), {{drivetrain.drive.speed, 1.0}},
-                                             LifeMeasure::lundberg_palmgren, idle.laminae);
+                                             LifeMethod::lundberg_palmgren, idle.laminae);
   const ProfileFamily family = family_of(idle.profile, problem.bearing, 1500.0);
   const DutyLoads found =
       loads_at(problem, profile_of(family, {idle.drop, default_share(family)}), Lean(idle.tilt, 0.0), 0);

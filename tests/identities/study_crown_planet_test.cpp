@@ -28,7 +28,7 @@ PlanetaryDrivetrain tilting() {
 
 CrownProblem problem_of(const PlanetaryDrivetrain& drivetrain) {
   return crown_problem(drivetrain, derive(drivetrain), {{drivetrain.drive.speed, 1.0, {}}},
-                       LifeMeasure::lundberg_palmgren);
+                       LifeMethod::lundberg_palmgren);
 }
 
 const bearing::profile::Profile kStraight = bearing::profile::Straight{};

@@ -90,7 +90,7 @@ TEST(LaminaPoint, LivesAsTheCrownStudySays) {
         drivetrain.drive.speed = rpm * example::rpm;
         const crowning::CrownProblem problem =
             crowning::crown_problem(drivetrain, derive(drivetrain), {{drivetrain.drive.speed, 1.0}},
-                                    crowning::LifeMeasure::lundberg_palmgren);
+                                    crowning::LifeMethod::lundberg_palmgren);
         const bearing::profile::Profile profile =
             crowning::profile_of(crowning::family_of("iso16281", drivetrain.bearing, 1.0), {drop, 1.0});
         const double expected = crowning::life_hours(problem, profile, crowning::Lean(tilt, 0.0));

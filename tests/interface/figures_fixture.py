@@ -130,9 +130,9 @@ def spectrum():
 def crown():
     profiles = ("straight", "ISO/TS 16281", "logarithmic", "arc")
     ends = ("straight", "reference", "optimum", "robust", "recommended")
-    one = {"profile": "logarithmic", "drop_um": 7.5, "life_h": 1.0, "untilted_life_h": 2.0, "peak_pressure_MPa": 3.0, "edge_ratio": 4.0,
-           "half_space_life_h": 5.0, "life_in_band_h": 6.0}
-    study = {"case": "x", "tilt": "stated", "points": [{"tilt_mrad": tilt, "drop_um": drop, "life_h": life} for (tilt, drop), life in
+    one = {"profile": "logarithmic", "drop_um": 7.5, "life_h": 7.0, "governing_life_h": 1.0, "untilted_governing_life_h": 2.0, "peak_pressure_MPa": 3.0,
+           "edge_ratio": 4.0, "half_space_life_h": 5.0, "governing_life_in_band_h": 6.0}
+    study = {"case": "x", "tilt": "stated", "life_key": "L10mrh", "points": [{"tilt_mrad": tilt, "drop_um": drop, "governing_life_h": life} for (tilt, drop), life in
                                                        zip(((0.0, 2.0), (0.0, 6.0), (0.4, 2.0), (0.4, 6.0)), some(4, 1e4, 4e4))],
              **{name: scattered({**one, "profile": name}) for name in ends}}
     study["recommended"].update(curve=[{"drop_um": d, "life_share": s} for d, s in zip((0.0, 5.0, 9.0, 14.0), some(4, 0.5, 0.99))],
@@ -141,8 +141,8 @@ def crown():
                                 by_laminae={"drop_um": 8.25, "life_share": 0.98})
     x = [-6.0, -3.0, 0.5, 3.0, 6.0, 6.5, 7.0, 8.0]
     figures = {"roller_diameter_mm": 12.0, "map": {"profile": "logarithmic", "drop_um": [1.0, 4.0, 8.0], "tilt_mrad": [0.0, 0.5], "drop_tolerance_um": 1.5,
-                                                   "tilt_tolerance_mrad": 0.1, "life_h": [some(2, 1e4, 3e4) for _ in range(3)]},
-               "fronts": [{"profile": name, "points": [{"drop_um": d, "life_h": h, "peak_pressure_MPa": p, "efficient": d != 4.0} for d, h, p in
+                                                   "tilt_tolerance_mrad": 0.1, "governing_life_h": [some(2, 1e4, 3e4) for _ in range(3)]},
+               "fronts": [{"profile": name, "points": [{"drop_um": d, "governing_life_h": h, "peak_pressure_MPa": p, "efficient": d != 4.0} for d, h, p in
                                                        zip((0.0, 4.0, 8.0), some(3, 1e4, 3e4), some(3, 1e3, 2e3))]} for name in profiles[:2]],
                "profiles": [{"profile": name, "x_mm": x, "drop_um": some(8, 1.0, 9.0)} for name in profiles],
                "pressure": [{"profile": name, "tilt_mrad": tilt, "x_mm": x, "pressure_MPa": some(8, 500.0, 2000.0), "peak_pressure_MPa": peak, "edge_ratio": ratio}
@@ -150,7 +150,7 @@ def crown():
                "zone": [{"profile": name, "tilt_mrad": tilt, "x_mm": x, "places": [{"angle_deg": angle, "pressure_MPa": some(8, 100.0, 1900.0)}
                                                                                   for angle in (40.0, 55.0, 70.0, 85.0)]}
                         for name, tilt in (("straight", 0.0), ("logarithmic", 0.0), ("straight", 0.5), ("logarithmic", 0.5))],
-               "speeds": [{"profile": name, "tilt_mrad": 0.0, "speed_rpm": [1000.0, 5000.0, 9000.0], "life_h": some(3, 1e4, 4e4)} for name in profiles[:2]]}
+               "speeds": [{"profile": name, "tilt_mrad": 0.0, "speed_rpm": [1000.0, 5000.0, 9000.0], "governing_life_h": some(3, 1e4, 4e4)} for name in profiles[:2]]}
     return {"crown": study, "figures": figures}
 
 

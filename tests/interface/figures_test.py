@@ -58,7 +58,7 @@ class Q:
 
 def named(record, key, *more):
     """A number or a list of a record, with the unit that the end of its key states."""
-    ends = (("_rpm", "rpm"), ("_h", "h"), ("_N_per_m", "N/m"), ("_N_m", "N m"), ("_N", "N"), ("_MPa", "MPa"), ("_mm", "mm"), ("_um", "µm"), ("_us", "s"), ("_Hz", "Hz"),
+    ends = (("_rpm", "rpm"), ("_h", "h"), ("L10mrh", "h"), ("_N_per_m", "N/m"), ("_N_m", "N m"), ("_N", "N"), ("_MPa", "MPa"), ("_mm", "mm"), ("_um", "µm"), ("_us", "s"), ("_Hz", "Hz"),
             ("_mrad", "mrad"), ("_deg", "deg"), ("_rad", "rad"), ("_W", "W"), ("_m_per_s2", "m/s²"), ("slip", "1"), ("share", "1"), ("residual", "1"), ("error", "1"))
     unit = next(unit for end, unit in ends if key.endswith(end))
     values = [one.get(key) for one in record] if isinstance(record, list) else record[key]
@@ -531,7 +531,7 @@ def crown(content):
                                       x_limits=(0.0, max(p["drop_um"] for p in advice["curve"])), y_limits=(0.0, 105.0))]}
 
     by = figures["map"]
-    drop, tilt, life = np.array(by["drop_um"]), np.array(by["tilt_mrad"]), np.array(by["life_h"])
+    drop, tilt, life = np.array(by["drop_um"]), np.array(by["tilt_mrad"]), np.array(by["governing_life_h"])
     ridge = []
     for column in np.log(life).T:  # the top of a parabola in ln life, where the middle drop is the best of the three
         i = int(column.argmax())
@@ -548,12 +548,13 @@ def crown(content):
         middle = study["robust"]["drop_um"]
         series.append(("area", "best within the tolerances, with its band", (Q([middle - wide, middle + wide], "µm"), Q([0.0, 0.4 + high], "mrad"))))
     found["crown-map"] = [Expected(*series, z="h", x_label=DROP, y_label="inclination of the pin ahead (mrad)" if computed else "tilt of the bore on its pin (mrad)"),
-                          Expected(y_label=LIFE)]
+                          Expected(y_label="L10mrh of one bearing (h)")]
 
     lines = [part for f in figures["fronts"] for part in
-             (rows(f["points"], "peak_pressure_MPa", "life_h", f["profile"]), rows([p for p in f["points"] if p["efficient"]], "peak_pressure_MPa", "life_h"))]
-    lines += [rows(straight, "peak_pressure_MPa", "life_h", "straight"), rows(best, "peak_pressure_MPa", "life_h", "optimum")]
-    found["crown-front"] = [Expected(*lines, x_label="greatest peak pressure over the tilts (MPa)", y_label="shortest life over the tilts (h)")]
+             (rows(f["points"], "peak_pressure_MPa", "governing_life_h", f["profile"]),
+              rows([p for p in f["points"] if p["efficient"]], "peak_pressure_MPa", "governing_life_h"))]
+    lines += [rows(straight, "peak_pressure_MPa", "governing_life_h", "straight"), rows(best, "peak_pressure_MPa", "governing_life_h", "optimum")]
+    found["crown-front"] = [Expected(*lines, x_label="greatest peak pressure over the tilts (MPa)", y_label="shortest L10mrh over the tilts (h)")]
 
     outlines, radius, chief = [], figures["roller_diameter_mm"] / 2, figures["profiles"][:3]
     deepest = max(max(p["drop_um"][1:-1]) for p in chief)
@@ -584,7 +585,7 @@ def crown(content):
                                     title=f"{z['profile']}, tilt {z['tilt_mrad']:g} mrad", x_label="place around the pin (degree)" if n > 1 else "",
                                     y_label="along the roller (mm)" if n % 2 == 0 else "") for n, z in enumerate(figures["zone"])]
     found["crown-zone"].append(Expected(y_label="pressure (MPa)"))
-    found["crown-speeds"] = [speed_axes(*(rows(one, "speed_rpm", "life_h", one["profile"]) for one in figures["speeds"]), y_label=LIFE, title="tilt 0 mrad")]
+    found["crown-speeds"] = [speed_axes(*(rows(one, "speed_rpm", "governing_life_h", one["profile"]) for one in figures["speeds"]), y_label="L10mrh of one bearing (h)", title="tilt 0 mrad")]
     return found
 
 
@@ -649,7 +650,7 @@ def uncertain(result):
                line(Q([data["operating_point"]["speed_rpm"]] * 2, "rpm"), Q(samples, "h"), "samples in motion")]
     found = {"life_band": [speed_axes(*series, y_label="system life (h)")], "peak": [], "indices": []}
     for values, label, key, unit in ((result.peak_speeds, "input speed of the peak (rpm)", "speed_at_the_case_rpm", "rpm"),
-                                     (result.peak_lives, "life at the peak (h)", "life_at_the_case_h", "h")):
+                                     (result.peak_lives, "system life at the peak (h)", "life_at_the_case_h", "h")):
         counts, edges = np.histogram(values, bins=8)  # the root of 80 samples
         low, high = np.percentile(values, [5, 95])
         found["peak"].append(Expected(("bars", "", ((edges[1:] + edges[:-1]) / 2, counts)), ("place", "5 and 95 %", (Q([low, low], unit),)), ("place", "", (Q([high, high], unit),)),

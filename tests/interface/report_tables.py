@@ -255,21 +255,22 @@ def crown(content):
         "crown-drop.summary": {"rollers": [m[0] for m in marks], "drop (µm)": Q([m[1] for m in marks], "µm"), "life left (%)": Q([m[2] for m in marks], "1")},
         "crown-drop.data": {"drop (µm)": column(advice["curve"], "drop_um"), "life left (%)": column(advice["curve"], "life_share")},
         "crown-map.summary": {"rollers": [name for name, _ in ends], "profile": [one["profile"] for one in own], "drop (µm)": column(own, "drop_um"),
-                              "shortest life over the tilts (h)": column(own, "life_h"), "times straight": Q([one["life_h"] / own[0]["life_h"] for one in own], "1"),
-                              "life without tilt (h)": column(own, "untilted_life_h"), "greatest peak pressure (MPa)": column(own, "peak_pressure_MPa"),
+                              "shortest L10mrh over the tilts (h)": column(own, "governing_life_h"),
+                              "times straight": Q([one["governing_life_h"] / own[0]["governing_life_h"] for one in own], "1"),
+                              "L10mrh without tilt (h)": column(own, "untilted_governing_life_h"), "greatest peak pressure (MPa)": column(own, "peak_pressure_MPa"),
                               "edge ratio there": [one["edge_ratio"] for one in own], "shortest life from half-space pressures (h)": column(own, "half_space_life_h"),
-                              "shortest life within the tolerances (h)": Q([one["life_in_band_h"] for one in own], "h")},
+                              "shortest L10mrh within the tolerances (h)": Q([one["governing_life_in_band_h"] for one in own], "h")},
         "crown-front.data": {"profile": [f["profile"] for f in fronts for _ in f["points"]],
                              **{head: Q([p[key] for f in fronts for p in f["points"]], unit)
-                                for head, key, unit in (("drop (µm)", "drop_um", "µm"), ("shortest life (h)", "life_h", "h"), ("greatest peak pressure (MPa)", "peak_pressure_MPa", "MPa"))},
+                                for head, key, unit in (("drop (µm)", "drop_um", "µm"), ("shortest L10mrh (h)", "governing_life_h", "h"), ("greatest peak pressure (MPa)", "peak_pressure_MPa", "MPa"))},
                              "on the front": ["yes" if p["efficient"] else "" for f in fronts for p in f["points"]]},
         "roller-pressure.summary": {"profile": [c["profile"] for c in curves], "tilt (mrad)": column(curves, "tilt_mrad"), "peak pressure (MPa)": column(curves, "peak_pressure_MPa"),
                                     "edge ratio": [c["edge_ratio"] for c in curves]},
         "roller-pressure.data": {"profile": [c["profile"] for c in curves for _ in c["x_mm"]], "tilt (mrad)": Q([c["tilt_mrad"] for c in curves for _ in c["x_mm"]], "mrad"),
                                  "place (mm)": Q(flat(curves, "x_mm", "x_mm"), "mm"), "pressure (MPa)": Q(flat(curves, "pressure_MPa", "pressure_MPa"), "MPa")},
         "crown-zone.summary": dict(zip(("profile", "at", "greatest pressure but at the outermost elements (MPa)"), zip(*worst))),
-        "crown-speeds.data": {"profile": [one["profile"] for one in lines for _ in one["life_h"]], "tilt (mrad)": Q([0.0] * 6, "mrad"),
-                              "input speed (rpm)": Q(flat(lines, "speed_rpm", "speed_rpm"), "rpm"), "life (h)": Q(flat(lines, "life_h", "life_h"), "h")}}
+        "crown-speeds.data": {"profile": [one["profile"] for one in lines for _ in one["governing_life_h"]], "tilt (mrad)": Q([0.0] * 6, "mrad"),
+                              "input speed (rpm)": Q(flat(lines, "speed_rpm", "speed_rpm"), "rpm"), "L10mrh (h)": Q(flat(lines, "governing_life_h", "governing_life_h"), "h")}}
 
 
 def scratch(content):
@@ -284,6 +285,23 @@ def balls(content):
     causes = (("sliding", "sliding in the contacts"), ("differential_slip", "curved ellipses"), ("spin", "spin"), ("rolling", "rolling resistance"),
               ("contact_damping", "contact damping"), ("cage", "pockets and lands"), ("churning", "drag and churning"))
     return {"ball-heat.data": {"cause": [label for _, label in causes], "power (W)": Q([content["balls"]["heat_W"][key] for key, _ in causes], "W")}}
+
+
+def governed_by(content, key):
+    """The same results of a case whose governing life is `key`, which has the values of life_h; life_h is 1 h throughout."""
+    def renamed(value):
+        if isinstance(value, list):
+            return [renamed(one) for one in value]
+        if not isinstance(value, dict):
+            return value
+        found = {name.replace("life_h", key) if name in ("life_h", "system_life_h") else name: renamed(one) for name, one in value.items()}
+        return {**found, "life_h": [1.0] * len(found[key]) if isinstance(found[key], list) else 1.0} if key in found else found
+
+    kept = {name: content[name] for name in ("published",)}
+    made_so = {**renamed(content), **kept, "peak": {**content["peak"], "life_key": key}}
+    for entry in [*made_so["ablation"], *made_so["dynamic"]["ablation"]]:
+        entry["life_key"] = key
+    return made_so
 
 
 def tables_of(content, write=None, values=None):
@@ -314,6 +332,17 @@ class BelowFigures(unittest.TestCase):
     def test_of_gears_and_bearings_that_act_on_each_other(self):
         content = made.coupled()
         self.check(tables_of(content), coupled(content), others=True)
+
+    def test_of_another_governing_life(self):
+        """The same numbers under the key of that life give the same tables under its name, whatever life_h is."""
+        for content in (made.moving(), made.coupled()):
+            before, after = tables_of(content), tables_of(governed_by(content, "L10mrh"))
+            self.assertEqual(list(after), list(before))
+            for name, table in before.items():
+                self.assertEqual(after[name].head, tuple(re.sub(r"\blife\b", "L10mrh", head) for head in table.head))
+                self.assertEqual(repr(after[name].rows), repr(table.rows), name)
+        self.assertIn("ablation-inertia.summary", before)
+        self.assertIn("two-way.summary", before)
 
     def test_of_slip_over_speed_and_power_and_of_a_spectrum(self):
         content = made.powers()
@@ -474,18 +503,20 @@ class OfPages(unittest.TestCase):
         rows = dict(crown_page._summary(Report(study)).rows)
         self.assertEqual(rows["Operating points"], "2 points, 1,500 to 4,500 rpm, by Miner's sum")
         self.assertEqual(rows["Recommended drop"], f"{number(advice['drop_um'], 3)} µm; 4.25 to 10.5 µm leaves at least 95 % of the life")
+        self.assertEqual(rows["Recommended by"], "L10mrh from half-space pressures of both races, the shortest over the tilts")
+        self.assertRegex(rows["Without tilt"], "^L10mrh [0-9.,]+ h, ")
         self.assertEqual(rows["Greatest peak pressure"], f"{number(best['peak_pressure_MPa'], 4)} MPa, straight rollers {number(straight['peak_pressure_MPa'], 4)} MPa")
         self.assertEqual(crown_page.headline(Report(study)), f"A drop of {number(advice['drop_um'], 3)} µm (recommended) gives {number(advice['half_space_life_h'], 3)} h, "
                                                              "of which straight rollers leave 43 %.")
         keys = {"input_speed_rpm": "input speed (rpm)", "power_kW": "power (kW)", "share": "share of time", "tilt_mrad": "tilt (mrad)", "load_share": "largest share of the load",
-                "half_space_life_h": "life from half-space pressures (h)", "life_h": "life by laminae (h)", "damage_share": "share of damage",
+                "half_space_life_h": "life from half-space pressures (h)", "governing_life_h": "L10mrh by laminae (h)", "damage_share": "share of damage",
                 "peak_pressure_MPa": "peak pressure (MPa)", "edge_ratio": "edge ratio"}
         advice["points"] = [dict(zip(keys, range(1, 11)))]
         self.assertEqual(self.text_table(crown_page._points(Report(study))), [list(keys.values()), [str(n) for n in range(1, 11)]])
-        ends = dict(zip(("start_um", "drop_um", "crowned_share", "life_h", "evaluations"), range(1, 6)))
+        ends = dict(zip(("start_um", "drop_um", "crowned_share", "governing_life_h", "evaluations"), range(1, 6)))
         study["optima"] = [{"profile": "arc", "starts": {"ends": [ends]}}]
         self.assertEqual(self.text_table(crown_page._starts(Report(study))),
-                         [["profile", "started at drop (µm)", "ended at drop (µm)", "crowned share", "shortest life (h)", "evaluations"], ["arc", "1", "2", "3", "4", "5"]])
+                         [["profile", "started at drop (µm)", "ended at drop (µm)", "crowned share", "shortest L10mrh (h)", "evaluations"], ["arc", "1", "2", "3", "4", "5"]])
 
     def test_effects_in_motion(self):
         runs = made.moving()["dynamic"]["ablation"]
@@ -500,17 +531,17 @@ class OfPages(unittest.TestCase):
         data = made.uncertainty().data
         point, peak, percents = data["operating_point"], data["peak"], ("5", "25", "50", "75", "95")
         bands = (("of uncertain inputs", point["of_uncertain_inputs"]), ("of single bearings at the case's inputs", point["of_single_bearings_at_the_case"]),
-                 ("of both", point["of_both"]), ("speed of the peak (rpm), of uncertain inputs", peak["speed_rpm"]), ("life at the peak, of uncertain inputs", peak["life_h"]))
+                 ("of both", point["of_both"]), ("speed of the peak (rpm), of uncertain inputs", peak["speed_rpm"]), ("system life at the peak, of uncertain inputs", peak["life_h"]))
         self.table(uncertain_page.summary_table(data), {"system_life_h (h) at 3000 rpm": [name for name, _ in bands],
                                                         **{f"{p} %": [band["percentiles"][p] for _, band in bands] for p in percents}})
         low, high = (number(point["of_uncertain_inputs"]["percentiles"][p], 4) for p in ("5", "95"))
-        self.assertEqual(uncertain_page.headline(data), f"At 3,000 rpm system_life lies between {low} and {high} h (5 to 95 %); measure bearing.radial_clearance first.")
+        self.assertEqual(uncertain_page.headline(data), f"At 3,000 rpm system life lies between {low} and {high} h (5 to 95 %); measure bearing.radial_clearance first.")
         rows = data["speeds"]
         self.table(uncertain_page._band_table(data), {"input speed (rpm)": column(rows, "speed_rpm"), "the case (h)": column(rows, "life_at_the_case_h"),
                                                       **{f"inputs {p} % (h)": Q([r["of_uncertain_inputs"]["percentiles"][p] for r in rows], "h") for p in percents},
                                                       "life that 90 % reach, all uncertain (h)": Q([r["of_both"]["L10"] for r in rows], "h")})
         two = (peak["speed_rpm"], peak["life_h"])
-        self.table(uncertain_page._peak_table(data), {"of the peak": ["speed (rpm)", "life (h)"], "the case": [3111.0, 22222.0], "mean": [one["mean"] for one in two],
+        self.table(uncertain_page._peak_table(data), {"of the peak": ["speed (rpm)", "system life (h)"], "the case": [3111.0, 22222.0], "mean": [one["mean"] for one in two],
                                                       "standard deviation": [one["standard_deviation"] for one in two],
                                                       **{f"{p} %": [one["percentiles"][p] for one in two] for p in percents}})
         expected = [(title, row) for title, one in (("life at 3000 rpm", point), ("speed of the peak", peak["speed_rpm"]), ("life at the peak", peak["life_h"]))

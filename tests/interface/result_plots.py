@@ -10,13 +10,14 @@ import unittest
 import unittest.mock
 from pathlib import Path
 
-from figures_test import LIFE, Expected, Q, faults, line, np, number, rows, speed_axes
+from figures_test import Expected, Q, faults, line, np, number, rows, speed_axes
 from matplotlib.figure import Figure
 from orbearing import animate, results, style
 from orbearing.drawn import panels_of
 from orbearing.validation.pictures import scatter
 from orbearing.validation.rows import Row
 
+RATED = "L10mrh of one bearing (h)"  # of the governing life, which has other values than life_h here
 CASE = types.SimpleNamespace(name="a case", core=types.SimpleNamespace(hash=lambda: "0"))
 
 
@@ -34,13 +35,13 @@ class Compared(unittest.TestCase):
 
 class Results(Compared):
     def test_sweep(self):
-        points = [{"input_speed_rpm": s, "life_h": h, "refined": added} for s, h, added in
+        points = [{"input_speed_rpm": s, "life_h": 1.5e4, "L10mrh": h, "refined": added} for s, h, added in
                   ((3000.0, 21000.0, False), (1000.0, 9000.0, False), (2000.0, 17000.0, True), (5000.0, None, False))]
-        peak = {"speed_rpm": 3000.0, "life_h": 21000.0, "refined_speed_rpm": 2500.0, "refined_life_h": 22222.0}
+        peak = {"life_key": "L10mrh", "speed_rpm": 3000.0, "life_h": 21000.0, "refined_speed_rpm": 2500.0, "refined_life_h": 22222.0}
         figure = self.plotted(results.SweepResult, {"points": points, "peak": peak})
         grid = [p for p in points if not p["refined"]]
-        self.check("sweep", figure, speed_axes(rows(points, "input_speed_rpm", "life_h"), rows(grid, "input_speed_rpm", "life_h", "points of the sweep"),
-                                               rows(peak, "refined_speed_rpm", "refined_life_h", "peak: 2,500 rpm, 22,222 h"), y_label=LIFE, title="a case"))
+        self.check("sweep", figure, speed_axes(rows(points, "input_speed_rpm", "L10mrh"), rows(grid, "input_speed_rpm", "L10mrh", "points of the sweep"),
+                                               rows(peak, "refined_speed_rpm", "refined_life_h", "peak: 2,500 rpm, 22,222 h"), y_label=RATED, title="a case"))
         self.assertEqual(figure.axes[0].lines[0].get_xdata().tolist(), [1000.0, 2000.0, 3000.0, 5000.0])
 
     def test_modes(self):
@@ -59,11 +60,11 @@ class Results(Compared):
         self.check("mesh", figure, Expected(*curves, x="", x_label="share of the mesh period", y_label="mesh stiffness (N/µm)"))
 
     def test_crown(self):
-        points = [{"profile": "arc", "tilt_mrad": t, "drop_um": d, "life_h": h} for t, d, h in ((0.0, 1.0, 9e3), (0.0, 4.0, 11e3), (0.5, 1.0, 7e3), (0.5, 4.0, 8e3))]
-        best = {"drop_um": 3.25, "life_h": 12e3}
-        series = [rows([p for p in points if p["tilt_mrad"] == t], "drop_um", "life_h", f"arc, tilt {t:g} mrad") for t in (0.0, 0.5)]
-        figure = self.plotted(results.CrownResult, {"points": points, "tilt": "stated", "optimum": best, "straight": {}})
-        self.check("crown", figure, Expected(*series, rows(best, "drop_um", "life_h", "optimum"), x_label="drop of one roller (µm)", y_label=LIFE))
+        points = [{"profile": "arc", "tilt_mrad": t, "drop_um": d, "life_h": 1e4, "governing_life_h": h} for t, d, h in ((0.0, 1.0, 9e3), (0.0, 4.0, 11e3), (0.5, 1.0, 7e3), (0.5, 4.0, 8e3))]
+        best = {"drop_um": 3.25, "life_h": 1e4, "governing_life_h": 12e3}
+        series = [rows([p for p in points if p["tilt_mrad"] == t], "drop_um", "governing_life_h", f"arc, tilt {t:g} mrad") for t in (0.0, 0.5)]
+        figure = self.plotted(results.CrownResult, {"points": points, "life_key": "L10mrh", "tilt": "stated", "optimum": best, "straight": {}})
+        self.check("crown", figure, Expected(*series, rows(best, "drop_um", "governing_life_h", "optimum"), x_label="drop of one roller (µm)", y_label=RATED))
 
     def stiffness(self):
         tables = [(1000.0, np.arange(25.0).reshape(5, 5) * 1e7 + 1e8), (4000.0, np.arange(25.0).reshape(5, 5) * 2e7 + 1e8)]
@@ -105,11 +106,11 @@ class Results(Compared):
 
     def test_tables_of_a_notebook(self):
         """Each number stands below its own head."""
-        point = {"input_speed_rpm": 1.5, "planet_load_N": 2.5, "inner_load_max_N": 3.5, "outer_load_max_N": 4.5, "life_h": 5.5, "system_life_h": 6.5, "status": "ok"}
-        text = results.SweepResult({"points": [point], "peak": {"refined_speed_rpm": 7777.0, "refined_life_h": 8888.0}}, "sweep", CASE)._repr_html_()
+        point = {"input_speed_rpm": 1.5, "planet_load_N": 2.5, "inner_load_max_N": 3.5, "outer_load_max_N": 4.5, "L10mrh": 5.5, "system_L10mrh": 6.5, "status": "ok"}
+        text = results.SweepResult({"points": [point], "peak": {"life_key": "L10mrh", "refined_speed_rpm": 7777.0, "refined_life_h": 8888.0}}, "sweep", CASE)._repr_html_()
         self.assertIn("<tr>" + "".join(f"<th>{key}</th>" for key in point) + "</tr><tr>"
                       + "".join(f"<td>{value}</td>" for value in (1.5, 2.5, 3.5, 4.5, 5.5, 6.5, "ok")) + "</tr>", text)
-        self.assertIn("life peaks at 7,777 rpm with 8,888 h", text)
+        self.assertIn("L10mrh peaks at 7,777 rpm with 8,888 h", text)
         row = {"path": "a.b", "value": 1.25, "unit": "mm", "derivative": 2.25, "elasticity": 3.25}
         text = results.SensitivityResult({"inputs": [row]}, "sensitivities", CASE)._repr_html_()
         self.assertIn("<th>path</th><th>value</th><th>unit</th><th>derivative</th><th>elasticity</th>", text)
@@ -134,8 +135,9 @@ class Studies(Compared):
             parameters.append(Parameter(SPEED, SPEED, "rpm", "", tuple(f"{one:g} rpm" for one in rpm), rpm * np.pi / 30, rpm))
             sizes.append((SPEED, len(rpm)))
         table = ResultTable(lives.size)
-        table.add(Chunk(np.arange(lives.size), ("input_speed_rpm", "life_h"), np.column_stack([np.tile(speeds or [1.0], len(um)), lives.ravel()])))
-        return StudyResult({"case": "x", "fidelity": "quasi-static"}, Design(tuple(parameters), tuple(sizes), "grid", 0), table, {})
+        columns = np.column_stack([np.tile(speeds or [1.0], len(um)), 1e9 / lives.ravel(), lives.ravel()])
+        table.add(Chunk(np.arange(lives.size), ("input_speed_rpm", "life_h", "L10mrh"), columns))
+        return StudyResult({"case": "x", "fidelity": "quasi-static"}, Design(tuple(parameters), tuple(sizes), "grid", 0), table, {"life_key": "L10mrh"})
 
     def drawn(self, result):
         from orbearing.studies.pictures import life_picture
@@ -148,7 +150,7 @@ class Studies(Compared):
         speed = Q([1000.0, 2000.0, 3000.0], "rpm")
         series = [line(speed, Q(row[[0, 2, 1]], "h"), f"bearing.radial_clearance {name} um") for row, name in zip(lives, ("5", "20"))]
         figure = self.drawn(self.result(lives, (5.0, 20.0)))
-        self.check("curves", figure, speed_axes(*series, y_label=LIFE))
+        self.check("curves", figure, speed_axes(*series, y_label=RATED))
         self.assertEqual([one.get_xdata().tolist() for one in figure.axes[0].lines], [[1000.0, 2000.0, 3000.0]] * 2)  # from left to right
         self.assertEqual([one.get_marker() for one in figure.axes[0].lines], ["None", "None"])
 
@@ -156,7 +158,7 @@ class Studies(Compared):
         lives = 1e4 * np.random.default_rng(1).uniform(1.0, 2.0, (9, 3))
         figure = self.drawn(self.result(lives, np.arange(9.0)))
         series = [line(Q([1000.0, 2000.0, 3000.0], "rpm"), Q(row[[0, 2, 1]], "h")) for row in lives]
-        self.check("coloured", figure, speed_axes(*series, y_label=LIFE), Expected(y_label="bearing.radial_clearance (um)"))
+        self.check("coloured", figure, speed_axes(*series, y_label=RATED), Expected(y_label="bearing.radial_clearance (um)"))
         self.assertEqual(figure.axes[1].get_ylim(), (0.0, 8.0))
 
     def test_many_are_bands(self):
@@ -175,12 +177,12 @@ class Studies(Compared):
         speed = Q([1000.0, 2000.0, 3000.0], "rpm")
         self.check("bands", self.drawn(self.result(lives, np.arange(70.0))),
                    speed_axes(("band", "5 to 95 % of the variants", (speed, share(5), share(95))), ("band", "25 to 75 %", (speed, share(25), share(75))),
-                              line(speed, share(50), "median"), y_label=LIFE))
+                              line(speed, share(50), "median"), y_label=RATED))
 
     def test_without_speeds_over_the_parameter(self):
         lives = np.array([9e3, 8e3, 4e3])
         self.check("parameter", self.drawn(self.result(lives, (0.0, 15.0, 40.0), ())),
-                   Expected(line([0.0, 15.0, 40.0], Q(lives, "h")), x="", x_label="bearing.radial_clearance (um)", y_label=LIFE))
+                   Expected(line([0.0, 15.0, 40.0], Q(lives, "h")), x="", x_label="bearing.radial_clearance (um)", y_label=RATED))
 
     def test_peaks(self):
         from orbearing.studies import pictures
@@ -190,10 +192,10 @@ class Studies(Compared):
             picture = pictures._peak_block(result).pictures[0]
             page = pictures.page_of(result)
         circles = ("points", "", ([5.0, 20.0], Q([13e3, 27e3], "h"), [14.0], Q([3000.0, 2000.0], "rpm")))
-        found = faults("peaks", picture.panels, [Expected(circles, x="", z="rpm", x_label="bearing.radial_clearance (um)", y_label="longest life of one bearing (h)"),
+        found = faults("peaks", picture.panels, [Expected(circles, x="", z="rpm", x_label="bearing.radial_clearance (um)", y_label="longest L10mrh of one bearing (h)"),
                                                  Expected(y_label="speed of the peak (rpm)")])
         self.assertEqual(found, [], "\n" + "\n".join(found))
-        self.assertIn("Of 2 variants the longest life is 27,000 h (bearing.radial_clearance 20 um), the shortest 13,000 h.", page)
+        self.assertIn("Of 2 variants the longest L10mrh is 27,000 h (bearing.radial_clearance 20 um), the shortest 13,000 h.", page)
         self.assertIn("bearing.radial_clearance (um)</th>", page)
 
 

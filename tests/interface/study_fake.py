@@ -20,7 +20,7 @@ FIELDS = {
     "film.enabled": ("flag", "1", "false"),
     "bearing.profile.kind": ("choice", "1", "straight"),
 }
-COLUMNS = ("input_speed_rpm", "life_h", "power_loss_W")
+COLUMNS = ("input_speed_rpm", "life_h", "L10mrh", "power_loss_W")
 BAD_CLEARANCE = 66e-6  # [m] points with it fail
 
 
@@ -103,4 +103,5 @@ class FakeEngine:
             # Longest at 2000 rpm without clearance, at more with it.
             best = 2000.0 + 1000.0 * (clearance > 20e-6)
             rows[place, 1] = (2.0 if crowned else 1.0) * 1e4 / (1.0 + ((speed - best) / 1000.0) ** 2) / (1.0 + clearance / 1e-5)
+            rows[place, 2] = 5e6 / speed  # longest at the lowest speed
         return Chunk(np.asarray(ids), COLUMNS, rows, statuses, 1e-4 * len(ids))

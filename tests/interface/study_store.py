@@ -21,6 +21,7 @@ from orbearing.studies.design import design_of, from_content, stated_values
 from orbearing.studies.executors import InProcess, Threads
 from orbearing.studies.folder import DATASET, JOURNAL, finished_counts
 from orbearing.studies.plan import LEAST_SECONDS, USUAL_SECONDS, Plan
+from orbearing.studies.result import json_of
 from orbearing.studies.run import compute
 from orbearing.studies.__main__ import rows_of_table, varied
 from study_fake import FakeCase, FakeEngine
@@ -46,12 +47,12 @@ class Shuffled:
         keep(engine.compute(portions[0].ids, portions[0].settings, portions[0].values, 1))
 
 
-def study(folder=None, executor=None, grid=GRID, resume=False, version="1", stop_after=None, case=None, **options):
+def study(folder=None, executor=None, grid=GRID, resume=False, version="1", stop_after=None, case=None, life_key="life_h", **options):
     """Result and engine."""
     case = case or FakeCase()
     design = design_of(case, grid, **options)
     engine = FakeEngine([p.path for p in design.numbers()], version, stop_after)
-    return compute(case, design, engine, executor or InProcess(1), output=folder, resume=resume, progress=False), engine
+    return compute(case, design, engine, executor or InProcess(1), life_key=life_key, output=folder, resume=resume, progress=False), engine
 
 
 def contents(folder):
@@ -213,6 +214,23 @@ class Stores(InFolder):
         self.assertEqual(records[4], {"bearing.radial_clearance": 66.0, "bearing.profile.kind": "straight", "peak_speed_rpm": None, "peak_life_h": None, "failed_points": 3})
         self.assertEqual(records[0]["peak_life_h"], 1e4)
 
+    def test_peaks_go_by_the_governing_life(self):
+        """5e6/n h at n rpm is longest at the lowest speed, where life_h is shortest."""
+        for folder in (None, self.place / "rated"):
+            result, _ = study(folder, life_key="L10mrh")
+            found = result.to_xarray() if folder is None else open_study(folder).to_xarray()
+            self.assertEqual((result.life_key, found.life_key), ("L10mrh", "L10mrh"))
+            best = found.sel({"bearing.radial_clearance": 30.0, "bearing.profile.kind": "straight"})
+            self.assertEqual((float(best.peak_speed_rpm), float(best.peak_life_h), int(best.peak_point)), (1000.0, 5000.0, 18))
+            self.assertEqual(found.peak_life_h.attrs["long_name"], "longest L10mrh over the grid of speeds")
+            self.assertEqual(found.L10mrh.attrs, {"units": "h", "long_name": "modified reference rating life of ISO 16281 of one bearing, life.reliability"})
+            self.assertEqual(found.life_h.attrs["long_name"], "Lundberg-Palmgren life of one bearing, 90 % reliability")
+        self.assertEqual(json.loads(json_of(result))["life_key"], "L10mrh")
+        self.assertEqual([axes.get_ylabel() for axes in result.plot().figure.axes], ["L10mrh of one bearing (h)"])
+        self.assertIn("longest L10mrh is 5,000 h", result.report(self.place / "page.html").read_text(encoding="utf-8"))
+        alone, _ = study(grid={"input.speed": {"from": "1000 rpm", "to": "3000 rpm"}, "bearing.rollers": [14, 15]}, sampler="lhs", samples=16, life_key="L10mrh")
+        self.assertEqual(list(alone.variants()[0]), ["input.speed", "bearing.rollers", "L10mrh", "failed_points"])
+
     def test_pictures_and_page(self):
         result, _ = study(self.place / "a")
         self.assertEqual(len(result.plot().lines), 8)
@@ -295,7 +313,8 @@ class Interrupted(InFolder):
         before = contents(folder)
         for changed, part in (({"case": FakeCase(name="other")}, "case 'fake' was found"), ({"case": FakeCase(given={"bearing.rollers": "14"})}, "hash"),
                               ({"version": "2"}, "program version"), ({"grid": {**GRID, "bearing.radial_clearance": ["0 um", "0.01 mm", "66 um", "31 um"]}}, "radial_clearance"),
-                              ({"grid": {"bearing.rollers": [14]}}, "number of points"), ({"resume": False}, "--resume to continue")):
+                              ({"grid": {"bearing.rollers": [14]}}, "number of points"), ({"life_key": "L10mrh"}, "governing life 'life_h' was found; 'L10mrh' is required"),
+                              ({"resume": False}, "--resume to continue")):
             with self.subTest(part), self.assertRaises(CaseError) as caught:
                 study(folder, **{"resume": True, **changed})
             self.assertIn(part, str(caught.exception))

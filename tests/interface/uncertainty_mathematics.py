@@ -228,6 +228,25 @@ class Scatter(unittest.TestCase):
         self.assertAlmostEqual(float(scatter.single_lives(1.0, 0.5)), 5.3363, places=4)
         self.assertAlmostEqual(float(scatter.single_lives(1.0, 0.05, reliability=0.95)), 1.0, places=12)
 
+    def test_of_another_reliability_by_a_1(self):
+        """ISO 281: a_1 = 0.95 (ln R / ln 0.9)^(2/3) + 0.05, for 95 % 0.6379; by the slope of 9/8 it would be 0.5274."""
+        a_1 = 0.95 * (math.log(0.95) / math.log(0.9)) ** (2.0 / 3.0) + 0.05
+        self.assertAlmostEqual(a_1, 0.6379, places=4)
+        self.assertAlmostEqual((math.log(0.95) / math.log(0.9)) ** (8.0 / 9.0), 0.5274, places=4)
+        one = {"L10h": np.array([1e4, 2e4]), "a_ISO": np.array([1.5, 0.7])}
+        one["L10mh"] = a_1 * one["a_ISO"] * one["L10h"]
+        one["L10mrh"], one["L10rh"] = 0.5 * one["L10mh"], np.array([3e4, 4e4])
+        one |= {f"system_{name}": 0.2 * one[name] for name in ("L10mrh", "L10rh")}
+        for name, wanted in (("L10mh", a_1), ("L10mrh", a_1), ("system_L10mrh", a_1), ("L10h", 1.0), ("L10rh", 1.0), ("system_L10rh", 1.0)):
+            np.testing.assert_allclose(scatter.reliability_factors(name, one), [wanted, wanted], rtol=1e-14, err_msg=name)
+        # Of several sets the row has the shortest of each life, so that those of one row need not be of one set.
+        sets = {f"sets.{name}.{key}": values * factor ** (key != "a_ISO") for name, factor in (("a", 1.0), ("b", 3.0)) for key, values in one.items()
+                if key in ("L10h", "a_ISO", "L10mh", "L10mrh")}
+        sets["sets.a.L10mh"][0] = np.nan
+        sets |= {"L10h": np.array([1e4, 9e4]), "a_ISO": np.array([1.5, 1.5]), "L10mh": np.array([2e4, 3e4]), "L10mrh": np.array([3e4, 5e4])}
+        np.testing.assert_allclose(scatter.reliability_factors("L10mrh", sets), [a_1, a_1], rtol=1e-14)
+        np.testing.assert_allclose(scatter.reliability_factors("sets.b.L10mrh", sets), [a_1, a_1], rtol=1e-14)
+
     def test_both_together(self):
         failed = np.array([0.05, 0.1, 0.5, 0.95])
         np.testing.assert_allclose(scatter.joint_lives([100.0, 100.0], failed), scatter.single_lives(100.0, failed), rtol=1e-12)
@@ -274,7 +293,7 @@ class Peaks(unittest.TestCase):
 
 
 class WholeStudy(unittest.TestCase):
-    CASE = {"name": "closed form", "inputs": [], "warnings": [], "uncertain": {"correlations": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "inputs": [
+    CASE = {"name": "closed form", "inputs": [], "governing_life": {"key": "life_h"}, "warnings": [], "uncertain": {"correlations": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "inputs": [
         {"path": number.path, "distribution": number.distribution, "value": number.value, "mean": None, "standard_deviation": None,
          "from": number.least, "peak": None, "to": number.most, "si_unit": number.si_unit, "unit": number.unit, "units_per_si": number.units_per_si,
          "given": "{uniform: ...}", "reason": ""} for number in (POWER, MASS, UncertainNumber("idle", "uniform", 0.0, least=-1.0, most=1.0))]}}
@@ -333,6 +352,39 @@ class WholeStudy(unittest.TestCase):
                              *((row["failed"], result.curve_lives[:, i]) for i, row in enumerate(data["speeds"]))):
             self.assertEqual(found, int(np.isnan(lives).sum()))
             self.assertGreater(found, 1)
+
+    def test_the_governing_life_and_one_l10(self):
+        """With a reliability of 95 % the governing life is L5mr; bearings scatter about the L10mr that a_1 makes of it."""
+        a_1 = 0.95 * (math.log(0.95) / math.log(0.9)) ** (2.0 / 3.0) + 0.05
+
+        def rated(reliability_factor):
+            def evaluate(paths, values, fidelity):
+                columns, status = self.evaluate(paths, values, fidelity)
+                basic, modification = 0.7 * columns["life_h"], np.full(len(values), 1.3)
+                return {**columns, "L10h": basic, "a_ISO": modification, "L10mh": reliability_factor * modification * basic,
+                        "L10mrh": reliability_factor * 0.4 * columns["life_h"]}, status
+            case = {**self.CASE, "governing_life": {"key": "L10mrh"}}
+            return Study(case, 6000.0, Peaks.GRID, evaluate, Settings(samples=400, curves=20, index_samples=20)).run().data
+
+        ninety, more = rated(1.0), rated(a_1)
+        self.assertEqual((ninety["life"], more["life"]), ("L10mrh", "L10mrh"))
+        self.assertEqual(more["weibull"]["reliability"], 0.9)
+        self.assertAlmostEqual(more["weibull"]["a_1"], a_1, places=12)
+        for one, other in ((ninety["operating_point"], more["operating_point"]), *zip(ninety["speeds"], more["speeds"])):
+            self.assertAlmostEqual(other["life_at_the_case_h"] / one["life_at_the_case_h"], a_1, places=12)
+            self.assertAlmostEqual(other["of_uncertain_inputs"]["mean"] / one["of_uncertain_inputs"]["mean"], a_1, places=12)
+            self.assertAlmostEqual(other["of_single_bearings_at_the_case"]["L10"] / one["life_at_the_case_h"], 1.0, places=12)
+            for band in ("of_single_bearings_at_the_case", "of_both"):
+                self.assertAlmostEqual(other[band]["L10"] / one[band]["L10"], 1.0, places=9)
+                np.testing.assert_allclose(list(other[band]["percentiles"].values()), list(one[band]["percentiles"].values()), rtol=1e-9)
+
+    def test_a_governing_life_without_a_number_is_refused(self):
+        def evaluate(paths, values, fidelity):
+            columns, status = self.evaluate(paths, values, fidelity)
+            return {**columns, "L10mrh": np.full(len(values), np.nan)}, status
+
+        with self.assertRaisesRegex(CaseError, "L10mrh, the governing life, has no number at the case's operating point; one of life_h, system_life_h is required"):
+            Study({**self.CASE, "governing_life": {"key": "L10mrh"}}, 6000.0, Peaks.GRID, evaluate, Settings(samples=10, curves=5, index_samples=5)).run()
 
     def test_another_life(self):
         self.assertEqual(self.study(life="system_life_h").data["life"], "system_life_h")

@@ -181,7 +181,7 @@ ordered_json life_map(const Stage& stage, const ordered_json& optimum) {
   return {{"profile", name},
           {"drop_um", scaled(drops, 1e6)},
           {"tilt_mrad", scaled(tilts, 1e3)},
-          {"life_h", rows_of(life_grid(stage.problem, profiles, tilts, 0))},
+          {"governing_life_h", rows_of(life_grid(stage.problem, profiles, tilts, 0))},
           {"drop_tolerance_um", 1e6 * stage.request.tolerance.drop},
           {"tilt_tolerance_mrad", 1e3 * stage.request.tolerance.tilt}};
 }
@@ -196,7 +196,7 @@ ordered_json front_of(const Stage& stage, const std::string& name) {
   for (const WorstOfTilts& one : worst_of_tilts(points, stage.request.tilts.size()))
     if (std::isfinite(one.life_hours))
       front["points"].push_back({{"drop_um", 1e6 * one.drop},
-                                 {"life_h", one.life_hours},
+                                 {"governing_life_h", one.life_hours},
                                  {"peak_pressure_MPa", 1e-6 * one.peak_pressure},
                                  {"efficient", one.efficient}});
   return front;
@@ -216,7 +216,7 @@ ordered_json speed_curves(const Stage& stage, const std::vector<double>& speeds)
   std::vector<CrownProblem> problems;
   for (const double speed : speeds)
     problems.push_back(crown_problem(stage.request.drivetrain, stage.request.geometry, {{speed, 1.0, {}}},
-                                     stage.request.measure, stage.request.laminae));
+                                     stage.request.method, stage.request.laminae));
   for (const double tilt : tilts)
     for (const Named& profile : stage.chief) {
       std::vector<double> lives;
@@ -225,7 +225,7 @@ ordered_json speed_curves(const Stage& stage, const std::vector<double>& speeds)
       all.push_back({{"profile", profile.name},
                      {"tilt_mrad", shown_tilt(stage, tilt)},
                      {"speed_rpm", scaled(speeds, kRpm)},
-                     {"life_h", lives}});
+                     {"governing_life_h", lives}});
     }
   return all;
 }

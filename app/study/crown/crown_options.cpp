@@ -232,10 +232,10 @@ std::vector<std::string> profiles_of(const CrownOptions& options, const bearing:
 }
 
 // Of the lives by which results may go, those by C and P are the same whatever the crown.
-crowning::LifeMeasure measure_of(const ResolvedCase& resolved, const CrownOptions& options) {
-  const bool by_case = options.life.empty() && resolved.choice("life.method") == "iso-16281";
-  return by_case || options.life == "iso16281" ? crowning::LifeMeasure::iso16281
-                                               : crowning::LifeMeasure::lundberg_palmgren;
+crowning::LifeMethod method_of(const ResolvedCase& resolved, const CrownOptions& options) {
+  const bool by_case = options.life.empty() && life_method(resolved) == crowning::LifeMethod::iso16281;
+  return by_case || options.life == "iso16281" ? crowning::LifeMethod::iso16281
+                                               : crowning::LifeMethod::lundberg_palmgren;
 }
 
 void require_bearing(const ResolvedCase& resolved) {
@@ -322,7 +322,7 @@ CrownRequest crown_request(const ResolvedCase& resolved, const CrownOptions& opt
   const bearing::Bearing& bearing = set.drivetrain.bearing;
   const bool computed = set.drivetrain.seats.tilt == study::TiltState::computed;
   Mistakes mistakes;
-  CrownRequest request{.measure = measure_of(resolved, options),
+  CrownRequest request{.method = method_of(resolved, options),
                        .laminae = bearing.rollers().laminae > 0 ? bearing.rollers().laminae : kLaminae,
                        .spectrum = spectrum_of(resolved, options, mistakes),
                        .profiles = profiles_of(options, bearing, mistakes),

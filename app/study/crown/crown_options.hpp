@@ -51,7 +51,7 @@ std::string options_text(const CrownOptions& options);
 struct CrownRequest {
   study::PlanetaryDrivetrain drivetrain;
   study::DrivetrainGeometry geometry;
-  study::crowning::LifeMeasure measure = study::crowning::LifeMeasure::lundberg_palmgren;
+  study::crowning::LifeMethod method = study::crowning::LifeMethod::lundberg_palmgren;
   int laminae = 40;
   std::vector<study::crowning::SpectrumPoint> spectrum;
   std::vector<std::string> profiles;

@@ -28,7 +28,10 @@ void describe_point(Record& row, const CrownPoint& point, const std::string& pro
   row.value("drop_um", dimension::small_length, "relief of one roller", point.drop);
   row.value("tilt_mrad", dimension::small_angle, "of the bore on its pin",
             computed ? point.largest_tilt : point.tilt);
-  row.value("life_h", dimension::hours, "of one bearing", point.life_hours);
+  row.value("life_h", dimension::hours, "of one bearing, Lundberg and Palmgren",
+            point.lundberg_palmgren_hours);
+  row.value("governing_life_h", dimension::hours, "of one bearing, the life that life_key names",
+            point.life_hours);
   describe_pressure(row, ok ? point.pressure.peak : described::kAbsent,
                     ok ? point.pressure.edge_ratio : described::kAbsent);
   row.value("profile", "kind", profile);
@@ -36,29 +39,32 @@ void describe_point(Record& row, const CrownPoint& point, const std::string& pro
   row.value("status", "ok, or the reason why there is no static equilibrium", point.status);
 }
 
-void describe_design(Record& record, const CrownDesign& design, LifeMeasure measure) {
+void describe_design(Record& record, const CrownDesign& design) {
   record.value("profile", "kind", design.profile);
   record.value("drop_um", dimension::small_length, "relief of one roller", design.crown.drop);
-  record.value("life_h", dimension::hours, "worst over the tilts", design.life_hours);
+  record.value("life_h", dimension::hours, "worst over the tilts, Lundberg and Palmgren",
+               design.lundberg_palmgren_hours);
+  record.value("governing_life_h", dimension::hours, "worst over the tilts, the life that life_key names",
+               design.life_hours);
   describe_pressure(record, design.peak_pressure, design.edge_ratio);
-  record.value(measure == LifeMeasure::iso16281 ? "lundberg_palmgren_life_h" : "iso16281_life_h",
-               dimension::hours, "by the measure that is not optimised", design.other_life_hours);
   describe(record, design.rated_hours);
-  record.value("half_space_life_h", dimension::hours, "from half-space pressures",
+  record.value("half_space_life_h", dimension::hours,
+               "from half-space pressures: the governing life, or L10rh where that is life_h",
                design.pressure_life_hours);
   if (std::isfinite(design.untilted_life_hours)) {
-    record.value("untilted_life_h", dimension::hours, "without tilt", design.untilted_life_hours);
+    record.value("untilted_governing_life_h", dimension::hours, "without tilt", design.untilted_life_hours);
     record.value("untilted_half_space_life_h", dimension::hours, "without tilt",
                  design.untilted_pressure_life_hours);
   }
   if (design.has_share)
     record.value("crowned_share", dimension::ratio, "of each half of the roller", design.crown.share);
   if (std::isfinite(design.life_in_band))
-    record.value("life_in_band_h", dimension::hours, "worst within the tolerances", design.life_in_band);
+    record.value("governing_life_in_band_h", dimension::hours, "worst within the tolerances",
+                 design.life_in_band);
 }
 
-void describe_search(Record& record, const CrownSearch& search, LifeMeasure measure) {
-  describe_design(record, search.best, measure);
+void describe_search(Record& record, const CrownSearch& search) {
+  describe_design(record, search.best);
   record
       .child("starts", "of the search", search,
              [](Record& starts, const CrownSearch& of) {
@@ -70,7 +76,7 @@ void describe_search(Record& record, const CrownSearch& search, LifeMeasure meas
                               row.value("drop_um", dimension::small_length, "", end.crown.drop);
                               row.value("crowned_share", dimension::ratio, "",
                                         of.best.has_share ? end.crown.share : described::kAbsent);
-                              row.value("life_h", dimension::hours, "", end.life_hours);
+                              row.value("governing_life_h", dimension::hours, "", end.life_hours);
                               row.value("evaluations", "", end.evaluations);
                             });
              })
@@ -87,7 +93,7 @@ void describe_front(Record& record, const CrownStudy& study) {
              [](Record& row, const auto& one) {
                row.value("profile", "kind", one.first);
                row.value("drop_um", dimension::small_length, "", one.second.drop);
-               row.value("life_h", dimension::hours, "", one.second.life_hours);
+               row.value("governing_life_h", dimension::hours, "", one.second.life_hours);
                row.value("peak_pressure_MPa", dimension::pressure, "", one.second.peak_pressure);
              })
       .detail = true;
@@ -116,7 +122,7 @@ void describe_duties(Record& record, const CrownStudy& study) {
                  row.value("tilt_mrad", dimension::small_angle, "", duty.tilt);
                  row.value("load_share", dimension::ratio, "", duty.load_share);
                  row.value("half_space_life_h", dimension::hours, "", duty.pressure_life_hours);
-                 row.value("life_h", dimension::hours, "", duty.life_hours);
+                 row.value("governing_life_h", dimension::hours, "", duty.life_hours);
                  row.value("damage_share", dimension::ratio, "", duty.damage_share);
                  describe_pressure(row, duty.pressure.peak, duty.pressure.edge_ratio);
                });
@@ -162,7 +168,10 @@ void describe_recommended(Record& record, const CrownStudy& study) {
   record.value("most_is_greatest_studied", "whether the band ends beyond", advice.band.open);
   record.value("half_space_life_h", dimension::hours, "from half-space pressures",
                design.pressure_life_hours);
-  record.value("life_h", dimension::hours, "by laminae", design.life_hours);
+  record.value("life_h", dimension::hours, "by laminae, Lundberg and Palmgren",
+               design.lundberg_palmgren_hours);
+  record.value("governing_life_h", dimension::hours, "by laminae, the life that life_key names",
+               design.life_hours);
   describe_pressure(record, design.peak_pressure, design.edge_ratio);
   record.value("life_kept_in_band", dimension::ratio, "of the longest life", kKeptLife);
   record.value("straight_life_share", dimension::ratio, "of the longest life, by straight rollers",
@@ -203,7 +212,8 @@ void describe_grid(Record& record, const CrownStudy& study) {
   };
   add("largest_tilt", dimension::angle, "largest tilt of a bore on its pin, computed or stated",
       [](const CrownPoint& p) { return p.largest_tilt; });
-  add("life", dimension::hours, "life of one bearing", [](const CrownPoint& p) { return p.life_hours; });
+  add("life", dimension::hours, "life of one bearing, Lundberg and Palmgren",
+      [](const CrownPoint& p) { return p.lundberg_palmgren_hours; });
   for (const bearing::rating::RatedLife& life : bearing::rating::kRatedLives)
     add(life.name, dimension::hours, life.meaning,
         [&](const CrownPoint& p) { return p.rated_hours.*life.hours; });
@@ -218,9 +228,9 @@ void describe_grid(Record& record, const CrownStudy& study) {
 
 void describe(Record& record, const CrownStudy& study) {
   const CrownRequest& request = study.request;
-  const LifeMeasure measure = request.measure;
   record.value("tilt", "computed or stated", request.computes_tilt() ? "computed" : "stated");
-  record.value("life_measure", "of the laminae", name_of(measure));
+  record.value("life_key", "governing life, which the optimum makes longest",
+               bearing::rating::hours_key(study.life));
   record.value("laminae", "of a roller", request.laminae);
   record.table("spectrum", "spectrum", "duties", request.spectrum,
                [&](Record& row, const SpectrumPoint& point) { describe_spectrum_point(row, study, point); });
@@ -232,15 +242,13 @@ void describe(Record& record, const CrownStudy& study) {
                [&](Record& row, const auto& one) {
                  describe_point(row, one.second, one.first, request.computes_tilt());
                });
-  const auto search = [&](Record& one, const CrownSearch& of) { describe_search(one, of, measure); };
-  const auto design = [&](Record& one, const CrownDesign& of) { describe_design(one, of, measure); };
-  record.child("optimum", "longest life by laminae", study.searches[study.best], search);
+  record.child("optimum", "longest life by laminae", study.searches[study.best], describe_search);
   record.child("recommended", "by half-space pressures", study, describe_recommended);
-  record.child("straight", "straight rollers", study.straight, design);
-  record.child("reference", "profile of ISO/TS 16281", study.reference, design);
+  record.child("straight", "straight rollers", study.straight, describe_design);
+  record.child("reference", "profile of ISO/TS 16281", study.reference, describe_design);
   if (!study.robust.empty())
-    record.child("robust", "best within the tolerances", study.robust[study.best_robust], search);
-  record.table("optima", "optimum", "of each profile", study.searches, search);
+    record.child("robust", "best within the tolerances", study.robust[study.best_robust], describe_search);
+  record.table("optima", "optimum", "of each profile", study.searches, describe_search);
   describe_front(record, study);
   record.value("profiles", "in the order of the grid", fmt::format("{}", fmt::join(request.profiles, " ")))
       .in_files_alone = true;

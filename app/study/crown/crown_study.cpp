@@ -23,18 +23,9 @@ constexpr double kAtEnd = 1e-6;  // of the greatest drop
 struct Bench {
   const CrownRequest& request;
   CrownProblem problem;
-  CrownProblem other;  // the same, rated by the measure that is not optimised
   RollerPressure pressure;
   int jobs;
 };
-
-CrownProblem rated(const CrownRequest& request, LifeMeasure measure) {
-  return crown_problem(request.drivetrain, request.geometry, request.spectrum, measure, request.laminae);
-}
-
-LifeMeasure not_this(LifeMeasure measure) {
-  return measure == LifeMeasure::iso16281 ? LifeMeasure::lundberg_palmgren : LifeMeasure::iso16281;
-}
 
 // Of the worst; a population has no band of its own.
 bool has_band(const CrownRequest& request) {
@@ -56,16 +47,15 @@ CrownDesign design_of(const Bench& bench, const std::string& name, const Profile
   const std::vector<double>& tilts = bench.request.tilts;
   const auto points = crown_grid(bench.problem, bench.pressure, {made}, {drop}, tilts, bench.jobs, {});
   CrownDesign design{.profile = name, .crown = {drop, 1.0}, .made = made};
-  design.life_hours = design.other_life_hours = std::numeric_limits<double>::infinity();
+  design.life_hours = design.lundberg_palmgren_hours = std::numeric_limits<double>::infinity();
   design.rated_hours = points.front().rated_hours;
   for (const CrownPoint& point : points) {
     if (point.status != "ok") throw ComputationFailed("crown: profile " + name + ": " + point.status);
     design.life_hours = std::min(design.life_hours, point.life_hours);
+    design.lundberg_palmgren_hours = std::min(design.lundberg_palmgren_hours, point.lundberg_palmgren_hours);
     for (const auto life : bearing::rating::kRatedHours)
       if (!(point.rated_hours.*life >= design.rated_hours.*life))
         design.rated_hours.*life = point.rated_hours.*life;
-    design.other_life_hours =
-        std::min(design.other_life_hours, life_hours(bench.other, made, lean_by(bench.other, point.tilt)));
     if (point.pressure.peak <= design.peak_pressure) continue;
     design.peak_pressure = point.pressure.peak;
     design.edge_ratio = point.pressure.edge_ratio;
@@ -222,7 +212,8 @@ std::size_t grid_size(const CrownRequest& request) {
 }
 
 CrownProblem problem_of(const CrownRequest& request) {
-  return rated(request, request.measure);
+  return crown_problem(request.drivetrain, request.geometry, request.spectrum, request.method,
+                       request.laminae);
 }
 
 // A profile that the case states lends its proportions; another is laid out for the load that 4.08 F/Z of the
@@ -238,8 +229,8 @@ ProfileFamily family_in(const CrownProblem& problem, const std::string& name) {
 CrownStudy crown_study(const CrownRequest& request, int jobs, const Progressed& progressed) {
   CrownStudy study{.request = request};
   const CrownProblem problem = problem_of(request);
-  const Bench bench{study.request, problem, rated(request, not_this(request.measure)),
-                    RollerPressure(problem), jobs};
+  const Bench bench{study.request, problem, RollerPressure(problem), jobs};
+  study.life = problem.governing;
   try {
     put_points(bench, progressed, study);
     put_searches(bench, study);

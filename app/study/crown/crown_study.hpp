@@ -18,12 +18,12 @@ struct CrownDesign {
   study::crowning::Crown crown;  // share: of kinds with a straight middle
   bool has_share = false;
   bearing::profile::Profile made;
-  double life_hours = 0.0;                    // [h]
+  double life_hours = 0.0;                    // [h]   the governing one, as all but the next
+  double lundberg_palmgren_hours = 0.0;       // [h]
   double peak_pressure = 0.0;                 // [Pa]
   double edge_ratio = 0.0;                    // [-]   at that pressure
   bearing::rating::RatedHours rated_hours{};  // worst of each, by the standards; NaN where they give none
   double untilted_life_hours = 0.0;           // [h]   NaN where tilts are computed, as below
-  double other_life_hours = 0.0;              // [h]   worst, by the measure that is not optimised
   double pressure_life_hours = 0.0;           // [h]  worst, from half-space pressures
   double untilted_pressure_life_hours = 0.0;  // [h]
   double life_in_band = 0.0;                  // [h]   worst within the tolerances; NaN without any
@@ -46,10 +46,11 @@ struct Recommendation {
 
 struct CrownStudy {
   CrownRequest request;
-  std::vector<std::vector<study::crowning::CrownPoint>> points;   // (profiles)(drops x tilts)
-  std::vector<std::vector<study::crowning::WorstOfTilts>> worst;  // (profiles)(drops)
-  std::vector<CrownSearch> searches;                              // (profiles)
-  std::size_t best = 0;                                           // the profile that lives longest
+  bearing::rating::Life life = bearing::rating::Life::lundberg_palmgren;  // that is made longest
+  std::vector<std::vector<study::crowning::CrownPoint>> points;           // (profiles)(drops x tilts)
+  std::vector<std::vector<study::crowning::WorstOfTilts>> worst;          // (profiles)(drops)
+  std::vector<CrownSearch> searches;                                      // (profiles)
+  std::size_t best = 0;                                                   // the profile that lives longest
   CrownDesign straight;
   CrownDesign reference;  // profile of ISO/TS 16281 as it stands in the standard
   std::vector<CrownSearch>

@@ -105,20 +105,11 @@ Eigen::ArrayXXd loads_on(Race race, const CrownProblem& problem, const RollerPre
   return mean_by_damage(all);
 }
 
-double revolutions(const CrownProblem& problem, const RollerPressure& pressure, const Profile& profile,
-                   const DutyLoads& loads, const bearing::RaceMotions& motions, int angles) {
-  const rating::RollerSet set = rating::roller_set(problem.bearing);
-  const auto on = [&](Race race) { return loads_on(race, problem, pressure, profile, loads, angles); };
-  const auto capacities = rating::contact_capacities(set, rating::dynamic_capacity(set));
-  const auto laminae = bearing::life::lamina_rating(capacities, problem.bearing.rollers().laminae, motions);
-  return bearing::life::lamina_life(laminae, on(Race::inner), on(Race::outer)).bearing;
-}
-
 // Of one duty alone, whose loads are known.
 double pressure_duty_hours(const CrownProblem& problem, const RollerPressure& pressure,
                            const Profile& profile, const DutyLoads& loads, std::size_t duty, int angles = 2) {
-  return bearing::hours(revolutions(problem, pressure, profile, loads, problem.ratings[duty].motions, angles),
-                        rotating_speed(problem.bearing, problem.duties[duty].point));
+  const auto on = [&](Race race) { return loads_on(race, problem, pressure, profile, loads, angles); };
+  return hours_without_riser(problem, on(Race::inner), on(Race::outer), duty);
 }
 
 }  // namespace
@@ -169,13 +160,16 @@ void put_duties(const CrownProblem& problem, const RollerPressure& pressure, con
                 CrownPoint& point) {
   std::vector<DutyLoads> loads;
   std::vector<bearing::rating::RatedHours> rated;
-  point.life_hours = life_of_duties(problem, [&](std::size_t duty) {
+  point.lundberg_palmgren_hours = life_of_duties(problem, [&](std::size_t duty) {
     loads.push_back(loads_at(problem, profile, lean_by(problem, point.tilt), duty));
     point.largest_tilt = std::max(point.largest_tilt, loads.back().tilt);
-    rated.push_back(rated_duty_hours(problem, loads.back(), duty));
-    return duty_hours(problem, loads.back(), duty);
+    const DutyHours lives = lives_at(problem, loads.back(), duty);
+    rated.push_back(lives.rated);
+    return lives.lundberg_palmgren;
   });
   point.rated_hours = life_of_duties(problem, rated);
+  point.life_hours =
+      bearing::rating::hours_of(problem.governing, point.lundberg_palmgren_hours, point.rated_hours);
   point.pressure = peak_pressure(problem, pressure, profile, loads);
 }
 
@@ -185,7 +179,7 @@ CrownPoint point_at(const CrownProblem& problem, const RollerPressure& pressure,
   try {
     put_duties(problem, pressure, profile, point);
   } catch (const std::exception& error) {
-    point.life_hours = std::numeric_limits<double>::quiet_NaN();
+    point.life_hours = point.lundberg_palmgren_hours = std::numeric_limits<double>::quiet_NaN();
     point.rated_hours = {};
     point.status = error.what();
   }

@@ -50,10 +50,10 @@ PeakPressure peak_pressure(const CrownProblem& problem, const RollerPressure& pr
 
 // Life from the pressures of the elastic half-space, which sees for itself what ends and tilts do.
 
-/// Life [h] after [ISO16281] with the loads that would press as hard, as line contacts, in place of lamina
-/// loads and stress riser; by Miner's rule over the duties. Pressures are found for every loaded roller of
-/// all bearings, on both races, at `angles` of the cage angles, about a millisecond each; the loads and tilts
-/// of the rollers are those on laminae.
+/// Life [h] by hours_without_riser() of the loads that would press as hard, as line contacts, in place of
+/// lamina loads and stress riser; by Miner's rule over the duties. Pressures are found for every loaded
+/// roller of all bearings, on both races, at `angles` of the cage angles, about a millisecond each; the loads
+/// and tilts of the rollers are those on laminae.
 double pressure_life_hours(const CrownProblem& problem, const RollerPressure& pressure,
                            const bearing::profile::Profile& profile, const Lean& lean, int angles = 2);
 
@@ -82,10 +82,11 @@ std::vector<DutyRecord> duty_records(const CrownProblem& problem, const RollerPr
 
 /// One profile at one tilt, under the whole spectrum.
 struct CrownPoint {
-  double drop = 0.0;          // [m]    of one roller at profile::kDropPosition
-  double tilt = 0.0;          // [rad]  as stated, of the bore on its pin, or as lean_by() takes it
-  double largest_tilt = 0.0;  // [rad]  largest of a bore against its pin over bearings and duties
-  double life_hours = 0.0;    // [h]
+  double drop = 0.0;                     // [m]    of one roller at profile::kDropPosition
+  double tilt = 0.0;                     // [rad]  as stated, of the bore on its pin, or as lean_by() takes it
+  double largest_tilt = 0.0;             // [rad]  largest of a bore against its pin over bearings and duties
+  double life_hours = 0.0;               // [h]  the governing one
+  double lundberg_palmgren_hours = 0.0;  // [h]
   bearing::rating::RatedHours rated_hours{};  // by the standards
   PeakPressure pressure;                      // greatest over the spectrum
   std::string status = "ok";                  // "ok" or why there is no balance

@@ -142,13 +142,17 @@ QuasiStaticResult balanced(const LaminaBearing& bearing, const CrownProblem& pro
 }  // namespace
 
 CrownProblem crown_problem(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
-                           const std::vector<SpectrumPoint>& spectrum, LifeMeasure measure, int laminae) {
+                           const std::vector<SpectrumPoint>& spectrum, LifeMethod method, int laminae) {
   require_whole(spectrum);
   CrownProblem problem{
       .bearing = drivetrain.bearing, .options = quasi_static_options(drivetrain), .rated = drivetrain.rated};
   if (drivetrain.seats.tilt == TiltState::computed) problem.seat = planet_seat(drivetrain);
   problem.bearing.rollers().laminae = laminae;
   problem.rating = bearing::rating::bearing_rating(problem.bearing, problem.rated.stated);
+  problem.rating.on_too_few_laminae = false;  // of the profiles that are studied, not of the case's
+  problem.contacts = bearing::life::lamina_rating(problem.bearing, drivetrain.reduction_factor);
+  if (method == LifeMethod::iso16281)
+    problem.governing = bearing::rating::governing_life(method, problem.rated.oil.has_value());
   for (const SpectrumPoint& at : spectrum) {
     if (at.speed <= 0.0 || at.share <= 0.0) continue;
     PlanetaryDrivetrain there = drivetrain;
@@ -159,7 +163,6 @@ CrownProblem crown_problem(const PlanetaryDrivetrain& drivetrain, const Drivetra
     const BearingDuty duty = bearing_duty(there, geometry_there);
     problem.duties.push_back(
         {at.speed, at.share, duty.point, there.bearing.radial_clearance, duty.gears.overturning_moment});
-    problem.ratings.push_back(lamina_rating(problem.bearing, measure, drivetrain.reduction_factor));
   }
   return problem;
 }
@@ -167,7 +170,6 @@ CrownProblem crown_problem(const PlanetaryDrivetrain& drivetrain, const Drivetra
 CrownProblem one_duty(const CrownProblem& problem, std::size_t duty) {
   CrownProblem one = problem;
   one.duties = {problem.duties[duty]};
-  one.ratings = {problem.ratings[duty]};
   one.duties.front().share = 1.0;
   return one;
 }
@@ -250,14 +252,12 @@ DutyLoads loads_at(const CrownProblem& problem, const Profile& profile, const Le
   return loads;
 }
 
-double duty_hours(const CrownProblem& problem, const DutyLoads& loads, std::size_t duty) {
-  const double revolutions =
-      lamina_life(problem.ratings[duty], loads.inner_lamina_load(), loads.outer_lamina_load()).bearing;
-  return bearing::hours(revolutions, rotating_speed(problem.bearing, problem.duties[duty].point));
-}
+namespace {
 
-bearing::rating::RatedHours rated_duty_hours(const CrownProblem& problem, const DutyLoads& loads,
-                                             std::size_t duty) {
+bearing::rating::RatedHours rated_hours_of(const CrownProblem& problem,
+                                           const bearing::rating::BearingRating& rating,
+                                           const Eigen::ArrayXXd& inner, const Eigen::ArrayXXd& outer,
+                                           std::size_t duty) {
   using namespace bearing::rating;
   const bearing::OperatingPoint& point = problem.duties[duty].point;
   const double speed = rotating_speed(problem.bearing, point);
@@ -266,9 +266,32 @@ bearing::rating::RatedHours rated_duty_hours(const CrownProblem& problem, const 
           .norm();
   const RatingCondition condition =
       rating_condition(problem.rated, load, load, speed, problem.bearing.pitch_diameter);
-  const auto means = bearing::life::means_of_loads(problem.bearing.motions, loads.inner_lamina_load(),
-                                                   loads.outer_lamina_load());
-  return rated_hours(rating_lives(problem.rating, condition, means), speed);
+  const auto means = bearing::life::means_of_loads(problem.bearing.motions, inner, outer);
+  return rated_hours(rating_lives(rating, condition, means), speed);
+}
+
+}  // namespace
+
+DutyHours lives_at(const CrownProblem& problem, const DutyLoads& loads, std::size_t duty) {
+  const Eigen::ArrayXXd inner = loads.inner_lamina_load(), outer = loads.outer_lamina_load();
+  const double revolutions = lamina_life(problem.contacts, inner, outer).bearing;
+  return {bearing::hours(revolutions, rotating_speed(problem.bearing, problem.duties[duty].point)),
+          rated_hours_of(problem, problem.rating, inner, outer, duty)};
+}
+
+double duty_hours(const CrownProblem& problem, const DutyLoads& loads, std::size_t duty) {
+  const DutyHours lives = lives_at(problem, loads, duty);
+  return bearing::rating::hours_of(problem.governing, lives.lundberg_palmgren, lives.rated);
+}
+
+double hours_without_riser(const CrownProblem& problem, const Eigen::ArrayXXd& inner,
+                           const Eigen::ArrayXXd& outer, std::size_t duty) {
+  using bearing::rating::Life;
+  bearing::rating::BearingRating rating = problem.rating;
+  rating.laminae = bearing::life::lamina_rating(rating.ratings.contacts, static_cast<int>(inner.rows()),
+                                                problem.bearing.motions);
+  const Life life = problem.governing == Life::lundberg_palmgren ? Life::reference : problem.governing;
+  return hours_of(life, bearing::rating::kNotRated, rated_hours_of(problem, rating, inner, outer, duty));
 }
 
 double life_hours(const CrownProblem& problem, const Profile& profile, const Lean& lean) {

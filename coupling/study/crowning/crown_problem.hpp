@@ -57,7 +57,7 @@ bearing::profile::Profile profile_of(const ProfileFamily& family, const Crown& c
 double reference_drop(const bearing::Bearing& bearing);
 
 using bearing::life::LaminaRating;
-using bearing::life::LifeMeasure;
+using bearing::rating::LifeMethod;
 
 /// One operating point of a spectrum.
 struct Duty {
@@ -73,10 +73,11 @@ struct CrownProblem {
   bearing::Bearing bearing;  // cut into laminae; its roller profile is what is studied
   bearing::QuasiStaticOptions options;
   std::vector<Duty> duties;
-  std::vector<LaminaRating> ratings;  // (duties)
+  LaminaRating contacts;  // of Lundberg and Palmgren
   RatedBearing rated;
-  bearing::rating::BearingRating rating;  // with as many laminae
-  std::optional<PlanetSeat> seat{};       // where the tilt is computed; none: it is stated
+  bearing::rating::BearingRating rating;                                       // with as many laminae
+  bearing::rating::Life governing = bearing::rating::Life::lundberg_palmgren;  // what is made longest
+  std::optional<PlanetSeat> seat{};  // where the tilt is computed; none: it is stated
 };
 
 /// How a planet leans [rad]. Where tilts are stated: that of the bore on its pin, along the load and across.
@@ -95,10 +96,11 @@ struct SpectrumPoint {
 };
 
 /// The planet bearing of `drivetrain` at the points of `spectrum`, whose shares add up to 1, cut into
-/// `laminae`; points without time are left out. Throws std::invalid_argument where shares do not add up, are
-/// negative, or all time passes at rest.
+/// `laminae`; points without time are left out. The governing life is that of `method`; of iso281, whose life
+/// is that of all crowns, Lundberg and Palmgren's. Throws std::invalid_argument where shares do not add up,
+/// are negative, or all time passes at rest.
 CrownProblem crown_problem(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
-                           const std::vector<SpectrumPoint>& spectrum, LifeMeasure measure, int laminae = 40);
+                           const std::vector<SpectrumPoint>& spectrum, LifeMethod method, int laminae = 40);
 
 /// The same bearing at one of its duties alone.
 CrownProblem one_duty(const CrownProblem& problem, std::size_t duty);
@@ -127,12 +129,19 @@ bearing::laminae::LaminaBearing lamina_bearing(const CrownProblem& problem,
                                                const bearing::profile::Profile& profile, std::size_t duty);
 bearing::OperatingPoint tilted(const Duty& duty, const Lean& lean);
 
-/// Life [h] of one bearing at one duty alone, whose loads are known.
+/// Lives [h] of one bearing at one duty alone, whose loads are known; kappa by speed and viscosity.
+struct DutyHours {
+  double lundberg_palmgren = 0.0;
+  bearing::rating::RatedHours rated;
+};
+DutyHours lives_at(const CrownProblem& problem, const DutyLoads& loads, std::size_t duty);
+/// The governing one of them.
 double duty_hours(const CrownProblem& problem, const DutyLoads& loads, std::size_t duty);
 
-/// The same by the standards, kappa by speed and viscosity.
-bearing::rating::RatedHours rated_duty_hours(const CrownProblem& problem, const DutyLoads& loads,
-                                             std::size_t duty);
+/// By the standards, of loads [N] (laminae, places) that hold what ends and tilts do, without stress riser.
+/// The governing life; L10r where that is Lundberg and Palmgren's.
+double hours_without_riser(const CrownProblem& problem, const Eigen::ArrayXXd& inner,
+                           const Eigen::ArrayXXd& outer, std::size_t duty);
 
 /// The rule of Palmgren and Miner: life [h] of all, given that of each duty alone. What the duties leave of
 /// the time is rest.

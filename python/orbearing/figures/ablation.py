@@ -52,8 +52,13 @@ def _block(report: Report, group: str, title: str, caption: str) -> FigureBlock:
     return FigureBlock(slug, title, caption, (_draw(entries, reference, slug),), _summary(entries, reference), _data(entries))
 
 
+def life_key_of(entry: dict) -> str:
+    """The life that an entry compares, the governing one."""
+    return str(entry.get("life_key") or "life_h")
+
+
 def _curve(entry: dict) -> tuple[np.ndarray, np.ndarray]:
-    speed, life = curve(entry, "speed_rpm", "life_h")
+    speed, life = curve(entry, "speed_rpm", life_key_of(entry))
     known = np.isfinite(speed) & (life > 0)
     order = np.argsort(speed[known], kind="stable")
     return speed[known][order], life[known][order]
@@ -97,7 +102,7 @@ def _draw_lives(axes: Axes, entries: list[dict], looks: list[dict]) -> None:
         peak_speed, peak_life = entry.get("peak_speed_rpm"), entry.get("peak_life_h")
         if is_number(peak_speed) and is_number(peak_life) and peak_life > 0:
             axes.plot([peak_speed], [peak_life], "o", color=look["color"], markersize=5, markeredgecolor="white")
-    style.life_axis(axes)
+    style.life_axis(axes, life_key_of(entries[0]))
     style.legend_above(axes, columns=2 if all(len(str(entry.get("name"))) < SHORT for entry in entries) else 1)
 
 
@@ -114,16 +119,16 @@ def _draw_changes(axes: Axes, pairs: list[tuple[dict, dict]], reference: dict) -
         low, high = axes.get_ylim()
         axes.set_ylim(max(low, -100.0), high)  # life cannot lose more than all of it
     style.thousands(axes.yaxis)
-    axes.set_ylabel("change of life (%)")
+    axes.set_ylabel(f"change of {style.life_name(life_key_of(reference))} (%)")
 
 
 def _summary(entries: list[dict], reference: dict | None) -> Table:
     base = (reference or {}).get("peak_life_h")
     rows = [(entry.get("name"), entry.get("peak_speed_rpm"), entry.get("peak_life_h"),
              "reference" if entry is reference else format_change(entry.get("peak_life_h"), base)) for entry in entries]
-    return Table(("what is computed", "peak at (rpm)", "life at its peak (h)", "against all effects"), rows)
+    return Table(("what is computed", "peak at (rpm)", f"{style.life_name(life_key_of(entries[0]))} at its peak (h)", "against all effects"), rows)
 
 
 def _data(entries: list[dict]) -> Table:
     rows = [(entry.get("name"), speed, life) for entry in entries for speed, life in zip(*_curve(entry))]
-    return Table(("what is computed", "input speed (rpm)", "life of one bearing (h)"), rows)
+    return Table(("what is computed", "input speed (rpm)", style.life_label(life_key_of(entries[0]))), rows)

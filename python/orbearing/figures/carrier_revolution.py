@@ -6,7 +6,7 @@ import numpy as np
 
 from orbearing import style
 from orbearing.blocks import FigureBlock, Table, columns_table, format_number, format_quantity, is_number
-from orbearing.result_folder import Report, numbers
+from orbearing.result_folder import Report, numbers, records
 
 SLUG, TITLE = "carrier-revolution", "Loads over a revolution of the carrier"
 
@@ -18,13 +18,26 @@ def block(report: Report) -> FigureBlock:
     loads = np.array(carrier.get("bearing_loads_N") or [], dtype=float)
     if not bearings or loads.shape != (len(angle), len(bearings)):
         return FigureBlock(SLUG, TITLE, missing="This case states no bearings of the carrier (gearset.carrier.bearing_positions).")
-    worst, expected = min(bearings, key=lambda one: one["L10h_h"]), carrier.get("expected_load_N")
+    expected = carrier.get("expected_load_N")
     caption = (f"Load of each planet bearing over the angle of the carrier, which its own bearings hold in the housing under weight and rotor (left), and load per width of "
                f"the most loaded mesh of sun and ring over the face (right). Largest load of one bearing: {format_quantity(loads.max(), 'N', 4)}, "
                f"{format_number(carrier.get('largest_load_share'), 4)} times the expected load of {format_quantity(expected, 'N', 4)} (torque shared evenly). "
-               f"Shortest L10h: {format_quantity(worst['L10h_h'], 'h', 4)}, {_name(worst)}.")
+               f"{_shortest_in_words(report)}").rstrip()
     data = columns_table(("carrier angle (deg)", *(f"{_name(one)} (N)" for one in bearings)), angle, *loads.T)
     return FigureBlock(SLUG, TITLE, caption, (_draw_loads(angle, loads, bearings, expected), _draw_face(carrier)), summary=_summary(bearings), data=data)
+
+
+def shortest_life(report: Report) -> tuple[dict, float] | None:
+    """The bearing with the shortest governing life, and that life [h]."""
+    column = "L10h_h" if report.life_key == "L10h" else report.life_key
+    alive = [one for one in records(report.record("carrier").get("bearings")) if is_number(one.get(column))]
+    worst = min(alive, key=lambda one: one[column], default=None)
+    return worst and (worst, worst[column])
+
+
+def _shortest_in_words(report: Report) -> str:
+    found = shortest_life(report)
+    return f"Shortest {report.life_key}: {format_quantity(found[1], 'h', 4)}, {_name(found[0])}." if found else ""
 
 
 def _name(bearing: dict) -> str:

@@ -43,19 +43,20 @@ def blocks(report: Report) -> list[FigureBlock]:
 
 
 def _comparison(report: Report) -> FigureBlock:
-    one_speed, one_life = curve(record(report.record("coupled").get("one_way")), "speed_rpm", "life_h")
-    speed, life = report.point_column("input_speed_rpm"), report.point_column("life_h")
+    name = style.life_name(report.life_key)
+    one_speed, one_life = curve(record(report.record("coupled").get("one_way")), "speed_rpm", report.life_key)
+    speed, life = report.point_column("input_speed_rpm"), report.point_column(report.life_key)
     if not np.any(life > 0):
-        return FigureBlock(SLUG, TITLE, missing="No point of this sweep has a life.")
+        return FigureBlock(SLUG, TITLE, missing=f"No point of this sweep has {style.a_life(report.life_key)}.")
     figure, axes = style.panel()
     axes.plot(one_speed, np.where(one_life > 0, one_life, np.nan), "s--", color=style.GREEN, markerfacecolor="white", label="one way")
     axes.plot(speed, np.where(life > 0, life, np.nan), "o-", color=style.BLUE, label=f"two ways ({report.fidelity})")
     style.speed_axis(axes)
-    style.life_axis(axes)
+    style.life_axis(axes, report.life_key)
     style.legend_above(axes, columns=2)
     rows = [(s, one, two, format_change(two, one)) for s, one, two in _pairs(one_speed, one_life, speed, life)]
-    table = Table(("input speed (rpm)", "life, one way (h)", "life, two ways (h)", "change"), rows)
-    caption = CAPTION.format(change=_change(rows), how=report.record("coupled").get("how") or report.fidelity)
+    table = Table(("input speed (rpm)", f"{name}, one way (h)", f"{name}, two ways (h)", "change"), rows)
+    caption = CAPTION.format(change=_change(rows, name), how=report.record("coupled").get("how") or report.fidelity)
     return FigureBlock(SLUG, TITLE, caption, (style.to_svg(figure, SLUG, "Life over speed, one way and two ways"),), summary=table)
 
 
@@ -64,13 +65,13 @@ def _pairs(one_speed, one_life, speed, life) -> list[tuple]:
     return [(float(s), known.get(round(float(s), 6)), float(h) if h > 0 else None) for s, h in zip(speed, life)]
 
 
-def _change(rows: list[tuple]) -> str:
+def _change(rows: list[tuple], name: str) -> str:
     both = [(speed, two / one - 1) for speed, one, two, _ in rows if is_number(one) and is_number(two) and one > 0]
     if not both:
         return "No speed has both lives."
     speed, most = max(both, key=lambda pair: abs(pair[1]))
     sign = "longer" if most > 0 else "shorter"
-    return f"The largest change of life is at {format_number(speed)} rpm: {format_number(100 * abs(most), 3)} % {sign} than one way."
+    return f"The largest change of {name} is at {format_number(speed)} rpm: {format_number(100 * abs(most), 3)} % {sign} than one way."
 
 
 def _residual(report: Report, residual: np.ndarray) -> FigureBlock:

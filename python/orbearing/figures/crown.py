@@ -30,8 +30,22 @@ def blocks(report: Report) -> list[FigureBlock]:
         profiles(records(figures.get("profiles")), figures),
         roller_pressure.block(records(figures.get("pressure"))),
         zones(records(figures.get("zone"))),
-        speeds(records(figures.get("speeds"))),
+        speeds(records(figures.get("speeds")), life_key_of(crown)),
     ]
+
+
+def life_key_of(crown: dict) -> str:
+    """The life that the study makes longest, the governing one."""
+    return str(crown.get("life_key") or "life_h")
+
+
+def half_space_life_key(crown: dict) -> str:
+    """The life from half-space pressures: the governing one, of ISO 16281 where that is by laminae alone."""
+    return "L10rh" if life_key_of(crown) == "life_h" else life_key_of(crown)
+
+
+def _capital(text: str) -> str:
+    return text[:1].upper() + text[1:]
 
 
 def drops(advice: dict) -> FigureBlock:
@@ -71,7 +85,7 @@ def life_map(found: dict, crown: dict) -> FigureBlock:
     """Contours of life, the optimum, the tilts studied and, where asked for, the band of tolerance."""
     title = "Life over drop and tilt"
     drop, tilt = np.asarray(found.get("drop_um") or []), np.asarray(found.get("tilt_mrad") or [])
-    life = np.asarray(found.get("life_h") or [], float)
+    life = np.asarray(found.get("governing_life_h") or [], float)
     if life.shape != (len(drop), len(tilt)) or life.size == 0:
         return FigureBlock("crown-map", title, missing="This study holds no lives over drop and tilt.")
     figure, axes = style.panel((6.0, 4.4))
@@ -80,7 +94,7 @@ def life_map(found: dict, crown: dict) -> FigureBlock:
     axes.plot(_ridge(drop, life), tilt, color=style.BLACK, linewidth=1.2, linestyle="--", label="best drop at each tilt")
     _mark_optima(axes, found, crown)
     bar = figure.colorbar(filled, ax=axes, pad=0.02, ticks=levels[::2])
-    bar.set_label("life of one bearing (h)")
+    bar.set_label(style.life_label(life_key_of(crown)))
     bar.ax.yaxis.set_major_formatter(lambda value, _: format_number(value, 3))
     bar.ax.minorticks_off()
     axes.set_xlabel("drop of one roller at the outermost of 40 laminae (µm)")
@@ -88,7 +102,7 @@ def life_map(found: dict, crown: dict) -> FigureBlock:
     axes.set_ylabel("inclination of the pin ahead (mrad)" if computed else "tilt of the bore on its pin (mrad)")
     axes.grid(False)
     style.legend_above(axes, columns=1)
-    caption = (f"Life of one bearing by laminae with the profile {found.get('profile')}, colours in steps of equal ratio. A crown costs life where "
+    caption = (f"{_capital(style.life_name(life_key_of(crown)))} of one bearing by laminae with the profile {found.get('profile')}, colours in steps of equal ratio. A crown costs life where "
                "the bore stands straight and saves it where the bore leans. ")
     caption += ("Tilts are computed; the unloaded pin is inclined besides in the sense of the carrier's rotation." if computed else
                 "The optimum is the crown under which the shortest life over the tilts studied is longest.")
@@ -133,17 +147,18 @@ def _mark_optima(axes: Axes, found: dict, crown: dict) -> None:
 
 def _design_table(crown: dict) -> Table:
     rows = []
-    straight = record(crown.get("straight")).get("life_h")
+    straight = record(crown.get("straight")).get("governing_life_h")
+    life = style.life_name(life_key_of(crown))
     for name, key in (("straight", "straight"), ("ISO/TS 16281, as in the standard", "reference"), ("optimum by laminae", "optimum"),
                       ("best within the tolerances, by laminae", "robust"), ("recommended, by half-space pressures", "recommended")):
         one = record(crown.get(key))
         if one:
-            ratio = one["life_h"] / straight if is_number(one.get("life_h")) and straight else None
-            rows.append((name, one.get("profile"), one.get("drop_um"), one.get("life_h"), ratio, one.get("untilted_life_h"),
-                         one.get("peak_pressure_MPa"), one.get("edge_ratio"), one.get("half_space_life_h"), one.get("life_in_band_h")))
-    return Table(("rollers", "profile", "drop (µm)", "shortest life over the tilts (h)", "times straight", "life without tilt (h)",
+            ratio = one["governing_life_h"] / straight if is_number(one.get("governing_life_h")) and straight else None
+            rows.append((name, one.get("profile"), one.get("drop_um"), one.get("governing_life_h"), ratio, one.get("untilted_governing_life_h"),
+                         one.get("peak_pressure_MPa"), one.get("edge_ratio"), one.get("half_space_life_h"), one.get("governing_life_in_band_h")))
+    return Table(("rollers", "profile", "drop (µm)", f"shortest {life} over the tilts (h)", "times straight", f"{life} without tilt (h)",
                   "greatest peak pressure (MPa)", "edge ratio there", "shortest life from half-space pressures (h)",
-                  "shortest life within the tolerances (h)"), rows)
+                  f"shortest {life} within the tolerances (h)"), rows)
 
 
 def fronts(found: list[dict], crown: dict) -> FigureBlock:
@@ -156,24 +171,24 @@ def fronts(found: list[dict], crown: dict) -> FigureBlock:
     rows = []
     for number, front in enumerate(drawn):
         points = records(front["points"])
-        pressure, life = ([point[key] for point in points] for key in ("peak_pressure_MPa", "life_h"))
+        pressure, life = ([point[key] for point in points] for key in ("peak_pressure_MPa", "governing_life_h"))
         colour = COLOURS[number % len(COLOURS)]
         axes.plot(pressure, life, color=colour, linewidth=1.0, linestyle=style.DASHES[number % len(style.DASHES)], label=front.get("profile"))
         good = [point for point in points if point.get("efficient")]
-        axes.plot([p["peak_pressure_MPa"] for p in good], [p["life_h"] for p in good], color=colour, linestyle="", marker="o", markersize=4.5)
-        rows += [(front.get("profile"), p["drop_um"], p["life_h"], p["peak_pressure_MPa"], "yes" if p.get("efficient") else "") for p in points]
+        axes.plot([p["peak_pressure_MPa"] for p in good], [p["governing_life_h"] for p in good], color=colour, linestyle="", marker="o", markersize=4.5)
+        rows += [(front.get("profile"), p["drop_um"], p["governing_life_h"], p["peak_pressure_MPa"], "yes" if p.get("efficient") else "") for p in points]
     straight = record(crown.get("straight"))
-    axes.plot([straight["peak_pressure_MPa"]], [straight["life_h"]], color=style.BLACK, marker="s", linestyle="", label="straight")
+    axes.plot([straight["peak_pressure_MPa"]], [straight["governing_life_h"]], color=style.BLACK, marker="s", linestyle="", label="straight")
     best = record(crown.get("optimum"))
-    axes.plot([best["peak_pressure_MPa"]], [best["life_h"]], color=style.VERMILION, marker="*", markersize=13, linestyle="", label="optimum")
+    axes.plot([best["peak_pressure_MPa"]], [best["governing_life_h"]], color=style.VERMILION, marker="*", markersize=13, linestyle="", label="optimum")
     axes.set_xlabel("greatest peak pressure over the tilts (MPa)")
     style.thousands(axes.xaxis)
     style.life_axis(axes)
-    axes.set_ylabel("shortest life over the tilts (h)")
+    axes.set_ylabel(f"shortest {style.life_name(life_key_of(crown))} over the tilts (h)")
     style.legend_above(axes, columns=3)
     caption = ("Each curve is one kind of profile as its drop grows from the straight roller. Dots are the drops that are worth a thought: no other "
                "drop of that kind lives longer at a lower pressure. Kinds with a straight middle have their usual crowned share here.")
-    head = ("profile", "drop (µm)", "shortest life (h)", "greatest peak pressure (MPa)", "on the front")
+    head = ("profile", "drop (µm)", f"shortest {style.life_name(life_key_of(crown))} (h)", "greatest peak pressure (MPa)", "on the front")
     return FigureBlock("crown-front", title, caption, (style.to_svg(figure, "crown-front", "Life against peak pressure for each kind of profile"),),
                        data=Table(head, rows))
 
@@ -284,7 +299,7 @@ def _zone_grid(zone: dict) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     return turned[near], x, pressure[near]
 
 
-def speeds(found: list[dict]) -> FigureBlock:
+def speeds(found: list[dict], life_key: str) -> FigureBlock:
     """Life over input speed with and without crown."""
     title = "Life over speed, with and without crown"
     drawn = [line for line in found if len(line.get("speed_rpm") or []) > 1]
@@ -295,15 +310,15 @@ def speeds(found: list[dict]) -> FigureBlock:
     panels = figure.subplots(1, len(tilts), sharey=True, squeeze=False)[0]
     for axes, tilt in zip(panels, tilts):
         for number, line in enumerate(line for line in drawn if line["tilt_mrad"] == tilt):
-            axes.plot(line["speed_rpm"], line["life_h"], color=style.SERIES[number], linestyle=style.DASHES[number], marker="o",
+            axes.plot(line["speed_rpm"], line["governing_life_h"], color=style.SERIES[number], linestyle=style.DASHES[number], marker="o",
                       markersize=3.5, label=style.legend_label(str(line["profile"])))
         axes.set_title(style.tilt_text(tilt), loc="left")
         style.speed_axis(axes)
-    style.life_axis(panels[0])
+    style.life_axis(panels[0], life_key)
     handles, labels = panels[0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="upper left", ncol=3)
     figure.get_layout_engine().set(rect=(0, 0, 1, 1 - 0.3 / figure.get_figheight()))
-    data = [(line["profile"], line["tilt_mrad"], speed, life) for line in drawn for speed, life in zip(line["speed_rpm"], line["life_h"])]
-    return FigureBlock("crown-speeds", title, "Life of one bearing by laminae at each speed alone, at constant power; of stated tilts without and at the greatest.",
+    data = [(line["profile"], line["tilt_mrad"], speed, life) for line in drawn for speed, life in zip(line["speed_rpm"], line["governing_life_h"])]
+    return FigureBlock("crown-speeds", title, f"{_capital(style.life_name(life_key))} of one bearing by laminae at each speed alone, at constant power; of stated tilts without and at the greatest.",
                        (style.to_svg(figure, "crown-speeds", "Life over input speed with and without crown"),),
-                       data=Table(("profile", "tilt (mrad)", "input speed (rpm)", "life (h)"), data))
+                       data=Table(("profile", "tilt (mrad)", "input speed (rpm)", f"{style.life_name(life_key)} (h)"), data))

@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 
 from orbearing import style
 from orbearing.blocks import FigureBlock, Table, format_change, format_number, is_number
-from orbearing.figures.ablation import REFERENCE
+from orbearing.figures.ablation import REFERENCE, life_key_of
 from orbearing.result_folder import Report, records, slip_of_set
 
 SLUG, TITLE = "dynamic-ablation", "Effect of single terms in motion"
@@ -26,11 +26,13 @@ Points = dict[float, dict]
 
 def block(report: Report) -> FigureBlock:
     """Bars for each effect and speed, and the numbers with power loss and load."""
-    runs = {str(entry.get("name")): _points(entry) for entry in records(report.record("dynamic").get("ablation"))}
+    entries = records(report.record("dynamic").get("ablation"))
+    life_key = next(map(life_key_of, entries), report.life_key)
+    runs = {str(entry.get("name")): _points(entry) for entry in entries}
     runs = {name: points for name, points in runs.items() if points}
     if not runs or list(runs) == [REFERENCE]:
         return FigureBlock(SLUG, TITLE, missing="No dynamic run of this result leaves out an effect.")
-    return FigureBlock(SLUG, TITLE, CAPTION, (_draw(runs),), summary=_table(runs))
+    return FigureBlock(SLUG, TITLE, CAPTION, (_draw(runs, life_key),), summary=_table(runs, life_key))
 
 
 def _points(entry: dict) -> Points:
@@ -38,9 +40,9 @@ def _points(entry: dict) -> Points:
     return {round(point["speed_rpm"], 3): point for point in records(entry.get("points")) if is_number(point.get("speed_rpm"))}
 
 
-def change_of_life(points: Points, reference: Points, speed: float) -> float:
+def change_of_life(points: Points, reference: Points, speed: float, life_key: str) -> float:
     """In per cent, NaN where one of the two has no life."""
-    life, base = points.get(speed, {}).get("life_h"), reference.get(speed, {}).get("life_h")
+    life, base = points.get(speed, {}).get(life_key), reference.get(speed, {}).get(life_key)
     return 100 * (life / base - 1) if is_number(life) and is_number(base) and base > 0 else np.nan
 
 
@@ -49,20 +51,20 @@ def _percent(points: Points, name: str, speed: float) -> float:
     return 100 * value if is_number(value) else np.nan
 
 
-def _draw(runs: dict[str, Points]) -> str:
+def _draw(runs: dict[str, Points], life_key: str) -> str:
     figure = Figure(figsize=(7.6, 1.7 + ROW * len(runs)))
     panels = figure.subplots(1, 3, sharey=True)
     of_set, whose = slip_of_set([point for points in runs.values() for point in points.values()])
     speeds, reference = sorted({speed for points in runs.values() for speed in points}), runs.get(REFERENCE, {})
     for index, speed in enumerate(speeds):
         places = np.arange(len(runs)) + SPREAD * ((index + 0.5) / len(speeds) - 0.5)
-        columns = ([change_of_life(points, reference, speed) if name != REFERENCE else np.nan for name, points in runs.items()],
+        columns = ([change_of_life(points, reference, speed, life_key) if name != REFERENCE else np.nan for name, points in runs.items()],
                    [_percent(points, "roller_slip", speed) for points in runs.values()],
                    [_percent(points, of_set, speed) for points in runs.values()])
         for axes, column in zip(panels, columns):
             axes.barh(places, np.nan_to_num(column), 0.9 * SPREAD / len(speeds), color=style.SERIES[(index + 1) % len(style.SERIES)],
                       label=f"{format_number(speed)} rpm")
-    for axes, label in zip(panels, ("change of life (%)", "roller slip (%)", f"{whose} slip (%)")):
+    for axes, label in zip(panels, (f"change of {style.life_name(life_key)} (%)", "roller slip (%)", f"{whose} slip (%)")):
         _scale(axes)
         axes.axvline(0, color=style.BLACK, linewidth=0.8)
         axes.grid(False, axis="y")
@@ -89,16 +91,16 @@ def _scale(axes: Axes) -> None:
     axes.minorticks_off()
 
 
-def _table(runs: dict[str, Points]) -> Table:
+def _table(runs: dict[str, Points], life_key: str) -> Table:
     reference, rows = runs.get(REFERENCE, {}), []
     of_set, whose = slip_of_set([point for points in runs.values() for point in points.values()])
     for speed in sorted({speed for points in runs.values() for speed in points}):
         for name, points in runs.items():
             point = points.get(speed, {})
-            change = "reference" if name == REFERENCE else format_change(point.get("life_h"), reference.get(speed, {}).get("life_h"))
-            rows.append((speed, name, point.get("life_h"), change, round(_percent(points, "roller_slip", speed), 3),
+            change = "reference" if name == REFERENCE else format_change(point.get(life_key), reference.get(speed, {}).get(life_key))
+            rows.append((speed, name, point.get(life_key), change, round(_percent(points, "roller_slip", speed), 3),
                          round(_percent(points, of_set, speed), 3), point.get("power_loss_W"), point.get("inner_load_rms_N"),
                          point.get("outer_load_rms_N")))
-    head = ("input speed (rpm)", "what is computed", "life (h)", "against all effects", "roller slip (%)", f"{whose} slip (%)",
+    head = ("input speed (rpm)", "what is computed", f"{style.life_name(life_key)} (h)", "against all effects", "roller slip (%)", f"{whose} slip (%)",
             "power loss (W)", "rms load, inner race (N)", "rms load, outer race (N)")
     return Table(head, rows)

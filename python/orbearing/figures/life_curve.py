@@ -8,6 +8,7 @@ from matplotlib.axes import Axes
 from orbearing import style
 from orbearing.blocks import FigureBlock, columns_table, format_number, is_number
 from orbearing.figures.gear_modes import campbell_beside_life, excited_meetings
+from orbearing.lives import LUNDBERG_PALMGREN
 from orbearing.result_folder import Report, curve
 
 TITLE = "Life over speed"
@@ -20,7 +21,7 @@ def block(report: Report) -> FigureBlock:
     """Both pictures; where no point has a life, a sentence in their place."""
     speed, life = report.point_column("input_speed_rpm"), report.point_column(report.life_key)
     if not np.any(np.isfinite(speed) & (life > 0)):
-        return FigureBlock("life", TITLE, missing="No point of this sweep has a life, so there is no curve to show.")
+        return FigureBlock("life", TITLE, missing=f"No point of this sweep has {style.a_life(report.life_key)}, so there is no curve to show.")
     pictures = [_whole_range(report)]
     if is_number(report.peak_speed):
         pictures.append(_near_peak(report))
@@ -134,7 +135,7 @@ def _draw_failed(axes: Axes, report: Report) -> None:
     speeds = [p["input_speed_rpm"] for p in report.failed_points if is_number(p.get("input_speed_rpm"))]
     if speeds:
         axes.plot(speeds, [0.02] * len(speeds), "x", color=style.GREY, transform=axes.get_xaxis_transform(),
-                  label="point without a life", clip_on=False)
+                  label=f"point without {style.a_life(report.life_key)}", clip_on=False)
 
 
 def _positive(values: np.ndarray) -> np.ndarray:
@@ -142,8 +143,8 @@ def _positive(values: np.ndarray) -> np.ndarray:
 
 
 def _published(report: Report) -> list[dict]:
-    """Published lives that have a place on this curve."""
-    rows = report.records("published")
+    """Published lives that have a place on this curve: they are those of Lundberg and Palmgren."""
+    rows = report.records("published") if report.life_key == LUNDBERG_PALMGREN else []
     return [{**r, "source": str(r.get("source") or "unnamed source")} for r in rows
             if is_number(r.get("speed_rpm")) and is_number(r.get("life_h")) and r["life_h"] > 0]
 
@@ -166,7 +167,7 @@ def _caption(report: Report) -> str:
     if len(report.records("points")) == 1:
         text += "This result has a single point, so there is no curve of points to follow. "
     if report.failed_points:
-        text += f"{len(report.failed_points)} point(s) gave no life; crosses on the axis mark their speeds. "
+        text += f"{len(report.failed_points)} point(s) gave no {style.life_name(report.life_key)}; crosses on the axis mark their speeds. "
     if not _published(report):
         text += "No published life is compared with this case. "
     return text.strip()

@@ -6,13 +6,13 @@ import numpy as np
 
 from orbearing import style
 from orbearing.blocks import FigureBlock, Table, columns_table, format_number, format_quantity, is_number
+from orbearing.lives import LIVES
 from orbearing.result_folder import Report, lies_on, numbers, record, records
 
 SLUG, TITLE = "load-spectrum", "Load spectrum and what it uses up"
 LARGEST = 900.0  # [pt^2] of the circle of the largest share
 MOST_BARS = 12
 DAMAGE_COLOURS = "viridis_r"
-LIVES = ("L10h", "L10rh", "L10mh", "L10mrh", "life_h")
 
 
 def block(report: Report) -> FigureBlock:
@@ -33,7 +33,7 @@ def block(report: Report) -> FigureBlock:
 
 
 def life_key(result: dict) -> str:
-    """The life that damage and results go by: `life.method` of the case."""
+    """The governing life (`life.method`), by which damage is summed."""
     return result.get("life_key") or "life_h"
 
 
@@ -57,7 +57,7 @@ def files_table(result: dict, most: int | None = None) -> Table | None:
 
 
 def damage_columns(life: str) -> dict[str, str]:
-    """Heads of columns with the name of their share: of the life that results go by, and of L10mh, which is often the same."""
+    """Heads of columns with the name of their share: of the governing life, and of L10mh, which is often the same."""
     return {f"Damage by {life} [%]": "damage_share"} | ({} if life == "L10mh" else {"Damage by L10mh [%]": "damage_share_L10mh"})
 
 

@@ -243,6 +243,7 @@ def run(options: argparse.Namespace) -> int:
         print_variants(result)
         for warning in result.warnings:
             print(f"warning: {warning}")
+        print(f"governing life: {result.life_key}")
         if options.output:
             print(os.path.join(options.output, "study.nc"))
     return 1 if result.failed else 0

@@ -9,21 +9,15 @@ from typing import Any
 
 import numpy as np
 
+from orbearing.lives import life_in_words
 from orbearing.studies.design import SPEED, Design, Parameter
-from orbearing.studies.table import LIFE, SPEED_COLUMN, SYSTEM_LIFE, ResultTable
+from orbearing.studies.table import SPEED_COLUMN, ResultTable
 from orbearing.units import units_of
 
 CONVENTIONS = "CF-1.10"
 ASIDE = ".tmp"
 
-MEANINGS = {
-    LIFE: "life of one bearing, 90 % reliability",
-    SYSTEM_LIFE: "life of all bearings together, 90 % reliability",
-    "peak_life_h": "longest life over the grid of speeds",
-    "peak_speed_rpm": "speed of the longest life on the grid of speeds",
-    "peak_point": "number of the point of the longest life",
-    "status": "ok, or why a point has no result",
-}
+STATUS = "ok, or why a point has no result"
 
 
 @dataclass(frozen=True)
@@ -61,9 +55,9 @@ def in_rpm(speed: Parameter) -> np.ndarray:
     return speed.values if speed.unit == "rpm" else speed.si * 60.0 / (2.0 * np.pi)
 
 
-def peaks(design: Design, table: ResultTable) -> tuple[np.ndarray, np.ndarray]:
-    """Of each variant the number of the point with the longest life on the grid, -1 where none has one, and that life [h]."""
-    life = table.column(LIFE).reshape(-1, design.shape[-1])
+def peaks(design: Design, table: ResultTable, life_key: str) -> tuple[np.ndarray, np.ndarray]:
+    """Of each variant the number of the point with the longest of these lives on the grid, -1 where none has one, and that life [h]."""
+    life = table.column(life_key).reshape(-1, design.shape[-1])
     known = np.where(np.isfinite(life) & (life > 0.0), life, -np.inf)
     best = known.argmax(axis=1)
     longest = known[np.arange(len(known)), best]
@@ -73,7 +67,7 @@ def peaks(design: Design, table: ResultTable) -> tuple[np.ndarray, np.ndarray]:
 
 
 def content_of(design: Design, table: ResultTable, attributes: dict[str, Any]) -> Content:
-    """Named arrays of a study, finished or not. Columns without a number at any point are left out."""
+    """Named arrays of a study, finished or not; peaks by the life that its attribute `life_key` names. Columns without a number at any point are left out."""
     lengths = tuple((SPEED_COLUMN if name == SPEED else name, length) for name, length in design.dimensions)
     names = tuple(name for name, _ in lengths)
     coordinates = [Variable(name, (name,), np.arange(length), {"long_name": f"number of the {name}, from 0"})
@@ -87,25 +81,25 @@ def content_of(design: Design, table: ResultTable, attributes: dict[str, Any]) -
     for index, column in enumerate(table.columns):
         if column not in taken and not np.isnan(table.rows[:, index]).all():
             variables.append(_variable(column, names, table.rows[:, index].reshape(design.shape)))
-    variables.append(Variable("status", names, table.status.reshape(design.shape), {"long_name": MEANINGS["status"]}))
-    if design.over_speed and LIFE in table.columns:
-        variables += _peak_variables(design, table, names[:-1])
+    variables.append(Variable("status", names, table.status.reshape(design.shape), {"long_name": STATUS}))
+    if design.over_speed and attributes["life_key"] in table.columns:
+        variables += _peak_variables(design, table, names[:-1], attributes["life_key"])
     return Content(lengths, coordinates, variables, {"Conventions": CONVENTIONS, **attributes})
 
 
-def _variable(name: str, dimensions: tuple[str, ...], values: np.ndarray) -> Variable:
-    meaning = MEANINGS.get(name, name.replace("_", " "))
-    return Variable(name, dimensions, values, {"units": units_of(name), "long_name": meaning})
+def _variable(name: str, dimensions: tuple[str, ...], values: np.ndarray, meaning: str = "") -> Variable:
+    return Variable(name, dimensions, values, {"units": units_of(name), "long_name": meaning or life_in_words(name) or name.replace("_", " ")})
 
 
-def _peak_variables(design: Design, table: ResultTable, dimensions: tuple[str, ...]) -> list[Variable]:
-    numbers, lives = peaks(design, table)
+def _peak_variables(design: Design, table: ResultTable, dimensions: tuple[str, ...], life_key: str) -> list[Variable]:
+    numbers, lives = peaks(design, table, life_key)
     speed = next(p for p in design.parameters if p.path == SPEED)
     found = numbers >= 0
     speeds = np.where(found, in_rpm(speed)[np.where(found, numbers % design.shape[-1], 0)], np.nan)
     shape = design.shape[:-1]
-    point = Variable("peak_point", dimensions, numbers.reshape(shape), {"long_name": MEANINGS["peak_point"]})
-    return [_variable("peak_speed_rpm", dimensions, speeds.reshape(shape)), _variable("peak_life_h", dimensions, lives.reshape(shape)), point]
+    point = Variable("peak_point", dimensions, numbers.reshape(shape), {"long_name": f"number of the point of the longest {life_key}"})
+    return [_variable("peak_speed_rpm", dimensions, speeds.reshape(shape), f"speed of the longest {life_key} on the grid of speeds"),
+            _variable("peak_life_h", dimensions, lives.reshape(shape), f"longest {life_key} over the grid of speeds"), point]
 
 
 def to_xarray(content: Content):

@@ -34,16 +34,16 @@ def point_file_name(point: int) -> str:
     return f"{POINTS}/{point:05}.nc"
 
 
-def header_of(case_name: str, case_hash: str, program: dict[str, str], fidelity: str, design: Design) -> dict:
+def header_of(case_name: str, case_hash: str, program: dict[str, str], fidelity: str, life_key: str, design: Design) -> dict:
     """What a study's results belong to; what differs from it is another study."""
-    return {"orbearing_study": FORMAT, "case": case_name, "case_hash": case_hash, **program, "fidelity": fidelity, "points": design.points,
+    return {"orbearing_study": FORMAT, "case": case_name, "case_hash": case_hash, **program, "fidelity": fidelity, "life_key": life_key, "points": design.points,
             **design.summary()}
 
 
 def differences(found: dict, required: dict) -> list[str]:
     """In the words of a message."""
     names = {"case": "case", "case_hash": "resolved case with hash", "program_version": "program version", "instruction_set": "instruction set",
-             "fidelity": "fidelity", "points": "number of points", "sampler": "sampler", "seed": "seed", "dimensions": "dimensions"}
+             "fidelity": "fidelity", "life_key": "governing life", "points": "number of points", "sampler": "sampler", "seed": "seed", "dimensions": "dimensions"}
     lines = [f"{words} '{found.get(key)}' was found; '{required.get(key)}' is required" for key, words in names.items() if found.get(key) != required.get(key)]
     if found.get("parameters") != required.get("parameters"):
         ours = {p["path"]: p for p in required["parameters"]}

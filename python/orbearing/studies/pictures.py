@@ -12,7 +12,6 @@ from orbearing import page, style
 from orbearing.blocks import FigureBlock, Table, format_number, format_quantity
 from orbearing.studies.dataset import in_rpm
 from orbearing.studies.design import SPEED
-from orbearing.studies.table import LIFE
 
 PICTURE = (6.0, 4.0)  # [inch]
 MOST_CURVES = 60  # that a picture shows one by one
@@ -26,7 +25,7 @@ def life_picture(result, axes=None):
         from matplotlib import pyplot
 
         _, axes = pyplot.subplots(figsize=PICTURE, layout="constrained")
-    life = result.table.column(LIFE)
+    life = result.table.column(result.life_key)
     if not result.design.over_speed:
         parameter = next((p for p in result.design.parameters if p.is_number and p.path != SPEED), result.design.parameters[0])
         _over_parameter(axes, result, parameter, life)
@@ -39,7 +38,7 @@ def life_picture(result, axes=None):
     else:
         _quantiles(axes, speed[order], curves[:, order])
     style.speed_axis(axes)
-    style.life_axis(axes)
+    style.life_axis(axes, result.life_key)
     return axes
 
 
@@ -90,7 +89,7 @@ def _over_parameter(axes, result, parameter, life: np.ndarray) -> None:
     values = parameter.values if parameter.is_number else np.arange(len(parameter.texts), dtype=float)
     axes.plot(values[places], life, linestyle="", marker=".", color=style.BLUE)
     axes.set_xlabel(f"{parameter.path} ({parameter.unit})" if parameter.is_number else parameter.path)
-    style.life_axis(axes)
+    style.life_axis(axes, result.life_key)
 
 
 def _peak_block(result) -> FigureBlock | None:
@@ -110,23 +109,23 @@ def _peak_block(result) -> FigureBlock | None:
     bar = figure.colorbar(shown, ax=axes)
     bar.set_label("speed of the peak (rpm)")
     axes.set_xlabel(f"{parameter.path} ({parameter.unit})" if number else parameter.path)
-    axes.set_ylabel("longest life of one bearing (h)")
-    caption = "The longest life over the grid of speeds of each variant, and the speed at which it stands."
+    axes.set_ylabel(f"longest {style.life_label(result.life_key)}")
+    caption = f"The longest {style.life_name(result.life_key)} over the grid of speeds of each variant, and the speed at which it stands."
     return FigureBlock("peaks", f"Peak over {parameter.path}", caption, (style.to_svg(figure, "peaks", caption),))
 
 
 def headline(result) -> str:
     """The answer in one sentence."""
-    lives = [v for v in result.variants() if v.get("peak_life_h", v.get(LIFE)) is not None]
-    if not lives:
-        return f"None of {result.points} points has a life."
-
     def life(variant):
-        return variant.get("peak_life_h", variant.get(LIFE))
+        return variant.get("peak_life_h", variant.get(result.life_key))
+
+    lives = [v for v in result.variants() if life(v) is not None]
+    if not lives:
+        return f"None of {result.points} points has {style.a_life(result.life_key)}."
 
     best, worst = max(lives, key=life), min(lives, key=life)
     said = ", ".join(f"{p.path} {_shown(best[p.path])}{'' if p.unit in ('', '1') else ' ' + p.unit}" for p in result.design.parameters if p.path in best)
-    return (f"Of {result.design.variants} variants the longest life is {format_quantity(life(best), 'h')}"
+    return (f"Of {result.design.variants} variants the longest {style.life_name(result.life_key)} is {format_quantity(life(best), 'h')}"
             f"{' (' + said + ')' if said else ''}, the shortest {format_quantity(life(worst), 'h')}.")
 
 
@@ -152,12 +151,13 @@ def page_of(result) -> str:
     with style.context():
         figure, axes = style.panel(PICTURE)
         life_picture(result, axes)
-        caption = "Life of one bearing of each variant." if result.design.variants <= MOST_CURVES else "Life of one bearing over all variants."
+        whose = "of each variant" if result.design.variants <= MOST_CURVES else "over all variants"
+        caption = f"Governing life of one bearing {whose}, {result.life_key}."
         blocks = [FigureBlock("lives", "Life", caption, (style.to_svg(figure, "lives", caption),)), _peak_block(result)]
     name = escape(result.header["case"])
     sizes = " × ".join(f"{escape(dimension)} {length}" for dimension, length in result.design.dimensions)
     failures = result.failures()
-    rows = [("Points", f"{sizes} = {result.points}"), ("Fidelity", result.header["fidelity"]), ("Sampler", result.design.sampler),
+    rows = [("Points", f"{sizes} = {result.points}"), ("Fidelity", result.header["fidelity"]), ("Governing life", result.life_key), ("Sampler", result.design.sampler),
             ("Points without a result", str(result.failed)), *((f"{count} points", reason) for reason, count in failures.items())]
     figures = [page._figure(index, block) for index, block in enumerate((b for b in blocks if b), start=1)]
     return "\n".join([

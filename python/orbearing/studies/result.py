@@ -9,10 +9,11 @@ from typing import Any
 
 import numpy as np
 
+from orbearing.lives import LUNDBERG_PALMGREN
 from orbearing.studies.dataset import content_of, in_rpm, peaks, to_xarray
 from orbearing.studies.design import SPEED, Design
 from orbearing.studies.folder import read_folder
-from orbearing.studies.table import DONE, LIFE, NOT_COMPUTED, ResultTable
+from orbearing.studies.table import DONE, NOT_COMPUTED, ResultTable
 from orbearing.units import units_in
 
 
@@ -47,29 +48,34 @@ class StudyResult:
         return [line for line in self.attributes.get("warnings", "").split("\n") if line]
 
     @property
+    def life_key(self) -> str:
+        """The governing life of its case, by which peaks and pictures go; a column of the table."""
+        return self.attributes["life_key"]
+
+    @property
     def parameters(self) -> tuple[str, ...]:
         """Paths of all that varies, the speed among them."""
         return tuple(parameter.path for parameter in self.design.parameters)
 
     def to_xarray(self):
         """An xarray.Dataset: every result over the dimensions of the study, all parameters as coordinates in their customary units, each variant's
-        peak on the grid as peak_speed_rpm [rpm] and peak_life_h [h]. `units` are as pint and udunits read them."""
+        peak of the governing life on the grid as peak_speed_rpm [rpm] and peak_life_h [h]. `units` are as pint and udunits read them."""
         return to_xarray(content_of(self.design, self.table, self.attributes))
 
     def variants(self) -> list[dict[str, Any]]:
-        """One record for each variant: its parameters (numbers in their customary units), and its peak on the grid of speeds where there is one, None
-        where no point has a life."""
+        """One record for each variant: its parameters (numbers in their customary units), and the peak of its governing life on the grid of speeds;
+        that life under its own key where the speed is no dimension. None where no point has one."""
         design, speeds = self.design, self.design.shape[-1] if self.design.over_speed else 1
         own = [p for p in design.parameters if not (design.over_speed and p.path == SPEED)]
         first = np.arange(design.variants) * speeds
         columns = {p.path: p.values[design.along(p, first)].tolist() for p in own}
-        if design.over_speed and LIFE in self.table.columns:
-            numbers, lives = peaks(design, self.table)
+        if design.over_speed and self.life_key in self.table.columns:
+            numbers, lives = peaks(design, self.table, self.life_key)
             speed = in_rpm(next(p for p in design.parameters if p.path == SPEED))
             columns["peak_speed_rpm"] = [float(speed[number % speeds]) if number >= 0 else None for number in numbers]
             columns["peak_life_h"] = [float(life) if np.isfinite(life) else None for life in lives]
-        elif LIFE in self.table.columns:
-            columns[LIFE] = [float(life) if np.isfinite(life) else None for life in self.table.column(LIFE)]
+        elif self.life_key in self.table.columns:
+            columns[self.life_key] = [float(life) if np.isfinite(life) else None for life in self.table.column(self.life_key)]
         bad = ((self.table.status != DONE) & self.table.finished).reshape(-1, speeds).sum(axis=1)
         columns["failed_points"] = bad.tolist()
         return [dict(zip(columns, row)) for row in zip(*columns.values())]
@@ -110,13 +116,14 @@ def open_study(folder) -> StudyResult:
     """A study as its folder holds it, finished or not. Raises CaseError where there is none."""
     folder = Path(folder)
     header, design, table = read_folder(folder)
-    attributes = header.pop("attributes", {})
+    # The peaks of folders whose header names no life go by that of Lundberg and Palmgren.
+    attributes = {"life_key": LUNDBERG_PALMGREN, **header.pop("attributes", {})}
     return StudyResult(header, design, table, attributes, folder)
 
 
 def json_of(result: StudyResult) -> str:
     """The result as one JSON object: what the command line prints with --json."""
-    content = {"case": result.header["case"], "fidelity": result.header["fidelity"],
+    content = {"case": result.header["case"], "fidelity": result.header["fidelity"], "life_key": result.life_key,
                "dimensions": [{"name": name, "length": length} for name, length in result.design.dimensions],
                "parameters": [{"path": p.path, "dimension": p.dimension, "unit": p.unit or None, "meaning": p.meaning} for p in result.design.parameters],
                "points": result.points, "failed_points": result.failed, "missing_points": result.missing, "failures": result.failures(),

@@ -22,6 +22,7 @@ from orbearing.studies.result import StudyResult
 from orbearing.studies.table import DONE
 
 POINT_FILES = ("none", "peak", "all")
+METHOD = "life.method"
 Progress = Callable[[int, int], None]
 
 
@@ -56,15 +57,33 @@ def study(case, vary: Mapping[str, Any] | None = None, *, sampler: str = "grid",
     if points == "peak" and not design.over_speed:
         raise CaseError("points: found 'peak' where the speed is no dimension of the study; required: all or none")
     engine = CoreEngine(core.resolved(), [p.path for p in design.numbers()], fidelity)
-    return compute(core, design, engine, executor_of(executor, jobs), output=output, resume=resume, points=points, progress=progress,
-                   warnings=unfelt(core, design, fidelity))
+    checked = checked_variant(core, design)
+    return compute(core, design, engine, executor_of(executor, jobs), life_key=life_key_of(design, checked), output=output, resume=resume, points=points,
+                   progress=progress, warnings=unfelt(core, design, fidelity, checked))
 
 
-def compute(core, design: Design, engine, executor, *, output=None, resume: bool = False, points: str = "none",
+def checked_variant(core, design: Design) -> dict[str, Any]:
+    """What `check` says of the first variant."""
+    from orbearing import _core
+
+    return json.loads(_core.compute(core.without_sweep().with_settings(list(design.settings(0, every=True))), "check", {})[0])
+
+
+def life_key_of(design: Design, checked: Mapping[str, Any]) -> str:
+    """The governing life of all variants. Raises CaseError where its method is varied."""
+    method = next((p for p in design.parameters if p.path == METHOD), None)
+    if method is not None:
+        raise CaseError(f"{METHOD}: varied, {', '.join(dict.fromkeys(method.texts))} found; required: one method, whose life the variants are compared by. Every life "
+                        "is in the study, whatever the method")
+    return checked["governing_life"]["key"]
+
+
+def compute(core, design: Design, engine, executor, *, life_key: str, output=None, resume: bool = False, points: str = "none",
             progress: bool | Progress | None = None, warnings: Sequence[str] = ()) -> StudyResult:
-    """Computes what is missing of a design. `engine` has `program`, `fidelity` and `compute`, as CoreEngine."""
-    header = header_of(core.name(), core.hash(), engine.program, engine.fidelity, design)
-    folder = StudyFolder(None if output is None else Path(output), header, design, attributes_of(core, design, engine, warnings), core.resolved(), resume)
+    """Computes what is missing of a design, whose peaks go by the life `life_key`. `engine` has `program`, `fidelity` and `compute`, as CoreEngine."""
+    header = header_of(core.name(), core.hash(), engine.program, engine.fidelity, life_key, design)
+    attributes = attributes_of(core, design, engine, life_key, warnings)
+    folder = StudyFolder(None if output is None else Path(output), header, design, attributes, core.resolved(), resume)
     try:
         plan = Plan(design, folder.table.missing(), getattr(executor, "jobs", 1))
         tell = _teller(progress, design.points)
@@ -90,24 +109,21 @@ def compute(core, design: Design, engine, executor, *, output=None, resume: bool
     return StudyResult(header, design, folder.table, folder.attributes, folder.folder)
 
 
-def unfelt(core, design: Design, fidelity: str) -> list[str]:
+def unfelt(core, design: Design, fidelity: str, checked: Mapping[str, Any]) -> list[str]:
     """A warning for each varied value that the results do not feel."""
-    from orbearing import _core
-
-    first = core.without_sweep().with_settings(list(design.settings(0, every=True)))
     rung = f"--fidelity {fidelity}"
-    inputs = {entry["path"]: entry for entry in json.loads(_core.compute(first, "check", {})[0])["inputs"]}
+    inputs = {entry["path"]: entry for entry in checked["inputs"]}
     unused = ["spectrum: found in the case, and not used by a study: it computes the speeds of the sweep alone"] if "\nspectrum:" in core.resolved() else []
     return unused + [f"{p.path}: varied, and not modelled by {rung}: its results do not differ by it" for p in design.parameters
                      if p.path in inputs and (rung not in inputs[p.path]["used_by"] or rung in inputs[p.path]["not_modelled_by"])]
 
 
-def attributes_of(core, design: Design, engine, warnings: Sequence[str] = ()) -> dict[str, Any]:
+def attributes_of(core, design: Design, engine, life_key: str, warnings: Sequence[str] = ()) -> dict[str, Any]:
     """What a study's file says of where its numbers come from."""
     varied = {parameter.path for parameter in design.parameters}
     assumed = [{"key": entry["path"], "value": entry["given"], "reason": entry["reason"]} for entry in core.inputs()
                if entry["source"] == "assumed" and entry["path"] not in varied]
-    return {"title": f"study of {core.name()}", "case": core.name(), "case_hash": core.hash(), "fidelity": engine.fidelity,
+    return {"title": f"study of {core.name()}", "case": core.name(), "case_hash": core.hash(), "fidelity": engine.fidelity, "life_key": life_key,
             "source": f"Orbearing {engine.program['program_version']}, {engine.program['instruction_set']}",
             "assumptions": json.dumps(assumed, ensure_ascii=False), "warnings": "\n".join(warnings)}
 
@@ -117,7 +133,7 @@ def write_points(core, design: Design, folder: StudyFolder, fidelity: str, which
     from orbearing import _core
 
     if which == "peak":
-        numbers = [int(number) for number in peaks(design, folder.table)[0] if number >= 0]
+        numbers = [int(number) for number in peaks(design, folder.table, folder.attributes["life_key"])[0] if number >= 0]
     else:
         numbers = [number for number in range(design.points) if folder.table.status[number] == DONE]
     (folder.folder / POINTS).mkdir(exist_ok=True)

@@ -12,7 +12,6 @@ from orbearing.studies.journal import Record
 
 DONE = "ok"
 NOT_COMPUTED = "not computed"
-LIFE, SYSTEM_LIFE = "life_h", "system_life_h"
 SPEED_COLUMN = "input_speed_rpm"
 CHUNK = "chunk"
 

@@ -16,8 +16,8 @@ def uncertainty(case, samples: int = Settings.samples, curves: int = Settings.cu
 
     samples: lives at the operating point; curves: whole curves of life over `speeds_rpm` (default: the speeds that the case
     sweeps), each with its own peak; index_samples: rows of the design behind the Sobol indices at the operating point, (inputs + 2)
-    lives each; method: monte-carlo, lhs or sobol; life: a column of the sweep's table that holds lives (default: L10mrh where the case
-    rates its oil, else life_h); motion: samples that are computed in motion too; jobs: threads, 0 for one on each core;
+    lives each; method: monte-carlo, lhs or sobol; life: a column of the sweep's table that holds lives (default: the governing
+    life, by life.method); motion: samples that are computed in motion too; jobs: threads, 0 for one on each core;
     `progress(done)` receives how many points of a batch are done. The same settings give the same bits whatever `jobs`.
 
     Raises CaseError for input that is of no use, also where OpenTURNS is missing; KeyboardInterrupt when stopped.

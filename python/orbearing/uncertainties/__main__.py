@@ -31,7 +31,7 @@ def parser() -> argparse.ArgumentParser:
                       help="independent points, a Latin hypercube, or Sobol's sequence shifted at random; default: %(default)s")
     made.add_argument("--seed", type=int, default=Settings.seed, help="seed of all designs; default: %(default)s")
     made.add_argument("--speeds", metavar="LIST", help="input speeds with their unit, separated by commas, e.g. \"3000 rpm, 6000 rpm\"; default: those of the case's sweep")
-    made.add_argument("--life", metavar="COLUMN", help="column of the life in the sweep's table; default: L10mrh if the case rates its oil, else life_h")
+    made.add_argument("--life", metavar="COLUMN", help="column of the life in the sweep's table; default: the governing life (life.method)")
     made.add_argument("--motion", type=int, default=0, metavar="N", help="number of samples at percentiles of the life that are also computed in motion")
     made.add_argument("--jobs", type=int, default=0, help="threads; default: one for each core")
     made.add_argument("--resume", action="store_true", help="continue in DIR with the missing lives")

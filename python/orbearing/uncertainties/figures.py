@@ -18,6 +18,11 @@ def figures(result) -> dict[str, Figure]:
         return {"life_band": life_band(result), "peak": peak(result), "indices": indices(result)}
 
 
+def life_name(data: dict) -> str:
+    """The life that is studied, in words: "life", "L10mrh", "system L10mrh"."""
+    return data["life"].replace("_h", "").replace("_", " ")
+
+
 def life_band(result) -> Figure:
     """Bands of life over speed: by what is not known, and the scatter of single bearings beside."""
     figure, axes = style.panel(WIDE)
@@ -43,7 +48,7 @@ def life_band(result) -> Figure:
         axes.set_xlim(0.9 * speed[0], 1.1 * speed[0])
     style.speed_axis(axes)
     style.life_axis(axes)
-    axes.set_ylabel(f"{result.data['life'].replace('_h', '').replace('_', ' ')} (h)")
+    axes.set_ylabel(f"{life_name(result.data)} (h)")
     style.legend_above(axes)
     return figure
 
@@ -53,7 +58,7 @@ def peak(result) -> Figure:
     figure = Figure(figsize=PAIR)
     record = result.data["peak"]
     for i, (values, key, label, colour) in enumerate(((result.peak_speeds, "speed", "input speed of the peak (rpm)", style.BLUE),
-                                                      (result.peak_lives, "life", "life at the peak (h)", style.GREEN))):
+                                                      (result.peak_lives, "life", f"{life_name(result.data)} at the peak (h)", style.GREEN))):
         axes = figure.add_subplot(1, 2, i + 1)
         values = values[np.isfinite(values)]
         if len(values):

@@ -7,12 +7,12 @@ from html import escape
 from orbearing import page as pages
 from orbearing import style
 from orbearing.blocks import FigureBlock, Table, format_number
-from orbearing.uncertainties.figures import figures
+from orbearing.uncertainties.figures import figures, life_name
 
 BAND_CAPTION = (
     "Blue: percentiles of the life that nine tenths of all bearings reach (or the share that the case states), as the uncertain inputs "
-    "have it; more knowledge narrows this band. Orange: lives of single bearings at the case's own inputs, by Weibull's distribution; no "
-    "measurement narrows it. Red: both together.")
+    "have it; more knowledge narrows this band. Orange: lives of single bearings at the case's own inputs, by Weibull's distribution about the life that "
+    "nine tenths reach; no measurement narrows it. Red: both together.")
 PEAK_CAPTION = ("The longest life of each sampled curve and its speed. Each is an operating point that was computed, with shorter ones within 2 rpm on "
                 "both sides (a thousandth of the speed below 2000 rpm).")
 INDICES_CAPTION = ("Sobol indices with 95 % intervals. First: the share of the variance that goes, as expected, once the input is known. Total: the share that "
@@ -42,7 +42,7 @@ def headline(data: dict) -> str:
     """The answer in a sentence."""
     point = data["operating_point"]
     band = point["of_uncertain_inputs"]["percentiles"]
-    text = (f"At {format_number(point['speed_rpm'])} rpm {data['life'].replace('_h', '')} lies between {format_number(band['5'], 4)} and "
+    text = (f"At {format_number(point['speed_rpm'])} rpm {life_name(data)} lies between {format_number(band['5'], 4)} and "
             f"{format_number(band['95'], 4)} h (5 to 95 %)")
     first = next(iter(data["measure_first"]), None)
     return text + (f"; measure {first['measure']} first." if first else ".")
@@ -62,7 +62,7 @@ def summary_table(data: dict) -> Table:
              ("of both", "of_both"))]
     peak = data["peak"]
     rows += [("speed of the peak (rpm), of uncertain inputs", *peak["speed_rpm"]["percentiles"].values()),
-             ("life at the peak, of uncertain inputs", *peak["life_h"]["percentiles"].values())]
+             (f"{life_name(data)} at the peak, of uncertain inputs", *peak["life_h"]["percentiles"].values())]
     return Table((f"{data['life']} (h) at {point['speed_rpm']:g} rpm", *(f"{percent} %" for percent in point["of_both"]["percentiles"])), rows)
 
 
@@ -77,7 +77,7 @@ def _peak_table(data: dict) -> Table:
     peak = data["peak"]
     rows = [("speed (rpm)", peak["speed_at_the_case_rpm"], peak["speed_rpm"]["mean"], peak["speed_rpm"]["standard_deviation"],
              *peak["speed_rpm"]["percentiles"].values()),
-            ("life (h)", peak["life_at_the_case_h"], peak["life_h"]["mean"], peak["life_h"]["standard_deviation"],
+            (f"{life_name(data)} (h)", peak["life_at_the_case_h"], peak["life_h"]["mean"], peak["life_h"]["standard_deviation"],
              *peak["life_h"]["percentiles"].values())]
     return Table(("of the peak", "the case", "mean", "standard deviation", *(f"{percent} %" for percent in peak["life_h"]["percentiles"])), rows)
 

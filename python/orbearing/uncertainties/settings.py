@@ -18,7 +18,7 @@ class Settings:
     seed: int = 1
     method: str = "sobol"  # monte-carlo, lhs or sobol
     speeds_rpm: tuple[float, ...] | None = None  # None: those that the case sweeps
-    life: str | None = None  # column; None: L10mrh where the case rates its oil, else life_h
+    life: str | None = None  # column; None: the governing life (life.method)
     motion: int = 0  # samples that are computed in motion too
     jobs: int = 0  # threads; 0: one for each core
 

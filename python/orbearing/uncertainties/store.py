@@ -20,7 +20,7 @@ from orbearing.errors import CaseError
 from orbearing.studies import journal as journals
 from orbearing.uncertainties.lives import Evaluate
 
-FORMAT = 1
+FORMAT = 2
 JOURNAL = "uncertainty.journal"
 PORTION = 2048  # points in one record
 DONE = "ok"
@@ -65,7 +65,7 @@ class Store:
             raise CaseError(lines)
 
     def keeping(self, evaluate: Evaluate) -> Evaluate:
-        """The same, portion by portion, each kept in the journal or taken from it. Of the columns lives in hours are kept."""
+        """The same, portion by portion, each kept in the journal or taken from it. Of the columns lives in hours and their factors a_ISO are kept."""
 
         def kept(paths: Sequence[str], values: np.ndarray, fidelity: str):
             portions = [self._portion(evaluate, paths, values[begin:begin + PORTION], fidelity) for begin in range(0, len(values), PORTION)]
@@ -78,7 +78,7 @@ class Store:
         key = _key(paths, values, fidelity)
         if key not in self._kept:
             columns, status = evaluate(paths, values, fidelity)
-            lives = {name: np.asarray(numbers, dtype=float) for name, numbers in columns.items() if name.endswith("h")}
+            lives = {name: np.asarray(numbers, dtype=float) for name, numbers in columns.items() if name.endswith(("h", "a_ISO"))}
             self._kept[key] = _encoded(lives, list(status))
             self._journal.append(journals.Record({"of": key}, self._kept[key]))
         return _decoded(self._kept[key])

@@ -8,6 +8,7 @@ import json
 import numpy as np
 
 from orbearing.errors import CaseError
+from orbearing.lives import LIVES, governing_life
 from orbearing.uncertainties import chaos, design, indices, scatter
 from orbearing.uncertainties.inputs import UncertainInputs
 from orbearing.uncertainties.lives import RPM, SPEED, Evaluate, Peaks, refined_peaks
@@ -23,7 +24,6 @@ REST = "quasi-static"
 MOTION = "dynamic"
 # Each design has a seed of its own, so that none is a part of another.
 OF_POINT, OF_CURVES, OF_INDICES, OF_INTERVALS = range(4)
-_MODIFIED = ("L10mh", "L10mrh")  # lives that hold the reliability of the case
 
 
 class Study:
@@ -45,10 +45,9 @@ class Study:
                            "studied over speed")
 
     def run(self) -> UncertaintyResult:
-        self.life, self.reliability = self._life_column()
+        self.life = self._life_column()
         point = self._point_lives()
-        curves, peaks, curve_values, curve_cube = self._curves()
-        return self._result(point, curves, peaks, curve_values, curve_cube)
+        return self._result(point, *self._curves())
 
     # Lives
 
@@ -57,23 +56,27 @@ class Study:
 
     def _lives(self, values: np.ndarray, speed_rpm, fidelity: str = REST) -> tuple[np.ndarray, list[str]]:
         """Lives [h] at samples (samples, inputs) and speeds; NaN where a point failed."""
+        lives, _, status = self._rated_lives(values, speed_rpm, fidelity)
+        return lives, status
+
+    def _rated_lives(self, values: np.ndarray, speed_rpm, fidelity: str = REST) -> tuple[np.ndarray, np.ndarray, list[str]]:
+        """The same, with the factors a_1 that the lives hold."""
         columns, status = self._evaluate((*self.inputs.paths, SPEED), self._rows(values, speed_rpm), fidelity)
         lives = np.asarray(columns[self.life], dtype=float)
-        return np.where(lives > 0.0, lives, np.nan), list(status)
+        return np.where(lives > 0.0, lives, np.nan), scatter.reliability_factors(self.life, columns), list(status)
 
-    def _life_column(self) -> tuple[str, float]:
-        """The life that is studied and the share of bearings that reach it."""
+    def _life_column(self) -> str:
+        """The life that is studied."""
         columns, status = self._evaluate((*self.inputs.paths, SPEED), self._rows(self.inputs.nominal[None], self.speed_rpm), REST)
-        known = [name for name, values in columns.items() if name.endswith(("life_h", "L10h", "L10rh", *_MODIFIED)) and np.isfinite(values[0])]
+        known = [name for name, values in columns.items() if name.endswith(LIVES) and np.isfinite(values[0])]
         if not known:
             raise CaseError(f"{self.case['name']}: the case itself has no life at its operating point ({status[0]}); required: a case "
                            "that can be computed")
-        rated = [name for name in known if name == "L10mrh"]
-        wanted = self.settings.life or (rated or known)[0]
+        wanted = self.settings.life or self.case["governing_life"]["key"]
         if wanted not in known:
-            raise CaseError(f"life: {wanted!r} found; one of {', '.join(known)} is required")
-        stated = self._number("life.reliability")
-        return wanted, stated if stated is not None and wanted.endswith(_MODIFIED) else scatter.L10_RELIABILITY
+            what = f"{wanted!r} found" if self.settings.life else f"{wanted}, the governing life, has no number at the case's operating point"
+            raise CaseError(f"life: {what}; one of {', '.join(known)} is required")
+        return wanted
 
     def _number(self, path: str) -> float | None:
         return next((one["value"] for one in self.case["inputs"] if one["path"] == path), None)
@@ -87,45 +90,46 @@ class Study:
     def _point_lives(self) -> dict:
         cube = self._cube(self.settings.samples, OF_POINT)
         values = self.inputs.values(cube)
-        lives, status = self._lives(values, self.speed_rpm)
+        lives, factors, status = self._rated_lives(values, self.speed_rpm)
         frozen = design.pick_freeze(self.settings.method, self.settings.index_samples, self.inputs.groups, len(self.inputs),
                                     self._seed(OF_INDICES))
         shares = indices.by_pick_freeze(self._lives(self.inputs.values(frozen), self.speed_rpm)[0], self.inputs.group_names,
                                         self._seed(OF_INTERVALS))
-        nominal = self._lives(self.inputs.nominal[None], self.speed_rpm)[0][0]
-        return {"values": values, "lives": lives, "status": status, "nominal": nominal, "indices": shares,
-                "chaos": self._expansion(cube, lives)}
+        nominal, factor, _ = self._rated_lives(self.inputs.nominal[None], self.speed_rpm)
+        return {"values": values, "lives": lives, "L10": lives / factors, "status": status, "nominal": nominal[0], "nominal_L10": nominal[0] / factor[0],
+                "a_1": factor[0], "indices": shares, "chaos": self._expansion(cube, lives)}
 
     def _expansion(self, cube: np.ndarray, results: np.ndarray) -> chaos.ChaosExpansion:
         standard, marginals = self.inputs.standard(cube)
         return chaos.expansion(standard, marginals, results, self.inputs.groups, self.inputs.group_names, self._seed(OF_INTERVALS))
 
     def _curves(self):
-        """Row 0 is the case as it stands, then the samples."""
+        """Lives, and the same for a reliability of 90 %; row 0 is the case as it stands, then the samples."""
         cube = self._cube(self.settings.curves, OF_CURVES)
         values = np.vstack([self.inputs.nominal, self.inputs.values(cube)])
         speeds = self.speeds_rpm
-        lives = self._lives(np.repeat(values, len(speeds), axis=0), np.tile(speeds, len(values)))[0].reshape(len(values), -1)
+        lives, factors, _ = self._rated_lives(np.repeat(values, len(speeds), axis=0), np.tile(speeds, len(values)))
+        lives, factors = lives.reshape(len(values), -1), factors.reshape(len(values), -1)
         peaks = refined_peaks(speeds, lives, lambda rows, rpm: self._lives(values[rows], rpm)[0])
-        return lives, peaks, values, cube
+        return lives, lives / factors, peaks, values, cube
 
     # What they say
 
-    def _scatter(self, nominal: float, lives: np.ndarray) -> dict:
-        """Three bands apart: what is not known, what bearings do at given inputs, both."""
-        lives = lives[np.isfinite(lives)]
+    def _scatter(self, lives: np.ndarray, nominal_l10: float, l10: np.ndarray) -> dict:
+        """Three bands apart: what is not known, what bearings do at given inputs, both. Bearings scatter about the life that nine tenths reach."""
+        l10 = l10[np.isfinite(l10)]
         failed = np.array(PERCENTILES) / 100.0
-        law = (self.slope, self.reliability)
-        joint = scatter.joint_lives(lives, [*failed, 0.1], *law) if len(lives) else np.full(len(failed) + 1, np.nan)
-        return {"of_uncertain_inputs": _summary(lives),
-                "of_single_bearings_at_the_case": {"percentiles": _by_percent(scatter.single_lives(nominal, failed, *law))},
+        joint = scatter.joint_lives(l10, [*failed, 0.1], self.slope) if len(l10) else np.full(len(failed) + 1, np.nan)
+        return {"of_uncertain_inputs": _summary(lives[np.isfinite(lives)]),
+                "of_single_bearings_at_the_case": {"percentiles": _by_percent(scatter.single_lives(nominal_l10, failed, self.slope)),
+                                                   "L10": _number(nominal_l10)},
                 "of_both": {"percentiles": _by_percent(joint[:-1]), "L10": _number(joint[-1])}}
 
     @property
     def slope(self) -> float:
         return scatter.BALL_SLOPE if self._number("bearing.balls") is not None else scatter.ROLLER_SLOPE
 
-    def _result(self, point, curves, peaks: Peaks, curve_values, cube) -> UncertaintyResult:
+    def _result(self, point, curves, curves_l10, peaks: Peaks, curve_values, cube) -> UncertaintyResult:
         peak_speed = self._expansion(cube, peaks.speed_rpm[1:])
         peak_life = self._expansion(cube, peaks.life_h[1:])
         record = {
@@ -135,13 +139,13 @@ class Study:
             "inputs": [{"path": one.path, "distribution": one.given, "unit": one.unit, "value": one.value * one.units_per_si,
                         "reason": one.reason} for one in self.inputs.numbers],
             "correlations": self.inputs.correlations.tolist(),
-            "weibull": {"slope": self.slope, "reliability": self.reliability},
+            "weibull": {"slope": self.slope, "reliability": scatter.L10_RELIABILITY, "a_1": point["a_1"]},
             "operating_point": {"speed_rpm": self.speed_rpm, "life_at_the_case_h": _number(point["nominal"]),
-                                **self._scatter(point["nominal"], point["lives"]), "chaos": point["chaos"].record(),
+                                **self._scatter(point["lives"], point["nominal_L10"], point["L10"]), "chaos": point["chaos"].record(),
                                 "indices": point["indices"].record(), "indices_by": "pick-freeze",
                                 "failed": int(np.isnan(point["lives"]).sum())},
             "speeds": [{"speed_rpm": float(speed), "life_at_the_case_h": _number(curves[0, i]),
-                        **self._scatter(curves[0, i], curves[1:, i]), "failed": int(np.isnan(curves[1:, i]).sum())}
+                        **self._scatter(curves[1:, i], curves_l10[0, i], curves_l10[1:, i]), "failed": int(np.isnan(curves[1:, i]).sum())}
                        for i, speed in enumerate(self.speeds_rpm)],
             "peak": {"speed_at_the_case_rpm": _number(peaks.speed_rpm[0]), "life_at_the_case_h": _number(peaks.life_h[0]),
                      "speed_rpm": self._peak_record(peaks.speed_rpm[1:], peak_speed),
@@ -253,6 +257,7 @@ def open_store(folder, core, settings: Settings, resume: bool) -> Store:
 
     stated = {key: value for key, value in dataclasses.asdict(settings).items() if key != "jobs"}
     stated["speeds_rpm"] = list(settings.speeds_rpm) if settings.speeds_rpm else None
+    stated["life"] = settings.life or governing_life(core)["key"]
     return Store(folder, header_of(core.name(), core.hash(), program(), stated), resume)
 
 

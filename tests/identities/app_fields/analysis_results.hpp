@@ -72,7 +72,7 @@ inline std::string spectrum_result(const ResolvedCase& in, study::Fidelity fidel
 inline std::string point_result(const ResolvedCase& in, study::Fidelity fidelity) {
   const study::PointResult point = study::evaluate(bearing_sets(in), fidelity);
   std::string text = digits(result_row(point, {}, bearing_set_names(in)).values) +
-                     digits(std::vector<double>{study::life_to_go_by(point)}) +
+                     digits(std::vector<double>{study::governing_hours(point)}) +
                      digits(point.distribution.inner_load) + digits(point.distribution.outer_load);
   if (point.dynamic) text += digits(point.dynamic->final_state);
   if (point.coupled) text += digits(point.coupled->bearing_life_hours);

@@ -14,7 +14,8 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 std::vector<double> lengths(const std::string& text, std::vector<std::string>& mistakes) {
-  return quantity_list("--drops", text, dimension::small_length, {0.0, 1.0, "lengths from 0 to 1 m"}, mistakes);
+  return quantity_list("--drops", text, dimension::small_length, {0.0, 1.0, "lengths from 0 to 1 m"},
+                       mistakes);
 }
 
 TEST(QuantityList, TakesSingleQuantitiesAndRanges) {
@@ -39,7 +40,8 @@ TEST(QuantityList, RefusesWhatIsOutOfRangeAsItWasWritten) {
   for (const char* wrong : {"2000 mm", "-3 um", "0 m : 4 m : 2 m"}) {
     std::vector<std::string> mistakes;
     lengths(std::string("1 um, ") + wrong, mistakes);
-    EXPECT_THAT(mistakes, ElementsAre("--drops: found '" + std::string(wrong) + "'; required: lengths from 0 to 1 m"));
+    EXPECT_THAT(mistakes,
+                ElementsAre("--drops: found '" + std::string(wrong) + "'; required: lengths from 0 to 1 m"));
   }
 }
 
@@ -61,19 +63,19 @@ TEST(CrownOptions, GoThroughJsonUnchanged) {
 // Issue 44, Build 1: crowns go by life.method where no option says otherwise. C and P are alike for all
 // crowns.
 TEST(CrownOptions, LifeIsThatOfTheCase) {
-  using study::crowning::LifeMeasure;
+  using study::crowning::LifeMethod;
   const auto measure = [](const std::string& method, const std::string& option) {
     CrownOptions options;
     options.life = option;
     const std::vector<std::string> settings{"life.method=" + method};
     return crown_request(read_case(ORBEARING_SOURCE_DIR "/cases/reducer_150kW/case.yaml", settings), options)
-        .measure;
+        .method;
   };
-  EXPECT_EQ(measure("lundberg-palmgren", ""), LifeMeasure::lundberg_palmgren);
-  EXPECT_EQ(measure("iso-16281", ""), LifeMeasure::iso16281);
-  EXPECT_EQ(measure("iso-281", ""), LifeMeasure::lundberg_palmgren);
-  EXPECT_EQ(measure("iso-16281", "lundberg-palmgren"), LifeMeasure::lundberg_palmgren);
-  EXPECT_EQ(measure("lundberg-palmgren", "iso16281"), LifeMeasure::iso16281);
+  EXPECT_EQ(measure("lundberg-palmgren", ""), LifeMethod::lundberg_palmgren);
+  EXPECT_EQ(measure("iso-16281", ""), LifeMethod::iso16281);
+  EXPECT_EQ(measure("iso-281", ""), LifeMethod::lundberg_palmgren);
+  EXPECT_EQ(measure("iso-16281", "lundberg-palmgren"), LifeMethod::lundberg_palmgren);
+  EXPECT_EQ(measure("lundberg-palmgren", "iso16281"), LifeMethod::iso16281);
 }
 
 }  // namespace

@@ -245,11 +245,11 @@ TEST(ResultRow, TheLifeToGoByIsNamedByTheHead) {
   result.rating.hours = {94.0, 95.0, 96.0, 97.0};
   TableHead head = table_head({});
   const ResultRow row = result_row(result, {});
-  EXPECT_EQ(life_to_go_by(head, row), result.life_hours);
+  EXPECT_EQ(governing_life_in(head, row), result.life_hours);
   for (const auto& [name, life] :
        {std::pair{"L10h", 94.0}, {"L10rh", 95.0}, {"L10mh", 96.0}, {"L10mrh", 97.0}}) {
     head.life = name;
-    EXPECT_EQ(life_to_go_by(head, row), life) << name;
+    EXPECT_EQ(governing_life_in(head, row), life) << name;
   }
 }
 

@@ -23,13 +23,13 @@ double best_of_grid(const CrownProblem& problem, const ProfileFamily& family,
 }
 
 TEST(CrownOptimum, TenStartsEndInOneThatNoGridPointBeats) {
-  for (const LifeMeasure measure : {LifeMeasure::lundberg_palmgren, LifeMeasure::iso16281}) {
+  for (const LifeMethod measure : {LifeMethod::lundberg_palmgren, LifeMethod::iso16281}) {
     const CrownProblem problem = problem_at(6000.0, measure);
     const ProfileFamily family = family_of("iso16281", problem.bearing, 1500.0);
     const auto members = members_of(kTilts, {});
     const CrownOptimum best = best_crown(problem, family, members, {.greatest_drop = 20e-6});
     EXPECT_EQ(best.ends.size(), 10u);
-    EXPECT_EQ(best.in_best, static_cast<int>(best.ends.size())) << name_of(measure);
+    EXPECT_EQ(best.in_best, static_cast<int>(best.ends.size())) << static_cast<int>(measure);
     const double grid = best_of_grid(problem, family, members, 0.0, 0.25e-6, 80);
     EXPECT_GE(best.life_hours, grid);
     EXPECT_LT(best.life_hours, 1.01 * grid);  // between two points of the grid it is not far above both
@@ -39,14 +39,14 @@ TEST(CrownOptimum, TenStartsEndInOneThatNoGridPointBeats) {
 
 // Without tilt, edges that feel nothing of their own are best left straight.
 TEST(CrownOptimum, UntiltedWithoutEdgeStressIsStraight) {
-  const CrownProblem problem = problem_at(6000.0, LifeMeasure::lundberg_palmgren);
+  const CrownProblem problem = problem_at(6000.0, LifeMethod::lundberg_palmgren);
   const ProfileFamily family = family_of("circular", problem.bearing, 1500.0);
   const CrownOptimum best = best_crown(problem, family, members_of({0.0}, {}), {.greatest_drop = 20e-6});
   EXPECT_NEAR(best.crown.drop, 0.0, 1e-9);
 }
 
 TEST(CrownOptimum, WithinABandTheWorstIsBestWhereTheBandIsAllowedFor) {
-  const CrownProblem problem = problem_at(6000.0, LifeMeasure::iso16281);
+  const CrownProblem problem = problem_at(6000.0, LifeMethod::iso16281);
   const ProfileFamily family = family_of("iso16281", problem.bearing, 1500.0);
   const auto plain = members_of(kTilts, {}), band = members_of(kTilts, {2e-6, 0.5e-3});
   EXPECT_EQ(band.size(), 12u);
@@ -60,7 +60,7 @@ TEST(CrownOptimum, WithinABandTheWorstIsBestWhereTheBandIsAllowedFor) {
 }
 
 TEST(CrownOptimum, TheShareIsFoundWithTheDrop) {
-  const CrownProblem problem = problem_at(6000.0, LifeMeasure::iso16281);
+  const CrownProblem problem = problem_at(6000.0, LifeMethod::iso16281);
   const ProfileFamily family = family_of("straight-circular", problem.bearing, 1500.0);
   const auto members = members_of({2e-3}, {});
   SearchOptions options{.greatest_drop = 20e-6, .starts = 4};
@@ -72,7 +72,7 @@ TEST(CrownOptimum, TheShareIsFoundWithTheDrop) {
 }
 
 TEST(CrownGrid, DoesNotDependOnThreadsAndMarksTheFront) {
-  const CrownProblem problem = problem_at(6000.0, LifeMeasure::iso16281);
+  const CrownProblem problem = problem_at(6000.0, LifeMethod::iso16281);
   const RollerPressure pressure(problem);
   const ProfileFamily family = family_of("iso16281", problem.bearing, 1500.0);
   const std::vector<double> drops{0.0, 3e-6, 6e-6, 12e-6};

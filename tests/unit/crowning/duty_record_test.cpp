@@ -12,7 +12,7 @@ const std::vector<double> kTilts{0.0, 1e-3};
 
 TEST(DutyRecord, DutiesShareTheDamageByMinersRule) {
   const CrownProblem problem =
-      problem_at({{1000.0 * kRpm, 0.25}, {9000.0 * kRpm, 0.75}}, LifeMeasure::lundberg_palmgren);
+      problem_at({{1000.0 * kRpm, 0.25}, {9000.0 * kRpm, 0.75}}, LifeMethod::lundberg_palmgren);
   const RollerPressure pressure(problem);
   const bearing::profile::Profile made = bearing::profile::Straight{};
   const std::vector<DutyRecord> found = duty_records(problem, pressure, made, kTilts, 2);

@@ -30,7 +30,7 @@ double shortest(const CrownProblem& problem, const RollerPressure& pressure, con
 }
 
 TEST(HalfSpaceAdvice, IsWhereTheShortestLifeIsLongest) {
-  const CrownProblem problem = problem_at(6000.0, LifeMeasure::lundberg_palmgren);
+  const CrownProblem problem = problem_at(6000.0, LifeMethod::lundberg_palmgren);
   const RollerPressure pressure(problem);
   const ProfileFamily family = family_of("iso16281", problem.bearing, 1.0);
   const std::vector<double> tilts{0.0, 1e-3};
@@ -59,7 +59,7 @@ TEST(HalfSpaceAdvice, IsWhereTheShortestLifeIsLongest) {
 }
 
 TEST(HalfSpaceAdvice, NeedsNoCrownWhereNothingLeans) {
-  const CrownProblem problem = problem_at(6000.0, LifeMeasure::lundberg_palmgren);
+  const CrownProblem problem = problem_at(6000.0, LifeMethod::lundberg_palmgren);
   const HalfSpaceAdvice found =
       half_space_advice(problem, RollerPressure(problem), family_of("iso16281", problem.bearing, 1.0), 1.0,
                         {.greatest_drop = 10e-6, .jobs = 2});
@@ -72,7 +72,7 @@ TEST(HalfSpaceAdvice, NeedsNoCrownWhereNothingLeans) {
 }
 
 TEST(HalfSpaceAdvice, BandIsOpenAtTheGreatestDropStudied) {
-  const CrownProblem problem = problem_at(6000.0, LifeMeasure::lundberg_palmgren);
+  const CrownProblem problem = problem_at(6000.0, LifeMethod::lundberg_palmgren);
   EXPECT_TRUE(half_space_advice(problem, RollerPressure(problem), family_of("iso16281", problem.bearing, 1.0),
                                 1.0, {.tilts = {2e-3}, .greatest_drop = 2e-6, .jobs = 2})
                   .band.open);

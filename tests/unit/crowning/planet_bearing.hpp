@@ -32,12 +32,12 @@ inline PlanetaryDrivetrain reducer() {
   return drivetrain;
 }
 
-inline CrownProblem problem_at(const std::vector<SpectrumPoint>& spectrum, LifeMeasure measure) {
+inline CrownProblem problem_at(const std::vector<SpectrumPoint>& spectrum, LifeMethod measure) {
   const PlanetaryDrivetrain drivetrain = reducer();
   return crown_problem(drivetrain, derive(drivetrain), spectrum, measure);
 }
 
-inline CrownProblem problem_at(double rpm, LifeMeasure measure) {
+inline CrownProblem problem_at(double rpm, LifeMethod measure) {
   return problem_at({{rpm * kRpm, 1.0}}, measure);
 }
 

@@ -14,7 +14,7 @@ namespace {
 constexpr double kFewAngles = 1e-3;  // of lives: power means over 30 places or 60
 
 TEST(PressureLife, TwoCageAnglesAreEnough) {
-  const CrownProblem problem = problem_at(6000.0, LifeMeasure::iso16281);
+  const CrownProblem problem = problem_at(6000.0, LifeMethod::iso16281);
   const RollerPressure pressure(problem);
   for (const double tilt : {0.0, 2e-3}) {
     const double four =
@@ -29,14 +29,14 @@ TEST(PressureLife, TwoCageAnglesAreEnough) {
 // miss.
 TEST(PressureLife, OfADeepProfileIsThatOfItsLaminaeWithoutRiser) {
   constexpr double kPressure = 0.05;  // of pressure, with whose ninth power the life goes
-  const CrownProblem problem = problem_at(6000.0, LifeMeasure::iso16281);
+  const CrownProblem problem = problem_at(6000.0, LifeMethod::iso16281);
   const RollerPressure pressure(problem);
   const bearing::profile::Profile deep = bearing::profile::CircularCrown{5.7e-3, 12e-6};
   const auto loads = loads_at(problem, deep, Lean::Zero(), 0);
   const auto set = bearing::rating::roller_set(problem.bearing);
   const auto rating = bearing::life::lamina_rating(
       bearing::rating::contact_capacities(set, bearing::rating::dynamic_capacity(set)),
-      problem.bearing.rollers().laminae, problem.ratings[0].motions);
+      problem.bearing.rollers().laminae, problem.bearing.motions);
   const double revolutions =
       bearing::life::lamina_life(rating, loads.inner_lamina_load(), loads.outer_lamina_load()).bearing;
   const double expected =
@@ -56,7 +56,7 @@ TEST(PressureLife, OfStraightRollersConvergesWithFinerLaminae) {
   for (const Speed& at : {Speed{1000.0, 0.7e-6}, Speed{6000.0, 0.15e-6}, Speed{12000.0, 0.3e-6}}) {
     const auto share = [&](int laminae) {
       CrownProblem problem = crown_problem(reducer(), derive(reducer()), {{at.rpm * kRpm, 1.0}},
-                                           LifeMeasure::lundberg_palmgren, laminae);
+                                           LifeMethod::lundberg_palmgren, laminae);
       const RollerPressure pressure(problem);
       const ProfileFamily family = family_of("iso16281", problem.bearing, 1.0);
       return pressure_life_hours(problem, pressure, bearing::profile::Straight{}, Lean::Zero()) /
@@ -71,7 +71,7 @@ TEST(PressureLife, OfStraightRollersConvergesWithFinerLaminae) {
 }
 
 TEST(PressureLife, CrownSavesLifeUnderTiltAndCostsItWithout) {
-  const CrownProblem problem = problem_at(6000.0, LifeMeasure::iso16281);
+  const CrownProblem problem = problem_at(6000.0, LifeMethod::iso16281);
   const RollerPressure pressure(problem);
   const bearing::profile::Profile crowned = bearing::profile::Iso16281{5.7e-3, 5.24e-3, 1.0};
   const auto straight = pressure_lives(problem, pressure, bearing::profile::Straight{}, {0.0, 2e-3}, 2);

@@ -63,7 +63,7 @@ TEST(PopulationLife, OfSmallScatterIsThePowerMean) {
 }
 
 TEST(Population, OfStatedTiltsIsTheirWorst) {
-  const CrownProblem problem = problem_at(6000.0, LifeMeasure::lundberg_palmgren);
+  const CrownProblem problem = problem_at(6000.0, LifeMethod::lundberg_palmgren);
   const Population found = population_of(problem, {0.0, 1e-3}, {1e-6, 0.25e-3}, Distribution::normal);
   EXPECT_TRUE(found.worst);
   ASSERT_EQ(found.leans.size(), 4u);
@@ -75,7 +75,7 @@ TEST(Population, OfStatedTiltsIsTheirWorst) {
 }
 
 TEST(Population, OfComputedTiltsLeansInBothDirections) {
-  CrownProblem problem = problem_at(6000.0, LifeMeasure::lundberg_palmgren);
+  CrownProblem problem = problem_at(6000.0, LifeMethod::lundberg_palmgren);
   problem.seat.emplace();
   const Population found = population_of(problem, {0.0}, {1e-6, 0.3e-3}, Distribution::uniform, {3, 5});
   EXPECT_FALSE(found.worst);

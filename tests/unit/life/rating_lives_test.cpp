@@ -197,13 +197,17 @@ TEST(RatingLives, WhereTheStandardsGiveNone) {
   EXPECT_EQ(idle.modified_reference.bearing, kInfinity);
 }
 
-TEST(RatingLives, TheOneToGoBy) {
+TEST(RatingLives, GoverningLife) {
   const RatedHours hours{.basic = 1.0, .reference = 2.0, .modified = 3.0, .modified_reference = 4.0};
   for (const bool oil : {false, true}) {
-    EXPECT_EQ(hours_to_go_by(LifeMethod::lundberg_palmgren, 5.0, hours, oil), 5.0);
-    EXPECT_EQ(hours_to_go_by(LifeMethod::iso281, 5.0, hours, oil), oil ? 3.0 : 1.0);
-    EXPECT_EQ(hours_to_go_by(LifeMethod::iso16281, 5.0, hours, oil), oil ? 4.0 : 2.0);
+    EXPECT_EQ(hours_of(governing_life(LifeMethod::lundberg_palmgren, oil), 5.0, hours), 5.0);
+    EXPECT_EQ(hours_of(governing_life(LifeMethod::iso281, oil), 5.0, hours), oil ? 3.0 : 1.0);
+    EXPECT_EQ(hours_of(governing_life(LifeMethod::iso16281, oil), 5.0, hours), oil ? 4.0 : 2.0);
   }
+  EXPECT_STREQ(hours_key(governing_life(LifeMethod::iso16281, true)), "L10mrh");
+  EXPECT_STREQ(hours_key(governing_life(LifeMethod::iso281, false)), "L10h");
+  EXPECT_STREQ(revolutions_key(governing_life(LifeMethod::iso16281, false)), "L10r_Mrev");
+  EXPECT_STREQ(revolutions_key(governing_life(LifeMethod::lundberg_palmgren, true)), "life_Mrev");
 }
 
 TEST(StaticEquivalentLoad, IsNeverLessThanTheRadialLoad) {

@@ -21,6 +21,36 @@ BearingLife lamina_life(const ContactCapacities& capacities, const Eigen::ArrayX
                            outer);
 }
 
+// Sum over the laminae of equal loads: the same for any number by position, by the formula it is not.
+TEST(StressRiser, ByPositionHasTheSameDamageForEqualLoadsWithAnyNumber) {
+  constexpr double e = life::line_contacts.damage_exponent();
+  const double of_thirty = stress_riser(30).pow(e).mean();
+  for (const int laminae : {30, 31, 40, 45, 60, 100, 200, 1000})
+    EXPECT_NEAR(stress_riser(laminae, StressRiser::position).pow(e).mean(), of_thirty, kRoundOff * of_thirty)
+        << laminae;
+  EXPECT_GT(stress_riser(100, StressRiser::standard).pow(e).mean(), 0.0);
+  EXPECT_NE(stress_riser(100, StressRiser::standard).pow(e).mean(), of_thirty);
+}
+
+// At the standard's least number both are its printed formula: 2.328 at the ends (by hand: 1 -
+// 0.01/ln(0.9925)).
+TEST(StressRiser, ByPositionIsTheFormulaForThirtyLaminae) {
+  EXPECT_TRUE((stress_riser(30, StressRiser::position) == stress_riser(30)).all());
+  EXPECT_NEAR(stress_riser(30, StressRiser::position)[0], 1.0 - 0.01 / std::log(1.985 * 29.0 / 58.0),
+              kRoundOff);
+  const Eigen::ArrayXd sixty = stress_riser(60, StressRiser::position);
+  for (int k = 0; k < 60; ++k) EXPECT_NEAR(sixty[k], stress_riser(30)[k / 2], kRoundOff);
+}
+
+TEST(EqualLaminae, CarryWhatLiesOverThem) {
+  const Eigen::ArrayXd loads = (Eigen::ArrayXd(3) << 3.0, 6.0, 9.0).finished();
+  const Eigen::ArrayXd two = on_equal_laminae(loads, 2), six = on_equal_laminae(loads, 6);
+  EXPECT_NEAR(two[0], 3.0 + 0.5 * 6.0, kRoundOff);
+  EXPECT_NEAR(two[1], 0.5 * 6.0 + 9.0, kRoundOff);
+  for (int k = 0; k < 6; ++k) EXPECT_NEAR(six[k], 0.5 * loads[k / 2], kRoundOff);
+  EXPECT_NEAR(on_equal_laminae(loads, 7).sum(), loads.sum(), 10 * kRoundOff);
+}
+
 TEST(StressRiser, LargestAtTheEndsOneInTheMiddleOfAnOddNumber) {
   const Eigen::ArrayXd even = stress_riser(40), odd = stress_riser(41);
   EXPECT_NEAR(even[0], 1.0 - 0.01 / std::log(1.985 * 39.0 / 78.0), kRoundOff);
