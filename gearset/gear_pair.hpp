@@ -29,12 +29,12 @@ struct GearPair {
   double module = 0.0;                       // [m]
   double face_width = 0.0;                   // [m]
   double bore = 0.0;                         // [m]  diameter, of both gears; of the one inside a ring
-  std::optional<double> driven_bore;         // [m]  of the second of two external gears; none: `bore`
   BasicRack rack;
   double helix_angle = 0.0;  // [rad]  at the reference circle; positive: the first gear is right-handed
   Web web;                   // of the softer gear
   PairKind kind = PairKind::external;
   double ring_outside = 1.15;  // [-]  of an internal pair: outside diameter / root diameter of the ring
+  std::optional<double> driven_bore{};  // [m]  diameter, of the second of two external gears; none: `bore`
 
   bool is_internal() const { return kind == PairKind::internal; }
   /// Of an internal pair.
