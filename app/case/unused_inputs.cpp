@@ -351,7 +351,7 @@ void require_bearing(const ResolvedCase& in, use::Analysis analysis) {
   throw BadInput(in.file() +
                  ": bearing: missing; required: the bearing of the planets, as bearing.designation and "
                  "bearing.per_planet: without one the gears run alone in motion, which takes no " +
-                 stepped + ". check and mesh compute ratio, speeds, mesh forces and stiffnesses without it");
+                 stepped + ". check computes ratio, speeds and mesh forces without it");
 }
 
 }  // namespace

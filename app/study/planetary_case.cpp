@@ -561,7 +561,9 @@ void describe_power(described::Record& record, const ResolvedCase& resolved) {
       "power_circulation", "members that carry more than the input", gearset::power_circulation(flow),
       [&](Record& circulation, const gearset::PowerCirculation& of) {
         circulation.value("present", "whether power circulates", of.present());
-        circulation.value("largest_share", dimension::ratio, "of the input power, carried by one member",
+        circulation.value("largest_share", dimension::ratio,
+                          "of the input power, carried by one member; without losses, which act on all that "
+                          "circulates and so change torques by that many times their share",
                           of.largest_share);
         circulation.value(
             "members", "that carry more than the input",
