@@ -93,10 +93,24 @@ double pin_stiffness(const PlanetPin& pin) {
   const double second_moment = area * pin.diameter * pin.diameter / 16.0;
   const double nu = pin.poisson_ratio;
   const double warping = (7.0 + 6.0 * nu) / (6.0 * (1.0 + nu));  // kappa of a circle
-  const double bending = 2.0 / (pin.youngs_modulus * second_moment) *
-                         (a * a * a / 12.0 + 0.5 * c * c * b - c * b * b / 24.0 + b * b * b / 640.0);
-  const double shear = warping / (shear_modulus(pin.youngs_modulus, nu) * area) * (0.5 * a + b / 12.0);
-  return 1.0 / (bending + shear);
+  double bending = 0.0;  // [m^3]  times E I
+  double shear = 0.0;    // [m]    times G A/kappa
+  switch (pin.ends) {
+    case PinEnds::both:
+      bending = 2.0 * (a * a * a / 12.0 + 0.5 * c * c * b - c * b * b / 24.0 + b * b * b / 640.0);
+      shear = 0.5 * a + b / 12.0;
+      break;
+    case PinEnds::one:
+      bending = a * a * a / 3.0 + 0.5 * a * a * b + 0.25 * a * b * b + b * b * b / 20.0;
+      shear = a + b / 3.0;
+      break;
+    case PinEnds::flexpin:
+      bending = std::pow(pin.span, 3) / 12.0;
+      shear = pin.span;
+      break;
+  }
+  return 1.0 / (bending / (pin.youngs_modulus * second_moment) +
+                warping / (shear_modulus(pin.youngs_modulus, nu) * area) * shear);
 }
 
 }  // namespace orbearing::bearing

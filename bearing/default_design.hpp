@@ -4,6 +4,8 @@
 
 #include <string_view>
 
+#include "bearing/pin_beam.hpp"
+
 namespace orbearing::bearing {
 
 /// What a cage of a given density is made of.
@@ -60,18 +62,22 @@ double cage_bar_stiffness(const CageBar& bar);
 /// width. [N/m]
 double default_touch_down_stiffness(double youngs_modulus, double width);
 
-/// Pin of a planet, a solid round beam that rests in the middles of both walls of the carrier and carries its
-/// load spread over the length between the walls.
+/// Pin of a planet, a solid round beam that carries its load spread over the length between the walls of the
+/// carrier: it rests in the middles of both, or is clamped in one, half of span - length before the load. A
+/// flexpin passes it at its free end, whose slope the sleeve keeps at zero.
 struct PlanetPin {
   double diameter = 0.0;        // [m]
   double loaded_length = 0.0;   // [m]  b
   double span = 0.0;            // [m]  S, at least the loaded length
   double youngs_modulus = 0.0;  // [Pa]
   double poisson_ratio = 0.0;   // [-]
+  PinEnds ends = PinEnds::both;
 };
 
 /// Load over mean deflection of the loaded length. [N/m]  With a = (S - b)/2, C = (2 S - b)/8:
-/// delta/F = 2/(E I) (a^3/12 + C^2 b/2 - C b^2/24 + b^3/640) + kappa/(G A) (a/2 + b/12)
+/// delta/F = 2/(E I) (a^3/12 + C^2 b/2 - C b^2/24 + b^3/640) + kappa/(G A) (a/2 + b/12)   in both walls
+/// delta/F = 1/(E I) (a^3/3 + a^2 b/2 + a b^2/4 + b^3/20) + kappa/(G A) (a + b/3)         clamped in one
+/// delta/F = S^3/(12 E I) + kappa/(G A) S                                                 a flexpin
 double pin_stiffness(const PlanetPin& pin);
 
 }  // namespace orbearing::bearing

@@ -73,10 +73,11 @@ Eigen::MatrixXd pin_compliance(const PinBeam& pin, const std::vector<double>& po
   std::vector<double> breaks{0.0, pin.span};
   for (const bool moment : {false, true})
     for (const double position : positions) {
-      mechanics::require(std::abs(position) < 0.5 * pin.span, "position of a bearing on its pin [m]",
-                         position, "between the supports of the pin");
+      mechanics::require(pin.ends == PinEnds::flexpin || std::abs(position) < 0.5 * pin.span,
+                         "position of a bearing on its pin [m]", position, "between the supports of the pin");
       loads.push_back({position + 0.5 * pin.span, moment});
-      breaks.push_back(loads.back().position);
+      // Of a flexpin moments and shear forces have no break but its ends.
+      if (pin.ends != PinEnds::flexpin) breaks.push_back(loads.back().position);
     }
   std::sort(breaks.begin(), breaks.end());
   const PinSection section = pin_section_of(pin);

@@ -34,7 +34,8 @@ struct PinBeam {
 /// and moment [N m] at each, in one plane: rows and columns are displacement (force) at all places, then
 /// slope (moment) at all. By the energy of bending and shear; symmetric. Eqs. (1) and (2) of
 /// bearing/pin_beam.cpp.
-/// @throws std::invalid_argument where a place lies beyond the supports
+/// @throws std::invalid_argument where a place lies beyond the supports; of a flexpin, on a rigid sleeve,
+/// places may lie anywhere
 Eigen::MatrixXd pin_compliance(const PinBeam& pin, const std::vector<double>& positions);
 
 }  // namespace orbearing::bearing

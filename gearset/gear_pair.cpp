@@ -21,14 +21,15 @@ void check_pointed(const ExternalTooth& tooth, const std::string& gear, Warnings
                                       "; a tooth with a tip is required; lower its shift or the addendum"});
 }
 
-void check_bore(const GearPair& pair, const ExternalTooth& tooth, const std::string& gear,
+void check_bore(const GearPair& pair, std::size_t of, const ExternalTooth& tooth, const std::string& gear,
                 Warnings& problems) {
+  const double bore = pair.bore_of(of);
   const double root_diameter = 2.0 * tooth.root_radius;
   constexpr double round_off = 1e-9;  // of a bore that equals the root diameter on paper
-  if (pair.bore > 0.0 && pair.bore <= root_diameter * (1.0 + round_off)) return;
-  problems.push_back({"pair.bore", "found a bore of " + millimetres(pair.bore) +
-                                       "; more than zero and at most the root diameter of the " + gear +
-                                       ", " + millimetres(root_diameter) + ", is required"});
+  if (bore > 0.0 && bore <= root_diameter * (1.0 + round_off)) return;
+  problems.push_back({bore_key(pair, of), "found a bore of " + millimetres(bore) +
+                                              "; more than zero and at most the root diameter of the " + gear +
+                                              ", " + millimetres(root_diameter) + ", is required"});
 }
 
 void check_internal(const GearPair& pair, Warnings& problems) {
@@ -44,7 +45,7 @@ void check_internal(const GearPair& pair, Warnings& problems) {
     problems.push_back({kPairShift,
                         "found flanks that cross before the tip circle of the ring; a tooth with a tip "
                         "is required; raise its shift or lower the addendum"});
-  check_bore(pair, mesh.inside, "inner gear", problems);
+  check_bore(pair, pair.inside(), mesh.inside, "inner gear", problems);
   if (mesh.mesh.path.length() <= 0.0)
     problems.push_back({kPairShift, "found no path of contact; teeth that reach each other are required"});
 }
@@ -53,8 +54,8 @@ void check_external(const GearPair& pair, Warnings& problems) {
   const PairGeometry geometry = pair_geometry(pair);
   check_pointed(geometry.gears[0], "first gear", problems);
   check_pointed(geometry.gears[1], "second gear", problems);
-  check_bore(pair, geometry.gears[0], "first gear", problems);
-  if (problems.empty()) check_bore(pair, geometry.gears[1], "second gear", problems);
+  check_bore(pair, 0, geometry.gears[0], "first gear", problems);
+  if (problems.empty()) check_bore(pair, 1, geometry.gears[1], "second gear", problems);
   if (geometry.path.length() <= 0.0)
     problems.push_back({kPairShift, "found no path of contact; teeth that reach each other are required"});
 }
@@ -63,10 +64,8 @@ void check_tips(const PairGeometry& g, int gear, int other, const std::string& n
                 const std::string& other_name, ToothWarnings& warnings) {
   const auto& tooth = g.gears[static_cast<std::size_t>(gear)];
   const auto& mate = g.gears[static_cast<std::size_t>(other)];
-  const double line = g.centre_distance * std::sin(g.working_pressure_angle);
   warnings.undercut(tooth, name);
-  warnings.reach(line - tangent_length(mate.base_radius, mate.tip_radius), tooth, other_name, name);
-  warnings.clearance(g.centre_distance - mate.tip_radius - tooth.root_radius, tooth.module, other_name, name);
+  warn_of_external_mesh(tooth, mate, g.centre_distance, g.working_pressure_angle, name, other_name, warnings);
 }
 
 }  // namespace
@@ -93,6 +92,10 @@ InternalMesh internal_mesh(const GearPair& pair) {
   return mesh_without_backlash(
       make_ring_tooth(pair.teeth[ring], pair.shift[ring], pair.module, pair.rack, pair.helix_angle),
       make_external_tooth(pair.teeth[inside], pair.shift[inside], pair.module, pair.rack, pair.helix_angle));
+}
+
+std::string bore_key(const GearPair& pair, std::size_t gear) {
+  return gear == 1 && !pair.is_internal() && pair.driven_bore ? "pair.driven_bore" : "pair.bore";
 }
 
 Warnings pair_problems(const GearPair& pair) {

@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
+#include <string>
 
 #include "gearset/contact_path.hpp"
 #include "gearset/parameters.hpp"
@@ -32,11 +34,16 @@ struct GearPair {
   Web web;                   // of the softer gear
   PairKind kind = PairKind::external;
   double ring_outside = 1.15;  // [-]  of an internal pair: outside diameter / root diameter of the ring
+  std::optional<double> driven_bore{};  // [m]  diameter, of the second of two external gears; none: `bore`
 
   bool is_internal() const { return kind == PairKind::internal; }
   /// Of an internal pair.
   std::size_t ring() const { return teeth[0] > teeth[1] ? 0 : 1; }
   std::size_t inside() const { return 1 - ring(); }
+  /// [m]  diameter of a gear that is no ring
+  double bore_of(std::size_t gear) const {
+    return gear == 1 && !is_internal() ? driven_bore.value_or(bore) : bore;
+  }
 };
 
 template <class Visitor>
@@ -56,6 +63,12 @@ void describe(Visitor& visit, GearPair& m) {
           length(m.face_width, "pair.face_width", "width of the teeth", 1e4),
           length(m.bore, "pair.bore",
                  "bore of both gears, or of the one inside a ring, held by a rigid shaft", 1e5),
+          field(m.driven_bore, "pair.driven_bore", Physics::pair,
+                "bore of the second gear, which is driven; pair.bore if absent",
+                {.models = gear_pair,
+                 .dimension = dimension::length,
+                 .range = positive(1e5),
+                 .where = {"pair.kind", "external"}}),
           part(m.rack, [&] { describe_rack(visit, m.rack, "pair.", Physics::pair, gear_pair); }),
           field(m.shift, "pair.profile_shift", Physics::pair,
                 "profile shifts of both gears, in modules; that of a ring positive outward",
@@ -93,6 +106,9 @@ PairGeometry pair_geometry(const GearPair& pair);
 /// Eq. (3).
 /// @throws std::domain_error as above, or if the gear inside has as many teeth
 InternalMesh internal_mesh(const GearPair& pair);
+
+/// The input that states the bore of a gear.
+std::string bore_key(const GearPair& pair, std::size_t gear);
 
 /// Reasons why the pair cannot be built; empty if it can. Places are "pair.teeth" and so on.
 Warnings pair_problems(const GearPair& pair);

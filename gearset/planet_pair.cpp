@@ -181,6 +181,28 @@ void check_bores(const PlanetarySet& set, const PlanetPairGeometry& g, Warnings&
 
 }  // namespace
 
+Warnings pair_tooth_warnings(const PlanetarySet& set, const SecondPlanet& pair) {
+  const PlanetPairGeometry g = planet_pair_geometry(set, pair);
+  const std::string sun = "sun", first = "first planet", second = "second planet";
+  ToothWarnings warnings{"gearset.profile_shift", {}};
+  warnings.undercut(g.sun, sun);
+  warnings.undercut(g.first, first);
+  warnings.undercut(g.second, second);
+  const auto external = [&](const ExternalTooth& one, const std::string& name, const ExternalTooth& other,
+                            const std::string& other_name, double distance, const MeshGeometry& mesh) {
+    const double angle = mesh.working_pressure_angle;
+    warn_of_external_mesh(one, other, distance, angle, name, other_name, warnings);
+    warn_of_external_mesh(other, one, distance, angle, other_name, name, warnings);
+  };
+  external(g.sun, sun, g.first, first, g.first_distance, g.sun_mesh);
+  external(g.first, first, g.second, second, g.between, g.planet_mesh);
+  warn_of_internal_mesh({g.ring, g.second, g.second_distance, g.ring_mesh}, second, warnings);
+  warnings.contact_ratio(g.sun_mesh.contact_ratio, "sun mesh");
+  warnings.contact_ratio(g.planet_mesh.contact_ratio, "mesh of both planets");
+  warnings.contact_ratio(g.ring_mesh.contact_ratio, "ring mesh");
+  return warnings.list;
+}
+
 Warnings pair_problems(const PlanetarySet& set, const SecondPlanet& pair) {
   Warnings problems;
   const int difference = set.ring_teeth - set.sun_teeth;  // Eq. (44)

@@ -92,6 +92,10 @@ WillisTeeth willis_teeth_of_pairs(const PlanetarySet& set);
 MeanLoads mean_loads_of_planet(const PlanetarySet& set, const PlanetOfPair& planet,
                                const MemberRatios& ratios, const Drive& drive);
 
+/// Faults of the teeth of pairs that run all the same, as tooth_warnings() has them for single planets.
+/// @throws std::domain_error as planet_pair_geometry()
+Warnings pair_tooth_warnings(const PlanetarySet& set, const SecondPlanet& pair);
+
 /// What makes pairs impossible to build or assemble.
 Warnings pair_problems(const PlanetarySet& set, const SecondPlanet& pair);
 

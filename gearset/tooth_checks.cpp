@@ -64,6 +64,14 @@ void check_clearances(const WorkingGeometry& g, const std::string& inside, Tooth
 
 }  // namespace
 
+void warn_of_external_mesh(const ExternalTooth& tooth, const ExternalTooth& mate, double distance,
+                           double working_angle, const std::string& gear, const std::string& other,
+                           ToothWarnings& warnings) {
+  const double line = distance * std::sin(working_angle);
+  warnings.reach(line - tangent_length(mate.base_radius, mate.tip_radius), tooth, other, gear);
+  warnings.clearance(distance - mate.tip_radius - tooth.root_radius, tooth.module, other, gear);
+}
+
 void warn_of_internal_mesh(const InternalMesh& mesh, const std::string& inside, ToothWarnings& warnings) {
   check_ring_reach(mesh, inside, warnings);
   check_ring_tip(mesh.ring, warnings);

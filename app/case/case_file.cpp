@@ -44,11 +44,28 @@ std::vector<std::string> keys_under(const std::string& prefix, const CaseShape& 
   return names;
 }
 
+// Of sets that people state elsewhere and that cannot be stated here; else empty.
+std::string missing_kind_hint(const std::string& key, const std::string& prefix) {
+  const bool of_stepped = prefix.ends_with("gearset.stepped_planet.");
+  if ((of_stepped && (key == "ring" || key == "sun" || key.ends_with("_ring") || key.ends_with("_sun"))) ||
+      (prefix.ends_with("gearset.teeth.") && key != "ring" && key.find("ring") != std::string::npos))
+    return "none is required: the first gear of a stepped planet, gearset.teeth.planet, meshes with the sun "
+           "alone, its second, gearset.stepped_planet.teeth, with the ring, gearset.teeth.ring. A set with two "
+           "rings or two suns (Wolfrom) cannot be stated, nor as two sets: their loads would be wrong";
+  const bool of_bodies = prefix.find("gearset.dynamics.") != std::string::npos;
+  if (of_bodies && (key.find("tilt") != std::string::npos || key.find("transverse") != std::string::npos))
+    return "none is required: inertias and stiffnesses against tilting cannot be stated but for "
+           "gearset.dynamics.sun.tilt_stiffness. Modes in three dimensions take them from teeth, bearings and "
+           "gearset.carrier; modes of a set without these are those in its plane";
+  return {};
+}
+
 // What is required in place of the unknown `key` in the block of `prefix`.
 std::string key_hint(const std::string& key, const std::string& prefix, const CaseShape& shape) {
   const std::string set = set_of(prefix);
   if (!set.empty() && key == "fixed")
     return "a known key is required. A member is stationary on a shaft with 'ground'";
+  if (std::string hint = missing_kind_hint(key, prefix); !hint.empty()) return hint;
   // The right name in the wrong block is likelier than a slip of the keyboard.
   for (const Field& field : all_fields()) {
     if (!set.empty() && !in_each_set(field)) continue;

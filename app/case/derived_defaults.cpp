@@ -150,6 +150,12 @@ constexpr std::string_view ring_support_rule =
 constexpr std::string_view carrier_support_rule =
     "two bearings of the carrier: proportional to size and modulus, 5e8 N/m at a centre distance of 88.5 mm "
     "in steel";
+constexpr std::string_view sun_tilt_rule =
+    "the same shaft under a moment: E I/l, in proportion to gearset.dynamics.sun.support_stiffness";
+constexpr std::string_view sun_axial_rule =
+    "the thrust of helical teeth needs a bearing: as stiff as the shaft of the sun is radially by default";
+constexpr std::string_view flexpin_rule =
+    "five eighths of the bore of the inner ring, which leaves room for a sleeve";
 constexpr std::string_view backlash_rule =
     "least backlash recommended by ISO/TR 10064-2, 2/3 (0.06 + 0.0005 a + 0.03 m_n) mm normal to the teeth";
 
@@ -162,6 +168,39 @@ std::optional<DerivedDefault> support(const ValuesOfSet& value) {
                         std::string(reason)};
 }
 
+// Of the set in three dimensions.
+std::optional<DerivedDefault> sun_tilt(const ValuesOfSet& value) {
+  const std::optional<gearset::PlanetarySet> set = teeth_of(value);
+  if (!set ||
+      !value.has({"gearset.carrier.bearing_positions", "gearset.dynamics.sun.support_stiffness"}))
+    return std::nullopt;
+  return DerivedDefault{
+      fmt::format("{:.6g} N.m/rad", gearset::dynamics::default_sun_tilt_stiffness(
+                                        *set, value("gearset.dynamics.sun.support_stiffness"),
+                                        value("material.youngs_modulus"))),
+      std::string(sun_tilt_rule)};
+}
+
+std::optional<DerivedDefault> sun_axial(const ValuesOfSet& value) {
+  const std::optional<gearset::PlanetarySet> set = teeth_of(value);
+  if (!set || set->helix_angle == 0.0 || !value.has({"gearset.carrier.bearing_positions"}))
+    return std::nullopt;
+  return DerivedDefault{stiffness_text(gearset::dynamics::default_support_stiffness(
+                            *set, gearset::Member::sun, value("material.youngs_modulus"))),
+                        std::string(sun_axial_rule)};
+}
+
+bool is_flexpin(const ValuesOfSet& value) {
+  return value.has({"support.pin_ends", "bearing.tilt_state"}) &&
+         value.choice("support.pin_ends") == "flexpin" && value.choice("bearing.tilt_state") == "computed";
+}
+
+std::optional<DerivedDefault> flexpin_diameter(const ValuesOfSet& value) {
+  if (!is_flexpin(value) || !value.has({"bearing.bore"})) return std::nullopt;
+  return DerivedDefault{fmt::format("{:.6g} mm", 1e3 * 0.625 * value("bearing.bore")),
+                        std::string(flexpin_rule)};
+}
+
 std::optional<DerivedDefault> backlash(const ValuesOfSet& value) {
   const std::optional<gearset::PlanetarySet> set = teeth_of(value);
   if (!set) return std::nullopt;
@@ -171,7 +210,16 @@ std::optional<DerivedDefault> backlash(const ValuesOfSet& value) {
                   1e3 * gearset::dynamics::reference_centre_distance(*set), 1e3 * set->module)};
 }
 
-// Walls of the carrier as its mass has them: both together the plate ratio times the face width.
+bearing::PinEnds pin_ends(const ValuesOfSet& value) {
+  if (is_flexpin(value)) return bearing::PinEnds::flexpin;
+  const bool one = value.has({"support.pin_ends", "bearing.tilt_state"}) &&
+                   value.choice("support.pin_ends") == "one" &&
+                   value.choice("bearing.tilt_state") == "computed";
+  return one ? bearing::PinEnds::one : bearing::PinEnds::both;
+}
+
+// Walls of the carrier as its mass has them: both together the plate ratio times the face width. Where tilts
+// are computed, pins are as support.pin_* has them.
 std::optional<DerivedDefault> pin_stiffness_of_bearing(const ValuesOfSet& value) {
   if (!value.has({"bearing.bore", "bearing.per_planet", "gearset.face_width", "material.youngs_modulus",
                   "material.poisson_ratio"}))
@@ -181,16 +229,25 @@ std::optional<DerivedDefault> pin_stiffness_of_bearing(const ValuesOfSet& value)
   const double plates = value.has({"gearset.dynamics.carrier.plate_ratio"})
                             ? value("gearset.dynamics.carrier.plate_ratio")
                             : default_plate_ratio;
-  const bearing::PlanetPin pin{.diameter = value("bearing.bore"),
-                               .loaded_length = face,
-                               .span = face * (1.0 + 0.5 * plates),
-                               .youngs_modulus = value("material.youngs_modulus"),
-                               .poisson_ratio = value("material.poisson_ratio")};
+  bearing::PlanetPin pin{.diameter = value("bearing.bore"),
+                         .loaded_length = face,
+                         .span = face * (1.0 + 0.5 * plates),
+                         .youngs_modulus = value("material.youngs_modulus"),
+                         .poisson_ratio = value("material.poisson_ratio"),
+                         .ends = pin_ends(value)};
+  if (pin.ends != bearing::PinEnds::both) {
+    pin.span = value.has({"support.pin_span"}) ? value("support.pin_span") : face;
+    pin.loaded_length = std::min(face, pin.span);
+  }
+  if (pin.ends == bearing::PinEnds::flexpin) pin.diameter = value("support.pin_diameter");
+  constexpr std::string_view held[] = {"between the middles of the carrier's walls",
+                                       "clamped in one wall: twice the distance from there to the middle of the "
+                                       "face",
+                                       "from the wall to where it carries its sleeve: a flexpin"};
   return DerivedDefault{
       stiffness_text(bearing::pin_stiffness(pin) / value("bearing.per_planet")),
-      fmt::format("a solid pin of {:.4g} mm, {:.4g} mm between the middles of the carrier's walls, "
-                  "shared by the bearings of a planet; the walls are rigid",
-                  1e3 * pin.diameter, 1e3 * pin.span)};
+      fmt::format("a solid pin of {:.4g} mm, {:.4g} mm {}, shared by the bearings of a planet; the walls are rigid",
+                  1e3 * pin.diameter, 1e3 * pin.span, held[static_cast<std::size_t>(pin.ends)])};
 }
 
 // No maker's roller has a sharp end.
@@ -262,9 +319,13 @@ constexpr DefaultRule default_rules[] = {
     {"gearset.dynamics.carrier.support_stiffness", support<gearset::Member::carrier, carrier_support_rule>,
      Needed::at_times, carrier_support_rule},
     {"gearset.dynamics.backlash", backlash, Needed::at_times, backlash_rule},
+    {"gearset.dynamics.sun.tilt_stiffness", sun_tilt, Needed::at_times, sun_tilt_rule},
+    {"gearset.dynamics.sun.axial_stiffness", sun_axial, Needed::at_times, sun_axial_rule},
+    {"support.pin_diameter", flexpin_diameter, Needed::at_times, flexpin_rule},
     {"support.stiffness", pin_stiffness_of_bearing, Needed::always,
      "a solid pin that fills the bore of the inner ring, between the middles of both walls of the carrier, "
-     "shared by the bearings of a planet; each of several sets has its own"},
+     "shared by the bearings of a planet; each of several sets has its own. Held at one end, and as a flexpin, "
+     "as support.pin_ends has it where tilts are computed"},
     {"bearing.profile.kind", roller_profile, Needed::at_rest_too,
      "iso16281: catalogue rollers have relieved ends; straight ones state straight"},
     {"life.method", life_method, Needed::at_rest_too,

@@ -86,10 +86,12 @@ const Exception exceptions[] = {
     // A computed tilt is that of bearings at rest, with which one bearing may go on; it has no effect on
     // gears.
     {{"bearing.tilt_state", "bearing.axial_places", "bearing.clearance_differences", "support.pin_ends",
-      "support.pin_span", "support.carrier_twist_stiffness", "support.pin_inclination.radial",
+      "support.pin_span", "support.pin_diameter", "support.carrier_twist_stiffness", "support.pin_inclination.radial",
       "support.pin_inclination.tangential"},
      no_tilt,
      use::bearings_as_springs},
+    // Stops hold planets and sun under a load; their stiffness counts in small vibration alone.
+    {{"gearset.dynamics.sun.axial_stiffness", "gearset.dynamics.planet.axial_stiffness"}, 0, use::carrier},
     {{"load.tilt"}, use::ball_run},
     {{"traction.starvation"}, use::fmu_bearing},  // whose speeds change
     {{"film.inlet_heating"}, use::fmu_bearing},
@@ -130,6 +132,13 @@ const Condition& where_filmed() {
 }
 
 // What is used beyond its physics, or hangs on other inputs, follows for each part of a drivetrain in turn.
+
+// A pin that is held at one end makes the support's stiffness where none is stated.
+Use with_pins(const Use& use, std::string_view path) {
+  if (!links_rows(path)) return use;
+  return use.used_too(use::bearings_as_springs,
+                      {where_absent("support.stiffness"), where_held_at_one_end(), where_tilts_are_computed()});
+}
 
 Use with_meshes(Use use, std::string_view path) {
   // What gives way under the planets besides, with its ends: it counts at rest too where planets carry unlike
@@ -378,7 +387,7 @@ Use with_other_ways(Use use, std::string_view path) {
 
 Use use_of(const described::Facts& facts) {
   const std::string_view path = facts.path;
-  Use use = with_meshes(use_by_physics(facts), path);
+  Use use = with_meshes(with_pins(use_by_physics(facts), path), path);
   use = with_oil(with_rotating_rings(with_stiffness(use, path), facts), path);
   use = with_carrier(with_springs(with_held_members(use, path), facts), path);
   return with_other_ways(with_own_condition(use, facts), path);
@@ -403,8 +412,12 @@ Use with_carrier_beside(const Use& use, std::string_view path) {
   if (is_one_of(path,
                 {"gearset.carrier.bearing_positions", "gearset.carrier.bearing_stiffness",
                  "gearset.carrier.housing_stiffness", "gearset.carrier.centre_of_mass",
-                 "bearing.axial_places", "bearing.roller_length", "gearset.dynamics.ring.equivalent_mass"}))
+                 "bearing.axial_places", "bearing.roller_length", "gearset.dynamics.ring.equivalent_mass",
+                 "gearset.dynamics.sun.tilt_stiffness", "gearset.dynamics.sun.axial_stiffness",
+                 "gearset.dynamics.planet.axial_stiffness"}))
     more = more.used_too(use::modes, body);
+  if (links_rows(path))
+    more = more.used_too(use::modes, {body, where_held_at_one_end(), where_tilts_are_computed()});
   return more;
 }
 

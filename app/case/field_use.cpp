@@ -54,13 +54,18 @@ Use with_planet_defect(const Use& use, std::string_view path) {
   return more;
 }
 
+bool links_rows(std::string_view path) {
+  return is_one_of(path,
+                   {"bearing.tilt_state", "support.pin_ends", "support.pin_span", "support.pin_diameter"});
+}
+
 namespace {
 
 // Of what natural frequencies or points at rest use, what the carrier as a body leaves out: how members turn
 // and stand in their planes, tilts that it computes itself, and what is made of lives.
 bool is_left_out_of_carrier(std::string_view path) {
   const bool rotation = path.ends_with(".equivalent_mass") || path.ends_with(".torsional_stiffness");
-  return (rotation && path.starts_with("gearset.dynamics.")) ||
+  return (rotation && path.starts_with("gearset.dynamics.")) || links_rows(path) ||
          is_one_of(path, {"gearset.dynamics.ring.mass", "gearset.dynamics.ring.support_stiffness",
                           "gearset.dynamics.carrier.support_stiffness", "gearset.dynamics.separation",
                           "bearing.tilt_state", "bearing.axial_places", "bearing.clearance_differences",
@@ -73,7 +78,10 @@ bool is_left_out_of_carrier(std::string_view path) {
 
 Use with_carrier_body(Use use, std::string_view path) {
   constexpr unsigned leaders = use::modes | use::quasi_static;
-  if (path.starts_with("gearset.carrier.")) return use;
+  if (path.starts_with("gearset.carrier.") ||
+      is_one_of(path, {"gearset.dynamics.sun.tilt_stiffness", "gearset.dynamics.sun.axial_stiffness",
+                       "gearset.dynamics.planet.axial_stiffness"}))
+    return use;
   // Springs that are linked, a ring that turns, other rows than cylindrical ones, two gears on a planet,
   // pairs.
   if (is_one_of(path, {"gearset.planet_rim", "gearset.fixed", "bearing.balls", "bearing.ball_diameter"}) ||
@@ -83,7 +91,9 @@ Use with_carrier_body(Use use, std::string_view path) {
   }
   if (is_left_out_of_carrier(path)) {
     put(use, use::carrier, &Use::not_modelled_by);
-    return path == "bearing.axial_places" ? use.used_too(use::carrier, std::vector<Condition>{}) : use;
+    if (path == "bearing.axial_places") return use.used_too(use::carrier, std::vector<Condition>{});
+    if (!links_rows(path)) return use;
+    return use.used_too(use::carrier, {where_held_at_one_end(), where_tilts_are_computed()});
   }
   if ((use.refused_by & use::quasi_static) != 0)
     put(use, use::carrier, &Use::refused_by);
@@ -113,6 +123,14 @@ Condition where_absent(std::string path) {
 Condition where_planets_carry_unlike_loads() {
   return where_given({"gearset.dynamics.pin_error.radial", "gearset.dynamics.pin_error.tangential",
                       "gearset.planet_angles"});
+}
+
+Condition where_held_at_one_end() {
+  return where("support.pin_ends", {"one", "flexpin"});
+}
+
+Condition where_tilts_are_computed() {
+  return where("bearing.tilt_state", {"computed"});
 }
 
 Condition where_true(bool (*holds)(const ResolvedCase&, std::string_view), std::string text) {

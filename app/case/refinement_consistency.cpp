@@ -150,6 +150,10 @@ void check_positions(CheckedCase& in) {
                         (has_stepped_planets(in) ? fmt::format("{:.4g} mm", per_milli * face)
                                                  : in.given("gearset.face_width")),
                     "at least the face is required: the supports lie outside it");
+  const char* pin = "support.pin_diameter";
+  if (in.has(pin) && in.has("bearing.bore") && in.quantity(pin) >= in.quantity("bearing.bore"))
+    in.add_error_at(pin, in.given(pin) + " with a bearing.bore of " + in.given("bearing.bore"),
+                    "less than the bore is required: the sleeve of a flexpin lies between");
   if (!in.has(positions) || !in.has("bearing.width")) return;
   const double width = in.quantity("bearing.width");
   std::vector<double> sorted = in.list(positions);

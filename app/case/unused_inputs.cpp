@@ -11,6 +11,7 @@
 #include "app/case/field_table.hpp"
 #include "app/case/settings.hpp"
 #include "app/case/use_conditions.hpp"
+#include "app/errors.hpp"
 
 namespace orbearing::app {
 
@@ -340,7 +341,23 @@ UseStatus use_status_of(const ResolvedCase& resolved, const Input& input, use::A
   return idle ? UseStatus::idle : status;
 }
 
+namespace {
+
+// Without a bearing gears run alone, and in motion planets have one gear. What is missing then is the bearing.
+void require_bearing(const ResolvedCase& in, use::Analysis analysis) {
+  if (in.shape().bearing || in.shape().several || analysis != use::gears) return;
+  const char* stepped = "gearset.stepped_planet.teeth";
+  if (!in.has(stepped)) return;
+  throw BadInput(in.file() +
+                 ": bearing: missing; required: the bearing of the planets, as bearing.designation and "
+                 "bearing.per_planet: without one the gears run alone in motion, which takes no " +
+                 stepped + ". check computes ratio, speeds and mesh forces without it");
+}
+
+}  // namespace
+
 std::vector<std::string> require_used(const ResolvedCase& resolved, use::Analysis analysis, Axes sweeps) {
+  require_bearing(resolved, analysis);
   std::vector<Mistake> mistakes;
   std::vector<std::string> warnings = former_key_warnings(resolved);
   for (const Input& input : resolved.inputs()) {

@@ -108,14 +108,24 @@ study::PlanetaryDrivetrain drivetrain_without_gear_set(const ResolvedCase& in) {
   return out;
 }
 
+namespace {
+
+gearset::Warnings tooth_warnings_of(const ResolvedCase& set) {
+  if (has_planet_pairs(set)) return gearset::pair_tooth_warnings(set_of(set), second_planet_of(set));
+  return gearset::tooth_warnings(gearset::working_geometry(set_of(set)));
+}
+
+}  // namespace
+
 std::vector<std::string> gear_warnings(const ResolvedCase& resolved) {
   std::vector<std::string> texts;
   const auto add = [&](const std::string& prefix, const ResolvedCase& set) {
-    for (const gearset::Warning& warning : gearset::tooth_warnings(gearset::working_geometry(set_of(set))))
+    for (const gearset::Warning& warning : tooth_warnings_of(set))
       texts.push_back(prefix + location_in_case(set, warning.key) + ": " + warning.text);
+    if (has_planet_pairs(set)) return;  // whose shifts are all stated
     for (const std::string& text : ring_sign_warnings(set)) texts.push_back(prefix + text);
   };
-  if (!resolved.shape().teeth || has_planet_pairs(resolved)) return texts;
+  if (!resolved.shape().teeth) return texts;
   if (!resolved.shape().several) add("", resolved);
   for (const std::string& set : resolved.shape().sets) add(set_prefix(set), resolved.of_set(set));
   return texts;

@@ -52,12 +52,11 @@ struct MeshedPair {
 };
 
 MeshedPair meshed_pair(const gearset::GearPair& pair, const mechanics::Material& material) {
-  const double bore = 0.5 * pair.bore;
-  const auto gear = [&](const gearset::ExternalTooth& tooth) {
-    return gearset::make_mesh_gear(tooth, bore, pair.face_width, material);
+  const auto gear = [&](std::size_t which, const gearset::ExternalTooth& tooth) {
+    return gearset::make_mesh_gear(tooth, 0.5 * pair.bore_of(which), pair.face_width, material);
   };
-  const auto area = [&](const gearset::ExternalTooth& tooth) {
-    return gearset::section_moments(tooth, bore).area;
+  const auto area = [&](std::size_t which, const gearset::ExternalTooth& tooth) {
+    return gearset::section_moments(tooth, 0.5 * pair.bore_of(which)).area;
   };
   if (!pair.is_internal()) {
     const gearset::PairGeometry g = gearset::pair_geometry(pair);
@@ -65,8 +64,8 @@ MeshedPair meshed_pair(const gearset::GearPair& pair, const mechanics::Material&
     return {.centre_distance = g.centre_distance,
             .working_pressure_angle = g.working_pressure_angle,
             .contact_ratio = g.contact_ratio,
-            .area = {area(driving), area(driven)},
-            .gears = gearset::meshing_gears(gear(driving), gear(driven), g.centre_distance, true),
+            .area = {area(0, driving), area(1, driven)},
+            .gears = gearset::meshing_gears(gear(0, driving), gear(1, driven), g.centre_distance, true),
             .warnings = gearset::pair_warnings(g)};
   }
   const gearset::InternalMesh g = gearset::internal_mesh(pair);
@@ -78,10 +77,10 @@ MeshedPair meshed_pair(const gearset::GearPair& pair, const mechanics::Material&
       .working_pressure_angle = g.mesh.working_pressure_angle,
       .contact_ratio = g.mesh.contact_ratio,
       .gears = gearset::meshing_gears(gearset::make_mesh_gear(g.ring, outside, pair.face_width, material),
-                                      gear(g.inside), g.centre_distance, pair.ring() == 0),
+                                      gear(pair.inside(), g.inside), g.centre_distance, pair.ring() == 0),
       .warnings = gearset::pair_warnings(g)};
   found.area.at(pair.ring()) = gearset::section_moments(g.ring, outside).area;
-  found.area.at(pair.inside()) = area(g.inside);
+  found.area.at(pair.inside()) = area(pair.inside(), g.inside);
   return found;
 }
 
@@ -107,9 +106,10 @@ MeshStudy pair_study(const ResolvedCase& in) {
   const double position = gearset::pitch_point(meshed.gears);
   add_texts(meshed.warnings, study.warnings);
   add_texts(gearset::foundation_warnings(meshed.gears.first, meshed.gears.line_length - position,
-                                         kGearNames[first], "pair.bore"),
+                                         kGearNames[first], gearset::bore_key(pair, first)),
             study.warnings);
-  add_texts(gearset::foundation_warnings(meshed.gears.second, position, kGearNames[second], "pair.bore"),
+  add_texts(gearset::foundation_warnings(meshed.gears.second, position, kGearNames[second],
+                                         gearset::bore_key(pair, second)),
             study.warnings);
   warn_standard(study.meshes.front(), study.warnings);
   return study;

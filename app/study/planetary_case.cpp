@@ -471,7 +471,10 @@ void add_load_sharing(const ResolvedCase& in, const study::NamedSet& set, std::v
   try {
     const char* tilt = "bearing.tilt_state";
     const bool tilts = in.has(tilt) && in.choice(tilt) == "computed";
-    const ResolvedCase aligned = tilts ? in.with(tilt, std::string("stated")) : in;
+    // The pin stays what it is, though its ends count only where tilts are computed.
+    const std::string pin = fmt::format("{:.17g} N/m", set.drivetrain.dynamics.support.stiffness);
+    const ResolvedCase aligned =
+        tilts ? in.with(tilt, std::string("stated")).with("support.stiffness", pin) : in;
     std::vector<study::NamedSet> one_off = bearing_sets(aligned.with(path, errors + "]"));
     one_off.front().drivetrain.carrier_mounting.reset();
     const study::PointResult point = study::evaluate(one_off);
@@ -563,7 +566,9 @@ void describe_power(described::Record& record, const ResolvedCase& resolved) {
       "power_circulation", "members that carry more than the input", gearset::power_circulation(flow),
       [&](Record& circulation, const gearset::PowerCirculation& of) {
         circulation.value("present", "whether power circulates", of.present());
-        circulation.value("largest_share", dimension::ratio, "of the input power, carried by one member",
+        circulation.value("largest_share", dimension::ratio,
+                          "of the input power, carried by one member; without losses, which act on all that "
+                          "circulates and so change torques by that many times their share",
                           of.largest_share);
         circulation.value(
             "members", "that carry more than the input",

@@ -8,6 +8,7 @@
 #include "bearing/contact/line_contact.hpp"
 #include "bearing/contact/race_form.hpp"
 #include "mechanics/constants.hpp"
+#include "mechanics/force_left.hpp"
 
 namespace orbearing::bearing::vectorised {
 
@@ -145,7 +146,7 @@ void AlignedPitch::take(Eigen::Index first, Eigen::Index count, PitchResults& re
     results.stiffness[position] /= unit_length_;
     SolverReport& report = results.reports[position];
     report.iterations = static_cast<int>(output_.iterations[lane]);
-    report.residual = output_.residual[lane];
+    report.residual = mechanics::force_left(output_.residual[lane]);
     report.converged = output_.converged[lane] != 0.0;
     if (!report.converged) report.message = "aligned rollers found no static equilibrium";
   }

@@ -11,6 +11,7 @@
 #include "bearing/equilibrium/quasi_static.hpp"
 #include "mechanics/checks.hpp"
 #include "mechanics/constants.hpp"
+#include "mechanics/force_left.hpp"
 
 namespace orbearing::bearing {
 
@@ -262,8 +263,8 @@ mechanics::SearchLimits search_limits_of(const InclinedPlanet& planet, double fo
 
 std::string no_balance_text(double load, double residual) {
   std::ostringstream text;
-  text << "the planet found no balance on its bearings under " << load << " N: " << residual
-       << " N remain; check clearance, preload and the number of rolling elements";
+  text << "the planet found no balance on its bearings under " << load
+       << " N: " << mechanics::force_left_text(residual) << "; check clearance, preload and the number of rolling elements";
   return text.str();
 }
 
@@ -294,6 +295,7 @@ InclinedState InclinedPlanet::balance(const PlanetLoad& load, double first_eleme
         (limits.size + rows_.front().contacts.approach(load.force.norm() / rows_.front().count));
   mechanics::Imbalance<5> now;
   state.report = {mechanics::find_balance<5>(imbalance_at, limits, position, now)};
+  state.report.residual = mechanics::force_left(state.report.residual);
   if (!state.report.converged) state.report.message = no_balance_text(outer.norm(), state.report.residual);
   state.displacement = position.head<2>();
   state.axial = position[2];

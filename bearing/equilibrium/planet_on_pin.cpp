@@ -10,6 +10,8 @@
 #include "bearing/equilibrium/elastic_waves.hpp"
 #include "bearing/plane.hpp"
 #include "mechanics/checks.hpp"
+#include "mechanics/force_left.hpp"
+#include "mechanics/linear_algebra.hpp"
 
 namespace orbearing::bearing::laminae {
 
@@ -70,9 +72,71 @@ double lever_of(const PlanetOnPin& planet) {
   return lever;
 }
 
+// Freedoms of all seats in one plane, displacements before slopes times the lever.
+struct PinFreedoms {
+  Eigen::MatrixXd shapes;     // [-]    (seats, freedoms)
+  Eigen::MatrixXd stiffness;  // [N/m]  (freedoms, freedoms)
+  bool are_all() const { return shapes.rows() == shapes.cols(); }
+};
+
+// Seats on a rigid sleeve have two freedoms, however many they are: against all others the compliance is
+// zero.
+PinFreedoms pin_freedoms(const Eigen::MatrixXd& compliance, double lever) {
+  constexpr double kRigid = 1e-12;  // [-]  of the softest freedom: round-off of zero
+  const Index seats = compliance.rows() / 2;
+  Eigen::VectorXd unit(2 * seats);  // of slopes: rad by length
+  unit << Eigen::VectorXd::Ones(seats), Eigen::VectorXd::Constant(seats, 1.0 / lever);
+  const Eigen::VectorXd per_unit = unit.cwiseInverse();
+  const mechanics::SymmetricModes modes =
+      mechanics::symmetric_modes(per_unit.asDiagonal() * compliance * per_unit.asDiagonal());
+  const Index rigid = (modes.values.array() <= kRigid * modes.values.maxCoeff()).count();
+  if (rigid == 0)
+    return {Eigen::MatrixXd::Identity(2 * seats, 2 * seats),
+            unit.asDiagonal() * compliance.inverse() * unit.asDiagonal()};
+  const Index soft = 2 * seats - rigid;  // values ascend
+  return {modes.vectors.rightCols(soft), modes.values.tail(soft).cwiseInverse().asDiagonal()};
+}
+
+// The coordinates that are free, and how they move all.
+struct FreeCoordinates {
+  Eigen::MatrixXd all;        // [-]    (coordinates, free ones): orthonormal columns
+  Eigen::MatrixXd stiffness;  // [N/m]  (free ones, the same)  of the pin
+};
+
+FreeCoordinates free_coordinates(const PlanetOnPin& planet, double lever, Index waves) {
+  const Eigen::MatrixXd& along_y =
+      planet.tangential_compliance.size() > 0 ? planet.tangential_compliance : planet.pin_compliance;
+  const std::array<PinFreedoms, 2> pin{pin_freedoms(planet.pin_compliance, lever),
+                                       pin_freedoms(along_y, lever)};
+  const auto seats = static_cast<Index>(planet.bearings.size());
+  // Displacements of all seats stand before all slopes in the pin's own matrix.
+  const auto coordinate = [&](Index i, Index axis) {
+    return kPinAt + kPerSeat * (i % seats) + (i < seats ? 0 : 2) + axis;
+  };
+  const bool all = pin[0].are_all() && pin[1].are_all();
+  const Index size = waves_of(planet) + waves;
+  const Index free = kPinAt + pin[0].shapes.cols() + pin[1].shapes.cols() + waves;
+  FreeCoordinates found{Eigen::MatrixXd::Zero(size, free), Eigen::MatrixXd::Zero(free, free)};
+  found.all.topLeftCorner(kPinAt, kPinAt).setIdentity();
+  found.all.bottomRightCorner(waves, waves).setIdentity();
+  for (Index axis = 0, begin = kPinAt; axis < 2; ++axis) {
+    const PinFreedoms& own = pin[static_cast<std::size_t>(axis)];
+    const auto place = [&](Index i) { return all ? coordinate(i, axis) : begin + i; };
+    for (Index i = 0; i < own.shapes.cols(); ++i) {
+      for (Index row = 0; row < own.shapes.rows(); ++row)
+        found.all(coordinate(row, axis), place(i)) = own.shapes(row, i);
+      for (Index j = 0; j < own.shapes.cols(); ++j) found.stiffness(place(i), place(j)) = own.stiffness(i, j);
+    }
+    begin += own.shapes.cols();
+  }
+  return found;
+}
+
 // How the planet, its seats and its waves move the races of one bearing.
 SettlingRow<Eigen::Dynamic> row_on(const PlanetOnPin& planet, std::size_t k, const RaceEquilibrium& races,
-                                   double lever, Index size, std::vector<RollerState>& rollers) {
+                                   double lever, const FreeCoordinates& free,
+                                   std::vector<RollerState>& rollers) {
+  const Index size = free.all.rows();
   Eigen::MatrixXd outward = Eigen::MatrixXd::Zero(size, races.angle.size()), tilting = outward;
   for (Index j = 0; j < races.angle.size(); ++j) {
     const Vector2d e = direction(races.angle[j]);
@@ -83,40 +147,23 @@ SettlingRow<Eigen::Dynamic> row_on(const PlanetOnPin& planet, std::size_t k, con
     tilting.col(j).segment<2>(kTiltAt) = e * (planet.bearings[k].half_length() / lever);
     tilting.col(j).segment<2>(pin_of(k) + 2) = -tilting.col(j).segment<2>(kTiltAt);
   }
-  SettlingRow<Eigen::Dynamic> row(races, std::move(outward), rollers);
-  row.tilting = std::move(tilting);
+  SettlingRow<Eigen::Dynamic> row(races, free.all.transpose() * outward, rollers);
+  row.tilting = free.all.transpose() * tilting;
   return row;
-}
-
-// Displacements of all seats stand before all slopes in the pin's own matrix.
-void add_pin(const PlanetOnPin& planet, double lever, Eigen::MatrixXd& stiffness) {
-  const auto count = static_cast<Index>(planet.bearings.size());
-  const Eigen::MatrixXd& along_y =
-      planet.tangential_compliance.size() > 0 ? planet.tangential_compliance : planet.pin_compliance;
-  const std::array<Eigen::MatrixXd, 2> pin{planet.pin_compliance.inverse(), along_y.inverse()};
-  const auto coordinate = [&](Index i, Index axis) {
-    return kPinAt + kPerSeat * (i % count) + (i < count ? 0 : 2) + axis;
-  };
-  const auto unit = [&](Index i) { return i < count ? 1.0 : 1.0 / lever; };  // of slopes: rad by length
-  for (Index i = 0; i < 2 * count; ++i)
-    for (Index j = 0; j < 2 * count; ++j)
-      for (Index axis = 0; axis < 2; ++axis)
-        stiffness(coordinate(i, axis), coordinate(j, axis)) +=
-            unit(i) * unit(j) * pin[static_cast<std::size_t>(axis)](i, j);
 }
 
 RingsOnRollers<Eigen::Dynamic> rings_on(const PlanetOnPin& planet, const std::vector<RaceEquilibrium>& races,
                                         const Vector2d& share, const Vector2d& moment, double lever,
+                                        const FreeCoordinates& free,
                                         std::vector<std::vector<RollerState>>& rollers) {
   RingsOnRollers<Eigen::Dynamic> rings;
   const ElasticRace& race = races.front().outer_race;
-  const Index waves = wave_count(race), size = waves_of(planet) + waves;
-  rings.load.setZero(size);
-  rings.stiffness.setZero(size, size);
-  rings.rest.setZero(size);
+  const Index waves = wave_count(race);
+  rings.load.setZero(free.all.cols());
+  rings.stiffness = free.stiffness;
+  rings.rest.setZero(free.all.cols());
   rings.load.segment<2>(kTiltAt) = moment / lever;
   rings.stiffness.block<2, 2>(kTiltAt, kTiltAt) = planet.tilt_stiffness / (lever * lever);
-  add_pin(planet, lever, rings.stiffness);
   // All bearings press on the same waves.
   rings.stiffness.diagonal().tail(waves) = static_cast<double>(races.size()) * wave_stiffness(race);
   rings.rest.tail(waves) = waves_at_rest(race);
@@ -127,7 +174,7 @@ RingsOnRollers<Eigen::Dynamic> rings_on(const PlanetOnPin& planet, const std::ve
     rings.load.segment<2>(kTiltAt) += through_cage * (planet.position[k] / lever);
     largest = std::max(largest, races[k].inertial_load.abs().maxCoeff());
     rollers[k].resize(static_cast<std::size_t>(races[k].angle.size()));
-    rings.rows.push_back(row_on(planet, k, races[k], lever, size, rollers[k]));
+    rings.rows.push_back(row_on(planet, k, races[k], lever, free, rollers[k]));
   }
   rings.scale = std::max({rings.load.head<2>().norm(), moment.norm() / lever, largest});
   return rings;
@@ -166,13 +213,15 @@ void put_bearing(const PlanetOnPin& planet, std::size_t k, const RaceEquilibrium
 }
 
 // What load and moment on the planet move, pin, waves and rollers following.
-Eigen::Matrix4d compliance_at(const PlanetOnPin& planet, double lever, const Eigen::MatrixXd& stiffness) {
+Eigen::Matrix4d compliance_at(const PlanetOnPin& planet, double lever, const FreeCoordinates& free,
+                              const Eigen::MatrixXd& stiffness) {
   const double seats = static_cast<double>(planet.bearings.size());
   Eigen::Matrix4d compliance;
   for (Index i = 0; i < 4; ++i) {
     Eigen::VectorXd load = Eigen::VectorXd::Zero(stiffness.rows());
     load[i] = i < kTiltAt ? 1.0 : 1.0 / lever;
-    const Eigen::VectorXd moved = mechanics::lengths_under<Eigen::Dynamic>(load, stiffness);
+    const Eigen::VectorXd moved =
+        free.all * mechanics::lengths_under<Eigen::Dynamic>(load, stiffness);
     Vector2d shift = moved.head<2>();
     for (std::size_t k = 0; k < planet.bearings.size(); ++k) shift -= moved.segment<2>(pin_of(k)) / seats;
     compliance.col(i) << shift, moved.segment<2>(kTiltAt) / lever;
@@ -199,24 +248,28 @@ PlanetOnPinState planet_on_pin(const PlanetOnPin& planet, const OperatingPoint& 
   std::vector<std::vector<RollerState>> rollers(races.size());
   if (near != nullptr)
     for (std::size_t k = 0; k < races.size(); ++k) rollers[k] = near->bearings[k].rollers;
+  const FreeCoordinates free = free_coordinates(planet, lever, wave_count(races.front().outer_race));
   const RingsOnRollers<Eigen::Dynamic> rings =
-      rings_on(planet, races, load_share(planet, point), moment, lever, rollers);
-  Eigen::VectorXd at =
-      near != nullptr ? start_near(planet, lever, *near) : start_of(races.front(), rings.rest);
+      rings_on(planet, races, load_share(planet, point), moment, lever, free, rollers);
+  Eigen::VectorXd found =
+      near != nullptr ? Eigen::VectorXd(free.all.transpose() * start_near(planet, lever, *near))
+                      : start_of(races.front(), rings.rest);
   mechanics::Imbalance<Eigen::Dynamic> now;
   PlanetOnPinState state;
-  state.report = {mechanics::find_balance<Eigen::Dynamic>(rings, rings.limits(), at, now)};
+  state.report = {mechanics::find_balance<Eigen::Dynamic>(rings, rings.limits(), found, now)};
+  state.report.residual = mechanics::force_left(state.report.residual);
+  const Eigen::VectorXd at = free.all * found;
   state.displacement = at.head<2>();
   state.tilt = at.segment<2>(kTiltAt) / lever;
   state.waves = at.tail(at.size() - waves_of(planet));
-  state.compliance = compliance_at(planet, lever, now.stiffness);
+  state.compliance = compliance_at(planet, lever, free, now.stiffness);
   for (std::size_t k = 0; k < races.size(); ++k)
     put_bearing(planet, k, races[k], at, lever, std::move(rollers[k]), state);
   if (!state.report.converged) {
     std::ostringstream text;
     text << "the planet found no static equilibrium on its pin under " << point.bore_load.norm()
-         << " N: " << state.report.residual
-         << " N remain; check clearances, profiles, the pin and its errors";
+         << " N: " << mechanics::force_left_text(state.report.residual)
+         << "; check clearances, profiles, the pin and its errors";
     state.report.message = text.str();
   }
   for (QuasiStaticState& one : state.bearings) one.report = state.report;

@@ -8,6 +8,7 @@
 #include "bearing/equilibrium/lamina_bearing.hpp"
 #include "bearing/equilibrium/roller_balance.hpp"
 #include "bearing/plane.hpp"
+#include "mechanics/force_left.hpp"
 
 namespace orbearing::bearing {
 
@@ -44,8 +45,8 @@ void settle(const RaceEquilibrium& races, Eigen::Index j, double approach, doubl
 
 std::string failure_text(const RaceEquilibrium& problem, double residual) {
   std::ostringstream text;
-  text << "the races found no static equilibrium under " << problem.load.norm() << " N: " << residual
-       << " N remain; check the clearance and the roller count";
+  text << "the races found no static equilibrium under " << problem.load.norm()
+       << " N: " << mechanics::force_left_text(residual) << "; check the clearance and the roller count";
   return text.str();
 }
 
@@ -60,6 +61,7 @@ QuasiStaticState solve_in(const RaceEquilibrium& problem, const QuasiStaticState
   mechanics::Imbalance<N> now;
   QuasiStaticState state;
   state.report = {mechanics::find_balance<N>(ring, ring.limits(), position, now)};
+  state.report.residual = mechanics::force_left(state.report.residual);
   state.displacement = position.template head<2>();
   state.waves = position.tail(position.size() - 2);
   state.stiffness = without_waves<N>(now);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mechanics/force_left.hpp"
 #include "mechanics/root_search.hpp"
 
 namespace orbearing::bearing::equilibrium {
@@ -69,6 +70,7 @@ RingState balance_ring(const RingRow& row, const RingLoad& load, const RingPosit
   } else {
     report = {mechanics::find_balance<5>(imbalance_at, limits, position, now)};
   }
+  report.residual = mechanics::force_left(report.residual);
   if (!report.converged) report.message = "the ring found no static equilibrium on its rolling elements";
   RingState state = state_at(row, position);
   state.report = report;

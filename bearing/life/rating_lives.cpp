@@ -19,7 +19,8 @@ BearingLife scaled_lives(double factor, const BearingLife& life) {
   return {factor * life.inner, factor * life.outer, factor * life.bearing};
 }
 
-// (2), with the loads of a lamina by what they do to it.
+// (2), with the loads of a lamina by what they do to it. Elements are those of all rows: the i^(7/9) of their
+// capacities, and i^(2/9) of the laminae over which the life is summed.
 class LaminaLoad {
  public:
   LaminaLoad(const BearingRating& rating, Eigen::Index laminae) {

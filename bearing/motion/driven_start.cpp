@@ -10,6 +10,7 @@
 #include "bearing/equilibrium/elastic_waves.hpp"
 #include "bearing/equilibrium/roller_balance.hpp"
 #include "bearing/motion/model_constants.hpp"
+#include "mechanics/force_left.hpp"
 
 namespace orbearing::bearing::motion {
 
@@ -120,6 +121,7 @@ void solve_in(const PinProblem& problem, PinBalance& balance) {
   balance.rollers.report = {
       mechanics::find_balance<N>([&](const Eigen::Vector<double, N>& at) { return problem.at<N>(at); },
                                  problem.limits(), position, now)};
+  balance.rollers.report.residual = mechanics::force_left(balance.rollers.report.residual);
   const Eigen::Index rollers = problem.races.angle.size();
   balance.pin = position.template head<2>();
   if constexpr (N == Eigen::Dynamic) balance.rollers.waves = position.segment(2, problem.waves());
@@ -166,8 +168,7 @@ Eigen::VectorXd driven_start(const Bearing& bearing, const BearingModel& model,
   if (!balance.rollers.report.converged) {
     std::ostringstream text;
     text << "the pin ring found no static equilibrium with its bore at (" << motion.position.transpose()
-         << ") m: " << balance.rollers.report.residual
-         << " N remain; required: a displacement that rollers and support can carry";
+         << ") m: " << mechanics::force_left_text(balance.rollers.report.residual) << "; required: a displacement that rollers and support can carry";
     throw std::runtime_error(text.str());
   }
   const double spin = kinematic_roller_spin(model.geometry, 0.0, motion.speed);

@@ -15,7 +15,7 @@ namespace {
 
 struct Header {
   std::array<char, 8> magic{'O', 'R', 'B', 'F', 'M', 'U', 'S', 'T'};
-  std::uint64_t format = 2;
+  std::uint64_t format = 3;
   std::uint64_t model = 0;     // hash
   std::uint64_t numbers = 0;   // doubles that follow
   std::uint64_t checksum = 0;  // of their bytes
@@ -27,7 +27,8 @@ std::vector<double> numbers_of(const InstanceState& s) {
                               static_cast<double>(s.has_stop),
                               static_cast<double>(s.computed),
                               s.time,
-                              s.stop};
+                              s.stop,
+                              s.elapsed};
   const auto add = [&](const auto& list) { numbers.insert(numbers.end(), list.begin(), list.end()); };
   add(s.parameters);
   add(s.inputs);
@@ -39,7 +40,7 @@ std::vector<double> numbers_of(const InstanceState& s) {
   return numbers;
 }
 
-constexpr std::size_t kFixed = 6;  // numbers before the lists
+constexpr std::size_t kFixed = 7;  // numbers before the lists
 
 std::size_t count_of(const StateSizes& sizes) {
   return kFixed + sizes.parameters + 5 * sizes.inputs;
@@ -59,6 +60,7 @@ InstanceState state_of(const std::vector<double>& numbers, const StateSizes& siz
   s.computed = numbers[3] != 0.0;
   s.time = numbers[4];
   s.stop = numbers[5];
+  s.elapsed = numbers[6];
   auto from = numbers.begin() + kFixed;
   const auto take = [&](std::size_t count) {
     const auto begin = from;
@@ -237,7 +239,7 @@ system::Participant& Instance::participant() {
 void Instance::compute_start() {
   if (state_.computed) return;
   participant().complete(state_.inputs, state_.given);
-  participant().initialize(state_.time, state_.inputs);
+  participant().initialize(state_.elapsed, state_.inputs);
   state_.computed = true;
 }
 
@@ -417,9 +419,9 @@ double Instance::accepted_length(double length, const std::vector<system::InputP
   participant().save(before);
   for (int i = 0; i < kHalvings; ++i) {
     length *= 0.5;
-    if (!(state_.time + length > state_.time)) break;
+    if (!(state_.elapsed + length > state_.elapsed)) break;
     try {
-      participant().advance({state_.time, state_.time + length}, inputs);
+      participant().advance({state_.elapsed, state_.elapsed + length}, inputs);
       const std::vector<double> values =
           participant().values(input_values(inputs, length), facts_.outputs.size());
       participant().restore(before);
@@ -448,7 +450,8 @@ void Instance::refuse_step(double length, const std::vector<system::InputPolynom
 
 void Instance::step(double point, double size) {
   require_step(point, size);
-  const system::Window window{state_.time, point + size};
+  // By the participant's own clock: a late start changes no phase, and no length by round-off.
+  const system::Window window{state_.elapsed, state_.elapsed + size};
   const std::vector<system::InputPolynomial> inputs = polynomials();
   std::vector<double> ends;
   try {
@@ -457,7 +460,8 @@ void Instance::step(double point, double size) {
   } catch (const std::exception& failure) {
     refuse_step(window.length(), inputs, failure.what());
   }
-  state_.time = window.end;
+  state_.time = point + size;
+  state_.elapsed = window.end;
   state_.inputs = std::move(ends);
   clear_derivatives();
   outputs_.reset();

@@ -26,6 +26,7 @@ struct InstanceState {
   bool has_stop = false;
   bool computed = false;  // the participant holds a state
   double time = 0.0;      // [s]
+  double elapsed = 0.0;   // [s]  since the start: the participant's clock, whatever the start time
   double stop = 0.0;      // [s]
   std::vector<double> parameters;
   std::vector<double> inputs;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -14,6 +15,7 @@
 #include "gearset/planet_angles.hpp"
 #include "gearset/spatial/housing_stiffness.hpp"
 #include "gearset/spatial/spatial_balance.hpp"
+#include "mechanics/checks.hpp"
 #include "mechanics/record.hpp"
 
 namespace orbearing::study {
@@ -372,6 +374,31 @@ void require_sound(const spatial::CarrierMounting& mounting) {
   require_length(mounting.rotor_moment, 2, "rotor_moment", true);
 }
 
+namespace {
+
+// Pins that are held at one end link the rows on them. Their compliance is that of the beam, in proportion so
+// that its mean over the rows is that of support.stiffness, which the springs of the rows contain.
+void put_pins(const PlanetaryDrivetrain& drivetrain, spatial::SpatialSet& set) {
+  std::vector<double> positions;
+  double rows = 0.0;  // [N/m]  with their pin
+  for (const spatial::PlanetBearing& row : set.planet_bearings) {
+    positions.push_back(row.position);
+    rows += row.radial_stiffness;
+  }
+  const double pin = drivetrain.bearings_per_planet * drivetrain.dynamics.support.stiffness;  // [N/m]
+  std::ostringstream less;
+  less << "less than that of its pin, " << pin << " N/m by support.stiffness, since support.pin_ends is "
+       << described::text_of(drivetrain.seats.ends);
+  mechanics::require(rows < pin, "gearset.dynamics.planet.bearing_stiffness [N/m]", rows, less.str());
+  const auto count = static_cast<Index>(positions.size());
+  const Eigen::MatrixXd beam =
+      bearing::pin_compliance(planet_pin(drivetrain), positions).topLeftCorner(count, count);
+  set.pin_compliance = beam / (beam.mean() * pin);
+  for (spatial::PlanetBearing& row : set.planet_bearings) row.radial_stiffness *= pin / (pin - rows);
+}
+
+}  // namespace
+
 spatial::SpatialSet spatial_set(const PlanetaryDrivetrain& drivetrain, const SetParameters& bodies,
                                 double base_helix_angle) {
   const spatial::CarrierMounting& mounting = *drivetrain.carrier_mounting;
@@ -384,12 +411,14 @@ spatial::SpatialSet spatial_set(const PlanetaryDrivetrain& drivetrain, const Set
                           .sun = mesh_of(bodies.sun_mesh, base_helix_angle, width),
                           .ring = mesh_of(bodies.ring_mesh, base_helix_angle, width),
                           .planet_bearings = {},
-                          // Axial forces of both meshes cancel on a planet: washers hold what is left.
+                          // Axial forces of both meshes cancel on a planet: washers hold what is left, which no
+                          // load depends on. In small vibration they have play: moving_set().
                           .planet_axial_stiffness = bodies.planet.bearing_stiffness,
                           .carrier_bearings = carrier_bearings(mounting),
                           .housing_stiffness = spatial::matrix_of_rows(mounting.housing),
                           .sun_axial_stiffness = bodies.planet.bearing_stiffness,
                           .sun_radial_stiffness = bodies.sun.support.stiffness,
+                          .sun_tilt_stiffness = mounting.sun_tilt_stiffness,
                           .planet_mass = bodies.planet.mass,
                           .sun_mass = bodies.sun.mass,
                           .carrier_mass = bodies.carrier.mass,
@@ -401,6 +430,8 @@ spatial::SpatialSet spatial_set(const PlanetaryDrivetrain& drivetrain, const Set
       set.planet_bearings.push_back(
           {.position = position + ((i + 0.5) * part - 0.5) * length,
            .radial_stiffness = part * bodies.planet.bearing_stiffness / drivetrain.bearings_per_planet});
+  if (drivetrain.seats.tilt == TiltState::computed && drivetrain.seats.ends != bearing::PinEnds::both)
+    put_pins(drivetrain, set);
   return set;
 }
 
@@ -427,6 +458,8 @@ spatial::MovingSet moving_set(const PlanetaryDrivetrain& drivetrain, const SetPa
                             .sun_support = turning(bodies.sun),
                             .ring_support = turning(bodies.ring)};
   moving.carrier.centre = drivetrain.carrier_mounting->centre_of_mass;
+  moving.set.planet_axial_stiffness = drivetrain.carrier_mounting->planet_axial_stiffness;
+  moving.set.sun_axial_stiffness = drivetrain.carrier_mounting->sun_axial_stiffness;
   const double stiffness = bodies.ring.support.stiffness;
   moving.ring_support.radial = moving.ring_support.axial = stiffness;
   moving.ring_support.tilt = 0.5 * stiffness * bodies.ring.radius * bodies.ring.radius;

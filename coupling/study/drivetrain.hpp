@@ -112,6 +112,7 @@ struct PinSeats {
   std::vector<double> clearance_differences;  // [m]  (bearings)  beyond the stated clearance; none: alike
   bearing::PinEnds ends = bearing::PinEnds::both;
   std::optional<double> span;  // [m]  of the pin; none: by the face, pin_span()
+  std::optional<double> diameter;  // [m]  of a flexpin, within its sleeve; none: the bore of the bearing
   std::optional<double>
       carrier_twist;                // [N m/rad]  of one wall of the carrier against the other; none: rigid
   double radial_inclination = 0.0;  // [rad]  of an unloaded pin: its positive end stands outward
@@ -165,6 +166,12 @@ void describe(Visitor& visit, PinSeats& m) {
              .dimension = dimension::length,
              .range = positive(1e4),
              .where = computed}),
+      field(m.diameter, "support.pin_diameter", Physics::at_rest,
+            "diameter of the pin of a flexpin, within the sleeve on which the bearings sit",
+            {.models = planetary_drivetrain,
+             .dimension = dimension::length,
+             .range = positive(1e4),
+             .where = {"support.pin_ends", "flexpin"}}),
       field(m.carrier_twist, "support.carrier_twist_stiffness", Physics::at_rest,
             "torsional stiffness of the carrier between its wall at the positive end and the wall at the "
             "negative end, which transmits the torque; rigid if absent",

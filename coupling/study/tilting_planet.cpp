@@ -28,8 +28,9 @@ bearing::PinBeam planet_pin(const PlanetaryDrivetrain& drivetrain) {
   const bool bored =
       drivetrain.mounting.state == bearing::ClearanceState::unmounted;    // else a case cannot say so
   const bool ringed = drivetrain.mounting.rings == bearing::Rings::both;  // else rollers run on the pin
-  return {.diameter = ringed ? drivetrain.bearing.inner.seat_diameter
-                             : 2.0 * bearing::geometry_of(drivetrain.bearing).inner_radius,
+  const double bore = ringed ? drivetrain.bearing.inner.seat_diameter
+                             : 2.0 * bearing::geometry_of(drivetrain.bearing).inner_radius;
+  return {.diameter = seats.diameter.value_or(bore),
           .bore = bored ? drivetrain.mounting.pin_bore : 0.0,
           .span = seats.span.value_or(span),
           .ends = seats.ends,

@@ -14,6 +14,7 @@
 #include "coupling/system/driven_system.hpp"
 #include "mechanics/checks.hpp"
 #include "mechanics/constants.hpp"
+#include "mechanics/force_left.hpp"
 
 namespace orbearing::system {
 
@@ -330,8 +331,8 @@ Eigen::Vector2d DrivenBearing::position_under(const Eigen::Vector2d& load, const
   if (missing.norm() <= kEnough * load.norm()) return there.position;
   std::ostringstream text;
   text << "driven bearing: found no position of the bore under a load of (" << load.x() << ", " << load.y()
-       << ") N at the start: " << missing.norm()
-       << " N remain; required: a load that rollers and support can carry";
+       << ") N at the start: " << mechanics::force_left_text(missing.norm())
+       << "; required: a load that rollers and support can carry";
   throw std::runtime_error(text.str());
 }
 

@@ -86,6 +86,13 @@ double default_support_stiffness(const PlanetarySet& set, Member member, double 
   return similar({5e8, 0.0885}, reference_centre_distance(set));
 }
 
+double default_sun_tilt_stiffness(const PlanetarySet& set, double support, double youngs_modulus) {
+  const double sun = set.module / std::cos(set.helix_angle) * set.sun_teeth;
+  const double diameter = 0.5 * sun, length = 2.5 * diameter;  // [m]  of the shaft
+  const double own = youngs_modulus * pi / 64.0 * std::pow(diameter, 4) / length;
+  return own * support / default_support_stiffness(set, Member::sun, youngs_modulus);
+}
+
 double default_backlash(const PlanetarySet& set) {
   const double normal = 2.0 / 3.0 * (0.06e-3 + 0.0005 * reference_centre_distance(set) + 0.03 * set.module);
   const double base_helix = std::asin(std::sin(set.helix_angle) * std::cos(set.rack.pressure_angle));

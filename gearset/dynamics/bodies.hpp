@@ -42,6 +42,10 @@ SetBodies set_bodies(const PlanetarySet& set, const WorkingGeometry& geometry, c
 /// reference circles.
 double default_support_stiffness(const PlanetarySet& set, Member member, double youngs_modulus);
 
+/// Stiffness of the same shaft of the sun, whose radial stiffness is `support` [N/m], against tilting of the
+/// sun by a moment alone: E I/l where that is the default, and in proportion. [N m/rad]
+double default_sun_tilt_stiffness(const PlanetarySet& set, double support, double youngs_modulus);
+
 /// Least backlash recommended by ISO/TR 10064-2, along the line of action in the transverse section. [m]
 /// 2/3 (0.06 + 0.0005 a + 0.03 m_n) mm, normal to the teeth; a by the reference circles.
 double default_backlash(const PlanetarySet& set);

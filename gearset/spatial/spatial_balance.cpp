@@ -1,10 +1,12 @@
 #include "gearset/spatial/spatial_balance.hpp"
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
 #include "gearset/spatial/housing_stiffness.hpp"
+#include "mechanics/linear_algebra.hpp"
 
 namespace orbearing::gearset::spatial {
 
@@ -52,11 +54,19 @@ struct RadialSpring {
   double clearance = 0.0;              // [m]
 };
 
+// The bearings of a planet on a pin whose compliance links them; without clearance.
+struct PinnedPlanet {
+  std::vector<std::array<Motion, 2>> one, other;  // (bearings)  radial and tangential
+  Vector2d offset = Vector2d::Zero();             // [m]  of `other` where it is assembled
+};
+
 struct Assembly {
   std::vector<Spring> springs;
   std::vector<MeshFlanks> meshes;    // per planet that of the sun, then that of the ring
   Eigen::ArrayXd height;             // [m]  (slices)  of their middles
   std::vector<RadialSpring> radial;  // rows of planets, planet by planet, then those of carrier and sun
+  std::vector<PinnedPlanet> pinned;  // all planets, in place of their rows among `radial`; or none
+  Eigen::MatrixXd pin_stiffness;     // [N/m]  (rows, rows)  of those, in either direction
   std::vector<Eigen::Index> seats;   // coordinates of the housing's seats: none where it is rigid
   Eigen::MatrixXd housing;           // [N/m]  (seats, seats)
   VectorXd force;                    // [N]  applied
@@ -95,11 +105,13 @@ class Builder {
 
   Assembly built() {
     for (int p = 0; p < planets(); ++p) add_meshes(p);
+    put_pin_stiffness();
     for (int p = 0; p < planets(); ++p) add_pin(p);
     for (int b = 0; b < static_cast<int>(set_.carrier_bearings.size()); ++b)
       add_housing_bearing(carrier, set_.carrier_bearings[static_cast<std::size_t>(b)],
                           seats() > 0 ? first_seat_ + b : int{housing});
     add_housing_bearing(sun, {.radial_stiffness = set_.sun_radial_stiffness}, housing);
+    add_sun_tilt();
     add_housing();
     add_axial(sun, housing, Vector3d::Zero(), Vector3d::Zero(), set_.sun_axial_stiffness);
     add_loads();
@@ -154,6 +166,17 @@ class Builder {
             .gap = gap};
   }
 
+  // Rows and pin in series.
+  void put_pin_stiffness() {
+    if (set_.pin_compliance.size() == 0) return;
+    Eigen::MatrixXd compliance = set_.pin_compliance;
+    for (std::size_t r = 0; r < set_.planet_bearings.size(); ++r)
+      compliance.diagonal()[static_cast<Eigen::Index>(r)] += 1.0 / set_.planet_bearings[r].radial_stiffness;
+    made_.pin_stiffness =
+        mechanics::solution(compliance, Eigen::MatrixXd::Identity(compliance.rows(), compliance.cols()));
+    made_.pinned.resize(set_.angles.size());
+  }
+
   void add_pin(int planet) {
     const double angle = set_.angles[planet];
     const Vector3d pin = set_.centre_distance * radial_of(angle);
@@ -167,7 +190,14 @@ class Builder {
         spring.one[i] = motion_of(body, directions[i], height, made_.lever);
         spring.other[i] = motion_of(carrier, directions[i], pin + height, made_.lever);
       }
-      made_.radial.push_back(spring);
+      if (made_.pinned.empty()) {
+        made_.radial.push_back(spring);
+        continue;
+      }
+      PinnedPlanet& pinned = made_.pinned[static_cast<std::size_t>(planet)];
+      pinned.one.push_back({spring.one[0], spring.one[1]});
+      pinned.other.push_back({spring.other[0], spring.other[1]});
+      pinned.offset = spring.offset;
     }
     add_axial(body, carrier, Vector3d::Zero(), pin, set_.planet_axial_stiffness);
   }
@@ -181,6 +211,17 @@ class Builder {
     spring.other[1] = motion_of(seat, Vector3d::UnitY(), Vector3d::Zero(), made_.lever);
     made_.radial.push_back(spring);
     add_axial(body, seat, height, Vector3d::Zero(), bearing.axial_stiffness);
+  }
+
+  void add_sun_tilt() {
+    if (set_.sun_tilt_stiffness == 0.0) return;
+    for (const Eigen::Index about : {0, 1}) {
+      Motion tilt{.body = sun};
+      tilt.row[3 + about] = 1.0;
+      made_.springs.push_back({.one = tilt,
+                               .other = {},
+                               .stiffness = set_.sun_tilt_stiffness / (made_.lever * made_.lever)});
+    }
   }
 
   void add_axial(int one, int other, const Vector3d& at_one, const Vector3d& at_other, double stiffness) {
@@ -248,6 +289,15 @@ Vector2d deflection(const RadialSpring& spring, const VectorXd& position) {
   return apart;
 }
 
+// [m]  (bearings)  of the planet against its pin in direction `i`.
+VectorXd deflections(const PinnedPlanet& planet, std::size_t i, const VectorXd& position) {
+  VectorXd apart(static_cast<Eigen::Index>(planet.one.size()));
+  for (std::size_t r = 0; r < planet.one.size(); ++r)
+    apart[static_cast<Eigen::Index>(r)] =
+        moved(planet.one[r][i], position) - moved(planet.other[r][i], position);
+  return apart.array() - planet.offset[static_cast<Eigen::Index>(i)];
+}
+
 // What it compresses beyond its clearance.
 double compression(const RadialSpring& spring, const Vector2d& apart) {
   return std::max(0.0, apart.norm() - spring.clearance);
@@ -274,6 +324,20 @@ void add_stiffness(const Motion& one, const Motion& other, const Motion& one2, c
 void add_spring(const Spring& spring, const VectorXd& position, Imbalance& sum) {
   add_row(spring.one, spring.other, spring.stiffness * deflection(spring, position), sum.force);
   add_stiffness(spring.one, spring.other, spring.one, spring.other, spring.stiffness, sum.stiffness);
+}
+
+void add_pinned(const PinnedPlanet& planet, const Eigen::MatrixXd& stiffness, const VectorXd& position,
+                Imbalance& sum) {
+  for (std::size_t i = 0; i < 2; ++i) {
+    const VectorXd force = stiffness * deflections(planet, i, position);
+    for (std::size_t r = 0; r < planet.one.size(); ++r) {
+      const auto row = static_cast<Eigen::Index>(r);
+      add_row(planet.one[r][i], planet.other[r][i], force[row], sum.force);
+      for (std::size_t s = 0; s < planet.one.size(); ++s)
+        add_stiffness(planet.one[r][i], planet.other[r][i], planet.one[s][i], planet.other[s][i],
+                      stiffness(row, static_cast<Eigen::Index>(s)), sum.stiffness);
+    }
+  }
 }
 
 // Stiffness of slices that press, where `pressing` is 1 and not 0.
@@ -363,6 +427,8 @@ Imbalance imbalance_of(const Assembly& assembly, const VectorXd& position) {
     for (const Flanks* flanks : {&mesh.driving, &mesh.back})
       add_flanks(*flanks, assembly.height, position, sum);
   for (const RadialSpring& spring : assembly.radial) add_radial(spring, position, sum);
+  for (const PinnedPlanet& planet : assembly.pinned)
+    add_pinned(planet, assembly.pin_stiffness, position, sum);
   add_housing(assembly, position, sum);
   return sum;
 }
@@ -387,17 +453,25 @@ void read_bearings(const Assembly& assembly, const SpatialSet& set, SpatialBalan
     return compressed > 0.0 ? Vector2d(-spring.stiffness * compressed * apart.normalized())
                             : Vector2d(0.0, 0.0);
   };
-  for (Eigen::Index p = 0; p < planets; ++p)
+  for (Eigen::Index p = 0; p < planets; ++p) {
+    if (!assembly.pinned.empty()) {
+      const PinnedPlanet& planet = assembly.pinned[static_cast<std::size_t>(p)];
+      found.bearing_radial.col(p) = -assembly.pin_stiffness * deflections(planet, 0, found.position);
+      found.bearing_tangential.col(p) = -assembly.pin_stiffness * deflections(planet, 1, found.position);
+      continue;
+    }
     for (Eigen::Index r = 0; r < rows; ++r) {
       const Vector2d force = force_of(p * rows + r);
       found.bearing_radial(r, p) = force[0];
       found.bearing_tangential(r, p) = force[1];
     }
+  }
+  const Eigen::Index in_housing = assembly.pinned.empty() ? planets * rows : 0;
   found.bearing_load =
       (found.bearing_radial.array().square() + found.bearing_tangential.array().square()).sqrt();
   found.carrier_bearing.resize(static_cast<Eigen::Index>(set.carrier_bearings.size()));
   for (Eigen::Index i = 0; i < found.carrier_bearing.size(); ++i)
-    found.carrier_bearing[i] = force_of(planets * rows + i).norm();
+    found.carrier_bearing[i] = force_of(in_housing + i).norm();
 }
 
 // The sun's meshes where `first` is 0, the ring's where it is 1.
@@ -476,6 +550,8 @@ Eigen::MatrixXd closed_stiffness(const SpatialSet& set, int slices, bool ring_mo
   const VectorXd nowhere = VectorXd::Zero(assembly.force.size());
   for (const Spring& spring : assembly.springs) add_spring(spring, nowhere, sum);
   for (const RadialSpring& spring : assembly.radial) add_radial(spring, nowhere, sum);
+  for (const PinnedPlanet& planet : assembly.pinned)
+    add_pinned(planet, assembly.pin_stiffness, nowhere, sum);
   for (const MeshFlanks& mesh : assembly.meshes)
     add_pressing(mesh.driving, assembly.height, Eigen::ArrayXd::Ones(slices), sum.stiffness);
   add_housing(assembly, nowhere, sum);

@@ -49,6 +49,9 @@ struct SpatialSet {
   double planet_base_radius = 0.0;  // [m]
   SpatialMesh sun, ring;
   std::vector<PlanetBearing> planet_bearings;  // the same on each pin
+  /// [m/N]  (planet bearings, the same)  of a pin at them, in any one plane, beside their own compliance; they
+  /// then have no clearance; none: in their stiffness
+  Eigen::MatrixXd pin_compliance;
   double planet_axial_stiffness = 0.0;         // [N/m]  between planet and pin
   std::vector<CarrierBearing> carrier_bearings;
   /// [N/m]  (3 x carrier bearings, the same)  of the housing at the bearings' seats, in series with them: x,
@@ -56,6 +59,7 @@ struct SpatialSet {
   Eigen::MatrixXd housing_stiffness;
   double sun_axial_stiffness = 0.0;          // [N/m]  its spline or bearing
   double sun_radial_stiffness = 0.0;         // [N/m]  of its shaft, in the middle of the face; 0: it floats
+  double sun_tilt_stiffness = 0.0;           // [N m/rad]  the same against tilting
   double planet_mass = 0.0, sun_mass = 0.0;  // [kg]   their middles are those of the face width
   double carrier_mass = 0.0;                 // [kg]   with what hangs on it
   double carrier_centre = 0.0;               // [m]    axial position of its centre of mass
@@ -81,6 +85,9 @@ struct CarrierMounting {
   double gravity = 9.80665;          // [m/s2]
   std::vector<double> rotor_force;   // [N]    (3) or empty
   std::vector<double> rotor_moment;  // [N m]  (2) or empty
+  double sun_tilt_stiffness = 0.0;      // [N m/rad]  of its shaft; 0: it inclines freely
+  double sun_axial_stiffness = 0.0;     // [N/m]  in small vibration
+  double planet_axial_stiffness = 0.0;  // [N/m]  of all bearings of a planet, the same
 };
 
 template <class Visitor>
@@ -133,7 +140,28 @@ void describe(Visitor& visit, CarrierMounting& m) {
       list(m.rotor_moment, "rotor_moment",
            "moment of the rotor on the carrier about the middle of the face: about the axis across and the "
            "upward one",
-           dimension::torque, -1e9, 1e9, held));
+           dimension::torque, -1e9, 1e9, held),
+      field(m.sun_tilt_stiffness, "gearset.dynamics.sun.tilt_stiffness", Physics::carrier_body,
+            "stiffness of the sun's shaft against tilting of the sun, 0: it inclines freely",
+            {.models = planetary_drivetrain,
+             .dimension = dimension::rotating_stiffness,
+             .range = {0.0, 1e13},
+             .reason = "a floating sun in a spline",
+             .where = {.path = held}}),
+      field(m.sun_axial_stiffness, "gearset.dynamics.sun.axial_stiffness", Physics::carrier_body,
+            "axial stiffness that holds the sun in small vibration",
+            {.models = planetary_drivetrain,
+             .dimension = dimension::stiffness,
+             .range = {0.0, 1e13},
+             .reason = "a spline, in which friction alone holds",
+             .where = {.path = held}}),
+      field(m.planet_axial_stiffness, "gearset.dynamics.planet.axial_stiffness", Physics::carrier_body,
+            "axial stiffness between planet and pin in small vibration, of all bearings of a planet",
+            {.models = planetary_drivetrain,
+             .dimension = dimension::stiffness,
+             .range = {0.0, 1e13},
+             .reason = "cylindrical and needle rollers slide along their raceways; friction alone holds",
+             .where = {.path = held}}));
 }
 
 }  // namespace orbearing::gearset::spatial

@@ -147,6 +147,33 @@ TEST(SpatialModes, ACarrierAloneSwingsOnItsBearingsByClosedForm) {
   for (std::size_t i = 0; i < found.size(); ++i) EXPECT_NEAR(found[i] / expected[i], 1.0, 1e-9);
 }
 
+// A sun by itself on its shaft: radially and by tilting, two of each.
+TEST(SpatialModes, ASunAloneSwingsOnItsShaftByClosedForm) {
+  MovingSet all = moving(0.0);
+  all.set.sun.stiffness = all.set.ring.stiffness = 0.0;
+  all.set.sun_axial_stiffness = all.ring.mass = 0.0;
+  all.set.sun_tilt_stiffness = 4e5;
+  std::vector<double> found;
+  for (const SpatialMode& mode : modes_at_rest(all))
+    if (mode.frequency > 0.0 && mode.sun > 0.5)
+      found.insert(found.end(), static_cast<std::size_t>(mode.multiplicity), mode.frequency);
+  const double radial = std::sqrt(2e8 / all.sun.mass) / (2 * pi),
+               tilting = std::sqrt(4e5 / all.sun.transverse) / (2 * pi);
+  ASSERT_THAT(found, testing::SizeIs(4)) << testing::PrintToString(found);
+  EXPECT_NEAR(found[0] / std::min(radial, tilting), 1.0, 1e-9);
+  EXPECT_NEAR(found[3] / std::max(radial, tilting), 1.0, 1e-9);
+}
+
+// Spur gears that nothing holds along the axis have no axial vibration: their axial motions cost nothing.
+TEST(SpatialModes, SpurGearsThatSlideAxiallyHaveNoAxialFrequency) {
+  MovingSet all = moving(0.0);
+  all.set.planet_axial_stiffness = all.set.sun_axial_stiffness = 0.0;
+  for (const SpatialMode& mode : modes_at_rest(all)) {
+    if (mode.axial < 0.5 || mode.frequency == 0.0) continue;
+    EXPECT_LT(mode.sun + mode.planets, 1e-9) << mode.frequency;  // carrier and ring are held
+  }
+}
+
 // Shares are of one energy, and helical teeth mix what spur gears keep apart.
 TEST(SpatialModes, SharesOfTheEnergyAreWhole) {
   for (const double helix : {0.0, kHelix}) {

@@ -51,10 +51,26 @@ double sun_base_radius(const SpatialSet& set) {
   return set.centre_distance * std::cos(set.sun.pressure_angle) - set.planet_base_radius;
 }
 
-TEST(SpatialSet, ForcesHaveAnEnergyAndTheStiffnessIsTheirSlope) {
+// Of a pin that links its rows: a force on the sleeve moves it by `radial`, a moment inclines it by `angular`.
+Eigen::MatrixXd sleeve(const SpatialSet& set, double radial, double angular) {
+  Eigen::VectorXd position(static_cast<Eigen::Index>(set.planet_bearings.size()));
+  for (std::size_t r = 0; r < set.planet_bearings.size(); ++r)
+    position[static_cast<Eigen::Index>(r)] = set.planet_bearings[r].position;
+  return radial * Eigen::MatrixXd::Ones(position.size(), position.size()) +
+         angular * position * position.transpose();
+}
+
+class SpatialForces : public testing::TestWithParam<bool> {};
+INSTANTIATE_TEST_SUITE_P(OfRowsAloneAndOnASleeve, SpatialForces, testing::Bool());
+
+TEST_P(SpatialForces, HaveAnEnergyAndTheStiffnessIsTheirSlope) {
   SpatialSet set = wind_stage();
   set.carrier_bearings[0].clearance = 2e-4;
-  set.planet_bearings[1].clearance = 3e-5;
+  set.sun_tilt_stiffness = 3e6;
+  if (GetParam())
+    set.pin_compliance = sleeve(set, 5e-10, 4e-7);
+  else
+    set.planet_bearings[1].clearance = 3e-5;
   set.sun.backlash = 6e-5;
   set.ring.backlash = 4e-5;
   set.pin_errors = Matrix2Xd::Random(2, 3) * 2e-5;
@@ -103,6 +119,22 @@ TEST(SpatialSet, PlanetsCarryAlikeWithoutWeightAndAsTheTorqueSays) {
         EXPECT_NEAR(at.bearing_load(row, p) / at.bearing_load(row, 0), 1.0, 1e-6);
     }
     EXPECT_LT(at.carrier_bearing.maxCoeff(), 1e-6 * load.torque * sense);
+  }
+}
+
+// On a sleeve rows act as springs in series with the pin: its part of a load displaces a planet by
+// 1/(2 k) + c, the couple of its helical teeth tilts it by 1/(2 k z^2) + c_t.
+TEST(SpatialSet, PinOfASleeveIsInSeriesWithItsRows) {
+  SpatialSet set = wind_stage();
+  set.sun.stiffness = set.ring.stiffness = 1e7;  // [N/m2]  so soft that they hold no tilt
+  const double radial = 8e-10, angular = 5e-7, k = 3e9, z = 0.06;
+  const SpatialBalance rows = balance(set, rated(), 0.0, kSlices);
+  set.pin_compliance = sleeve(set, radial, angular);
+  const SpatialBalance pinned = balance(set, rated(), 0.0, kSlices);
+  for (int p = 0; p < 3; ++p) {
+    EXPECT_NEAR(pinned.bearing_tangential.col(p).sum() / rows.bearing_tangential.col(p).sum(), 1.0, kRoundOff);
+    EXPECT_NEAR(pinned.planet_tilt.col(p).norm() / rows.planet_tilt.col(p).norm(),
+                (1.0 / (2.0 * k * z * z) + angular) / (1.0 / (2.0 * k * z * z)), 0.02);
   }
 }
 

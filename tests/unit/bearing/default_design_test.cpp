@@ -15,12 +15,19 @@ constexpr PlanetPin pin{
     .diameter = 25e-3, .loaded_length = 28e-3, .span = 35e-3, .youngs_modulus = 206e9, .poisson_ratio = 0.3};
 constexpr CageBar bar{.length = 6e-3, .height = 2.5e-3, .thickness = 2e-3, .youngs_modulus = 6e9};
 
+double bending_stiffness(const PlanetPin& p) {
+  return p.youngs_modulus * std::numbers::pi * std::pow(p.diameter, 4) / 64.0;
+}
+
+double shear_stiffness(const PlanetPin& p) {
+  const double area = std::numbers::pi * p.diameter * p.diameter / 4.0;
+  return p.youngs_modulus / (2.0 * (1.0 + p.poisson_ratio)) * area * 6.0 * (1.0 + p.poisson_ratio) /
+         (7.0 + 6.0 * p.poisson_ratio);
+}
+
 // Mean deflection by the energy of bending moment and shear force, summed over the span.
 double mean_deflection(const PlanetPin& p) {
-  const double area = std::numbers::pi * p.diameter * p.diameter / 4.0;
-  const double bending = p.youngs_modulus * std::numbers::pi * std::pow(p.diameter, 4) / 64.0;
-  const double shear = p.youngs_modulus / (2.0 * (1.0 + p.poisson_ratio)) * area * 6.0 *
-                       (1.0 + p.poisson_ratio) / (7.0 + 6.0 * p.poisson_ratio);
+  const double bending = bending_stiffness(p), shear = shear_stiffness(p);
   constexpr int slices = 20000;
   double sum = 0.0;
   for (int i = 0; i < slices; ++i) {
@@ -50,6 +57,41 @@ TEST(PinStiffness, OfASlenderPinIsBendingAlone) {
   constexpr double shear_left_out = 1e-3;  // of order (d/S)^2
   EXPECT_NEAR(pin_stiffness(slender) * std::pow(slender.span, 3) / (120.0 * 206e9 * second_moment), 1.0,
               shear_left_out);
+}
+
+// Clamped at one end, by the energy of what lies beyond each section.
+TEST(PinStiffness, HeldAtOneEndIsThatOfTheBeamsEnergy) {
+  constexpr double midpoint_rule = 1e-6;
+  for (const double span : {35e-3, 28e-3}) {
+    PlanetPin held = pin;
+    held.ends = PinEnds::one;
+    held.span = span;
+    const double from = 0.5 * (span - held.loaded_length), to = from + held.loaded_length;
+    constexpr int slices = 20000;
+    double sum = 0.0;
+    for (int i = 0; i < slices; ++i) {
+      const double x = (i + 0.5) * to / slices;
+      const double force = std::clamp((to - x) / held.loaded_length, 0.0, 1.0);
+      const double moment = force * (0.5 * (std::max(from, x) + to) - x);
+      sum += (moment * moment / bending_stiffness(held) + force * force / shear_stiffness(held)) * to / slices;
+    }
+    EXPECT_NEAR(pin_stiffness(held) * sum, 1.0, midpoint_rule);
+  }
+}
+
+// A quarter of the cantilever's bending under a force at its end, L^3/(12 E I), and the shear of its length.
+TEST(PinStiffness, OfAFlexpinIsThatOfAGuidedCantilever) {
+  PlanetPin flexpin = pin;
+  flexpin.ends = PinEnds::flexpin;
+  const double by_hand = std::pow(flexpin.span, 3) / (12.0 * bending_stiffness(flexpin)) +
+                         flexpin.span / shear_stiffness(flexpin);
+  EXPECT_NEAR(pin_stiffness(flexpin) * by_hand, 1.0, kRoundOff);
+  EXPECT_NEAR(pin_stiffness(flexpin) * pin_compliance({.diameter = pin.diameter,
+                                                       .span = pin.span,
+                                                       .ends = PinEnds::flexpin,
+                                                       .material = {206e9, 0.3}},
+                                                      {0.0})(0, 0),
+              1.0, 1e-8);
 }
 
 // Bending and shear both scale with the size at constant shape.

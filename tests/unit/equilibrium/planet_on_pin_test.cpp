@@ -5,6 +5,9 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
 
 #include "bearing/equilibrium/lamina_stiffness.hpp"
 #include "bearing/pin_beam.hpp"
@@ -167,6 +170,60 @@ TEST(PlanetOnPin, ClampedPinLoadsTheBearingAtTheWall) {
   EXPECT_GT(at_wall, 1.05 * far);
   EXPECT_NEAR(force_of(state.bearings[0]).norm() / at_wall, 1.0, 0.02);
   EXPECT_NEAR(force_of(state.bearings[1]).norm() / far, 1.0, 0.02);
+}
+
+// Bearings on the rigid sleeve of a flexpin move together, however many they are: each carries its part as one
+// bearing alone does, and the sleeve follows by L^3/(12 E I) and shear without inclining.
+TEST(PlanetOnPin, FlexpinCarriesAnyNumberOfBearingsAlike) {
+  const PinBeam pin{.diameter = 0.015, .span = 0.035, .ends = PinEnds::flexpin};
+  const double compliance = pin_compliance(pin, {0.0})(0, 0);  // pin_beam_test has its closed form
+  for (const std::vector<double>& position :
+       {std::vector<double>{0.0}, {-kPosition, kPosition}, {-0.02, 0.0, 0.02}}) {
+    const Vector2d load = static_cast<double>(position.size()) * Vector2d(640.0, 1060.0);
+    PlanetOnPin planet{.position = position, .pin_compliance = pin_compliance(pin, position)};
+    for (std::size_t k = 0; k < position.size(); ++k) planet.bearings.emplace_back(cut_bearing());
+    const PlanetOnPinState state = planet_on_pin(planet, loaded(load), kNone, {}, 0.1);
+    ASSERT_TRUE(state.report.converged) << state.report.message;
+    const QuasiStaticState alone =
+        quasi_static_state(planet.bearings[0], loaded(load / static_cast<double>(position.size())), {}, 0.1);
+    for (const QuasiStaticState& one : state.bearings)
+      EXPECT_LT((one.displacement - alone.displacement).norm(), 1e-6 * alone.displacement.norm());
+    EXPECT_LT(state.tilt.norm(), 1e-9);
+    // Rollers and cages press on the pin besides the load.
+    Vector2d on_pin = kNone;
+    for (const QuasiStaticState& one : state.bearings) on_pin += force_of(one);
+    EXPECT_LT((state.displacement - alone.displacement + compliance * on_pin).norm(),
+              1e-6 * compliance * load.norm());
+    EXPECT_TRUE(state.compliance.allFinite());
+  }
+}
+
+// A moment inclines the sleeve by M L/(E I), and all bearings with it.
+TEST(PlanetOnPin, FlexpinInclinesUnderAMoment) {
+  const PinBeam pin{.diameter = 0.015, .span = 0.035, .ends = PinEnds::flexpin};
+  PlanetOnPin planet = two_bearings(pin);
+  const Vector2d moment(0.5, -1.5);
+  const PlanetOnPinState state = planet_on_pin(planet, loaded({900.0, 2100.0}), moment, {}, 0.1);
+  ASSERT_TRUE(state.report.converged) << state.report.message;
+  const double angular = pin_compliance(pin, {0.0})(1, 1);  // L/(E I)
+  Vector2d from_cages = kNone;
+  for (std::size_t k = 0; k < 2; ++k)
+    from_cages += planet.position[k] * load_through_cage(planet.bearings[k].bearing(),
+                                                         planet.bearings[k].geometry(),
+                                                         loaded(kNone).carrier, {});
+  for (const Vector2d& bearing : state.bearing_tilt)
+    EXPECT_LT((state.tilt - bearing - angular * (moment + from_cages)).norm(), 1e-6 * angular * moment.norm());
+}
+
+// A pin that is no number ends as a planet without balance, said without NaN.
+TEST(PlanetOnPin, LeavesNoNaN) {
+  PlanetOnPin planet = two_bearings(stiff_pin());
+  planet.pin_compliance.setConstant(std::numeric_limits<double>::quiet_NaN());
+  const PlanetOnPinState state = planet_on_pin(planet, loaded({900.0, 2100.0}), kNone, {}, 0.1);
+  EXPECT_FALSE(state.report.converged);
+  EXPECT_FALSE(std::isnan(state.report.residual));
+  EXPECT_EQ(state.report.message.find("nan"), std::string::npos) << state.report.message;
+  EXPECT_NE(state.report.message.find("the forces are not finite"), std::string::npos) << state.report.message;
 }
 
 // An inclined pin takes a free planet with it: nothing changes but the planet's tilt. Held by its meshes it

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "gearset/drivetrain/power_flow.hpp"
+#include "gearset/gear_pair.hpp"
 #include "mechanics/constants.hpp"
 #include "tests/messages.hpp"
 
@@ -143,6 +144,31 @@ TEST(PlanetPair, IsAssembledWhereTeethFit) {
   set = paired_set();
   set.planet_bore = 40e-3;
   EXPECT_NE(pair_problems(set, kSecond).back().text.find("root diameter of both planets"), std::string::npos);
+}
+
+// The set of 33/21/23/93 teeth whose ring reaches into the fillets of the second planet: its meshes warn as the
+// same teeth do as pairs of two gears.
+TEST(PlanetPair, WarnsOfTeethAsTwoGearsDo) {
+  PlanetarySet set{33, 21, 93, 3, 4e-3, {}, 0.2, 0.3, 40e-3, 55e-3};
+  const SecondPlanet second{.teeth = 23, .first_shift = 0.1, .shift = 0.15, .side = PairSide::behind};
+  const Warnings found = pair_tooth_warnings(set, second);
+  const GearPair ring{.teeth = {93, 23},
+                      .shift = {0.3, 0.15},
+                      .module = 4e-3,
+                      .face_width = 40e-3,
+                      .bore = 55e-3,
+                      .kind = PairKind::internal};
+  const Warnings alone = pair_warnings(internal_mesh(ring));
+  ASSERT_EQ(alone.size(), 1U);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].key, "gearset.profile_shift");
+  EXPECT_NE(found[0].text.find("the tips of the ring reach below the second planet's form circle"),
+            std::string::npos)
+      << found[0].text;
+  // What it costs: the path to the form radius, and not to the ring's tips.
+  EXPECT_NEAR(planet_pair_geometry(set, second).ring_mesh.contact_ratio, 1.737, 5e-4);
+  set.sun_shift = -0.9;  // undercut: 33 teeth need more than -0.93, and the meshes reach deeper
+  EXPECT_GE(pair_tooth_warnings(set, second).size(), 1U);
 }
 
 TEST(PlanetPair, EachPlanetHasItsOwnOrbitAndTooth) {
