@@ -45,18 +45,26 @@ std::vector<std::string> keys_under(const std::string& prefix, const CaseShape& 
 }
 
 // What is required in place of the unknown `key` in the block of `prefix`.
-std::string key_hint(const std::string& key, const std::string& prefix, const CaseShape& shape) {
+std::string key_hint(const std::string& key, const std::string& prefix, const CaseShape& shape,
+                     unsigned models) {
   const std::string set = set_of(prefix);
   if (!set.empty() && key == "fixed")
     return "a known key is required. A member is stationary on a shaft with 'ground'";
   // The right name in the wrong block is likelier than a slip of the keyboard.
   for (const Field& field : all_fields()) {
-    if (!set.empty() && !in_each_set(field)) continue;
+    if ((!set.empty() && !in_each_set(field)) || (field.models & models) == 0) continue;
     if (field.path == key || field.path.ends_with("." + key))
       return fmt::format("a known key is required; '{}{}' nested by its blocks is one",
                          belongs(shape, field.path) ? "" : set, field.path);
   }
   const std::vector<std::string> siblings = keys_under(prefix, shape);
+  // An oil by two viscosities, as data sheets state it, in any spelling.
+  if (prefix == "lubricant.")
+    for (const char* temperature : {"40", "100"})
+      if (key.ends_with(temperature) || key.find(std::string(temperature) + "C") != std::string::npos)
+        return fmt::format("a known key is required; did you mean 'lubricant.viscosity_{}', the kinematic "
+                           "viscosity at {} degC?",
+                           temperature, temperature);
   const std::string near = nearest_word(key, siblings);
   if (!near.empty()) return fmt::format("a known key is required; did you mean '{}{}'?", prefix, near);
   const bool is_number = !key.empty() && key.find_first_not_of("0123456789") == std::string::npos;
@@ -218,7 +226,7 @@ class Resolver {
       const auto [found, required] = unused_field(data_.shape, of_block->path);
       add_error(member.location, path, "the block " + quote(member.key) + ", " + found, required);
     } else if (!is_faulty(path)) {
-      add_error(member.location, path, "unknown key", key_hint(member.key, prefix, data_.shape));
+      add_error(member.location, path, "unknown key", key_hint(member.key, prefix, data_.shape, allowed_));
     }
   }
 
@@ -261,8 +269,12 @@ class Resolver {
     }
     FieldReading reading = read_field(field, value);
     if (!reading.good) {
+      const bool oil = field.path == "lubricant.grade";
       add_error(reading.location.value_or(member.value.location), path, reading.message.found,
-                reading.message.required);
+                reading.message.required +
+                    (oil ? "; an oil of another viscosity is stated by lubricant.viscosity_40 and "
+                           "lubricant.viscosity_100 instead of a grade"
+                         : ""));
       return;
     }
     if (field.path == catalogue_keys::kCatalogue &&

@@ -9,6 +9,7 @@
 #include "app/case/arrangement_case.hpp"
 #include "app/case/bearing_type.hpp"
 #include "app/case/catalogue_case.hpp"
+#include "app/case/check_table.hpp"
 #include "app/case/defect_case.hpp"
 #include "app/case/described_case.hpp"
 #include "app/case/set_case.hpp"
@@ -177,6 +178,9 @@ void add_bearing(const study::PlanetaryDrivetrain& drivetrain, const study::Driv
          kDegree * bearing::taper_of(drivetrain.bearing.element_diameter(), drivetrain.bearing.pitch_diameter,
                                      drivetrain.rows.contact_angle),
          "deg", "of a tapered roller, whose races meet on the bearing's axis"});
+  if (std::isfinite(geometry.rim_over_module))
+    rows.push_back({"gearset.rim_over_module", geometry.rim_over_module, "1",
+                    "rim of a planet between roots and bore, in normal modules"});
   if (drivetrain.bearing.has_cage())
     rows.push_back({"bearing.cage.mass", 1e3 * g.cage_mass, "g", "ring less pockets"});
   const bearing::rating::StatedRatings& stated = drivetrain.rated.stated;
@@ -499,9 +503,19 @@ std::vector<Derived> quantities_of_sets(const ResolvedCase& resolved) {
     std::vector<Derived> of_set;
     add_gears(set.drivetrain, set.geometry, of_set);
     add_bearing(set.drivetrain, set.geometry, of_set);
-    add_clearance(resolved, set, of_set);
-    add_duty(set.drivetrain, study::bearing_duty(set.drivetrain, set.geometry), of_set);
-    add_load_sharing(resolved, set, of_set);
+    const auto add = [&](const char* path, const auto& add_rows) {
+      const std::vector<Derived> rows = or_reason(path, [&] {
+        std::vector<Derived> own;
+        add_rows(own);
+        return own;
+      });
+      of_set.insert(of_set.end(), rows.begin(), rows.end());
+    };
+    add("bearing.clearance", [&](std::vector<Derived>& own) { add_clearance(resolved, set, own); });
+    add("operation", [&](std::vector<Derived>& own) {
+      add_duty(set.drivetrain, study::bearing_duty(set.drivetrain, set.geometry), own);
+    });
+    add("one_pin_off", [&](std::vector<Derived>& own) { add_load_sharing(resolved, set, own); });
     if (!resolved.has("support.stiffness"))  // of several sets, each has its own pin
       of_set.push_back({"support.stiffness", set.drivetrain.dynamics.support.stiffness, "N/m",
                         "of the pin at one bearing, from its dimensions"});
@@ -554,6 +568,9 @@ void describe_power(described::Record& record, const ResolvedCase& resolved) {
                  row.value("power_W", dimension::heat, "positive where it enters the set", power * of.power);
                  row.value("share", dimension::ratio, "of the input power", of.power);
                });
+  if (const std::vector<std::size_t> idle = gearset::idle_sets(flow); !idle.empty())
+    record.value("idle_sets", "that transmit no torque",
+                 each(idle, [&](std::size_t set) { return arrangement.sets[set].name; }));
   record.child(
       "power_circulation", "members that carry more than the input", gearset::power_circulation(flow),
       [&](Record& circulation, const gearset::PowerCirculation& of) {

@@ -9,6 +9,7 @@
 #include "bearing/equilibrium/quasi_static.hpp"
 #include "bearing/life/lundberg_palmgren.hpp"
 #include "bearing/motion/model.hpp"
+#include "bearing/units.hpp"
 #include "coupling/study/tilting_planet.hpp"
 
 namespace orbearing::study {
@@ -107,8 +108,15 @@ bearing::rating::RatingCondition rating_condition(const RatedBearing& rated, dou
                                              .static_load = largest_load,
                                              .oil = std::nullopt,
                                              .reliability_factor = rated.reliability_factor};
-  if (rated.oil) condition.oil = bearing::rating::oil_condition(*rated.oil, speed, pitch_diameter);
+  if (rated.oil && speed != 0.0)
+    condition.oil = bearing::rating::oil_condition(*rated.oil, speed, pitch_diameter);
   return condition;
+}
+
+bearing::rating::RatedHours hours_at(const bearing::rating::RatingLives& lives, double speed) {
+  using bearing::kInfinity;
+  if (speed == 0.0) return {kInfinity, kInfinity, kInfinity, kInfinity};
+  return bearing::rating::rated_hours(lives, speed);
 }
 
 PlanetBearingRating::Lives PlanetBearingRating::of(const WindowStatistics& means, double load,
@@ -127,7 +135,7 @@ PlanetBearingRating::Lives PlanetBearingRating::of(const WindowStatistics& means
   lives.rating = bearing::rating::rating_lives(
       geometry_.rating,
       rating_condition(rated, load, largest_load, speed_, drivetrain_.bearing.pitch_diameter), powers);
-  lives.rated_hours = bearing::rating::rated_hours(lives.rating, speed_);
+  lives.rated_hours = hours_at(lives.rating, speed_);
   return lives;
 }
 

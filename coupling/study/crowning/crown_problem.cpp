@@ -268,7 +268,7 @@ bearing::rating::RatedHours rated_duty_hours(const CrownProblem& problem, const 
       rating_condition(problem.rated, load, load, speed, problem.bearing.pitch_diameter);
   const auto means = bearing::life::means_of_loads(problem.bearing.motions, loads.inner_lamina_load(),
                                                    loads.outer_lamina_load());
-  return rated_hours(rating_lives(problem.rating, condition, means), speed);
+  return hours_at(rating_lives(problem.rating, condition, means), speed);
 }
 
 double life_hours(const CrownProblem& problem, const Profile& profile, const Lean& lean) {
