@@ -155,6 +155,7 @@ class CatalogueCase {
     fill_complement();
     fill_ratings();
     fill_rings();
+    fill_cage_of_stated_inside();
   }
 
  private:
@@ -241,15 +242,31 @@ class CatalogueCase {
   }
 
   void fill_default_cage(const catalogue::Inside& inside) {
+    const bool needles = entry_->family == catalogue::Family::needle_cage;
+    put_cage(needles ? bearing::default_cage_size(inside.pitch_diameter, inside.diameter, inside.length,
+                                                  entry_->width, 1.0)
+                     : bearing::default_cage_size(inside.pitch_diameter, inside.diameter, inside.length,
+                                                  entry_->width));
+  }
+
+  // Of a bearing outside the catalogue, from its rollers or balls as stated.
+  void fill_cage_of_stated_inside() {
+    const FieldValue *pitch = find("bearing.pitch_diameter"), *width = find("bearing.width"),
+                     *roller = find("bearing.roller_diameter"), *ball = find("bearing.ball_diameter"),
+                     *length = find("bearing.roller_length");
+    const FieldValue* diameter = roller != nullptr ? roller : ball;
+    if (inside_ != nullptr || is_full(find(catalogue_keys::kComplement)) || pitch == nullptr ||
+        width == nullptr || diameter == nullptr || (roller != nullptr && length == nullptr))
+      return;
+    put_cage(bearing::default_cage_size(pitch->number, diameter->number,
+                                        roller != nullptr ? length->number : diameter->number,
+                                        width->number));
+  }
+
+  void put_cage(const bearing::CageSize& cage) {
     if ((model_ & described::in_motion) == 0) return;  // others need none
     const std::string reason =
         "default: a typical cage of a bearing of this section, guided at the outer ring";
-    const bool needles = entry_->family == catalogue::Family::needle_cage;
-    const bearing::CageSize cage = needles
-                                       ? bearing::default_cage_size(inside.pitch_diameter, inside.diameter,
-                                                                    inside.length, entry_->width, 1.0)
-                                       : bearing::default_cage_size(inside.pitch_diameter, inside.diameter,
-                                                                    inside.length, entry_->width);
     put_default("bearing.cage.inner_diameter", millimetres(cage.inner_diameter), reason);
     put_default("bearing.cage.outer_diameter", millimetres(cage.outer_diameter), reason);
     put_default("bearing.cage.width", millimetres(cage.width), reason);
@@ -334,9 +351,43 @@ class CatalogueCase {
 
 }  // namespace
 
+namespace {
+
+// Types of which no catalogue holds a line, by their basic numbers as ISO and DIN 623 write them: five digits
+// that begin with 30 to 33, or with 21 to 24. Null for others.
+struct OtherType {
+  const char *words, *type;
+};
+
+const OtherType* other_type(std::string_view name) {
+  static constexpr OtherType tapered{"a tapered roller bearing", "tapered-roller"},
+      spherical{"a spherical roller bearing", "spherical-roller"};
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  const auto begin = std::ranges::find_if(name, is_digit);
+  const auto end = std::find_if_not(begin, name.end(), is_digit);
+  constexpr std::ptrdiff_t digits = 5;
+  if (end - begin != digits || name.front() == 'N') return nullptr;  // cylindrical: NU, NJ, NUP, N
+  const char first = *begin, second = *std::next(begin);
+  if (first == '3' && second >= '0' && second <= '3') return &tapered;
+  if (first == '2' && second >= '1' && second <= '4') return &spherical;
+  return nullptr;
+}
+
+}  // namespace
+
 std::optional<ConsistencyMessage> unknown_designation(const std::string& name, const FieldValue* table,
                                                       Model model) {
   if (line_of(table, name) != nullptr) return std::nullopt;
+  if (const OtherType* other = other_type(name))
+    return ConsistencyMessage{
+        fmt::format("{}, {}, of which no catalogue has a line", quote(name), other->words),
+        (model & planetary_drivetrain) != 0
+            ? fmt::format("bearing.type: {} with bearing.rows.contact_angle and number, diameter, length and "
+                          "pitch diameter of its rollers is required instead of the designation",
+                          other->type)
+            : fmt::format("a planet bearing is required (model: planetary-drivetrain, bearing.type: {}): "
+                          "single bearings of this type are not computed",
+                          other->type)};
   constexpr std::size_t shown = 5;
   const bool rollers = (model & with_rollers) != 0;
   return ConsistencyMessage{

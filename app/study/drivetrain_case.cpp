@@ -1,5 +1,7 @@
 #include "app/study/drivetrain_case.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,6 +15,7 @@
 #include "app/case/set_case.hpp"
 #include "app/case/static_case.hpp"
 #include "gearset/checks.hpp"
+#include "gearset/drivetrain/power_flow.hpp"
 
 namespace orbearing::app {
 

@@ -16,6 +16,7 @@
 #include "app/case/use_conditions.hpp"
 #include "app/errors.hpp"
 #include "app/study/gear_case.hpp"
+#include "app/study/mesh_study.hpp"
 #include "app/units.hpp"
 #include "bearing/equilibrium/inclined_rows.hpp"
 #include "bearing/life/inclined_rating.hpp"
@@ -99,6 +100,7 @@ void add_gears(const study::PlanetaryDrivetrain& drivetrain, const study::Drivet
         {"gearset.base_helix_angle", kDegree * gears.base_helix_angle, "deg", "at the base cylinders"});
     rows.push_back({"gearset.overlap_ratio", gears.overlap_ratio, "1", "face width in axial pitches"});
   }
+  for (Derived& row : circle_quantities("gearset.", gear_circles(gears))) rows.push_back(std::move(row));
   if (gears.second)
     rows.push_back({"gearset.stepped_planet.length", per_milli * gearset::gear_planes(drivetrain.set).length,
                     "mm", "of a planet with both gears, from whose middle the places of bearings count"});
@@ -433,22 +435,43 @@ gearset::WorkingGeometry add_gears_alone(const study::PlanetaryDrivetrain& drive
   return geometry.gears;
 }
 
+// With the load that a pin takes from its planet.
+void add_motion_without_bearing(const study::PlanetaryDrivetrain& drivetrain,
+                                const gearset::WorkingGeometry& gears, const gearset::MeanLoads& loads,
+                                std::vector<Derived>& rows) {
+  add_motion(drivetrain.set, loads, rows);
+  const double outward = gearset::planet_body(drivetrain.set, gears).mass * loads.carrier_speed *
+                         loads.carrier_speed * gears.centre_distance;
+  rows.push_back({"operation.pin_load_x", loads.radial_force + outward, "N",
+                  "both meshes and the planet's gear on its pin, outward"});
+  rows.push_back({"operation.pin_load_y", loads.tangential_force, "N", "the same, in the sense of rotation"});
+}
+
 std::vector<Derived> quantities_without_bearing(const ResolvedCase& resolved) {
   std::vector<Derived> rows;
   if (!resolved.shape().teeth) return rows;
   const study::PlanetaryDrivetrain drivetrain = drivetrain_of(resolved);
   const gearset::WorkingGeometry gears = add_gears_alone(drivetrain, rows);
-  add_motion(drivetrain.set, gearset::mean_loads(drivetrain.set, gears, drivetrain.drive), rows);
+  add_motion_without_bearing(drivetrain, gears,
+                             gearset::mean_loads(drivetrain.set, gears, drivetrain.drive), rows);
   add_motor_speed(drivetrain.drive, rows);
   return rows;
 }
 
-// Of several sets those without a bearing; their speeds and torques are in the flow of power.
+// Of several sets those without a bearing.
 void add_sets_without_bearing(const ResolvedCase& resolved, std::vector<Derived>& rows) {
-  for (const std::string& name : resolved.shape().sets) {
+  if (!resolved.shape().several) return;
+  const gearset::PowerFlow flow = gearset::power_flow(arrangement_of(resolved));
+  const std::vector<std::string>& names = resolved.shape().sets;
+  for (std::size_t set = 0; set < names.size(); ++set) {
+    const std::string& name = names[set];
     if (has_planet_bearing(resolved, set_prefix(name))) continue;
     std::vector<Derived> of_set;
-    add_gears_alone(drivetrain_of(resolved.of_set(name)), of_set);
+    const study::PlanetaryDrivetrain drivetrain = drivetrain_of(resolved.of_set(name));
+    const gearset::WorkingGeometry gears = add_gears_alone(drivetrain, of_set);
+    add_motion_without_bearing(
+        drivetrain, gears,
+        gearset::mean_loads(drivetrain.set, gears, flow.sets[set], drive_of(resolved)), of_set);
     for (Derived& row : of_set)
       rows.push_back({set_prefix(name) + row.path, row.value, row.unit, row.meaning});
   }
@@ -504,12 +527,12 @@ std::vector<Derived> quantities_of_sets(const ResolvedCase& resolved) {
     add_gears(set.drivetrain, set.geometry, of_set);
     add_bearing(set.drivetrain, set.geometry, of_set);
     const auto add = [&](const char* path, const auto& add_rows) {
-      const std::vector<Derived> rows = or_reason(path, [&] {
+      const std::vector<Derived> more = or_reason(path, [&] {
         std::vector<Derived> own;
         add_rows(own);
         return own;
       });
-      of_set.insert(of_set.end(), rows.begin(), rows.end());
+      of_set.insert(of_set.end(), more.begin(), more.end());
     };
     add("bearing.clearance", [&](std::vector<Derived>& own) { add_clearance(resolved, set, own); });
     add("operation", [&](std::vector<Derived>& own) {

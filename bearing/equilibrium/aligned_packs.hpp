@@ -11,6 +11,7 @@
 // instruction sets give the same bits.
 #pragma once
 
+#include "bearing/contact/least_approach.hpp"
 #include "bearing/contact/line_law.hpp"
 #include "bearing/equilibrium/aligned_engine.hpp"
 #include "mechanics/packs/aligned_array.hpp"

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "bearing/carrier_frame.hpp"
+#include "bearing/contact/least_approach.hpp"
 #include "bearing/contact/line_law.hpp"
 #include "bearing/equilibrium/balls.hpp"
 #include "bearing/equilibrium/lamina_bearing.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "bearing/contact/line_law.hpp"
+#include "bearing/contact/least_approach.hpp"
 #include "bearing/equilibrium/elastic_waves.hpp"
 #include "bearing/equilibrium/lamina_bearing.hpp"
 #include "bearing/equilibrium/roller_balance.hpp"

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "bearing/contact/line_contact.hpp"
-#include "bearing/contact/line_law.hpp"
+#include "bearing/contact/least_approach.hpp"
 #include "mechanics/checks.hpp"
 
 namespace orbearing::bearing::equilibrium {
