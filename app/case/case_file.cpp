@@ -369,7 +369,7 @@ class Resolver {
       if (is_needed(input) && !data_.values.contains(input.path) && !is_faulty(input.path) &&
           !is_of_faulty_giver(input))
         add_error(nearest_block(input.path), input.path, "missing",
-                  requirement(*input.field) + " is required" + in_its_place(input));
+                  what_is_missing(*input.field) + " is required" + in_its_place(input));
     if (!data_.shape.several) return;
     for (const auto& [key, names] :
          {std::pair<std::string, const std::vector<std::string>&>{"sets", data_.shape.sets},
@@ -378,6 +378,12 @@ class Resolver {
         add_error(nearest_block(key + "."), key, "missing",
                   "sets: {NAME: {gearset: ..., bearing: ...}} and shafts: {NAME: [motor, SET.sun], ...} are "
                   "required");
+  }
+
+  // Types other than this one are those of planets.
+  std::string what_is_missing(const Field& field) const {
+    const bool single = field.path == "bearing.type" && model_ != planetary_drivetrain;
+    return single ? "cylindrical-roller" : requirement(field);
   }
 
   bool has_bearing(const std::string& path) const {

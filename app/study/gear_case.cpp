@@ -339,8 +339,11 @@ void describe(Record& record, const ModeStudy& study) {
               "outward and tangential",
               along, shape.position)
         .detail = true;
-    row.array("shape_quarter", dimension::ratio, "the same a quarter of a period later", along, shape.quarter)
-        .detail = true;
+    // At rest all moves in phase: there is nothing to tell.
+    if (shape.quarter.cwiseAbs().maxCoeff() > 0.0)
+      row.array("shape_quarter", dimension::ratio, "the same a quarter of a period later", along,
+                shape.quarter)
+          .detail = true;
   });
 }
 

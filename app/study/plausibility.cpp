@@ -110,7 +110,7 @@ const std::vector<PlausibleRange>& plausible_ranges() {
        {-kNone, ""},
        {200.0, "beyond usual turbo gears"},
        {-kNone, 400.0, "the speed at which a steel ring bursts"}},
-      // [ISO6336]: the tooth root is weakened below 1.2 times the tooth depth, 2.7 modules, and has no
+      // [ISO6336Part3]: the tooth root is weakened below 1.2 times the tooth depth, 2.7 modules, and has no
       // strength below half of that depth, 1.1 modules.
       {{{kThinnestRim}, "gearset", "rim of a planet between roots and bore, in modules,", ""},
        {3.0,
