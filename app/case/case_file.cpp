@@ -61,19 +61,31 @@ std::string missing_kind_hint(const std::string& key, const std::string& prefix)
 }
 
 // What is required in place of the unknown `key` in the block of `prefix`.
-std::string key_hint(const std::string& key, const std::string& prefix, const CaseShape& shape) {
+std::string key_hint(const std::string& key, const std::string& prefix, const CaseShape& shape,
+                     unsigned models) {
   const std::string set = set_of(prefix);
+  if (prefix.ends_with("gearset.stepped_planet.") && (key == "ring" || key == "sun"))
+    return "a known key is required. The first gear of a stepped planet meshes with the sun alone and the "
+           "second, of gearset.stepped_planet, with the ring of gearset.teeth; a second ring or sun cannot be "
+           "stated";
   if (!set.empty() && key == "fixed")
     return "a known key is required. A member is stationary on a shaft with 'ground'";
   if (std::string hint = missing_kind_hint(key, prefix); !hint.empty()) return hint;
   // The right name in the wrong block is likelier than a slip of the keyboard.
   for (const Field& field : all_fields()) {
-    if (!set.empty() && !in_each_set(field)) continue;
+    if ((!set.empty() && !in_each_set(field)) || (field.models & models) == 0) continue;
     if (field.path == key || field.path.ends_with("." + key))
       return fmt::format("a known key is required; '{}{}' nested by its blocks is one",
                          belongs(shape, field.path) ? "" : set, field.path);
   }
   const std::vector<std::string> siblings = keys_under(prefix, shape);
+  // An oil by two viscosities, as data sheets state it, in any spelling.
+  if (prefix == "lubricant.")
+    for (const char* temperature : {"40", "100"})
+      if (key.ends_with(temperature) || key.find(std::string(temperature) + "C") != std::string::npos)
+        return fmt::format("a known key is required; did you mean 'lubricant.viscosity_{}', the kinematic "
+                           "viscosity at {} degC?",
+                           temperature, temperature);
   const std::string near = nearest_word(key, siblings);
   if (!near.empty()) return fmt::format("a known key is required; did you mean '{}{}'?", prefix, near);
   const bool is_number = !key.empty() && key.find_first_not_of("0123456789") == std::string::npos;
@@ -235,7 +247,7 @@ class Resolver {
       const auto [found, required] = unused_field(data_.shape, of_block->path);
       add_error(member.location, path, "the block " + quote(member.key) + ", " + found, required);
     } else if (!is_faulty(path)) {
-      add_error(member.location, path, "unknown key", key_hint(member.key, prefix, data_.shape));
+      add_error(member.location, path, "unknown key", key_hint(member.key, prefix, data_.shape, allowed_));
     }
   }
 
@@ -278,8 +290,12 @@ class Resolver {
     }
     FieldReading reading = read_field(field, value);
     if (!reading.good) {
+      const bool oil = field.path == "lubricant.grade";
       add_error(reading.location.value_or(member.value.location), path, reading.message.found,
-                reading.message.required);
+                reading.message.required +
+                    (oil ? "; an oil of another viscosity is stated by lubricant.viscosity_40 and "
+                           "lubricant.viscosity_100 instead of a grade"
+                         : ""));
       return;
     }
     if (field.path == catalogue_keys::kCatalogue &&
@@ -370,7 +386,7 @@ class Resolver {
       if (is_needed(input) && !data_.values.contains(input.path) && !is_faulty(input.path) &&
           !is_of_faulty_giver(input))
         add_error(nearest_block(input.path), input.path, "missing",
-                  requirement(*input.field) + " is required" + in_its_place(input));
+                  what_is_missing(*input.field) + " is required" + in_its_place(input));
     if (!data_.shape.several) return;
     for (const auto& [key, names] :
          {std::pair<std::string, const std::vector<std::string>&>{"sets", data_.shape.sets},
@@ -379,6 +395,12 @@ class Resolver {
         add_error(nearest_block(key + "."), key, "missing",
                   "sets: {NAME: {gearset: ..., bearing: ...}} and shafts: {NAME: [motor, SET.sun], ...} are "
                   "required");
+  }
+
+  // Types other than this one are those of planets.
+  std::string what_is_missing(const Field& field) const {
+    const bool single = field.path == "bearing.type" && model_ != planetary_drivetrain;
+    return single ? "cylindrical-roller" : requirement(field);
   }
 
   bool has_bearing(const std::string& path) const {

@@ -125,6 +125,22 @@ std::string newtons(double force) {
   return fmt::format("{:g} N", force);
 }
 
+// Exponent of a rating of rollers over their number, all else alike: C of [ISO281], C_0 of [ISO76], and C_u,
+// which is proportional to C_0.
+double exponent_of_number(std::string_view rating) {
+  return rating == catalogue_keys::kDynamic ? 0.75 : 1.0;
+}
+
+// A printed rating with `rollers` instead of those of the line.
+double with_rollers_instead(const PrintedRating& rating, const catalogue::Inside& inside, int rollers) {
+  return rating.value * std::pow(static_cast<double>(rollers) / inside.elements,
+                                 exponent_of_number(rating.path));
+}
+
+bool is_full(const FieldValue* complement) {
+  return complement != nullptr && complement->given == "full";
+}
+
 // What a case or one of its sets states, and what is put in its place.
 class CatalogueCase {
  public:
@@ -137,7 +153,9 @@ class CatalogueCase {
     fill_seats();
     fill_material();
     fill_complement();
+    fill_ratings();
     fill_rings();
+    fill_cage_of_stated_inside();
   }
 
  private:
@@ -193,18 +211,28 @@ class CatalogueCase {
       put_default(catalogue_keys::kRings, "none", published + ", which has no rings");
     }
     put("bearing.width", millimetres(entry_->width), published);
-    fill_ratings(published);
+    inside_ = &inside;
     if (rollers) put_default("bearing.type", "cylindrical-roller", published);
     fill_default_cage(inside);
   }
 
-  // Those that are stated stand. Without a cage there are more rollers than the line's C_0 and C_u are of.
-  void fill_ratings(const std::string& published) {
-    const FieldValue* complement = find(catalogue_keys::kComplement);
-    const bool full = complement != nullptr && complement->given == "full";
+  // Those that are stated stand. Without a cage there are more rollers than the line's ratings are of.
+  void fill_ratings() {
+    if (inside_ == nullptr) return;
+    const std::string published =
+        "default: " + name_of(*entry_, find(catalogue_keys::kDesignation)->given);
+    const FieldValue* rollers = find(catalogue_keys::kRollers);
+    const bool full = is_full(find(catalogue_keys::kComplement)) && rollers != nullptr;
     for (const PrintedRating& rating : ratings_of(*entry_)) {
-      if (rating.value == 0.0 || (full && rating.path != std::string_view(catalogue_keys::kDynamic)))
+      if (rating.value == 0.0) continue;
+      if (full) {
+        const int count = static_cast<int>(rollers->number);
+        put_default(rating.path, newtons(with_rollers_instead(rating, *inside_, count)),
+                    fmt::format("{}: {} of {} rollers in a cage, times ({}/{})^{:g}", published,
+                                newtons(rating.value), inside_->elements, count, inside_->elements,
+                                exponent_of_number(rating.path)));
         continue;
+      }
       const FieldValue* stated = find(rating.path);
       if (stated != nullptr && newtons(stated->number) == newtons(rating.value))
         put(rating.path, newtons(rating.value), published);
@@ -214,15 +242,31 @@ class CatalogueCase {
   }
 
   void fill_default_cage(const catalogue::Inside& inside) {
+    const bool needles = entry_->family == catalogue::Family::needle_cage;
+    put_cage(needles ? bearing::default_cage_size(inside.pitch_diameter, inside.diameter, inside.length,
+                                                  entry_->width, 1.0)
+                     : bearing::default_cage_size(inside.pitch_diameter, inside.diameter, inside.length,
+                                                  entry_->width));
+  }
+
+  // Of a bearing outside the catalogue, from its rollers or balls as stated.
+  void fill_cage_of_stated_inside() {
+    const FieldValue *pitch = find("bearing.pitch_diameter"), *width = find("bearing.width"),
+                     *roller = find("bearing.roller_diameter"), *ball = find("bearing.ball_diameter"),
+                     *length = find("bearing.roller_length");
+    const FieldValue* diameter = roller != nullptr ? roller : ball;
+    if (inside_ != nullptr || is_full(find(catalogue_keys::kComplement)) || pitch == nullptr ||
+        width == nullptr || diameter == nullptr || (roller != nullptr && length == nullptr))
+      return;
+    put_cage(bearing::default_cage_size(pitch->number, diameter->number,
+                                        roller != nullptr ? length->number : diameter->number,
+                                        width->number));
+  }
+
+  void put_cage(const bearing::CageSize& cage) {
     if ((model_ & described::in_motion) == 0) return;  // others need none
     const std::string reason =
         "default: a typical cage of a bearing of this section, guided at the outer ring";
-    const bool needles = entry_->family == catalogue::Family::needle_cage;
-    const bearing::CageSize cage = needles
-                                       ? bearing::default_cage_size(inside.pitch_diameter, inside.diameter,
-                                                                    inside.length, entry_->width, 1.0)
-                                       : bearing::default_cage_size(inside.pitch_diameter, inside.diameter,
-                                                                    inside.length, entry_->width);
     put_default("bearing.cage.inner_diameter", millimetres(cage.inner_diameter), reason);
     put_default("bearing.cage.outer_diameter", millimetres(cage.outer_diameter), reason);
     put_default("bearing.cage.width", millimetres(cage.width), reason);
@@ -273,8 +317,7 @@ class CatalogueCase {
   void fill_complement() {
     const FieldValue *complement = find(catalogue_keys::kComplement), *pitch = find("bearing.pitch_diameter"),
                      *diameter = find("bearing.roller_diameter");
-    if (complement == nullptr || complement->given != "full" || pitch == nullptr || diameter == nullptr)
-      return;
+    if (!is_full(complement) || pitch == nullptr || diameter == nullptr) return;
     if (!(diameter->number < pitch->number)) return;
     const std::string most = fmt::format("{}", most_rollers(pitch->number, diameter->number));
     const std::string reason = "default: a full complement, the largest number that fits";
@@ -303,13 +346,48 @@ class CatalogueCase {
   std::string prefix_;
   Model model_;
   const catalogue::Entry* entry_ = nullptr;
+  const catalogue::Inside* inside_ = nullptr;  // of that line, where it has one that this case takes
 };
+
+}  // namespace
+
+namespace {
+
+// Types of which no catalogue holds a line, by their basic numbers as ISO and DIN 623 write them: five digits
+// that begin with 30 to 33, or with 21 to 24. Null for others.
+struct OtherType {
+  const char *words, *type;
+};
+
+const OtherType* other_type(std::string_view name) {
+  static constexpr OtherType tapered{"a tapered roller bearing", "tapered-roller"},
+      spherical{"a spherical roller bearing", "spherical-roller"};
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  const auto begin = std::ranges::find_if(name, is_digit);
+  const auto end = std::find_if_not(begin, name.end(), is_digit);
+  constexpr std::ptrdiff_t digits = 5;
+  if (end - begin != digits || name.front() == 'N') return nullptr;  // cylindrical: NU, NJ, NUP, N
+  const char first = *begin, second = *std::next(begin);
+  if (first == '3' && second >= '0' && second <= '3') return &tapered;
+  if (first == '2' && second >= '1' && second <= '4') return &spherical;
+  return nullptr;
+}
 
 }  // namespace
 
 std::optional<ConsistencyMessage> unknown_designation(const std::string& name, const FieldValue* table,
                                                       Model model) {
   if (line_of(table, name) != nullptr) return std::nullopt;
+  if (const OtherType* other = other_type(name))
+    return ConsistencyMessage{
+        fmt::format("{}, {}, of which no catalogue has a line", quote(name), other->words),
+        (model & planetary_drivetrain) != 0
+            ? fmt::format("bearing.type: {} with bearing.rows.contact_angle and number, diameter, length and "
+                          "pitch diameter of its rollers is required instead of the designation",
+                          other->type)
+            : fmt::format("a planet bearing is required (model: planetary-drivetrain, bearing.type: {}): "
+                          "single bearings of this type are not computed",
+                          other->type)};
   constexpr std::size_t shown = 5;
   const bool rollers = (model & with_rollers) != 0;
   return ConsistencyMessage{
@@ -358,6 +436,19 @@ catalogue::Family family_of(const ResolvedCase& in) {
 std::optional<double> bore_of(const ResolvedCase& in) {
   if (const catalogue::Entry* entry = line_of(in)) return entry->bore;
   return in.has("bearing.bore") ? std::optional<double>(in.quantity("bearing.bore")) : std::nullopt;
+}
+
+// Ratings of a line are those of steel, as are the formulas of the standards.
+void check_rated_material(CheckedCase& in) {
+  const char* modulus = "material.youngs_modulus";
+  constexpr double softest = 190e9, stiffest = 225e9;  // [Pa]  of steels
+  if (line_of(in) == nullptr || !is_stated(in, modulus) || is_stated(in, catalogue_keys::kDynamic)) return;
+  if (const double stated = in.quantity(modulus); stated < softest || stated > stiffest)
+    in.add_error_at(modulus,
+                    fmt::format("{} together with {}, whose ratings are those of steel", in.given(modulus),
+                                in.text(catalogue_keys::kDesignation)),
+                    "a modulus of steel, 190 to 225 GPa, or bearing.dynamic_capacity, static_capacity and "
+                    "fatigue_load_limit of a bearing of that material, is required");
 }
 
 void check_class(CheckedCase& in) {
@@ -463,6 +554,7 @@ void fill_from_catalogue(CaseData& data, Model model) {
 
 void check_catalogue_bearing(CheckedCase& in) {
   check_designation(in);
+  check_rated_material(in);
   check_class(in);
   check_seats(in);
   check_complement(in);
@@ -549,8 +641,18 @@ void add_replaced_ratings(const ResolvedCase& in, const std::string& set, const 
   const char* elements = catalogue::has_rollers(entry.family) ? "rollers" : "balls";
   for (const PrintedRating& rating : ratings_of(entry)) {
     const std::string path = set + rating.path;
-    if (rating.value == 0.0 || !is_stated(in, path) || newtons(in.quantity(path)) == newtons(rating.value))
+    if (rating.value == 0.0 || !is_stated(in, path)) continue;
+    if (newtons(in.quantity(path)) == newtons(rating.value)) {
+      if (is_full_complement(in, set))
+        warnings.push_back(fmt::format(
+            "{}: {} as stated is that of {} with {} rollers in a cage; {} rollers without a cage have {}. "
+            "Leave it out unless it is meant",
+            path, in.given(path), name_of(entry, in.text(set + catalogue_keys::kDesignation)),
+            known_inside(entry).elements, in.integer(set + catalogue_keys::kRollers),
+            newtons(with_rollers_instead(rating, known_inside(entry),
+                                         in.integer(set + catalogue_keys::kRollers)))));
       continue;
+    }
     warnings.push_back(fmt::format(
         "{}: {} as stated replaces {} of {}; its {} stay as inferred for the latter", path, in.given(path),
         newtons(rating.value), name_of(entry, in.text(set + catalogue_keys::kDesignation)), elements));
@@ -567,6 +669,13 @@ std::vector<std::string> inferred_warnings(const ResolvedCase& resolved) {
     const catalogue::Entry* entry = line_of(resolved, set);
     if (entry == nullptr) continue;
     warnings.push_back(inferred_warning(input.path, resolved.text(input.path), *entry));
+    if (const std::string rings = set + catalogue_keys::kRings;
+        resolved.has(rings) && resolved.choice(rings) != "both" &&
+        entry->family != catalogue::Family::needle_cage)
+      warnings.push_back(
+          fmt::format("{}: {}; ratings of {} are for its own rings. They hold where pin and planet have "
+                      "raceways as hard and as smooth, of bearing steel",
+                      rings, resolved.choice(rings), name_of(*entry, resolved.text(input.path))));
     add_replaced_ratings(resolved, set, *entry, warnings);
   }
   return warnings;

@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 
 #include "app/case/field_table.hpp"
 #include "app/case/unused_inputs.hpp"
+#include "app/errors.hpp"
 
 namespace orbearing::app {
 
@@ -55,7 +58,7 @@ std::vector<Row> all_rows(const ResolvedCase& resolved, const std::vector<Derive
   if (const StatedCorrelations& joined = resolved.uncertain().correlations; !joined.written.empty())
     rows.push_back({"uncertain.correlations", joined.written, "", "uncertain", "of the normal scores"});
   for (const Derived& quantity : derived)
-    rows.push_back({quantity.path, fmt::format("{:.6g}", quantity.value),
+    rows.push_back({quantity.path, std::isnan(quantity.value) ? "-" : fmt::format("{:.6g}", quantity.value),
                     quantity.unit == "1" ? "" : quantity.unit, "derived", quantity.meaning});
   return rows;
 }
@@ -142,6 +145,18 @@ std::string not_modelled_text(const ResolvedCase& resolved) {
 }
 
 }  // namespace
+
+std::vector<Derived> or_reason(const std::string& path,
+                               const std::function<std::vector<Derived>()>& compute) {
+  try {
+    return compute();
+  } catch (const BadInput&) {
+    throw;
+  } catch (const std::exception& error) {
+    return {{path, std::numeric_limits<double>::quiet_NaN(), "1",
+             std::string("not computed: ") + error.what()}};
+  }
+}
 
 std::string check_table(const ResolvedCase& resolved, const std::vector<Derived>& derived) {
   // What is longer than this, such as a name or source, must not push the other columns away. Paths within a

@@ -1,6 +1,7 @@
 // What `orbearing check` prints: every input and derived quantity with its value, unit and standing.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -9,6 +10,10 @@
 #include "mechanics/record.hpp"
 
 namespace orbearing::app {
+
+/// What `compute` gives; where that fails, one row at `path` without a value, whose meaning is the reason.
+/// What is wrong with the case itself (BadInput) is thrown on.
+std::vector<Derived> or_reason(const std::string& path, const std::function<std::vector<Derived>()>& compute);
 
 /// The table as text, one line for each quantity.
 std::string check_table(const ResolvedCase& resolved, const std::vector<Derived>& derived);

@@ -62,6 +62,15 @@ void add_bodies(std::vector<Field>& fields) {
       .by_default("0.7", "room for roller bearings under a rim of a few modules");
 }
 
+// First drafts of a gear set have none: the planet's follows from the common centre distance.
+void add_default_shifts(std::vector<Field>& fields) {
+  for (const char* path : {"gearset.profile_shift.sun", "gearset.profile_shift.ring"}) {
+    Field& shift = row_of(fields, path);
+    shift.required_by = no_model;
+    shift.by_default("0", "no profile shift; that of the planet follows");
+  }
+}
+
 // What follows from other values, and may be stated so that it is checked: no result follows from it.
 void add_checks(std::vector<Field>& fields) {
   Rows rows(fields, planetary_drivetrain);
@@ -106,6 +115,7 @@ void add_drivetrain_fields(std::vector<Field>& fields) {
   add_described(fields, gearset::Drive{});
   add_duty(fields);
   add_described(fields, gearset::PlanetarySet{});
+  add_default_shifts(fields);
   add_described(fields, gearset::SecondPlanet{});
   add_described(fields, gearset::spatial::CarrierMounting{});
   row_of(fields, "gearset.carrier.housing_stiffness").from_file = true;

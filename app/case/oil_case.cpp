@@ -48,6 +48,7 @@ void put_where_absent(CaseData& data, const std::string& path, const std::string
 namespace {
 
 constexpr const char *kGrade = "lubricant.grade", *kIndex = "lubricant.viscosity_index",
+                     *kAt40 = "lubricant.viscosity_40", *kAt100 = "lubricant.viscosity_100",
                      *kTemperature = "lubricant.temperature", *kDynamic = "lubricant.viscosity",
                      *kKinematic = "lubricant.kinematic_viscosity";
 
@@ -70,12 +71,30 @@ double density_that_counts(const Number& number) {
   return density != nullptr && drag != nullptr && *drag != 0.0 ? *density : bearing::OilGrade{}.density;
 }
 
+// By the inputs that state it, of which `number` gives the value, and null where there is none.
+template <class Number>
+bearing::OilGrade oil_by_inputs(const std::string& grade, const Number& number) {
+  bearing::OilGrade oil{.density = density_that_counts(number)};
+  if (const double* index = number(kIndex)) oil.viscosity_index = *index;
+  const double *at_40 = number(kAt40), *at_100 = number(kAt100);
+  oil.viscosity_40 = grade == kStatedGrade && at_40 != nullptr ? *at_40 : viscosity_40_of(grade);
+  if (grade == kStatedGrade && at_100 != nullptr) oil.viscosity_100 = *at_100;
+  return oil;
+}
+
+std::string words_for(const std::string& grade, const bearing::OilGrade& oil) {
+  const std::string name =
+      grade == kStatedGrade ? fmt::format("of {:g} mm2/s at 40 degC", 1e6 * oil.viscosity_40) : grade;
+  return oil.viscosity_100
+             ? fmt::format("an oil {}, {:g} mm2/s at 100 degC", name, 1e6 * *oil.viscosity_100)
+             : fmt::format("a mineral oil {} of viscosity index {:g}", name, oil.viscosity_index);
+}
+
 // Throws std::invalid_argument for an oil of which nothing is known.
 std::vector<OilProperty> properties_of(const std::string& grade, const bearing::OilGrade& oil,
                                        double temperature) {
   const bearing::Lubricant lubricant = bearing::lubricant_at(oil, temperature);
-  const std::string reason = fmt::format("default: a mineral oil {} of viscosity index {:g} at {:g} degC",
-                                         grade, oil.viscosity_index, temperature);
+  const std::string reason = fmt::format("default: {} at {:g} degC", words_for(grade, oil), temperature);
   return {
       {kDynamic, fmt::format("{} Pa.s", lubricant.viscosity), reason},
       {"lubricant.pressure_viscosity", fmt::format("{} GPa-1", 1e9 * lubricant.pressure_viscosity), reason},
@@ -95,7 +114,8 @@ bearing::Lubricant graded_lubricant(const ResolvedCase& in) {
 }
 
 bearing::OilGrade graded_oil(const ResolvedCase& in) {
-  return {viscosity_40_of(in.choice(kGrade)), in.number(kIndex), oil_density(in)};
+  return oil_by_inputs(in.choice(kGrade),
+                [&](const char* path) { return in.has(path) ? &in.value(path).number : nullptr; });
 }
 
 double graded_viscosity_slope(const ResolvedCase& in) {
@@ -103,18 +123,20 @@ double graded_viscosity_slope(const ResolvedCase& in) {
 }
 
 void fill_from_grade(CaseData& data, Model model) {
+  if (data.values.contains(kAt40))
+    put_where_absent(data, kGrade, kStatedGrade, "default: lubricant.viscosity_40 states the oil");
   const auto grade = data.values.find(kGrade);
   const auto number = [&](const char* path) -> const double* {
     const auto found = data.values.find(path);
     return found == data.values.end() ? nullptr : &found->second.value.number;
   };
-  const double *index = number(kIndex), *temperature = number(kTemperature);
-  if (grade == data.values.end() || index == nullptr || temperature == nullptr) return;
+  const double* temperature = number(kTemperature);
+  if (grade == data.values.end() || temperature == nullptr) return;
   const std::string name = grade->second.value.given;
+  if (name == kStatedGrade && !data.values.contains(kAt40)) return;  // check_grade() says it
   std::vector<OilProperty> properties;
   try {
-    properties =
-        properties_of(name, {viscosity_40_of(name), *index, density_that_counts(number)}, *temperature);
+    properties = properties_of(name, oil_by_inputs(name, number), *temperature);
   } catch (const std::invalid_argument&) {
     return;  // check_grade() says it
   }
@@ -126,11 +148,27 @@ void fill_from_grade(CaseData& data, Model model) {
 }
 
 void check_grade(CheckedCase& in) {
-  if (!has_all(in, {kGrade, kIndex})) return;
+  if (in.has(kAt100) && !in.has(kAt40))
+    return in.add_error_at(kAt100, "a viscosity at 100 degC without that at 40 degC",
+                           std::string(kAt40) + " is required with it");
+  if (!in.has(kGrade)) return;
+  const bool stated = in.choice(kGrade) == kStatedGrade;
+  if (stated != in.has(kAt40))
+    return in.add_error_at(kGrade,
+                           in.choice(kGrade) + (stated ? " without " : " together with ") + kAt40,
+                           stated ? "lubricant.viscosity_40 is required with it" : "one of the two is required");
+  if (stated && in.has(kAt100)) {
+    if (in.quantity(kAt100) >= in.quantity(kAt40))
+      in.add_error_at(kAt100, in.given(kAt100) + " with " + in.given(kAt40) + " at 40 degC",
+                      "less at 100 degC than at 40 degC is required");
+    return;
+  }
   try {
-    (void)bearing::viscosity_at_100(viscosity_40_of(in.choice(kGrade)), in.number(kIndex));
+    const bearing::OilGrade oil = graded_oil(in);
+    (void)bearing::viscosity_at_100(oil.viscosity_40, oil.viscosity_index);
   } catch (const std::invalid_argument& error) {
-    in.add_error_at(kGrade, in.choice(kGrade), error.what());
+    const char* path = stated ? kAt40 : kGrade;
+    in.add_error_at(path, in.given(path), error.what());
   }
 }
 

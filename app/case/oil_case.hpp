@@ -30,17 +30,21 @@ inline constexpr std::array<std::string_view, 2> kCleanlinessPaths{"life.contami
 inline constexpr std::array<std::string_view, 2> kViscosityPaths{"life.viscosity_ratio",
                                                                  "lubricant.kinematic_viscosity"};
 
+/// The grade of an oil whose viscosities at 40 and 100 degC the case states.
+inline constexpr const char* kStatedGrade = "stated";
+
 /// Density of the oil [kg/m^3]: the stated one where it counts, that of a mineral oil where it does not.
 double oil_density(const ResolvedCase& resolved);
 
-/// The oil that `lubricant.grade` names.
+/// The oil that `lubricant.grade` names, or of which lubricant.viscosity_40 and viscosity_100 state the
+/// viscosities.
 bearing::OilGrade graded_oil(const ResolvedCase& resolved);
 /// Its properties at its temperature.
 bearing::Lubricant graded_lubricant(const ResolvedCase& resolved);
 /// Relative decrease of its viscosity per kelvin [1/K].
 double graded_viscosity_slope(const ResolvedCase& resolved);
 
-/// Where `lubricant.grade` is given, the properties of such an oil stand in place of what is stated, which
+/// Where `lubricant.grade` or lubricant.viscosity_40 is given, the properties of such an oil stand in place of what is stated, which
 /// then has no effect.
 void fill_from_grade(CaseData& data, Model model);
 

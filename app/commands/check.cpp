@@ -16,6 +16,7 @@
 #include "app/study/mesh_study.hpp"
 #include "app/study/motion_budget.hpp"
 #include "app/study/planetary_case.hpp"
+#include "app/study/plausibility.hpp"
 #include "app/study/sensitivity.hpp"
 
 namespace orbearing::app {
@@ -34,13 +35,15 @@ Checked check(const ResolvedCase& resolved) {
     return {pair_quantities(resolved, meshes), meshes.warnings};
   }
   const Analysis* analysis = analysis_of(resolved);
-  const std::vector<Derived> own = analysis != nullptr && analysis->derived != nullptr
-                                       ? analysis->derived(resolved)
-                                       : std::vector<Derived>{};
+  const std::vector<Derived> own =
+      analysis != nullptr && analysis->derived != nullptr
+          ? or_reason(analysis->names.name, [&] { return analysis->derived(resolved); })
+          : std::vector<Derived>{};
   if (resolved.model() != planetary_drivetrain) return {own};
   Checked checked{derived_quantities(resolved),
                   joined(gear_warnings(resolved), overturning_warnings(resolved.without_sweep()),
-                         cage_warnings(resolved), clearance_warnings(resolved)),
+                         rim_warnings(resolved.without_sweep()), cage_warnings(resolved),
+                         clearance_warnings(resolved)),
                   resolved.shape().several || resolved.shape().teeth};
   if (!resolved.shape().several && !has_stepped_planets(resolved) && !has_planet_pairs(resolved) &&
       has_cylindrical_rollers(resolved))
@@ -71,7 +74,8 @@ int check_command(const Options& options) {
   auto [derived, warnings, has_power] = check(resolved);
   warnings = joined(warnings, default_warnings(resolved, derived), inferred_warnings(resolved),
                     uncertain_warnings(resolved), former_key_warnings(resolved), idle_inputs(resolved));
-  derived = joined(derived, catalogue_quantities(resolved), motion_time_quantities(resolved));
+  derived = joined(derived, catalogue_quantities(resolved),
+                   or_reason("simulation", [&] { return motion_time_quantities(resolved); }));
   // What the case states as a check stands among its inputs.
   std::erase_if(derived, [&](const Derived& row) { return resolved.has(row.path); });
   if (options.json) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <string_view>
 
 #include "app/case/printable.hpp"
 #include "app/case/resolved_writer.hpp"
@@ -16,6 +17,7 @@
 #include "app/results/progress.hpp"
 #include "app/results/result_folder.hpp"
 #include "app/study/plausibility.hpp"
+#include "app/study/sensitivity.hpp"
 #include "app/study/sweep_study.hpp"
 
 namespace orbearing::app {
@@ -43,14 +45,20 @@ Shown shown_of(const ResolvedCase& resolved, AnalysisResult& result) {
 
 // Case, model, what was found, then assumptions, warnings, versions and units.
 nlohmann::ordered_json whole_json(const ResolvedCase& resolved, const AnalysisResult& result,
+                                  const std::vector<AssumedEffect>& effects,
                                   const nlohmann::ordered_json& found) {
   nlohmann::ordered_json object{{"case", resolved.text("name")}, {"model", resolved.choice("model")}};
   object.update(found);
-  object["assumptions"] = assumptions_json(resolved);
+  object["assumptions"] = assumptions_json(resolved, effects);
   object["warnings"] = result.warnings;
   object["versions"] = versions_json();
   object["units"].update(units_of(result.record));  // stiffness has such an object of its own
   return object;
+}
+
+// Of the run of a bearing under a static load, not of others of its analyses.
+std::vector<AssumedEffect> effects_of(const ResolvedCase& resolved, const ResultNames& names) {
+  return names.name == std::string_view("static") ? assumed_effects(resolved) : std::vector<AssumedEffect>{};
 }
 
 /// Returns their check sums by name.
@@ -87,7 +95,8 @@ int compute_and_keep(const ResolvedCase& resolved, const Options& options, const
       open_results(options.output, header, write_resolved(resolved), options.resume, options.quiet);
   AnalysisResult result = compute();
   const Shown shown = shown_of(resolved, result);
-  const nlohmann::ordered_json object = whole_json(resolved, result, shown.json);
+  const std::vector<AssumedEffect> effects = effects_of(resolved, names);
+  const nlohmann::ordered_json object = whole_json(resolved, result, effects, shown.json);
   if (options.take_record) options.take_record(result.record);
   if (!folder.finished().contains(0)) {
     std::map<std::string, std::string> others;
@@ -96,7 +105,7 @@ int compute_and_keep(const ResolvedCase& resolved, const Options& options, const
     folder.keep({{0, result_file(header, names.title, result.record, result.status),
                   row_of_values(folder.head(), result.row), std::move(others)}});
   }
-  present_result(object, shown.text, options);
+  present_result(object, shown.text + assumed_effects_text(resolved, effects), options);
   return result.failed ? 1 : 0;
 }
 
@@ -165,7 +174,7 @@ nlohmann::ordered_json printed_json(const ResolvedCase& resolved, const Analysis
   AnalysisResult result = analysis.compute(resolved, {});
   result.warnings = joined(unused, result.warnings);
   const Shown shown = shown_of(resolved, result);
-  return whole_json(resolved, result, shown.json);
+  return whole_json(resolved, result, effects_of(resolved, analysis.names), shown.json);
 }
 
 }  // namespace orbearing::app

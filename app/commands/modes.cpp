@@ -46,6 +46,29 @@ gearset::dynamics::SetModel model_at(const ResolvedCase& resolved, const Options
   return gear_model_of(with_speed(resolved, "input.speed", *options.speed));
 }
 
+// Natural frequencies at rest of gears without a bearing follow from neither power nor speed, which a case may
+// then leave out: any stand in their place.
+ResolvedCase point_for_modes(const Options& options) try {
+  return point_of(options);
+} catch (const BadInput& error) {
+  const auto is_of_the_drive = [](const std::string& message) {
+    return message.find(": input.power: missing") != std::string::npos ||
+           message.find(": input.speed: missing") != std::string::npos ||
+           message.find(": input.member: missing") != std::string::npos;
+  };
+  if (options.given || options.speed || !std::ranges::all_of(error.messages, is_of_the_drive)) throw;
+  Options driven = options;
+  for (const auto& [path, value] :
+       {std::pair("input.power", "1 kW"), {"input.speed", "1000 rpm"}, {"input.member", "sun"}})
+    if (std::ranges::any_of(error.messages, [&](const std::string& message) {
+          return message.find(std::string(": ") + path + ": missing") != std::string::npos;
+        }))
+      driven.settings.push_back(std::string(path) + "=" + value);
+  const ResolvedCase resolved = point_of(driven);
+  if (resolved.shape().bearing) throw;
+  return resolved;
+}
+
 int duplex_modes(const ResolvedCase& resolved, const Options& options) {
   const std::vector<std::string> unused = require_used(resolved, use::duplex_modes);
   const PairPoint point = pair_point(resolved);
@@ -59,7 +82,7 @@ int duplex_modes(const ResolvedCase& resolved, const Options& options) {
 }  // namespace
 
 int modes_command(const Options& options) {
-  const ResolvedCase resolved = point_of(options);
+  const ResolvedCase resolved = point_for_modes(options);
   if (is_duplex(resolved))
     return duplex_modes(
         options.speed ? with_speed(resolved, "operation.shaft_speed", *options.speed) : resolved, options);

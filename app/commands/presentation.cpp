@@ -16,6 +16,7 @@
 #include "app/study/life_peak.hpp"
 #include "app/study/motion_budget.hpp"
 #include "app/study/planetary_case.hpp"
+#include "app/study/sensitivity.hpp"
 #include "app/study/stiffness_study.hpp"
 #include "app/study/sweep_study.hpp"
 #include "app/study/sweep_warnings.hpp"
@@ -137,9 +138,21 @@ void put_options(const Options& options, SweepRequest& request) {
     };
 }
 
+namespace {
+
+// Of one operating point at rest; in a sweep or in time they would take too long.
+std::vector<AssumedEffect> effects_at_rest(const ResolvedCase& resolved, const SweepOutcome& outcome) {
+  const bool one = resolved.axes().empty() && outcome.rows.size() == 1 && outcome.failed == 0;
+  return one && outcome.header.fidelity == "quasi-static" ? assumed_effects(resolved)
+                                                          : std::vector<AssumedEffect>{};
+}
+
+}  // namespace
+
 nlohmann::ordered_json sweep_object(const ResolvedCase& resolved, const SweepOutcome& outcome, Record& form) {
   const FoundPeak found = find_peak(outcome);
-  nlohmann::ordered_json object = sweep_json(outcome, found.peak, assumptions_json(resolved),
+  nlohmann::ordered_json object = sweep_json(outcome, found.peak,
+                                             assumptions_json(resolved, effects_at_rest(resolved, outcome)),
                                              sweep_warnings(resolved, outcome, found), versions_json());
   form = sweep_form(found.peak);
   Record judged;
@@ -197,6 +210,7 @@ int present_sweep(const ResolvedCase& resolved, const SweepOutcome& outcome, con
                spectrum_text(outcome.header, outcome.spectra));
     if (const auto verdicts = verdicts_of(stated_requirements(resolved), outcome); !verdicts.empty())
       fmt::print("\n{}", verdicts_text(verdicts));
+    fmt::print("{}", assumed_effects_text(resolved, effects_at_rest(resolved, outcome)));
     print_warnings(before.warnings);
     print_warnings(sweep_warnings(resolved, outcome, found));
   }

@@ -7,11 +7,13 @@
 #include <nlohmann/json.hpp>
 
 #include "app/results/record_writers.hpp"
+#include "bearing/life/rating_record.hpp"
 
 namespace orbearing::app {
 
 namespace {
 
+using study::PlanetResult;
 using study::PointResult;
 
 constexpr double rpm_per_rad_s = 9.549296585513721;  // 30 / pi
@@ -115,6 +117,7 @@ ResultRow result_row(const PointResult& result, const std::vector<double>& axis_
   row.values.push_back(not_given);  // refined
   for (const double value : axis_values) row.values.push_back(in_table_unit(value, 1.0));
   add_sets(result, sets.size(), row);
+  if (row.ok()) row.planets = result.planets;
   return row;
 }
 
@@ -209,6 +212,31 @@ std::string csv_line(const TableHead& head, const ResultRow& row) {
   return line + '\n';
 }
 
+namespace {
+
+constexpr const char* kPlanets = "planets";
+
+nlohmann::ordered_json planet_json(const PlanetResult& planet) {
+  Record record;
+  study::describe_planet(record, planet);
+  return json_of(record);
+}
+
+double number_or_none(const nlohmann::ordered_json& value) {
+  return value.is_null() ? not_given : value.get<double>();
+}
+
+PlanetResult planet_from_json(const nlohmann::ordered_json& object) {
+  PlanetResult planet{.load_share = number_or_none(object.at("load_share")),
+                      .load = number_or_none(object.at("bearing_load_N")),
+                      .life_hours = number_or_none(object.at("life_h"))};
+  for (const bearing::rating::RatedLife& life : bearing::rating::kRatedLives)
+    planet.rated_hours.*life.hours = number_or_none(object.at(life.name));
+  return planet;
+}
+
+}  // namespace
+
 nlohmann::ordered_json row_json(const TableHead& head, const ResultRow& row) {
   auto object = nlohmann::ordered_json::object();
   for (std::size_t i = 0; i < head.names.size(); ++i) {
@@ -219,6 +247,7 @@ nlohmann::ordered_json row_json(const TableHead& head, const ResultRow& row) {
                          },
                          [&](const auto& plain) { field = plain; }});
   }
+  for (const PlanetResult& planet : row.planets) object[kPlanets].push_back(planet_json(planet));
   return object;
 }
 
@@ -242,6 +271,9 @@ ResultRow row_from_json(const TableHead& head, const nlohmann::ordered_json& obj
       value = field.get<double>();
     row.values.push_back(value);
   }
+  if (object.contains(kPlanets))
+    for (const nlohmann::ordered_json& planet : object.at(kPlanets))
+      row.planets.push_back(planet_from_json(planet));
   return row;
 }
 

@@ -79,6 +79,7 @@ struct ResultRow {
   bool refined = false;          // added to the grid around the peak
   std::string resonance_kind{};  // of the nearest resonance; empty where none is known
   std::string resonance_mode{};
+  std::vector<study::PlanetResult> planets{};  // one by one, where they carry unlike loads
   bool ok() const { return is_computed(status); }
 };
 
@@ -118,7 +119,7 @@ std::string csv_line(const TableHead& head, const ResultRow& row);
 /// The row as part of a record; a missing value is absent.
 void describe_row(described::Record& record, const TableHead& head, const ResultRow& row);
 
-/// Object with a key per column; a missing value is null.
+/// Object with a key per column; a missing value is null. `planets` lists those that carry unlike loads.
 nlohmann::ordered_json row_json(const TableHead& head, const ResultRow& row);
 
 /// The row that `row_json` wrote. Throws nlohmann::json::exception where a key is missing or of another type.

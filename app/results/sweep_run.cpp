@@ -328,13 +328,17 @@ void describe(Record& record, const LifePeak& peak) {
 
 Record sweep_form(const LifePeak& peak) {
   Record record;
-  record.table("points", "point", "operating points", std::array{study::PointResult{}},
+  study::PointResult form;
+  form.planets.resize(1);
+  record.table("points", "point", "operating points", std::array{form},
                [](Record& row, const study::PointResult& point) {
                  study::describe_row(row, point);
                  row.value(std::string(refined_column), "whether it was added around the peak", false);
                  row.value(std::string(limiting_set_column),
                            "of several sets, the one with the shortest bearing life", point.limiting_set);
                  describe(row, Resonance{});
+                 row.table("planets", "planet", "planets one by one, where they carry unlike loads",
+                           point.planets, study::describe_planet);
                });
   record.child("peak", "longest life over speed", peak);
   return record;

@@ -15,6 +15,7 @@
 #include "app/case/set_case.hpp"
 #include "app/case/static_case.hpp"
 #include "gearset/checks.hpp"
+#include "gearset/drivetrain/power_flow.hpp"
 
 namespace orbearing::app {
 
@@ -125,6 +126,13 @@ std::vector<std::string> gear_warnings(const ResolvedCase& resolved) {
     if (has_planet_pairs(set)) return;  // whose shifts are all stated
     for (const std::string& text : ring_sign_warnings(set)) texts.push_back(prefix + text);
   };
+  if (resolved.shape().several) {
+    const gearset::Arrangement arrangement = arrangement_of(resolved);
+    for (const std::size_t set : gearset::idle_sets(gearset::power_flow(arrangement)))
+      texts.push_back(fmt::format("sets.{}: idle. It transmits no torque between its shafts; its planet "
+                                  "bearings carry the inertia of planets and rollers alone",
+                                  arrangement.sets[set].name));
+  }
   if (!resolved.shape().teeth) return texts;
   if (!resolved.shape().several) add("", resolved);
   for (const std::string& set : resolved.shape().sets) add(set_prefix(set), resolved.of_set(set));

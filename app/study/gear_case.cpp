@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "app/case/bearing_type.hpp"
+#include "app/case/check_table.hpp"
 #include "app/case/described_case.hpp"
 #include "app/case/set_case.hpp"
 #include "app/errors.hpp"
@@ -140,8 +141,11 @@ study::GearRunOptions gear_run_options(const ResolvedCase& resolved) {
   return options;
 }
 
-std::vector<Derived> gear_dynamics_quantities(const ResolvedCase& resolved) {
-  const gearset::dynamics::SetModel model = gear_model_of(resolved);
+namespace {
+
+constexpr const char* kBearingStiffness = "planet.bearing_stiffness";
+
+std::vector<Derived> rows_of_gears(const gearset::dynamics::SetModel& model) {
   const gearset::dynamics::SetParameters& set = model.parameters;
   std::vector<Derived> rows;
   const auto add_body = [&](const std::string& member, double mass, double inertia) {
@@ -152,7 +156,7 @@ std::vector<Derived> gear_dynamics_quantities(const ResolvedCase& resolved) {
   add_body("ring", set.ring.mass, set.ring.inertia);
   add_body("carrier", set.carrier.mass, set.carrier.inertia);
   add_body("planet", set.planet.mass, set.planet.inertia);
-  rows.push_back(row("planet.bearing_stiffness", set.planet.bearing_stiffness, "N/m",
+  rows.push_back(row(kBearingStiffness, set.planet.bearing_stiffness, "N/m",
                      "all bearings of a planet with their pins"));
   rows.push_back(row("mesh_stiffness.sun", set.sun_mesh.stiffness.mean(), "N/m", "mean over a mesh period"));
   rows.push_back(
@@ -160,6 +164,23 @@ std::vector<Derived> gear_dynamics_quantities(const ResolvedCase& resolved) {
   if (model.operation.mesh_frequency > 0.0)
     rows.push_back(row("mesh_frequency", model.operation.mesh_frequency, "Hz", "at input.speed"));
   return rows;
+}
+
+}  // namespace
+
+// Where the bearings have no stiffness, as out of contact, all else is that with any other spring in their
+// place.
+std::vector<Derived> gear_dynamics_quantities(const ResolvedCase& resolved) {
+  const std::vector<Derived> rows =
+      or_reason(kBlock + kBearingStiffness, [&] { return rows_of_gears(gear_model_of(resolved)); });
+  if (!std::isnan(rows.front().value) || resolved.has(kBlock + kBearingStiffness)) return rows;
+  std::vector<Derived> all = or_reason(kBlock + "mesh_stiffness", [&] {
+    return rows_of_gears(gear_model_of(resolved.with(
+        {{"gearset.planet_rim", "rigid"}, {kBlock + kBearingStiffness, "1e9 N/m"}})));
+  });
+  std::erase_if(all, [&](const Derived& one) { return one.path == rows.front().path; });
+  all.push_back(rows.front());
+  return all;
 }
 
 std::vector<std::string> gear_dynamics_warnings(const ResolvedCase& resolved) {
@@ -318,8 +339,11 @@ void describe(Record& record, const ModeStudy& study) {
               "outward and tangential",
               along, shape.position)
         .detail = true;
-    row.array("shape_quarter", dimension::ratio, "the same a quarter of a period later", along, shape.quarter)
-        .detail = true;
+    // At rest all moves in phase: there is nothing to tell.
+    if (shape.quarter.cwiseAbs().maxCoeff() > 0.0)
+      row.array("shape_quarter", dimension::ratio, "the same a quarter of a period later", along,
+                shape.quarter)
+          .detail = true;
   });
 }
 

@@ -49,7 +49,20 @@ struct MeshedPair {
   std::array<double, 2> area{};         // [m^2]  of the gears of the case in section
   gearset::MeshingGears gears;
   gearset::Warnings warnings;
+  std::array<GearCircles, 2> circles{};  // of the gears of the case
 };
+
+// Of a gear of either kind in one mesh.
+template <class Tooth>
+GearCircles circles_of(const char* gear, const Tooth& tooth, double working_pressure_angle) {
+  return {.gear = gear,
+          .tip = 2.0 * tooth.tip_radius,
+          .reference = 2.0 * tooth.pitch_radius,
+          .base = 2.0 * tooth.base_radius,
+          .root = 2.0 * tooth.root_radius,
+          .pitch = 2.0 * tooth.base_radius / std::cos(working_pressure_angle),
+          .at_ring = {}};
+}
 
 MeshedPair meshed_pair(const gearset::GearPair& pair, const mechanics::Material& material) {
   const auto gear = [&](std::size_t which, const gearset::ExternalTooth& tooth) {
@@ -66,7 +79,9 @@ MeshedPair meshed_pair(const gearset::GearPair& pair, const mechanics::Material&
             .contact_ratio = g.contact_ratio,
             .area = {area(0, driving), area(1, driven)},
             .gears = gearset::meshing_gears(gear(0, driving), gear(1, driven), g.centre_distance, true),
-            .warnings = gearset::pair_warnings(g)};
+            .warnings = gearset::pair_warnings(g),
+            .circles = {circles_of(kGearNames[0], driving, g.working_pressure_angle),
+                        circles_of(kGearNames[1], driven, g.working_pressure_angle)}};
   }
   const gearset::InternalMesh g = gearset::internal_mesh(pair);
   const double outside = pair.ring_outside * g.ring.root_radius;
@@ -79,6 +94,10 @@ MeshedPair meshed_pair(const gearset::GearPair& pair, const mechanics::Material&
       .gears = gearset::meshing_gears(gearset::make_mesh_gear(g.ring, outside, pair.face_width, material),
                                       gear(pair.inside(), g.inside), g.centre_distance, pair.ring() == 0),
       .warnings = gearset::pair_warnings(g)};
+  found.circles.at(pair.ring()) =
+      circles_of(kGearNames[pair.ring()], g.ring, g.mesh.working_pressure_angle);
+  found.circles.at(pair.inside()) =
+      circles_of(kGearNames[pair.inside()], g.inside, g.mesh.working_pressure_angle);
   found.area.at(pair.ring()) = gearset::section_moments(g.ring, outside).area;
   found.area.at(pair.inside()) = area(pair.inside(), g.inside);
   return found;
@@ -91,6 +110,7 @@ MeshStudy pair_study(const ResolvedCase& in) {
   const std::size_t first = meshed.first, second = meshed.second;
   const bool ring = pair.is_internal();
   MeshStudy study;
+  study.gears = {meshed.circles.begin(), meshed.circles.end()};
   // The standard counts the shift of a ring as that of an external gear: positive inward.
   study.meshes.push_back({.name = "pair",
                           .first = kGearNames[first],
@@ -233,6 +253,7 @@ MeshStudy set_study(const ResolvedCase& in) {
   if (drivetrain.rim == study::PlanetRim::elastic) study.planet_rim = study::derive(drivetrain).rim;
   add(sun, meshes.sun_lag);
   add(ring, meshes.ring_lag);
+  study.gears = gear_circles(geometry);
   add_texts(gearset::tooth_warnings(geometry), study.warnings);
   for (std::string& text : ring_sign_warnings(in)) study.warnings.push_back(std::move(text));
   for (const gearset::Warning& warning : gearset::foundation_warnings(meshes))
@@ -243,6 +264,38 @@ MeshStudy set_study(const ResolvedCase& in) {
 }
 
 }  // namespace
+
+std::vector<GearCircles> gear_circles(const gearset::WorkingGeometry& geometry) {
+  const double sun_mesh = geometry.sun_mesh.working_pressure_angle,
+               ring_mesh = geometry.ring_mesh.working_pressure_angle;
+  std::vector<GearCircles> gears{circles_of("sun", geometry.sun, sun_mesh),
+                                 circles_of("planet", geometry.planet, sun_mesh),
+                                 circles_of("ring", geometry.ring, ring_mesh)};
+  if (geometry.second)
+    gears.push_back(circles_of("stepped_planet", *geometry.second, ring_mesh));
+  else
+    gears[1].at_ring = circles_of("planet", geometry.planet, ring_mesh).pitch;
+  return gears;
+}
+
+std::vector<Derived> circle_quantities(const std::string& prefix, const std::vector<GearCircles>& gears) {
+  std::vector<Derived> rows;
+  for (const GearCircles& one : gears) {
+    std::string gear = one.gear;
+    std::ranges::replace(gear, ' ', '_');
+    const auto add = [&](const char* circle, double diameter, const char* meaning) {
+      rows.push_back({prefix + gear + "." + circle + "_diameter", per_milli * diameter, "mm", meaning});
+    };
+    add("tip", one.tip, "of the tip circle");
+    add("reference", one.reference, "of the reference circle");
+    add("pitch", one.pitch, one.at_ring ? "of the working pitch circle in the sun mesh"
+                                        : "of the working pitch circle");
+    if (one.at_ring) add("ring_pitch", *one.at_ring, "of the working pitch circle in the ring mesh");
+    add("base", one.base, "of the base circle");
+    add("root", one.root, "of the root circle");
+  }
+  return rows;
+}
 
 MeshStudy mesh_study(const ResolvedCase& resolved) {
   if (resolved.model() == gear_pair) return pair_study(resolved);
@@ -266,7 +319,8 @@ std::vector<Derived> pair_quantities(const ResolvedCase& resolved, const MeshStu
   const gearset::GearPair pair = pair_of(resolved);
   const MeshedPair geometry = meshed_pair(pair, elasticity_of(resolved));
   const double mass_per_area = resolved.quantity("material.density") * pair.face_width;
-  return {{"pair.centre_distance", 1e3 * geometry.centre_distance, "mm", "working, without backlash"},
+  std::vector<Derived> rows{
+          {"pair.centre_distance", 1e3 * geometry.centre_distance, "mm", "working, without backlash"},
           {"pair.working_pressure_angle", kDegree * geometry.working_pressure_angle, "deg", "working"},
           {"pair.contact_ratio", geometry.contact_ratio, "1",
            "where the involutes end; of helical teeth transverse"},
@@ -276,6 +330,8 @@ std::vector<Derived> pair_quantities(const ResolvedCase& resolved, const MeshStu
           {"pair.mass.second", mass_per_area * geometry.area[1], "kg", "the driven gear"},
           {"pair.mesh_stiffness", study.meshes.front().stiffness.curve.mean(), "N/m",
            "mean over the mesh period, from tooth geometry"}};
+  for (Derived& row : circle_quantities("pair.", study.gears)) rows.push_back(std::move(row));
+  return rows;
 }
 
 namespace {
@@ -438,8 +494,21 @@ void describe(Record& row, const NamedMesh& mesh) {
   }
 }
 
+void describe(Record& row, const GearCircles& gear) {
+  row.value("name", "", gear.gear);
+  row.value("tip_mm", dimension::length, "diameter of the tip circle", gear.tip);
+  row.value("reference_mm", dimension::length, "diameter of the reference circle", gear.reference);
+  row.value("pitch_mm", dimension::length,
+            "diameter of the working pitch circle; of a planet, in the sun mesh", gear.pitch);
+  row.value("ring_pitch_mm", dimension::length, "diameter of a planet's working pitch circle in the ring mesh",
+            gear.at_ring.value_or(described::kAbsent));
+  row.value("base_mm", dimension::length, "diameter of the base circle", gear.base);
+  row.value("root_mm", dimension::length, "diameter of the root circle", gear.root);
+}
+
 void describe(Record& record, const MeshStudy& study) {
   record.table("meshes", "mesh", "stiffness over the mesh period", study.meshes);
+  record.table("gears", "gear", "diameters of the gears", study.gears);
   if (study.axial) record.child("axial", "forces of helical teeth", *study.axial, describe_axial);
   if (study.planet_rim)
     record.child("planet_rim", "influence functions of the elastic rim", *study.planet_rim, describe_rim);

@@ -43,8 +43,26 @@ struct AxialForces {
   gearset::AxialReactions reactions;
 };
 
+/// Circles of one gear, transverse. Gears that mesh twice have a working pitch circle in each mesh.
+struct GearCircles {
+  std::string gear;               // "sun"
+  double tip = 0.0;               // [m]  diameters
+  double reference = 0.0;         // [m]
+  double base = 0.0;              // [m]
+  double root = 0.0;              // [m]
+  double pitch = 0.0;             // [m]  working; of a planet in the sun mesh
+  std::optional<double> at_ring;  // [m]  working, of a planet in the ring mesh
+};
+
+/// Of sun, planet and ring, and of the second gear of a stepped planet.
+std::vector<GearCircles> gear_circles(const gearset::WorkingGeometry& geometry);
+/// The same for `check`, each under `prefix` and its gear's name: "gearset.sun.tip_diameter".
+std::vector<Derived> circle_quantities(const std::string& prefix, const std::vector<GearCircles>& gears);
+void describe(described::Record& row, const GearCircles& gear);
+
 struct MeshStudy {
   std::vector<NamedMesh> meshes;
+  std::vector<GearCircles> gears;
   std::optional<AxialForces> axial;                              // of helical teeth
   std::shared_ptr<const gearset::rim::RimInfluence> planet_rim;  // where the case has it elastic
   std::vector<std::string> warnings;

@@ -10,6 +10,7 @@
 #include "app/case/arrangement_case.hpp"
 #include "app/case/bearing_type.hpp"
 #include "app/case/catalogue_case.hpp"
+#include "app/case/check_table.hpp"
 #include "app/case/defect_case.hpp"
 #include "app/case/described_case.hpp"
 #include "app/case/set_case.hpp"
@@ -17,6 +18,7 @@
 #include "app/errors.hpp"
 #include "app/study/drivetrain_case.hpp"
 #include "app/study/gear_case.hpp"
+#include "app/study/mesh_study.hpp"
 #include "app/units.hpp"
 #include "bearing/equilibrium/inclined_rows.hpp"
 #include "bearing/life/inclined_rating.hpp"
@@ -100,6 +102,7 @@ void add_gears(const study::PlanetaryDrivetrain& drivetrain, const study::Drivet
         {"gearset.base_helix_angle", kDegree * gears.base_helix_angle, "deg", "at the base cylinders"});
     rows.push_back({"gearset.overlap_ratio", gears.overlap_ratio, "1", "face width in axial pitches"});
   }
+  for (Derived& row : circle_quantities("gearset.", gear_circles(gears))) rows.push_back(std::move(row));
   if (gears.second)
     rows.push_back({"gearset.stepped_planet.length", per_milli * gearset::gear_planes(drivetrain.set).length,
                     "mm", "of a planet with both gears, from whose middle the places of bearings count"});
@@ -179,6 +182,9 @@ void add_bearing(const study::PlanetaryDrivetrain& drivetrain, const study::Driv
          kDegree * bearing::taper_of(drivetrain.bearing.element_diameter(), drivetrain.bearing.pitch_diameter,
                                      drivetrain.rows.contact_angle),
          "deg", "of a tapered roller, whose races meet on the bearing's axis"});
+  if (std::isfinite(geometry.rim_over_module))
+    rows.push_back({"gearset.rim_over_module", geometry.rim_over_module, "1",
+                    "rim of a planet between roots and bore, in normal modules"});
   if (drivetrain.bearing.has_cage())
     rows.push_back({"bearing.cage.mass", 1e3 * g.cage_mass, "g", "ring less pockets"});
   const bearing::rating::StatedRatings& stated = drivetrain.rated.stated;
@@ -431,22 +437,43 @@ gearset::WorkingGeometry add_gears_alone(const study::PlanetaryDrivetrain& drive
   return geometry.gears;
 }
 
+// With the load that a pin takes from its planet.
+void add_motion_without_bearing(const study::PlanetaryDrivetrain& drivetrain,
+                                const gearset::WorkingGeometry& gears, const gearset::MeanLoads& loads,
+                                std::vector<Derived>& rows) {
+  add_motion(drivetrain.set, loads, rows);
+  const double outward = gearset::planet_body(drivetrain.set, gears).mass * loads.carrier_speed *
+                         loads.carrier_speed * gears.centre_distance;
+  rows.push_back({"operation.pin_load_x", loads.radial_force + outward, "N",
+                  "both meshes and the planet's gear on its pin, outward"});
+  rows.push_back({"operation.pin_load_y", loads.tangential_force, "N", "the same, in the sense of rotation"});
+}
+
 std::vector<Derived> quantities_without_bearing(const ResolvedCase& resolved) {
   std::vector<Derived> rows;
   if (!resolved.shape().teeth) return rows;
   const study::PlanetaryDrivetrain drivetrain = drivetrain_of(resolved);
   const gearset::WorkingGeometry gears = add_gears_alone(drivetrain, rows);
-  add_motion(drivetrain.set, gearset::mean_loads(drivetrain.set, gears, drivetrain.drive), rows);
+  add_motion_without_bearing(drivetrain, gears,
+                             gearset::mean_loads(drivetrain.set, gears, drivetrain.drive), rows);
   add_motor_speed(drivetrain.drive, rows);
   return rows;
 }
 
-// Of several sets those without a bearing; their speeds and torques are in the flow of power.
+// Of several sets those without a bearing.
 void add_sets_without_bearing(const ResolvedCase& resolved, std::vector<Derived>& rows) {
-  for (const std::string& name : resolved.shape().sets) {
+  if (!resolved.shape().several) return;
+  const gearset::PowerFlow flow = gearset::power_flow(arrangement_of(resolved));
+  const std::vector<std::string>& names = resolved.shape().sets;
+  for (std::size_t set = 0; set < names.size(); ++set) {
+    const std::string& name = names[set];
     if (has_planet_bearing(resolved, set_prefix(name))) continue;
     std::vector<Derived> of_set;
-    add_gears_alone(drivetrain_of(resolved.of_set(name)), of_set);
+    const study::PlanetaryDrivetrain drivetrain = drivetrain_of(resolved.of_set(name));
+    const gearset::WorkingGeometry gears = add_gears_alone(drivetrain, of_set);
+    add_motion_without_bearing(
+        drivetrain, gears,
+        gearset::mean_loads(drivetrain.set, gears, flow.sets[set], drive_of(resolved)), of_set);
     for (Derived& row : of_set)
       rows.push_back({set_prefix(name) + row.path, row.value, row.unit, row.meaning});
   }
@@ -507,9 +534,19 @@ std::vector<Derived> quantities_of_sets(const ResolvedCase& resolved) {
     std::vector<Derived> of_set;
     add_gears(set.drivetrain, set.geometry, of_set);
     add_bearing(set.drivetrain, set.geometry, of_set);
-    add_clearance(resolved, set, of_set);
-    add_duty(set.drivetrain, study::bearing_duty(set.drivetrain, set.geometry), of_set);
-    add_load_sharing(resolved, set, of_set);
+    const auto add = [&](const char* path, const auto& add_rows) {
+      const std::vector<Derived> more = or_reason(path, [&] {
+        std::vector<Derived> own;
+        add_rows(own);
+        return own;
+      });
+      of_set.insert(of_set.end(), more.begin(), more.end());
+    };
+    add("bearing.clearance", [&](std::vector<Derived>& own) { add_clearance(resolved, set, own); });
+    add("operation", [&](std::vector<Derived>& own) {
+      add_duty(set.drivetrain, study::bearing_duty(set.drivetrain, set.geometry), own);
+    });
+    add("one_pin_off", [&](std::vector<Derived>& own) { add_load_sharing(resolved, set, own); });
     if (!resolved.has("support.stiffness"))  // of several sets, each has its own pin
       of_set.push_back({"support.stiffness", set.drivetrain.dynamics.support.stiffness, "N/m",
                         "of the pin at one bearing, from its dimensions"});
@@ -562,6 +599,9 @@ void describe_power(described::Record& record, const ResolvedCase& resolved) {
                  row.value("power_W", dimension::heat, "positive where it enters the set", power * of.power);
                  row.value("share", dimension::ratio, "of the input power", of.power);
                });
+  if (const std::vector<std::size_t> idle = gearset::idle_sets(flow); !idle.empty())
+    record.value("idle_sets", "that transmit no torque",
+                 each(idle, [&](std::size_t set) { return arrangement.sets[set].name; }));
   record.child(
       "power_circulation", "members that carry more than the input", gearset::power_circulation(flow),
       [&](Record& circulation, const gearset::PowerCirculation& of) {

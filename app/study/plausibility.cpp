@@ -32,6 +32,8 @@ const std::string kOverTilted =
     "more than makers allow; state load.tilt where the shaft and its other bearing hold the ring";
 const std::string kSkidding = "less than a hundredth of C, below which rolling elements skid";
 
+const std::string kThinnestRim = "thinnest_rim";
+
 void add_meshes(const gearset::PlanetarySet& set, const gearset::WorkingGeometry& geometry,
                 const gearset::MeanLoads& loads, std::vector<Observation>& found) {
   found.push_back({"pitch_line_speed_m_s", std::abs(loads.planet_speed_relative) *
@@ -43,6 +45,7 @@ void add_motion(const study::NamedSet& set, std::vector<Observation>& found) {
   const gearset::MeanLoads loads = study::bearing_duty(set.drivetrain, set.geometry).gears;
   found.push_back({"n_dm", kMillimetresPerMinute * std::abs(loads.planet_speed_relative) *
                                set.drivetrain.bearing.pitch_diameter});
+  found.push_back({kThinnestRim, set.geometry.rim_over_module});
   add_meshes(set.drivetrain.set, set.geometry.gears, loads, found);
 }
 
@@ -107,6 +110,14 @@ const std::vector<PlausibleRange>& plausible_ranges() {
        {-kNone, ""},
        {200.0, "beyond usual turbo gears"},
        {-kNone, 400.0, "the speed at which a steel ring bursts"}},
+      // [ISO6336Part3]: the tooth root is weakened below 1.2 times the tooth depth, 2.7 modules, and has no
+      // strength below half of that depth, 1.1 modules.
+      {{{kThinnestRim}, "gearset", "rim of a planet between roots and bore, in modules,", ""},
+       {3.0,
+        "which makes it oval and weakens the tooth roots: lives by a rigid rim are uncertain (use a smaller "
+        "outside diameter, or compute gearset.planet_rim: elastic)"},
+       {kNone, ""},
+       {1.2, kNone, "a thinner rim bears no teeth"}},
       // Torque per module cubed, freed of face width and tooth number: F_n/(b m). The root stress is 4 to 5
       // times it;
       // case-hardened teeth bear some 100 to 250 MPa for good.
@@ -209,6 +220,16 @@ std::vector<Observation> observations(const ResolvedCase& at_point) {
   else if (at_point.shape().teeth)
     add_gears_alone(at_point, found);
   return found;
+}
+
+std::vector<std::string> rim_warnings(const ResolvedCase& at_point) {
+  if (at_point.model() != planetary_drivetrain || !(at_point.shape().several || at_point.shape().bearing))
+    return {};
+  std::vector<std::string> warnings;
+  for (const study::NamedSet& set : bearing_sets(at_point))
+    for (const std::string& text : judge({{kThinnestRim, set.geometry.rim_over_module}}).warnings)
+      warnings.push_back((set.name.empty() ? "" : set_prefix(set.name)) + text);
+  return warnings;
 }
 
 study::PointResult judged(study::PointResult result, const std::vector<study::NamedSet>& sets) {

@@ -52,8 +52,11 @@ Judgement judge(const std::vector<Observation>& observed);
 std::vector<Observation> observations(const nlohmann::ordered_json& object);
 
 /// What speeds and loads of the case say before any bearing is solved: n_dm, pitch_line_speed_m_s,
-/// unit_load_MPa. Empty for models without them.
+/// unit_load_MPa, thinnest_rim. Empty for models without them.
 std::vector<Observation> observations(const ResolvedCase& at_point);
+
+/// Warning of a planet's rim that is thin for its module, before any bearing is solved; empty where none is.
+std::vector<std::string> rim_warnings(const ResolvedCase& at_point);
 
 /// The point with the status that its values deserve.
 study::PointResult judged(study::PointResult result, const std::vector<study::NamedSet>& sets);

@@ -12,7 +12,10 @@
 #include "app/results/record_writers.hpp"
 #include "app/results/result_row.hpp"
 #include "app/study/fidelity.hpp"
+#include "app/study/planetary_case.hpp"
+#include "app/study/static_study.hpp"
 #include "app/units.hpp"
+#include "bearing/life/rating_record.hpp"
 
 namespace orbearing::app {
 
@@ -130,7 +133,117 @@ void warn_of_load_sharing(const ResolvedCase& in, const std::vector<Derived>& de
       share, life.quantity, shortest, 100.0 * (shortest / even - 1.0), even));
 }
 
+constexpr double kMovesALife = 0.01;  // [-]
+
+using Lives = std::vector<std::pair<std::string, double>>;  // names, hours or revolutions
+
+// Of one bearing at rest, of several sets of the one that results go by; none where there is no such result.
+Lives lives_at_rest(const ResolvedCase& in) {
+  try {
+    if (in.model() == planetary_drivetrain) {
+      std::vector<study::NamedSet> sets = bearing_sets(in);
+      for (study::NamedSet& set : sets) set.drivetrain.carrier_mounting.reset();
+      const study::PointResult point = study::evaluate(sets);
+      Lives lives;
+      for (const bearing::rating::RatedLife& life : bearing::rating::kRatedLives)
+        lives.emplace_back(life.name, point.rating.hours.*life.hours);
+      lives.emplace_back("life_h", point.life_hours);
+      return lives;
+    }
+    if (!is_static_bearing(in)) return {};
+    const LifeValue value = static_study(in).life_table().value;
+    const bool timed = std::isfinite(value("life_h"));
+    Lives lives;
+    for (const char* name : {"L10", "L10r", "L10m", "L10mr", "life"}) {
+      const std::string unit = timed ? (name == std::string("life") ? "_h" : "h") : "_Mrev";
+      lives.emplace_back(name + unit, value(name + unit));
+    }
+    return lives;
+  } catch (const BadInput&) {
+  } catch (const std::runtime_error&) {  // its run says that
+  } catch (const std::logic_error&) {
+  }
+  return {};
+}
+
+struct Effect {
+  std::string text;
+  double largest = 0.0;  // [-]  size of the largest change of a life
+};
+
+// Empty where no life changes.
+Effect effect_on(const Lives& here, const Lives& there) {
+  Effect effect;
+  for (std::size_t i = 0; i < here.size() && i < there.size(); ++i) {
+    const double change = there[i].second / here[i].second - 1.0;
+    if (!std::isfinite(change) || std::abs(change) < kMovesALife) continue;
+    effect.text += fmt::format("{}{} {:+.0f} %", effect.text.empty() ? "" : ", ", here[i].first, 100.0 * change);
+    effect.largest = std::max(effect.largest, std::abs(change));
+  }
+  return effect;
+}
+
+// Other values of an assumed input, as a case writes them.
+std::vector<Setting> alternatives(const ResolvedCase& in, const Input& input) {
+  const Field& field = *input.field;
+  std::vector<Setting> others;
+  if (field.kind == Kind::choice)
+    for (const std::string& other : field.choices)
+      if (other != in.choice(input.path)) others.push_back({input.path, other});
+  if (field.kind == Kind::flag) others.push_back({input.path, in.flag(input.path) ? "false" : "true"});
+  if ((field.kind == Kind::quantity || field.kind == Kind::number) && in.value(input.path).number != 0.0)
+    others.push_back({input.path, "", (1.0 + kMore) * in.value(input.path).number});
+  return others;
+}
+
+// What is left out is no estimate: the meaning of the power and of L10, what results go by, and effects that
+// take seconds or are another machine.
+bool is_assumption(const ResolvedCase& in, const Input& input, use::Analysis analysis) {
+  return in.has(input.path) && in.origin(input.path) == "default" &&
+         !is_one_of(input.field->path,
+                    {"input.application_factor", "life.reliability", "life.method", "gearset.planet_rim",
+                     "bearing.tilt_state", "gearset.fixed", "bearing.complement", "bearing.clearance_state",
+                     "lubricant.grade"}) &&
+         use_status_in_row(in, input, analysis) == UseStatus::used;
+}
+
 }  // namespace
+
+std::vector<AssumedEffect> assumed_effects(const ResolvedCase& resolved) {
+  const ResolvedCase in = simplified(resolved);
+  const Lives here = lives_at_rest(in);
+  std::vector<std::pair<double, AssumedEffect>> found;
+  if (here.empty()) return {};
+  const use::Analysis analysis =
+      in.model() == planetary_drivetrain ? use::quasi_static : use::static_load;
+  for (const Input& input : in.inputs()) {
+    if (!is_assumption(in, input, analysis)) continue;
+    std::string text;
+    double largest = 0.0;
+    for (const Setting& other : alternatives(in, input)) try {
+        const ResolvedCase changed = in.with({other});
+        if (changed.given(input.path) == in.given(input.path)) continue;  // another input decides it
+        const Effect effect = effect_on(here, lives_at_rest(changed));
+        if (effect.text.empty()) continue;
+        text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", changed.given(input.path), effect.text);
+        largest = std::max(largest, effect.largest);
+      } catch (const BadInput&) {  // no such case
+      }
+    if (!text.empty()) found.push_back({largest, {input.path, std::move(text)}});
+  }
+  std::ranges::stable_sort(found, std::ranges::greater{}, [](const auto& one) { return one.first; });
+  std::vector<AssumedEffect> effects;
+  for (auto& [size, effect] : found) effects.push_back(std::move(effect));
+  return effects;
+}
+
+std::string assumed_effects_text(const ResolvedCase& resolved, const std::vector<AssumedEffect>& effects) {
+  if (effects.empty()) return "";
+  std::string text = "assumed inputs that change the lives, and their effect:\n";
+  for (const auto& [path, effect] : effects)
+    text += fmt::format("  {} {}; {}\n", path, resolved.given(path), effect);
+  return text + "\n";
+}
 
 std::vector<std::string> default_warnings(const ResolvedCase& resolved, const std::vector<Derived>& derived) {
   std::vector<std::string> warnings;

@@ -64,6 +64,18 @@ void describe_reading(described::Record& row, const std::string& case_name, cons
 
 // What a life hangs on that the case does not state.
 
+/// An assumed input and what other values of it do to the lives: "oil-bath: L10mh -61 %, L10mrh -58 %".
+struct AssumedEffect {
+  std::string path;
+  std::string text;
+};
+
+/// Of a run at rest: inputs that the case leaves to their defaults and of which another choice, or a number
+/// 10 % larger, changes a life by 1 % or more; the largest effects first. Rims are taken as rigid and tilts
+/// as stated, which keeps it fast.
+std::vector<AssumedEffect> assumed_effects(const ResolvedCase& resolved);
+std::string assumed_effects_text(const ResolvedCase& resolved, const std::vector<AssumedEffect>& effects);
+
 /// Warnings of `check`: the defaults of which a tenth more changes the life at rest by at least a tenth, the
 /// three largest effects first, and what one pin off by its tolerance costs where `derived` has it. None for
 /// cases without a life at rest. Rims are taken as rigid and tilts as stated, which keeps it fast.

@@ -255,7 +255,11 @@ void describe(Record& record, const StaticStudy& study) {
                study.state.moment);
   record.value("pressure_max_MPa", dimension::pressure, "after Hertz", study.state.largest_pressure)
       .variable = "largest_pressure";
-  record.value("equivalent_load_N", dimension::force, "P of ISO 281", study.lives.dynamic_load);
+  record.value("equivalent_load_N", dimension::force,
+               study.bearing.contact_angle() > 0.0
+                   ? "P of ISO 281, by X and Y of one row; a pair that its maker rates has others"
+                   : "P of ISO 281",
+               study.lives.dynamic_load);
   record.child("ratings", "by the standards", study.ratings, describe_ratings);
   record.child("factors", "of the modified lives", study.lives, describe_factors).detail = true;
   record.child("reference_life", "by ISO/TS 16281", study.lives.reference, describe_life).detail = true;
@@ -463,7 +467,12 @@ std::vector<Derived> static_quantities(const ResolvedCase& in) {
   if (!in.has("bearing.fatigue_load_limit"))
     rows.push_back(
         {"bearing.fatigue_load_limit", ratings.fatigue_load_limit, "N", "C_u of ISO 281, by C_0r"});
-  add_lives_by_load(in, bearing, rows);
+  for (Derived& row : or_reason("life", [&] {
+         std::vector<Derived> lives;
+         add_lives_by_load(in, bearing, lives);
+         return lives;
+       }))
+    rows.push_back(std::move(row));
   if (bearing.has_rollers()) return rows;
   const bearing::equilibrium::BallRow row(bearing);
   rows.push_back({"bearing.groove_distance", 1e3 * row.groove_distance(), "mm", "A, of the groove centres"});

@@ -225,6 +225,15 @@ nlohmann::ordered_json assumptions_json(const ResolvedCase& resolved) {
   return list;
 }
 
+nlohmann::ordered_json assumptions_json(const ResolvedCase& resolved,
+                                        const std::vector<AssumedEffect>& effects) {
+  nlohmann::ordered_json list = assumptions_json(resolved);
+  for (const AssumedEffect& one : effects)
+    for (nlohmann::ordered_json& assumption : list)
+      if (assumption.at("key") == one.path) assumption["effect"] = one.text;
+  return list;
+}
+
 nlohmann::ordered_json given_json(const ResolvedCase& resolved) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const auto& [path, field] : resolved.inputs())

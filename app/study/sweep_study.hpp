@@ -7,6 +7,7 @@
 
 #include "app/case/resolved_case.hpp"
 #include "app/results/sweep_run.hpp"
+#include "app/study/sensitivity.hpp"
 
 namespace orbearing::app {
 
@@ -40,6 +41,9 @@ void continue_from_neighbours(const ResolvedCase& resolved, Direction direction,
 
 /// `assumptions` and `versions` as results carry them, and what the case states as it is written.
 nlohmann::ordered_json assumptions_json(const ResolvedCase& resolved);
+/// The same, with `effect` on the lives where there is one.
+nlohmann::ordered_json assumptions_json(const ResolvedCase& resolved,
+                                        const std::vector<AssumedEffect>& effects);
 nlohmann::ordered_json given_json(const ResolvedCase& resolved);
 nlohmann::ordered_json versions_json();
 

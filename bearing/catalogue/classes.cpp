@@ -4,6 +4,7 @@
 #include <array>
 #include <span>
 #include <stdexcept>
+#include <utility>
 
 #include "mechanics/checks.hpp"
 
@@ -76,24 +77,32 @@ constexpr std::size_t kSteps = 11;
 // Steps of diameters: each value below holds up to this [mm], from the one before, the first from 3 mm.
 constexpr std::array<double, kSteps> kUpTo{6, 10, 18, 30, 50, 80, 120, 180, 250, 315, 400};
 
-// Tolerances of the grades 4 to 7 [um].
-constexpr std::array<std::array<double, kSteps>, 4> kGrades{{{4, 4, 5, 6, 7, 8, 10, 12, 14, 16, 18},
+// Tolerances of the grades 4 to 8 [um].
+constexpr std::array<std::array<double, kSteps>, 5> kGrades{{{4, 4, 5, 6, 7, 8, 10, 12, 14, 16, 18},
                                                              {5, 6, 8, 9, 11, 13, 15, 18, 20, 23, 25},
                                                              {8, 9, 11, 13, 16, 19, 22, 25, 29, 32, 36},
-                                                             {12, 15, 18, 21, 25, 30, 35, 40, 46, 52, 57}}};
+                                                             {12, 15, 18, 21, 25, 30, 35, 40, 46, 52, 57},
+                                                             {18, 22, 27, 33, 39, 46, 54, 63, 72, 81, 89}}};
 
-// The end of a shaft's field that is nearer to the nominal diameter [um]: above it, but for g, which lies
-// below.
+// The end of a shaft's field that is nearer to the nominal diameter [um]: above it, but for f and g, which
+// lie below.
 struct ShaftLetter {
   std::string_view letter;
   std::array<double, kSteps> nearer;
 };
-constexpr std::array<ShaftLetter, 6> kShafts{{{"g", {-4, -5, -6, -7, -9, -10, -12, -14, -15, -17, -18}},
+constexpr std::array<ShaftLetter, 7> kShafts{{{"f", {-10, -13, -16, -20, -25, -30, -36, -43, -50, -56, -62}},
+                                              {"g", {-4, -5, -6, -7, -9, -10, -12, -14, -15, -17, -18}},
                                               {"h", {}},
                                               {"k", {1, 1, 1, 2, 2, 2, 3, 3, 4, 4, 4}},
                                               {"m", {4, 6, 7, 8, 9, 11, 13, 15, 17, 20, 21}},
                                               {"n", {8, 10, 12, 15, 17, 20, 23, 27, 31, 34, 37}},
                                               {"p", {12, 15, 18, 22, 26, 32, 37, 43, 50, 56, 62}}}};
+
+// The letter j lies about the nominal diameter by no rule: least deviation of shafts, of grades 5 and 6, and
+// most of holes, of grades 6 and 7 [um].
+constexpr std::array<double, kSteps> kLeastOfJ{-2, -2, -3, -4, -5, -7, -9, -11, -13, -16, -18};
+constexpr std::array<std::array<double, kSteps>, 2> kMostOfJ{{{5, 5, 6, 8, 10, 13, 16, 18, 22, 25, 29},
+                                                              {6, 8, 10, 12, 14, 18, 22, 26, 30, 36, 39}}};
 
 std::size_t step_of(double diameter) {
   constexpr double least = 3e-3, round_off = 1e-9;  // [m]
@@ -130,12 +139,23 @@ const std::array<double, kSteps>& nearer_end(const std::string& letter) {
   throw std::logic_error("no class of seats with the letter '" + letter + "'");
 }
 
-std::vector<std::string> classes(const std::vector<std::string>& letters, int first_grade) {
-  std::vector<std::string> all;
+// Of those letters in the grades up to 7, before them `singles`.
+std::vector<std::string> classes(std::vector<std::string> singles, const std::vector<std::string>& letters,
+                                 int first_grade) {
+  std::vector<std::string> all = std::move(singles);
   for (const std::string& letter : letters)
     for (int grade = first_grade; grade <= 7; ++grade) all.push_back(letter + std::to_string(grade));
   return all;
 }
+
+// Shafts of the letters f, g and h, whose holes lie above the nominal diameter.
+bool lies_below(const Class& name) {
+  return name.letter == "f" || name.letter == "g" || name.letter == "h";
+}
+
+// The exception that [ISO286] makes of its rule: M6 above 250 to 315 mm, -9 instead of -11 um.
+constexpr std::size_t kFrom250 = 9;
+constexpr double kMostOfM6 = -9;
 
 Deviations micrometres(double least, double most) {
   return {kSeatMicrometre * least, kSeatMicrometre * most};
@@ -154,11 +174,11 @@ double outside_tolerance(double diameter) {
 }  // namespace
 
 std::vector<std::string> shaft_classes() {
-  return classes({"g", "h", "js", "k", "m", "n", "p"}, 5);
+  return classes({"j5", "j6"}, {"g", "h", "js", "k", "m", "n", "p"}, 5);
 }
 
 std::vector<std::string> hole_classes() {
-  return classes({"G", "H", "JS", "K", "M", "N", "P"}, 6);
+  return classes({"F7", "H8", "J6", "J7"}, {"G", "H", "JS", "K", "M", "N", "P"}, 6);
 }
 
 Deviations shaft_deviations(std::string_view shaft, double diameter) {
@@ -166,9 +186,9 @@ Deviations shaft_deviations(std::string_view shaft, double diameter) {
   const std::size_t step = step_of(diameter);
   const double width = tolerance(name.grade, step);
   if (name.letter == "js") return micrometres(-0.5 * width, 0.5 * width);
+  if (name.letter == "j") return micrometres(kLeastOfJ.at(step), kLeastOfJ.at(step) + width);
   const double nearer = nearer_end(name.letter).at(step);
-  const bool below = name.letter == "g" || name.letter == "h";
-  return below ? micrometres(nearer - width, nearer) : micrometres(nearer, nearer + width);
+  return lies_below(name) ? micrometres(nearer - width, nearer) : micrometres(nearer, nearer + width);
 }
 
 // Holes mirror shafts; of those that press, the finer grade of the shaft that goes with them makes the fit,
@@ -178,8 +198,13 @@ Deviations hole_deviations(std::string_view hole, double diameter) {
   const std::size_t step = step_of(diameter);
   const double width = tolerance(name.grade, step);
   if (name.letter == "js") return micrometres(-0.5 * width, 0.5 * width);
+  if (name.letter == "j") {
+    const double most = kMostOfJ.at(static_cast<std::size_t>(name.grade - 6)).at(step);
+    return micrometres(most - width, most);
+  }
   const double nearer = -nearer_end(name.letter).at(step);
-  if (name.letter == "g" || name.letter == "h") return micrometres(nearer, nearer + width);
+  if (lies_below(name)) return micrometres(nearer, nearer + width);
+  if (hole == "M6" && step == kFrom250) return micrometres(kMostOfM6 - width, kMostOfM6);
   const double upper = nearer + width - tolerance(name.grade - 1, step);
   return micrometres(upper - width, upper);
 }

@@ -46,7 +46,7 @@ struct Deviations {
 };
 
 /// Classes of shafts ("k5") and of holes ("N6") that are known here: g h js k m n p in grades 5 to 7, and
-/// their capitals in grades 6 and 7.
+/// their capitals in grades 6 and 7; besides j5, j6, F7, H8, J6 and J7.
 std::vector<std::string> shaft_classes();
 std::vector<std::string> hole_classes();
 

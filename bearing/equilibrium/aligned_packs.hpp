@@ -11,6 +11,7 @@
 // instruction sets give the same bits.
 #pragma once
 
+#include "bearing/contact/least_approach.hpp"
 #include "bearing/contact/line_law.hpp"
 #include "bearing/equilibrium/aligned_engine.hpp"
 #include "mechanics/packs/aligned_array.hpp"
@@ -242,7 +243,8 @@ class PackEquilibrium final : public AlignedEngine {
   void place_rollers(const AlignedInput& input, int first);
   void start(const AlignedInput& input, int first);
   RingBalance balance(const Mask& done);
-  void balance_roller(RollerUnknown& roller, const Mask& done, RingBalance& sums) const;
+  /// `touch` [N^0.9]: up to this an approach is round-off.
+  void balance_roller(RollerUnknown& roller, const Mask& done, const Pack& touch, RingBalance& sums) const;
   PlaneVector newton_step(const RingBalance& now) const;
   /// Moves the rings of all lanes but `done` and those it returns: their step is lost in round-off.
   Mask move(const RingBalance& now, const Mask& done, bool patient);
@@ -304,9 +306,10 @@ inline void PackEquilibrium::start(const AlignedInput& input, int first) {
   }
 }
 
-inline void PackEquilibrium::balance_roller(RollerUnknown& roller, const Mask& done,
+inline void PackEquilibrium::balance_roller(RollerUnknown& roller, const Mask& done, const Pack& touch,
                                             RingBalance& sums) const {
-  const Pack approach = -c_.half_clearance - (u_.x * roller.e_x + u_.y * roller.e_y);
+  const Pack gap = -c_.half_clearance - (u_.x * roller.e_x + u_.y * roller.e_y);
+  const Pack approach = only(absolute(gap) > touch, gap);
   const Pack outward = larger(roller.inertial, Pack{});
   if (!any(approach > 0.0)) {
     roller.x = roller.step = roller.slope = roller.squeeze = Pack{};
@@ -348,7 +351,9 @@ inline void PackEquilibrium::balance_roller(RollerUnknown& roller, const Mask& d
 
 inline RingBalance PackEquilibrium::balance(const Mask& done) {
   RingBalance sums{load_};
-  for (int j = 0; j < c_.rollers; ++j) balance_roller(roller_[j], done, sums);
+  const Pack touch =
+      kLeastApproach * (absolute(u_.x) + absolute(u_.y) + __builtin_fabs(c_.half_clearance));
+  for (int j = 0; j < c_.rollers; ++j) balance_roller(roller_[j], done, touch, sums);
   return sums;
 }
 

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "bearing/carrier_frame.hpp"
+#include "bearing/contact/least_approach.hpp"
 #include "bearing/contact/line_law.hpp"
 #include "bearing/equilibrium/balls.hpp"
 #include "bearing/equilibrium/lamina_bearing.hpp"
@@ -201,7 +202,8 @@ InclinedPlanet::Position InclinedPlanet::tilts(const InclinedRow& row, double an
 
 void InclinedPlanet::settle(const InclinedRow& row, double angle, const Position& position,
                             laminae::RollerState& state) const {
-  const double approach = row.approach - moves(row, angle).dot(position),
+  const double approach = without_round_off(row.approach - moves(row, angle).dot(position),
+                                            std::abs(row.approach) + position.norm()),
                inertial_load = along_inner_normal(row, angle);
   if (!row.cut) return laminae::put_whole(row.contacts.balance(inertial_load, approach), state);
   laminae::converge_roller(roller_of(row),

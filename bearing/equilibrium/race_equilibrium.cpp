@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "bearing/contact/least_approach.hpp"
 #include "bearing/equilibrium/elastic_waves.hpp"
 #include "bearing/equilibrium/lamina_bearing.hpp"
 #include "bearing/equilibrium/roller_balance.hpp"
@@ -95,13 +96,15 @@ void SettlingRow<N>::add(Eigen::Index j, const Eigen::Vector<double, N>& positio
   RollerState& roller = (*rollers)[static_cast<std::size_t>(j)];
   const auto out = outward.col(j);
   const double stated = races->cut ? races->end_displacement[j] : 0.0;
+  const double approach = without_round_off(concentric[j] - position.dot(out),
+                                            std::abs(concentric[j]) + position.norm());
   if (tilting.size() == 0) {
-    settle(*races, j, concentric[j] - position.dot(out), stated, roller);
+    settle(*races, j, approach, stated, roller);
     sum.force += roller.outer.load * out;
     sum.stiffness += roller.stiffness * out * out.transpose();
     return;
   }
-  settle(*races, j, concentric[j] - position.dot(out), stated + position.dot(tilting.col(j)), roller);
+  settle(*races, j, approach, stated + position.dot(tilting.col(j)), roller);
   const auto tilted = tilting.col(j);
   const Eigen::Matrix2d k = laminae::roller_stiffness(roller);
   sum.force += roller.outer.load * out + roller.outer.end_load * tilted;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "bearing/contact/line_contact.hpp"
+#include "bearing/contact/least_approach.hpp"
 #include "mechanics/checks.hpp"
 
 namespace orbearing::bearing::equilibrium {
@@ -51,7 +52,8 @@ RollerRow::RollerRow(const Bearing& bearing)
 
 Eigen::Vector2d RollerRow::coordinates(Eigen::Index roller, const RingPosition& position) const {
   const double cosine = cosine_[roller], sine = sine_[roller];
-  return {position[0] * cosine + position[1] * sine - 0.5 * clearance_,
+  const double approach = position[0] * cosine + position[1] * sine - 0.5 * clearance_;
+  return {without_round_off(approach, position.head<2>().norm() + 0.5 * std::abs(clearance_)),
           -(position[3] * cosine + position[4] * sine)};
 }
 

@@ -84,8 +84,9 @@ struct ViscosityLine {
 ViscosityLine viscosity_line(const OilGrade& oil, double temperature) {
   const double cold = std::log10(40.0 - kAbsoluteZero), hot = std::log10(100.0 - kAbsoluteZero);
   const double at_40 = double_logarithm(kSquareMillimetres * oil.viscosity_40);
-  const double at_100 =
-      double_logarithm(kSquareMillimetres * viscosity_at_100(oil.viscosity_40, oil.viscosity_index));
+  const double viscosity_100 =
+      oil.viscosity_100 ? *oil.viscosity_100 : viscosity_at_100(oil.viscosity_40, oil.viscosity_index);
+  const double at_100 = double_logarithm(kSquareMillimetres * viscosity_100);
   const double slope = (at_40 - at_100) / (hot - cold);
   return {at_40 - slope * (std::log10(temperature - kAbsoluteZero) - cold), slope};
 }

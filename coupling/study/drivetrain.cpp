@@ -1,6 +1,8 @@
 #include "coupling/study/drivetrain.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "bearing/carrier_frame.hpp"
 #include "bearing/equilibrium/inclined_rows.hpp"
@@ -12,6 +14,16 @@ namespace orbearing::study {
 
 namespace {
 
+// Of a stepped planet, of the gear with the thinner rim: its bearings may be beneath either.
+double rim_over_module(const PlanetaryDrivetrain& drivetrain, const gearset::WorkingGeometry& gears) {
+  const double bore = 0.5 * drivetrain.bearing.outer.seat_diameter;
+  if (!(bore > 0.0)) return std::numeric_limits<double>::quiet_NaN();
+  const double module = drivetrain.set.module, first = (gears.planet.root_radius - bore) / module;
+  if (!gears.second) return first;
+  return std::min(first,
+                  (gears.second->root_radius - bore) / drivetrain.set.stepped.module.value_or(module));
+}
+
 DrivetrainGeometry derive_rigid(const PlanetaryDrivetrain& drivetrain) {
   DrivetrainGeometry geometry;
   geometry.gears = drivetrain.of_pair ? gearset::geometry_of_planet(drivetrain.set, *drivetrain.of_pair)
@@ -20,6 +32,7 @@ DrivetrainGeometry derive_rigid(const PlanetaryDrivetrain& drivetrain) {
   geometry.bearing = bearing::geometry_of(drivetrain.bearing, drivetrain.rows);
   geometry.planet_mass =
       geometry.planet_gear.mass + drivetrain.bearings_per_planet * geometry.bearing.outer_ring_mass;
+  geometry.rim_over_module = rim_over_module(drivetrain, geometry.gears);
   return geometry;
 }
 

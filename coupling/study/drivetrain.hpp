@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -265,6 +266,8 @@ struct DrivetrainGeometry {
   bearing::BearingGeometry bearing;
   bearing::rating::BearingRating rating;
   double planet_mass = 0.0;  // [kg]  gear body and the outer rings of its bearings
+  double rim_over_module =
+      std::numeric_limits<double>::quiet_NaN();  // [-]  of a planet, between roots and bore, normal modules
   std::shared_ptr<const gearset::rim::RimInfluence> rim;  // none: rigid
 };
 

@@ -18,7 +18,8 @@ SetResult summary(const std::string& name, const PointResult& point) {
           .outer = point.outer,
           .life_hours = point.life_hours,
           .rating = point.rating,
-          .contact_pressure = point.contact_pressure};
+          .contact_pressure = point.contact_pressure,
+          .rim_over_module = point.rim_over_module};
 }
 
 // What is not known, as with kappa below 0.1, is no better than the shortest.

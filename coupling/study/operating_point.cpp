@@ -466,6 +466,7 @@ PointResult completed(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeo
   if (drivetrain.rows.is_cylindrical())
     result.contact_pressure = largest_pressure(drivetrain, geometry, result);
   result.radial_clearance = drivetrain.bearing.radial_clearance;
+  result.rim_over_module = geometry.rim_over_module;
   result.caged = drivetrain.bearing.has_cage();
   return result;
 }

@@ -1,6 +1,7 @@
 // One operating point of a planetary drivetrain: from the power that enters to the life of a planet bearing.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -114,6 +115,7 @@ struct SetResult {
   double life_hours = 0.0;  // [h]
   RatingRecord rating{};
   double contact_pressure = 0.0;  // [Pa]  as of a point
+  double rim_over_module = std::numeric_limits<double>::quiet_NaN();  // [-]  as of a point
 };
 
 /// What one operating point gives. Loads and lives are those of one bearing: of several sets, of the one
@@ -138,6 +140,8 @@ struct PointResult {
   double cage_slip = 0.0;  // [-]  1 - cage speed / kinematic cage speed; 0 at rest
   bool caged = true;       // else there is nothing of a cage to tell
   double radial_clearance = 0.0;  // [m]  of the running bearing
+  double rim_over_module =
+      std::numeric_limits<double>::quiet_NaN();  // [-]  of a planet, between roots and bore, normal modules
   RatingRecord rating;
   bearing::rating::LifeMethod life_method = bearing::rating::LifeMethod::lundberg_palmgren;
   bearing::rating::RollingElement element = bearing::rating::RollingElement::roller;
@@ -162,6 +166,8 @@ void describe_row(described::Record& record, const PointResult& point);
 /// That, and loads by place, bearings and planets one by one and the motion in time, which are for files.
 void describe(described::Record& record, const PointResult& point);
 void describe(described::Record& record, const SetResult& set);
+/// One planet of a point, as rows of results list planets that carry unlike loads.
+void describe_planet(described::Record& record, const PlanetResult& planet);
 
 /// Governing life of one bearing, by the drivetrain's method [h]; not a number where the standards give none.
 double governing_hours(const PointResult& result);

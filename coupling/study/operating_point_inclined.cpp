@@ -118,7 +118,7 @@ class Bearings {
                                                                speed_, drivetrain_.bearing.pitch_diameter);
     Lives all = drivetrain_.rows.has_balls() ? ball_lives(rows, condition) : roller_lives(rows, condition);
     all.hours = bearing::hours(all.life.bearing, speed_);
-    all.rated_hours = rating::rated_hours(all.rating, speed_);
+    all.rated_hours = hours_at(all.rating, speed_);
     return all;
   }
 

@@ -19,6 +19,8 @@ namespace dimension = described::dimension;
 
 constexpr described::Dimension kMicroseconds{"time", "s", "us", "", 1e-6};
 
+constexpr const char* kRimMeaning = "rim of a planet between roots and bore, in normal modules";
+
 struct NamedRace {
   std::string name;
   const RaceResult* result;
@@ -81,6 +83,7 @@ void describe_gears_and_fits(Record& record, const PointResult& point) {
                "largest pressure of roller and race, after Hertz", point.contact_pressure);
   record.value("operating_clearance_um", dimension::small_length,
                "radial clearance of the running bearing, in diametral measure", point.radial_clearance);
+  record.value("rim_over_module", dimension::ratio, kRimMeaning, point.rim_over_module);
   record.value("rim_ovality_um", dimension::small_length,
                "largest less least outward displacement of the outer race by bending of the planet's rim",
                ovality(point.distribution.race_form));
@@ -459,6 +462,16 @@ void describe(Record& record, const PointResult& point) {
   describe_final_state(record, *point.dynamic);
 }
 
+void describe_planet(Record& record, const PlanetResult& planet) {
+  record.value("load_share", dimension::ratio,
+               "tangential load of a planet, mean over time, over the mean of all planets",
+               planet.load_share);
+  record.value("bearing_load_N", dimension::force,
+               "load of the rollers on the bore of one bearing, mean over time", planet.load);
+  record.value("life_h", dimension::hours, "fatigue life of one bearing", planet.life_hours);
+  describe(record, planet.rated_hours);
+}
+
 void describe(Record& record, const SetResult& set) {
   record.value("carrier_speed_rpm", dimension::angular_speed, "speed of the planet carrier",
                set.carrier_speed);
@@ -472,6 +485,7 @@ void describe(Record& record, const SetResult& set) {
   record.value("contact_pressure_max_MPa", dimension::pressure,
                "largest pressure of roller and race, after Hertz", set.contact_pressure);
   describe_factors(record, set.rating.lives);
+  record.value("rim_over_module", dimension::ratio, kRimMeaning, set.rim_over_module);
 }
 
 }  // namespace orbearing::study

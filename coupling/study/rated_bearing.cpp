@@ -9,6 +9,7 @@
 #include "bearing/equilibrium/quasi_static.hpp"
 #include "bearing/life/lundberg_palmgren.hpp"
 #include "bearing/motion/model.hpp"
+#include "bearing/units.hpp"
 #include "coupling/study/tilting_planet.hpp"
 
 namespace orbearing::study {
@@ -107,7 +108,8 @@ bearing::rating::RatingCondition rating_condition(const RatedBearing& rated, dou
                                              .static_load = largest_load,
                                              .oil = std::nullopt,
                                              .reliability_factor = rated.reliability_factor};
-  if (rated.oil) condition.oil = bearing::rating::oil_condition(*rated.oil, speed, pitch_diameter);
+  if (rated.oil && speed != 0.0)
+    condition.oil = bearing::rating::oil_condition(*rated.oil, speed, pitch_diameter);
   return condition;
 }
 
@@ -145,6 +147,12 @@ bearing::life::LaminaMeans along_the_roller(const bearing::laminae::LaminaBearin
 
 }  // namespace
 
+bearing::rating::RatedHours hours_at(const bearing::rating::RatingLives& lives, double speed) {
+  using bearing::kInfinity;
+  if (speed == 0.0) return {kInfinity, kInfinity, kInfinity, kInfinity};
+  return bearing::rating::rated_hours(lives, speed);
+}
+
 PlanetBearingRating::Lives PlanetBearingRating::of(const WindowStatistics& means, double load,
                                                    double largest_load) const {
   const bearing::life::LaminaMeans powers =
@@ -161,7 +169,7 @@ PlanetBearingRating::Lives PlanetBearingRating::of(const WindowStatistics& means
       geometry_.rating,
       rating_condition(rated, load, largest_load, speed_, drivetrain_.bearing.pitch_diameter),
       laminae_ ? along_the_roller(*laminae_, drivetrain_.bearing.motions, means) : powers);
-  lives.rated_hours = bearing::rating::rated_hours(lives.rating, speed_);
+  lives.rated_hours = hours_at(lives.rating, speed_);
   return lives;
 }
 

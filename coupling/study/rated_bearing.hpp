@@ -62,9 +62,13 @@ Eigen::Vector2d bore_load_with_cage(const PlanetaryDrivetrain& drivetrain, const
                                     const bearing::OperatingPoint& point);
 
 /// What the standards ask of a bearing beside the loads on its elements: P and P_0 [N], and the oil at
-/// `speed` [rad/s], where something is said of it.
+/// `speed` [rad/s], where something is said of it. Rings that stand against each other have no kappa.
 bearing::rating::RatingCondition rating_condition(const RatedBearing& rated, double load, double largest_load,
                                                   double speed, double pitch_diameter);
+
+/// As bearing::rating::rated_hours(); all infinite where the rings stand against each other, with or without
+/// oil: then static safety alone counts.
+bearing::rating::RatedHours hours_at(const bearing::rating::RatingLives& lives, double speed);
 
 /// Loads and lives of the bearings of one point, which share speeds, oil and ratings. Keeps references to
 /// both drivetrain and geometry.

@@ -162,7 +162,6 @@ void check_ports(const Arrangement& arrangement, Problems& problems) {
 
 void check_shaft(const Arrangement& arrangement, std::size_t index, Problems& problems) {
   const Shaft& shaft = arrangement.shafts[index];
-  const bool held = shaft.motor || shaft.load || shaft.ground;
   if (shaft.ground && (shaft.motor || shaft.load))
     problems.push_back({{index},
                         shaft.members,
@@ -170,11 +169,21 @@ void check_shaft(const Arrangement& arrangement, std::size_t index, Problems& pr
                         "a shaft that is either stationary or carries power is required"});
   if (shaft.members.empty())
     problems.push_back({{index}, {}, "no member of a set", "a shaft that rotates a member is required"});
-  if (shaft.members.size() == 1 && !held)
-    problems.push_back({{index},
-                        shaft.members,
-                        name_of(arrangement, shaft.members.front()) + " alone, so that it floats",
-                        "another member, the motor, the load or the ground on the same shaft is required"});
+}
+
+// Shafts that turn one member and nothing else. Where all speeds are known all the same, they leave their set
+// without torque: it idles. Else they are the likeliest slip.
+Problems floating_members(const Arrangement& arrangement) {
+  Problems problems;
+  for (std::size_t index = 0; index < arrangement.shafts.size(); ++index) {
+    const Shaft& shaft = arrangement.shafts[index];
+    if (shaft.members.size() == 1 && !shaft.motor && !shaft.load && !shaft.ground)
+      problems.push_back({{index},
+                          shaft.members,
+                          name_of(arrangement, shaft.members.front()) + " alone, so that it floats",
+                          "another member, the motor, the load or the ground on the same shaft is required"});
+  }
+  return problems;
 }
 
 Shafts shafts_of(const Arrangement& arrangement, const SetMember& member) {
@@ -294,9 +303,11 @@ void check_torque_freedom(const Arrangement& arrangement, const ArrangementSyste
 
 }  // namespace
 
-Problems arrangement_problems(const Arrangement& arrangement) {
-  Problems problems = structural_problems(arrangement);
-  if (!problems.empty()) return problems;
+namespace {
+
+/// What only the equations of speeds and torques show.
+Problems problems_of_motion(const Arrangement& arrangement) {
+  Problems problems;
   const ArrangementSystem speeds = speed_system(arrangement);
   check_speed_conflict(arrangement, speeds, problems);
   check_speed_freedom(arrangement, speeds, problems);
@@ -305,6 +316,17 @@ Problems arrangement_problems(const Arrangement& arrangement) {
   check_torque_conflict(arrangement, torques, problems);
   check_torque_freedom(arrangement, torques, problems);
   return problems;
+}
+
+}  // namespace
+
+Problems arrangement_problems(const Arrangement& arrangement) {
+  Problems problems = structural_problems(arrangement);
+  const Problems floating = floating_members(arrangement);
+  const Problems of_motion = problems.empty() ? problems_of_motion(arrangement) : Problems{};
+  const bool moves = problems.empty() && of_motion.empty();
+  if (!moves) problems.insert(problems.end(), floating.begin(), floating.end());
+  return problems.empty() ? of_motion : problems;
 }
 
 }  // namespace orbearing::gearset

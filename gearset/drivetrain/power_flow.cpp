@@ -33,6 +33,16 @@ Eigen::VectorXd solution(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& r
   return unknowns;
 }
 
+// Ratios of teeth that differ do so by far more: what is left of none is none, so that a set that turns as a
+// block has no planet that creeps, and an idle one no load.
+constexpr double kRoundOff = 1e-12;  // [-]  of the largest
+
+void drop_round_off(Eigen::VectorXd& values) {
+  const double least = kRoundOff * values.cwiseAbs().maxCoeff();
+  for (double& value : values)
+    if (std::abs(value) < least) value = 0.0;
+}
+
 double& part(Member member, double& sun, double& ring, double& carrier) {
   return member == Member::sun ? sun : member == Member::ring ? ring : carrier;
 }
@@ -43,7 +53,9 @@ void add_planet_speeds(const Arrangement& arrangement, PowerFlow& flow) {
     Speeds& speed = flow.sets[set].speed;
     const ArrangedSet& teeth = arrangement.sets[set];
     if (teeth.is_parallel()) continue;
-    speed.planet_relative = -(speed.sun - speed.carrier) * teeth.sun_teeth / teeth.planet_teeth;
+    const double turn = speed.sun - speed.carrier;
+    if (std::abs(turn) > kRoundOff * (std::abs(speed.sun) + std::abs(speed.carrier)))
+      speed.planet_relative = -turn * teeth.sun_teeth / teeth.planet_teeth;
   }
 }
 
@@ -74,8 +86,10 @@ PowerFlow power_flow(const Arrangement& arrangement) {
   require_sound(arrangement);
   const ArrangementSystem speed_equations = speed_system(arrangement);
   const ArrangementSystem torque_equations = torque_system(arrangement);
-  const Eigen::VectorXd speeds = solution(speed_equations.matrix, speed_equations.right);
-  const Eigen::VectorXd torques = solution(torque_equations.matrix, torque_equations.right);
+  Eigen::VectorXd speeds = solution(speed_equations.matrix, speed_equations.right);
+  Eigen::VectorXd torques = solution(torque_equations.matrix, torque_equations.right);
+  drop_round_off(speeds);
+  drop_round_off(torques);
   PowerFlow flow;
   flow.sets.resize(arrangement.sets.size());
   flow.members.resize(3 * arrangement.sets.size());
@@ -94,6 +108,15 @@ PowerCirculation power_circulation(const PowerFlow& flow) {
     if (share > 1.0 + circulation_margin) circulation.members.push_back(member.member);
   }
   return circulation;
+}
+
+std::vector<std::size_t> idle_sets(const PowerFlow& flow) {
+  std::vector<std::size_t> idle;
+  for (std::size_t set = 0; set < flow.sets.size(); ++set)
+    if (const Torques& torque = flow.sets[set].torque;
+        torque.sun == 0.0 && torque.ring == 0.0 && torque.carrier == 0.0)
+      idle.push_back(set);
+  return idle;
 }
 
 Arrangement arrangement_of(const PlanetarySet& set, Member driven, const std::string& name) {

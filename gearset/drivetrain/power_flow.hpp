@@ -45,6 +45,10 @@ struct PowerCirculation {
 
 PowerCirculation power_circulation(const PowerFlow& flow);
 
+/// Sets that transmit no torque, as those of an automatic gearbox of which a brake or clutch is open: their
+/// members turn with what they are joined to.
+std::vector<std::size_t> idle_sets(const PowerFlow& flow);
+
 /// One set as an arrangement of its own: motor, load and ground on a member each.
 /// @throws std::invalid_argument if the driven member is the fixed one
 Arrangement arrangement_of(const PlanetarySet& set, Member driven, const std::string& name);

@@ -256,5 +256,34 @@ TEST(PlanetStiffness, IsThatOfTheRollersAlongTheLoad) {
   EXPECT_GT(stiffness(2, 2), 0.0);
 }
 
+// With rollers or balls on the line of the load two are at right angles to it, where the approach is round-off
+// of none: rigid rings, no clearance, load approach^n on rollers (10/9) and balls (3/2), by a sum over the
+// loaded half. Round-off through the ninth root would stiffen rollers across the load by a percent.
+TEST(BearingStiffness, AcrossOverAlongIsThatOfTheSum) {
+  for (const int count : {8, 12, 16})
+    for (const double turn : {0.0, 0.5})
+      for (const bool rolls : {true, false}) {
+        Bearing bearing{.pitch_diameter = 65e-3, .first_element = turn * 360.0 / count * degree};
+        if (rolls)
+          bearing.elements =
+              CylindricalRollers{.count = count, .diameter = 10e-3, .length = 10e-3, .laminae = 40};
+        else
+          bearing.elements = Balls{.count = count, .diameter = 10e-3};
+        const RingState state = balance_bearing(bearing, {.radial = 4000.0, .tilt = 0.0});
+        ASSERT_TRUE(state.report.converged);
+        double along = 0.0, across = 0.0;
+        for (int j = 0; j < count; ++j) {
+          const double angle = (j + turn) * 360.0 / count * degree;
+          if (std::cos(angle) < 1e-9) continue;
+          const double stiffness = std::pow(std::cos(angle), rolls ? 1.0 / 9.0 : 0.5);
+          along += stiffness * std::pow(std::cos(angle), 2);
+          across += stiffness * std::pow(std::sin(angle), 2);
+        }
+        // Balls ride on grooves, whose sides hold the ring along the axis of the load a little.
+        EXPECT_NEAR(state.stiffness(1, 1) / state.stiffness(0, 0), across / along, rolls ? 1e-6 : 5e-3)
+            << count << (rolls ? " rollers" : " balls") << ", turned by " << turn;
+      }
+}
+
 }  // namespace
 }  // namespace orbearing::bearing::equilibrium::bearing_stiffness_test

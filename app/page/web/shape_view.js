@@ -97,7 +97,7 @@ export class ShapeView {
 
   // Of a member at the phase that is shown: x, y, u.
   displacement(row) {
-    const angle = 2 * Math.PI * this.phase, {shape, shape_quarter: quarter} = this.mode;
+    const angle = 2 * Math.PI * this.phase, {shape, shape_quarter: quarter = shape.map(row => row.map(() => 0))} = this.mode;
     return shape[row].map((value, i) => value * Math.cos(angle) + quarter[row][i] * Math.sin(angle));
   }
 

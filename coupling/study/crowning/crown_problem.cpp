@@ -267,7 +267,7 @@ bearing::rating::RatedHours rated_hours_of(const CrownProblem& problem,
   const RatingCondition condition =
       rating_condition(problem.rated, load, load, speed, problem.bearing.pitch_diameter);
   const auto means = bearing::life::means_of_loads(problem.bearing.motions, inner, outer);
-  return rated_hours(rating_lives(rating, condition, means), speed);
+  return hours_at(rating_lives(rating, condition, means), speed);
 }
 
 }  // namespace

@@ -281,6 +281,63 @@ TEST(FullComplement, HasAsManyRollersAsGoInAndNoCage) {
   EXPECT_THROW((void)require_used(in, use::planet_defect), BadInput);
 }
 
+// 16 rollers for the 13 of NU 2340: C of ISO 281 is proportional to Z^(3/4), C_0 of ISO 76 and C_u to Z.
+TEST(FullComplement, HasRatingsOfItsOwnNumberOfRollers) {
+  const std::string text = replaced(kByDesignation, "NU 205", "NU 2340");
+  const ResolvedCase caged = of(text), full = of(text, {"bearing.complement=full"});
+  ASSERT_EQ(caged.integer("bearing.rollers"), 13);
+  ASSERT_EQ(full.integer("bearing.rollers"), 16);
+  EXPECT_EQ(caged.quantity("bearing.dynamic_capacity"), 1910e3);
+  constexpr double written = 1e-5;  // six digits are put into a case
+  EXPECT_NEAR(full.quantity("bearing.dynamic_capacity") / (1910e3 * std::pow(16.0 / 13.0, 0.75)), 1.0, written);
+  for (const char* path : {"bearing.static_capacity", "bearing.fatigue_load_limit"})
+    EXPECT_NEAR(full.quantity(path) / caged.quantity(path), 16.0 / 13.0, written) << path;
+  EXPECT_THAT(full.assumed().at("bearing.dynamic_capacity"), HasSubstr("13 rollers in a cage, times (16/13)^0.75"));
+  // A resolved case has the same ratings.
+  EXPECT_NEAR(of(write_resolved(full)).quantity("bearing.dynamic_capacity") /
+                  full.quantity("bearing.dynamic_capacity"),
+              1.0, written);
+  // Who states the printed one hears that it is another bearing's.
+  const ResolvedCase stated = of(text, {"bearing.complement=full", "bearing.dynamic_capacity=1910 kN"});
+  EXPECT_EQ(stated.quantity("bearing.dynamic_capacity"), 1910e3);
+  EXPECT_THAT(inferred_warnings(stated), Contains(HasSubstr("with 13 rollers in a cage; 16 rollers without")));
+}
+
+TEST(CatalogueBearing, RatingsOfSteelAreNotThoseOfAnotherMaterial) {
+  EXPECT_THAT(mistakes(kByDesignation, {"material.youngs_modulus=310 GPa"}),
+              ElementsAre(HasSubstr("310 GPa together with NU 205, whose ratings are those of steel")));
+  EXPECT_THAT(mistakes(kByDesignation, {"material.youngs_modulus=310 GPa", "bearing.dynamic_capacity=30 kN"}),
+              IsEmpty());
+  EXPECT_THAT(mistakes(kByDesignation, {"material.youngs_modulus=210 GPa"}), IsEmpty());
+}
+
+TEST(CatalogueBearing, WithoutItsOwnRingsIsWarnedOf) {
+  EXPECT_THAT(inferred_warnings(of(planet("designation: NU 204, per_planet: 2, rings: none, radial_clearance: 30 um, cage: {material: brass}"))),
+              Contains(HasSubstr("bearing.rings: none; ratings of NU 204")));
+}
+
+// What a designation means says which word is the right one: no cylindrical bearing is near a tapered one.
+TEST(CatalogueBearing, OtherTypesAreNamed) {
+  for (const char* name : {"30305", "33014", "HR30206J"})
+    EXPECT_THAT(mistakes(kByDesignation, {std::string("bearing.designation=") + name}),
+                ElementsAre(AllOf(HasSubstr("a tapered roller bearing, of which no catalogue has a line"),
+                                  HasSubstr("bearing.type: tapered-roller"), Not(HasSubstr("NU"))))) << name;
+  EXPECT_THAT(mistakes(kByDesignation, {"bearing.designation=22310 E"}),
+              ElementsAre(HasSubstr("a spherical roller bearing")));
+  EXPECT_THAT(mistakes(kByDesignation, {"bearing.designation=NU 22310"}),
+              ElementsAre(HasSubstr("nearest: NU")));
+}
+
+// Outside the catalogue a cage is the typical one of such a section too.
+TEST(CageSize, FollowsFromStatedRollers) {
+  const ResolvedCase in = of(planet(kNeedles + "rollers: 14, cage: {material: steel}"));
+  const bearing::CageSize cage = bearing::default_cage_size(30e-3, 5e-3, 20e-3, 22e-3);
+  EXPECT_NEAR(in.quantity("bearing.cage.inner_diameter"), cage.inner_diameter, 1e-11);
+  EXPECT_NEAR(in.quantity("bearing.cage.outer_diameter"), cage.outer_diameter, 1e-11);
+  EXPECT_NEAR(in.quantity("bearing.cage.width"), cage.width, 1e-11);
+  EXPECT_TRUE(in.assumed().contains("bearing.cage.width"));
+}
+
 TEST(FullComplement, TakesNoNoticeOfACageAndSaysSo) {
   const ResolvedCase in = of(planet(kNeedles + "complement: full, cage: {material: steel}"));
   EXPECT_EQ(bearing_sets(in).front().geometry.bearing.cage_mass, 0.0);

@@ -4,6 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
 #include "tests/messages.hpp"
 
 namespace orbearing::bearing::catalogue::seat_class_test {
@@ -21,7 +27,9 @@ struct Known {
 TEST(SeatClass, ShaftsAreThoseOfTheStandard) {
   for (const Known& one : {Known{"k6", 50, 2, 18}, Known{"n6", 25, 15, 28}, Known{"h6", 30, -13, 0},
                            Known{"g6", 40, -25, -9}, Known{"m5", 60, 11, 24}, Known{"p6", 100, 37, 59},
-                           Known{"js5", 30, -4.5, 4.5}, Known{"k5", 200, 4, 24}, Known{"h7", 10, -15, 0}}) {
+                           Known{"js5", 30, -4.5, 4.5}, Known{"k5", 200, 4, 24}, Known{"h7", 10, -15, 0},
+                           Known{"j5", 75, -7, 6}, Known{"j6", 40, -5, 11}, Known{"j5", 280, -16, 7},
+                           Known{"j6", 350, -18, 18}}) {
     const Deviations found = shaft_deviations(one.name, per_milli * one.diameter);
     EXPECT_NEAR(found.least / per_micro, one.least, 1e-9) << one.name;
     EXPECT_NEAR(found.most / per_micro, one.most, 1e-9) << one.name;
@@ -31,7 +39,10 @@ TEST(SeatClass, ShaftsAreThoseOfTheStandard) {
 TEST(SeatClass, HolesAreThoseOfTheStandard) {
   for (const Known& one : {Known{"H7", 50, 0, 25}, Known{"N6", 46, -28, -12}, Known{"P6", 46, -37, -21},
                            Known{"M7", 80, -30, 0}, Known{"K6", 100, -18, 4}, Known{"K7", 100, -25, 10},
-                           Known{"P7", 40, -42, -17}, Known{"N7", 62, -39, -9}, Known{"G7", 30, 7, 28}}) {
+                           Known{"P7", 40, -42, -17}, Known{"N7", 62, -39, -9}, Known{"G7", 30, 7, 28},
+                           Known{"J6", 62, -6, 13}, Known{"J7", 90, -13, 22}, Known{"F7", 52, 30, 60},
+                           Known{"H8", 160, 0, 63}, Known{"M6", 250, -37, -8}, Known{"M6", 280, -41, -9},
+                           Known{"M6", 320, -46, -10}, Known{"M7", 280, -52, 0}}) {
     const Deviations found = hole_deviations(one.name, per_milli * one.diameter);
     EXPECT_NEAR(found.least / per_micro, one.least, 1e-9) << one.name;
     EXPECT_NEAR(found.most / per_micro, one.most, 1e-9) << one.name;
@@ -50,6 +61,36 @@ TEST(SeatClass, InterferencesTakeTheBearingsOwnTolerance) {
   // Outsides of normal accuracy have a step of their own at 150 mm.
   EXPECT_NEAR(outer_interference("H7", 140 * per_milli).least / per_micro, -58, 1e-9);
   EXPECT_NEAR(outer_interference("H7", 160 * per_milli).least / per_micro, -65, 1e-9);
+}
+
+// Limits of 28 shaft and hole classes as a maker's catalogue prints them. Within 1 um, to which it prints and
+// rounds; its bore of 250 to 315 mm has -34 for -35 um.
+TEST(SeatClass, AgreesWithAPrintedTableOfFits) {
+  const char* reference = std::getenv("ORBEARING_REFERENCE");
+  std::ifstream table(std::string(reference != nullptr ? reference : "/nowhere") +
+                      "/public_cases_2/nke_fits.csv");
+  if (!table) GTEST_SKIP() << "ORBEARING_REFERENCE names no folder with public_cases_2/nke_fits.csv";
+  int rows = 0;
+  for (std::string line; std::getline(table, line);) {
+    if (line.empty() || line.front() == '#' || line.starts_with("seat")) continue;
+    std::istringstream cells(line);
+    std::string seat, name, cell;
+    std::getline(cells, seat, ',');
+    std::getline(cells, name, ',');
+    std::vector<double> numbers;
+    while (std::getline(cells, cell, ',')) numbers.push_back(std::stod(cell));
+    ASSERT_EQ(numbers.size(), 7U) << line;
+    const double diameter = per_milli * 0.5 * (numbers[0] + numbers[1]);
+    const bool shaft = seat == "shaft";
+    const Deviations part = shaft ? shaft_deviations(name, diameter) : hole_deviations(name, diameter);
+    const Deviations fit = shaft ? inner_interference(name, diameter) : outer_interference(name, diameter);
+    EXPECT_NEAR(part.most / per_micro, numbers[2], 1.0) << line;
+    EXPECT_NEAR(part.least / per_micro, numbers[3], 1.0) << line;
+    EXPECT_NEAR(fit.most / per_micro, numbers[5], 1.0 + 1e-9) << line;
+    EXPECT_NEAR(fit.least / per_micro, numbers[6], 1.0 + 1e-9) << line;
+    ++rows;
+  }
+  EXPECT_EQ(rows, 369);
 }
 
 TEST(SeatClass, EveryNameIsKnown) {

@@ -26,6 +26,17 @@ TEST(OilGrade, ViscosityIndexAsInTheTableOfTheStandard) {
   }
 }
 
+// Two viscosities as a data sheet states them, interpolated by ASTM D341: 200 and 16 mm^2/s at 40 and 100 degC.
+TEST(OilGrade, ByTwoViscositiesAsInTheChartOfTheStandard) {
+  const OilGrade oil{.viscosity_40 = 200.0 * kMm2, .viscosity_100 = 16.0 * kMm2};
+  constexpr double printed = 0.05 * kMm2;  // digits of the values by hand
+  EXPECT_NEAR(kinematic_viscosity(oil, 50.0), 112.9 * kMm2, printed);
+  EXPECT_NEAR(kinematic_viscosity(oil, 60.0), 68.7 * kMm2, printed);
+  EXPECT_NEAR(kinematic_viscosity(oil, 65.0), 54.9 * kMm2, printed);
+  EXPECT_NEAR(kinematic_viscosity(oil, 40.0) / (200.0 * kMm2), 1.0, 1e-12);
+  EXPECT_NEAR(kinematic_viscosity(oil, 100.0) / (16.0 * kMm2), 1.0, 1e-12);
+}
+
 // The pieces of the table's formulas meet: no jump of the viscosity at 100 degC over that at 40.
 TEST(OilGrade, RisesSteadilyWithTheGrade) {
   double last = 0.0;

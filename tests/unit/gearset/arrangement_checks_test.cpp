@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "gearset/drivetrain/power_flow.hpp"
 #include "tests/unit/gearset/arrangements.hpp"
 
 namespace orbearing::gearset::arrangement_checks_test {
@@ -53,6 +54,31 @@ TEST(ArrangementProblems, NameFloatingMembers) {
   Arrangement nowhere = three_in_series();
   nowhere.shafts[4].members.pop_back();
   EXPECT_THAT(only_problem(nowhere).found, HasSubstr("transmission.ring on no shaft"));
+}
+
+// A ring that nothing holds leaves its set without torque; all else goes on as without that set.
+TEST(ArrangementProblems, AreNoneForAnIdleSet) {
+  Arrangement idle = reducer_alone();
+  idle.sets.push_back(arranged("brake", 37, 22, 79));
+  idle.shafts[0].members.push_back({1, sun});
+  idle.shafts[2].members.push_back({1, carrier});
+  idle.shafts.push_back(shaft("open", {{1, ring}}));
+  EXPECT_THAT(arrangement_problems(idle), IsEmpty());
+  const PowerFlow flow = power_flow(idle);
+  EXPECT_THAT(idle_sets(flow), ElementsAre(1));
+  EXPECT_THAT(idle_sets(power_flow(reducer_alone())), IsEmpty());
+  EXPECT_EQ(flow.sets[1].torque.carrier, 0.0);
+  EXPECT_NEAR(flow.sets[1].speed.ring, 0.0, 1e-14);  // as the like set beside it, whose ring stands
+  EXPECT_NEAR(flow.sets[1].speed.planet_relative, flow.sets[0].speed.planet_relative, 1e-14);
+}
+
+// A set with carrier and ring on one shaft turns as a block: no planet turns, not even by round-off.
+TEST(ArrangementProblems, ABlockHasPlanetsThatStand) {
+  Arrangement block = three_in_series();
+  block.shafts[4].members.pop_back();
+  block.shafts[2].members.push_back({2, ring});
+  ASSERT_THAT(arrangement_problems(block), IsEmpty());
+  EXPECT_EQ(power_flow(block).sets[2].speed.planet_relative, 0.0);
 }
 
 TEST(ArrangementProblems, NameAMemberOnTwoShafts) {
