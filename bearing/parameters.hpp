@@ -223,7 +223,7 @@ void describe(Visitor& visit, CylindricalRollers& m) {
       length(m.length, "bearing.roller_length", "effective contact length of a roller"),
       field(m.laminae, "bearing.laminae", Physics::life,
             "number of laminae of each contact, for profile and misalignment",
-            {.models = with_rollers, .range = {1, 200}}),
+            {.models = with_rollers, .range = {1, 200}, .numerical = true}),
       field(
           m.diameter_deviation, "bearing.roller_diameter_deviation", Physics::motion,
           "diameter of each roller minus roller_diameter, from the first roller on",

@@ -160,6 +160,9 @@ struct Details {
   Where where{};
   bool default_without_bearing = false;  // the default counts only where a set has no bearing
   InFmu fmu = InFmu::resource;
+  /// Of the way a result is computed, not of the machine: no printed digit hangs on it, or its error is printed
+  /// beside (tests/interface/numerical_settings.py).
+  bool numerical = false;
 };
 
 /// All that is known of a member besides its type and initial value.

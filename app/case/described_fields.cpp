@@ -27,7 +27,8 @@ Field field_of(const described::Facts& facts) {
           .dimension = details.dimension,
           .range = details.range,
           .default_reason = std::string(details.reason),
-          .default_without_bearing = details.default_without_bearing};
+          .default_without_bearing = details.default_without_bearing,
+          .numerical = details.numerical};
 }
 
 void DescribedFields::add(Field field) {

@@ -103,10 +103,12 @@ void add_run(std::vector<Field>& fields) {
       .by_default("0 s", "no run-up");
   rows.integer("gearset.dynamics.observed_periods",
                "number of mesh periods for the means of the steady state", of_run, {1, 1000000})
-      .by_default("200", "many turns of the slowest vibration");
+      .by_default("200", "many turns of the slowest vibration")
+      .of_numerics();
   rows.integer("gearset.dynamics.settling_periods", "maximum number of mesh periods to reach a steady state",
                of_run, {100, 10000000})
-      .by_default("4000", "several times what damping takes");
+      .by_default("4000", "several times what damping takes")
+      .of_numerics();
 }
 
 }  // namespace

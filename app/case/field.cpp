@@ -408,6 +408,11 @@ std::string kind_text(const Field& field, Kind kind) {
 
 }  // namespace
 
+Field& Field::of_numerics() {
+  numerical = true;
+  return *this;
+}
+
 Field& Field::by_default(std::string text, std::string reason) {
   default_text = std::move(text);
   default_reason = std::move(reason);

@@ -55,12 +55,14 @@ struct Field {
   bool from_file = false;  // list of rows, or of a matrix: {file: NAME.csv} may stand in its place
   std::size_t group =
       0;  // list: of so many elements; or a list of such lists, whose elements follow each other
+  bool numerical = false;  // Details::numerical
 
   /// What a row may say besides; each gives the row itself.
   Field& by_default(std::string text, std::string reason);
   Field& required();                  // by all models that know it
   Field& listed();                    // a list of such values
   Field& under(Condition condition);  // where it counts
+  Field& of_numerics();               // a numerical setting
 };
 
 /// How a case writes the values of an enumeration, and the one that it writes so, if any.

@@ -1,10 +1,13 @@
 #include "app/study/friction_study.hpp"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "app/case/catalogue_case.hpp"
 #include "app/case/described_case.hpp"
@@ -12,14 +15,17 @@
 #include "app/case/static_case.hpp"
 #include "app/errors.hpp"
 #include "bearing/default_design.hpp"
+#include "bearing/equilibrium/row_group.hpp"
 #include "bearing/film/oil_grade.hpp"
 #include "bearing/friction/thermal_reference.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::app {
 
 namespace {
 
 namespace friction = bearing::friction;
+using bearing::equilibrium::RingState;
 namespace dimension = described::dimension;
 using described::Record;
 
@@ -78,7 +84,11 @@ void put_parted(Record& record, const friction::PartedTorque& torque, const Stan
 
 void describe(Record& record, const FrictionStudy& study) {
   const friction::RollingFriction& loss = study.loss;
-  record.value("power_W", dimension::heat, "friction at pure rolling, in all", loss.total());
+  record.value("power_W", dimension::heat,
+               "friction at pure rolling, in all; mean over positions of the cage", loss.total());
+  record.value("least_power_W", dimension::heat, "the same at the position of the cage where it is least",
+               study.least);
+  record.value("most_power_W", dimension::heat, "the same at the position where it is greatest", study.most);
   record.value("torque_N_mm", dimension::small_torque, "the same over the speed", study.ours().torque);
   if (study.oil_temperature)
     record.value("oil_temperature_degC", dimension::temperature, "at which the oil leaves with that heat",
@@ -166,23 +176,86 @@ friction::Inlets roller_inlets(const ResolvedCase& in, const std::optional<frict
   return inlets;
 }
 
+// Balances with the first element at even positions over a pitch, the stated one among them: rollers enter
+// and leave the load zone as the cage turns.
+class OverPitch {
+ public:
+  OverPitch(const ResolvedCase& in, const bearing::Bearing& bearing, const RingState& stated)
+      : in_(in), bearing_(bearing), balances_{stated} {}
+
+  /// Friction by `loss` of a balance: mean over so many positions that twice as many change its sum by less
+  /// than the printed digits, or over the most.
+  template <class Loss>
+  void put_means(const Loss& loss, FrictionStudy& study) {
+    constexpr double same = 2e-4;  // [-]
+    constexpr std::size_t first = 8, most = 128;
+    double before = 0.0;
+    do {
+      before = study.loss.total();
+      refine(std::max(first, 2 * balances_.size()));
+      put(loss, study);
+    } while (balances_.size() < most && std::abs(study.loss.total() - before) > same * before);
+  }
+  /// The same over the positions that are there.
+  template <class Loss>
+  void put(const Loss& loss, FrictionStudy& study) const {
+    study.loss = {};
+    study.least = std::numeric_limits<double>::infinity();
+    study.most = 0.0;
+    for (const RingState& balance : balances_) {
+      const friction::RollingFriction one = loss(balance);
+      study.loss += one;
+      study.least = std::min(study.least, one.total());
+      study.most = std::max(study.most, one.total());
+    }
+    study.loss *= 1.0 / static_cast<double>(balances_.size());
+  }
+
+ private:
+  void refine(std::size_t count) {
+    const std::size_t known = balances_.size(), between = count / known;
+    std::vector<RingState> finer;
+    const double step = constants::two_pi / bearing_.element_count() / static_cast<double>(count);
+    for (std::size_t k = 0; k < count; ++k) {
+      if (k % between == 0) {
+        finer.push_back(std::move(balances_[k / between]));
+        continue;
+      }
+      bearing::Bearing turned = bearing_;
+      turned.first_element += static_cast<double>(k) * step;
+      finer.push_back(balance_of(in_, turned));
+    }
+    balances_ = std::move(finer);
+  }
+
+  const ResolvedCase& in_;
+  const bearing::Bearing& bearing_;
+  std::vector<RingState> balances_;
+};
+
 // Of rollers, in oil at its stated temperature or at that at which it takes the heat along.
 FrictionStudy roller_study(const ResolvedCase& in, const bearing::Bearing& bearing,
-                           const bearing::equilibrium::RingState& balance, const OilInContacts& stated) {
+                           const RingState& at_stated, const OilInContacts& stated) {
   const std::optional<friction::BearingSize> size = size_of(in);
   const bearing::Bearing sized = size ? with_rings(bearing, *size) : bearing;
   const bearing::equilibrium::RingSpeeds speeds = row_motion_of(in).speeds;
   const double speed = speed_of(in);
   const friction::RollerMixture mixture{in.number("lubricant.share"), in.quantity("lubricant.flow")};
-  const auto in_oil = [&](const OilInContacts& oil, double viscosity) {
-    return FrictionStudy{friction::roller_friction(sized, balance.contact_load, speeds, oil.lubricant,
-                                                   roller_inlets(in, size, oil, speed, viscosity), mixture),
-                         speed, viscosity};
+  const auto loss_in = [&](const OilInContacts& oil, double viscosity) {
+    return [&in, &sized, &speeds, &mixture, oil,
+            inlets = roller_inlets(in, size, oil, speed, viscosity)](const RingState& balance) {
+      return friction::roller_friction(sized, balance.contact_load, speeds, oil.lubricant, inlets, mixture);
+    };
   };
-  if (!in.flag("heat.enabled")) return in_oil(stated, in.quantity("lubricant.kinematic_viscosity"));
+  OverPitch positions(in, bearing, at_stated);
+  FrictionStudy found{.speed = speed, .viscosity = in.quantity("lubricant.kinematic_viscosity")};
+  positions.put_means(loss_in(stated, found.viscosity), found);
+  if (!in.flag("heat.enabled")) return found;
   const bearing::OilGrade oil = *oil_of(in);
   const auto at = [&](double temperature) {
-    return in_oil(oil_at(oil, temperature), kinematic_viscosity(oil, temperature));
+    FrictionStudy study{.speed = speed, .viscosity = kinematic_viscosity(oil, temperature)};
+    positions.put(loss_in(oil_at(oil, temperature), study.viscosity), study);
+    return study;
   };
   try {
     const double outlet = system::balanced_outlet(
@@ -197,21 +270,35 @@ FrictionStudy roller_study(const ResolvedCase& in, const bearing::Bearing& beari
 
 }  // namespace
 
+RingState balance_of(const ResolvedCase& in, const bearing::Bearing& bearing) {
+  RingState state = bearing::equilibrium::balance_bearing(bearing, row_motion_of(in), ring_load_of(in));
+  if (!state.report.converged)
+    throw ComputationFailed(fmt::format("{}: {} ({} iterations, {:.2g} N unbalanced)", in.text("name"),
+                                        state.report.message, state.report.iterations,
+                                        state.report.residual));
+  return state;
+}
+
 std::optional<FrictionStudy> friction_study(const ResolvedCase& in, const bearing::Bearing& bearing,
-                                            const bearing::equilibrium::RingState& balance) {
-  const std::optional<bearing::OilGrade> stated = oil_of(in);
+                                            const RingState& stated) {
+  const std::optional<bearing::OilGrade> grade = oil_of(in);
   const double speed = speed_of(in);
-  if (!stated || speed == 0.0) return std::nullopt;
+  if (!grade || speed == 0.0) return std::nullopt;
   const OilInContacts oil = in.has("lubricant.grade")
                                 ? OilInContacts{graded_lubricant(in), graded_viscosity_slope(in)}
-                                : oil_at(*stated, friction::thermal_reference::kTemperature);
-  if (bearing.has_rollers()) return roller_study(in, bearing, balance, oil);
+                                : oil_at(*grade, friction::thermal_reference::kTemperature);
+  if (bearing.has_rollers()) return roller_study(in, bearing, stated, oil);
   const std::optional<friction::BearingSize> size = size_of(in);
-  if (!size || balance.inner_rolling.size() == 0) return std::nullopt;
-  return FrictionStudy{
-      friction::ball_friction(with_rings(bearing, *size), balance, ring_load_of(in), row_motion_of(in).speeds,
-                              oil.lubricant, {.viscosity_slope = oil.viscosity_slope}),
-      speed, in.quantity("lubricant.kinematic_viscosity")};
+  if (!size || stated.inner_rolling.size() == 0) return std::nullopt;
+  FrictionStudy study{.speed = speed, .viscosity = in.quantity("lubricant.kinematic_viscosity")};
+  OverPitch(in, bearing, stated)
+      .put_means(
+          [&, sized = with_rings(bearing, *size)](const RingState& balance) {
+            return friction::ball_friction(sized, balance, ring_load_of(in), row_motion_of(in).speeds,
+                                           oil.lubricant, {.viscosity_slope = oil.viscosity_slope});
+          },
+          study);
+  return study;
 }
 
 std::optional<FrictionByStandards> friction_by_standards(const ResolvedCase& in, const OurFriction& ours,

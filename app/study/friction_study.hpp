@@ -23,9 +23,10 @@ struct OurFriction {
 };
 
 struct FrictionStudy {
-  bearing::friction::RollingFriction loss;  // [W]
+  bearing::friction::RollingFriction loss;  // [W]  mean over the positions of the cage
   double speed = 0.0;                       // [rad/s]  of the rings against each other
   double viscosity = 0.0;                   // [m^2/s]  of the oil, kinematic
+  double least = 0.0, most = 0.0;           // [W]      in all, over the positions of the cage
   std::optional<double> oil_temperature{};  // [degC]   where the friction heats the oil
 
   OurFriction ours() const {
@@ -45,11 +46,15 @@ struct FrictionByStandards {
 /// Of each formula its torque by part, its power and ours over it; the heat of [ISO15312] by the size.
 void describe(described::Record& record, const FrictionByStandards& standards);
 
+/// Balance of the bearing of a case under its load. Throws ComputationFailed where there is none.
+bearing::equilibrium::RingState balance_of(const ResolvedCase& resolved, const bearing::Bearing& bearing);
+
+/// Mean over the positions of the cage in a pitch, `stated` being the balance at the stated one.
 /// With `heat.enabled` at the temperature at which the oil leaves with all heat; throws ComputationFailed
-/// where that is too hot. None where no ring turns, no oil is stated, or, of balls, the width of the rings is
-/// not known or the balance is that of balls at rest.
+/// where that is too hot, or where a position has no balance. None where no ring turns, no oil is stated, or,
+/// of balls, the width of the rings is not known or the balance is that of balls at rest.
 std::optional<FrictionStudy> friction_study(const ResolvedCase& in, const bearing::Bearing& bearing,
-                                            const bearing::equilibrium::RingState& balance);
+                                            const bearing::equilibrium::RingState& stated);
 
 /// None where bore, outside diameter and width are not known, or nothing turns. `static_capacity` [N].
 std::optional<FrictionByStandards> friction_by_standards(const ResolvedCase& in, const OurFriction& ours,

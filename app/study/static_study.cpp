@@ -501,12 +501,8 @@ StaticStudy static_study(const ResolvedCase& in) {
   const bearing::Bearing bearing = bearing_of(in);
   const equilibrium::RingLoad load = ring_load_of(in);
   const equilibrium::RowMotion motion = row_motion_of(in);
-  StaticStudy study{.bearing = bearing, .state = equilibrium::balance_bearing(bearing, motion, load)};
+  StaticStudy study{.bearing = bearing, .state = balance_of(in, bearing)};
   const equilibrium::RingState& state = study.state;
-  if (!state.report.converged)
-    throw ComputationFailed(fmt::format("{}: {} ({} iterations, {:.2g} N unbalanced)", in.text("name"),
-                                        state.report.message, state.report.iterations,
-                                        state.report.residual));
   const bool mirrored = load.moment_across == 0.0 && bearing.first_element == 0.0;
   study.radial = resultant(state.radial, state.lateral, mirrored);
   study.tilt = resultant(state.tilt, state.lateral_tilt, mirrored);

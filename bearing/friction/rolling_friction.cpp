@@ -1,6 +1,7 @@
 #include "bearing/friction/rolling_friction.hpp"
 
 #include <algorithm>
+#include <array>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
@@ -13,6 +14,29 @@
 #include "mechanics/constants.hpp"
 
 namespace orbearing::bearing::friction {
+
+namespace {
+
+constexpr std::array kCauses{&RollingFriction::rolling,
+                             &RollingFriction::flooded_rolling,
+                             &RollingFriction::isothermal_rolling,
+                             &RollingFriction::regression_rolling,
+                             &RollingFriction::idle,
+                             &RollingFriction::differential_slip,
+                             &RollingFriction::spin,
+                             &RollingFriction::drag};
+
+}  // namespace
+
+RollingFriction& RollingFriction::operator+=(const RollingFriction& other) {
+  for (const auto cause : kCauses) this->*cause += other.*cause;
+  return *this;
+}
+
+RollingFriction& RollingFriction::operator*=(double factor) {
+  for (const auto cause : kCauses) this->*cause *= factor;
+  return *this;
+}
 
 namespace {
 

@@ -50,6 +50,8 @@ struct RollingFriction {
   double drag = 0.0;
 
   double total() const { return rolling + differential_slip + spin + drag; }
+  RollingFriction& operator+=(const RollingFriction& other);
+  RollingFriction& operator*=(double factor);
 };
 
 /// Where the oil before a contact of rollers begins.

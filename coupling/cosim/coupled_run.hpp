@@ -65,23 +65,26 @@ void describe(Visitor& visit, CoupledOptions& m) {
   rows(visit,
        field(m.order, "simulation.exchange.order", Physics::exchange,
              "order of the co-simulation in a window: bearings after gears, or both at the same time",
-             {.models = planetary_drivetrain, .reason = "stable in longer windows"}),
+             {.models = planetary_drivetrain, .reason = "stable in longer windows", .numerical = true}),
        field(m.window, "simulation.exchange.window", Physics::exchange, "longest time between two exchanges",
              {.models = planetary_drivetrain,
               .dimension = dimension::time,
               .range = positive(1e-3),
               .reason = "a fraction of the stability limit: life as of one system within 2 % (reducer)",
-              .written = "us"}),
+              .written = "us",
+              .numerical = true}),
        field(m.extrapolation, "simulation.exchange.extrapolation", Physics::exchange,
              "degree of the polynomial that extrapolates forces and velocities in a window",
              {.models = planetary_drivetrain,
               .range = {0, 2},
-              .reason = "order 2 without overshoot at impacts"}),
+              .reason = "order 2 without overshoot at impacts",
+              .numerical = true}),
        field(m.iteration.most_passes, "simulation.exchange.passes", Physics::exchange,
              "maximum number of passes over a window until both sides agree; 1: no repetition",
              {.models = planetary_drivetrain,
               .range = {1, 100},
-              .reason = "short windows cost less than repeated ones"}));
+              .reason = "short windows cost less than repeated ones",
+              .numerical = true}));
 }
 
 /// One window.

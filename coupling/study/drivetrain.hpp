@@ -256,7 +256,8 @@ void describe(Visitor& visit, PlanetaryDrivetrain& m) {
             "number of positions of the roller set over one roller pitch for the mean",
             {.models = planetary_drivetrain,
              .range = {1, 10000},
-             .reason = "evenly over one pitch, so that the position of the rollers averages out"}));
+             .reason = "evenly over one pitch, so that the position of the rollers averages out",
+             .numerical = true}));
 }
 
 /// What follows from the parameters whatever the power and speed.

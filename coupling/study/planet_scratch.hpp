@@ -40,11 +40,15 @@ void describe(Visitor& visit, PlanetSampling& m) {
             "sampled revolutions of the carrier; frequency resolution: its speed divided by this number",
             {.models = planetary_drivetrain,
              .range = positive(1e4),
-             .reason = "side bands of the carrier sixteen lines apart"}),
+             .reason = "side bands of the carrier sixteen lines apart",
+             .numerical = true}),
       field(
           m.settling_revolutions, "signal.carrier_settling", Physics::defect,
           "revolutions of the carrier before sampling, in which the start transient decays",
-          {.models = planetary_drivetrain, .range = {0.0, 1e4}, .reason = "some turns of planets and cages"}),
+          {.models = planetary_drivetrain,
+           .range = {0.0, 1e4},
+           .reason = "some turns of planets and cages",
+           .numerical = true}),
       field(m.run_up_from, "signal.run_up_from", Physics::defect,
             "share of the speed at which the motion begins", {.models = scratched_bearings}));
 }

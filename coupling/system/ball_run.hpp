@@ -63,18 +63,23 @@ void describe(Visitor& visit, BallRunOptions& m) {
             "share of the time, at its end, for the means",
             {.models = ball_motion,
              .range = {.least = 0.0, .most = 1.0, .least_allowed = false},
-             .reason = "the time before it is for settling"}),
+             .reason = "the time before it is for settling",
+             .numerical = true}),
       field(m.settling_band, "simulation.settling_band", Physics::single_bearing_run,
             "band about the mean of the last third of the run, as a share of the cage's kinematic speed; "
             "outside it the cage slip has not settled",
             {.models = ball_motion,
              .range = {.least = 0.0, .most = 1.0, .least_allowed = false},
-             .reason = "settling times are usually stated for a band of 5 %"}),
+             .reason = "settling times are usually stated for a band of 5 %",
+             .numerical = true}),
       field(m.start, "simulation.start", Physics::single_bearing_run, "motion of balls and cage at the start",
             {.models = ball_motion, .reason = "as at pure rolling on the rings' speeds of that instant"}),
       field(m.samples, "simulation.samples", Physics::single_bearing_run,
             "number of output states, at equal time steps",
-            {.models = ball_motion, .range = {2, 10'000'000}, .reason = "enough for a picture"}),
+            {.models = ball_motion,
+             .range = {2, 10'000'000},
+             .reason = "enough for a picture",
+             .numerical = true}),
       field(m.form, "simulation.form", Physics::single_bearing_run,
             "degrees of freedom with inertia: all, or as published in [Chen2026], with static equilibrium "
             "where contacts hold them",
@@ -85,7 +90,8 @@ void describe(Visitor& visit, BallRunOptions& m) {
              .dimension = dimension::time,
              .range = positive(1e-3),
              .reason = "not printed; contacts of balls and cage and the friction of the races bear it",
-             .where = {"simulation.form", "printed"}}),
+             .where = {"simulation.form", "printed"},
+             .numerical = true}),
       length_error_row(m.length_error));
 }
 

@@ -45,7 +45,8 @@ inline described::Row<double> length_error_row(double& allowed_length_error) {
                 .dimension = dimension::length,
                 .range = positive(0.1),
                 .reason = "coarser steps oscillate at closing contacts and take longer",
-                .fmu = InFmu::parameter});
+                .fmu = InFmu::parameter,
+                .numerical = true});
 }
 
 /// What a case states of it.
@@ -55,30 +56,41 @@ void describe(Visitor& visit, SteadyStateOptions& m) {
   rows(visit,
        field(m.integration.method, "simulation.integrator", Physics::motion,
              "integration of the roller dynamics: linearly implicit method, or explicit method of order 5",
-             {.models = planetary_drivetrain, .reason = "the same means in a fraction of the time"}),
+             {.models = planetary_drivetrain,
+              .reason = "the same means in a fraction of the time",
+              .numerical = true}),
        field(m.observed_windows, "simulation.observed_revolutions", Physics::run,
              "number of cage revolutions for the means of the steady state",
-             {.models = planetary_drivetrain, .range = {1, 100000}, .reason = "enough for maxima"}),
+             {.models = planetary_drivetrain,
+              .range = {1, 100000},
+              .reason = "enough for maxima",
+              .numerical = true}),
        field(m.most_windows, "simulation.most_revolutions", Physics::run,
              "maximum number of cage revolutions to reach a steady state",
-             {.models = planetary_drivetrain, .range = {2, 100000}, .reason = "bearings settle in a few"}),
+             {.models = planetary_drivetrain,
+              .range = {2, 100000},
+              .reason = "bearings settle in a few",
+              .numerical = true}),
        field(m.load_drift, "simulation.load_drift", Physics::run,
              "limit for a steady state: difference of the rms loads of two consecutive revolutions",
              {.models = planetary_drivetrain,
               .range = positive(1.0),
-              .reason = "small compared with any effect on life"}),
+              .reason = "small compared with any effect on life",
+              .numerical = true}),
        field(m.cage_drift, "simulation.cage_drift", Physics::run,
              "limit for a steady state: difference of the cage speeds of two consecutive revolutions",
              {.models = planetary_drivetrain,
               .range = positive(1.0),
-              .reason = "small compared with any effect on slip"}),
+              .reason = "small compared with any effect on slip",
+              .numerical = true}),
        length_error_row(m.allowed_length_error),
        field(m.load_error_share, "simulation.load_error_share", Physics::motion,
              "error of a position allowed in one step over the elastic approach of the most loaded roller at "
              "rest, where that is more than simulation.length_error",
              {.models = planetary_drivetrain,
               .range = {.least = 0.0, .most = 0.1},
-              .reason = "heavily loaded contacts deflect more, and their loads err by a share of that"}));
+              .reason = "heavily loaded contacts deflect more, and their loads err by a share of that",
+              .numerical = true}));
 }
 
 /// One window as time series. Matrices are (rollers, samples).

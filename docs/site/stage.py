@@ -84,9 +84,21 @@ def inputs(_) -> str:
     schema = json.loads((ROOT / "cases" / "case.schema.json").read_text(encoding="utf-8"))
     parts = []
     for model, described in schema["$defs"].items():
-        rows = [[f"`{path}`", cell(meaning), f"`{default}`" if default else ""] for path, meaning, default in _keys(described, "")]
+        rows = [[f"`{path}`", cell(meaning), f"`{default}`" if default else ""] for path, meaning, default, _ in _keys(described, "")]
         parts.append(f"## {model}\n\n" + table(["key", "meaning, what it takes", "default"], rows))
     return "\n\n".join(['<p class="key-filter"></p>', *parts])  # static/key_filter.js
+
+
+def numerical(_) -> str:
+    """The keys of the way results are computed."""
+    schema = json.loads((ROOT / "cases" / "case.schema.json").read_text(encoding="utf-8"))
+    found: dict[str, list] = {}
+    for model, described in schema["$defs"].items():
+        for path, meaning, default, one in _keys(described, ""):
+            if one.get("numerical") and "NAME" not in path:
+                found.setdefault(path, [cell(meaning), f"`{default}`" if default else "", []])[2].append(model)
+    return table(["key", "meaning, what it takes", "default", "models"],
+                 [[f"`{path}`", meaning, default, ", ".join(models)] for path, (meaning, default, models) in sorted(found.items())])
 
 
 def _keys(described: dict, before: str):
@@ -97,7 +109,7 @@ def _keys(described: dict, before: str):
         one = {**one.get("oneOf", [{}])[0], **one} if "properties" not in one and "oneOf" in one else one
         default = json.dumps(one["default"], ensure_ascii=False).strip('"') if "default" in one else ""
         if "description" in one:
-            yield path, one["description"], default
+            yield path, one["description"], default, one
         if before + name != "sweep":
             yield from _keys(one, path + ".")
     for one in described.get("patternProperties", {}).values():
@@ -175,7 +187,7 @@ def explorer(_, path: str, text: str) -> str:
     return f'<p class="explorer"><a href="{path}">{text}</a></p>' if there else ""
 
 
-GENERATED = {"commands": commands, "file": file, "inputs": inputs, "assumptions": assumptions,
+GENERATED = {"commands": commands, "file": file, "inputs": inputs, "numerical": numerical, "assumptions": assumptions,
              "life-peak": life_peak, "topics": topics, "explorer": explorer,
              "validation-guide": validation_guide}
 

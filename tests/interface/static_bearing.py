@@ -1,8 +1,10 @@
 """Issue 15, Build 1: `orbearing run`, `check` and `validate` of single bearings under a static load, from outside."""
 
 import json
+import math
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -273,6 +275,76 @@ class Commands(unittest.TestCase):
         ):
             with self.subTest(settings):
                 self.assertIn(said, refusal(case, *settings))
+
+
+ANGULAR = """name: angular contact
+source: none
+model: ball-bearing
+load: {radial: 1500 N, axial: 4000 N}
+bearing: {balls: 15, ball_diameter: 12.7 mm, pitch_diameter: 72 mm, contact_angle: 25 deg, radial_clearance: 0 um}
+operation: {turning_race: inner, shaft_speed: 4321 rpm}
+"""
+
+
+class DefectLines(unittest.TestCase):
+    """The formulas that the page on defect lines prints, beside the program."""
+
+    def documented(self, column, values):
+        """Frequencies by symbol, from a column of the page's first table."""
+        page = (CASES.parent / "docs" / "guide" / "defect_lines.md").read_text(encoding="utf-8")
+        rows = [[cell.strip() for cell in line.strip("|").split("|")] for line in page.splitlines() if re.match(r"\| [^|]+ \| (BPFO|BPFI|BSF|2 BSF|FTF) \|", line)]
+        found = {}
+        for row in rows:
+            formula = row[column].split(": ")[-1].replace("^", "**")
+            formula = re.sub(r"(?<=[\w)]) (?=[\w(])", "*", formula)
+            found.setdefault(row[1], eval(formula, {"__builtins__": {}}, values))  # noqa: S307
+        return found
+
+    def test_formulas_of_the_page(self):
+        angle = math.radians(25.0)
+        values = {"Z": 15, "D": 12.7, "d": 72.0, "g": 12.7 / 72.0 * math.cos(angle), "f": 4321.0 / 60.0, "f_p": 4321.0 / 60.0}
+        with tempfile.TemporaryDirectory() as folder:
+            case = pathlib.Path(folder) / "angular.yaml"
+            case.write_text(ANGULAR, encoding="utf-8")
+            inner = run(case)["defect_frequencies"]
+            # As of a planet: the outer ring turns, the inner one stands.
+            outer = run(case, "operation.turning_race=outer", "operation.shaft_speed=0 rpm", "operation.outer_speed=4321 rpm")["defect_frequencies"]
+        for column, found in ((3, inner), (4, outer)):
+            by_page = self.documented(column, values)
+            self.assertEqual(set(by_page), {"BPFO", "BPFI", "BSF", "2 BSF", "FTF"})
+            self.assertAlmostEqual(by_page["2 BSF"], 2.0 * by_page["BSF"], delta=1e-9)
+            for name in ("BPFO", "BPFI", "BSF", "FTF"):
+                self.assertAlmostEqual(by_page[name] / found[f"{name}_Hz"], 1.0, delta=1e-9, msg=(name, column))
+
+
+class CagePositions(unittest.TestCase):
+    """Friction is the mean over the positions of the cage; single loads and lives are those of the stated one, with their range beside."""
+
+    DUTY = ("bearing.designation=NU 210", "load.radial=3475 N", "operation.shaft_speed=9000 rpm")
+    PITCH = 360.0 / 16  # [deg]
+    CASE = CASES / "validation" / "thermal_reference_rollers" / "case.yaml"
+    DIGITS = 1e-3  # the mean is found to 2e-4, twice
+
+    def at(self, share, *settings):
+        return run(self.CASE, *self.DUTY, f"bearing.first_element_angle={share * self.PITCH} deg", *settings)
+
+    def test_friction_does_not_depend_on_the_position(self):
+        found = [self.at(share)["friction"] for share in (0.0, 0.21, 0.5, 0.77)]
+        powers = [one["power_W"] for one in found]
+        self.assertLess(max(powers) / min(powers) - 1.0, self.DIGITS)
+        for one in found:
+            self.assertLess(one["least_power_W"], one["power_W"])
+            self.assertGreater(one["most_power_W"], one["power_W"])
+        # From 413 to 466 W by position.
+        self.assertGreater(found[0]["most_power_W"] / found[0]["least_power_W"], 1.1)
+
+    def test_heated_oil_takes_the_mean_along(self):
+        """The temperature at which the oil leaves is that of the mean heat: 1.7 MJ/(m3 K) of oil."""
+        heated = ("heat.enabled=true", "heat.model=oil", "lubricant.flow=1 L/min", "heat.inlet=60 degC")
+        found = [self.at(share, *heated)["friction"] for share in (0.0, 0.4)]
+        self.assertLess(abs(found[0]["power_W"] / found[1]["power_W"] - 1.0), self.DIGITS)
+        for one in found:
+            self.assertAlmostEqual(one["power_W"] / (1.7e6 * 1e-3 / 60.0 * (one["oil_temperature_degC"] - 60.0)), 1.0, delta=1e-6)
 
 
 if __name__ == "__main__":

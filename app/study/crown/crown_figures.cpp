@@ -39,6 +39,17 @@ Profile advised_profile(const CrownProblem& problem, const ordered_json& advice)
   return profile_of(family, {1e-6 * advice.at("drop_um").get<double>(), share});
 }
 
+// With the drops that the study extended.
+CrownRequest as_studied(CrownRequest request, const ordered_json& result) {
+  constexpr double round_off = 1e-9, micro = 1e-6;
+  double greatest = 0.0;  // [um]
+  for (const ordered_json& point : result.at("points"))
+    greatest = std::max(greatest, point.at("drop_um").get<double>());
+  while (request.drops.back() < (1.0 - round_off) * micro * greatest)
+    for (double& drop : request.drops) drop *= 2.0;
+  return request;
+}
+
 Stage stage_of(const CrownRequest& request, const ordered_json& result) {
   const CrownProblem problem = problem_of(request);
   const ordered_json& advice = result.at("recommended");
@@ -234,7 +245,8 @@ ordered_json speed_curves(const Stage& stage, const std::vector<double>& speeds)
 
 ordered_json crown_figures(const ResolvedCase& resolved, const CrownRequest& request,
                            const ordered_json& result) {
-  const Stage stage = stage_of(request, result);
+  const CrownRequest studied = as_studied(request, result);
+  const Stage stage = stage_of(studied, result);
   const bearing::CylindricalRollers& rollers = stage.problem.bearing.rollers();
   ordered_json profiles = ordered_json::array();
   for (const Named& profile : stage.chief) profiles.push_back(drawn_profile(profile, rollers.length));

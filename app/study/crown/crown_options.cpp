@@ -79,7 +79,6 @@ constexpr Dimension kTilt{"angle", "rad", "mrad", "1 mrad"};
 constexpr Dimension kDrop{"length", "m", "um", "5 um"};
 constexpr int kLaminae = 40;             // of a case that does not cut its rollers
 constexpr double kMostTilt = 0.1;        // [rad]  far beyond any mounting
-constexpr double kMostDrop = 1e-3;       // [m]
 constexpr double kShareRoundOff = 1e-6;  // of a sum of shares that were rounded for typing
 
 using Mistakes = std::vector<std::string>;
@@ -328,6 +327,7 @@ CrownRequest crown_request(const ResolvedCase& resolved, const CrownOptions& opt
                        .profiles = profiles_of(options, bearing, mistakes),
                        .tilts = tilts_of(options, computed, mistakes),
                        .drops = drops_of(options, bearing, mistakes),
+                       .drops_stated = !options.drops.empty(),
                        .distribution = distribution_of(options, computed, mistakes),
                        .starts = options.starts};
   const double greatest = request.drops.empty() ? kMostDrop : request.drops.back();

@@ -25,6 +25,8 @@ std::vector<double> quantity_list(const std::string& option, const std::string& 
                                   const Dimension& dimension, const ListRange& range,
                                   std::vector<std::string>& mistakes);
 
+inline constexpr double kMostDrop = 1e-3;  // [m]  that a study takes
+
 /// Options as typed; empty: the default.
 struct CrownOptions {
   std::string profiles;        // --profile         "iso16281, circular"
@@ -57,6 +59,7 @@ struct CrownRequest {
   std::vector<std::string> profiles;
   std::vector<double> tilts;  // [rad]  one of 0 where they are computed
   std::vector<double> drops;  // [m]  rising
+  bool drops_stated = false;  // else the study extends them until the best is among them
   study::crowning::Tolerance tolerance;
   study::crowning::Distribution distribution = study::crowning::Distribution::worst;
   int starts = 10;

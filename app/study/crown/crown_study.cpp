@@ -205,6 +205,33 @@ Recommendation recommendation(const Bench& bench, const CrownStudy& study) {
   return best;
 }
 
+// Without warnings.
+CrownStudy studied(const CrownRequest& request, int jobs, const Progressed& progressed) {
+  CrownStudy study{.request = request};
+  const CrownProblem problem = problem_of(request);
+  const Bench bench{study.request, problem, RollerPressure(problem), jobs};
+  study.life = problem.governing;
+  try {
+    put_points(bench, progressed, study);
+    put_searches(bench, study);
+    study.straight = design_of(bench, "straight", bearing::profile::Straight{}, 0.0);
+    const double drop = reference_drop(problem.bearing);
+    const ProfileFamily standard = family_of("iso16281", problem.bearing, 1.0);
+    study.reference = crowned(bench, "iso16281", standard, {drop, 1.0});
+    study.recommended = recommendation(bench, study);
+  } catch (const std::runtime_error& error) {
+    throw ComputationFailed(std::string("crown: ") + error.what());
+  }
+  return study;
+}
+
+// Whether a greater drop than those studied may be better.
+bool ends_at_greatest(const CrownStudy& study) {
+  constexpr double near = 5e-3;  // of the greatest: two steps of the scan for the best
+  return study.recommended.advice.drop >= (1.0 - near) * study.request.drops.back() ||
+         std::ranges::any_of(study.searches, &CrownSearch::at_end);
+}
+
 }  // namespace
 
 std::size_t grid_size(const CrownRequest& request) {
@@ -227,20 +254,11 @@ ProfileFamily family_in(const CrownProblem& problem, const std::string& name) {
 }
 
 CrownStudy crown_study(const CrownRequest& request, int jobs, const Progressed& progressed) {
-  CrownStudy study{.request = request};
-  const CrownProblem problem = problem_of(request);
-  const Bench bench{study.request, problem, RollerPressure(problem), jobs};
-  study.life = problem.governing;
-  try {
-    put_points(bench, progressed, study);
-    put_searches(bench, study);
-    study.straight = design_of(bench, "straight", bearing::profile::Straight{}, 0.0);
-    const double drop = reference_drop(problem.bearing);
-    const ProfileFamily standard = family_of("iso16281", problem.bearing, 1.0);
-    study.reference = crowned(bench, "iso16281", standard, {drop, 1.0});
-    study.recommended = recommendation(bench, study);
-  } catch (const std::runtime_error& error) {
-    throw ComputationFailed(std::string("crown: ") + error.what());
+  CrownStudy study = studied(request, jobs, progressed);
+  for (CrownRequest wider = request; !request.drops_stated && ends_at_greatest(study);) {
+    if (2.0 * wider.drops.back() > kMostDrop) break;
+    for (double& drop : wider.drops) drop *= 2.0;
+    study = studied(wider, jobs, progressed);
   }
   add_warnings(study);
   add_advice_warnings(study);

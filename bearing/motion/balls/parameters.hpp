@@ -44,9 +44,12 @@ void describe(Visitor& visit, EllipseParameters& m) {
              .where = {"traction.law", "ree-eyring"}}),
       field(m.slices, "traction.slices", Physics::motion,
             "slices of an ellipse of contact across the direction of rolling",
-            {.models = balls_in_time, .range = {1, 32}, .reason = "friction within a per cent"}),
+            {.models = balls_in_time,
+             .range = {1, 32},
+             .reason = "friction within a per cent",
+             .numerical = true}),
       field(m.rows, "traction.rows", Physics::motion, "points of each slice along the direction of rolling",
-            {.models = balls_in_time, .range = {1, 8}, .reason = "ellipses are slender"}));
+            {.models = balls_in_time, .range = {1, 8}, .reason = "ellipses are slender", .numerical = true}));
 }
 
 /// Pockets of a ball bearing's cage.
