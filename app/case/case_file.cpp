@@ -558,11 +558,21 @@ void blame_settings(std::vector<Mistake>& mistakes, const std::vector<Mistake>& 
 
 }  // namespace
 
-ResolvedCase read_case(const std::string& file, const std::vector<std::string>& settings) {
+CaseSource source_of(const std::string& file) {
   const std::filesystem::path within = std::filesystem::path(file) / "case.yaml";
   std::error_code ignored;
   const std::string path = std::filesystem::is_regular_file(within, ignored) ? within.string() : file;
-  return parse_case(read_file(path), path, settings);
+  return {.name = path, .text = read_file(path)};
+}
+
+ResolvedCase parse_case(CaseSource& source, const std::vector<std::string>& settings) {
+  const KeepingFiles keeping(source.files);
+  return parse_case(source.text, source.name, settings);
+}
+
+ResolvedCase read_case(const std::string& file, const std::vector<std::string>& settings) {
+  const CaseSource source = source_of(file);
+  return parse_case(source.text, source.name, settings);
 }
 
 ResolvedCase read_point(const std::string& file, const std::vector<std::string>& settings) {

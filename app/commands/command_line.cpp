@@ -193,6 +193,10 @@ void add_fmu(CLI::App& command, Options& options) {
           "--model", options.model,
           "bearing (default): one bearing of one planet; gearset: the gears without their planet bearings")
       ->check(CLI::IsMember({"bearing", "gearset"}));
+  command.add_flag(
+      "--windows", options.windows,
+      "add the library for Windows to that for Linux. The first use builds it, which takes as long as "
+      "a large part of the program: 5 to 20 minutes");
 }
 
 void add_signals(CLI::App& command, Options& options) {

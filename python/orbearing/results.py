@@ -61,6 +61,22 @@ class ComputedCase(Protocol):
         """The same case, which changes by itself."""
 
 
+class _KeptFolder:
+    """A folder that goes with the last result that has it; other processes do not get it."""
+
+    def __init__(self, path: str):
+        weakref.finalize(self, shutil.rmtree, path, ignore_errors=True)
+
+    def __copy__(self):
+        return self
+
+    def __deepcopy__(self, _):
+        return self
+
+    def __reduce__(self):
+        return type(None), ()
+
+
 class Result(Mapping):
     """What a command found. A mapping of the keys of its JSON; arrays are read-only.
 
@@ -72,10 +88,17 @@ class Result(Mapping):
                  kept: Optional[str] = None):
         self._data = _frozen(data)
         self._command, self._case, self._options = command, case, MappingProxyType(dict(options or {}))
-        self._folder = folder
-        if kept:
-            weakref.finalize(self, shutil.rmtree, kept, ignore_errors=True)
+        self._folder, self._kept = folder, _KeptFolder(kept) if kept else None
         self._whole = True
+
+    def __getstate__(self):
+        return {**self.__dict__, "_data": self.data, "_options": dict(self._options), "_has_kept": self._kept is not None}
+
+    def __setstate__(self, state):
+        has_kept = state.pop("_has_kept")
+        self.__dict__.update({**state, "_data": _frozen(state["_data"]), "_options": MappingProxyType(state["_options"])})
+        if has_kept and self._kept is None:
+            self.__dict__["_folder"] = None  # of another process, which deletes it
 
     @property
     def data(self) -> dict:
