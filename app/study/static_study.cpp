@@ -485,6 +485,32 @@ bool is_static_bearing(const ResolvedCase& resolved) {
   return resolved.model() == roller_bearing || resolved.model() == ball_bearing;
 }
 
+namespace {
+
+// Balls of a contact angle carry a radial load with an axial one of at least as much times its tangent. Less
+// leaves them nowhere to stand: the rings part.
+std::string too_little_thrust(const bearing::Bearing& bearing, const equilibrium::RingLoad& load) {
+  const double angle = std::abs(bearing.contact_angle()), axial = std::abs(load.axial);
+  const double least = std::abs(load.radial) * std::tan(angle);
+  if (angle == 0.0 || load.tilt || load.moment != 0.0 || load.moment_across != 0.0 || !(axial < least))
+    return "";
+  return fmt::format(
+      ". The axial load of {:.4g} N is too small: at a contact angle of {:.3g} deg a radial load of {:.4g} N "
+      "requires at least {:.4g} N. Increase load.axial, or use model: duplex-pair for two bearings side by "
+      "side",
+      axial, angle * 180.0 / constants::pi, std::abs(load.radial), least);
+}
+
+// What is left unbalanced says something only where the search for an equilibrium failed.
+std::string no_equilibrium_text(const equilibrium::BalanceReport& report, double load) {
+  constexpr double found = 1e-6;  // [-]  of the load
+  if (report.residual <= found * load) return report.message;
+  return fmt::format("{} ({} iterations, {:.2g} N unbalanced)", report.message, report.iterations,
+                     report.residual);
+}
+
+}  // namespace
+
 StaticStudy static_study(const ResolvedCase& in) {
   if (!is_static_bearing(in))
     throw BadInput(in.origin("model") + ": model: found " + in.choice("model") +
@@ -495,9 +521,9 @@ StaticStudy static_study(const ResolvedCase& in) {
   StaticStudy study{.bearing = bearing, .state = equilibrium::balance_bearing(bearing, motion, load)};
   const equilibrium::RingState& state = study.state;
   if (!state.report.converged)
-    throw ComputationFailed(fmt::format("{}: {} ({} iterations, {:.2g} N unbalanced)", in.text("name"),
-                                        state.report.message, state.report.iterations,
-                                        state.report.residual));
+    throw ComputationFailed(fmt::format(
+        "{}: {}{}", in.text("name"), no_equilibrium_text(state.report, std::hypot(load.radial, load.axial)),
+        too_little_thrust(bearing, load)));
   const bool mirrored = load.moment_across == 0.0 && bearing.first_element == 0.0;
   study.radial = resultant(state.radial, state.lateral, mirrored);
   study.tilt = resultant(state.tilt, state.lateral_tilt, mirrored);

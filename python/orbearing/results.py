@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import atexit
 import contextlib
 import html
 import inspect
 import json
 import shutil
+import sys
 import tempfile
 import weakref
 from pathlib import Path
@@ -48,7 +50,27 @@ def _new_axes(width: float = 1.0):
 
     from orbearing import style
 
-    return pyplot.subplots(figsize=(style.PANEL[0] * width, style.PANEL[1]), layout="constrained")[1]
+    figure, axes = pyplot.subplots(figsize=(style.PANEL[0] * width, style.PANEL[1]), layout="constrained")
+    _watch(figure)
+    return axes
+
+
+_undrawn: list = []  # figures that nothing has shown or saved
+
+
+def _watch(figure) -> None:
+    """A script that ends with a plot that nothing has shown or saved says how; in a notebook it is drawn."""
+    if not _undrawn:
+        atexit.register(_say_how_to_show)
+    _undrawn.append(figure)
+    figure.canvas.mpl_connect("draw_event", lambda _: _undrawn.remove(figure) if figure in _undrawn else None)
+
+
+def _say_how_to_show() -> None:
+    if _undrawn:
+        print("orbearing: plot() has drawn a figure that was neither shown nor saved; call matplotlib.pyplot.show(), or plot().figure.savefig('plot.png')",
+              file=sys.stderr)
+        _undrawn.clear()
 
 
 class ComputedCase(Protocol):
@@ -153,7 +175,8 @@ class Result(Mapping):
         return xarray.Dataset(variables, attrs=self._attributes())
 
     def plot(self, axes=None):
-        """Draws the result with matplotlib and returns the axes."""
+        """Draws the result with matplotlib and returns the axes. A notebook shows them; in a script call matplotlib.pyplot.show(), or
+        `plot().figure.savefig("plot.png")`."""
         raise NotImplementedError(f"a result of {self._command} has no plot of its own; see to_xarray() and report()")
 
     def report(self, path) -> Path:
