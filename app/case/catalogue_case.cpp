@@ -259,7 +259,9 @@ class CatalogueCase {
         clearance->second.replaced.empty()) {
       data_.values.erase(known);
       data_.assumed.erase(path);
-      return;
+      const Field& as_given = *find_field(catalogue_keys::kState);
+      return put_default(catalogue_keys::kState, as_given.default_text,
+                         "default: " + as_given.default_reason);
     }
     const FieldValue *rings = find(catalogue_keys::kRings), *state = find(catalogue_keys::kState);
     if (entry_ == nullptr || known != data_.values.end() || clearance != data_.values.end() ||
