@@ -103,7 +103,7 @@ class Resolver {
     for (const Member& member : assumed->value.members) {
       const auto value = data_.values.find(member.key);
       if (value == data_.values.end() || value->second.location.option) continue;
-      if ((is_rating(member.key) || is_of_default_class(*assumed, member.key)) &&
+      if ((is_rating(member.key) || is_of_default_class(assumed->value, member.key)) &&
           member.value.text.starts_with("default:") &&
           data_.values.contains(set_of(member.key) + catalogue_keys::kDesignation))
         value->second.from_default = true;
