@@ -258,10 +258,11 @@ class Case:
             raise
 
     def _states(self, path: str) -> bool:
-        block = path + "."
-        if any(key == path or key.startswith(block) for key in (f"sweep.{axis}" for axis in self._core.axes())) or path in ("sweep", "uncertain", "assumed"):
-            return True
-        return any((row["path"] == path or row["path"].startswith(block)) and row["source"] in ("given", "assumed") for row in self.inputs)
+        first, _, axis = path.partition(".")
+        if first == "sweep":
+            return axis in self._core.axes() if axis else bool(self._core.axes())
+        return first in ("uncertain", "assumed") or any(
+            (row["path"] == path or row["path"].startswith(path + ".")) and row["source"] in ("given", "assumed") for row in self.inputs)
 
     def _replace_setting(self, path: str, value) -> None:
         text = _NOTHING if value is None else _as_text(path, value)

@@ -113,8 +113,10 @@ def _settings_of_each_value(design: Design):
     """Settings of points in which each choice and both ends of each number occur."""
     points = {0, design.points - 1}
     for parameter in design.parameters:
-        count = len(parameter.texts)
-        wanted = range(count) if not parameter.is_number else {0, count - 1, int(np.argmin(parameter.si)), int(np.argmax(parameter.si))}
+        if parameter.is_number:
+            wanted = {int(np.argmin(parameter.si)), int(np.argmax(parameter.si))}
+        else:
+            wanted = {parameter.texts.index(text) for text in set(parameter.texts)}
         place = [name for name, _ in design.dimensions].index(parameter.dimension)
         for index in wanted:
             start = tuple(index if k == place else 0 for k in range(len(design.shape)))
