@@ -182,6 +182,16 @@ Warnings rack_problems(const BasicRack& rack, const std::string& block) {
   return problems;
 }
 
+Warnings spacing_problems(const PlanetarySet& set) {
+  Warnings problems;
+  check_count(set.sun_teeth, "gearset.teeth.sun", problems);
+  check_count(set.planet_teeth, "gearset.teeth.planet", problems);
+  check_count(set.ring_teeth, "gearset.teeth.ring", problems);
+  check_count(set.planets, "gearset.planets", problems);
+  if (problems.empty()) check_spacing(set, problems);
+  return problems;
+}
+
 Warnings assembly_problems(const PlanetarySet& set) {
   Warnings problems = single_value_problems(set);
   if (!problems.empty()) return problems;

@@ -13,6 +13,9 @@ namespace orbearing::gearset {
 /// remedy.
 Warnings assembly_problems(const PlanetarySet& set);
 
+/// Those that tooth numbers and planet positions alone tell.
+Warnings spacing_problems(const PlanetarySet& set);
+
 /// Reasons why a basic rack can cut no teeth.
 /// @param block of the case that states the rack: "gearset"
 Warnings rack_problems(const BasicRack& rack, const std::string& block);

@@ -124,17 +124,27 @@ class Resolver {
     faulty_.insert(path);
   }
 
-  // Ratings that a resolved case repeats from a catalogue are no statements of the user's.
+  // Ratings, and an assumed class, that a resolved case repeats from a catalogue are no statements of the
+  // user's.
   void forget_printed_ratings() {
     const Member* assumed = find_member(root_, "assumed");
     if (assumed == nullptr) return;
     for (const Member& member : assumed->value.members) {
       const auto value = data_.values.find(member.key);
       if (value == data_.values.end() || value->second.location.option) continue;
-      if (is_rating(member.key) && member.value.text.starts_with("default:") &&
+      if ((is_rating(member.key) || is_of_default_class(assumed->value, member.key)) &&
+          member.value.text.starts_with("default:") &&
           data_.values.contains(set_of(member.key) + catalogue_keys::kDesignation))
         value->second.from_default = true;
     }
+  }
+
+  // A class that was assumed, and the clearance that follows from it.
+  static bool is_of_default_class(const Entry& assumed, const std::string& path) {
+    const std::string set = set_of(path);
+    if (path != set + catalogue_keys::kClass && path != set + catalogue_keys::kClearance) return false;
+    const Member* of_class = find_member(assumed, set + catalogue_keys::kClass);
+    return of_class != nullptr && of_class->value.text.starts_with("default:");
   }
 
   static bool is_rating(std::string_view path) {
@@ -292,7 +302,7 @@ class Resolver {
     if (!reading.good) {
       const bool oil = field.path == "lubricant.grade";
       add_error(reading.location.value_or(member.value.location), path, reading.message.found,
-                reading.message.required +
+                reading.message.required + likely_place(path, field, value) +
                     (oil ? "; an oil of another viscosity is stated by lubricant.viscosity_40 and "
                            "lubricant.viscosity_100 instead of a grade"
                          : ""));
@@ -306,6 +316,20 @@ class Resolver {
     StoredValue& stored = data_.values[path];
     stored = {std::move(reading.value), member.value.location, false};
     for (const Entry& item : member.value.items) stored.item_locations.push_back(item.location);
+  }
+
+  // The only quantity of another kind in the same block that the text fits: a torque that stands at a power.
+  std::string likely_place(const std::string& path, const Field& field, const Entry& value) const {
+    if (field.kind != Kind::quantity || value.shape != Entry::Shape::scalar) return "";
+    const std::string block = path.substr(0, path.rfind('.') + 1);
+    std::vector<std::string> fitting;
+    for (const auto& [other, of_block] :
+         inputs_of(model_ == no_model ? every_model : unsigned{model_}, data_.shape))
+      if (of_block->kind == Kind::quantity && of_block->dimension.si != field.dimension.si &&
+          other.starts_with(block) && other.find('.', block.size()) == std::string::npos &&
+          read_field_text(*of_block, value.text).good)
+        fitting.push_back(other);
+    return fitting.size() == 1 ? fmt::format("; did you mean '{}'?", fitting.front()) : "";
   }
 
   bool is_faulty(std::string path) const {
@@ -408,7 +432,22 @@ class Resolver {
     return set.empty() ? data_.shape.bearing : block_locations_.contains(set + "bearing");
   }
 
+  // Of a file of the common name its folder tells more.
+  void fill_source() {
+    if (data_.values.contains("source") || is_faulty("source")) return;
+    const std::filesystem::path file(data_.file);
+    const bool common = file.filename() == "case.yaml" && file.has_parent_path();
+    const std::filesystem::path shown =
+        common ? file.parent_path().filename() / file.filename() : file.filename();
+    data_.values["source"] = {
+        read_field_text(*find_field("source"), printable(shown.empty() ? "case" : shown.string())).value,
+        {},
+        true};
+    data_.assumed["source"] = "default: name of the case file";
+  }
+
   void fill_defaults() {
+    fill_source();
     for (const auto& [path, field] : inputs_of(model_, data_.shape)) {
       if (field->default_text.empty() || data_.values.contains(path) || is_faulty(path) ||
           is_of_missing_bearing({path, field}) || (field->default_without_bearing && has_bearing(path)))
@@ -597,11 +636,21 @@ void blame_settings(std::vector<Mistake>& mistakes, const std::vector<Mistake>& 
 
 }  // namespace
 
-ResolvedCase read_case(const std::string& file, const std::vector<std::string>& settings) {
+CaseSource source_of(const std::string& file) {
   const std::filesystem::path within = std::filesystem::path(file) / "case.yaml";
   std::error_code ignored;
   const std::string path = std::filesystem::is_regular_file(within, ignored) ? within.string() : file;
-  return parse_case(read_file(path), path, settings);
+  return {.name = path, .text = read_file(path)};
+}
+
+ResolvedCase parse_case(CaseSource& source, const std::vector<std::string>& settings) {
+  const KeepingFiles keeping(source.files);
+  return parse_case(source.text, source.name, settings);
+}
+
+ResolvedCase read_case(const std::string& file, const std::vector<std::string>& settings) {
+  const CaseSource source = source_of(file);
+  return parse_case(source.text, source.name, settings);
 }
 
 ResolvedCase read_point(const std::string& file, const std::vector<std::string>& settings) {

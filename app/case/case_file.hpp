@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/case/resolved_case.hpp"
+#include "app/case/rows_file.hpp"
 
 namespace orbearing::app {
 
@@ -21,5 +22,19 @@ ResolvedCase read_point(const std::string& file, const std::vector<std::string>&
 /// The same for a text in memory; `name` stands for the file in messages.
 ResolvedCase parse_case(std::string_view text, const std::string& name,
                         const std::vector<std::string>& settings = {});
+
+/// What a case was read from: with other settings it is read again, though its files have changed or are
+/// gone.
+struct CaseSource {
+  std::string name;  // of the file, in messages and for files beside it
+  std::string text;
+  KeptFiles files{};  // that it names
+};
+
+/// Reads a file, or case.yaml of a folder, as it is. Throws BadInput.
+CaseSource source_of(const std::string& file);
+
+/// The case of the source with settings; files that it names are added to the source.
+ResolvedCase parse_case(CaseSource& source, const std::vector<std::string>& settings);
 
 }  // namespace orbearing::app

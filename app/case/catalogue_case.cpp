@@ -19,6 +19,7 @@
 #include "app/units.hpp"
 #include "bearing/catalogue/classes.hpp"
 #include "bearing/catalogue/entries.hpp"
+#include "bearing/catalogue/suffixes.hpp"
 #include "bearing/default_design.hpp"
 #include "mechanics/constants.hpp"
 
@@ -74,10 +75,28 @@ const catalogue::Inside& known_inside(const catalogue::Entry& entry) {
 }
 
 // A user's own lines go before those of the program. `table` may be null.
-const catalogue::Entry* line_of(const FieldValue* table, const std::string& designation) {
+const catalogue::Entry* line_as_written(const FieldValue* table, const std::string& designation) {
   if (table != nullptr && !table->texts.empty())
     if (const catalogue::Entry* own = catalogue::find(catalogue_of(*table), designation)) return own;
   return catalogue::find(built_in_catalogue(), designation);
+}
+
+/// A line, and suffixes of the designation that the line does not have.
+struct ReadDesignation {
+  const catalogue::Entry* line = nullptr;
+  catalogue::SuffixedName name{};
+};
+
+// A suffix that is listed is a part of the designation; others are read behind a listed one.
+ReadDesignation read_designation(const FieldValue* table, const std::string& designation) {
+  if (const catalogue::Entry* line = line_as_written(table, designation)) return {line, {designation, {}}};
+  for (const catalogue::SuffixedName& reading : catalogue::suffixed_readings(designation))
+    if (const catalogue::Entry* line = line_as_written(table, reading.base)) return {line, reading};
+  return {};
+}
+
+const catalogue::Entry* line_of(const FieldValue* table, const std::string& designation) {
+  return read_designation(table, designation).line;
 }
 
 const FieldValue* table_of_case(const ResolvedCase& in, const std::string& set = "") {
@@ -149,6 +168,7 @@ class CatalogueCase {
 
   void fill() {
     fill_designation();
+    fill_default_class();
     fill_class();
     fill_seats();
     fill_material();
@@ -272,6 +292,36 @@ class CatalogueCase {
     put_default("bearing.cage.width", millimetres(cage.width), reason);
   }
 
+  // That of the designation's suffix, else normal: as bearings are bought where nobody asks for another
+  // clearance.
+  void fill_default_class() {
+    const std::string path = prefix_ + catalogue_keys::kClass;
+    const auto known = data_.values.find(path),
+               clearance = data_.values.find(prefix_ + catalogue_keys::kClearance);
+    const bool stated = clearance != data_.values.end() && !clearance->second.from_default;
+    if (known != data_.values.end() && known->second.from_default && stated &&
+        clearance->second.replaced.empty()) {
+      data_.values.erase(known);
+      data_.assumed.erase(path);
+      const Field& as_given = *find_field(catalogue_keys::kState);
+      return put_default(catalogue_keys::kState, as_given.default_text,
+                         "default: " + as_given.default_reason);
+    }
+    const FieldValue *rings = find(catalogue_keys::kRings), *state = find(catalogue_keys::kState);
+    if (entry_ == nullptr || known != data_.values.end() || clearance != data_.values.end() ||
+        entry_->family == catalogue::Family::needle_cage || (rings != nullptr && rings->given != "both") ||
+        (state != nullptr && state->given == "operating"))
+      return;
+    const ReadDesignation read =
+        read_designation(find(catalogue_keys::kCatalogue), find(catalogue_keys::kDesignation)->given);
+    for (const catalogue::Suffix* suffix : read.name.suffixes)
+      if (suffix->clearance)
+        return put_default(catalogue_keys::kClass, std::string(suffix->letters),
+                           "default: the suffix of bearing.designation");
+    put_default(catalogue_keys::kClass, "CN",
+                "default: normal clearance, as a catalogue bearing has it whose designation names no other");
+  }
+
   void fill_class() {
     const FieldValue *name = find(catalogue_keys::kClass), *bore = find("bearing.bore");
     if (name == nullptr || (entry_ == nullptr && bore == nullptr)) return;
@@ -373,6 +423,12 @@ const OtherType* other_type(std::string_view name) {
   return nullptr;
 }
 
+// "NCF 2207", "SL 18 2207", "NJG 2307": series of several makers.
+bool is_full_complement_name(std::string_view name) {
+  return std::ranges::any_of(std::array<std::string_view, 5>{"NCF", "SL", "NJG", "NNCF", "NNC"},
+                             [&](std::string_view series) { return name.starts_with(series); });
+}
+
 }  // namespace
 
 std::optional<ConsistencyMessage> unknown_designation(const std::string& name, const FieldValue* table,
@@ -390,11 +446,19 @@ std::optional<ConsistencyMessage> unknown_designation(const std::string& name, c
                           other->type)};
   constexpr std::size_t shown = 5;
   const bool rollers = (model & with_rollers) != 0;
+  const std::string found = fmt::format("{} is {}", quote(name),
+                                        table == nullptr ? "not in the catalogue" : "in neither catalogue");
+  if (rollers && is_full_complement_name(name))
+    return ConsistencyMessage{
+        found + ", which lists bearings with a cage",
+        "for a full complement state bearing.complement: full with roller_diameter, roller_length, "
+        "pitch_diameter, bore, outside_diameter and width, and its ratings where they are printed; or your "
+        "own "
+        "row (bearing.catalogue: FILE)"};
   return ConsistencyMessage{
-      fmt::format("{} is {}", quote(name),
-                  table == nullptr ? "not in the catalogue" : "in neither catalogue"),
+      found,
       fmt::format(
-          "a listed designation is required, with a suffix only if listed; nearest: {}. For another bearing, "
+          "a listed designation is required, perhaps with common suffixes; nearest: {}. For another bearing, "
           "state your own row (bearing.catalogue: FILE), or number, diameter and pitch diameter of its {}",
           fmt::join(catalogue::nearest(designations_of(table, rollers), name, shown), ", "),
           rollers ? "rollers" : "balls")};
@@ -635,6 +699,25 @@ std::string inferred_warning(const std::string& path, const std::string& name,
       100.0 / inside.elements, element);
 }
 
+// "2Z (shields on both sides)": what is read behind the designation of the line.
+void add_suffixes(const ResolvedCase& in, const std::string& set, std::vector<std::string>& warnings) {
+  const std::string path = set + catalogue_keys::kDesignation;
+  const ReadDesignation read = read_designation(table_of_case(in, set), in.text(path));
+  if (read.name.suffixes.empty()) return;
+  std::vector<std::string> suffixes;
+  bool clearance = false;
+  for (const catalogue::Suffix* one : read.name.suffixes) {
+    suffixes.push_back(fmt::format("{} ({})", one->letters, one->meaning));
+    clearance = clearance || one->clearance;
+  }
+  warnings.push_back(
+      fmt::format("{}: {} is read as {} with the suffixes {}. Sizes and ratings are those of {}; "
+                  "{}state what else a suffix means, as bearing.cage.material",
+                  path, quote(in.text(path)), read.name.base, fmt::join(suffixes, ", "),
+                  name_of(*read.line, read.name.base),
+                  clearance ? "the class of clearance is taken where the case states none; " : ""));
+}
+
 // Ratings that a case states beside the designation of a bearing that has others.
 void add_replaced_ratings(const ResolvedCase& in, const std::string& set, const catalogue::Entry& entry,
                           std::vector<std::string>& warnings) {
@@ -668,6 +751,7 @@ std::vector<std::string> inferred_warnings(const ResolvedCase& resolved) {
     const std::string set = set_of(input.path);
     const catalogue::Entry* entry = line_of(resolved, set);
     if (entry == nullptr) continue;
+    add_suffixes(resolved, set, warnings);
     warnings.push_back(inferred_warning(input.path, resolved.text(input.path), *entry));
     if (const std::string rings = set + catalogue_keys::kRings;
         resolved.has(rings) && resolved.choice(rings) != "both" &&

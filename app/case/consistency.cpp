@@ -74,13 +74,21 @@ bool has_bearing(const ResolvedCase& in) {
   });
 }
 
+// What tooth numbers alone say: it is reported beside keys that are missing.
+void check_spacing_alone(CheckedCase& in) {
+  if (has_planet_pairs(in) ||
+      !has_all(in, {"gearset.teeth.sun", "gearset.teeth.planet", "gearset.teeth.ring", "gearset.planets"}))
+    return;
+  add_errors(in, gearset::spacing_problems(stated_set(in)));
+}
+
 void check_gears(CheckedCase& in) {
   if (!has_all(in, {"gearset.teeth.sun", "gearset.teeth.planet", "gearset.teeth.ring", "gearset.planets",
                     "gearset.module", "gearset.pressure_angle", "gearset.addendum", "gearset.clearance",
                     "gearset.root_fillet_radius", "gearset.profile_shift.sun", "gearset.profile_shift.ring",
                     "gearset.face_width", "gearset.helix_angle", "gearset.web.rim", "material.density"}) ||
       (has_bearing(in) && !has_all(in, {"bearing.outside_diameter"})))
-    return;
+    return check_spacing_alone(in);
   const bool pairs = has_planet_pairs(in);
   const gearset::Warnings problems = pairs ? gearset::pair_problems(set_of(in), second_planet_of(in))
                                            : gearset::assembly_problems(set_of(in));

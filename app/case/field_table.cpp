@@ -273,7 +273,7 @@ void add_case_fields(std::vector<Field>& fields) {
   std::vector<std::string> names;
   for (const Model model : models()) names.emplace_back(model_name(model));
   rows.text("name", "name of the case", always).required();
-  rows.text("source", "where the data come from", always).required();
+  rows.text("source", "where the data come from; the name of the file unless it is given", always);
   rows.choice("model", "what is computed", always, std::move(names)).required();
 }
 

@@ -10,6 +10,7 @@
 #include <mutex>
 #include <set>
 #include <sstream>
+#include <utility>
 
 #include "app/case/text_table.hpp"
 
@@ -138,6 +139,8 @@ fs::path found_file(const std::string& name, const std::string& case_file, bool 
 // The only folder that files may be in, if there is one; an empty name: no folder is.
 std::optional<fs::path> only_folder;
 
+thread_local KeptFiles* kept_files = nullptr;
+
 bool may_be_read(const fs::path& file) {
   if (!only_folder) return true;
   if (only_folder->empty()) return false;
@@ -153,6 +156,12 @@ std::string_view lasting(const std::string& name) {
   static std::mutex one_at_a_time;
   const std::scoped_lock lock(one_at_a_time);
   return *names.insert(name).first;
+}
+
+KeepingFiles::KeepingFiles(KeptFiles& files) : before_(std::exchange(kept_files, &files)) {}
+
+KeepingFiles::~KeepingFiles() {
+  kept_files = before_;
 }
 
 void keep_row_files_within(const fs::path& folder) {
@@ -203,6 +212,8 @@ std::string unknown_heads(TextTable& table) {
 std::optional<NamedFile> read_named_file(const std::string& name, const Location& named,
                                          const std::string& path, const std::string& case_file,
                                          std::vector<Mistake>& mistakes) {
+  if (kept_files != nullptr)
+    if (const auto known = kept_files->find(name); known != kept_files->end()) return known->second;
   const fs::path file = found_file(name, case_file, named.option);
   const auto none = [&](const std::string& found, std::string required) {
     mistakes.push_back({named, path, {"the file " + quote(file.string()) + found, std::move(required)}});
@@ -216,7 +227,9 @@ std::optional<NamedFile> read_named_file(const std::string& name, const Location
     return none(" of more than 4 MiB", "a shorter one is required");
   std::ifstream stream(file, std::ios::binary);
   if (!stream) return none(", which cannot be opened", "a CSV file is required");
-  return NamedFile{file.string(), {std::istreambuf_iterator<char>(stream), {}}};
+  NamedFile read{file.string(), {std::istreambuf_iterator<char>(stream), {}}};
+  if (kept_files != nullptr) kept_files->emplace(name, read);
+  return read;
 }
 
 Entry rows_of_text(const Field& field, const std::string& text, const std::string& path,

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -65,6 +66,21 @@ Entry rows_of_text(const Field& field, const std::string& text, const std::strin
 struct NamedFile {
   std::string name;  // as it is opened
   std::string text;
+};
+
+/// Files that a case names, by the name that it writes: what was read once is not read again.
+using KeptFiles = std::map<std::string, NamedFile>;
+
+/// While it lives, read_named_file() of this thread takes files from `files`, and adds those that it reads.
+class KeepingFiles {
+ public:
+  explicit KeepingFiles(KeptFiles& files);
+  ~KeepingFiles();
+  KeepingFiles(const KeepingFiles&) = delete;
+  KeepingFiles& operator=(const KeepingFiles&) = delete;
+
+ private:
+  KeptFiles* before_;
 };
 
 /// A file name that outlives its reader, for locations.

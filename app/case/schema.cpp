@@ -352,7 +352,7 @@ std::string case_schema() {
   Json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
                  {"title", "Orbearing case"},
                  {"type", "object"},
-                 {"required", {"name", "source", "model"}},
+                 {"required", {"name", "model"}},
                  {"properties", {{"model", field_schema(*find_field("model"))}}},
                  {"allOf", Json::array()},
                  {"$defs", Json::object()}};

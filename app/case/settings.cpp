@@ -167,6 +167,33 @@ void put(Entry& root, const std::vector<std::string>& keys, Entry value) {
   *block = std::move(value);
 }
 
+// Whether the key stood there.
+bool remove(Entry& block, const std::vector<std::string>& keys, std::size_t from = 0) {
+  if (block.shape != Entry::Shape::block) return false;
+  if (from + 1 < keys.size()) {
+    Member* member = find_member(block, keys[from]);
+    return member != nullptr && remove(member->value, keys, from + 1);
+  }
+  return std::erase_if(block.members, [&](const Member& member) { return member.key == keys[from]; }) > 0;
+}
+
+// A field, or a block of fields.
+bool may_stand(const std::string& path) {
+  if (block_length(path) > 0 || is_one_of(path, {"sweep", "uncertain", "assumed", "sets", "shafts"}))
+    return true;
+  const std::string_view field = std::string_view(path).substr(set_prefix_length(path));
+  return find_field(path) != nullptr || path.starts_with("sets.") ||
+         std::ranges::any_of(all_fields(), [&](const Field& one) {
+           return one.path.starts_with(field) && one.path.size() > field.size() &&
+                  one.path[field.size()] == '.';
+         });
+}
+
+bool is_null(std::string_view text) {
+  const std::string word = trimmed(std::string(text));
+  return word == "null" || word == "~";
+}
+
 void apply(Entry& root, const std::string& setting, Location location, std::vector<Mistake>& mistakes) {
   const auto sign = setting.find('=');
   const std::string path = present_path(trimmed(setting.substr(0, sign)));
@@ -177,6 +204,12 @@ void apply(Entry& root, const std::string& setting, Location location, std::vect
                         path.empty() ? "(option)" : path,
                         {quote(setting) + (gap ? " has no complete path" : " has no '='"),
                          "path=value, as in 'input.power=150 kW', is required"}});
+    return;
+  }
+  if (is_null(std::string_view(setting).substr(sign + 1))) {
+    if (!remove(root, keys) && !may_stand(path))
+      mistakes.push_back(
+          {location, path, {"unknown key", "the path of an input, to be left out, is required"}});
     return;
   }
   try {

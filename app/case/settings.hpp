@@ -41,7 +41,8 @@ struct Setting {
 };
 
 /// Puts every setting into the tree as if it stood in the file; malformed ones become mistakes. A block or
-/// list is replaced as a whole; of two settings of one path the later holds.
+/// list is replaced as a whole; of two settings of one path the later holds. The value null leaves the key
+/// out.
 void apply_settings(Entry& root, const std::vector<std::string>& settings, std::vector<Mistake>& mistakes);
 
 /// A value of a field from text as it would be written in a case.

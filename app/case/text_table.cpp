@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <boost/locale/encoding_utf.hpp>
+#include <cctype>
 #include <iterator>
 #include <string_view>
 
@@ -55,9 +57,18 @@ bool is_number(std::string text) {
   return read_number(text).value.has_value();
 }
 
-// "s", "rpm", "kN-m", "[1/min]": no number, nor one with a unit.
+// What programs write in place of a value: no unit.
+bool is_missing_value(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+  constexpr std::array<std::string_view, 11> words{"nan",  "nat", "na",   "n/a",  "#n/a",   "null",
+                                                   "none", "inf", "-inf", "+inf", "missing"};
+  return std::find(words.begin(), words.end(), text) != words.end();
+}
+
+// "s", "rpm", "kN-m", "[1/min]": no number, nor one with a unit, nor the word for a missing one.
 bool may_be_unit(const std::string& cell) {
   const std::string text = without_brackets(cell);
+  if (is_missing_value(text)) return false;
   const bool digit =
       !text.empty() && std::string_view("0123456789").find(text.front()) != std::string_view::npos;
   return !is_number(text) && (!digit || text.starts_with("1/"));
@@ -189,7 +200,13 @@ bool TextTable::read_line(Line& line) {
     }
     if (line.number == 1 && line.text.starts_with("\xef\xbb\xbf")) line.text.erase(0, 3);
     const std::size_t first = line.text.find_first_not_of(" \t\r");
-    if (first == std::string::npos || line.text[first] == '#') continue;
+    if (first == std::string::npos) continue;
+    if (line.text[first] == '#') {
+      if (ahead_.empty() && heads_.empty())
+        comments_.push_back({trimmed(line.text.substr(first + 1)), line.number});
+      if (comments_.size() > 2) comments_.pop_front();
+      continue;
+    }
     ++read_;
     decode(line);
     return true;
@@ -248,9 +265,34 @@ void TextTable::find_head() {
   if (!take_line(line)) return;
   separator_ = stated.value_or(separator_of(line.text));
   head_line_ = line_ = line.number;
+  if (take_names_of_comment(split_cells(line.text, separator_), stated)) {
+    ahead_.push_front(std::move(line));
+    return;
+  }
   for (TableCell& cell : split_cells(line.text, separator_))
     heads_.push_back({cell.text, "", head_line_, cell.column});
   take_units();
+}
+
+// Rows without a line of names: a comment directly above them has as many names, perhaps with a line of units
+// below.
+bool TextTable::take_names_of_comment(const std::vector<TableCell>& cells, std::optional<char> stated) {
+  const auto holds_number = [](const TableCell& cell) { return is_number(cell.text); };
+  if (cells.size() < 2 || !std::all_of(cells.begin(), cells.end(), holds_number)) return false;
+  const auto cells_of = [&](const Line& comment) {
+    return split_cells(comment.text, stated.value_or(separator_of(comment.text)));
+  };
+  const bool units = comments_.size() == 2 && are_bracketed_units(cells_of(comments_[1])) &&
+                     cells_of(comments_[1]).size() == cells.size();
+  if (comments_.empty()) return false;
+  const Line& names = units ? comments_.front() : comments_.back();
+  const std::vector<TableCell> found = cells_of(names);
+  if (found.size() != cells.size() || std::any_of(found.begin(), found.end(), holds_number)) return false;
+  head_line_ = names.number;
+  for (const TableCell& cell : found) heads_.push_back({cell.text, "", names.number, cell.column});
+  for (std::size_t i = 0; units && i < heads_.size(); ++i)
+    heads_[i].unit = without_brackets(cells_of(comments_[1])[i].text);
+  return true;
 }
 
 void TextTable::take_units() {

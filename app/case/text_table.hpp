@@ -57,9 +57,9 @@ bool splits_decimal_commas(const std::vector<TableCell>& cells, std::size_t colu
 
 class TextTable {
  public:
-  /// Reads up to the names of the columns. Lines that are empty or begin with # are passed over, and lines
-  /// before the names where a line of units in brackets is below them, as OpenFAST writes both. Throws
-  /// TableFault.
+  /// Reads up to the names of the columns. Lines that are empty or begin with # are passed over, but for
+  /// names (and units in brackets below them) that a # precedes directly above the rows; so are lines before
+  /// the names where a line of units in brackets is below them, as OpenFAST writes both. Throws TableFault.
   explicit TextTable(std::istream& stream);
 
   const std::vector<ColumnHead>& heads() const { return heads_; }  // none: the file holds no line
@@ -98,6 +98,7 @@ class TextTable {
   };
 
   bool read_line(Line& line);
+  bool take_names_of_comment(const std::vector<TableCell>& cells, std::optional<char> stated);
   bool look_ahead(std::size_t lines);
   bool take_line(Line& line);
   void decode(Line& line);
@@ -109,6 +110,7 @@ class TextTable {
   std::size_t utf16_position_ = 0;
   bool is_utf16_ = false;
   std::deque<Line> ahead_;
+  std::deque<Line> comments_;  // the last two before the first line that is none, without their #
   std::vector<ColumnHead> heads_;
   char separator_ = ',';
   int read_ = 0;  // lines of the file

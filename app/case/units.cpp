@@ -177,6 +177,38 @@ Conversion round_conversion(double factor, double inverse) {
   return {factor, 1.0, {}};
 }
 
+// Quantities of inputs and records.
+constexpr std::array kQuantities{dimension::length,
+                                 dimension::angle,
+                                 dimension::angular_speed,
+                                 dimension::power,
+                                 dimension::force,
+                                 dimension::torque,
+                                 dimension::mass,
+                                 dimension::inertia,
+                                 dimension::time,
+                                 dimension::density,
+                                 dimension::stress,
+                                 dimension::viscosity,
+                                 dimension::kinematic_viscosity,
+                                 dimension::stiffness,
+                                 dimension::speed,
+                                 dimension::temperature,
+                                 dimension::frequency,
+                                 dimension::flow,
+                                 dimension::conductance};
+
+// " (it is one of torque)"; empty of a unit that measures none of them.
+std::string quantity_of(std::string_view unit) {
+  for (const Dimension& one : kQuantities) {
+    const std::string_view meant = meant_unit(unit, one.si);
+    const Unit parsed = is_plain_unit(meant) ? parse_unit(meant) : nullptr, si = parse_unit(one.si);
+    if (parsed && si && same_dimension(parsed.get(), si.get()) && same_angle_content(parsed.get(), si.get()))
+      return fmt::format(" (it is one of {})", one.name);
+  }
+  return "";
+}
+
 Conversion make_conversion(std::string_view unit, std::string_view target_unit) {
   const std::lock_guard lock(udunits_mutex());
   const DecimalPoint point;
@@ -187,10 +219,12 @@ Conversion make_conversion(std::string_view unit, std::string_view target_unit) 
   const Unit target = parse_unit(target_unit);  // of a field, or one that a page asks for
   if (!target) return no_conversion(fmt::format("the unit {} is not known", quote(target_unit)));
   const Unit parsed = is_plain_unit(unit) ? parse_unit(unit) : nullptr;
-  if (!parsed) return no_conversion(fmt::format("its unit {} is not known", quote(unit)));
-  if (!same_dimension(parsed.get(), target.get()))
+  const std::string other =
+      parsed && same_dimension(parsed.get(), target.get()) ? std::string() : quantity_of(unit);
+  if (!parsed && other.empty()) return no_conversion(fmt::format("its unit {} is not known", quote(unit)));
+  if (!parsed || !same_dimension(parsed.get(), target.get()))
     return no_conversion(
-        fmt::format("its unit {} does not measure the same as '{}'", quote(unit), target_unit));
+        fmt::format("its unit {} does not measure the same as '{}'{}", quote(unit), target_unit, other));
   if (!same_angle_content(parsed.get(), target.get()))
     return no_conversion(fmt::format("its unit {} states no angle, as '{}' does", quote(unit), target_unit));
   const Converter converter(ut_get_converter(parsed.get(), target.get()));

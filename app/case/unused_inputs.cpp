@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
 
 #include "app/case/bearing_type.hpp"
 #include "app/case/catalogue_case.hpp"
@@ -270,11 +271,36 @@ bool goes_through(Axes sweeps, const SweepAxis& axis) {
 }
 
 // Then the condition may hold at some of the points.
-bool is_swept(const ResolvedCase& in, const Condition& condition, const std::string& path) {
-  return std::ranges::any_of(in.axes(), [&](const SweepAxis& axis) {
-    return std::ranges::any_of(condition.paths,
-                               [&](const std::string& other) { return axis.path == beside(path, other); });
+bool is_varied(const Condition& condition, const std::string& path, const std::vector<std::string>& varied) {
+  return std::ranges::any_of(condition.paths, [&](const std::string& other) {
+    return std::ranges::find(varied, beside(path, other)) != varied.end();
   });
+}
+
+// Whether the analysis uses the value at some of the points at least.
+bool may_be_used(const ResolvedCase& in, const Input& input, use::Analysis analysis,
+                 const std::vector<std::string>& varied) {
+  if (is_used(in, input, analysis)) return true;
+  if (is_behind_ratios(in, input, analysis) || is_unknown_type(in, input, analysis)) return false;
+  const auto may_hold = [&](const Condition& condition, bool holds_here) {
+    return holds_here || is_varied(condition, input.path, varied);
+  };
+  const Use& use = input.field->use;
+  if (use_status_in_row(in, input, analysis) == UseStatus::used &&
+      std::ranges::all_of(use.conditions,
+                          [&](const Condition& one) { return may_hold(one, holds(in, input, one)); }))
+    return true;
+  return std::ranges::any_of(use.ways, [&](const Way& way) {
+    return (way.by & analysis) != 0 && std::ranges::all_of(way.conditions, [&](const Condition& one) {
+             return may_hold(one, holds_beside(in, input, one));
+           });
+  });
+}
+
+std::vector<std::string> swept_paths(const ResolvedCase& in) {
+  std::vector<std::string> paths;
+  for (const SweepAxis& axis : in.axes()) paths.push_back(axis.path);
+  return paths;
 }
 
 // Of an axis that the analysis goes through, or that an option gives to one that goes through none.
@@ -283,8 +309,7 @@ void check_axis(const ResolvedCase& in, const SweepAxis& axis, use::Analysis ana
   const std::string path = "sweep." + axis.path;
   const Input input{axis.path, find_field(axis.path)};
   if (goes_through(sweeps, axis) && use_status_in_row(in, input, analysis) == UseStatus::used) {
-    const Condition* unmet = is_used(in, input, analysis) ? nullptr : first_unmet(in, input);
-    if (unmet != nullptr && !is_swept(in, *unmet, axis.path))
+    if (!may_be_used(in, input, analysis, swept_paths(in)))
       mistakes.push_back({axis.location,
                           path,
                           {"a sweep of an input that has no effect: " + idle_text(in, input, analysis),
@@ -394,6 +419,52 @@ std::vector<std::string> require_used(const ResolvedCase& resolved, use::Analysi
                                      one.path, analysis_name(analysis)));
   if (!mistakes.empty()) throw_mistakes(resolved.file(), std::move(mistakes));
   return warnings;
+}
+
+std::map<std::string, std::string> varied_without_effect(const ResolvedCase& resolved, use::Analysis analysis,
+                                                         const std::vector<std::string>& varied) {
+  std::vector<std::string> fields;
+  for (const std::string& path : varied) fields.push_back(path.substr(0, path.find('[')));
+  std::map<std::string, std::string> messages;
+  for (std::size_t i = 0; i < varied.size(); ++i) {
+    const Input input{fields[i], find_field(fields[i])};
+    if (input.field == nullptr || may_be_used(resolved, input, analysis, fields)) continue;
+    const bool idle = use_status_in_row(resolved, input, analysis) == UseStatus::used;
+    const std::string why = idle ? idle_text(resolved, input, analysis) : "";
+    const std::string found =
+        why.empty() ? fmt::format("no effect on {}; {}", analysis_name(analysis), users_text(resolved, input))
+                    : "no effect: " + why;
+    messages[varied[i]] =
+        fmt::format("{}: {}: found a varied input that has {}; required: an input that has an effect",
+                    resolved.file(), varied[i], found);
+  }
+  return messages;
+}
+
+void require_effect(const std::vector<ResolvedCase>& points, use::Analysis analysis,
+                    const std::vector<std::string>& varied) {
+  std::map<std::string, std::string> without;
+  for (std::size_t i = 0; i < points.size() && (i == 0 || !without.empty()); ++i) {
+    const std::map<std::string, std::string> here = varied_without_effect(points[i], analysis, varied);
+    if (i == 0) without = here;
+    std::erase_if(without, [&](const auto& one) { return !here.contains(one.first); });
+  }
+  std::vector<std::string> messages;
+  for (const auto& [path, message] : without) messages.push_back(message);
+  if (!messages.empty()) throw BadInput(messages);
+}
+
+std::vector<std::string> replaced_inputs(const ResolvedCase& resolved,
+                                         const std::vector<std::string>& paths) {
+  std::vector<std::string> messages;
+  for (const std::string& path : paths) {
+    if (!resolved.has(path) || !resolved.is_replaced(path)) continue;
+    const Input input{path, find_field(path)};
+    messages.push_back(
+        fmt::format("{}: {}: found '{}', which another input replaces: {}; required: one of both",
+                    resolved.file(), path, resolved.written(path), idle_text(resolved, input, ~0u)));
+  }
+  return messages;
 }
 
 use::Analysis rung_of(const ResolvedCase& resolved, const std::string& fidelity) {

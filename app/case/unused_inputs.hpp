@@ -1,6 +1,7 @@
 // What a case gives and an analysis does not use: nothing is ignored in silence.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,19 @@ UseStatus use_status_of(const ResolvedCase& resolved, const Input& input, use::A
 enum class Axes { none, speed, all };
 std::vector<std::string> require_used(const ResolvedCase& resolved, use::Analysis analysis,
                                       Axes sweeps = Axes::none);
+
+/// Of inputs that a study varies, those without effect on the analysis of this case, with a message each. An
+/// input has an effect where a condition of it may come true by another of `varied`; "path[i]" is an element
+/// of a list.
+std::map<std::string, std::string> varied_without_effect(const ResolvedCase& resolved, use::Analysis analysis,
+                                                         const std::vector<std::string>& varied);
+
+/// Throws BadInput with those that have no effect at any of the points: a study over them is a mistake.
+void require_effect(const std::vector<ResolvedCase>& points, use::Analysis analysis,
+                    const std::vector<std::string>& varied);
+
+/// Of inputs that were just set, those that another input replaces, each as a message.
+std::vector<std::string> replaced_inputs(const ResolvedCase& resolved, const std::vector<std::string>& paths);
 
 /// The rung of a drivetrain's run or sweep: "dynamic" is another one for several sets.
 use::Analysis rung_of(const ResolvedCase& resolved, const std::string& fidelity);

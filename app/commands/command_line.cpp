@@ -62,7 +62,9 @@ CLI::Option& add_text(CLI::App& command, const char* name, Text& text, const std
 
 void add_settings(CLI::App& command, Options& options) {
   add_repeated(command, "--set", options.settings,
-               "path=value: replace one independent value; repeatable, e.g. --set \"input.power=75 kW\"",
+               "path=value: replace one independent value; repeatable, e.g. --set \"input.power=75 kW\". "
+               "path=null leaves "
+               "the key out",
                "PATH=VALUE");
 }
 
@@ -193,6 +195,10 @@ void add_fmu(CLI::App& command, Options& options) {
           "--model", options.model,
           "bearing (default): one bearing of one planet; gearset: the gears without their planet bearings")
       ->check(CLI::IsMember({"bearing", "gearset"}));
+  command.add_flag(
+      "--windows", options.windows,
+      "add the library for Windows to that for Linux. The first use builds it, which takes as long as "
+      "a large part of the program: 5 to 20 minutes");
 }
 
 void add_signals(CLI::App& command, Options& options) {
@@ -253,10 +259,11 @@ void add_table(CLI::App& command, Options& options) {
 
 void add_spectrum(CLI::App& command, Options& options) {
   command
-      .add_option(
-          "SERIES", options.folders,
-          "records over time: CSV, output of OpenFAST (.out, .outb) or netCDF, with time, speed and torque "
-          "or power of the driving member; several with --share or --hours")
+      .add_option("SERIES", options.folders,
+                  "records over time: CSV, output of OpenFAST (.out, .outb) or Bladed (.%NN, .$NN), or "
+                  "netCDF, with time, speed "
+                  "and torque "
+                  "or power of the driving member; several with --share or --hours")
       ->required();
   const auto add_column = [&](const char* name, std::string& column, const std::string& of) {
     add_text(command, name, column, of).type_name("COLUMN");

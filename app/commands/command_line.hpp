@@ -41,6 +41,7 @@ struct Options {
   bool gears = false;     // run: without the dynamics of bearings
   std::string fmi = "2";  // fmu: version of the interface
   std::string model = "bearing";    // fmu: "bearing" or "gearset"
+  bool windows = false;             // fmu: the library for Windows as well
   std::vector<std::string> varied;  // signals: path=[value, value]
   double noise = 0.0;               // signals: root mean square [m/s^2]
   std::uint64_t seed = 1;           // signals: of the noise

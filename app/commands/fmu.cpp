@@ -106,6 +106,7 @@ int write_system(const Options& options) {
         options.fmi != "2" ? "--fmi " + options.fmi : "--model " + options.model, options.output));
   std::vector<std::string> words{options.case_file, "--output", options.output};
   for (const std::string& setting : options.settings) words.insert(words.end(), {"--set", setting});
+  if (options.windows) words.push_back("--windows");
   if (options.json) words.push_back("--json");
   if (options.quiet) words.push_back("--quiet");
   const int code = run_python("orbearing.ssp", words);
@@ -129,16 +130,17 @@ int fmu_command(const Options& options) {
       options.model == "gearset" ? gear_numbers(resolved) : bearing_numbers(resolved);
   require_folder_of(file);
   const fmu::DescriptionOptions description = description_options(resolved, options);
-  const FmuLibraries libraries = fmu_libraries(numbers, description.interface, options.quiet);
-  const std::string content = fmu_content(numbers, description, libraries.found);
+  const std::vector<FmuLibrary> libraries =
+      fmu_libraries(numbers, description.interface, options.windows, options.quiet);
+  const std::string content = fmu_content(numbers, description, libraries);
   write_fmu(file, content);
   const fmu::ModelFacts facts = fmu::facts_of(numbers);
   present(resolved, options,
           {facts.inputs.size(), facts.outputs.size(), facts.shown.parameters.size(), content.size(),
-           fmu::token_of(numbers), platforms_of(libraries.found),
+           fmu::token_of(numbers), platforms_of(libraries),
            joined(gear_warnings(resolved),
                   options.model == "gearset" ? planar_warnings(resolved) : overturning_warnings(resolved),
-                  unused, libraries.missing)});
+                  unused)});
   return 0;
 }
 

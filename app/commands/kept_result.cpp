@@ -113,9 +113,10 @@ void present_result(const nlohmann::ordered_json& object, const std::string& tex
   if (options.json) {
     print_object(object, options);
   } else if (!options.quiet) {
-    fmt::print("{}", text);
+    // Before a text that may be longer than a screen: results are read with them.
     for (const nlohmann::ordered_json& warning : object.at("warnings"))
       fmt::print("warning: {}\n", printable(warning.get<std::string>()));
+    fmt::print("{}{}", object.at("warnings").empty() ? "" : "\n", text);
   }
 }
 

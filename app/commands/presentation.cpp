@@ -10,6 +10,7 @@
 #include "app/case/case_file.hpp"
 #include "app/case/printable.hpp"
 #include "app/case/use_conditions.hpp"
+#include "app/results/motion_summary.hpp"
 #include "app/results/terminal_chart.hpp"
 #include "app/results/verdicts.hpp"
 #include "app/study/carrier_study.hpp"
@@ -147,6 +148,14 @@ std::vector<AssumedEffect> effects_at_rest(const ResolvedCase& resolved, const S
                                                           : std::vector<AssumedEffect>{};
 }
 
+// Of a single point; none of a sweep, or where it failed.
+std::optional<SkidRisk> skid_risk_of_run(const ResolvedCase& resolved, const SweepOutcome& outcome) {
+  if (!resolved.axes().empty() || outcome.rows.size() != 1 || !outcome.rows.front().ok()) return std::nullopt;
+  const LoadSpectrum& spectrum = outcome.header.spectrum;
+  return skid_risk_of(outcome.head, outcome.header.sets, outcome.rows.front(),
+                      spectrum.bins.empty() ? kMinimumLoad : spectrum.minimum_load);
+}
+
 }  // namespace
 
 nlohmann::ordered_json sweep_object(const ResolvedCase& resolved, const SweepOutcome& outcome, Record& form) {
@@ -160,6 +169,7 @@ nlohmann::ordered_json sweep_object(const ResolvedCase& resolved, const SweepOut
   for (Record* record : {&form, &judged}) {
     describe_verdicts(*record, verdicts);
     if (resolved.axes().empty()) describe_power(*record, resolved);
+    if (const std::optional<SkidRisk> risk = skid_risk_of_run(resolved, outcome)) describe(*record, *risk);
   }
   object.update(json_of(judged));
   if (resolved.axes().empty() && outcome.failed == 0 && outcome.header.fidelity == "quasi-static") {
@@ -205,6 +215,9 @@ int present_sweep(const ResolvedCase& resolved, const SweepOutcome& outcome, con
   } else if (!options.quiet) {
     const FoundPeak found = find_peak(outcome);
     if (before.record != nullptr) fmt::print("{}\n", text_of(*before.record));
+    if (resolved.axes().empty() && outcome.rows.size() == 1 && outcome.header.fidelity != "quasi-static")
+      fmt::print("{}\n", motion_summary_text(outcome.head, outcome.header.sets, outcome.rows.front(),
+                                             skid_risk_of_run(resolved, outcome)));
     fmt::print("{}{}\n{}{}", lives_text_of(resolved, outcome), sweep_table(outcome.head, outcome.rows),
                life_chart(outcome.head, outcome.rows, found.peak, glyphs_of_locale()),
                spectrum_text(outcome.header, outcome.spectra));

@@ -92,6 +92,7 @@ int sensitivities_command(const Options& options) {
   const ScalarResult result =
       scalar_result(resolved, options.fidelity_given ? options.fidelity : "", options.result);
   require_inputs(resolved, result, options);
+  require_effect({resolved}, result.analysis, options.by);
   const std::vector<std::string> warnings =
       joined(require_used(resolved, result.analysis), spectrum_warnings(resolved, "sensitivities"));
   const ScalarResult::Value here = value_here(resolved, result);

@@ -114,6 +114,15 @@ std::vector<SignalVariant> signal_variants(const ResolvedCase& resolved,
   return variants;
 }
 
+void require_effect_of(const std::vector<SignalAxis>& axes, const std::vector<SignalVariant>& variants,
+                       const ResolvedCase& resolved, use::Analysis analysis) {
+  std::vector<std::string> paths;
+  for (const SignalAxis& axis : axes) paths.push_back(axis.path);
+  std::vector<ResolvedCase> points;
+  for (const SignalVariant& variant : variants) points.push_back(resolved.with(variant));
+  require_effect(points, analysis, paths);
+}
+
 // Warns of each axis along which no signal differs, though its labels do. Signals with noise differ always.
 std::vector<std::string> axes_without_effect(const std::vector<SignalAxis>& axes,
                                              const std::vector<SignalVariant>& variants,
@@ -345,6 +354,7 @@ int signals_command(const Options& options) {
   std::vector<std::string> warnings = require_used(resolved, analysis_of(resolved, options.fidelity)->used);
   const std::vector<SignalAxis> axes = signal_axes(options.varied, resolved);
   std::vector<SignalVariant> variants = signal_variants(resolved, axes);
+  require_effect_of(axes, variants, resolved, analysis_of(resolved, options.fidelity)->used);
   const ManifestHeader header = manifest_header(resolved, grid_text(options, axes), variants.size());
   ResultFolder folder =
       open_results(options.output, header, write_resolved(resolved), options.resume, options.quiet);

@@ -15,11 +15,14 @@
 #include "app/case/check_table.hpp"
 #include "app/case/field_table.hpp"
 #include "app/case/resolved_writer.hpp"
+#include "app/case/unused_inputs.hpp"
 #include "app/commands/command_line.hpp"
 #include "app/errors.hpp"
+#include "app/interface/points.hpp"
 #include "app/resources.hpp"
 #include "app/results/progress.hpp"
 #include "app/results/record_writers.hpp"
+#include "app/study/analysis.hpp"
 #include "app/version.hpp"
 #include "mechanics/cancellation.hpp"
 #include "orbearing/participant.hpp"
@@ -29,6 +32,7 @@
 
 struct orbearing_case {
   orbearing::Case of;
+  orbearing::app::CaseSource source{};  // without a text where the case was made of another one
 };
 
 struct orbearing_machine {
@@ -87,11 +91,41 @@ char* failure_of(const Call& call) {
 
 using Pairs = std::vector<std::pair<std::string, std::string>>;
 
-Case case_from(const Json& stated) {
-  std::vector<std::string> settings;
-  for (const auto& [path, value] : stated.value("settings", Pairs{})) settings.push_back(path + "=" + value);
-  if (stated.contains("file")) return Case::read(stated.at("file"), settings);
-  return Case::parse(stated.at("text"), stated.value("name", "case"), settings);
+app::CaseSource source_from(const Json& stated) {
+  if (stated.contains("file")) return app::source_of(stated.at("file"));
+  app::CaseSource source{.name = stated.value("name", "case"), .text = stated.at("text")};
+  for (const auto& [name, file] : stated.value("files", Json::object()).items())
+    source.files[name] = {file.at(0), file.at(1)};
+  return source;
+}
+
+orbearing_case case_from(const Json& stated) {
+  std::vector<std::string> settings, paths;
+  for (const auto& [path, value] : stated.value("settings", Pairs{})) {
+    settings.push_back(path + "=" + value);
+    paths.push_back(path);
+  }
+  app::CaseSource source = source_from(stated);
+  app::ResolvedCase resolved = app::parse_case(source, settings);
+  // What another input replaces would read back as another value.
+  const std::vector<std::string> replaced = app::replaced_inputs(resolved, paths);
+  if (stated.value("as_set", false) && !replaced.empty()) throw BadInput(replaced);
+  return {Case(std::move(resolved)), std::move(source)};
+}
+
+// From which the same case is read where its files are not.
+Json source_json(const app::CaseSource& source) {
+  Json files = Json::object();
+  for (const auto& [name, file] : source.files) files[name] = Json::array({file.name, file.text});
+  return {{"name", source.name}, {"text", source.text}, {"files", files}};
+}
+
+// Varied inputs without effect, with a message each.
+Json without_effect(const app::ResolvedCase& stated, const Json& query) {
+  const std::string fidelity = query.value("fidelity", "");
+  const app::Analysis* analysis = app::analysis_of(stated, fidelity);
+  return app::varied_without_effect(
+      stated, analysis != nullptr ? analysis->used : app::rung_of(stated, fidelity), query.at("paths"));
 }
 
 std::vector<app::Setting> settings_of(const Json& rows) {
@@ -181,6 +215,8 @@ Json answer_of(const orbearing_case* stated, const Json& query) {
   if (of == "name") return content.text("name");
   if (of == "model") return content.choice("model");
   if (of == "file") return content.file();
+  if (of == "source") return source_json(stated->source);
+  if (of == "without_effect") return without_effect(content, query);
   if (of == "hash") return app::case_hash(content);
   if (of == "resolved") return stated->of.resolved();
   if (of == "value" || of == "given" || of == "si")
@@ -242,7 +278,7 @@ int orbearing_command_line(int count, char** words) {
 }
 
 char* orbearing_case_read(const char* stated, orbearing_case** found) {
-  return failure_of([&] { *found = new orbearing_case{case_from(Json::parse(stated))}; });
+  return failure_of([&] { *found = new orbearing_case(case_from(Json::parse(stated))); });
 }
 
 char* orbearing_case_with(const orbearing_case* from, const char* settings, orbearing_case** found) {
@@ -287,9 +323,10 @@ char* orbearing_evaluate(const orbearing_case* stated, const char* request, cons
     const Json asked = Json::parse(request);
     const std::vector<std::string> paths = asked.at("paths");
     const app::Interruption interruption;
-    const Points found = evaluate(stated->of, paths, {values, values + count * paths.size()},
-                                  asked.value("fidelity", "quasi-static"), asked.value("jobs", 0),
-                                  seldom(progress, count, caller));
+    const Points found = evaluate(
+        stated->of, paths, {values, values + count * paths.size()}, asked.value("fidelity", "quasi-static"),
+        asked.value("jobs", 0), seldom(progress, count, caller),
+        asked.value("without_effect", false) ? WithoutEffect::allowed : WithoutEffect::refused);
     *result = text(Json{{"columns", found.columns}, {"status", found.status}});
     *table = copied(found.numbers.data(), found.numbers.size());
   });

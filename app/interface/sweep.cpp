@@ -6,6 +6,8 @@
 #include <mutex>
 
 #include "app/case/field_table.hpp"
+#include "app/case/unused_inputs.hpp"
+#include "app/interface/points.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/study/plausibility.hpp"
@@ -73,11 +75,19 @@ Points points_of(const app::TableHead& head, const std::vector<app::ResultRow>& 
 
 Points evaluate(const Case& stated, const std::vector<std::string>& paths, const std::vector<double>& values,
                 const std::string& fidelity, int jobs, const std::function<void(std::size_t)>& done) {
+  return evaluate(stated, paths, values, fidelity, jobs, done, WithoutEffect::refused);
+}
+
+Points evaluate(const Case& stated, const std::vector<std::string>& paths, const std::vector<double>& values,
+                const std::string& fidelity, int jobs, const std::function<void(std::size_t)>& done,
+                WithoutEffect without_effect) {
   const app::ResolvedCase point = stated.content().without_sweep();
   const study::Fidelity level = app::fidelity_of(fidelity);
   require_varied(point, paths, values.size());
   app::sweep_request(point, fidelity);  // refuses what has no operating points
   app::require_computable(point, fidelity, false);
+  if (without_effect == WithoutEffect::refused)
+    app::require_effect({point}, app::rung_of(point, fidelity), paths);
   const std::vector<std::string> sets = app::bearing_set_names(point);
   std::vector<app::ResultRow> rows(values.size() / paths.size());
   std::mutex telling;

@@ -17,6 +17,7 @@ using described::Numbers;
 constexpr std::size_t kNumbersInLine = 12;
 constexpr std::size_t kMatrix = 8;        // rows and columns at most, that stand in lines of their own
 constexpr std::size_t kAlignedText = 24;  // letters at most of a text that others are aligned with
+constexpr std::size_t kWidest = 160;      // letters of a line
 
 /// A name and what stands for its value: numbers of an array with labels have a name each.
 struct Cell {
@@ -25,6 +26,7 @@ struct Cell {
   std::string meaning{};
   std::optional<double> number{};
   std::string text{};
+  std::vector<std::string> items{};  // of a list of texts
   described::NumberKind kind = described::NumberKind::real;
 };
 
@@ -91,8 +93,10 @@ void add_cells(const Record& record, const std::string& prefix, std::vector<Cell
       cells.push_back({name, "", entry.meaning, std::nullopt, std::move(text)});
     };
     if (const auto* text = std::get_if<std::string>(&entry.content)) add(*text);
-    if (const auto* texts = std::get_if<described::Texts>(&entry.content))
+    if (const auto* texts = std::get_if<described::Texts>(&entry.content)) {
       add(fmt::format("{}", fmt::join(*texts, ", ")));
+      cells.back().items = *texts;
+    }
   }
 }
 
@@ -159,7 +163,6 @@ std::string lines_text(const std::vector<std::string>& lines) {
 
 // A table of many values and few rows has a line for each value.
 std::string table_text(const std::string& title, const described::Table& table) {
-  constexpr std::size_t widest = 160;
   const Grid grid = grid_of(table);
   Texts columns;
   for (std::size_t i = 0; i < grid.names.size(); ++i) {
@@ -167,7 +170,7 @@ std::string table_text(const std::string& title, const described::Table& table) 
     for (const std::vector<Cell>& row : grid.rows) columns.back().push_back(shown(row[i]));
   }
   std::vector<std::string> lines = lines_of(columns);
-  if (lines.front().size() > widest && grid.rows.size() < grid.names.size())
+  if (lines.front().size() > kWidest && grid.rows.size() < grid.names.size())
     lines = lines_of(transposed(columns));
   return "\n" + title + "\n" + lines_text(lines);
 }
@@ -277,8 +280,36 @@ std::string csv_of_arrays(const Record& arrays) {
 
 }  // namespace
 
+namespace {
+
+bool is_long_list(const Cell& cell) {
+  return !cell.items.empty() && cell.text.size() > kWidest;
+}
+
+// In lines of their own, behind the tables.
+std::string long_list_text(const Cell& cell) {
+  std::string text = fmt::format("\n{}: {}\n ", cell.name, cell.meaning);
+  std::size_t width = 1;
+  for (std::size_t i = 0; i < cell.items.size(); ++i) {
+    const std::string item = cell.items[i] + (i + 1 < cell.items.size() ? "," : "");
+    if (width > 1 && width + 1 + item.size() > kWidest) {
+      text += "\n ";
+      width = 1;
+    }
+    text += " " + item;
+    width += 1 + item.size();
+  }
+  return text + "\n";
+}
+
+}  // namespace
+
 std::string text_of(const Record& record) {
-  const std::vector<Cell> cells = cells_of(record);
+  std::vector<Cell> cells = cells_of(record);
+  std::string long_lists;
+  for (const Cell& cell : cells)
+    if (is_long_list(cell)) long_lists += long_list_text(cell);
+  std::erase_if(cells, is_long_list);
   std::size_t names = 0, values = 0, units = 0;
   for (const Cell& cell : cells) {
     names = std::max(names, cell.name.size());
@@ -290,7 +321,7 @@ std::string text_of(const Record& record) {
   for (const Cell& cell : cells)
     lines.push_back(fmt::format("{:<{}}  {:>{}} {:<{}}  {}", cell.name, names, shown(cell), values, cell.unit,
                                 units, cell.meaning));
-  return lines_text(lines) + tables_text(record, "");
+  return lines_text(lines) + tables_text(record, "") + long_lists;
 }
 
 std::string csv_of(const described::Entry& table) {

@@ -4,6 +4,7 @@ set(ORBEARING_RESULTS_SOURCES
   results/life_table.cpp
   results/manifest.cpp
   results/merge.cpp
+  results/motion_summary.cpp
   results/point_file.cpp
   results/progress.cpp
   results/record_arrays.cpp

@@ -10,6 +10,7 @@
 
 #include "app/case/printable.hpp"
 #include "app/case/spectrum_case.hpp"
+#include "app/results/motion_summary.hpp"
 #include "app/results/record_writers.hpp"
 #include "app/results/result_row.hpp"
 #include "app/units.hpp"
@@ -145,16 +146,8 @@ double minimum_load_of(const ManifestHeader& header, const TableHead& head, cons
 std::optional<bool> skid_risk_of(const ManifestHeader& header, const TableHead& head, double minimum_load,
                                  const std::optional<ResultRow>& row) {
   if (!row) return false;
-  std::vector<std::string> prefixes;
-  for (const std::string& set : header.sets) prefixes.push_back("sets." + set + ".");
-  if (prefixes.empty()) prefixes.emplace_back();
-  bool below = false;
-  for (const std::string& prefix : prefixes) {
-    const double load = value_of(head, *row, prefix + "P_N"), capacity = value_of(head, *row, prefix + "C_N");
-    if (std::isnan(load) || std::isnan(capacity)) return std::nullopt;
-    below = below || load < minimum_load * capacity;
-  }
-  return below;
+  const std::optional<SkidRisk> risk = skid_risk_of(head, header.sets, *row, minimum_load);
+  return risk ? std::optional(risk->present()) : std::nullopt;
 }
 
 std::vector<double> axis_values_of(const TableHead& head, const SpectrumResult& result) {

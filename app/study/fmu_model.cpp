@@ -3,11 +3,13 @@
 #include <fmt/core.h>
 #include <array>
 #include <cstdio>
+#include <optional>
 
 #include "app/errors.hpp"
 #include "app/license.hpp"
 #include "app/resources.hpp"
 #include "app/results/durable_file.hpp"
+#include "app/results/progress.hpp"
 #include "app/study/gear_case.hpp"
 #include "app/study/planetary_case.hpp"
 #include "coupling/fmu/export/description.hpp"
@@ -105,11 +107,12 @@ struct Platform {
   const char* fmi3;    // in FMI 3.0
   const char* ending;
   const char* remedy;
+  bool on_request;  // by --windows
 };
 
 constexpr Platform kPlatforms[] = {
-    {"linux64", "x86_64-linux", ".so", "build the target orbearing_fmu_linux64"},
-    {"win64", "x86_64-windows", ".dll", "a build with ORBEARING_BUILD_WIN64=ON"}};
+    {"linux64", "x86_64-linux", ".so", "build the target orbearing_fmu_linux64", false},
+    {"win64", "x86_64-windows", ".dll", "a build with ORBEARING_BUILD_WIN64=ON", true}};
 
 std::string quoted_for_shell(const std::string& text) {
   std::string out = "'";
@@ -122,12 +125,26 @@ struct Ended {
   std::string last_line;
 };
 
-Ended run_program(const fs::path& program) {
+// Steps done and steps in all of "[12/340] Building ..."; none in other lines.
+std::optional<std::pair<std::size_t, std::size_t>> steps_in(const std::string& line) {
+  std::size_t done = 0, all = 0;
+  if (std::sscanf(line.c_str(), "[%zu/%zu]", &done, &all) != 2 || all == 0) return std::nullopt;
+  return std::pair{done, all};
+}
+
+Ended run_program(const fs::path& program, const std::string& doing, bool quiet) {
   FILE* output = popen((quoted_for_shell(program.string()) + " 2>&1").c_str(), "r");
   if (output == nullptr) return {false, "it could not be started"};
   Ended ended;
   std::array<char, 4096> line;
-  while (fgets(line.data(), line.size(), output) != nullptr) ended.last_line = line.data();
+  std::optional<Progress> progress;
+  while (fgets(line.data(), line.size(), output) != nullptr) {
+    ended.last_line = line.data();
+    const auto steps = steps_in(ended.last_line);
+    if (!steps) continue;
+    if (!progress) progress.emplace(std::size_t{0}, steps->second, !quiet, doing);
+    progress->show(steps->first);
+  }
   ended.well = pclose(output) == 0;
   while (ended.last_line.ends_with('\n')) ended.last_line.pop_back();
   return ended;
@@ -139,9 +156,9 @@ std::string build_missing(const Platform& platform, const fs::path& library, boo
   if (!fs::exists(recipe))
     return fmt::format("found no file {}; required: {}", library.string(), platform.remedy);
   if (!quiet)
-    fmt::print(stderr, "fmu: building the library for {}, this once (a minute or less) ...\n",
+    fmt::print(stderr, "fmu: building the library for {}, this once (5 to 20 minutes) ...\n",
                platform.folder);
-  const Ended ended = run_program(recipe);
+  const Ended ended = run_program(recipe, fmt::format("library for {}: ", platform.folder), quiet);
   if (!ended.well) return ended.last_line;
   return fs::exists(library) ? "" : "found no file " + library.string() + " after its build";
 }
@@ -191,21 +208,20 @@ std::string page(const fmu::NumberTable& numbers, const std::string& name) {
 
 }  // namespace
 
-FmuLibraries fmu_libraries(const fmu::NumberTable& numbers, fmu::Interface interface, bool quiet) {
-  FmuLibraries libraries;
+std::vector<FmuLibrary> fmu_libraries(const fmu::NumberTable& numbers, fmu::Interface interface, bool windows,
+                                      bool quiet) {
+  std::vector<FmuLibrary> libraries;
   for (const Platform& platform : kPlatforms) {
+    if (platform.on_request && !windows) continue;
     const fs::path file = libraries_folder() / platform.folder / (std::string("orbearing") + platform.ending);
     const std::string missing = fs::exists(file) ? "" : build_missing(platform, file, quiet);
-    if (!missing.empty()) {
-      libraries.missing.push_back(fmt::format("no library for {}: {}", platform.folder, missing));
-      continue;
-    }
-    libraries.found.push_back({interface == fmu::Interface::fmi3 ? platform.fmi3 : platform.folder,
-                               fmu::model_identifier(numbers) + platform.ending, read_file(file)});
+    if (!missing.empty())
+      throw ComputationFailed(
+          fmt::format("fmu: no library for {}: {}{}", platform.folder, missing,
+                      platform.on_request ? ". Without --windows the FMU is for Linux" : ""));
+    libraries.push_back({interface == fmu::Interface::fmi3 ? platform.fmi3 : platform.folder,
+                         fmu::model_identifier(numbers) + platform.ending, read_file(file)});
   }
-  if (libraries.found.empty()) throw ComputationFailed("fmu: " + libraries.missing.front());
-  for (std::string& line : libraries.missing)
-    line = fmt::format("only {} is inside: {}", libraries.found.front().platform, line);
   return libraries;
 }
 

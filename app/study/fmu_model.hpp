@@ -11,9 +11,9 @@
 
 namespace orbearing::app {
 
-/// One bearing of one planet, its speeds and its load at the start those of the case's operating point. Throws BadInput
-/// for a case of another model, of several sets, without bearing or with what has no place in a driven
-/// bearing.
+/// One bearing of one planet, its speeds and its load at the start those of the case's operating point.
+/// Throws BadInput for a case of another model, of several sets, without bearing or with what has no place in
+/// a driven bearing.
 fmu::NumberTable bearing_numbers(const ResolvedCase& resolved);
 
 /// The gear set with its planet bearings left out; at the start they hold the mean loads of the case. Throws
@@ -29,15 +29,11 @@ struct FmuLibrary {
   std::string content;
 };
 
-/// Libraries found beside the program, and what is missing.
-struct FmuLibraries {
-  std::vector<FmuLibrary> found;
-  std::vector<std::string> missing;  // one line for each, with the remedy
-};
-
-/// Builds a library that is missing where a program build_<platform> stands beside the others, and says so on
-/// standard error unless `quiet`. Throws ComputationFailed where there is none at all.
-FmuLibraries fmu_libraries(const fmu::NumberTable& numbers, fmu::Interface interface, bool quiet);
+/// The library for the platform at hand and, where `windows`, that for Windows. One that is missing is built
+/// where a program build_<platform> stands beside the others, with its progress on standard error unless
+/// `quiet`. Throws ComputationFailed where there is none.
+std::vector<FmuLibrary> fmu_libraries(const fmu::NumberTable& numbers, fmu::Interface interface, bool windows,
+                                      bool quiet);
 
 /// The archive's bytes.
 std::string fmu_content(const fmu::NumberTable& numbers, const fmu::DescriptionOptions& options,

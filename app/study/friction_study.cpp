@@ -268,14 +268,37 @@ FrictionStudy roller_study(const ResolvedCase& in, const bearing::Bearing& beari
   }
 }
 
+// Balls of a contact angle carry a radial load with an axial one of at least as much times its tangent. Less
+// leaves them nowhere to stand: the rings part.
+std::string too_little_thrust(const bearing::Bearing& bearing, const bearing::equilibrium::RingLoad& load) {
+  const double angle = std::abs(bearing.contact_angle()), axial = std::abs(load.axial);
+  const double least = std::abs(load.radial) * std::tan(angle);
+  if (angle == 0.0 || load.tilt || load.moment != 0.0 || load.moment_across != 0.0 || !(axial < least))
+    return "";
+  return fmt::format(
+      ". The axial load of {:.4g} N is too small: at a contact angle of {:.3g} deg a radial load of {:.4g} N "
+      "requires at least {:.4g} N. Increase load.axial, or use model: duplex-pair for two bearings side by "
+      "side",
+      axial, angle * 180.0 / constants::pi, std::abs(load.radial), least);
+}
+
+// What is left unbalanced says something only where the search for an equilibrium failed.
+std::string no_equilibrium_text(const bearing::equilibrium::BalanceReport& report, double load) {
+  constexpr double found = 1e-6;  // [-]  of the load
+  if (report.residual <= found * load) return report.message;
+  return fmt::format("{} ({} iterations, {:.2g} N unbalanced)", report.message, report.iterations,
+                     report.residual);
+}
+
 }  // namespace
 
 RingState balance_of(const ResolvedCase& in, const bearing::Bearing& bearing) {
-  RingState state = bearing::equilibrium::balance_bearing(bearing, row_motion_of(in), ring_load_of(in));
+  const bearing::equilibrium::RingLoad load = ring_load_of(in);
+  RingState state = bearing::equilibrium::balance_bearing(bearing, row_motion_of(in), load);
   if (!state.report.converged)
-    throw ComputationFailed(fmt::format("{}: {} ({} iterations, {:.2g} N unbalanced)", in.text("name"),
-                                        state.report.message, state.report.iterations,
-                                        state.report.residual));
+    throw ComputationFailed(fmt::format(
+        "{}: {}{}", in.text("name"), no_equilibrium_text(state.report, std::hypot(load.radial, load.axial)),
+        too_little_thrust(bearing, load)));
   return state;
 }
 

@@ -52,6 +52,99 @@ void require_sound(const fs::path& file, const RecordTable& table) {
                     "rising times");
 }
 
+// Numbers by which programs mark missing values, and the power of ten from which a number can be none of a
+// drivetrain. A code counts as one where it stands alone: a load that comes near it is a measured one.
+constexpr std::array kCodes{-999.0,    -999.25,  -999.9, -9999.0, -9999.25, -9999.9, -99999.0,
+                            -999999.0, -32768.0, 9999.0, 99999.0, 999999.0, 32767.0};
+constexpr double kBeyondMeasure = 1e20;  // [unit of the file]
+constexpr double kNearCode = 0.05;       // [-]  of the code
+constexpr double kSameNumber = 1e-9;     // [-]  round-off of a conversion there and back
+
+bool is_number_near(double value, double code, double share) {
+  return std::abs(value - code) <= share * std::abs(code);
+}
+
+bool stands_alone(const std::vector<double>& values, double code, double factor) {
+  bool others = false;
+  for (const double value : values) {
+    if (is_number_near(value / factor, code, kSameNumber)) continue;
+    if (is_number_near(value / factor, code, kNearCode)) return false;
+    others = true;
+  }
+  return others || code < 0.0;  // a record may hold one positive load from end to end
+}
+
+void refuse_codes(const fs::path& file, const RecordTable& table) {
+  for (const auto& [name, values] : table.values) {
+    const double factor = table.factors.at(name);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (!(std::abs(values[i] / factor) < kBeyondMeasure))
+        refuse_record(position_of(file, table, i), fmt::format("{:g} as {}", values[i] / factor, name),
+                      "a measured value; leave out samples without one");
+    for (const double code : kCodes) {
+      const auto found = std::ranges::find_if(
+          values, [&](double value) { return is_number_near(value / factor, code, kSameNumber); });
+      if (found == values.end() || !stands_alone(values, code, factor)) continue;
+      refuse_record(
+          position_of(file, table, static_cast<std::size_t>(found - values.begin())),
+          fmt::format("{:g} as {}, a common code of a missing value", code, name),
+          fmt::format("a measured value; leave out samples without one. Write a load of exactly this size "
+                      "as {:g}",
+                      code * (1.0 + 1e-5)));
+    }
+  }
+}
+
+// Mean over time of the magnitudes of a product, or of one of both.
+double mean_magnitude(const std::vector<double>& time, const std::vector<double>& values,
+                      const std::vector<double>& speed) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i + 1 < time.size(); ++i)
+    sum += (time[i + 1] - time[i]) * std::abs(values[i] * (speed.empty() ? 1.0 : speed[i]));
+  return sum / (time.back() - time.front());
+}
+
+// Losses of a drivetrain and its machine at part load, in the mean, are less than this; a gear ratio is more.
+constexpr double kMostLosses = 1.5;  // [-]  larger over smaller power
+
+bool agree(double power, double other) {
+  return power <= kMostLosses * other && other <= kMostLosses * power;
+}
+
+// Torque and speed of two shafts have another power than the file states.
+void compare_powers(const fs::path& file, const RecordTable& table, std::vector<std::string>& warnings) {
+  const std::vector<double>& time = table.values.at("time");
+  const double own = mean_magnitude(time, table.values.at("torque"), table.values.at("speed"));
+  constexpr double per_kilo = 1e-3;
+  const auto text = [&](double power) { return fmt::format("{:.4g} kW", per_kilo * power); };
+  if (const auto stated = table.values.find("power"); stated != table.values.end()) {
+    const double power = mean_magnitude(time, stated->second, {});
+    if (!agree(own, power))
+      refuse_record(
+          file.string(),
+          fmt::format("a mean power of {}, and {} by torque and speed: they are of two shafts, or a unit "
+                      "is wrong",
+                      text(power), text(own)),
+          "torque and speed of one shaft (--torque COLUMN, --speed COLUMN), or power and speed alone "
+          "(--power COLUMN)");
+    warnings.push_back(
+        fmt::format("{}: torque and power found; torque is used: {} by torque and speed, {} by power",
+                    file.string(), text(own), text(power)));
+  }
+  std::vector<std::string> powers;
+  for (const auto& [name, values] : table.powers) {
+    if (values.size() != time.size()) continue;  // some of them are no numbers
+    const double power = mean_magnitude(time, values, {});
+    if (agree(own, power)) return;
+    if (power > 0.0) powers.push_back(fmt::format("{}: {}", name, text(power)));
+  }
+  if (!powers.empty())
+    warnings.push_back(
+        fmt::format("{}: torque times speed is a mean power of {}, which no column of power has ({}). "
+                    "Take torque and speed of one shaft",
+                    file.string(), text(own), fmt::join(powers, ", ")));
+}
+
 // Power over speed. At rest there is neither; a record that states one leaves its torque unknown.
 std::vector<double> torque_of(const fs::path& file, const RecordTable& table) {
   const std::vector<double>&power = table.values.at("power"), &speed = table.values.at("speed");
@@ -234,11 +327,11 @@ const char* time_column(const LoadSpectrum& spectrum) {
 LoadSeries read_load_series(const fs::path& file, const RecordColumns& columns) {
   RecordTable table = read_record(file, columns);
   require_sound(file, table);
+  refuse_codes(file, table);
   const bool by_torque = table.values.contains("torque");
   LoadSeries series{table.values.at("time"), {}, table.values.at("speed"), std::move(table.warnings)};
   series.torque = by_torque ? table.values.at("torque") : torque_of(file, table);
-  if (by_torque && table.values.contains("power"))
-    series.warnings.push_back(file.string() + ": torque and power found; torque is used");
+  if (by_torque) compare_powers(file, table, series.warnings);
   return series;
 }
 
@@ -294,6 +387,11 @@ BinnedSeries binned(const std::vector<WeightedSeries>& records, const BinCounts&
   BinExcess excess;
   for (const WeightedSeries& record : records) add_bins(record, grid, exponent, result, excess);
   result.excess = excess.result();
+  for (const LoadBin& bin : result.spectrum.bins)
+    if (!std::isfinite(bin.power) || !std::isfinite(bin.speed) || !std::isfinite(bin.share))
+      throw BadInput(
+          "record: found loads whose sums are not finite; required: torques, speeds and times of a "
+          "drivetrain");
   return result;
 }
 

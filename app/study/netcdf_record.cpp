@@ -152,9 +152,12 @@ RecordTable record_of_netcdf(const fs::path& path, const RecordColumns& wanted) 
   const auto place = [&](const ColumnHead& head) { return fmt::format("{}: {}", path.string(), head.name); };
   RecordTable record;
   for (const ChosenColumn& column :
-       chosen_columns({heads, path.string(), columns_text(heads), place, true}, wanted))
+       chosen_columns({heads, path.string(), columns_text(heads), place, true}, wanted)) {
+    if (column.beside) continue;  // a variable along another dimension is refused when it is read
     record.values[column.quantity] =
         file.read(static_cast<int>(column.position), heads[column.position].name, column.factor);
+    record.factors[column.quantity] = column.factor;
+  }
   return record;
 }
 

@@ -53,15 +53,12 @@ class OpenfastFile {
 
   RecordTable read(const std::vector<ChosenColumn>& columns) {
     RecordTable record{.warnings = warnings_};
-    for (const ChosenColumn& column : columns)
-      record.values[column.quantity].reserve(static_cast<std::size_t>(samples_));
     const std::vector<double> times = read_times();
     for (int sample = 0; sample < samples_; ++sample) {
       const std::vector<double> row = read_row();
       for (const ChosenColumn& column : columns)
-        record.values[column.quantity].push_back(
-            column.factor *
-            (column.position == 0 ? times[static_cast<std::size_t>(sample)] : row[column.position - 1]));
+        record.take(column, column.position == 0 ? times[static_cast<std::size_t>(sample)]
+                                                 : row[column.position - 1]);
     }
     return record;
   }

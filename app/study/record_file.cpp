@@ -20,6 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kRecords = "a record over time: CSV, .out or .outb of OpenFAST, Bladed, or netCDF";
+
 /// What a record holds, with the unit in which it is kept.
 struct Quantity {
   const char* name;
@@ -123,17 +125,22 @@ RecordTable record_of_text(const fs::path& file, const RecordColumns& wanted) {
       refuse_record(file.string(), "nothing",
                     "a first line such as time_s,speed_rpm,torque_N_m and a line for each sample");
     const std::string position = fmt::format("{}:{}:1", file.string(), table.head_line());
+    if (std::ranges::all_of(table.heads(),
+                            [](const ColumnHead& head) { return read_number(head.name).value.has_value(); }))
+      refuse_record(position, "numbers, and no line above them with the names of the columns",
+                    "a first line such as time_s,speed_rpm,torque_N_m");
     const std::vector<ChosenColumn> columns =
         chosen_columns({table.heads(), position, table.shown_heads(), place}, wanted);
     for (std::vector<TableCell> cells; table.next(cells);) {
       for (const ChosenColumn& column : columns) {
         const TableCell& cell = cells[column.position];
         const Reading<double> number = read_number(table.number_text(cell));
+        if (!number.value && column.beside) continue;
         if (!number.value)
           refuse_record(fmt::format("{}:{}:{}", file.string(), table.line(), cell.column),
                         fmt::format("{} as {}: {}", quote(cell.text), column.quantity, number.fault),
                         "a finite number");
-        record.values[column.quantity].push_back(*number.value * column.factor);
+        record.take(column, *number.value);
       }
       record.lines.push_back(table.line());
     }
@@ -161,9 +168,34 @@ bool is_netcdf(const std::string& begin) {
   return begin.starts_with("CDF") || begin == "\x89HDF";
 }
 
+// "NAME.%04" is the header of the data "NAME.$04".
+bool is_bladed(const fs::path& file) {
+  const std::string extension = file.extension().string();
+  return extension.starts_with(".%") || extension.starts_with(".$");
+}
+
 // Its first number, of two bytes, is that of the form: 1 to 4.
 bool is_openfast(const std::string& begin) {
   return begin[0] >= 1 && begin[0] <= 4 && begin[1] == '\0';
+}
+
+// Columns of other names in a unit of power, where a torque is read.
+void add_powers(const RecordHeads& offered, const RecordColumns& columns, std::vector<ChosenColumn>& chosen) {
+  const Quantity& power = kQuantities.back();
+  const auto is_chosen = [&](std::size_t position, const char* quantity) {
+    return std::ranges::any_of(chosen, [&](const ChosenColumn& one) {
+      return one.position == position || one.quantity == quantity;
+    });
+  };
+  if (!is_chosen(offered.heads.size(), "torque") || is_chosen(offered.heads.size(), "power")) return;
+  for (std::size_t i = 0; i < offered.heads.size(); ++i) {
+    const ColumnHead& head = offered.heads[i];
+    const std::string unit =
+        head.unit.empty() ? unit_at_end(head.name, power) : header_cell({"x", head.unit}, {"x"}).unit;
+    if (unit.empty() || is_chosen(i, "") || head.name == columns.speed) continue;
+    if (const Reading<double> factor = factor_in(unit, power); factor.value)
+      chosen.push_back({i, head.name, *factor.value, true});
+  }
 }
 
 }  // namespace
@@ -207,14 +239,17 @@ std::vector<ChosenColumn> chosen_columns(const RecordHeads& offered, const Recor
                   "a first line with columns of time, speed and torque or power, such as "
                   "time_s,speed_rpm,torque_N_m");
   if (!missing.empty()) refuse_missing(offered, missing);
+  add_powers(offered, columns, chosen);
   return chosen;
 }
 
 RecordTable read_record(const fs::path& file, const RecordColumns& columns) {
   std::error_code ignored;
-  if (!fs::is_regular_file(file, ignored))
-    refuse_record(file.string(), "no file", "a record over time: CSV, .out or .outb of OpenFAST, or netCDF");
+  if (!fs::is_regular_file(file, ignored)) refuse_record(file.string(), "no file", kRecords);
   const std::string begin = first_bytes(file);
+  if (is_bladed(file)) return record_of_bladed(file, columns);
+  if (const ForeignRecord foreign = foreign_record(file); !foreign.kind.empty())
+    refuse_record(file.string(), foreign.kind, kRecords + std::string("; ") + foreign.remedy);
   if (is_netcdf(begin)) return record_of_netcdf(file, columns);
   if (file.extension() == ".nc")
     refuse_record(file.string(), "a name that ends in .nc, and a content that does not begin as netCDF does",

@@ -543,6 +543,8 @@ ValidationCount counted(const std::vector<ValidationTable>& tables) {
     for (const ValidationRow* row : values) {
       const PublishedValue& published = row->published;
       ++count.verdicts[std::string(described::text_of(published.kind))][row->verdict];
+      if (row->verdict == "missed")
+        ++count.missed[std::string(described::text_of(published.kind))][published.of];
       ++(counts(published.kind) ? count.published : count.recomputed);
       if (!counts(published.kind)) continue;
       count.trends += row->is_trend() ? 1 : 0;
@@ -553,6 +555,18 @@ ValidationCount counted(const std::vector<ValidationTable>& tables) {
   count.sources = static_cast<int>(sources.size());
   return count;
 }
+
+namespace {
+
+// " (141 of friction)": the class of quantities with the most misses, where there are several.
+std::string most_missed(const ValidationCount& count, std::string_view kind) {
+  const auto missed = count.missed.find(std::string(kind));
+  if (missed == count.missed.end()) return "";
+  const auto most = std::ranges::max_element(missed->second, {}, [](const auto& one) { return one.second; });
+  return fmt::format(" ({} of {})", most->second, most->first);
+}
+
+}  // namespace
 
 std::string count_text(const std::vector<ValidationTable>& tables) {
   const ValidationCount count = counted(tables);
@@ -565,9 +579,12 @@ std::string count_text(const std::vector<ValidationTable>& tables) {
     if (verdicts == count.verdicts.end()) continue;
     int all = 0;
     std::vector<std::string> parts;
-    for (const auto& [verdict, values] : verdicts->second) {
-      all += values;
-      parts.push_back(fmt::format("{} {}", values, verdict));
+    for (const char* verdict : {"reproduced", "trend", "missed", "input missing"}) {
+      const auto values = verdicts->second.find(verdict);
+      if (values == verdicts->second.end()) continue;
+      all += values->second;
+      parts.push_back(fmt::format("{} {}{}", values->second, verdict,
+                                  verdict == std::string_view("missed") ? most_missed(count, name) : ""));
     }
     text += fmt::format("  {:<15} {:>4}: {}{}\n", name, all, fmt::join(parts, ", "),
                         counts(kind) ? "" : "; not counted");

@@ -55,14 +55,16 @@ struct ValidationTable {
 /// of the published ones.
 struct ValidationCount {
   std::map<std::string, std::map<std::string, int>>
-      verdicts;        // of values read, by kind of evidence and verdict
+      verdicts;  // of values read, by kind of evidence and verdict
+  std::map<std::string, std::map<std::string, int>>
+      missed;          // those that are missed, by kind of evidence and class of the quantity
   int published = 0;   // numbers and trends that a source prints
   int trends = 0;      // among them
   int fitted = 0;      // among them: from which constants of their case were identified
   int recomputed = 0;  // numbers that follow from a source's formulas or data
   int remembered = 0;
   int lines_of_one_formula = 0;  // of passing elements, beyond the one that counts of each bearing
-  int sources = 0;  // of `published`
+  int sources = 0;               // of `published`
   int comparisons_under_other_readings = 0;
 };
 

@@ -1,10 +1,12 @@
 """Sources of the documentation site: the repository's Markdown as it stands, with generated parts filled in.
 
     stage.py FOLDER      needs ORBEARING (the program) and the package orbearing on PYTHONPATH
+    stage.py --record    writes the parts that the repository shows as well into its documents
 
 Every document keeps its path, so that links between documents are those of the repository. A line
 `<!-- generated: NAME ARGUMENTS -->` is replaced by what the function of that name below writes; tutorials are run, and
-shown with their outputs. Files whose content did not change are not touched.
+shown with their outputs. Files whose content did not change are not touched. A part that the repository shows as well
+stands between that line and `<!-- end of generated -->`, as --record wrote it last.
 """
 
 from __future__ import annotations
@@ -25,7 +27,9 @@ FOLDERS = ("mechanics", "gearset", "bearing", "coupling", "app", "python", "case
 FRONT = ("README.md", "CHANGELOG.md", "REFERENCES.md", "CONTRIBUTING.md")
 PICTURES = (".png", ".jpg", ".svg")
 PAPER = Path("docs/paper")  # for a journal, in its own form of Markdown
-_GENERATED = re.compile(r"^<!-- generated: (?P<name>[\w-]+) ?(?P<arguments>.*?) -->$", re.M)
+_END = "<!-- end of generated -->"
+_GENERATED = re.compile(rf"^(?P<head><!-- generated: (?P<name>[\w-]+) ?(?P<arguments>[^\n]*?) -->)$(?:\n\n(?P<recorded>(?:(?!^<!-- generated: ).)*?)\n\n{_END}$)?",
+                        re.M | re.S)
 
 
 def documents() -> list[Path]:
@@ -192,8 +196,25 @@ GENERATED = {"commands": commands, "file": file, "inputs": inputs, "numerical": 
              "validation-guide": validation_guide}
 
 
+def generated_part(found: re.Match, folder: Path) -> str:
+    """What stands in place of a line `<!-- generated: ... -->`."""
+    return GENERATED[found["name"]](folder, *shlex.split(found["arguments"]))
+
+
 def filled(text: str, folder: Path) -> str:
-    return _GENERATED.sub(lambda found: GENERATED[found["name"]](folder, *shlex.split(found["arguments"])), text)
+    return _GENERATED.sub(lambda found: generated_part(found, folder), text)
+
+
+def recorded(text: str, folder: Path) -> str:
+    """A document of the repository with its recorded parts as they are now."""
+    return _GENERATED.sub(lambda found: found[0] if found["recorded"] is None else f"{found['head']}\n\n{generated_part(found, folder)}\n\n{_END}", text)
+
+
+def record() -> None:
+    for name in documents():
+        path = ROOT / name
+        if name.suffix == ".md" and _END in (text := path.read_text(encoding="utf-8")):
+            path.write_text(recorded(text, path.parent), encoding="utf-8")
 
 
 def run_tutorial(path: Path, folder: Path) -> str:
@@ -233,4 +254,7 @@ def _write(path: Path, content: bytes) -> None:
 if __name__ == "__main__":
     if len(sys.argv) != 2:
         raise SystemExit(__doc__)
-    stage(Path(sys.argv[1]))
+    if sys.argv[1] == "--record":
+        record()
+    else:
+        stage(Path(sys.argv[1]))

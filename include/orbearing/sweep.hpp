@@ -21,7 +21,7 @@ struct Points {
 /// sweep's point whatever `jobs` (0: one for each core). `paths` are numbers of the case, input.speed as any
 /// other; "PATH[i]" is an element of a list. A point that is no case or that fails keeps its reason as its
 /// status. `done` receives how many are done, from any thread, one at a time. Throws BadInput where the case
-/// itself, a path or the fidelity is of no use, and Cancelled.
+/// itself, a path or the fidelity is of no use, or a path has no effect, and Cancelled.
 Points evaluate(const Case& stated, const std::vector<std::string>& paths, const std::vector<double>& values,
                 const std::string& fidelity = "quasi-static", int jobs = 0,
                 const std::function<void(std::size_t)>& done = {});

@@ -184,6 +184,14 @@ class CoreCase:
         """The resolved case as YAML, from which the same numbers follow."""
         return _query(self.handle, of="resolved")
 
+    def source(self) -> dict:
+        """What it was read from: name, text and the files that it names; parse() makes the same case of it."""
+        return _query(self.handle, of="source")
+
+    def without_effect(self, paths, fidelity: Optional[str] = None) -> dict[str, str]:
+        """Of varied inputs, those without effect on this case, with a message each for users."""
+        return _query(self.handle, of="without_effect", paths=list(paths), fidelity=fidelity or "")
+
     def hash(self) -> str:
         """Of the resolved case."""
         return _query(self.handle, of="hash")
@@ -334,14 +342,14 @@ def si_units(path: str):
     return None if units is None else (units[0], [tuple(column) for column in units[1]])
 
 
-def load(file: str, settings=()) -> CoreCase:
-    """Reads and checks a case file."""
-    return CoreCase("case_read", _json({"file": file, "settings": [list(one) for one in settings]}))
+def load(file: str, settings=(), as_set: bool = False) -> CoreCase:
+    """Reads and checks a case file. as_set: settings that another input replaces are refused."""
+    return CoreCase("case_read", _json({"file": file, "settings": [list(one) for one in settings], "as_set": as_set}))
 
 
-def parse(text: str, name: str = "case", settings=()) -> CoreCase:
-    """The same of a text; `name` stands for the file in messages."""
-    return CoreCase("case_read", _json({"text": text, "name": name, "settings": [list(one) for one in settings]}))
+def parse(text: str, name: str = "case", settings=(), files=None, as_set: bool = False) -> CoreCase:
+    """The same of a text; `name` stands for the file in messages. files: those that it names, as CoreCase.source() has them."""
+    return CoreCase("case_read", _json({"text": text, "name": name, "settings": [list(one) for one in settings], "files": files or {}, "as_set": as_set}))
 
 
 def compute(case, command: str, options=None, progress=None) -> tuple[str, list[str]]:
@@ -360,15 +368,17 @@ def command_line(arguments) -> int:
     return _library.orbearing_command_line(len(words), (c_char_p * (len(words) + 1))(*words, None))
 
 
-def evaluate(case: CoreCase, paths, values, fidelity: str = "quasi-static", jobs: int = 0, progress=None) -> tuple[list[str], np.ndarray, list[str]]:
+def evaluate(case: CoreCase, paths, values, fidelity: str = "quasi-static", jobs: int = 0, progress=None,
+             without_effect: bool = False) -> tuple[list[str], np.ndarray, list[str]]:
     """Operating points of the case with the numbers at `paths` replaced by rows of `values` (variants, paths) [SI]: the columns of a sweep's
-    table, their numbers (variants, columns) and the status of each variant. `progress(done)` receives how many are done."""
+    table, their numbers (variants, columns) and the status of each variant. `progress(done)` receives how many are done.
+    without_effect: whether paths without effect are allowed, for those who asked of them before."""
     table = np.ascontiguousarray(values, dtype=float)
     if table.ndim != 2 or table.shape[1] != len(paths) or not len(paths):
         raise CaseError("values: found an array of another shape; required: (variants, paths), at least one path")
     result, numbers = c_void_p(), c_void_p()
     with _Watched(progress, False) as watched:
-        _call("evaluate", case.handle, _json({"paths": list(paths), "fidelity": fidelity, "jobs": jobs}), table.ctypes.data_as(_Numbers), len(table),
+        _call("evaluate", case.handle, _json({"paths": list(paths), "fidelity": fidelity, "jobs": jobs, "without_effect": without_effect}), table.ctypes.data_as(_Numbers), len(table),
               watched.function, None, byref(result), byref(numbers))
     found = json.loads(_taken(result))
     return found["columns"], _numbers(numbers, len(found["status"]), len(found["columns"])), found["status"]

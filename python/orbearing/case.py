@@ -65,22 +65,24 @@ def evaluate(case: "Case", paths: Sequence[str], values, fidelity: str = "quasi-
 
 
 class Case:
-    """A case with its changes. Reading an input gives its value in SI; what is written is a number in SI or text as in a case file."""
+    """A case with its changes. Reading an input gives its value in SI; what is written is a number in SI or text as in a case file.
+
+    It keeps the text that it was read from, and the files that the text names: what becomes of them has no effect on it."""
 
     def __init__(self, file: str, text: Optional[str] = None, settings: Optional[Mapping[str, Any]] = None):
-        self._file = file
-        self._text = text
+        self._source: dict = {"name": file} if text is None else {"name": file, "text": text, "files": {}}
         self._settings: list[tuple[str, str]] = []
         for path, value in (settings or {}).items():
             self._replace_setting(path, value)
-        self._core = self._read(self._settings)
+        self._take(self._settings)
 
     def __getstate__(self):
-        # Another process may not see the file.
-        return {"file": self._file, "text": self.resolved}
+        # Another process may not see the files.
+        return {"source": self._source, "settings": self._settings}
 
     def __setstate__(self, state):
-        self.__init__(state["file"], state["text"])
+        self._source, self._settings = state["source"], []
+        self._take([tuple(one) for one in state["settings"]])
 
     @property
     def core(self) -> "_core.CoreCase":
@@ -126,23 +128,22 @@ class Case:
 
     def __setitem__(self, path: str, value) -> None:
         """Replaces an independent value, and all that follows from it: a text with its unit ("80 um"), a number in SI
-        (8e-5), a switch, a list, or a block as a dict. Raises CaseError, and leaves the case as it was, where it does not fit."""
-        before = list(self._settings)
-        self._replace_setting(path, value)
-        try:
-            self._core = self._read(self._settings)
-        except BaseException:
-            self._settings = before
-            raise
+        (8e-5), a switch, a list, or a block as a dict; None leaves the key out, as `del` does. Raises CaseError, and leaves the case as
+        it was, where it does not fit or another input replaces it: what is written reads back as it was written."""
+        self._change({path: value})
+
+    def __delitem__(self, path: str) -> None:
+        """Leaves a key, or a block of keys, out of the case: its default counts, if it has one. Raises KeyError where the case does not state it."""
+        if not self._states(path):
+            raise KeyError(f"{path}: not stated by the case")
+        self._change({path: None})
 
     def copy(self, settings: Optional[Mapping[str, Any]] = None) -> "Case":
         """A case of its own, with further values replaced."""
         other = Case.__new__(Case)
-        other._file, other._text, other._settings, other._core = self._file, self._text, list(self._settings), self._core
+        other._source, other._settings, other._core = self._source, list(self._settings), self._core
         if settings:
-            for path, value in settings.items():
-                other._replace_setting(path, value)
-            other._core = other._read(other._settings)
+            other._change(settings)
         return other
 
     def check(self) -> CheckResult:
@@ -220,9 +221,9 @@ class Case:
         return self._compute("signals", Result, output=output, progress=progress, fidelity=fidelity, vary=list(vary), noise=noise,
                              seed=seed)
 
-    def fmu(self, path: PathLike, fmi: int = 2, model: str = "bearing") -> Result:
-        """Writes an FMU: one bearing of one planet, or the gear set."""
-        return self._compute("fmu", Result, output=path, fmi=str(fmi), model=model)
+    def fmu(self, path: PathLike, fmi: int = 2, model: str = "bearing", windows: bool = False, progress: Progress = None) -> Result:
+        """Writes an FMU: one bearing of one planet, or the gear set. windows: with the library for Windows, which the first use builds."""
+        return self._compute("fmu", Result, output=path, progress=progress, fmi=str(fmi), model=model, windows=windows or None)
 
     def bearing(self) -> "Bearing":
         """A planet bearing of this case that the caller moves, as the FMU would be moved, in this process."""
@@ -254,17 +255,40 @@ class Case:
         return (f"<b>{html.escape(self.name)}</b> ({self.model})<table><tr><th>input</th><th>value</th><th></th>"
                 f"<th>reason or meaning</th></tr>{rows}</table>")
 
+    def _change(self, settings: Mapping[str, Any]) -> None:
+        before = list(self._settings)
+        try:
+            for path, value in settings.items():
+                self._replace_setting(path, value)
+            self._take(self._settings)
+        except BaseException:
+            self._settings = before
+            raise
+
+    def _states(self, path: str) -> bool:
+        first, _, axis = path.partition(".")
+        if first == "sweep":
+            return axis in self._core.axes() if axis else bool(self._core.axes())
+        return first in ("uncertain", "assumed") or any(
+            (row["path"] == path or row["path"].startswith(path + ".")) and row["source"] in ("given", "assumed") for row in self.inputs)
+
     def _replace_setting(self, path: str, value) -> None:
-        text = _as_text(path, value)
+        text = _NOTHING if value is None else _as_text(path, value)
         # What stood within a block that is replaced would be put into the new one otherwise.
         kept = [one for one in self._settings if one[0] != path and not one[0].startswith(path + ".")]
         self._settings = [*kept, (path, text)]
 
-    def _read(self, settings: list[tuple[str, str]]) -> "_core.CoreCase":
+    def _take(self, settings: list[tuple[str, str]]) -> None:
+        """Reads what is kept of the case with settings."""
+        source = self._source
         try:
-            return _core.load(self._file, settings) if self._text is None else _core.parse(self._text, self._file, settings)
+            if "text" in source:
+                self._core = _core.parse(source["text"], source["name"], settings, source["files"], as_set=True)
+            else:
+                self._core = _core.load(source["name"], settings, as_set=True)
         except CaseError as error:
             raise error.without_option() from None
+        self._source, self._settings = self._core.source(), settings
 
     def _compute(self, command: str, kind, output: Optional[PathLike] = None, progress: Progress = None, **options):
         given = {name: value for name, value in options.items() if value is not None}
@@ -284,6 +308,9 @@ class Case:
         for line in failures:
             python_warnings.warn(line, RuntimeWarning, stacklevel=3)
         return kind(json.loads(text), command=command, case=self.copy(), options=given, folder=given.get("output"), kept=kept)
+
+
+_NOTHING = "null"  # leaves a key out
 
 
 def _as_text(path: str, value) -> str:

@@ -96,6 +96,7 @@ class Responses:
                 faults.append(f"{path}: found the kind {known[path]['kind']}; required: a number that may change by small steps")
             elif known[path]["given"] is None:
                 faults.append(f"{path}: the case has no value; required: one to start from")
+        faults = faults or list(self.case.core.without_effect(self.inputs, self.fidelity).values())
         if faults or not self.inputs or len(set(self.inputs)) < len(self.inputs):
             raise CaseError(faults or ["inputs: found none, or one twice; required: paths of numbers of the case"])
 

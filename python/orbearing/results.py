@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import atexit
 import contextlib
 import html
 import inspect
 import json
 import shutil
+import sys
 import tempfile
 import weakref
 from pathlib import Path
@@ -48,7 +50,27 @@ def _new_axes(width: float = 1.0):
 
     from orbearing import style
 
-    return pyplot.subplots(figsize=(style.PANEL[0] * width, style.PANEL[1]), layout="constrained")[1]
+    figure, axes = pyplot.subplots(figsize=(style.PANEL[0] * width, style.PANEL[1]), layout="constrained")
+    _watch(figure)
+    return axes
+
+
+_undrawn: list = []  # figures that nothing has shown or saved
+
+
+def _watch(figure) -> None:
+    """A script that ends with a plot that nothing has shown or saved says how; in a notebook it is drawn."""
+    if not _undrawn:
+        atexit.register(_say_how_to_show)
+    _undrawn.append(figure)
+    figure.canvas.mpl_connect("draw_event", lambda _: _undrawn.remove(figure) if figure in _undrawn else None)
+
+
+def _say_how_to_show() -> None:
+    if _undrawn:
+        print("orbearing: plot() has drawn a figure that was neither shown nor saved; call matplotlib.pyplot.show(), or plot().figure.savefig('plot.png')",
+              file=sys.stderr)
+        _undrawn.clear()
 
 
 class ComputedCase(Protocol):
@@ -59,6 +81,22 @@ class ComputedCase(Protocol):
 
     def copy(self) -> "ComputedCase":
         """The same case, which changes by itself."""
+
+
+class _KeptFolder:
+    """A folder that goes with the last result that has it; other processes do not get it."""
+
+    def __init__(self, path: str):
+        weakref.finalize(self, shutil.rmtree, path, ignore_errors=True)
+
+    def __copy__(self):
+        return self
+
+    def __deepcopy__(self, _):
+        return self
+
+    def __reduce__(self):
+        return type(None), ()
 
 
 class Result(Mapping):
@@ -72,10 +110,17 @@ class Result(Mapping):
                  kept: Optional[str] = None):
         self._data = _frozen(data)
         self._command, self._case, self._options = command, case, MappingProxyType(dict(options or {}))
-        self._folder = folder
-        if kept:
-            weakref.finalize(self, shutil.rmtree, kept, ignore_errors=True)
+        self._folder, self._kept = folder, _KeptFolder(kept) if kept else None
         self._whole = True
+
+    def __getstate__(self):
+        return {**self.__dict__, "_data": self.data, "_options": dict(self._options), "_has_kept": self._kept is not None}
+
+    def __setstate__(self, state):
+        has_kept = state.pop("_has_kept")
+        self.__dict__.update({**state, "_data": _frozen(state["_data"]), "_options": MappingProxyType(state["_options"])})
+        if has_kept and self._kept is None:
+            self.__dict__["_folder"] = None  # of another process, which deletes it
 
     @property
     def data(self) -> dict:
@@ -130,7 +175,8 @@ class Result(Mapping):
         return xarray.Dataset(variables, attrs=self._attributes())
 
     def plot(self, axes=None):
-        """Draws the result with matplotlib and returns the axes."""
+        """Draws the result with matplotlib and returns the axes. A notebook shows them; in a script call matplotlib.pyplot.show(), or
+        `plot().figure.savefig("plot.png")`."""
         raise NotImplementedError(f"a result of {self._command} has no plot of its own; see to_xarray() and report()")
 
     def report(self, path) -> Path:

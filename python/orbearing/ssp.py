@@ -156,8 +156,8 @@ class Package:
     warnings: list[str]
 
 
-def write(case: Case, path: PathLike) -> Package:
-    """The package of a case with one planetary set and planet bearings."""
+def write(case: Case, path: PathLike, windows: bool = False, progress=None) -> Package:
+    """The package of a case with one planetary set and planet bearings. windows, progress: as of Case.fmu()."""
     file = Path(path)
     if file.suffix != ".ssp" or file.is_dir():
         raise CaseError(f"--output: found '{file}'; required: a file that ends with .ssp")
@@ -165,7 +165,7 @@ def write(case: Case, path: PathLike) -> Package:
     with tempfile.TemporaryDirectory() as folder:
         for name, model in ((BEARING, "bearing"), (GEARS, "gearset")):
             fmu = Path(folder) / f"{name}.fmu"
-            result = case.fmu(fmu, fmi=2, model=model)
+            result = case.fmu(fmu, fmi=2, model=model, windows=windows, progress=progress)
             warnings += [text for text in result["warnings"] if text not in warnings]
             made[name] = read_fmu(fmu)
     version, per_planet = result["versions"]["orbearing"], int(case["bearing.per_planet"])
@@ -199,6 +199,7 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("case", metavar="CASE", help="case file, or a folder with case.yaml")
     parser.add_argument("-o", "--output", metavar="FILE.ssp", required=True, help="the package; its folder is made where it is missing")
     parser.add_argument("--set", metavar="PATH=VALUE", action="append", default=[], help="replaces an input; repeatable")
+    parser.add_argument("--windows", action="store_true", help="add the libraries for Windows; the first use builds them")
     parser.add_argument("--json", action="store_true", help="print the result as one JSON object")
     parser.add_argument("--quiet", action="store_true", help="print nothing but errors")
     options = parser.parse_args(arguments)
@@ -208,7 +209,7 @@ def main(arguments: list[str] | None = None) -> int:
 def _run(options: argparse.Namespace) -> int:
     settings = settings_of(options.set)
     _core.load(options.case, settings)  # its messages name --set
-    package = write(load(options.case, dict(settings)), options.output)
+    package = write(load(options.case, dict(settings)), options.output, options.windows, None if options.quiet or not sys.stderr.isatty() else True)
     if options.json:
         import json
 

@@ -366,6 +366,21 @@ class Guide(unittest.TestCase):
                     if not PLACEHOLDER.search(line):
                         place.run(line)
 
+    def test_parts_that_the_repository_shows_are_as_recorded(self):
+        """A complete case and all keys are in docs/guide/case_files.md itself; docs/site/stage.py --record writes them."""
+        stage, shown = stage_module(), []
+        for name in stage.documents():
+            text = text_of(name) if name.suffix == ".md" else ""
+            if stage._END in text:
+                shown.append(str(name))
+                self.assertTrue(stage.recorded(text, SOURCE / name.parent) == text, f"{name} is not as recorded; run docs/site/stage.py --record")
+                self.assertNotIn(stage._END, stage.filled(text, SOURCE / name.parent))
+        self.assertEqual(shown, ["docs/guide/case_files.md"])
+        text = text_of(shown[0])
+        self.assertIn(text_of("cases/reducer_150kW/case.yaml").strip(), text)
+        for key in ("bearing.radial_clearance", "bearing.clearance_class", "life.cleanliness", "sets.NAME.gearset.module"):
+            self.assertIn(f"| `{key}` | ", text)
+
     def test_tasks_and_questions_lead_to_pages(self):
         """Each page begins with a question or a task, and each question of a newcomer has a short answer with a link."""
         stage = stage_module()
@@ -455,8 +470,10 @@ class FrontPage(unittest.TestCase):
         record = text_of("docs/validation.txt")
         for kind, name in (("measurement", "measurement"), ("program", "program"), ("worked-example", "worked example")):
             total, rest = re.search(rf"^  {kind} +([0-9]+): (.*)$", record, re.M).groups()
-            counts = {word: number for number, word in re.findall(r"([0-9]+) (missed|reproduced)", rest)}
-            self.assertIn(f"| {name} | {total} | {counts['reproduced']} | {counts['missed']} |", self.text)
+            counts = {word: int(number) for number, word in re.findall(r"([0-9]+) (missed|reproduced|trend)", rest)}
+            found = [counts.get(word, 0) for word in ("reproduced", "trend", "missed")]
+            self.assertEqual(sum(found), int(total), record)  # the numbers of a row add up
+            self.assertIn(f"| {name} | {total} | {' | '.join(map(str, found))} |", self.text)
 
     def test_it_names_the_worst_misses(self):
         rows = json.loads(text_of("docs/validation/rows.json"))["rows"]

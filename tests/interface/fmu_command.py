@@ -4,6 +4,8 @@
 import json
 import os
 import pathlib
+import pty
+import select
 import shutil
 import subprocess
 import tempfile
@@ -55,11 +57,16 @@ class FmuCommand(unittest.TestCase):
                     self.assertIn("glibc {}.{} or newer".format(*OLDEST_GLIBC), page)
                     self.assertEqual(answer["inputs"], len(root.findall(".//*[@causality='input']")))
 
-    def test_windows_library_is_inside_or_its_lack_is_reported(self):
+    def test_the_platform_at_hand_alone_is_the_default(self):
         answer, archive = self.written()
-        inside = "binaries/win64/orbearing_bearing.dll" in archive.namelist()
-        self.assertEqual(inside, "win64" in answer["platforms"])
-        self.assertEqual(inside, not any("win64" in line for line in answer["warnings"]))
+        self.assertEqual(answer["platforms"], ["linux64"])
+        self.assertEqual([name for name in archive.namelist() if name.startswith("binaries/")], ["binaries/linux64/orbearing_bearing.so"])
+
+    @unittest.skipUnless((LIBRARIES / "win64" / "orbearing.dll").exists(), "no Windows library was built")
+    def test_windows_library_is_added_on_request(self):
+        answer, archive = self.written("--windows")
+        self.assertEqual(answer["platforms"], ["linux64", "win64"])
+        self.assertIn("binaries/win64/orbearing_bearing.dll", archive.namelist())
 
     def test_default_is_the_bearing_for_fmi_2(self):
         answer, _ = self.written()
@@ -146,47 +153,66 @@ class WindowsLibraryWhenItIsNeeded(unittest.TestCase):
         file.write_text("#!/bin/sh\n" + text)
         file.chmod(0o755)
 
+    def run_with(self, *arguments):
+        command = [self.folder / "bin" / "orbearing", "fmu", REDUCER, "-o", self.folder / "a.fmu", "--json", *arguments]
+        return subprocess.run(command, capture_output=True, text=True, timeout=SECONDS, check=False)
+
     def made(self, *arguments):
-        file = self.folder / "a.fmu"
-        command = [self.folder / "bin" / "orbearing", "fmu", REDUCER, "-o", file, "--json", *arguments]
-        result = subprocess.run(command, capture_output=True, text=True, timeout=SECONDS, check=False)
+        result = self.run_with(*arguments)
         self.assertEqual(result.returncode, 0, result.stderr)
-        return json.loads(result.stdout), zipfile.ZipFile(file), result.stderr
+        return json.loads(result.stdout), zipfile.ZipFile(self.folder / "a.fmu"), result.stderr
 
-    @staticmethod
-    def lacks(answer):
-        return [line for line in answer["warnings"] if line.startswith("only linux64 is inside")]
-
-    def test_is_built_once(self):
+    def test_is_built_on_request_once(self):
         self.recipe('cd "$(dirname "$0")" && mkdir win64 && printf MZ > win64/orbearing.dll && rm build_win64')
         answer, archive, message = self.made()
-        self.assertEqual((answer["platforms"], self.lacks(answer)), (["linux64", "win64"], []))
+        self.assertEqual((answer["platforms"], message), (["linux64"], ""))
+        answer, archive, message = self.made("--windows")
+        self.assertEqual(answer["platforms"], ["linux64", "win64"])
         self.assertEqual(archive.read("binaries/win64/orbearing_bearing.dll"), b"MZ")
-        self.assertIn("win64", message)
-        self.assertEqual(self.made()[2], "")
+        self.assertEqual(message, "fmu: building the library for win64, this once (5 to 20 minutes) ...\n")
+        self.assertEqual(self.made("--windows")[2], "")
+        self.assertEqual(self.made()[0]["platforms"], ["linux64"])
 
     def test_quiet_builds_without_a_word(self):
         self.recipe('cd "$(dirname "$0")" && mkdir win64 && printf MZ > win64/orbearing.dll')
-        answer, _, message = self.made("--quiet")
+        answer, _, message = self.made("--windows", "--quiet")
         self.assertEqual((answer["platforms"], message), (["linux64", "win64"], ""))
 
-    def expect_linux_alone(self, reason):
-        answer, archive, _ = self.made()
-        self.assertEqual(answer["platforms"], ["linux64"])
-        self.assertEqual([name for name in archive.namelist() if "win64" in name], [])
-        self.assertEqual(len(self.lacks(answer)), 1)
-        self.assertIn(reason, self.lacks(answer)[0])
+    def test_its_progress_is_shown_on_a_terminal(self):
+        self.recipe('cd "$(dirname "$0")" && echo "-- configured"; echo "[1/4] a"; sleep 0.3; echo "[3/4] b"; mkdir win64 && printf MZ > win64/orbearing.dll')
+        master, slave = pty.openpty()
+        command = [self.folder / "bin" / "orbearing", "fmu", REDUCER, "-o", self.folder / "a.fmu", "--windows"]
+        code = subprocess.run(command, stdout=subprocess.DEVNULL, stderr=slave, timeout=SECONDS, check=False).returncode
+        os.close(slave)
+        shown = b""
+        while select.select([master], [], [], 0.0)[0]:
+            try:
+                shown += os.read(master, 4096)
+            except OSError:  # the end, as Linux says it
+                break
+        os.close(master)
+        self.assertEqual(code, 0, shown)
+        self.assertIn(b"library for win64: 3 of 4", shown)
+
+    def expect_none(self, reason):
+        result = self.run_with("--windows")
+        self.assertEqual((result.returncode, result.stdout), (1, ""), result.stderr)
+        self.assertIn("fmu: no library for win64: ", result.stderr)
+        self.assertIn(reason, result.stderr)
+        self.assertIn("Without --windows the FMU is for Linux", result.stderr)
+        self.assertFalse((self.folder / "a.fmu").exists())
+        self.assertEqual(self.made()[0]["platforms"], ["linux64"])
 
     def test_failure_is_reported_with_its_reason(self):
         self.recipe("echo many words; echo the compiler is gone; exit 1")
-        self.expect_linux_alone("the compiler is gone")
+        self.expect_none("the compiler is gone")
 
     def test_recipe_without_result(self):
         self.recipe("exit 0")
-        self.expect_linux_alone("orbearing.dll")
+        self.expect_none("orbearing.dll")
 
     def test_nothing_to_build_with(self):
-        self.expect_linux_alone("ORBEARING_BUILD_WIN64")
+        self.expect_none("ORBEARING_BUILD_WIN64")
 
     def test_recipe_names_the_missing_compiler(self):
         ours = LIBRARIES / "build_win64"
@@ -198,7 +224,7 @@ class WindowsLibraryWhenItIsNeeded(unittest.TestCase):
             (tools / name).symlink_to(shutil.which(name))
         text = ours.read_text().replace(str(LIBRARIES), str(self.libraries))
         self.recipe(f"PATH='{self.folder}'; PATH=$PATH/tools\n".replace("it's", "it'\\''s") + text)
-        self.expect_linux_alone("g++-mingw-w64-x86-64-posix")
+        self.expect_none("g++-mingw-w64-x86-64-posix")
 
 
 if __name__ == "__main__":

@@ -56,7 +56,7 @@ def rows_of(command, environment):
 
 def compare(model, folder, wine):
     file = folder / f"{model}.fmu"
-    subprocess.run([os.environ["ORBEARING"], "fmu", CASE, "-o", file, "--model", model, "--quiet"], check=True)
+    subprocess.run([os.environ["ORBEARING"], "fmu", CASE, "-o", file, "--model", model, "--windows", "--quiet"], check=True)
     unpacked = folder / f"unpacked {model}"
     arguments = arguments_of(file, model, unpacked)
     here = dict(os.environ, WINEPREFIX=str(folder / "wine"), WINEDEBUG="-all", DISPLAY="")

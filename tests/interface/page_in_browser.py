@@ -511,6 +511,21 @@ class PageSteps:
         self.assert_same(shown["L10rh"], [first["L10rh"], first["L10rh"], second["L10rh"]])
         self.assertEqual({key.get_attribute("data-series") for key in self.all("#card-life .curve[data-series^='life_h']")}, {"life_h", "life_h A", "life_h B"})
 
+    def test_a_variant_by_an_input_that_another_replaces_is_refused(self):
+        """A clearance beside a clearance class: both variants would have the same results."""
+        classed = (CASES / "reducer_nu204" / "case.yaml").read_text(encoding="utf-8")
+        self.open_text(classed)
+        self.find("[data-pin=A]").click()
+        self.write(classed.replace("  clearance_class: CN\n", "  clearance_class: CN\n  radial_clearance: 10 um\n"))
+        self.find("[data-pin=B]").click()
+        refusal = self.find("#card-variants [role=alert]").text
+        self.assertTrue(refusal.startswith("Not pinned as B: no input differs from A. bearing.radial_clearance: 10 um has no effect: it counts only where "
+                                           "bearing.clearance_class is not given"), refusal)
+        self.assertEqual([len(self.all(f"[data-take={name}]")) for name in "AB"], [1, 0])
+        self.write(classed.replace("clearance_class: CN", "clearance_class: C3"))
+        self.find("[data-pin=B]").click()
+        self.assertEqual((len(self.all("[data-take=B]")), self.all("#card-variants [role=alert]")), (1, []))
+
     def test_the_rollers_are_played_and_moved(self):
         self.open_text(MOVING)
         place = lambda: self.find("#card-bearing .element.first").get_attribute("transform")  # noqa: E731

@@ -2,6 +2,8 @@
 change, a bearing that a script moves, Ctrl-C."""
 
 # Issue 18, Build 1: the package `orbearing`.
+import copy
+import gc
 import json
 import os
 import pathlib
@@ -337,6 +339,148 @@ except KeyboardInterrupt:
 case.mesh()  # and the program goes on
 print("alive", flush=True)
 """
+
+
+CLASSED = CASES / "reducer_nu204" / "case.yaml"  # with bearing.clearance_class
+
+
+class Editing(unittest.TestCase):
+    """What is written reads back as it was written; a key can be left out again; a case keeps what it read."""
+
+    def test_what_another_input_replaces_is_refused(self):
+        case = orbearing.load(CLASSED)
+        before = case["bearing.radial_clearance"]
+        with self.assertRaises(orbearing.CaseError) as caught:
+            case["bearing.radial_clearance"] = "10 um"
+        self.assertIn("bearing.radial_clearance: found '10 um', which another input replaces: it counts only where bearing.clearance_class is not given; "
+                      "required: one of both", str(caught.exception))
+        self.assertEqual((case["bearing.radial_clearance"], case["bearing.clearance_class"]), (before, "CN"))
+        with self.assertRaises(orbearing.CaseError):
+            orbearing.load(CLASSED, {"bearing.radial_clearance": 1e-5})
+
+    def test_a_key_is_left_out(self):
+        for leave_out in (lambda case: case.__delitem__("bearing.clearance_class"), lambda case: case.__setitem__("bearing.clearance_class", None)):
+            case = orbearing.load(CLASSED, {"bearing.clearance_class": "C3"})
+            leave_out(case)
+            self.assertEqual(case.given("bearing.clearance_class"), "CN")  # the default of a designation
+            case["bearing.radial_clearance"] = "10 um"
+            self.assertEqual((case["bearing.radial_clearance"], case["bearing.clearance_class"]), (1e-5, None))
+            del case["bearing.radial_clearance"]
+            self.assertEqual(case["bearing.clearance_class"], "CN")
+        case = orbearing.load(REDUCER)
+        self.assertIsNotNone(case["bearing.radial_clearance"])
+        with self.assertRaisesRegex(orbearing.CaseError, "bearing.radial_clearance: missing"):
+            del case["bearing.radial_clearance"]
+        self.assertIsNotNone(case["bearing.radial_clearance"])
+        case["life.cleanliness"] = "-/17/14"
+        self.assertEqual(case["life.cleanliness"], "-/17/14")
+        del case["life.cleanliness"]
+        self.assertIsNone(case["life.cleanliness"])
+        with self.assertRaises(KeyError):
+            del case["life.cleanliness"]
+        case["life.cleanliness"] = None  # left out already
+        with self.assertRaisesRegex(orbearing.CaseError, "life.clenliness: unknown key"):
+            case["life.clenliness"] = None
+
+    def test_blocks_and_sweeps_are_left_out(self):
+        case = orbearing.load(REDUCER)
+        self.assertEqual(len(case.sweep(grid_only=True)["points"]), 12)
+        del case["sweep"]
+        self.assertEqual(len(case.sweep(grid_only=True)["points"]), 1)
+        case = orbearing.load(CLASSED)
+        case["bearing.clearance_state"] = "unmounted"
+        del case["bearing.temperature"]
+        self.assertIsNone(case["bearing.temperature.pin"])
+
+    def test_a_setting_of_null_by_the_command_line(self):
+        found = printed("check", CLASSED, "--set", "bearing.clearance_class=null", "--set", "bearing.radial_clearance=10 um", "--set", "bearing.clearance_state=unmounted")
+        self.assertEqual({one["path"]: one["given"] for one in found["inputs"]}["bearing.radial_clearance"], "10 um")
+        refused = subprocess.run([COMMAND, "check", CLASSED, "--set", "bearing.clearence=null"], capture_output=True, text=True)
+        self.assertEqual((refused.returncode, refused.stderr), (2, "--set: bearing.clearence: unknown key; the path of an input, to be left out, is required\n"))
+
+    def test_every_number_reads_back(self):
+        """Each number that the case states, written as it reads, in its unit and 1 % larger where it may be."""
+        for file in (REDUCER, CASES / "deep_groove_motor" / "case.yaml"):
+            case = orbearing.load(file)
+            for row in case.inputs:
+                if row["kind"] not in ("quantity", "number") or row["source"] == "absent" or row["given"] is None:
+                    continue
+                path, value = row["path"], case[row["path"]]
+                for written in (value, 1.01 * value):
+                    try:
+                        case[path] = written
+                    except orbearing.CaseError:
+                        continue  # beyond its range, beside others, or given by another input
+                    self.assertTrue(np.isclose(case[path], written, rtol=1e-12, atol=0.0), (path, written, case[path]))
+                case = orbearing.load(file)
+
+    def test_a_case_keeps_the_text_that_it_read(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "case.yaml"
+            file.write_text(REDUCER.read_text())
+            (pathlib.Path(folder) / "loads.csv").write_text("speed_rpm,power_kW,share\n6000,150,0.5\n3000,50,0.5\n")
+            case = orbearing.load(file, {"spectrum": {"file": "loads.csv"}})
+            rows = case["spectrum"]
+            file.write_text(REDUCER.read_text().replace("power: 150 kW", "power: 300 kW"))
+            (pathlib.Path(folder) / "loads.csv").write_text("speed_rpm,power_kW,share\n600,15,1\n")
+            case["bearing.radial_clearance"] = "1 um"
+            self.assertEqual((case["input.power"], case["spectrum"], case["bearing.radial_clearance"]), (150e3, rows, 1e-6))
+            here = os.getcwd()
+            try:
+                os.chdir("/")
+                file.unlink()
+                (pathlib.Path(folder) / "loads.csv").unlink()
+                case["bearing.radial_clearance"] = "2 um"
+                for other in (case.copy({"input.power": "140 kW"}), pickle.loads(pickle.dumps(case)).copy({"input.power": "140 kW"})):
+                    self.assertEqual((other["input.power"], other["spectrum"], other["bearing.radial_clearance"]), (140e3, rows, 2e-6))
+            finally:
+                os.chdir(here)
+
+    def test_a_pickled_case_derives_anew(self):
+        """A value that follows from others is no statement of the case: it follows in the copy as well."""
+        case = orbearing.load(REDUCER)
+        other = pickle.loads(pickle.dumps(case))
+        for one in (case, other):
+            one["bearing.roller_diameter"] = "5 mm"
+        self.assertEqual(other.inputs, case.inputs)
+        self.assertEqual(other.core.hash(), case.core.hash())
+
+
+class ResultsTravel(unittest.TestCase):
+    """Results, tables and errors of every kind can be copied and pickled."""
+
+    def test_every_kind_of_result(self):
+        case = orbearing.load(REDUCER)
+        case["sweep"] = {"input.speed": ["3000 rpm", "6000 rpm"]}
+        uncertain = orbearing.load(CASES / "reducer_150kW_uncertain" / "case.yaml")
+        results = [case.check(), case.run(), case.sweep(grid_only=True), case.modes(), case.mesh(), case.stiffness(),
+                   case.crown(drops="0 um, 10 um", starts=1), case.sensitivities(by=["input.power"]),
+                   case.study({"bearing.radial_clearance": ["0 um", "10 um"]}, progress=False), uncertain.uncertainty(samples=16, curves=4, index_samples=8)]
+        for result in results:
+            for again in (pickle.loads(pickle.dumps(result)), copy.deepcopy(result), copy.copy(result)):
+                with self.subTest(type(result).__name__):
+                    self.assertIs(type(again), type(result))
+                    if isinstance(result, orbearing.Result):
+                        self.assertEqual((again.data, again.warnings, repr(again)), (result.data, result.warnings, repr(result)))
+                        self.assertEqual(again.case.core.hash(), result.case.core.hash())
+                        with self.assertRaises(AttributeError):
+                            again.more = 1
+        kinds = {type(result).__name__ for result in results}
+        self.assertEqual({name for name in vars(orbearing.results) if name.endswith("Result")} - kinds, {"Result"} - kinds)
+
+    def test_files_of_a_result_in_motion(self):
+        """A copy shares them; they are deleted with the last one, and another process does not get them."""
+        moved = orbearing.load(REDUCER, {"simulation.settling_revolutions": 0.2, "simulation.observed_revolutions": 0.2, "simulation.most_revolutions": 0.4})
+        result = moved.run(fidelity="dynamic")
+        folder = result.folder
+        self.assertTrue(folder.is_dir())
+        same, sent = copy.deepcopy(result), pickle.loads(pickle.dumps(result))
+        self.assertEqual((same.folder, sent.folder), (folder, None))
+        del result
+        self.assertTrue(folder.is_dir())
+        del same
+        gc.collect()
+        self.assertFalse(folder.exists())
 
 
 class CtrlC(unittest.TestCase):

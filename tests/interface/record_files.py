@@ -190,6 +190,134 @@ class RecordFiles(unittest.TestCase):
                 self.assertTrue(message.startswith(f"{self.folder}/w.csv:{place}: found "), message)
                 self.assertIn(said, message)
 
+    def test_codes_of_missing_values_are_no_loads(self):
+        head = "time_s,speed_rpm,torque_kN_m\n"
+        for code, name, row in (("-999", "torque", "1,{},"), ("-999.25", "torque", "1,{},"), ("-9999", "speed", "1,12,{}"), ("9999", "torque", "1,12,{}"),
+                                ("-32768", "torque", "1,12,{}"), ("1e+30", "torque", "1,12,{}"), ("-999", "speed", "1,12,{}")):
+            for place in (1, 2, 3):
+                rows = [[str(i), "12", "100"] for i in range(4)]
+                rows[place][1 if name == "speed" else 2] = code
+                content = head + "".join(",".join(one) + "\n" for one in rows)
+                message = self.refusal(self.written("c.csv", content))
+                self.assertTrue(message.startswith(f"{self.folder}/c.csv:{place + 2}: found {code} as {name}"), message)
+        # A record that holds one load from end to end, below 0; a load among its neighbours is a measured one.
+        self.assertIn("-999 as torque, a common code of a missing value", self.refusal(self.written("c.csv", head + "0,12,-999\n1,12,-999\n")))
+        self.spectrum(self.written("c.csv", head + "0,12,9999\n1,12,9999\n"))
+        near = self.spectrum(self.written("c.csv", head + "0,12,-980\n1,12,-999\n2,12,-1010\n"), "--bins", "1x1")
+        self.assertEqual(near["samples"], 3)
+        # In the unit of the file: -999 kN m, packed or not.
+        times, rows = simulation()
+        missing = [(speed, tq, -999.0 if i == 7 else torque, power) for i, (speed, tq, torque, power) in enumerate(rows)]
+        self.assertIn("a.outb: sample 8: found -999 as torque", self.refusal(self.written("a.outb", as_binary(3, times, missing)), *CHOICE))
+
+    def test_loads_beyond_measure_are_refused(self):
+        """Sums of such loads are not finite: a row 'nan,5e+299,1' was written."""
+        file, rows = self.written("c.csv", "time_s,speed_rpm,torque_N_m\n0,1000,1e308\n1,1e300,1e308\n2,1,1\n"), self.folder / "rows.csv"
+        done = run("spectrum", file, "-o", rows, "--bins", "1x1")
+        self.assertEqual((done.returncode, done.stdout, rows.exists()), (2, "", False))
+        self.assertIn("c.csv:3: found 1e+300 as speed; required: a measured value; leave out samples without one", done.stderr)
+
+    def test_torque_and_speed_of_two_shafts(self):
+        """The rotor's torque at the generator's speed, a gear ratio of 97 between them: 97 times the power that the file states."""
+        times, rows = simulation()
+        heads = "time_s,speed_rpm,torque_kN_m,power_kW\n"
+        content = heads + "".join(f"{time},{97.0 * speed},{torque},{power}\n" for time, (speed, _, torque, power) in zip(times, rows))
+        message = self.refusal(self.written("two.csv", content))
+        mean = sum(row[3] for row in rows[:-1]) / (len(rows) - 1)
+        self.assertIn(f"found a mean power of {mean:.4g} kW, and {97.0 * mean * 0.1047197551 / 0.1047:.4g} kW by torque and speed: they are of two shafts", message)
+        self.assertIn("required: torque and speed of one shaft (--torque COLUMN, --speed COLUMN), or power and speed alone (--power COLUMN)", message)
+        one = self.spectrum(self.written("one.csv", heads + "".join(f"{time},{speed},{torque},{0.93 * power}\n" for time, (speed, _, torque, power) in zip(times, rows))))
+        self.assertIn(f"torque and power found; torque is used: {mean * 0.1047197551 / 0.1047:.4g} kW by torque and speed, {0.93 * mean:.4g} kW by power", one["warnings"][0])
+        # By columns that the user names, power is known by its unit.
+        head = ("Time", "GenSpeed", *NAMES)
+        lines = ["\t".join(head), "\t".join(("(s)", "(rpm)", *UNITS))]
+        lines += ["\t".join(f"{value:.6e}" for value in (time, 97.0 * row[0], *row)) for time, row in zip(times, rows)]
+        file = self.written("g.out", "\n".join(lines) + "\n")
+        mixed = self.spectrum(file, "--torque", "RotTorq", "--speed", "GenSpeed")
+        self.assertIn(f"which no column of power has (GenPwr: {mean:.4g} kW). Take torque and speed of one shaft", mixed["warnings"][0])
+        for speed, torque in (("RotSpeed", "RotTorq"), ("GenSpeed", "GenTq")):
+            self.assertEqual([text for text in self.spectrum(file, "--torque", torque, "--speed", speed)["warnings"] if "column of power" in text], [])
+
+    def test_words_for_missing_values_are_no_units(self):
+        for word in ("NaT", "NaN", "n/a", "NULL", "None"):
+            content = f"time,speed_rpm,torque_N_m\n{word},{word},{word}\n0,1,2\n1,1,2\n"
+            self.assertIn("n.csv:1:1: found time without a unit", self.refusal(self.written("n.csv", content)))
+
+    def test_names_in_a_comment_above_the_rows(self):
+        rows = "0 1500 100\n1 1500 120\n2 1500 120\n"
+        expected = self.spectrum(self.written("a.csv", "time_s speed_rpm torque_N_m\n" + rows), "--bins", "1x1")["bins"]
+        for head in ("# time_s speed_rpm torque_N_m\n", "# a run of today\n#\n#time_s speed_rpm torque_N_m\n", "# time speed torque\n# (s) (rpm) (N-m)\n"):
+            self.assertEqual(self.spectrum(self.written("b.csv", head + rows), "--bins", "1x1")["bins"], expected, head)
+        commas = "#time_s,speed_rpm,torque_N_m\n" + rows.replace(" ", ", ")
+        self.assertEqual(self.spectrum(self.written("c.csv", commas), "--bins", "1x1")["bins"], expected)
+        for head in ("", "# a comment of another length\n", "# 1 2 3\n"):
+            message = self.refusal(self.written("d.csv", head + rows))
+            self.assertIn("found numbers, and no line above them with the names of the columns; required: a first line such as time_s,speed_rpm,torque_N_m", message)
+            self.assertNotIn("1500", message)
+
+    def test_files_of_other_programs_are_named(self):
+        for name, content, said in (
+                ("a.xlsx", b"PK\x03\x04\0\0", "a ZIP file, as an Excel workbook (.xlsx) is one; required: a record over time: CSV, .out or .outb of OpenFAST, Bladed, or "
+                                                 "netCDF; save the sheet as CSV"),
+                ("a.xls", b"\xd0\xcf\x11\xe0\0", "an Excel workbook (.xls)"), ("a.parquet", b"PAR1\0", "a Parquet file"),
+                ("a.feather", b"ARROW1\0", "a Feather file"), ("a.tdms", b"TDSm\0", "a TDMS file of LabVIEW"), ("a.mat", b"MATLAB 5.0 MAT-file, \0", "a MAT-file"),
+                ("a.mf4", b"MDF     4.10\0", "a measurement file MDF"), ("a.csv.gz", b"\x1f\x8b\0", "a compressed file (gzip)"),
+                ("a.csv.bz2", b"BZh91AY", "a compressed file (bzip2)"), ("a.res", b"\x48\0\0\0\x09\0", "binary data (.res), as FLEX writes them"),
+                ("h.sel", b"____\n  Version ID : HAWC2MB 11.8\n", "names of channels of HAWC2 (.sel), whose data are in the .dat file of that name"),
+                ("h.dat", b"0 1 2\n", "data of HAWC2 without names, which are in h.sel")):
+            message = self.refusal(self.written(name, content))
+            self.assertTrue(message.startswith(f"{self.folder}/{name}: found {said}"), message)
+            self.assertNotIn("\0", message)
+
+    BLADED = ("FILE\tx.$04\nACCESS\tS\nFORM\t{form}\nRECL\t4\nFORMAT\t{format}\nNDIMENS\t2\nDIMENS\t3\t{steps}\nGENLAB\t'a'\n"
+              "VARIAB\t'Generator speed' 'Time from start' 'Generator torque'\nVARUNIT\tA/T T FL\nAXISLAB\t'Time'\nAXIUNIT\tT\nAXIMETH\t2\nMIN \t1.0\nSTEP\t0.5\n")
+
+    def test_bladed_as_text_and_binary(self):
+        rows = [(90.0 + i, 0.0, 1000.0 + 10.0 * i) for i in range(6)]
+        options = ("--speed", "Generator speed", "--torque", "Generator torque", "--bins", "1x1")
+        csv = "time_s,n_rad_per_s,M_N_m\n" + "".join(f"{1.0 + 0.5 * i},{n},{m}\n" for i, (n, _, m) in enumerate(rows))
+        expected = self.spectrum(self.written("a.csv", csv), "--speed", "n", "--torque", "M", "--bins", "1x1")
+        for form, kind, content in (("F", "R*4", "".join(f"  {n:.7e}  {t:.7e} {m:.7e}\n" for n, t, m in rows).encode()),
+                                    ("U", "R*4", b"".join(struct.pack("<3f", *row) for row in rows)), ("U", "R*8", b"".join(struct.pack("<3d", *row) for row in rows))):
+            self.written("x.%04", self.BLADED.format(form=form, format=kind, steps=len(rows)))
+            data = self.written("x.$04", content)
+            for name in ("x.%04", "x.$04"):
+                found = self.spectrum(self.folder / name, *options)
+                self.assertEqual((found["samples"], found["duration_s"]), (6, 2.5))
+                self.assert_same_bins(found, expected, 1e-7)
+            data.write_bytes(content[:-10])
+            self.assertIn("x.$04: found an end within its data", self.refusal(data, *options))
+        self.written("x.%04", self.BLADED.format(form="F", format="R*4", steps=6).replace("DIMENS\t3", "DIMENS\t4"))
+        self.assertIn("x.%04: found 4 variables and 3 names", self.refusal(data, *options))
+        self.written("x.%04", self.BLADED.format(form="F", format="R*4", steps=6).replace("NDIMENS\t2", "NDIMENS\t3"))
+        self.assertIn("x.%04: found 3 dimensions; required: output over time alone", self.refusal(data, *options))
+        (self.folder / "x.%04").unlink()
+        self.assertIn("x.$04: found data of Bladed without the header x.%04", self.refusal(data, *options))
+
+    @NEEDS_REFERENCE
+    def test_public_cases_of_others(self):
+        """public_cases_2.yaml, foreign_series_files: Bladed 200 rows of 0.05 s, 92.0418 rad/s, 19757.65 N m, 1818529.7 W; others by their kind."""
+        files = REFERENCE / "public_cases_2" / "series"
+        for name in ("Bladed_out_ascii.%04", "Bladed_out_ascii.$04"):
+            found = self.spectrum(files / name, "--speed", "Measured generator speed", "--torque", "Demanded generator torque", "--bins", "1x1", "--exponent", "1")
+            self.assertEqual((found["samples"], round(found["duration_s"], 9)), (200, 9.95))
+            (one,) = found["bins"]
+            # The last sample lasts for no time: of 199. The file's own means of 200 are 92.041807 and 19757.653.
+            self.assertAlmostEqual(one["speed_rpm"] * 0.10471975511965977, 92.0418, delta=2e-3)
+            self.assertAlmostEqual(one["torque_N_m"], 19757.65, delta=0.5)
+            self.assertEqual([text for text in found["warnings"] if "power" in text], [])  # 1818.53 kW beside 1818.53 kW
+            self.assertIn("among the columns time [s], Time from start of simulation [s], Demanded power [W]", self.refusal(files / name))
+        for name, said in (("ExcelFile_OneSheet.xlsx", "a ZIP file, as an Excel workbook"), ("ParquetFile_test.parquet", "a Parquet file"),
+                           ("TDMS_1Grp2Chan_TimeTrack.tdms", "a TDMS file"), ("FLEXOutBinV3.res", "binary data (.res), as FLEX"), ("HAWC2_out_ascii.sel", "names of channels of HAWC2"),
+                           ("HAWC2_out_bin.sel", "names of channels of HAWC2"), ("HAWC2_out_bin.dat", "data of HAWC2 without names"),
+                           ("BHAWC_out_ascii1.sel", "names of channels of BHAWC"), ("BHAWC_out_ascii1.dat", "data of BHAWC without names")):
+            self.assertIn(f"found {said}", self.refusal(files / name), name)
+        codes = self.refusal(files / "CSVAutoCommentChar.txt", "--time", "Time", "--speed", "Rotor_Speed", "--torque", "Torque")
+        self.assertIn("found time without a unit", codes)
+        self.assertIn("found time without a unit", self.refusal(files / "CSVDateNaN.csv"))
+        self.assertIn("among the columns ColA, ColB, ColC", self.refusal(files / "CSVColInHeader3.csv"))
+        self.assertIn("among the columns Time [s], GenSpeed [rpm]", self.refusal(files / "FASTOut.out"))
+
     @NEEDS_REFERENCE
     def test_files_of_others(self):
         """Issue 47, done when: ../shared/reference/openfast and public_cases openfast_out, german_excel_csv, powershell_utf16."""

@@ -122,7 +122,8 @@ class Tables(unittest.TestCase):
         deviation = abs(ratios[1] - ratios[0]) / math.sqrt(2.0)
         self.assertEqual(found["measurement"], {"quantity": "slip", "kind": "measurement", "values": "2", "sources": "2", "scatter of the measurement": percent(0.031),
                                                 "bias": percent(sum(ratios) / 2, True), "standard deviation": percent(deviation),
-                                                "left to the model": percent(math.sqrt(deviation**2 - 0.031**2)), "missed": "2"})
+                                                "left to the model": percent(math.sqrt(deviation**2 - 0.031**2)), "reproduced": "0", "trend": "0", "missed": "2",
+                                                "input missing": "0"})
         self.assertEqual((found["program"]["bias"], found["program"]["missed"]), ("-2.5 %", "0"))
 
     def test_what_is_asked_first(self):
@@ -131,13 +132,16 @@ class Tables(unittest.TestCase):
         found = self.lines(first_table(rows))
         self.assertEqual([row["quantity"] for row in found], ["friction", "heat", "slip", "loads", "load sharing", "stiffness", "vibration"])
         self.assertEqual(found[0], {"quantity": "friction", "values": "2", "of them measured": "2", "sources": "1", "bias": percent(0.2, True),
-                                    "standard deviation": percent(0.1 * math.sqrt(2.0)), "missed": "2"})
+                                    "standard deviation": percent(0.1 * math.sqrt(2.0)), "reproduced": "0", "trend": "0", "missed": "2", "input missing": "0",
+                                    "most frequent reason of a miss": "2 of friction: not understood"})
         self.assertEqual(found[5]["values"], "0")
 
     def test_counts(self):
         found = {row["kind of evidence"]: row for row in self.lines(counts_table([*self.ROWS, replace(ROW, kind="closed-form", verdict="trend")]))}
         self.assertEqual(found["measurement"], {"kind of evidence": "measurement", "values": "1", "sources": "1", "reproduced": "0", "trend": "0", "missed": "1",
-                                                "input missing": "0", "counts": "yes"})
+                                                "input missing": "0", "counts": "yes", "most frequent reason of a miss": "1 of slip: thermal"})
+        for row in found.values():  # the numbers of a row add up
+            self.assertEqual(int(row["values"]), sum(int(row[verdict]) for verdict in ("reproduced", "trend", "missed", "input missing")), row)
         self.assertEqual((found["closed-form"]["trend"], found["closed-form"]["counts"], found["all that count"]["values"]), ("1", "no", "2"))
 
     def test_misses(self):

@@ -48,7 +48,7 @@ function(orbearing_engine)
     "^\\$<|^page/|commands/(demo|fmu|merge|new_case|python_part|report|spectrum|validate)\\.cpp")
   list(FILTER sources EXCLUDE REGEX
     "results/(merge|point_file)\\.cpp|study/(expected_file|fmu_model|load_series|report_data|validation_table)\\.cpp")
-  list(FILTER sources EXCLUDE REGEX "study/(netcdf_record|openfast_record|record_file)\\.cpp")
+  list(FILTER sources EXCLUDE REGEX "study/(bladed_record|foreign_record|netcdf_record|openfast_record|record_file)\\.cpp")
   list(TRANSFORM sources PREPEND "${PROJECT_SOURCE_DIR}/app/")
   add_custom_command(OUTPUT "${PROJECT_BINARY_DIR}/units/units_table.hpp"
     COMMAND /usr/bin/python3 "${here}/units_table.py" "${PROJECT_BINARY_DIR}/units/units_table.hpp"

@@ -6,6 +6,16 @@ const NAMES = ['A', 'B', 'C'];
 const TOLD =
     /^(life_h|L10|system_life_h|planet_load_N|inner_load_max_N|contact_pressure_max_MPa|C_over_P|S0|kappa|a_ISO|operating_clearance_um|film_inner_um|cage_slip|power_loss_W)/;
 
+/** Messages of a check about inputs without effect: "PATH: VALUE has no effect ...". */
+export function withoutEffect(check) {
+  return (check?.warnings ?? []).filter((line) => / has no effect[: ]/.test(line));
+}
+
+/** Whether two maps of inputs hold the same values. */
+function sameInputs(one, other) {
+  return one.size === other.size && [...one].every(([path, given]) => path === 'name' || other.get(path) === given);
+}
+
 export class Variants {
   constructor(session) {
     this.session = session;
@@ -36,6 +46,16 @@ export class Variants {
       result: point ?? run,
       cursor
     };
+    // A change that another input replaces makes no other variant: it is refused before it is compared.
+    const idle = withoutEffect(check),
+          same = this.session.variants.find((one) => one.name !== name && sameInputs(one.inputs, variant.inputs));
+    this.refusal = same && idle.length && same.text !== text ?
+        `Not pinned as ${name}: no input differs from ${same.name}. ${idle.join('. ')}` :
+        '';
+    if (this.refusal) {
+      this.show();
+      return;
+    }
     this.session.variants = [...this.session.variants.filter((one) => one.name !== name), variant].sort(
         (one, other) => one.name.localeCompare(other.name));
     this.session.tell('variants');
@@ -61,7 +81,8 @@ export class Variants {
       drop.addEventListener('click', () => this.drop(name));
       return [element('span', {class: 'pin'}, pin, take, drop)];
     }));
-    this.table.replaceChildren(...(variants.length && this.session.check ? [this.compared()] : [
+    const refusal = this.refusal ? [element('p', {class: 'hint', role: 'alert'}, this.refusal)] : [];
+    this.table.replaceChildren(...refusal, ...(variants.length && this.session.check ? [this.compared()] : [
       element(
           'p', {class: 'hint'}, 'Pin the case, change it, and compare: curves of pinned variants are dashed.')
     ]));

@@ -1,7 +1,7 @@
-# Included by the main build: what builds the Windows library of our FMUs when one is first asked for. Few who build
-# the program need it, and it costs as much as the bearing.
+# Included by the main build: what builds the Windows library of our FMUs when `fmu --windows` first needs it. Few who
+# build the program do, and it costs as much as the bearing.
 string(COMPARE EQUAL "${CMAKE_BUILD_TYPE}" Release optimised)
-option(ORBEARING_BUILD_WIN64 "Let the first FMU build the Windows library that goes into FMUs" ${optimised})
+option(ORBEARING_BUILD_WIN64 "Let fmu --windows build the Windows library that goes into FMUs" ${optimised})
 set(recipe "${ORBEARING_FMU_LIBRARIES}/build_win64")
 if(NOT ORBEARING_BUILD_WIN64)
   file(REMOVE "${recipe}")

@@ -50,7 +50,8 @@ class CoreEngine:
         if program() != self.program:
             raise OtherProgram(f"found {_words(program())} on a worker; required: {_words(self.program)}, as where the study began")
         begin = time.perf_counter()
-        columns, rows, status = _core.evaluate(_changed(self.text, settings), self.paths, values, fidelity=self.fidelity, jobs=jobs)
+        columns, rows, status = _core.evaluate(_changed(self.text, settings), self.paths, values, fidelity=self.fidelity, jobs=jobs,
+                                               without_effect=True)
         statuses = {place: text for place, text in enumerate(status) if text != DONE}
         return Chunk(np.asarray(ids), tuple(columns), np.asarray(rows), statuses, time.perf_counter() - begin)
 

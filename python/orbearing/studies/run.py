@@ -11,6 +11,8 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from orbearing.errors import CaseError
 from orbearing.studies.dataset import peaks
 from orbearing.studies.design import Design, design_of
@@ -56,10 +58,11 @@ def study(case, vary: Mapping[str, Any] | None = None, *, sampler: str = "grid",
     design = design_of(core, dict(vary or {}), sampler=sampler, samples=samples, seed=seed, paired=list(paired))
     if points == "peak" and not design.over_speed:
         raise CaseError("points: found 'peak' where the speed is no dimension of the study; required: all or none")
+    require_effect(core, design, fidelity)
     engine = CoreEngine(core.resolved(), [p.path for p in design.numbers()], fidelity)
     checked = checked_variant(core, design)
     return compute(core, design, engine, executor_of(executor, jobs), life_key=life_key_of(design, checked), output=output, resume=resume, points=points,
-                   progress=progress, warnings=unfelt(core, design, fidelity, checked))
+                   progress=progress, warnings=warnings_of(core))
 
 
 def checked_variant(core, design: Design) -> dict[str, Any]:
@@ -109,13 +112,42 @@ def compute(core, design: Design, engine, executor, *, life_key: str, output=Non
     return StudyResult(header, design, folder.table, folder.attributes, folder.folder)
 
 
-def unfelt(core, design: Design, fidelity: str, checked: Mapping[str, Any]) -> list[str]:
-    """A warning for each varied value that the results do not feel."""
-    rung = f"--fidelity {fidelity}"
-    inputs = {entry["path"]: entry for entry in checked["inputs"]}
-    unused = ["spectrum: found in the case, and not used by a study: it computes the speeds of the sweep alone"] if "\nspectrum:" in core.resolved() else []
-    return unused + [f"{p.path}: varied, and not modelled by {rung}: its results do not differ by it" for p in design.parameters
-                     if p.path in inputs and (rung not in inputs[p.path]["used_by"] or rung in inputs[p.path]["not_modelled_by"])]
+def require_effect(core, design: Design, fidelity: str) -> None:
+    """Raises CaseError with each varied input that has no effect on any point of the study."""
+    without = None
+    for settings in _settings_of_each_value(design):
+        try:
+            variant = core.without_sweep().with_settings(list(settings))
+        except CaseError:
+            continue  # no case: the point says so
+        found = variant.without_effect([p.path for p in design.parameters], fidelity)
+        without = found if without is None else {path: line for path, line in without.items() if path in found}
+        if not without:
+            return
+    if without:
+        raise CaseError(list(without.values()))
+
+
+def _settings_of_each_value(design: Design):
+    """Settings of points in which each choice and both ends of each number occur."""
+    points = {0, design.points - 1}
+    for parameter in design.parameters:
+        if parameter.is_number:
+            wanted = {int(np.argmin(parameter.si)), int(np.argmax(parameter.si))}
+        else:
+            wanted = {parameter.texts.index(text) for text in set(parameter.texts)}
+        place = [name for name, _ in design.dimensions].index(parameter.dimension)
+        for index in wanted:
+            start = tuple(index if k == place else 0 for k in range(len(design.shape)))
+            points.add(int(np.ravel_multi_index(start, design.shape)))
+    return (design.settings(point, every=True) for point in sorted(points))
+
+
+def warnings_of(core) -> list[str]:
+    """What a study leaves out of the case."""
+    if "\nspectrum:" not in core.resolved():
+        return []
+    return ["spectrum: found in the case, and not used by a study: it computes the speeds of the sweep alone"]
 
 
 def attributes_of(core, design: Design, engine, life_key: str, warnings: Sequence[str] = ()) -> dict[str, Any]:

@@ -272,8 +272,13 @@ def of_case(core, settings: Settings, progress=None, store: Store | None = None)
         raise CaseError(f"{core.file()}: model: {record['model']} found; required: a planetary-drivetrain with a speed, whose lives are "
                        "sampled")
 
+    without = core.without_effect([one["path"] for one in record.get("uncertain", {}).get("inputs", [])], REST)
+    if without:
+        raise CaseError(list(without.values()))
+
     def evaluate(paths, values, fidelity):
-        columns, table, status = _core.evaluate(core, list(paths), np.ascontiguousarray(values), fidelity, settings.jobs, progress)
+        columns, table, status = _core.evaluate(core, list(paths), np.ascontiguousarray(values), fidelity, settings.jobs, progress,
+                                                without_effect=True)
         return dict(zip(columns, np.asarray(table).T)), status
 
     return Study(record, rpm(speed), _swept_speeds(record), store.keeping(evaluate) if store else evaluate, settings).run()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from collections import Counter
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Optional
@@ -49,6 +50,20 @@ def classes_of(rows: Iterable[Row]) -> dict[str, list[Row]]:
     return dict(sorted(found.items(), key=lambda one: (-sum(row.counts for row in one[1]), one[0])))
 
 
+def verdict_counts(found: dict[str, int]) -> list[int]:
+    """Of each verdict: together they are all values."""
+    return [found.get(verdict, 0) for verdict in VERDICTS]
+
+
+def most_missed(rows: Iterable[Row]) -> str:
+    """The reason that most of the misses share: how many, of what, why."""
+    reasons = Counter((row.of, row.why or NOT_UNDERSTOOD) for row in rows if row.verdict == "missed")
+    if not reasons:
+        return ""
+    (of, why), count = reasons.most_common(1)[0]
+    return f"{count} of {of}: {why}"
+
+
 def counts_table(rows: Sequence[Row]) -> str:
     """Distinct values by kind and verdict."""
     read = [row for row in rows if not row.memory]
@@ -56,12 +71,12 @@ def counts_table(rows: Sequence[Row]) -> str:
     for kind in KINDS:
         of_kind = [row for row in read if row.kind == kind]
         found = statistics(of_kind)
-        lines.append((kind, found.values, found.sources, *(found.verdicts.get(verdict, 0) for verdict in VERDICTS),
-                      "yes" if kind in COUNTED else "no"))
+        lines.append((kind, found.values, found.sources, *verdict_counts(found.verdicts), "yes" if kind in COUNTED else "no",
+                      most_missed(of_kind)))
     counted = [row for row in read if row.counts]
     total = statistics(counted)
-    lines.append(("all that count", total.values, total.sources, *(total.verdicts.get(verdict, 0) for verdict in VERDICTS), ""))
-    return table(("kind of evidence", "values", "sources", *VERDICTS, "counts"), lines)
+    lines.append(("all that count", total.values, total.sources, *verdict_counts(total.verdicts), "", most_missed(counted)))
+    return table(("kind of evidence", "values", "sources", *VERDICTS, "counts", "most frequent reason of a miss"), lines)
 
 
 # What a specialist asks first, and the classes of quantities that answer it.
@@ -77,8 +92,8 @@ def first_table(rows: Sequence[Row]) -> str:
         of_name = [row for row in rows if row.of in classes and row.counts]
         found = statistics(of_name)
         lines.append((name, found.values, sum(row.kind == "measurement" for row in of_name), found.sources, percent(found.bias, True),
-                      percent(found.deviation), found.verdicts.get("missed", 0)))
-    return table(("quantity", "values", "of them measured", "sources", "bias", "standard deviation", "missed"), lines)
+                      percent(found.deviation), *verdict_counts(found.verdicts), most_missed(of_name)))
+    return table(("quantity", "values", "of them measured", "sources", "bias", "standard deviation", *VERDICTS, "most frequent reason of a miss"), lines)
 
 
 def statistics_table(classes: dict[str, list[Row]]) -> str:
@@ -90,9 +105,9 @@ def statistics_table(classes: dict[str, list[Row]]) -> str:
             if of_kind and name != TREND:
                 found = statistics(of_kind)
                 lines.append((name, kind, found.values, found.sources, percent(found.of_measurement), percent(found.bias, True),
-                              percent(found.deviation), percent(found.of_model), found.verdicts.get("missed", 0)))
+                              percent(found.deviation), percent(found.of_model), *verdict_counts(found.verdicts)))
     return table(("quantity", "kind", "values", "sources", "scatter of the measurement", "bias", "standard deviation",
-                  "left to the model", "missed"), lines)
+                  "left to the model", *VERDICTS), lines)
 
 
 def rows_table(rows: Sequence[Row]) -> str:

@@ -124,6 +124,18 @@ TEST(Units, RefuseReciprocalsAsAnotherDimension) {
   expect_fault("3 dBm", dimension::power, "does not measure the same");
 }
 
+TEST(Units, NameTheQuantityOfAnotherUnit) {
+  expect_fault("160 Nm", dimension::power,
+               "its unit 'Nm' does not measure the same as 'W' (it is one of torque)");
+  expect_fault("160 kN.m", dimension::power, "(it is one of torque)");
+  expect_fault("150 kW", dimension::torque, "(it is one of power)");
+  expect_fault("6000 1/min", dimension::power, "(it is one of angular speed)");
+  expect_fault("20 cSt", dimension::viscosity, "(it is one of kinematic viscosity)");
+  expect_fault("80 C", dimension::length, "(it is one of temperature)");
+  expect_fault("3 kg", dimension::length, "(it is one of mass)");
+  expect_fault("3 mol", dimension::length, "its unit 'mol' does not measure the same as 'm'");
+}
+
 TEST(Units, ShowLongTextsCut) {
   const std::string unit(500, 'm');
   expect_fault(("3 " + unit).c_str(), dimension::length, "mmm...' is not known");

@@ -1,0 +1,82 @@
+#!/usr/bin/env python3
+"""A study over an input without effect is refused before it computes: by study, table, sweep, sensitivities, uncertainty, signals, in Python and for
+OpenMDAO. The message names the axis and the input that replaces it."""
+
+import pathlib
+import tempfile
+import unittest
+
+import program
+from program import CASES, REDUCER, answer, run
+
+orbearing = program.package()
+from orbearing.openmdao import Responses  # noqa: E402  of the package that program.package() found
+from orbearing.studies.__main__ import main as study_main  # noqa: E402
+from orbearing.uncertainties.__main__ import main as uncertainty_main  # noqa: E402
+
+# A clearance class stands in the place of bearing.radial_clearance.
+CLASSED = CASES / "reducer_nu204" / "case.yaml"
+CLEARANCE = "bearing.radial_clearance"
+REPLACED = f"{CLEARANCE}: found a varied input that has no effect: it counts only where bearing.clearance_class is not given"
+SWEPT = f"sweep.{CLEARANCE}: a sweep of an input that has no effect: it counts only where bearing.clearance_class is not given"
+
+
+class VariedWithoutEffect(unittest.TestCase):
+    def setUp(self):
+        place = tempfile.TemporaryDirectory()
+        self.addCleanup(place.cleanup)
+        self.folder = pathlib.Path(place.name)
+
+    def refused(self, done, *said):
+        self.assertEqual((done.returncode, done.stdout), (2, ""), done.stdout + done.stderr)
+        for text in said:
+            self.assertIn(text, done.stderr)
+        self.assertEqual(list(self.folder.iterdir()), [])
+
+    def test_commands(self):
+        over = f"{CLEARANCE}=0 um..20 um"
+        values = f"{CLEARANCE}=[0 um, 10 um, 20 um]"
+        self.refused(program.within(study_main, CLASSED, "-o", self.folder / "s", "--vary", values), REPLACED)
+        self.refused(run("table", CLASSED, "-o", self.folder / "t", "--over", over), SWEPT)
+        self.refused(run("sweep", CLASSED, "-o", self.folder / "w", "--set", f"sweep={{{CLEARANCE}: [0 um, 10 um]}}"), SWEPT)
+        self.refused(run("sensitivities", CLASSED, "--by", CLEARANCE), REPLACED)
+        # A number that another input gives cannot be uncertain; one that lives at rest do not take can be stated, and not sampled.
+        self.refused(run("check", CLASSED, "--set", f"uncertain={{{CLEARANCE}: {{uniform: {{from: 0 um, to: 10 um}}}}}}"), "a number that another input replaces")
+        self.refused(program.within(uncertainty_main, REDUCER, "--samples", "8", "--set", "uncertain={bearing.cage.pocket_clearance: {normal: {standard_deviation: 10 um}}}"),
+                     "bearing.cage.pocket_clearance: found a varied input that has no effect on run and sweep")
+
+    def test_an_input_that_this_fidelity_does_not_take(self):
+        done = program.within(study_main, REDUCER, "-o", self.folder / "s", "--vary", "bearing.cage.pocket_clearance=[0.1 mm, 0.2 mm]")
+        self.refused(done, "bearing.cage.pocket_clearance: found a varied input that has no effect on run and sweep with --fidelity quasi-static; used by")
+
+    def test_python(self):
+        case = orbearing.load(CLASSED)
+        for call in (lambda: case.study({CLEARANCE: ["0 um", "10 um"]}, progress=False), lambda: case.evaluate([CLEARANCE], [[0.0], [1e-5]]),
+                     lambda: orbearing.evaluate(case, ["input.speed", CLEARANCE], [[600.0, 0.0]]), lambda: Responses(case, [CLEARANCE], ["life_h"]),
+                     lambda: case.sensitivities(by=[CLEARANCE])):
+            with self.assertRaises(orbearing.CaseError) as caught:
+                call()
+            self.assertIn(REPLACED, str(caught.exception))
+
+    def test_what_counts_at_some_points_alone_is_varied(self):
+        """An input may count beside another varied one: laminae beside a profile, a clearance where the class is left out."""
+        case = orbearing.load(REDUCER)
+        found = case.study({"bearing.profile.kind": ["straight", "iso16281"], "bearing.laminae": [30, 40], "input.speed": ["6000 rpm"]}, progress=False)
+        self.assertEqual((found.points, found.failed), (4, 0))
+        rows = {(row["bearing.profile.kind"], row["bearing.laminae"]) for row in found.variants()}
+        self.assertEqual(len(rows), 4)
+        columns, numbers, _ = case.evaluate([CLEARANCE], [[0.0], [1e-5]])
+        self.assertNotEqual(*numbers[:, columns.index("life_h")])
+
+    def test_signals(self):
+        scratch = CASES / "scratch_defect" / "case.yaml"
+        done = run("signals", scratch, "-o", self.folder / "x", "--vary", "bearing.cage.density=[1000 kg/m3, 2000 kg/m3]")
+        self.refused(done, "bearing.cage.density: found a varied input that has no effect on ")
+
+    def test_what_run_warns_of_is_still_a_warning(self):
+        found = answer("run", CLASSED, f"{CLEARANCE}=10 um")
+        self.assertTrue(any(text.startswith(f"{CLEARANCE}: 10 um has no effect: it counts only where bearing.clearance_class") for text in found["warnings"]))
+
+
+if __name__ == "__main__":
+    unittest.main()
