@@ -187,8 +187,8 @@ export class MotionCard extends Card {
   constructor() {
     super('motion', 'Dynamic run: slip, losses, life in motion', {});
     this.start = element('button', {type: 'button', class: 'chief'}, 'Start');
-    this.stop = element('button', {type: 'button', disabled: true}, 'Stop');
-    this.proceed = element('button', {type: 'button', disabled: true}, 'Continue');
+    this.stop = element('button', {type: 'button', class: 'stop', disabled: true}, 'Stop');
+    this.proceed = element('button', {type: 'button', class: 'proceed', disabled: true}, 'Continue');
     this.bar = element('progress', {max: 1, value: 0, 'aria-label': 'progress of the dynamic run'});
     this.told = element('p', {class: 'told', role: 'status'});
     this.about = element('p', {class: 'hint'});
@@ -202,7 +202,8 @@ export class MotionCard extends Card {
         'div', {hidden: true}, element('h4', {}, 'Slip'), this.slips,
         element('h4', {}, 'Power losses of one bearing'), this.losses);
     this.body.append(this.charts);
-    this.back = element('button', {type: 'button', hidden: true}, 'Back to the case of these points');
+    this.back =
+        element('button', {type: 'button', class: 'back', hidden: true}, 'Back to the case of these points');
     this.told.after(this.back);
     this.start.addEventListener('click', () => this.begin());
     this.stop.addEventListener('click', () => this.running?.handle.stop());

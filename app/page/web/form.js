@@ -329,7 +329,7 @@ export class Form {
           reason = node ? this.reasonOf(field) : (input?.reason ?? '');
     if (!busy) this.put(row, value);
     // Of hundreds of rows one changes at a time.
-    const looks = [row.state, unused, reason, ...errors].join('\n');
+    const looks = [row.state, unused && this.fidelity, reason, ...errors].join('\n');
     if (looks === row.looks) return;
     row.looks = looks;
     row.element.className = `row ${row.state} ${field.kind}${errors.length ? ' bad' : ''}${

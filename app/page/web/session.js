@@ -21,10 +21,15 @@ export function errorOf(line) {
   return option ? {key: option[1], text: option[2]} : {key: '', text: line};
 }
 
-// Inputs by path: the value in SI as text, and as it is given.
-const valuesOf = (check) =>
-    new Map(check.inputs.filter(({path}) => !WORDS.includes(path))
-                .map(({path, value, given}) => [path, {value: JSON.stringify(value ?? given), given}]));
+// Inputs by path: the value in SI as text, as it is given, and whether the case states it.
+const valuesOf = (check) => new Map(
+    check.inputs.filter(({path}) => !WORDS.includes(path))
+        .map(({
+               path,
+               value,
+               given,
+               standing
+             }) => [path, {value: JSON.stringify(value ?? given), given, stated: standing === 'given'}]));
 
 /** Equal for texts that state the same case, whatever the units and comments. */
 const keyOf = (check) => JSON.stringify([...valuesOf(check)].map(([path, {value}]) => [path, value]));
@@ -90,6 +95,8 @@ export class Session extends EventTarget {
   differences(mark) {
     const now = valuesOf(this.check), paths = [...new Set([...mark.values.keys(), ...now.keys()])];
     const found = paths.filter((path) => mark.values.get(path)?.value !== now.get(path)?.value);
+    const stated = (path) => Boolean(mark.values.get(path)?.stated || now.get(path)?.stated);
+    found.sort((one, other) => stated(other) - stated(one));  // before what follows from them
     const given = (values, path) => shortened(values.get(path)?.given ?? 'not stated');
     return [
       ...found.slice(0, FEW).map(

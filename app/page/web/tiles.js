@@ -105,7 +105,8 @@ function verdictLines({verdict, required, chief, unit}) {
                    'not judged: the case requires no life')];
   if (!verdict) return [];
   const {over} = verdict,
-        lines = [element('span', {class: 'verdict'}, `${wordOf(verdict)}: ${limitOf(verdict)}`)];
+        lines = [element(
+            'span', {class: 'verdict'}, `${wordOf(verdict)}${over ? ' here' : ''}: ${limitOf(verdict)}`)];
   if (over)
     lines.push(element(
         'span', {class: 'verdict'}, `failed at ${over.points_failed} of ${over.points} speeds, worst `,
