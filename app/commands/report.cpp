@@ -6,7 +6,6 @@
 
 #include "app/case/case_file.hpp"
 #include "app/case/printable.hpp"
-#include "app/checksum.hpp"
 #include "app/commands/kept_result.hpp"
 #include "app/commands/presentation.hpp"
 #include "app/commands/python_part.hpp"
@@ -87,17 +86,11 @@ nlohmann::ordered_json sweep_data(const ResolvedCase& resolved, const Manifest& 
 }
 
 /// What is read from the folder must be what was written there.
-void require_undamaged(const fs::path& folder, const Manifest& manifest) {
-  std::vector<std::string> faults;
-  const fs::path resolved = folder / "case.resolved.yaml";
-  if (checksum(read_file(resolved)) != manifest.header->case_hash)
-    faults.push_back(resolved.string() + ": differs from what its run wrote");
+void require_as_written(const fs::path& folder, const Manifest& manifest) {
+  std::vector<std::string> faults{fault_of_case(folder, *manifest.header)};
   for (const auto& [point, entry] : manifest.entries)
-    if (const std::string fault = entry.others.empty() ? "" : fault_of_point(folder, entry); !fault.empty())
-      faults.push_back(fault);
-  for (std::string& fault : faults)
-    fault += "; required: an undamaged result. Give its command again with --resume, or into another folder";
-  if (!faults.empty()) throw BadInput(faults);
+    if (!entry.others.empty()) faults.push_back(fault_of_point(folder, entry));
+  require_undamaged(std::move(faults));
 }
 
 /// Of the kinds of results that have a page, one of which there is something.
@@ -156,7 +149,7 @@ int report_command(const Options& options) {
   const Manifest manifest = read_results(folder);
   require_writable(folder);
   const FolderLock lock(folder);
-  require_undamaged(folder, manifest);
+  require_as_written(folder, manifest);
   const ResolvedCase resolved = read_case((folder / "case.resolved.yaml").string());
   if (resolved.model() != planetary_drivetrain && !is_defect(resolved) && !is_ball_run(resolved) &&
       !is_static_run(resolved, manifest))

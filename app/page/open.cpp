@@ -1,6 +1,7 @@
 #include <fcntl.h>
 #include <fmt/core.h>
 #include <spawn.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -12,6 +13,7 @@
 #include "app/errors.hpp"
 #include "app/page/page_server.hpp"
 #include "app/resources.hpp"
+#include "app/results/durable_file.hpp"
 #include "mechanics/cancellation.hpp"
 
 namespace orbearing::app {
@@ -20,9 +22,35 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What the desktop opens addresses with; its end is waited for by nobody.
-void show_in_browser(const std::string& address) {
-  std::string words[] = {"xdg-open", address};
+// A file that leads a browser to an address. Arguments of a process are visible to all users of a machine;
+// this file is not.
+class LeadingFile {
+ public:
+  LeadingFile() = default;
+  LeadingFile(const LeadingFile&) = delete;
+  LeadingFile& operator=(const LeadingFile&) = delete;
+  ~LeadingFile() {
+    std::error_code ignored;
+    if (!folder_.empty()) fs::remove_all(folder_, ignored);
+  }
+
+  fs::path write(const std::string& address) {
+    folder_ = page::temporary_folder();
+    const fs::path file = folder_ / "open.html";
+    const std::string text = page::leading_to(address);
+    const Descriptor opened(open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, S_IRUSR | S_IWUSR));
+    if (opened.number < 0 || ::write(opened.number, text.data(), text.size()) != ssize_t(text.size()))
+      throw ComputationFailed(file.string() + ": cannot be written; --no-browser does not require it");
+    return file;
+  }
+
+ private:
+  fs::path folder_;
+};
+
+// What the desktop opens files with; its end is waited for by nobody.
+void show_in_browser(const std::string& file) {
+  std::string words[] = {"xdg-open", file};
   char* pointers[] = {words[0].data(), words[1].data(), nullptr};
   posix_spawn_file_actions_t files;
   posix_spawn_file_actions_init(&files);
@@ -50,10 +78,11 @@ int open_command(const Options& options) {
       .opened = page::opened_as(options.case_file), .files = page_files(), .port = options.port};
   settings.linger = std::chrono::seconds(options.linger);
   settings.interrupted = [] { return stop_requested(); };
-  settings.started = [&](const std::string& address) {
+  LeadingFile leading;
+  settings.started = [&](const std::string& address, const std::string& entry) {
     fmt::print("{}\n", address);
     std::fflush(stdout);
-    if (!options.no_browser) show_in_browser(address);
+    if (!options.no_browser) show_in_browser(leading.write(entry).string());
   };
   for (const fs::path& folder : page::serve_page(settings))
     if (!options.quiet) fmt::print("results are kept in {}; orbearing open shows them\n", folder.string());

@@ -11,6 +11,7 @@
 #include "app/case/case_file.hpp"
 #include "app/case/printable.hpp"
 #include "app/case/units.hpp"
+#include "app/checksum.hpp"
 #include "app/commands/presentation.hpp"
 #include "app/errors.hpp"
 #include "app/resources.hpp"
@@ -44,9 +45,17 @@ Opened opened_file(const fs::path& file, const char* kind) {
   return {kind, file.filename().string(), std::move(text), file.filename().string(), std::move(folder)};
 }
 
+// Of results that have begun, where their case is another now.
+std::string fault_of_results(const fs::path& folder) {
+  const fs::path file = folder / manifest_name;
+  const Manifest manifest = parse_manifest(read_file(file), file.string());
+  return manifest.header ? fault_of_case(folder, *manifest.header) : "";
+}
+
 Opened opened_folder(const fs::path& folder) {
   if (fs::exists(folder / manifest_name)) {
     Opened opened = opened_file(folder / resolved_name, "results");
+    require_undamaged({fault_of_results(folder)});
     opened.name = fs::canonical(folder).filename().string();
     return opened;
   }
@@ -69,6 +78,17 @@ Opened opened_as(const std::string& what) {
   throw BadInput(fmt::format(
       "{}: found no such file, folder or template; required: a case file, a folder of results, or one of {}",
       quote(what), fmt::join(names, ", ")));
+}
+
+Opened read_again(const Opened& opened) {
+  Opened now = opened;
+  now.fault.clear();
+  if (!opened.file.empty()) try {
+      now.text = opened_file(opened.folder / opened.file, opened.kind.c_str()).text;
+    } catch (const std::exception& error) {
+      now.fault = printable(error.what());
+    }
+  return now;
 }
 
 namespace {
@@ -96,7 +116,7 @@ Json options_of(const ManifestHeader& header) {
 
 Json results_json(const Opened& opened) {
   const Manifest manifest = read_results(opened.folder);
-  if (!manifest.header) return {{"finished", false}, {"points", Json::array()}};
+  require_undamaged({fault_of_case(opened.folder, *manifest.header)});
   const ResolvedCase resolved = parse_case(opened.text, resolved_name);
   Json object{{"fidelity", manifest.header->fidelity}};
   if (!is_sweep(manifest)) {
@@ -129,6 +149,8 @@ Json opened_json(const Opened& opened) {
               {"folder", opened.folder.string()},
               {"writable", !opened.folder.empty()},
               {"version", program_version}};
+  if (!opened.file.empty()) object["checksum"] = checksum(opened.text);
+  if (!opened.fault.empty()) object["error"] = opened.fault;
   if (opened.kind == "results") try {
       object.update(results_json(opened));
     } catch (const std::exception& error) {
@@ -204,7 +226,20 @@ Json templates_json() {
   return list;
 }
 
-void save(const Opened& opened, const std::string& file, const std::string& text) {
+namespace {
+
+// Of a file that holds the same text already nothing is lost.
+void require_version(const fs::path& file, const std::string& text, const std::string& began_with) {
+  std::error_code ignored;
+  if (!fs::exists(file, ignored)) return;
+  const std::string now = read_file(file);
+  if (now != text && checksum(now) != began_with) throw OtherVersion{checksum(now)};
+}
+
+}  // namespace
+
+void save(const Opened& opened, const std::string& file, const std::string& text,
+          const std::string& began_with) {
   const std::string ending = fs::path(file).extension().string();
   const std::vector<std::string> endings{".yaml", ".yml", ".csv", ".json", ".html", ".txt"};
   if (!is_plain_name(file) || std::ranges::find(endings, ending) == endings.end())
@@ -217,6 +252,7 @@ void save(const Opened& opened, const std::string& file, const std::string& text
     throw BadInput(fmt::format(
         "request: file: found {}, which the folder of results holds; required: another name", quote(file)));
   require_no_link(place);
+  require_version(place, text, began_with);
   write_aside_and_rename(place, text);
 }
 

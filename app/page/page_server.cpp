@@ -9,9 +9,12 @@
 #include <cctype>
 #include <future>
 #include <map>
+#include <mutex>
+#include <optional>
 #include <thread>
 
 #include "app/case/printable.hpp"
+#include "app/checksum.hpp"
 #include "app/errors.hpp"
 #include "app/page/connection.hpp"
 #include "app/resources.hpp"
@@ -206,6 +209,7 @@ class PageServer {
         workers_(settings.opened.folder),
         jobs_(workers_),
         presence_(settings.linger),
+        opened_(settings.opened),
         server_(largest_head + largest_body) {
     server_.new_task_queue = [] { return new httplib::ThreadPool(threads); };
     server_.set_payload_max_length(largest_body);
@@ -230,9 +234,10 @@ class PageServer {
 
   std::vector<fs::path> serve() {
     bind();
-    lives_ = std::async(std::launch::async, [this] { return lives_as_opened(); });
+    lives_of(settings_.opened);
     std::thread listening([this] { server_.listen_after_bind(); });
-    settings_.started(fmt::format("http://127.0.0.1:{}/?token={}", port_, token_));
+    const std::string address = fmt::format("http://127.0.0.1:{}/", port_);
+    settings_.started(address + "?token=" + token_, address + "?once=" + once_);
     while (!settings_.interrupted() && (!presence_.gone() || jobs_.running()))
       std::this_thread::sleep_for(std::chrono::milliseconds(100));
     ending_ = true;
@@ -287,9 +292,17 @@ class PageServer {
 
   bool is_own(const std::string& host) const { return std::ranges::find(hosts_, host) != hosts_.end(); }
 
-  bool has_token(const Asked& asked) const {
-    return same(asked.get_param_value("token"), token_) ||
-           same(asked.get_header_value("X-Orbearing-Token"), token_) || same(cookie(asked, cookie_), token_);
+  // Browsers send cookies to all ports of a host, but to the paths of the cookie alone: this one is secret.
+  bool is_allowed(const Asked& asked) {
+    if (same(asked.get_param_value("token"), token_) ||
+        same(asked.get_header_value("X-Orbearing-Token"), token_))
+      return true;
+    if (asked.path.starts_with(home_ + "/") && same(cookie(asked, cookie_), ticket_)) return true;
+    return is_entry(asked) && same(asked.get_param_value("once"), once_) && !entered_.exchange(true);
+  }
+
+  static bool is_entry(const Asked& asked) {
+    return asked.method == "GET" && asked.path == "/" && asked.has_param("once");
   }
 
   // Before anything of a body is read.
@@ -307,7 +320,7 @@ class PageServer {
       return refused(403, "another host than that of the page");
     if (asked.has_header("Origin") && (!origin.starts_with("http://") || !is_own(origin.substr(7))))
       return refused(403, "from another origin than the page");
-    if (!has_token(asked)) return refused(403, "without the token of the page's address");
+    if (!is_allowed(asked)) return refused(403, "without the token of the page's address");
     if (asked.method != "GET" && asked.method != "HEAD" && asked.method != "POST" && asked.method != "DELETE")
       return refused(405, "another method than GET, POST and DELETE");
     if (asked.has_header("Transfer-Encoding") ||
@@ -315,45 +328,51 @@ class PageServer {
       return refused(411, "without one Content-Length");
     if (asked.has_header("Content-Encoding")) return refused(415, "a body that is compressed");
     if (asked.is_multipart_form_data()) return refused(415, "a form; required: JSON");
-    if (asked.path != "/closed") presence_.sign(asked.get_param_value("page"));
+    if (!asked.path.ends_with("/closed")) presence_.sign(asked.get_param_value("page"));
     return httplib::Server::HandlerResponse::Unhandled;
   }
 
+  // Below the path of the page, where its cookie counts, as without it.
+  std::string at(const char* path) const { return "(?:" + home_ + ")?" + path; }
+
   void add_routes() {
-    server_.Get("/", [this](const Asked& asked, Response& response) { answer_document(asked, response); });
-    server_.Get("/web/(.+)", [this](const Asked& asked, Response& response) {
+    server_.Get(at("/"),
+                [this](const Asked& asked, Response& response) { answer_document(asked, response); });
+    server_.Get(at("/web/(.+)"), [this](const Asked& asked, Response& response) {
       answer_file(response, {settings_.files}, asked.matches[1]);
     });
     // Copied beside the page, as in a wheel, or where packages of Debian put them.
-    server_.Get("/lib/(.+)", [this](const Asked& asked, Response& response) {
+    server_.Get(at("/lib/(.+)"), [this](const Asked& asked, Response& response) {
       answer_file(response, {settings_.files / "lib", "/usr/share/javascript"}, asked.matches[1]);
     });
-    server_.Get("/schema/(case|result)", [](const Asked& asked, Response& response) {
+    server_.Get(at("/schema/(case|result)"), [](const Asked& asked, Response& response) {
       answer_file(response, {shipped_cases()}, asked.matches[1].str() + ".schema.json");
     });
     // By `results` a folder of results within the one that was opened.
-    server_.Get("/opened", [this](const Asked& asked, Response& response) {
-      answer_json(response,
-                  opened_json(asked.has_param("results")
-                                  ? results_within(settings_.opened, asked.get_param_value("results"))
-                                  : settings_.opened));
+    server_.Get(at("/opened"), [this](const Asked& asked, Response& response) {
+      answer_json(
+          response,
+          opened_json(asked.has_param("results")
+                          ? read_again(results_within(settings_.opened, asked.get_param_value("results")))
+                          : opened_now()));
     });
-    server_.Get("/folders", [this](const Asked&, Response& response) {
+    server_.Get(at("/folders"), [this](const Asked&, Response& response) {
       answer_json(response, result_folders_json(settings_.opened));
     });
-    server_.Get("/templates",
+    server_.Get(at("/templates"),
                 [](const Asked&, Response& response) { answer_json(response, templates_json()); });
-    server_.Get("/jobs/([0-9]+)/events",
+    server_.Get(at("/jobs/([0-9]+)/events"),
                 [this](const Asked& asked, Response& response) { answer_events(asked, response); });
-    server_.Delete("/jobs/([0-9]+)",
+    server_.Delete(at("/jobs/([0-9]+)"),
                    [this](const Asked& asked, Response& response) { stop_job(asked, response); });
     post("/request", &PageServer::answer_request);
     post("/jobs", &PageServer::start_job);
     post("/report", &PageServer::answer_report);
     post("/units", &PageServer::answer_units);
     post("/save", &PageServer::answer_save);
-    server_.Post("/alive", [](const Asked&, Response& response) { answer_json(response, Json::object()); });
-    server_.Post("/closed", [this](const Asked& asked, Response& response) {
+    server_.Post(at("/alive"),
+                 [](const Asked&, Response& response) { answer_json(response, Json::object()); });
+    server_.Post(at("/closed"), [this](const Asked& asked, Response& response) {
       presence_.close(asked.get_param_value("page"));
       answer_json(response, Json::object());
     });
@@ -362,34 +381,66 @@ class PageServer {
   using Answering = void (PageServer::*)(const Asked&, const Json& body, Response&);
 
   void post(const char* path, Answering answering) {
-    server_.Post(path, [this, answering](const Asked& asked, Response& response) {
+    server_.Post(at(path), [this, answering](const Asked& asked, Response& response) {
       const Json body = parse_body(asked.body);
       if (body.is_discarded()) return refuse_with(response, 400, "a body that is no JSON");
       (this->*answering)(asked, body, response);
     });
   }
 
+  // What the program has opened, as its file is now.
+  Opened opened_now() {
+    const std::scoped_lock lock(reading_file_);
+    return opened_ = read_again(opened_);
+  }
+
+  void give_cookie(Response& response) const {
+    response.set_header("Set-Cookie",
+                        fmt::format("{}={}; HttpOnly; SameSite=Strict; Path={}/", cookie_, ticket_, home_));
+  }
+
+  // A browser that comes from another site, as the file that leads here is one, sends no cookie along: this
+  // page leads on from its own.
+  void answer_entry(Response& response) const {
+    give_cookie(response);
+    answer_text(response, leading_to(home_ + "/"), "text/html; charset=utf-8");
+  }
+
   void answer_document(const Asked& asked, Response& response) {
-    std::string page = read_file(settings_.files / "index.html"),
-                opened = opened_json(settings_.opened).dump();
+    if (is_entry(asked)) return answer_entry(response);
+    const Opened now = opened_now();
+    std::string page = read_file(settings_.files / "index.html"), opened = opened_json(now).dump();
+    for (const std::string attribute : {"href", "src"}) {
+      const std::string relative = attribute + "=\"web/";
+      for (std::size_t at = 0; (at = page.find(relative, at)) != std::string::npos; at += relative.size())
+        page.insert(at + attribute.size() + 2, home_ + "/");
+    }
     for (std::size_t at = 0; (at = opened.find('<', at)) != std::string::npos;)
       opened.replace(at, 1, "\\u003c");
     const std::string mark = "<!--orbearing:opened-->";
     if (const std::size_t at = page.find(mark); at != std::string::npos)
-      page.replace(at, mark.size(),
-                   lives_.get() + "<script type=\"application/json\" id=\"opened\">" + opened + "</script>");
-    if (asked.has_param("token"))
-      response.set_header("Set-Cookie",
-                          fmt::format("{}={}; HttpOnly; SameSite=Strict; Path=/", cookie_, token_));
+      page.replace(
+          at, mark.size(),
+          lives_of(now).get() + "<script type=\"application/json\" id=\"opened\">" + opened + "</script>");
+    if (asked.has_param("token")) give_cookie(response);
     answer_text(response, std::move(page), "text/html; charset=utf-8");
   }
 
+  // Computed while the page is loaded, and anew where the text is another.
+  std::shared_future<std::string> lives_of(const Opened& opened) {
+    const std::scoped_lock lock(reading_file_);
+    if (!lives_.valid() || lives_text_ != opened.text) {
+      lives_text_ = opened.text;
+      lives_ = std::async(std::launch::async, [this, opened] { return computed_lives(opened); });
+    }
+    return lives_;
+  }
+
   // Of models that have some: a signal or a film would take its time for none.
-  std::string lives_as_opened() try {
-    if (settings_.opened.text.empty()) return {};
-    const Case opened = Case::parse(settings_.opened.text);
-    const std::string model = opened.text("model");
-    Json request{{"command", "run"}, {"case_text", settings_.opened.text}};
+  std::string computed_lives(const Opened& opened) try {
+    if (opened.text.empty()) return {};
+    const std::string model = Case::parse(opened.text).text("model");
+    Json request{{"command", "run"}, {"case_text", opened.text}};
     if (model == "planetary-drivetrain" || model == "ball-bearing")
       request["options"] = {{"fidelity", "quasi-static"}};
     else if (model != "roller-bearing")
@@ -397,7 +448,7 @@ class PageServer {
     constexpr std::chrono::seconds limit{10};
     const Message message = answer_within(workers_, request, limit, ending_);
     if (message.payload.empty()) return no_lives(message.data.at("errors").at(0));
-    return lives_table(settings_.opened, Json::parse(message.payload));
+    return lives_table(opened, Json::parse(message.payload));
   } catch (const std::exception& error) {
     return no_lives(error.what());
   }
@@ -539,15 +590,38 @@ class PageServer {
   void answer_save(const Asked&, const Json& body, Response& response) {
     if (settings_.opened.folder.empty())
       return refuse_with(response, 409, "no folder was opened: download the file");
-    if (!body.is_object() || body.size() != 2 || !body.contains("file") || !body.contains("text") ||
-        !body["file"].is_string() || !body["text"].is_string())
-      throw BadInput("request: found another object; required: the texts file and text");
-    save(settings_.opened, body["file"], body["text"].get<std::string>());
-    answer_json(response, {{"file", body["file"]}});
+    const auto is_text = [&](const char* key) { return body.contains(key) && body[key].is_string(); };
+    if (!body.is_object() || !is_text("file") || !is_text("text") ||
+        body.size() != (is_text("checksum") ? 3U : 2U))
+      throw BadInput("request: found another object; required: the texts file and text, and checksum");
+    try {
+      put_file(body["file"], body["text"],
+               body.contains("checksum") ? std::optional<std::string>(body["checksum"]) : std::nullopt);
+      answer_json(response,
+                  {{"file", body["file"]}, {"checksum", checksum(body["text"].get<std::string>())}});
+    } catch (const OtherVersion& other) {
+      const std::string fault = fmt::format(
+          "{}: found another content than the one that this change began with; nothing was written. "
+          "Read it again, or save under another name",
+          printable(body["file"].get<std::string>()));
+      answer_json(response, {{"errors", {fault}}, {"checksum", other.now}}, 409);
+    }
+  }
+
+  // Without a version that is stated, the one that the program read last counts.
+  void put_file(const std::string& file, const std::string& text,
+                const std::optional<std::string>& began_with) {
+    const std::scoped_lock lock(reading_file_);
+    save(opened_, file, text, began_with.value_or(file == opened_.file ? checksum(opened_.text) : ""));
+    if (file == opened_.file) opened_ = read_again(opened_);
   }
 
   const PageSettings& settings_;
-  const std::string token_ = random_token();
+  const std::string token_ = random_token();   // printed for the program's owner
+  const std::string once_ = random_token();    // for the browser that is opened
+  const std::string ticket_ = random_token();  // of the cookie
+  const std::string home_ = "/page-" + random_token();
+  std::atomic<bool> entered_ = false;  // the token of one use was used
   int port_ = 0;
   std::string cookie_;
   std::vector<std::string> hosts_;
@@ -556,11 +630,21 @@ class PageServer {
   Presence presence_;
   std::atomic<bool> ending_ = false;
   std::atomic<int> computing_ = 0, reading_ = 0;
+  std::mutex reading_file_;
+  Opened opened_;  // as it was read last
+  std::string lives_text_;
   std::shared_future<std::string> lives_;
   Server server_;
 };
 
 }  // namespace
+
+std::string leading_to(const std::string& address) {
+  return fmt::format(
+      "<!DOCTYPE html>\n<meta charset=\"utf-8\"><title>Orbearing</title>\n"
+      "<meta http-equiv=\"refresh\" content=\"0; url={0}\">\n<a href=\"{0}\">Orbearing</a>\n",
+      address);
+}
 
 std::vector<fs::path> serve_page(const PageSettings& settings) {
   return PageServer(settings).serve();

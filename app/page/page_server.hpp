@@ -18,8 +18,12 @@ struct PageSettings {
   std::chrono::seconds linger{
       60};  // after the last page was closed; three times as long after one fell silent
   std::function<bool()> interrupted;  // whether the program shall end
-  std::function<void(const std::string& address)> started;
+  // `address` has the token of the program, for its owner to type; `entry` a token of one use, for a browser.
+  std::function<void(const std::string& address, const std::string& entry)> started;
 };
+
+/// A page of HTML that leads on to an address.
+std::string leading_to(const std::string& address);
 
 /// Serves until it is interrupted or the last page has gone. Returns folders of results that are kept. Throws
 /// ComputationFailed where the port is taken.

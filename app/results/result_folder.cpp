@@ -241,4 +241,18 @@ Manifest read_results(const fs::path& folder) {
   return manifest;
 }
 
+std::string fault_of_case(const fs::path& folder, const ManifestHeader& header) {
+  const fs::path resolved = folder / resolved_name;
+  return checksum(read_file(resolved)) == header.case_hash
+             ? ""
+             : resolved.string() + ": differs from what its run wrote";
+}
+
+void require_undamaged(std::vector<std::string> faults) {
+  std::erase(faults, "");
+  for (std::string& fault : faults)
+    fault += "; required: an undamaged result. Give its command again with --resume, or into another folder";
+  if (!faults.empty()) throw BadInput(faults);
+}
+
 }  // namespace orbearing::app

@@ -85,4 +85,11 @@ std::map<std::string, std::string> checksums_of(const std::filesystem::path& fol
 /// Reads the manifest of a result folder without changing anything. Throws BadInput where it holds none.
 Manifest read_results(const std::filesystem::path& folder);
 
+/// "FILE: differs from what its run wrote" where the resolved case in the folder is not that of the results;
+/// empty where it is.
+std::string fault_of_case(const std::filesystem::path& folder, const ManifestHeader& header);
+
+/// Throws BadInput with `faults` and what to do, where there are any.
+void require_undamaged(std::vector<std::string> faults);
+
 }  // namespace orbearing::app

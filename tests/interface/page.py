@@ -13,8 +13,9 @@ import urllib.parse
 class Page:
     """A running `orbearing open`. `address` is its first line, `port` and `token` are those of it."""
 
-    def __init__(self, *arguments, cwd=None, env=None, stderr=subprocess.PIPE):
-        self.process = subprocess.Popen([os.environ["ORBEARING"], "open", "--no-browser", *map(str, arguments)], text=True,
+    def __init__(self, *arguments, cwd=None, env=None, stderr=subprocess.PIPE, browser=False):
+        words = [] if browser else ["--no-browser"]
+        self.process = subprocess.Popen([os.environ["ORBEARING"], "open", *words, *map(str, arguments)], text=True,
                                         stdout=subprocess.PIPE, stderr=stderr, cwd=cwd, env=env)
         self.address = self.process.stdout.readline().strip()
         parts = urllib.parse.urlsplit(self.address)

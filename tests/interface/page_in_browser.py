@@ -47,6 +47,9 @@ SEARCHED = 1e-6  # roots and best values of an iteration that ends at a toleranc
 LEAST_PACE = 0.1  # revolutions of the cage a second, shown while they are computed
 LIVES = ("life_h", "L10h", "L10rh", "L10mh", "L10mrh")
 WIDTHS = (360, 1000, 1600)
+TOUCHED = 44  # px, of what is pressed by a finger
+NARROW = 860  # px, below which a page is for a finger
+REQUIRED = "requirements: {life: 100000 h, life_key: L10mrh, S0: 1.5, kappa: 1, contact_pressure_max: 1500 MPa}\n"
 # A sweep of few speeds in motion, so that it can be stopped between them.
 MOVING = """# A reducer that is swept in motion
 name: reducer of the page
@@ -104,6 +107,40 @@ UNNAMED = """
 const named = (element) => element.labels?.length || element.getAttribute("aria-label") || element.getAttribute("aria-labelledby") || (element.tagName === "BUTTON" && element.textContent.trim());
 const ids = [...document.querySelectorAll("[id]")].map((one) => one.id), twice = ids.filter((id, i) => ids.indexOf(id) !== i);
 return [...[...document.querySelectorAll("input, select, textarea, button")].filter((one) => !named(one)).map((one) => one.outerHTML.slice(0, 120)), ...twice.map((id) => `id ${id} twice`)];
+"""
+
+
+# What is drawn or written outside of the window or of its drawing, with more digits than anybody reads, or too small for a finger.
+OUTSIDE = """
+const width = document.documentElement.clientWidth, found = [];
+for (const one of document.querySelectorAll("#tiles *, #results *, #inputs *")) {
+  if (!one.checkVisibility() || one.closest(".scroll, textarea, .shape, .gears") || one.children.length && !one.matches(".tile")) continue;
+  const box = one.getBoundingClientRect();
+  if (box.width && (box.left < -1 || box.right > width + 1)) found.push(`${one.tagName} ${one.textContent.trim().slice(0, 40)}: ${Math.round(box.left)} to ${Math.round(box.right)}`);
+}
+for (const text of document.querySelectorAll("svg text")) {
+  if (!text.checkVisibility()) continue;
+  const box = text.getBoundingClientRect(), room = text.closest("svg").getBoundingClientRect();
+  if (box.left < room.left - 1 || box.right > room.right + 1 || box.top < room.top - 1 || box.bottom > room.bottom + 1) found.push(`cut: ${text.textContent}`);
+}
+for (const one of document.querySelectorAll("main *, header *"))
+  if (one.checkVisibility() && !one.closest("#yaml") && [...one.childNodes].some((node) => node.nodeType === 3 && /\\d\\.\\d{7}/.test(node.data))) found.push(`digits: ${one.textContent.slice(0, 60)}`);
+for (const one of document.querySelectorAll("input:not([type=range], [type=file], [type=checkbox])"))
+  if (one.checkVisibility() && /\\d\\.\\d{7}/.test(one.value)) found.push(`digits: ${one.id} ${one.value}`);
+return found;
+"""
+SMALL = """
+return [...document.querySelectorAll("button, .button, select, input:not([type=range], [type=file], [type=checkbox]), summary, nav a")].filter((one) => one.checkVisibility() && !one.closest(".skip"))
+  .map((one) => [one.getBoundingClientRect(), one]).filter(([box]) => box.height < arguments[0] - 0.5).map(([box, one]) => `${one.tagName} ${one.id} ${one.textContent.trim().slice(0, 20)}: ${Math.round(box.height)} px`);
+"""
+# From the beginning of a label to its field, and from the label's last letter to it.
+LABELS = """
+return [...document.querySelectorAll("#form .row")].filter((row) => row.checkVisibility()).map((row) => {
+  const label = row.querySelector("label"), field = row.querySelector(".value > :first-child").getBoundingClientRect(), range = document.createRange();
+  range.selectNodeContents(label);
+  const text = range.getBoundingClientRect();
+  return [row.dataset.key, field.top > text.bottom - 2 ? 0 : field.left - text.left];
+});
 """
 
 
@@ -464,6 +501,13 @@ class PageSteps:
         kept = int(re.search(r"Stopped: (\d)", told())[1])
         self.assertTrue(1 <= kept < 3, told())
         self.assertIn("revolutions of the cage", card.find_element(By.CSS_SELECTOR, ".live").text)
+        stopped = told()
+        self.enter("input.power", "151")
+        self.assertEqual((told(), proceed.is_enabled()), (f"{stopped} Of another case: input.power 150 kW there, 151 kW here.", False))
+        self.assertFalse(card.find_element(By.CSS_SELECTOR, ".live").is_displayed() or self.all("#card-motion circle[data-x]"))
+        self.enter("input.power", "150")
+        self.assertEqual((told(), proceed.is_enabled()), (stopped, True))
+        self.assertTrue(card.find_element(By.CSS_SELECTOR, ".live").is_displayed())
         proceed.click()
         self.until(lambda: "Done: 3 points" in told(), "the sweep is done")
         drawn = {float(circle.get_attribute("data-x")): float(circle.get_attribute("data-y")) for circle in self.all("#card-motion [data-series=cage_slip] circle")}
@@ -644,6 +688,87 @@ class PageSteps:
         self.find("#cursor").send_keys(Keys.ARROW_RIGHT)
         self.computed()
         self.assert_numbers_of_the_command_line()
+
+    def test_the_list_at_three_widths(self):
+        """The verdict first and before the inputs; a wrong unit, a mistake by another field; nothing cut, far away or too small for a finger."""
+        for pixels in (360, 800, 1600):
+            with self.subTest(width=pixels):
+                self.width(pixels)
+                self.driver.get(self.address)
+                self.until(lambda: self.script("return document.body.classList.contains('ready')"), "the page is ready")
+                self.open_template("e-drive")
+                self.write(re.sub(r"requirements:.*\n", REQUIRED, self.text))
+                self.find("#to-text").click()
+                self.assert_verdicts_are_seen()
+                self.assertEqual(self.script(OUTSIDE), [])
+                self.assertLessEqual(self.script("return document.documentElement.scrollWidth"), pixels)
+                if pixels <= NARROW:
+                    self.assertEqual(self.script(SMALL, TOUCHED), [])
+                    order = self.script("return ['tiles', 'inputs', 'cards'].map((id) => document.getElementById(id).getBoundingClientRect().top)")
+                    self.assertEqual(order, sorted(order))
+                    self.assertLess(self.script("return document.querySelector('.tile.chief').getBoundingClientRect().bottom + scrollY"), 900)
+                self.assertLess(self.script("return document.getElementById('card-pressure').getBoundingClientRect().height"), 120)  # there is nothing to draw
+                self.find("#search").send_keys("power")
+                self.assert_a_wrong_unit_does_not_stay()
+                self.find("#search").clear()
+                self.find("#search").send_keys("bearing")
+                self.assertTrue(all(gap <= 260 for _, gap in self.script(LABELS)), self.script(LABELS))
+                self.assert_a_mistake_is_at_the_changed_field()
+                if pixels <= NARROW:
+                    self.assertEqual(self.script(SMALL, TOUCHED), [])
+
+    def assert_verdicts_are_seen(self):
+        """Each requirement that fails, in words and colour, with all cards closed."""
+        self.script("for (const card of document.querySelectorAll('.card')) card.open = false")
+        result = self.answer("run", "--set", f"input.speed={self.cursor()!r} rpm")
+        tiles = self.all("#tiles .tile")
+        key = result.get("life_key") or result["peak"]["life_key"]
+        self.assertEqual((tiles[0].get_attribute("data-key"), "chief" in tiles[0].get_attribute("class")), (key, True))
+        self.assertTrue(tiles[0].text.startswith("Governing life"))
+        shown = {tile.get_attribute("data-key"): tile for tile in tiles}
+        failed = [one for one in result["verdicts"] if one["passed"] is False]
+        self.assertTrue(failed)
+        for one in result["verdicts"]:
+            tile = shown[one["key"]]
+            words = {True: "passed", False: "failed", None: "not judged"}[one["passed"]]
+            self.assertTrue(tile.is_displayed())
+            self.assertIn(words, tile.text)
+            self.assert_same(float(tile.find_element(By.CSS_SELECTOR, ".figure").get_attribute("data-value")), one["value"], one["key"])
+            if one["passed"] is False:
+                red = self.script("return getComputedStyle(document.documentElement).getPropertyValue('--bad')")
+                self.assertEqual(tile.find_element(By.CSS_SELECTOR, ".figure").value_of_css_property("color"), "rgba({}, {}, {}, 1)".format(*(int(red.strip()[i:i + 2], 16) for i in (1, 3, 5))))
+        self.script("for (const card of document.querySelectorAll('#card-life, #card-loads, #card-bearing, #card-gears, #card-roller-loads, #card-pressure, #card-motion')) card.open = true")
+
+    def assert_a_wrong_unit_does_not_stay(self):
+        before = self.text
+        self.enter("input.power", "170 Nm")
+        row = self.show_row("input.power")
+        self.assertIn("bad", row.get_attribute("class"))
+        self.assertIn("unit", row.find_element(By.CSS_SELECTOR, ".error").text)
+        self.enter("input.power", "160")
+        self.assertEqual(self.text, before)
+        self.assertFalse(self.all(".row.bad"))
+
+    def assert_a_mistake_is_at_the_changed_field(self):
+        self.enter("bearing.designation", "NU 2307")
+        wrong = {row.get_attribute("data-key"): row.find_element(By.CSS_SELECTOR, ".error").text for row in self.all(".row.bad")}
+        told = [line.partition(": ")[2] for line in self.program("check").stderr.splitlines()]
+        self.assertEqual(list(wrong), ["bearing.designation"])
+        self.assertIn(wrong["bearing.designation"], told)
+        self.enter("bearing.designation", "NU 204")
+        self.assertFalse(self.all(".row.bad"))
+
+    def test_a_bearing_without_rings_and_what_cannot_be_chosen(self):
+        self.open_text((CASES / "reducer_needles" / "case.yaml").read_text())
+        self.assertIn("rings: none", self.text)
+        self.assertEqual([len(self.all(f"#card-bearing svg .{name}")) for name in ("ring", "raceway", "pin")], [0, 1, 1])
+        for word, key in (("grease", "life.lubrication"), ("pairing", "bearing.rows.arrangement"), ("spherical", "bearing.designation")):
+            search = self.find("#search")
+            search.clear()
+            search.send_keys(word)
+            self.assertTrue(self.find(f"[data-key='{key}']").is_displayed(), word)
+        self.script("arguments[0].focus()", self.find("[id='in-bearing.designation']"))
+        self.assertIn("tapered roller bearings and spherical roller bearings cannot be chosen", self.find("[data-key='bearing.designation'] .meaning").text)
 
     def test_contrast_names_and_width(self):
         self.open_template("industrial")

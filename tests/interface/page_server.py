@@ -17,6 +17,7 @@ import subprocess
 import tempfile
 import time
 import unittest
+import urllib.parse
 import urllib.request
 
 from page import Page, lives_in, page
@@ -28,7 +29,15 @@ BRIEF = ("sweep.input.speed=[4000 rpm, 6000 rpm, 8000 rpm]",)
 FOUR_SPEEDS = ("sweep.input.speed=[4000 rpm, 5000 rpm, 6000 rpm, 7000 rpm]", "simulation.most_revolutions=2",
                "simulation.observed_revolutions=1", "simulation.length_error=1e-5 mm")
 SLOW = {"fidelity": "dynamic", "grid_only": True, "jobs": 1}
+# As the program finds its files: those of the source tree where they are there.
+SOURCE_FILES = CASES.parent / "app" / "page" / "web"
 HARMFUL = "<script>alert(1)</script><img src=x onerror=alert(2)>"
+
+
+def page_files():
+    """The folder that is served."""
+    installed = pathlib.Path(os.environ["ORBEARING"]).resolve().parents[1] / "share" / "orbearing" / "page"
+    return installed if (installed / "index.html").exists() else SOURCE_FILES.resolve()
 
 
 class Shared(unittest.TestCase):
@@ -79,15 +88,62 @@ class Access(Shared):
                 self.refused(403, method, path, token=False, body=body, headers={"X-Orbearing-Token": "0" * 32})
                 self.refused(403, method, path, token=False, body=body, headers={"X-Orbearing-Token": self.page.token[:-1]})
 
-    def test_the_token_counts_as_query_header_and_cookie(self):
-        status, headers, _ = self.page.ask("GET", f"/?token={self.page.token}", token=False)
+    def cookie(self, running, query):
+        """Name, value and path of the cookie that an address gives."""
+        status, headers, document = running.ask("GET", query, token=False)
         self.assertEqual(status, 200)
-        name = f"orbearing_token_{self.page.port}"
-        self.assertEqual(headers["Set-Cookie"], f"{name}={self.page.token}; HttpOnly; SameSite=Strict; Path=/")
-        for cookie in (f"{name}={self.page.token}", f"a=b; {name}={self.page.token}; c=d"):
-            self.assertEqual(self.page.ask("GET", "/opened", token=False, headers={"Cookie": cookie})[0], 200)
-        self.refused(403, token=False, headers={"Cookie": f"x{name}={self.page.token}"})
-        self.refused(403, token=False, headers={"Cookie": f"orbearing_token={self.page.token}"})
+        given = re.fullmatch(r"(orbearing_token_\d+)=([0-9a-f]{32}); HttpOnly; SameSite=Strict; Path=(/page-[0-9a-f]{32})/", headers["Set-Cookie"])
+        self.assertEqual(given[1], f"orbearing_token_{running.port}")
+        return (*given.groups(), document.decode())
+
+    def test_the_token_counts_as_query_and_header_and_a_cookie_below_its_path(self):
+        """A browser sends a cookie to every port of a host, but to its own path alone, which no other program knows."""
+        name, value, home, document = self.cookie(self.page, f"/?token={self.page.token}")
+        self.assertNotEqual(value, self.page.token)
+        self.assertEqual(set(re.findall(r'(?:href|src)="([^"]*web/)', document)), {f"{home}/web/"})
+        for cookie in (f"{name}={value}", f"a=b; {name}={value}; c=d"):
+            for path in ("/", "/opened", "/web/app.js", "/schema/case", "/templates"):
+                self.assertEqual(self.page.ask("GET", home + path, token=False, headers={"Cookie": cookie})[0], 200, path)
+                self.refused(403, path=path, token=False, headers={"Cookie": cookie})
+        self.assertEqual(self.page.ask("POST", f"{home}/request", {"command": "check", "case_text": ROLLERS}, token=False, headers={"Cookie": f"{name}={value}"})[0], 200)
+        for cookie in (f"x{name}={value}", f"orbearing_token={value}", f"{name}={self.page.token}", f"{name}={value[:-1]}", ""):
+            self.refused(403, path=f"{home}/opened", token=False, headers={"Cookie": cookie})
+        self.refused(403, path=f"{home}/opened", token=False)
+        self.refused(403, path=f"{home}x/opened", token=False, headers={"Cookie": f"{name}={value}"})
+        for other in ("/page-" + "0" * 32, home + home):
+            self.assertIn(self.page.ask("GET", other + "/opened", token=False, headers={"Cookie": f"{name}={value}"})[0], (403, 404))
+
+    def test_the_browser_is_started_with_a_file_that_its_owner_alone_reads(self):
+        """Arguments of processes are visible to all users: they hold no token. The token in the file is of one use."""
+        with tempfile.TemporaryDirectory() as place:
+            seen, program = pathlib.Path(place) / "seen", pathlib.Path(place) / "xdg-open"
+            program.write_text(f'#!/bin/sh\nstat -c "%a" "$1" "$(dirname "$1")" > {seen}.tmp; echo "$@" >> {seen}.tmp; cat "$1" >> {seen}.tmp; mv {seen}.tmp {seen}\n', encoding="utf-8")
+            program.chmod(0o755)
+            running = Page("duplex", browser=True, env={**os.environ, "PATH": f"{place}:{os.environ['PATH']}"})
+            try:
+                until = time.monotonic() + 60
+                while not seen.exists() and time.monotonic() < until:
+                    time.sleep(0.05)
+                mode, mode_of_folder, argument, *text = seen.read_text(encoding="utf-8").splitlines()
+                self.assertEqual((mode, mode_of_folder), ("600", "700"))
+                self.assertTrue(argument.endswith("/open.html"))
+                once = re.search(r'url=http://127\.0\.0\.1:(\d+)(/\?once=([0-9a-f]{32}))"', "\n".join(text))
+                self.assertEqual(int(once[1]), running.port)
+                for process in pathlib.Path("/proc").glob("[0-9]*/cmdline"):
+                    with contextlib.suppress(OSError):
+                        words = process.read_bytes().decode(errors="replace")
+                        self.assertNotIn(once[3], words)
+                        self.assertNotIn(running.token, words)
+                self.assertNotIn(running.token, "".join(text))
+                self.assertEqual(running.ask("HEAD", once[2], token=False)[0], 403)  # what looks ahead does not use it up
+                name, value, home, document = self.cookie(running, once[2])
+                self.assertIn(f'content="0; url={home}/"', document)
+                self.assertEqual(running.ask("GET", once[2], token=False)[0], 403)
+                self.assertEqual(running.ask("GET", f"{home}/opened", token=False, headers={"Cookie": f"{name}={value}"})[0], 200)
+                self.assertEqual(running.ask("GET", f"/opened?once={once[3]}", token=False)[0], 403)
+            finally:
+                running.end()
+            self.assertFalse(pathlib.Path(argument).parent.exists())
 
     def test_other_hosts_and_origins_are_refused(self):
         for host in ("example.org", f"example.org:{self.page.port}", "127.0.0.1", f"127.0.0.1:{self.page.port + 1}", ""):
@@ -108,6 +164,31 @@ class Access(Shared):
 
 
 class Documents(Shared):
+    """What is in the document is of the file as it is now."""
+
+    def test_the_file_is_read_at_each_request(self):
+        file = self.folder / "case.yaml"
+        changed = TEMPLATE.replace("speed: 9000 rpm", "speed: 8000 rpm")
+        self.assertNotEqual(changed, TEMPLATE)
+        before = lives_in(self.page.ask("GET", "/")[2].decode())
+        file.write_text(changed, encoding="utf-8")
+        try:
+            opened, document = self.page.get("/opened"), self.page.ask("GET", "/")[2].decode()
+            self.assertEqual(opened["text"], changed)
+            self.assertIn("speed: 8000 rpm", document)
+            point = json.loads(run("run", file, "--json").stdout)["points"][0]
+            lives = lives_in(document)
+            self.assertEqual(lives["L10h"], round(point["L10h"]))
+            self.assertNotEqual(lives["L10h"], before["L10h"])
+            file.unlink()
+            opened = self.page.get("/opened")
+            self.assertEqual(opened["text"], changed)
+            self.assertIn("case.yaml", opened["error"])
+        finally:
+            file.write_text(TEMPLATE, encoding="utf-8")
+        opened = self.page.get("/opened")
+        self.assertEqual((opened["text"], opened.get("error")), (TEMPLATE, None))
+
     def test_lives_as_opened_stand_in_the_document_in_whole_hours(self):
         document = self.page.ask("GET", "/")[2].decode()
         point = json.loads(run("run", self.folder / "case.yaml", "--json").stdout)["points"][0]
@@ -139,6 +220,44 @@ class Documents(Shared):
                      "/web/index.html/", "/web/\\..\\page_server.cpp", "/jobs/../../etc/events", "/web/" + "a/" * 2000 + "b.js"):
             with self.subTest(path=path[:60]):
                 self.assertIn(self.page.ask("GET", path)[0], (400, 404))
+
+    def test_no_path_leads_to_a_file_that_is_there(self):
+        """Each attack is at a file that exists, of a kind that is served: it fails by the check of the path alone."""
+        secret = self.folder.parent / "secret.json"
+        secret.write_text('{"secret": true}', encoding="utf-8")
+        (self.folder.parent / ".hidden.json").write_text("{}", encoding="utf-8")
+        files = page_files()
+        up = "../" * 30
+        attacks = [f"/web/{up}{str(secret)[1:]}", f"/web//{str(secret)[1:]}", f"/web/./{up}{str(secret)[1:]}", f"/web/../{files.name}/index.html",
+                   f"/web/%2e%2e/{files.name}/index.html", f"/web/..%2f{files.name}%2findex.html", f"/web/{up}{str(CASES / 'case.schema.json')[1:]}",
+                   f"/web/{os.path.relpath(CASES / 'case.schema.json', files)}", "/web/./index.html", f"/web/{up}{str(self.folder.parent)[1:]}/.hidden.json",
+                   f"/lib/{up}{str(secret)[1:]}", f"/lib//{str(secret)[1:]}"]
+        attacks += [one.replace("../", "%2e%2e%2f") for one in attacks if "../" in one]
+        for path in attacks:
+            local = urllib.parse.unquote(path.split("/", 2)[2])
+            self.assertTrue((files / local).is_file() or path.startswith("/lib/"), f"no file is at {path}")
+            with self.subTest(path=path[:60]):
+                self.assertIn(self.page.ask("GET", path)[0], (400, 404))
+        self.assertEqual(self.page.ask("GET", "/web/index.html")[0], 200)
+
+    def test_no_name_leads_to_results_that_are_there(self):
+        """Folders of results beside the opened one, and links to them."""
+        outside = self.folder.parent / "outside"
+        outside.mkdir(exist_ok=True)
+        done = run("sweep", self.folder / "case.yaml", "-o", outside / "results", "--grid-only", "--quiet", "--set", BRIEF[0])
+        self.assertEqual(done.returncode, 0, done.stderr)
+        shutil.copytree(outside / "results", self.folder / ".results", dirs_exist_ok=True)
+        shutil.copytree(outside / "results", self.folder / "own", dirs_exist_ok=True)
+        (self.folder / "link").symlink_to(outside / "results")
+        self.assertEqual(len(self.page.get("/opened?results=own")["points"]), 3)
+        for name in ("../outside/results", str(outside / "results"), "own/../../outside/results", "./own", "own/", ".results", "link", "own\0"):
+            with self.subTest(name=name):
+                self.assertEqual(self.page.ask("GET", "/opened?results=" + urllib.parse.quote(name, safe=""))[0], 422)
+                status, answer = self.page.post("/jobs", {"command": "sweep", "case_text": TEMPLATE, "results": name})
+                self.assertEqual((status, answer["code"]), (422, 2), answer)
+        for name in ("own", ".results"):
+            shutil.rmtree(self.folder / name)
+        (self.folder / "link").unlink()
 
     def test_units(self):
         self.assertEqual(self.page.post("/units", {"value": "3 mm", "unit": "um"}), (200, {"number": 3000.0, "text": "3000 um"}))
@@ -327,8 +446,45 @@ class Requests(Shared):
 
 
 class Saving(Shared):
+    def test_a_change_of_somebody_else_is_not_written_over(self):
+        """Save states the version that it began with; where the file has another one, nothing is written."""
+        file = self.folder / "shared.yaml"
+
+        def put(text, *version):
+            status, _, data = self.page.ask("POST", "/save", {"file": file.name, "text": text, **({"checksum": version[0]} if version else {})})
+            return status, json.loads(data)
+        first = put("a: 1\n", "")
+        self.assertEqual((first[0], first[1]["file"]), (200, file.name))
+        second = put("a: 2\n", first[1]["checksum"])
+        self.assertEqual((second[0], file.read_text(encoding="utf-8")), (200, "a: 2\n"))
+        for version in (first[1]["checksum"], "", "x"):
+            refused = put("a: 3\n", version)
+            self.assertEqual((refused[0], refused[1]["checksum"]), (409, second[1]["checksum"]))
+            self.assertRegex(refused[1]["errors"][0], r"^shared\.yaml: found another content than the one that this change began with; nothing was written\. ")
+        self.assertEqual(put("a: 3\n")[0], 409)
+        self.assertEqual(file.read_text(encoding="utf-8"), "a: 2\n")
+        self.assertEqual(put("a: 2\n", "")[0], 200)  # the same text is no loss
+        self.assertEqual(put("a: 3\n", refused[1]["checksum"])[0], 200)
+        self.assertEqual(put("a: 4\n", 5)[0], 422)
+
+    def test_without_a_version_the_one_that_was_read_last_counts(self):
+        with tempfile.TemporaryDirectory() as place:
+            file = pathlib.Path(place) / "case.yaml"
+            file.write_text(ROLLERS, encoding="utf-8")
+            with page(file) as running:
+                for text in (ROLLERS + "# one\n", ROLLERS + "# two\n"):
+                    self.assertEqual(running.post("/save", {"file": "case.yaml", "text": text})[0], 200)
+                    opened = running.get("/opened")
+                    self.assertEqual((opened["text"], file.read_text(encoding="utf-8")), (text, text))
+                with file.open("a", encoding="utf-8") as more:
+                    more.write("# of a colleague\n")
+                self.assertEqual(running.post("/save", {"file": "case.yaml", "text": ROLLERS})[0], 409)
+                self.assertTrue(file.read_text(encoding="utf-8").endswith("# of a colleague\n"))
+                self.assertTrue(running.get("/opened")["text"].endswith("# of a colleague\n"))
+
     def test_files_go_into_the_folder_that_was_opened(self):
-        self.assertEqual(self.page.post("/save", {"file": "mine.yaml", "text": ROLLERS}), (200, {"file": "mine.yaml"}))
+        status, saved = self.page.post("/save", {"file": "mine.yaml", "text": ROLLERS})
+        self.assertEqual((status, saved["file"]), (200, "mine.yaml"))
         self.assertEqual((self.folder / "mine.yaml").read_text(encoding="utf-8"), ROLLERS)
         outside = self.folder.parent / "outside.yaml"
         (self.folder / "link.yaml").symlink_to(outside)
@@ -455,6 +611,33 @@ class Reports(Shared):
 
 class Results(unittest.TestCase):
     """Item 6: folders of results open too."""
+
+    def test_a_folder_whose_case_is_not_the_one_that_was_run(self):
+        """Lives of 150 kW do not stand beside a case of 300 kW: refused as `report` refuses it."""
+        with tempfile.TemporaryDirectory() as place:
+            file, folder = pathlib.Path(place) / "case.yaml", pathlib.Path(place) / "results"
+            file.write_text(TEMPLATE, encoding="utf-8")
+            done = run("sweep", file, "-o", folder, "--grid-only", "--quiet", "--set", BRIEF[0])
+            self.assertEqual(done.returncode, 0, done.stderr)
+            resolved = folder / "case.resolved.yaml"
+            sound = resolved.read_text(encoding="utf-8")
+            other = sound.replace("160 kW", "320 kW")
+            self.assertNotEqual(sound, other)
+            said = f"{resolved}: differs from what its run wrote; required: an undamaged result. Give its command again with --resume, or into another folder"
+            with page(folder) as running, page(file) as beside:
+                resolved.write_text(other, encoding="utf-8")
+                opened = running.get("/opened")
+                self.assertEqual((opened["text"], opened["error"]), (other, said))
+                self.assertFalse({"points", "result", "finished"} & set(opened))
+                status, answer = beside.post("/jobs", {"command": "sweep", "case_text": TEMPLATE, "results": "results"})
+                self.assertEqual((status, answer["errors"]), (422, [said]))
+                status, _, data = beside.ask("GET", "/opened?results=results")
+                self.assertEqual((status, json.loads(data)["errors"]), (422, [said]))
+                for command in (("open", "--no-browser", folder), ("report", folder, "--quiet")):
+                    refused = run(*command)
+                    self.assertEqual((refused.returncode, refused.stderr.strip()), (2, said), command)
+                resolved.write_text(sound, encoding="utf-8")
+                self.assertEqual(len(running.get("/opened")["points"]), 3)
 
     def test_folders(self):
         with tempfile.TemporaryDirectory() as place:

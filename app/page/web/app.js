@@ -6,21 +6,14 @@ import {Form} from './form.js';
 import {Meanings} from './results.js';
 import {Session} from './session.js';
 import {TakeAway} from './takeaway.js';
+import {tileElements} from './tiles.js';
 import {Variants} from './variants.js';
 import * as yaml from './yaml_text.js';
 
 const at = (id) => document.getElementById(id);
-const FOLDER_EVERY = 5e3;  // ms, in which a folder that is computed is read anew
-const STEPS = 1000;        // of the cursor's slider
-const TILES = [
-  'life_h', 'L10h', 'L10rh', 'L10mh', 'L10mrh', 'system_life_h', 'planet_load_N', 'contact_pressure_max_MPa',
-  'kappa', 'carrier_speed_rpm'
-];
-const MISSING = {
-  L10mh: 'oil grade and cleanliness are required',
-  L10mrh: 'oil grade and cleanliness are required',
-  kappa: 'an oil grade is required'
-};
+const narrow = matchMedia('(max-width: 860px)');  // as in page.css
+const FOLDER_EVERY = 5e3;                         // ms, in which a folder that is computed is read anew
+const STEPS = 1000;                               // of the cursor's slider
 
 class Page {
   constructor(engine, caseSchema, resultSchema) {
@@ -31,7 +24,8 @@ class Page {
       changed: (text) => this.session.setText(text, 'form'),
       convert: (value, unit) => engine.units(value, unit),
       instead: (key, other) => this.session.instead(key, other),
-      save: engine.save,
+      save: engine.save && ((name, text) => engine.save(name, text, '')),
+      closed: matchMedia('(max-width: 560px)').matches
     });
     this.crown = new CrownCard((crown, laminae) => this.putCrown(crown, laminae));
     this.motion = new MotionCard();
@@ -47,8 +41,13 @@ class Page {
     this.listen();
   }
 
-  // Two columns on a wide screen; in one, `order` mixes them: a curve, then the drawing beside it.
+  // Two columns on a wide screen; in one, `order` mixes them: a curve, then the drawing beside it. On a
+  // narrow one the tiles with the verdicts come before the inputs.
   layOut() {
+    const place = () =>
+        narrow.matches ? at('inputs').before(at('tiles')) : at('cursor-part').before(at('tiles'));
+    narrow.addEventListener('change', place);
+    place();
     const columns = Object.fromEntries(
         ['left', 'right', 'wide'].map((name) => [name, element('div', {class: `column ${name}`})]));
     this.cards.forEach((card, i) => {
@@ -78,7 +77,7 @@ class Page {
       if (on) at('yaml').focus();
     });
     at('mend').querySelector('button').addEventListener('click', () => {
-      const {key, line} = session.errors[0], row = this.form.fieldFor(key);
+      const [error] = session.errors, {line} = error, row = this.form.placeOf(error);
       if (row)
         this.form.focus(row);
       else if (line)
@@ -124,7 +123,9 @@ class Page {
     document.body.classList.remove('starting');
   }
 
-  open(text, file) {
+  open(text, file, version = '') {
+    this.fault = '';
+    this.session.version = version;
     this.showWork();
     const opened = this.session.open(text, file);
     at('results').focus({preventScroll: true});
@@ -135,25 +136,34 @@ class Page {
   async listFolders() {
     const found = (await this.engine.folders?.()) ?? [];
     at('folders').hidden = found.length === 0;
+    at('folder-error').textContent = '';
     at('folder-list').replaceChildren(...found.map(({name, case: about, fidelity, points, of}) => {
       const button = element(
           'button', {type: 'button', 'data-folder': name}, element('strong', {}, name),
           element('span', {}, `${about}, ${fidelity}, ${points} of ${of} points`));
-      button.addEventListener('click', async () => this.openResults(await this.engine.results(name), name));
+      button.addEventListener('click', async () => {
+        try {
+          await this.openResults(await this.engine.results(name), name);
+        } catch (error) {
+          if (!error.errors) throw error;
+          at('folder-error').textContent = error.errors.join(' ');
+        }
+      });
       return element('li', {}, button);
     }));
   }
 
   /** A folder of results, of which `name` is '' for the one that was opened. */
   async openResults(opened, name = '') {
-    await this.open(opened.text, opened.file);
+    await this.open(opened.text, opened.file, opened.checksum);
     this.showFolder(opened, name);
   }
 
   /** Its results, finished or still computed. */
   showFolder(opened, name) {
     const {session} = this;
-    if (opened.error) at('errors').append(element('p', {class: 'error'}, opened.error));
+    this.fault = opened.error ?? '';
+    this.showErrors();
     if (opened.points) this.showPoints(opened, name);
     if (opened.result?.recommended || opened.result?.straight) {
       this.crown.element.open = true;
@@ -169,23 +179,27 @@ class Page {
 
   showPoints({points, fidelity, finished, missing, options, name: called}, name) {
     const {session, motion} = this;
-    session.motion = points;
-    session.motionFidelity = fidelity === 'quasi-static' ? 'in the folder' : fidelity;
-    if (session.fidelities.includes(fidelity)) session.setFidelity(fidelity);
-    session.tell('motion');
-    motion.told.textContent = finished ? `Folder ${called}: ${points.length} points.` :
+    const told = finished ? `Folder ${called}: ${points.length} points.` :
         options ? `Folder ${called}: ${missing?.found ?? points.length} of ${
                       missing?.of ?? '?'} points. Continue computes the others in this folder.` :
                   `Folder ${called}: ${missing?.text ?? 'no points yet'}`;
-    if (options) motion.offer(session, name, options);
+    motion.keep(session, {
+      points,
+      told,
+      fidelity: fidelity === 'quasi-static' ? 'in the folder' : fidelity,
+      proceeds: Boolean(options),
+      request: options && { ...session.request('sweep', [], options), results: name }
+    });
+    if (session.fidelities.includes(fidelity)) session.setFidelity(fidelity);
+    session.tell('motion');
   }
 
   // While another program computes in it; what is computed here tells of itself.
   async followFolder(opened, name) {
     const {session, motion} = this;
-    if (motion.handle || session.text !== opened.text) return;
+    if (motion.running || session.text !== opened.text) return;
     const now = await this.engine.results(name);
-    if (motion.handle || session.text !== opened.text) return;
+    if (motion.running || session.text !== opened.text) return;
     if (now.points?.length === opened.points?.length && now.finished === opened.finished)
       return void setTimeout(() => this.followFolder(opened, name), FOLDER_EVERY);
     this.showFolder(now, name);
@@ -194,7 +208,7 @@ class Page {
   showText(by) {
     const {session} = this;
     if (by !== 'text') at('yaml').value = session.text;
-    const read = this.form.show(session.text);
+    const read = this.form.show(session.text, by === 'form');
     at('form').inert = !read;
     this.unreadable = read ? '' : this.form.problem;
     const name = read ? yaml.nodeAt(this.form.tree, ['name'])?.value : '';
@@ -231,8 +245,11 @@ class Page {
 
   showErrors() {
     const {session} = this,
-          elsewhere = this.form.judge(session.check?.inputs, session.errors, session.fidelity);
+          elsewhere = this.form.judge(
+              session.check?.inputs, session.errors, session.fidelity,
+              !session.errors.length && session.validText === session.text);
     const lines = [
+      ...(this.fault ? [this.fault] : []),
       ...(this.unreadable ? [`The form cannot show this text (${this.unreadable}). Edit it as YAML.`] : []),
       ...(session.failure ? session.failure.split('\n') : [])
     ];
@@ -279,28 +296,10 @@ class Page {
     const {session} = this;
     at('cursor-part').hidden = !session.overSpeed;
     if (session.overSpeed) this.showCursor();
-    const point = session.overSpeed ? session.point : session.run,
-          keys = point ? TILES.filter((key) => key in point) : [];
-    at('bar').hidden = !keys.length;
-    at('tiles').replaceChildren(...keys.map((key) => {
-      const {unit = '', description = ''} = session.overSpeed ?
-          session.meanings.of(key) :
-          (session.meanings.partOf('run', point).properties[key] ?? {});
-      const value = point[key], hours = unit === 'h' && value !== null && value >= 1;
-      return element(
-          'div', {
-            class: `tile${value === null ? ' none' : ''}`,
-            'data-key': key,
-            title: `${key}: ${description}${
-                value === null && MISSING[key] ? `; not computed: ${MISSING[key]}` : ''}`
-          },
-          element(
-              'span', {class: 'name'},
-              key === 'carrier_speed_rpm' ?
-                  'carrier' :
-                  session.meanings.label(key).replace('life (Lundberg-Palmgren)', 'life')),
-          hours ? figure(value, unit, Math.max(4, Math.ceil(Math.log10(value + 1)))) : figure(value, unit));
-    }));
+    const tiles = tileElements(session);
+    at('bar').hidden = !session.overSpeed && !tiles.length;
+    at('tiles').hidden = !tiles.length;
+    at('tiles').replaceChildren(...tiles);
   }
 
   // A profile acts on laminae: a case that does not cut its rollers takes as many as the crown did.
@@ -323,7 +322,7 @@ async function begin() {
   const page = new Page(engine, caseSchema, resultSchema);
   document.body.dataset.engine = engine.name;
   if (opened?.text) {
-    const first = page.open(opened.text, opened.file);
+    const first = page.open(opened.text, opened.file, opened.checksum);
     if (opened.kind === 'results') first.then(() => page.showFolder(opened, ''));
   } else
     await page.showStart();

@@ -17,9 +17,10 @@ export class BearingDrawing {
   }
 
   /**
-   * `scene`: size {bore, outside, inner, outer, pitch, element, count, cageInner, cageOuter} in mm,
-   * loads {angles (degrees), inner, outer} in N, `speeds` {inner, outer, cage, spin} in rpm, ratios where
-   * none is known, `planet` whether in a carrier, `ball`.
+   * `scene`: size {bore, outside, inner, outer, pitch, element, count, cageInner, cageOuter} in mm and
+   * `rings` (both, outer or none: then rollers run on the pin, and in the bore of the planet), loads {angles
+   * (degrees), inner, outer} in N, `speeds` {inner, outer, cage, spin} in rpm, ratios where none is known,
+   * `planet` whether in a carrier, `ball`.
    */
   set(scene) {
     const same = this.scene && JSON.stringify(this.scene.size) === JSON.stringify(scene.size) &&
@@ -40,14 +41,18 @@ export class BearingDrawing {
     };
     const unit = size.outside / 200;  // of strokes and letters
     this.svg.style.setProperty('--unit', `${unit}px`);
+    const round = (name, diameter) => drawn('circle', {class: name, r: diameter / 2}),
+          onPin = size.rings === 'outer' || size.rings === 'none';
     this.outerRing = drawn(
-        'g', {class: 'outer-ring'}, ring(size.outside, size.outer, 'ring'),
+        'g', {class: 'outer-ring'},
+        size.rings === 'none' ? round('raceway', size.outer) : ring(size.outside, size.outer, 'ring'),
         this.marks(size.outer, size.outside));
     this.innerRing = drawn(
         'g', {class: 'inner-ring'},
-        size.bore > 0 && size.bore < size.inner ? ring(size.inner, size.bore, 'ring') :
-                                                  drawn('circle', {class: 'ring', r: size.inner / 2}),
-        this.marks(size.bore || 0.8 * size.inner, size.inner));
+        onPin                                       ? round('pin', size.inner) :
+            size.bore > 0 && size.bore < size.inner ? ring(size.inner, size.bore, 'ring') :
+                                                      round('ring', size.inner),
+        this.marks(onPin ? 0.8 * size.inner : size.bore || 0.8 * size.inner, size.inner));
     this.cage = drawn('g', {class: 'cage'});
     if (size.cageOuter > size.cageInner) {
       this.cage.append(ring(size.cageOuter, size.cageInner, 'cage-ring'));
@@ -225,6 +230,11 @@ export class BearingView {
           `. Slowed ${readable(slowed, 3)} times. `);
     } else
       parts.push('No speed in the case: one revolution is shown without time. ');
+    const seats = {
+      none: 'No rings: rollers run on the pin and in the bore of the planet. ',
+      outer: 'Rollers run on the pin. '
+    };
+    parts.push(seats[this.scene.size.rings] ?? '');
     parts.push(
         'Bars: load of each ', this.scene.ball ? 'ball' : 'roller',
         ', outward on the outer race, inward on the inner race.');

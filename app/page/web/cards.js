@@ -1,7 +1,7 @@
 // The parts of the results, each a card that shows what the session holds.
 import {BearingView} from './bearing_view.js';
 import {Chart} from './charts.js';
-import {element, figure, readable} from './dom.js';
+import {element, figure, readable, shortened} from './dom.js';
 import {GearsView} from './gears_view.js';
 import {LiveMotion} from './live_motion.js';
 import {nameOf, pointTable, resultTable} from './results.js';
@@ -187,8 +187,8 @@ export class MotionCard extends Card {
   constructor() {
     super('motion', 'Dynamic run: slip, losses, life in motion', {});
     this.start = element('button', {type: 'button', class: 'chief'}, 'Start');
-    this.stop = element('button', {type: 'button', disabled: true}, 'Stop');
-    this.proceed = element('button', {type: 'button', disabled: true}, 'Continue');
+    this.stop = element('button', {type: 'button', class: 'stop', disabled: true}, 'Stop');
+    this.proceed = element('button', {type: 'button', class: 'proceed', disabled: true}, 'Continue');
     this.bar = element('progress', {max: 1, value: 0, 'aria-label': 'progress of the dynamic run'});
     this.told = element('p', {class: 'told', role: 'status'});
     this.about = element('p', {class: 'hint'});
@@ -202,18 +202,25 @@ export class MotionCard extends Card {
         'div', {hidden: true}, element('h4', {}, 'Slip'), this.slips,
         element('h4', {}, 'Power losses of one bearing'), this.losses);
     this.body.append(this.charts);
-    this.start.addEventListener('click', () => this.run(null));
-    this.stop.addEventListener('click', () => this.handle?.stop());
-    this.proceed.addEventListener('click', () => this.run(this.stopped));
-    this.stopped = null;
+    this.back =
+        element('button', {type: 'button', class: 'back', hidden: true}, 'Back to the case of these points');
+    this.told.after(this.back);
+    this.start.addEventListener('click', () => this.begin());
+    this.stop.addEventListener('click', () => this.running?.handle.stop());
+    this.proceed.addEventListener('click', () => this.compute(this.session.runs.get(this.session.caseKey)));
+    this.back.addEventListener('click', () => this.session.setText(this.latest.mark.text, 'variant'));
+    this.running = this.latest = null;  // runs: the one that is computed, and the last one that was begun
   }
 
-  /** A folder whose sweep is not finished: `Continue` goes on in it. */
-  offer(session, folder, options) {
+  /**
+   * A run of the case as it is: `points` so far, what is `told` of them, the `request` that computes them,
+   * and the `handle` of its computation; `proceeds` where it was stopped and can be gone on with.
+   */
+  keep(session, run) {
     this.session = session;
-    this.text = session.text;
-    this.stopped = {folder, options};
-    this.proceed.disabled = false;
+    this.latest = {mark: session.mark, points: [], told: '', done: 0, proceeds: false, ...run};
+    session.runs.set(session.caseKey, this.latest);
+    return this.latest;
   }
 
   get fidelity() { return this.session.fidelity === 'quasi-static' ? 'dynamic' : this.session.fidelity; }
@@ -233,10 +240,7 @@ export class MotionCard extends Card {
         swept ? ', at the speeds of the case\'s own sweep' :
                 ', at the speed of the cursor'}. Each speed takes seconds to minutes.`;
     this.charts.hidden = session.motion.length === 0;
-    if (this.text !== session.text && !this.handle) {
-      this.stopped = null;
-      this.proceed.disabled = true;
-    }
+    this.state();
     for (const [chart, keys, y, unit] of [
              [this.slipChart, SLIPS, 'slip', ''], [this.lossChart, LOSSES, 'loss', 'W']]) {
       const known = Object.keys(session.motion[0] ?? {})
@@ -264,56 +268,72 @@ export class MotionCard extends Card {
     return {low, high};
   }
 
-  async run(from) {
-    const {session} = this, kept = from ? session.motion : [];
-    session.motion = [...kept];
-    if (!from?.options) session.motionFidelity = this.fidelity;
-    this.text = session.text;
+  /** Buttons and words: those of the run of the case as it is, else of which case the last run is. */
+  state() {
+    const {session, running} = this, own = session.runs.get(session.caseKey),
+                    other = running && running !== own ? running :
+        own                                            ? null :
+                                                         this.latest;
+    this.start.disabled = Boolean(running);
+    this.stop.disabled = !running;
+    this.proceed.disabled = Boolean(running) || !own?.proceeds;
+    this.back.hidden = !other;
+    this.bar.value = (own ?? other)?.done ?? 0;
+    this.told.textContent = [
+      own?.told, other && `${other.told} Of another case: ${session.differences(other.mark)}.`
+    ].filter(Boolean).join(' ');
+    this.live.setOwn(Boolean(own) && own === this.latest);
+  }
+
+  begin() {
+    const {session} = this;
     const settings = session.sweptSpeeds().length > 1 ? [] : [`sweep={input.speed: [${session.cursor} rpm]}`];
-    const folder = from?.folder;
-    const request = folder === undefined ?
-        session.request('sweep', settings, {fidelity: this.fidelity, grid_only: true}) :
-        {...session.request('sweep', [], from.options), results: folder};
-    for (const button of [this.start, this.proceed]) button.disabled = true;
-    this.stop.disabled = false;
-    this.told.textContent = 'Starting …';
-    this.live.begin(session);
+    const request = session.request('sweep', settings, {fidelity: this.fidelity, grid_only: true});
+    return this.compute(this.keep(session, {fidelity: this.fidelity, request}));
+  }
+
+  async compute(run) {
+    // A folder of results holds its points; of other runs the computation that was stopped does.
+    const {session} = this, from = run.request.results === undefined ? (run.handle ?? null) : null;
+    let all = 0;
     const put = (points) => {
       for (const point of points)
-        session.motion =
-            [...session.motion.filter((one) => one.input_speed_rpm !== point.input_speed_rpm), point];
+        run.points = [...run.points.filter((one) => one.input_speed_rpm !== point.input_speed_rpm), point];
       session.tell('motion');
     };
-    let all = 0;
-    this.handle = session.engine.start(
-        request, {
+    const tell = (told) => {
+      run.told = told;
+      this.state();
+    };
+    this.running = this.latest = run;
+    run.proceeds = false;
+    this.live.begin(session);
+    tell('Starting …');
+    run.handle = session.engine.start(
+        run.request, {
           progress: ({done, all: count, seconds_left: left, doing}) => {
             all = count;
-            this.bar.value = count ? done / count : 0;
-            this.told.textContent = `${doing ? `${doing} ` : ''}${done} of ${count} points done${
-                isNumber(left) ? `, ${readable(left, 2)} s to go` : ''}`;
+            run.done = count ? done / count : 0;
+            tell(`${doing ? `${doing} ` : ''}${done} of ${count} points done${
+                isNumber(left) ? `, ${readable(left, 2)} s to go` : ''}`);
           },
           point: (point) => put([point]),
           motion: (now) => this.live.show(now),
         },
-        folder === undefined ? from : null);
+        from);
     try {
-      const result = await this.handle.done;
+      const result = await run.handle.done;
       if (result.points) put(result.points);
-      this.stopped = result.stopped ? this.handle : null;
-      this.told.textContent = result.stopped ?
-          `Stopped: ${session.motion.length}${all ? ` of ${all}` : ''} points kept.` :
-                                                    `Done: ${session.motion.length} points.`;
-      if (!result.stopped) session.motionResult = result;
+      run.proceeds = Boolean(result.stopped);
+      run.told = result.stopped ? `Stopped: ${run.points.length}${all ? ` of ${all}` : ''} points kept.` :
+                                                                        `Done: ${run.points.length} points.`;
     } catch (error) {
-      this.stopped = session.motion.length ? this.handle : null;
-      this.told.textContent = (error.errors ?? [error.message]).join(' ');
+      run.proceeds = run.points.length > 0;
+      run.told = (error.errors ?? [error.message]).join(' ');
     }
     this.live.end();
-    this.handle = null;
-    this.start.disabled = false;
-    this.stop.disabled = true;
-    this.proceed.disabled = !this.stopped;
+    this.running = null;
+    session.tell('motion');
   }
 }
 
@@ -420,7 +440,12 @@ export class PressureCard extends Card {
   }
 }
 
-/** What is computed when the card is opened or a button pressed: kept as long as the case is the same. */
+const MOST_KEPT = 20;
+
+/**
+ * What is computed when the card is opened or a button pressed. A result belongs to the case that it was
+ * computed for: it is shown again when the case is the same again, and is marked beside another one.
+ */
 class AskedCard extends Card {
   constructor(id, title, {button = '', column = 'right'} = {}) {
     super(id, title, {open: false, column});
@@ -432,45 +457,77 @@ class AskedCard extends Card {
       this.body.append(this.button);
     }
     this.body.append(this.told, this.shown);
-    this.text = null;
+    this.kept = new Map();
+    this.drawn = null;  // the mark of what is shown
   }
 
   fits(session) { return session.model === 'planetary-drivetrain'; }
 
+  /** What a result is of: the case, and the cursor where it counts. */
+  markOf(session) {
+    const {mark} = session;
+    return this.ofCursor ? {...mark, key: `${mark.key} ${session.setting}`, cursor: session.cursor} : mark;
+  }
+
   show(session, what) {
     if (what === 'cursor' || session.errors.length) return this.follow?.(session);
-    if (this.button) {
-      if (this.text !== null && this.text !== session.text)
-        this.told.textContent = 'The case has changed since: press again.';
-      return;
-    }
-    if (this.text !== session.text) this.ask(session);
+    const mark = this.markOf(session), kept = this.kept.get(mark.key);
+    if (kept && this.drawn?.key !== mark.key)
+      this.put(session, mark, kept);
+    else if (!kept && !this.button && this.failed !== mark.key)
+      this.ask(session);
+    if (!this.asking) this.tellWhose(session, mark);
   }
 
   /** A result that is there already, of the case as it is. */
   given(session, result) {
-    this.text = session.text;
+    this.put(session, this.markOf(session), result);
+    this.tellWhose(session, this.drawn);
+  }
+
+  put(session, mark, result) {
+    this.kept.delete(mark.key);
+    this.kept.set(mark.key, result);
+    if (this.kept.size > MOST_KEPT) this.kept.delete(this.kept.keys().next().value);
+    this.drawn = mark;
     this.draw(session, result);
+  }
+
+  // What is drawn of another case, in words.
+  otherThan(session, mark) {
+    const {drawn} = this;
+    if (!drawn || drawn.key === mark.key) return '';
+    const speed =
+        drawn.cursor === mark.cursor ? '' : `input.speed ${drawn.cursor} rpm there, ${mark.cursor} rpm here`;
+    return [session.differences(drawn), speed].filter(Boolean).join('; ');
+  }
+
+  tellWhose(session, mark) {
+    const other = this.otherThan(session, mark);
+    this.shown.classList.toggle('other-case', Boolean(other));
+    if (this.failed !== mark.key) this.told.textContent = other ? `Of another case: ${other}.` : '';
   }
 
   async ask(session) {
     if (this.asking) return;
+    const mark = this.markOf(session);
     this.asking = true;
-    this.text = session.text;
+    this.failed = null;  // the key of the case that has none
     this.told.textContent = 'Computing …';
     if (this.button) this.button.disabled = true;
     try {
-      const result = await this.request(session);
-      this.told.textContent = '';
-      this.draw(session, result);
+      this.put(session, mark, await this.request(session));
     } catch (error) {
+      this.failed = mark.key;
       this.told.textContent = (error.errors ?? [error.message]).join(' ');
       if (!error.errors) throw error;
     } finally {
       this.asking = false;
       if (this.button) this.button.disabled = false;
     }
-    if (!this.button && this.text !== session.text && this.element.open) this.ask(session);
+    const now = this.markOf(session);
+    this.tellWhose(session, now);
+    if (!this.button && now.key !== mark.key && this.element.open) this.show(session);
   }
 }
 
@@ -502,12 +559,14 @@ export class ModesCard extends AskedCard {
         session.check.inputs.some((input) => input.used_by.includes('modes --speed'));
   }
 
-  at(session, speed) { return session.engine.answer(session.request('modes', [], {speed: `${speed} rpm`})); }
+  at(session, speed, text = session.validText) {
+    return session.engine.answer(session.request('modes', [], {speed: `${speed} rpm`}, text));
+  }
 
   async request(session) {
-    const found = [];
+    const found = [], text = session.validText;
     for (const speed of session.speeds(CAMPBELL_SPEEDS))
-      found.push({speed, modes: ranked((await this.at(session, speed)).modes)});
+      found.push({speed, modes: ranked((await this.at(session, speed, text)).modes)});
     return found;
   }
 
@@ -667,6 +726,7 @@ export class CrownCard extends AskedCard {
   constructor(apply) {
     super('crown', 'Roller crown', {button: 'Compute the recommended crown'});
     this.apply = apply;
+    this.ofCursor = true;
   }
 
   fits(session) {
@@ -789,6 +849,7 @@ export class AssumptionsCard extends AskedCard {
         'assumptions', 'Assumptions and warnings',
         {button: 'Compute the effects on life and sort', column: 'left'});
     this.focus = focus;
+    this.ofCursor = true;
     this.list = element('div');
     this.body.append(this.list);
   }
@@ -797,9 +858,12 @@ export class AssumptionsCard extends AskedCard {
 
   async request(session) { return session.engine.answer(session.request('sensitivities', session.setting)); }
 
-  draw(session, result) {
-    this.effects = new Map(result.inputs.map((input) => [input.path, input]));
-    this.list_(session);
+  draw(session) { this.list_(session); }
+
+  /** Those of the case as it is, at the cursor. */
+  effectsOf(session) {
+    const kept = this.kept.get(this.markOf(session).key);
+    return kept && new Map(kept.inputs.map((input) => [input.path, input]));
   }
 
   show(session, what) {
@@ -811,9 +875,10 @@ export class AssumptionsCard extends AskedCard {
   }
 
   list_(session) {
-    const assumed = session.check.inputs.filter((input) => input.standing !== 'given'),
-          size = (input) => Math.abs(this.effects?.get(input.path)?.elasticity ?? 0);
-    if (this.effects) assumed.sort((one, other) => size(other) - size(one));
+    const effects = this.effectsOf(session),
+          assumed = session.check.inputs.filter((input) => input.standing !== 'given'),
+          size = (input) => Math.abs(effects?.get(input.path)?.elasticity ?? 0);
+    if (effects) assumed.sort((one, other) => size(other) - size(one));
     const jump = (path) => {
       const link = element('a', {href: '#inputs'}, path);
       link.addEventListener('click', (event) => {
@@ -823,7 +888,7 @@ export class AssumptionsCard extends AskedCard {
       return link;
     };
     const effect = (input) => {
-      const found = this.effects?.get(input.path);
+      const found = effects?.get(input.path);
       return found && isNumber(found.elasticity) ? `${readable(found.elasticity, 2)} %` : '';
     };
     const warnings = [...new Set([...(session.check.warnings ?? []), ...(session.run?.warnings ?? [])])];
@@ -844,15 +909,15 @@ export class AssumptionsCard extends AskedCard {
                     element(
                         'tr', {}, element('th', {scope: 'col'}, 'Input'),
                         element('th', {scope: 'col'}, 'Value'),
-                        this.effects ? element('th', {scope: 'col'}, 'Life changes by, for 1 %') : null,
+                        effects ? element('th', {scope: 'col'}, 'Life changes by, for 1 %') : null,
                         element('th', {scope: 'col'}, 'Reason'))),
                 element(
                     'tbody', {},
                     ...assumed.map(
                         (input) => element(
                             'tr', {}, element('th', {scope: 'row'}, jump(input.path)),
-                            element('td', {}, input.given),
-                            this.effects ? element('td', {}, effect(input)) : null,
+                            element('td', {title: input.given}, shortened(input.given)),
+                            effects ? element('td', {}, effect(input)) : null,
                             element('td', {}, input.reason)))))));
   }
 }
@@ -892,11 +957,10 @@ export class ResultCard extends Card {
   show(session, what) {
     if (what === 'cursor') return;
     this.tools.hidden = !session.inTime;
-    if (!session.run) {
-      this.told.textContent = 'The run follows the motion in time: press Compute.';
-      return this.shown.replaceChildren();
-    }
-    if (!session.inTime) this.told.textContent = '';
+    if (!this.running)
+      this.told.textContent =
+          session.run || !session.inTime ? '' : 'The run follows the motion in time: press Compute.';
+    if (!session.run) return this.shown.replaceChildren();
     const command = session.model === 'gear-pair' ? 'mesh' :
         session.model === 'planetary-drivetrain'  ? 'modes' :
                                                     'run';
@@ -905,7 +969,10 @@ export class ResultCard extends Card {
   }
 
   async run() {
-    const {session} = this, text = session.text;
+    const {session} = this, {mark} = session,
+          // Of the case as it is there is nothing to say.
+        whose = () => mark.key === session.caseKey ? '' : ` Of another case: ${session.differences(mark)}.`;
+    this.running = true;
     this.button.disabled = true;
     this.stop.disabled = false;
     this.told.textContent = 'Computing …';
@@ -914,21 +981,24 @@ export class ResultCard extends Card {
         progress: ({done, all, doing, seconds_left: left}) => {
           this.bar.value = all ? done / all : 0;
           this.told.textContent = `${doing || 'Computing'}: ${readable((100 * done) / (all || 1), 2)} %${
-              isNumber(left) ? `, ${readable(left, 2)} s to go` : ''}`;
+              isNumber(left) ? `, ${readable(left, 2)} s to go` : ''}.${whose()}`;
         }
       });
       const result = await this.handle.done;
-      this.told.textContent = result.stopped ? 'Stopped.' : '';
-      if (!result.stopped && text === session.text) {
+      if (!result.stopped) session.inMotion.set(mark.key, result);
+      if (!result.stopped && !whose()) {
         session.run = result;
         session.tell('results');
       }
+      this.told.textContent = result.stopped ? 'Stopped.' : whose() && `Done.${whose()}`;
     } catch (error) {
       if (!error.errors) throw error;
       this.told.textContent = error.errors.join(' ');
+    } finally {
+      this.running = false;
+      this.button.disabled = false;
+      this.stop.disabled = true;
     }
-    this.button.disabled = false;
-    this.stop.disabled = true;
   }
 }
 

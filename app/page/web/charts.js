@@ -8,6 +8,9 @@ const MARGIN = {
   bottom: 38
 };
 const HEIGHT = 250;
+const LETTER = 6.6, LINE = 16;  // mean width of a letter and height of a line [px]
+const COVERS = 2, MUCH = 0.5;   // px, within which one curve hides another; share of it that is much
+const DASHES_OF_EQUAL = ['6 6', '2 10'];
 
 /** Round values from `low` to `high`, about `count` of them. */
 export function ticks(low, high, count) {
@@ -32,11 +35,17 @@ function logTicks(low, high) {
 }
 
 const isNumber = (value) => typeof value === 'number' && Number.isFinite(value);
+// The share of the points of a curve that lie on another.
+const covered = (some, others) => some.length !== others.length ?
+    0 :
+    some.filter(([x, y], i) => Math.hypot(x - others[i][0], y - others[i][1]) < COVERS).length /
+        (some.length || 1);
 
 /**
  * A chart in `root`. set({series, x, y, cursor, marks}) draws: series [{key, label, points: [[x, y]], colour
- * (class c1 to c8), dash, dots, title}], x and y {label, unit, log}, marks [{x, label}]. `moved(x)` is called
- * where the cursor is dragged, `picked(x, y)` where it is pressed.
+ * (class c1 to c8), dash, dots, title}], x and y {label, unit, log}, marks [{x, label}], whose labels stand
+ * above the curves. A curve that lies on an earlier one is dashed, and the legend says so. `moved(x)` is
+ * called where the cursor is dragged, `picked(x, y)` where it is pressed.
  */
 export class Chart {
   constructor(root, {title, moved = null, picked = null, height = HEIGHT}) {
@@ -47,7 +56,9 @@ export class Chart {
     this.title = title;
     this.legend = element('div', {class: 'legend'});
     this.svg = drawn('svg', {class: 'chart', role: 'img', 'aria-label': title});
-    root.append(this.legend, this.svg);
+    this.none = element('p', {class: 'hint', hidden: true});
+    root.append(this.legend, this.svg, this.none);
+    this.top = MARGIN.top;
     this.state = null;
     new ResizeObserver(() => this.draw()).observe(root);
     if (moved) {
@@ -71,7 +82,7 @@ export class Chart {
   placeOf(event) {
     const box = this.svg.getBoundingClientRect(), {x, y} = this.scale, bottom = this.height - MARGIN.bottom;
     const right = (event.clientX - box.left - MARGIN.left) / (this.width - MARGIN.left - MARGIN.right),
-          up = (bottom - (event.clientY - box.top)) / (bottom - MARGIN.top);
+          up = (bottom - (event.clientY - box.top)) / (bottom - this.top);
     return [x.low + right * (x.high - x.low), y.low + up * (y.high - y.low)];
   }
 
@@ -122,18 +133,18 @@ export class Chart {
     this.legend.replaceChildren();
     const spans = this.spans(), {series, x, y} = this.state;
     this.scale = spans;
-    if (!spans) {
-      this.svg.append(drawn(
-          'text', {x: width / 2, y: this.height / 2, class: 'empty', 'text-anchor': 'middle'},
-          this.state.empty ?? 'No values'));
-      return;
-    }
+    // Without values there is a line of text, and no frame.
+    this.none.textContent = spans ? '' : (this.state.empty ?? 'No values');
+    this.none.hidden = Boolean(spans);
+    this.svg.style.display = this.legend.style.display = spans ? '' : 'none';
+    if (!spans) return;
+    this.top = MARGIN.top + (this.marked().length ? LINE : 0);
     const right = width - MARGIN.right, bottom = this.height - MARGIN.bottom;
     const log = (value) => (y.log ? Math.log10(value) : value);
     this.atX = (value) =>
         MARGIN.left + ((right - MARGIN.left) * (value - spans.x.low)) / (spans.x.high - spans.x.low);
     this.atY = (value) => bottom -
-        ((bottom - MARGIN.top) * (log(value) - log(spans.y.low))) / (log(spans.y.high) - log(spans.y.low));
+        ((bottom - this.top) * (log(value) - log(spans.y.low))) / (log(spans.y.high) - log(spans.y.low));
     const axes = drawn('g', {class: 'axes'});
     for (const value of y.log ? logTicks(spans.y.low, spans.y.high) : ticks(spans.y.low, spans.y.high, 5)) {
       axes.append(drawn('line', {x1: MARGIN.left, x2: right, y1: this.atY(value), y2: this.atY(value)}));
@@ -141,7 +152,7 @@ export class Chart {
           'text', {x: MARGIN.left - 6, y: this.atY(value) + 4, 'text-anchor': 'end'}, this.short(value)));
     }
     for (const value of ticks(spans.x.low, spans.x.high, Math.max(2, Math.floor(width / 90)))) {
-      axes.append(drawn('line', {x1: this.atX(value), x2: this.atX(value), y1: MARGIN.top, y2: bottom}));
+      axes.append(drawn('line', {x1: this.atX(value), x2: this.atX(value), y1: this.top, y2: bottom}));
       axes.append(
           drawn('text', {x: this.atX(value), y: bottom + 16, 'text-anchor': 'middle'}, this.short(value)));
     }
@@ -154,14 +165,15 @@ export class Chart {
         'text', {
           x: 0,
           y: 0,
-          transform: `translate(12 ${(MARGIN.top + bottom) / 2}) rotate(-90)`,
+          transform: `translate(12 ${(this.top + bottom) / 2}) rotate(-90)`,
           'text-anchor': 'middle',
           class: 'label'
         },
         units(y)));
     this.svg.append(axes);
+    this.places = [];
     for (const one of series) this.curve(one);
-    for (const mark of this.state.marks ?? []) this.mark(mark, bottom);
+    for (const mark of this.marked()) this.mark(mark, bottom);
     this.pointer = drawn('g', {class: 'cursor'});
     this.svg.append(this.pointer);
     this.drawCursor();
@@ -170,8 +182,23 @@ export class Chart {
 
   short(value) { return readable(value, Math.abs(value) >= 1e7 ? 2 : 3); }
 
-  curve({points, colour, dash, dots, title, label, key, only}) {
-    const group = drawn('g', {class: `curve ${colour ?? 'c1'}`, 'data-series': key ?? label});
+  placesOf(points) {
+    const {log} = this.state.y;
+    return points.filter(([, b]) => isNumber(b) && !(log && b <= 0)).map(([a,
+                                                                           b]) => [this.atX(a), this.atY(b)]);
+  }
+
+  curve(one) {
+    const {points, colour, dots, title, label, key, only} = one, at = this.placesOf(points);
+    const under = this.places.filter((other) => covered(at, other.at) > MUCH),
+          equal = under.find((other) => covered(at, other.at) === 1)?.one;
+    const dash = one.dash ?? DASHES_OF_EQUAL[Math.min(under.length, DASHES_OF_EQUAL.length) - 1];
+    this.places.push({at, one, dash, equal});
+    const group = drawn('g', {
+      class: `curve ${colour ?? 'c1'}`,
+      'data-series': key ?? label,
+      'data-equal-to': equal && (equal.key ?? equal.label)
+    });
     group.append(drawn('title', {}, title ?? label));
     const {log} = this.state.y;
     let path = '';
@@ -187,14 +214,18 @@ export class Chart {
     this.svg.append(group);
   }
 
-  mark({x, label, row = 0}, bottom) {
-    if (!isNumber(x) || x < this.scale.x.low || x > this.scale.x.high) return;
-    const at = this.atX(x), end = at > this.width - 120;
+  marked() {
+    return (this.state.marks ?? [])
+        .filter(({x}) => isNumber(x) && x >= this.scale.x.low && x <= this.scale.x.high);
+  }
+
+  // Its label is above the curves, within the width.
+  mark({x, label}, bottom) {
+    const at = this.atX(x), half = (LETTER * label.length) / 2,
+          middle = Math.max(half, Math.min(this.width - half, at));
     this.svg.append(drawn(
-        'g', {class: 'mark-line'}, drawn('line', {x1: at, x2: at, y1: MARGIN.top, y2: bottom}),
-        drawn(
-            'text', {x: at + (end ? -4 : 4), y: bottom - 6 - 14 * row, 'text-anchor': end ? 'end' : 'start'},
-            label)));
+        'g', {class: 'mark-line'}, drawn('line', {x1: at, x2: at, y1: this.top, y2: bottom}),
+        drawn('text', {x: middle, y: this.top - 5, 'text-anchor': 'middle'}, label)));
   }
 
   drawCursor() {
@@ -204,17 +235,21 @@ export class Chart {
     if (!isNumber(cursor) || cursor < this.scale.x.low || cursor > this.scale.x.high) return;
     const at = this.atX(cursor);
     this.pointer.append(
-        drawn('line', {x1: at, x2: at, y1: MARGIN.top, y2: this.height - MARGIN.bottom, 'data-x': cursor}));
+        drawn('line', {x1: at, x2: at, y1: this.top, y2: this.height - MARGIN.bottom, 'data-x': cursor}));
   }
 
   drawLegend(series) {
-    for (const {label, colour, dash, title, key, only} of series.filter((one) => one.label)) {
-      const sample = drawn(
-          'svg', {width: 26, height: 10, class: `curve ${colour ?? 'c1'}`, 'aria-hidden': 'true'},
-          only ? drawn('circle', {cx: 13, cy: 5, r: 4}) :
-                 drawn('path', {d: 'M1,5L25,5', 'stroke-dasharray': dash ?? null}));
-      this.legend.append(
-          element('span', {class: 'key', title: title ?? '', 'data-series': key ?? label}, sample, label));
-    }
+    series.forEach(({label, colour, title, key, only}, i) => {
+      if (!label) return;
+      const {dash, equal} = this.places[i],
+                   sample = drawn(
+                       'svg',
+                       {width: 26, height: 10, class: `curve ${colour ?? 'c1'}`, 'aria-hidden': 'true'},
+                       only ? drawn('circle', {cx: 13, cy: 5, r: 4}) :
+                              drawn('path', {d: 'M1,5L25,5', 'stroke-dasharray': dash ?? null}));
+      this.legend.append(element(
+          'span', {class: 'key', title: title ?? '', 'data-series': key ?? label}, sample, label,
+          equal?.label ? element('span', {class: 'hint'}, `same curve as ${equal.label}`) : null));
+    });
   }
 }

@@ -36,6 +36,20 @@ export function readable(value, digits = 4) {
   return (whole.replace(/\B(?=(\d{3})+$)/g, '\u202f') + (trimmed ? `.${trimmed}` : '')).replace('-', '−');
 }
 
+const LONG = 6;  // significant digits of an input beyond which it is shortened for reading
+const NUMBERS = /\d+\.\d+(?:[eE][-+]?\d+)?|\d+[eE][-+]?\d+/g;
+const isQuantities = (text) => /^\s*[-+\d.[{]/.test(text);
+
+/** A quantity of the case, or a list of them, for reading: "5.2399999999999998 mm" as "5.24 mm". */
+export function shortened(value) {
+  const text = String(value ?? '');
+  if (!isQuantities(text)) return text;
+  return text.replace(NUMBERS, (number) => {
+    const digits = number.replace(/[eE].*/, '').replace('.', '').replace(/^0+/, '').length;
+    return digits > LONG ? String(Number(Number(number).toPrecision(LONG))) : number;
+  });
+}
+
 const UNIT_SIGNS = {
   1: '',
   um: 'µm',

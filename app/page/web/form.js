@@ -1,5 +1,5 @@
 // The form: one row for each input that the schema names, in groups; its values are those of the case's text.
-import {element, errorCount} from './dom.js';
+import {element, errorCount, shortened} from './dom.js';
 import {alternativesOf, fieldsOf, orderAt, quantityOf, unitsOf} from './schema.js';
 import * as yaml from './yaml_text.js';
 
@@ -20,28 +20,55 @@ const MANY_CHOICES = 14;  // beyond which a list is searched by typing
 const SLIDER_STEPS = 200;
 const LINE = 36;  // letters in a line of a list or mapping
 
+// What is not found by its usual name, or cannot be chosen.
+const HINTS = {
+  'bearing.rows.arrangement': 'The pairing of tapered roller bearings.',
+  'arrangement': 'The pairing of the two bearings.',
+  'life.lubrication': 'Of grease, lubricant states the base oil.',
+  'lubricant.grade': 'Of a grease, that of its base oil; life.lubrication states that it is grease.'
+};
+const SERIES = {
+  'tapered roller bearings': /^3[0-3]\d/,
+  'spherical roller bearings': /^2[1-4]\d/
+};
+function hintOf({key, values}) {
+  const name = key.replace(/^sets\.[^.]+\./, '');
+  if (name !== 'bearing.designation') return HINTS[name] ?? '';
+  const missing = Object.keys(SERIES).filter((kind) => !values.some((value) => SERIES[kind].test(value)));
+  return missing.length ?
+      `Designations of ${missing.join(' and ')} cannot be chosen: state bearing.type, the rollers, ` +
+          'bearing.rows and ratings, or a catalogue of your own.' :
+      '';
+}
+
 const spaced = (key) => key.replaceAll('_', ' ');
 const labelOf = (field) => (field.path.length > 1 ? field.path.slice(1) : field.path).map(spaced).join(' · ');
 
 /**
- * `changed(text)` is called with the new text of the case, `dragging` true while a slider moves;
+ * `changed(text)` is called with the new text of the case, `dragging` true while a slider moves; `closed`
+ * where groups are to be opened one by one, on a narrow screen;
  * `convert(value, unit)` as the engine's units; `instead(key, other)` is the value (YAML) by which another
  * input says the same, or null; `save(name, text)` keeps a file beside the case, where there is a folder.
  */
 export class Form {
-  constructor(root, schema, {changed, convert, instead = () => null, save = null}) {
+  constructor(root, schema, {changed, convert, instead = () => null, save = null, closed = false}) {
     this.root = root;
     this.schema = schema;
     this.changed = changed;
     this.convert = convert;
     this.instead = instead;
     this.save = save;
+    this.closed = closed;
     this.text = '';
     this.rows = new Map();
     this.shape = '';
     this.inputs = new Map();
     this.fidelity = '';
     this.errors = new Map();
+    this.edited =
+        new Set();  // keys of fields that changed the text since it was a valid case, the last one last
+    this.causes = new Map();  // of mistakes by their key: the field whose change made them
+    this.units = new Map();   // units by key that the program has taken
     this.filter = '';
     this.shown = new Set();
     this.keepStill();
@@ -66,9 +93,13 @@ export class Form {
     this.root.addEventListener('focusin', (event) => open(event.target.closest('.row')));
   }
 
-  /** Shows a text; false where it cannot be read as a tree: then the text alone is edited. */
-  show(text) {
+  /**
+   * Shows a text; false where it cannot be read as a tree: then the text alone is edited. `own`: it was
+   * changed by a field of this form.
+   */
+  show(text, own = false) {
     this.text = text;
+    if (!own) this.edited.clear();
     try {
       this.tree = yaml.parse(text);
     } catch (error) {
@@ -90,15 +121,17 @@ export class Form {
 
   /**
    * What the program says: inputs as `check --json` lists them, and errors by key: [{key, text}]. Returns
-   * the errors that have no field.
+   * the errors that have no field. `valid`: the text is the one that was found to be without errors.
    */
-  judge(inputs, errors, fidelity) {
+  judge(inputs, errors, fidelity, valid = errors.length === 0) {
     if (inputs) this.inputs = new Map(inputs.map((input) => [input.path, input]));
     this.fidelity = fidelity;
     this.errors = new Map();
+    this.attribute(errors);
+    if (valid) this.edited.clear();
     const elsewhere = [];
     for (const error of errors) {
-      const key = this.fieldFor(error.key);
+      const key = this.placeOf(error);
       if (!key)
         elsewhere.push(error);
       else
@@ -106,9 +139,37 @@ export class Form {
           ...(this.errors.get(key) ?? []), error.key === key ? error.text : `${error.key}: ${error.text}`
         ]);
     }
-    for (const row of this.rows.values()) this.fill(row);
+    for (const row of this.rows.values()) {
+      if (valid) this.takeUnit(row);
+      this.fill(row);
+    }
     this.settle();
     return elsewhere;
+  }
+
+  // A mistake at a field that nobody changed came by the change before it: it is shown at the field that was
+  // changed, until it is mended.
+  attribute(errors) {
+    const before = this.causes, last = [...this.edited].at(-1) ?? null;
+    const causeOf = (key) => before.has(key) ? before.get(key) :
+        this.edited.has(this.fieldFor(key))  ? null :
+                                               last;
+    this.causes = new Map(errors.map(({key}) => [key, causeOf(key)]));
+  }
+
+  /** The field at which a mistake is shown; null where there is none. */
+  placeOf(error) {
+    const cause = this.causes.get(error.key);
+    return cause && this.rows.has(cause) ? cause : this.fieldFor(error.key);
+  }
+
+  // A unit counts as that of a field once the program has taken it: one of another dimension does not stay.
+  takeUnit(row) {
+    if (row.field.kind !== 'quantity') return;
+    const unit = quantityOf(this.valueOf(row.field))?.unit;
+    if (!unit || this.units.get(row.field.key) === unit) return;
+    this.units.set(row.field.key, unit);
+    row.written = null;
   }
 
   fieldFor(key) {
@@ -126,7 +187,7 @@ export class Form {
       const own = fields.filter((field) => groupOf(field.block) === name);
       if (!own.length) continue;
       const group = element(
-          'details', {class: 'group', open: name !== 'Method and text', 'data-group': name},
+          'details', {class: 'group', open: !this.closed && name !== 'Method and text', 'data-group': name},
           element('summary', {}, element('h3', {}, name), element('span', {class: 'mark'})));
       const shows = element('div', {class: 'shows', role: 'group', 'aria-label': `Inputs shown of ${name}`});
       for (const [state, label] of [['default', 'Defaults'], ['absent', 'Not stated']]) {
@@ -174,6 +235,8 @@ export class Form {
     row.note = element('div', {class: 'note', id: note});
     row.meaning =
         element('div', {class: 'meaning'}, [field.meaning, field.requirement].filter(Boolean).join(': '));
+    const hint = hintOf(field);
+    if (hint) row.meaning.append(element('p', {class: 'hint'}, hint));
     row.slider = ['quantity', 'number', 'integer'].includes(field.kind) ? element('input', {
       type: 'range',
       class: 'slider',
@@ -251,8 +314,7 @@ export class Form {
   valueOf(field) {
     const node = this.stated(field);
     if (node) return yaml.textAt(this.text, node);
-    const input = this.inputs.get(field.key);
-    return input?.given ?? '';
+    return this.inputs.get(field.key)?.given ?? '';
   }
 
   fill(row) {
@@ -261,12 +323,13 @@ export class Form {
     // A resolved case, which stands in a folder of results, states its defaults as such.
     const isDefault = node ? this.reasonOf(field).startsWith('default: ') : Boolean(input);
     row.state = isDefault ? 'default' : node ? 'stated' : field.required ? 'missing' : 'absent';
-    const value = this.valueOf(field), busy = document.activeElement === row.control && row.dirty;
+    const value = node ? this.valueOf(field) : shortened(this.valueOf(field)),
+          busy = document.activeElement === row.control && row.dirty;
     const unused = Boolean(this.fidelity && input?.not_modelled_by?.includes(`--fidelity ${this.fidelity}`)),
           reason = node ? this.reasonOf(field) : (input?.reason ?? '');
     if (!busy) this.put(row, value);
     // Of hundreds of rows one changes at a time.
-    const looks = [row.state, unused, reason, ...errors].join('\n');
+    const looks = [row.state, unused && this.fidelity, reason, ...errors].join('\n');
     if (looks === row.looks) return;
     row.looks = looks;
     row.element.className = `row ${row.state} ${field.kind}${errors.length ? ' bad' : ''}${
@@ -336,9 +399,10 @@ export class Form {
       this.place(row);
       return;
     }
-    const found = quantityOf(value);
-    row.control.value = found ? found.number : value;
-    const unit = found ? found.unit : (quantityOf(field.example)?.unit ?? '');
+    const found = quantityOf(value), own = this.units.get(field.key) ?? quantityOf(field.example)?.unit ?? '',
+          known = found && (found.unit === own || unitsOf(field, own).includes(found.unit));
+    row.control.value = known ? found.number : value;
+    const unit = known ? found.unit : own;
     if (row.unit.value !== unit || !row.unit.options.length) {
       row.unit.replaceChildren(
           ...unitsOf(field, unit).map((one) => element('option', {value: one}, one)),
@@ -410,7 +474,13 @@ export class Form {
     return false;
   }
 
+  edit(field) {
+    this.edited.delete(field.key);
+    this.edited.add(field.key);
+  }
+
   state(field, source, dragging) {
+    this.edit(field);
     if (this.stated(field) && yaml.textAt(this.text, this.stated(field)) === source)
       return this.changed(this.text, dragging);
     let text = this.text;
@@ -424,6 +494,7 @@ export class Form {
 
   takeOut(row) {
     if (!this.stated(row.field)) return this.fill(row);
+    this.edit(row.field);
     this.changed(
         yaml.withoutValue(yaml.withoutValue(this.text, ['assumed', row.field.key]), row.field.path), false);
     row.control.focus();
@@ -480,7 +551,10 @@ export class Form {
         const row = this.rows.get(line.dataset.key), bad = line.classList.contains('bad');
         count[row.state] = (count[row.state] ?? 0) + 1;
         count.bad += bad;
-        const about = `${row.field.key} ${spaced(row.field.key)} ${row.field.meaning}`.toLowerCase();
+        const {key, meaning, requirement, values} = row.field;
+        const about = `${key} ${spaced(key)} ${meaning} ${requirement} ${hintOf(row.field)} ${
+                          values.length < MANY_CHOICES ? values.join(' ') : ''}`
+                          .toLowerCase();
         const kept = bad || line.contains(document.activeElement) ||
             this.shown.has(group.dataset.group + row.state) || row.state === 'stated' ||
             row.state === 'missing';

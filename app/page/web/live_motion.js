@@ -19,12 +19,19 @@ export class LiveMotion {
     this.element = element('div', {class: 'live', hidden: true}, this.drawn, this.told, this.curve);
     this.drawing = new BearingDrawing(this.drawn, 'Bearing in motion, as computed now');
     this.known = null;
+    this.own = true;
   }
 
   begin(session) {
     this.known = session.known;
     this.now = null;
     this.element.hidden = true;
+  }
+
+  /** Whether it is of the case that the page shows; else it is hidden. */
+  setOwn(own) {
+    this.own = own;
+    this.element.hidden = !own || !this.now;
   }
 
   /** No further event follows; what was shown last stays. */
@@ -39,7 +46,7 @@ export class LiveMotion {
     const at = performance.now();
     if (!this.now || now.time_s < this.now.time_s || now.rolling_cage_rpm !== this.now.rolling_cage_rpm)
       if (!this.startMotion(now, at)) return;
-    this.element.hidden = false;
+    this.element.hidden = !this.own;
     const passed = now.time_s - this.now.time_s;
     this.spun = this.spun.map((degrees, j) => degrees + 6 * now.spin_rpm[j] * passed);
     this.now = now;

@@ -42,6 +42,7 @@ function bearingSize(known, prefix) {
   return {
     ball,
     size: {
+      rings: known.word(`${prefix}bearing.rings`) ?? 'both',
       count,
       element,
       pitch,
@@ -111,6 +112,12 @@ export function singleBearing(known, run) {
   };
 }
 
+// Bore of a planet and pin: without a ring they are the raceways themselves.
+const seatsOf = (size) => ({
+  bore: (size?.rings === 'none' ? size.outer : size?.outside) ?? 0,
+  pin: (size && size.rings !== 'both' ? size.inner : size?.bore) ?? 0
+});
+
 /** Of a planetary set with teeth; null where the case has none. */
 export function gearSet(known, point, set) {
   const prefix = prefixOf(set), at = (path) => known.input(`${prefix}gearset.${path}`);
@@ -143,8 +150,7 @@ export function gearSet(known, point, set) {
     planets: Array.isArray(angles) && angles.length === count ?
         angles :
         Array.from({length: count}, (_, i) => (2 * Math.PI * i) / count),
-    bore: found?.size.outside ?? 0,
-    pin: found?.size.bore ?? 0,
+    ...seatsOf(found?.size),
     speeds: {
       sun: speed('sun'),
       ring: speed('ring'),

@@ -1,5 +1,6 @@
 // The case that is open and what the engine says of it. Of several changes that come fast the last one is
 // computed.
+import {shortened} from './dom.js';
 import {Known} from './scene.js';
 import {quantityOf} from './schema.js';
 import * as yaml from './yaml_text.js';
@@ -9,6 +10,8 @@ export const FINE = 60;  // speeds of a life curve
 const COARSE = 9;        // of one whose points take long
 const LONG = 1500;       // ms that a life curve may take
 const TEXT_FILE = 'case.yaml';
+const WORDS = ['name', 'source'];  // inputs that change no result
+const FEW = 3;                     // differences of two cases that are listed
 
 /** A line of the program about bad input: {key, text, line, column}. */
 export function errorOf(line) {
@@ -18,6 +21,19 @@ export function errorOf(line) {
   return option ? {key: option[1], text: option[2]} : {key: '', text: line};
 }
 
+// Inputs by path: the value in SI as text, as it is given, and whether the case states it.
+const valuesOf = (check) => new Map(
+    check.inputs.filter(({path}) => !WORDS.includes(path))
+        .map(({
+               path,
+               value,
+               given,
+               standing
+             }) => [path, {value: JSON.stringify(value ?? given), given, stated: standing === 'given'}]));
+
+/** Equal for texts that state the same case, whatever the units and comments. */
+const keyOf = (check) => JSON.stringify([...valuesOf(check)].map(([path, {value}]) => [path, value]));
+
 export class Session extends EventTarget {
   constructor(engine) {
     super();
@@ -25,6 +41,8 @@ export class Session extends EventTarget {
     this.text = '';
     this.file = TEXT_FILE;
     this.fidelity = 'quasi-static';
+    this.runs = new Map();      // dynamic runs by the case that they are of
+    this.inMotion = new Map();  // results of runs in time of a single bearing, likewise
     this.reset();
     this.wish = null;
     this.running = false;
@@ -36,7 +54,7 @@ export class Session extends EventTarget {
     this.failure = '';
     this.cursor = this.ownSpeed = null;
     this.slow = false;
-    this.motion = [];
+    this.caseKey = this.validText = '';
     this.took = {};
   }
 
@@ -49,9 +67,7 @@ export class Session extends EventTarget {
   }
 
   setText(text, by) {
-    const other = text !== this.text;
     this.text = text;
-    if (other && by !== 'opened') this.motion = [];
     this.dispatchEvent(new CustomEvent('text', {detail: by}));
     return this.compute({case: true});
   }
@@ -65,6 +81,28 @@ export class Session extends EventTarget {
   setFidelity(name) {
     this.fidelity = name;
     this.tell('fidelity');
+  }
+
+  /** Points of the dynamic run of the case as it is. */
+  get motion() { return this.runs.get(this.caseKey)?.points ?? []; }
+
+  get motionFidelity() { return this.runs.get(this.caseKey)?.fidelity ?? ''; }
+
+  /** A case to compare with later: {key, text, values}. */
+  get mark() { return {key: this.caseKey, text: this.validText, values: valuesOf(this.check)}; }
+
+  /** In words, what a marked case has other than the present one. */
+  differences(mark) {
+    const now = valuesOf(this.check), paths = [...new Set([...mark.values.keys(), ...now.keys()])];
+    const found = paths.filter((path) => mark.values.get(path)?.value !== now.get(path)?.value);
+    const stated = (path) => Boolean(mark.values.get(path)?.stated || now.get(path)?.stated);
+    found.sort((one, other) => stated(other) - stated(one));  // before what follows from them
+    const given = (values, path) => shortened(values.get(path)?.given ?? 'not stated');
+    return [
+      ...found.slice(0, FEW).map(
+          (path) => `${path} ${given(mark.values, path)} there, ${given(now, path)} here`),
+      ...(found.length > FEW ? [`${found.length - FEW} more`] : [])
+    ].join('; ');
   }
 
   get model() { return this.check?.model ?? ''; }
@@ -170,7 +208,23 @@ export class Session extends EventTarget {
     this.tell('idle');
   }
 
-  request(command, settings = [], options = {}) { return {command, case_text: this.text, settings, options}; }
+  /** When all that was asked for is computed. */
+  async idle() {
+    if (!this.running) return;
+    await new Promise((resolve) => {
+      const heard = ({detail}) => {
+        if (detail !== 'idle') return;
+        this.removeEventListener('change', heard);
+        resolve();
+      };
+      this.addEventListener('change', heard);
+    });
+  }
+
+  /** Of the last valid case unless another text is given. */
+  request(command, settings = [], options = {}, text = this.validText) {
+    return {command, case_text: text, settings, options};
+  }
 
   async computeCase() {
     const begun = performance.now(), text = this.text;
@@ -178,9 +232,13 @@ export class Session extends EventTarget {
     // is.
     const early =
         this.overSpeed && this.errors.length === 0 ? this.curve(text).catch((error) => error) : null;
-    const check = await this.engine.answer(this.request('check'));
+    const spanned = early && this.range().join();
+    const answer = (command, settings) => this.engine.answer(this.request(command, settings, {}, text));
+    const check = await answer('check');
     this.check = check;
     this.known = new Known(check);
+    this.caseKey = keyOf(check);
+    this.validText = text;
     this.errors = [];
     this.tell('check');
     if (this.overSpeed) {
@@ -189,27 +247,26 @@ export class Session extends EventTarget {
       if (own !== this.ownSpeed) this.cursor = own;  // a new speed of the case moves the cursor there
       this.ownSpeed = own;
       this.cursor = Math.min(high, Math.max(low, this.cursor));
-      const again = early ? await early : null;
+      const again = early && spanned === [low, high].join() ? await early : null;
       if (again instanceof Error || again?.errors) throw again;
-      const [curve, point] = await Promise.all(
-          [again ?? this.curve(text), this.engine.answer(this.request('run', this.setting))]);
+      const [curve, point] = await Promise.all([again ?? this.curve(text), answer('run', this.setting)]);
       this.sweep = curve;
       this.run = point;
       this.point = point.points[0];
     } else if (this.model === 'gear-pair')
-      this.run = await this.engine.answer(this.request('mesh'));
+      this.run = await answer('mesh');
     else if (this.model === 'planetary-drivetrain')
-      this.run = await this.engine.answer(this.request('modes'));
+      this.run = await answer('modes');
     else
-      this.run = this.inTime ? null : await this.engine.answer(this.request('run'));
+      this.run = this.inTime ? (this.inMotion.get(this.caseKey) ?? null) : await answer('run');
     this.took.case = performance.now() - begun;
     this.tell('results');
   }
 
-  async curve() {
+  async curve(text) {
     const ask = (count) => this.engine.answer(this.request(
         'sweep', [`sweep={input.speed: [${this.speeds(count).map((speed) => `${speed} rpm`).join(', ')}]}`],
-        {grid_only: true}));
+        {grid_only: true}, text));
     const begun = performance.now(), count = this.slow || !this.took.curve ? COARSE : FINE;
     let found = await ask(count);
     this.took.curve = performance.now() - begun;

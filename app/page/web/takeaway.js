@@ -71,6 +71,8 @@ export class TakeAway {
     const points = [...(session.sweep?.points ?? [])],
           name = element('input', {type: 'text', id: 'save-name', value: session.file});
     this.told = element('p', {class: 'told', role: 'status'});
+    this.replace =
+        button('Replace the file', () => this.save(name.value, this.found), {id: 'replace', hidden: true});
     // Verdicts on requirements are those of what the report covers.
     this.scope = element(
         'select', {id: 'take-scope', 'aria-label': 'what the report covers'},
@@ -112,22 +114,16 @@ export class TakeAway {
                 window.print();
               },
               {id: 'take-print'})),
-      session.engine.save ? element(
-                                'div', {class: 'player'},
-                                element(
-                                    'label',
-                                    {for: 'save-name'
-                                    },
-                                    'Save the case into the folder as '),
-                                name,
-                                button(
-                                    'Save',
-                                    async () => {
-                                      const {file} = await session.engine.save(name.value, session.text);
-                                      this.told.textContent = `Saved: ${file}`;
-                                    },
-                                    {id: 'save'})) :
-                            null,
+      session.engine.save ?
+          element(
+              'div', {class: 'player'},
+              element(
+                  'label',
+                  {for: 'save-name'
+                  },
+                  'Save the case into the folder as '),
+              name, button('Save', () => this.save(name.value), {id: 'save'}), this.replace) :
+          null,
       this.told, copied('Command line', commandLine(session), 'take-command'),
       session.overSpeed ?
           copied('Command line of the numbers at the cursor', pointCommand(session), 'take-point') :
@@ -136,6 +132,21 @@ export class TakeAway {
     ];
     this.dialog.replaceChildren(...parts.filter(Boolean));
     this.dialog.showModal();
+  }
+
+  // A file is replaced where it is what this page read or wrote; otherwise only after it was asked for.
+  async save(name, version = name === this.session.file ? this.session.version : '') {
+    const {session} = this, {text} = session;
+    this.replace.hidden = true;
+    try {
+      const {file, checksum} = await session.engine.save(name, text, version);
+      if (file === session.file) session.version = checksum;
+      this.told.textContent = `Saved: ${file}`;
+    } catch (error) {
+      this.found = error.told?.checksum;
+      this.replace.hidden = !this.found;
+      throw error;
+    }
   }
 
   async try(act) {
@@ -153,7 +164,7 @@ export class TakeAway {
     this.told.textContent = 'The report is being computed …';
     const of = session.overSpeed ? this.scope.value : 'speeds';
     const found = await session.engine.report(
-        session.request('report', of === 'point' ? session.setting : []), form, of);
+        session.request('report', of === 'point' ? session.setting : [], {}, session.text), form, of);
     this.told.textContent =
         form ? 'The PDF is among the downloads.' : 'The report is below and among the downloads.';
     if (form) {

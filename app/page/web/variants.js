@@ -1,6 +1,6 @@
 // Pinned variants: their curves lie over those of the case, and a table has the inputs and results that
 // differ.
-import {element, figure, readable} from './dom.js';
+import {element, figure, readable, shortened} from './dom.js';
 
 const NAMES = ['A', 'B', 'C'];
 const TOLD =
@@ -34,12 +34,13 @@ export class Variants {
     if (what !== 'cursor') this.show();
   }
 
-  pin(name) {
-    const {text, check, sweep, run, point, cursor, file} = this.session;
+  async pin(name) {
+    await this.session.idle();  // results are those of the case then
+    const {validText, check, sweep, run, point, cursor, file} = this.session;
     if (!check || this.session.errors.length) return;
     const variant = {
       name,
-      text,
+      text: validText,
       file,
       inputs: new Map(check.inputs.map((input) => [input.path, input.given])),
       sweep,
@@ -118,9 +119,10 @@ export class Variants {
             element(
                 'tbody', {class: 'inputs-differ'}, paths.length ? null : line('No input differs', []),
                 ...paths.map(
-                    (path) => line(
-                        path,
-                        [now.get(path) ?? '–', ...variants.map((one) => one.inputs.get(path) ?? '–')]))),
+                    (path) => line(path, [now, ...variants.map((one) => one.inputs)].map((inputs) => {
+                      const given = inputs.get(path) ?? '–';
+                      return element('span', {title: given}, shortened(given));
+                    })))),
             element('tbody', {class: 'results-differ'}, ...keys.map((key) => {
               const {unit} = meanings.of(key);
               return line(meanings.label(key), [

@@ -1,0 +1,137 @@
+// Tiles above the results: the governing life with its verdict first, then what a design is judged by, then
+// all else that a requirement of the case limits, then further numbers.
+import {element, figure, readable, unitSign} from './dom.js';
+
+const JUDGED = ['L10h', 'S0', 'kappa', 'contact_pressure_max_MPa', 'rim_over_module'];
+const FURTHER = [
+  'L10rh', 'L10mh', 'L10mrh', 'life_h', 'system_life_h', 'system_L10h', 'system_L10mrh', 'planet_load_N',
+  'carrier_speed_rpm'
+];
+const NAMES = {
+  life_h: 'Lundberg-Palmgren',
+  system_life_h: 'system, Lundberg-Palmgren',
+  contact_pressure_max_MPa: 'pressure',
+  rim_over_module: 'rim / module',
+  carrier_speed_rpm: 'carrier',
+  largest_load_share: 'load share'
+};
+const MISSING = {
+  L10mh: 'oil grade and cleanliness are required',
+  L10mrh: 'oil grade and cleanliness are required',
+  kappa: 'an oil grade is required'
+};
+// Of one bearing of all, where planets or their bearings are loaded unevenly: over a revolution of a carrier
+// that is a body, else the shortest.
+const OF_THE_WORST = ['carrier_', 'shortest_'];
+const isNumber = (value) => typeof value === 'number' && Number.isFinite(value);
+const wordOf = ({passed}) => (passed === true ? 'passed' : passed === false ? 'failed' : 'not judged');
+
+/** The lives that results go by: those of the load spectrum where the case has one. */
+function livesOf({run, point}) {
+  const spectrum = Array.isArray(run?.spectrum) ? run.spectrum[0] : run?.spectrum;
+  return spectrum ? {of: 'load spectrum', values: spectrum, key: spectrum.life_key} :
+                    {of: '', values: point ?? run, key: run?.life_key ?? run?.peak?.life_key};
+}
+
+/** Verdicts of the result at the cursor, with those of the speeds that the case sweeps beside them. */
+function verdictsOf({run, sweep, overSpeed, ...session}) {
+  const swept = overSpeed && session.sweeps && !run?.spectrum ? (sweep?.verdicts ?? []) : [];
+  return (run?.verdicts ?? []).map((verdict) => {
+    const over = swept.find((one) => one.requirement === verdict.requirement);
+    return over?.passed === false && verdict.passed !== false ? {...verdict, over} : verdict;
+  });
+}
+
+/**
+ * {key, name, value, unit, about, verdict} of each, in their order; `chief` of the governing life, `further`
+ * of those that no requirement limits.
+ */
+export function tilesOf(session) {
+  const {run, point, sweep, overSpeed, meanings} = session, values = overSpeed ? point : run;
+  if (!values) return [];
+  const verdicts = verdictsOf({run, sweep, overSpeed, sweeps: overSpeed && session.sweptSpeeds().length > 1});
+  const about = (key) => (overSpeed ? meanings.of(key) : meanings.partOf('run', run).properties[key]) ?? {};
+  const tile = (key, more = {}) => {
+    const verdict = verdicts.find((one) => one.key === key), {unit, description} = about(key);
+    return {
+      key,
+      name: NAMES[key] ?? meanings.label(key),
+      value: verdict && isNumber(verdict.value) ? verdict.value : values[key],
+      unit: unit ?? verdict?.unit ?? '',
+      about: description ?? '',
+      verdict,
+      ...more
+    };
+  };
+  const lives = livesOf(session), found = [];
+  if (lives.key) {
+    const worst = OF_THE_WORST.map((prefix) => prefix + lives.key).find((key) => isNumber(lives.values[key])),
+          own = tile(lives.key);
+    found.push({
+      ...own,
+      name: ['Governing life', own.name, lives.of].filter(Boolean).join(', '),
+      value: own.verdict && isNumber(own.verdict.value) ? own.verdict.value :
+                                                          lives.values[worst ?? lives.key],
+      unit: 'h',
+      about: `${own.about}${worst ? ', of the bearing with the shortest' : ''}`,
+      required: verdicts.find((one) => one.requirement === 'life'),
+      chief: true
+    });
+  }
+  const judged = [...JUDGED.filter((key) => key in values), ...verdicts.map((one) => one.key)],
+        further = FURTHER.filter((key) => key in values);
+  for (const key of [...judged, ...further])
+    if (!found.some((one) => one.key === key)) found.push(tile(key, {further: !judged.includes(key)}));
+  return found;
+}
+
+/** The tiles: those that are judged, and a line of the others. */
+export function tileElements(session) {
+  const tiles = tilesOf(session), further = tiles.filter((tile) => tile.further);
+  return [
+    ...tiles.filter((tile) => !tile.further).map(tileElement),
+    further.length ? element('div', {class: 'further'}, ...further.map(tileElement)) : null
+  ].filter(Boolean);
+}
+
+const limitOf = ({limit, bound, unit}) =>
+    `${bound} ${[readable(limit), unitSign(unit)].filter(Boolean).join(' ')}`;
+
+function verdictLines({verdict, required, chief, unit}) {
+  if (!verdict && chief)
+    return [element(
+        'span', {class: 'verdict'},
+        required ? `not limited: the case requires ${required.key}` :
+                   'not judged: the case requires no life')];
+  if (!verdict) return [];
+  const {over} = verdict,
+        lines = [element(
+            'span', {class: 'verdict'}, `${wordOf(verdict)}${over ? ' here' : ''}: ${limitOf(verdict)}`)];
+  if (over)
+    lines.push(element(
+        'span', {class: 'verdict'}, `failed at ${over.points_failed} of ${over.points} speeds, worst `,
+        figure(over.value, unit)));
+  if (wordOf(verdict) === 'not judged') lines.push(element('span', {class: 'verdict'}, verdict.reason));
+  return lines;
+}
+
+// `data-verdict` is the word of the worst verdict.
+function tileElement(tile) {
+  const {key, name, value, unit, about, verdict, chief} = tile,
+                                                 word = verdict ?
+      (verdict.over ? 'failed' : wordOf(verdict)) :
+      '',
+                                                 hours = unit === 'h' && isNumber(value) && value >= 1,
+                                                 none = !isNumber(value);
+  const why = none && MISSING[key] ? `; not computed: ${MISSING[key]}` : '',
+        where = verdict?.at ? `; worst at ${verdict.at}` : '';
+  return element(
+      'div', {
+        class: ['tile', chief && 'chief', none && 'none', word.replace(' ', '-')].filter(Boolean).join(' '),
+        'data-key': key,
+        'data-verdict': word || null,
+        title: `${key}: ${about}${why}${where}`
+      },
+      element('span', {class: 'name'}, name),
+      figure(value, unit, hours ? Math.max(4, Math.ceil(Math.log10(value + 1))) : 4), ...verdictLines(tile));
+}

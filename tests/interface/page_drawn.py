@@ -1,0 +1,970 @@
+#!/usr/bin/env python3
+"""What the page draws: its scripts run in node on a document without a browser (page_dom.mjs) and a server whose results are made up, of which no two
+keys have the same number at any speed. Points are read from the drawn curves by the labels of their axes, as a reader does.
+
+Skipped, with the reason, where node is missing.
+"""
+
+import decimal
+import functools
+import json
+import math
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+from program import CASES, run
+
+NODE = shutil.which("node") or shutil.which("nodejs")
+if NODE is None:
+    print("skipped: node is missing (Debian: nodejs)")
+    sys.exit(77)
+
+HERE = pathlib.Path(__file__).resolve().parent
+WEB = CASES.parent / "app" / "page" / "web"
+RPM = 30 / math.pi
+SCHEMA = json.loads((CASES / "result.schema.json").read_text(encoding="utf-8"))
+POINT = {**SCHEMA["$defs"]["sweep"]["properties"]["points"]["items"]["properties"], **SCHEMA["$defs"]["run sweep"]["properties"]["points"]["items"]["properties"]}
+KEYS = [key for key, part in POINT.items() if "number" in part["type"] and key not in ("input_speed_rpm", "rim_over_module")] + ["rim_over_module"]
+SPEED, LOW, HIGH, SPEEDS = 9000.0, 8000.0, 10000.0, 60
+CASE = """name: reducer of the page
+source: tests
+model: planetary-drivetrain
+input: {power: 150 kW, speed: 9000 rpm}   # the operating point
+sweep:
+  input.speed: [8000 rpm, 9000 rpm, 10000 rpm]
+gearset:
+  planets: 4
+  teeth: {sun: 37, planet: 22, ring: 79}
+  module: 3 mm
+  profile_shift: {sun: 0.2618, ring: 0.4146}
+  face_width: 28 mm
+bearing:
+  type: cylindrical-roller
+  per_planet: 2
+  rollers: 15
+  roller_diameter: 5.24 mm
+  roller_length: 5.7 mm
+  pitch_diameter: 35.64 mm
+  radial_clearance: 10 um
+  bore: 25 mm
+  outside_diameter: 47 mm
+  width: 11.9 mm
+  cage: {inner_diameter: 33.44 mm, outer_diameter: 38.54 mm, width: 9 mm, density: 1310 kg/m3, guide_land_diameter: 38.88 mm}
+lubricant: {viscosity: 0.01 Pa.s, pressure_viscosity: 1.5e-8 Pa-1}
+requirements: {life: 100 h, life_key: L10mrh, S0: 1.5, kappa: 1000}
+"""
+OTHER = CASE.replace("power: 150 kW", "power: 0.123456789012345 MW")
+ROLLER = 15
+PIXEL = 0.006  # px, to which a path is written, with what is left of a half
+
+
+def value_of(key, speed, which=0):
+    """As page_dom.mjs makes them."""
+    k = KEYS.index(key)
+    return (k + 2) ** 2 * (1 + speed / 20000) * (1 + 0.1 * which * (1 + k / 500))
+
+
+def speeds_of(low, high, count=SPEEDS):
+    return [float(f"{low + (high - low) * i / (count - 1):.5g}") for i in range(count)]
+
+
+@functools.cache
+def check_of(text):
+    with tempfile.TemporaryDirectory() as place:
+        file = pathlib.Path(place) / "case.yaml"
+        file.write_text(text, encoding="utf-8")
+        done = run("check", file, "--json")
+        if done.returncode:
+            return {"errors": [line.replace(str(file), "case.yaml") for line in done.stderr.splitlines()]}
+        return {"check": json.loads(done.stdout)}
+
+
+def rounded(number, places):
+    return format(number.quantize(decimal.Decimal(1).scaleb(-places), decimal.ROUND_HALF_UP), "f")
+
+
+def readable(value, digits=4):
+    """A number as the page shows it: significant digits, thousands apart, the sign of a minus."""
+    if value is None:
+        return "–"
+    if value == 0:
+        return "0"
+    size = abs(value)
+    exact = decimal.Decimal(value)  # a half is rounded up
+    if size >= 1e7 or size < 1e-3:
+        power = exact.adjusted()
+        mantissa = rounded(exact.scaleb(-power), digits - 1)
+        if mantissa.lstrip("-").startswith("10"):
+            mantissa, power = rounded(exact.scaleb(-power - 1), digits - 1), power + 1
+        return mantissa.replace("-", "−") + "·10" + "".join("⁻" if c == "-" else "⁰¹²³⁴⁵⁶⁷⁸⁹"[int(c)] for c in str(power))
+    places = max(0, digits - 1 - math.floor(math.log10(size)))
+    text = rounded(exact, min(places, 12))
+    whole, _, part = text.partition(".")
+    whole = re.sub(r"\B(?=(\d{3})+$)", "\u202f", whole)
+    part = part.rstrip("0")
+    return (whole + (f".{part}" if part else "")).replace("-", "−")
+
+
+def name_of(key, unit):
+    """"inner_load_max_N" -> "inner load max"."""
+    end = "_" + unit.replace(".", "_").replace("/", "_per_")
+    stem = key.removesuffix(end) if unit != "1" else re.sub(r"_(rpm|N|h|um|mm|MPa|Mrev|W|Hz|mrad|deg|us|N_m|N_per_m|N_s_per_m|kg|kW|s|m_s2)$", "", key)
+    return stem.replace("_", " ")
+
+
+def label_of(key):
+    part = POINT.get(key, {})
+    if "symbol" in part:
+        return part["symbol"]
+    if re.fullmatch(r"(system_)?(L10\w*h|life_h)", key):
+        return key.replace("system_", "system ").replace("life_h", "life (Lundberg-Palmgren)")
+    return name_of(key, part.get("unit", ""))
+
+
+SIGNS = {"1": "", "um": "µm", "N.m": "N m", "degree": "°", "deg": "°"}
+
+
+def figure_of(value, unit="", digits=4):
+    sign = SIGNS.get(unit, unit)
+    return readable(value, digits) + (f" {sign}" if sign and value is not None else "")
+
+
+VERDICTS = [
+    {"requirement": "life", "value": 6.55, "limit": 100.0, "passed": False, "key": "L10mrh", "unit": "h", "bound": "at least", "at": "input_speed_rpm = 9000",
+     "reason": "", "points": 1, "points_failed": 1},
+    {"requirement": "S0", "value": 7.25, "limit": 1.5, "passed": True, "key": "S0", "unit": "", "bound": "at least", "at": "input_speed_rpm = 9000", "reason": "",
+     "points": 1, "points_failed": 0},
+    {"requirement": "load_share", "value": None, "limit": 1.3, "passed": None, "key": "largest_load_share", "unit": "", "bound": "at most", "at": "",
+     "reason": "all planets carry the same load", "points": 1, "points_failed": 0}]
+OVER_SPEEDS = [{**VERDICTS[0], "passed": False, "value": 5.5, "points": 60, "points_failed": 60},
+               {**VERDICTS[1], "passed": False, "value": 1.125, "points": 60, "points_failed": 17, "at": "input_speed_rpm = 10000"}]
+ROLLERS = [{"set": "", "angle_deg": [360 * j / ROLLER for j in range(ROLLER)], "inner_load_N": [1000.5 + 31 * j for j in range(ROLLER)],
+            "outer_load_N": [700.25 + 29 * j for j in range(ROLLER)], "along_mm": [-2.0, -1.0, 0.0, 1.0, 2.0], "inner_pressure_MPa": [1011.0, 1022.0, 1044.0, 1033.0, 1001.0],
+            "outer_pressure_MPa": [811.0, 822.0, 844.0, 833.0, 801.0]}]
+UNITS = {"rest_a": "N", "rest_b/inner": "mm"}
+RUN = {"peak": {"life_key": "L10mrh", "speed_rpm": SPEED, "life_h": 6.55}, "verdicts": VERDICTS, "roller_loads": ROLLERS, "warnings": ["a warning of the run"], "units": UNITS,
+       "assumptions": []}
+SWEEP = {"peak": {"life_key": "L10rh", "speed_rpm": 8400.0, "life_h": 77.0}, "verdicts": OVER_SPEEDS,
+         "spectrum": None, "units": {}}
+MODES = [{"kind": "rotational", "multiplicity": 1, "frequency_Hz": 1100.0, "shape": [[0.11, 0.12, 0.13]] * 3 + [[0.21, 0.22, 0.23]] * 4, "shape_quarter": [[0.0, 0.0, 0.0]] * 7},
+         {"kind": "translational", "multiplicity": 2, "frequency_Hz": 2300.0, "shape": [[0.31, 0.32, 0.33], [0.41, 0.42, 0.43], [0.51, 0.52, 0.53]] + [[0.61, 0.62, 0.63]] * 4,
+          "shape_quarter": [[0.07, 0.08, 0.09]] * 7},
+         {"kind": "rigid", "multiplicity": 1, "frequency_Hz": 0.0, "shape": [[0.0] * 3] * 7, "shape_quarter": [[0.0] * 3] * 7},
+         {"kind": "planet", "multiplicity": 1, "frequency_Hz": 3700.0, "shape": [[0.0, 0.0, 0.0]] * 3 + [[0.71, 0.72, 0.73]] * 4, "shape_quarter": [[0.0, 0.0, 0.0]] * 7}]
+MESH = {"meshes": [{"name": f"{kind} {i}", "contact_ratio": 1.5 + 0.1 * n + 0.01 * i, "mean_N_per_m": (3.1 + n) * 1e8 + i, "min_N_per_m": (2.2 + n) * 1e8 + i, "max_N_per_m": (4.3 + n) * 1e8 + i,
+                    "curve": [[0.0, (3.0 + n) * 1e8], [0.5, (4.0 + n) * 1e8], [1.0, (2.5 + n) * 1e8]]} for n, kind in enumerate(("sun-planet", "ring-planet")) for i in (1, 2)]}
+CROWN = {"laminae": 41, "recommended": {"drop_um": 6.5, "least_drop_um": 3.25, "most_drop_um": 9.75, "half_space_life_h": 41234.0, "life_h": 40123.0, "peak_pressure_MPa": 1717.0,
+                                        "rollers": "crowned", "profile": "iso16281", "curve": [{"drop_um": 0.0, "life_share": 0.7}, {"drop_um": 6.5, "life_share": 1.0}, {"drop_um": 12.0, "life_share": 0.8}]},
+         "optimum": {"drop_um": 1.0}, "straight": {"half_space_life_h": 31234.0, "life_h": 30123.0, "peak_pressure_MPa": 1919.0},
+         "points": [{"drop_um": 12.0, "life_h": 33000.0, "peak_pressure_MPa": 1750.0}, {"drop_um": 0.0, "life_h": 30000.0, "peak_pressure_MPa": 1900.0},
+                    {"drop_um": 6.0, "life_h": 40000.0, "peak_pressure_MPa": 1700.0}, {"drop_um": 3.0, "life_h": None, "peak_pressure_MPa": None}]}
+SENSITIVITIES = {"inputs": [{"path": "life.reduction_factor", "elasticity": 4.25}, {"path": "material.density", "elasticity": -8.5}, {"path": "bearing.rings", "elasticity": None}]}
+RESULTS = {"run": RUN, "sweep": SWEEP, "mode_list": MODES, "mesh": MESH, "crown": CROWN, "sensitivities": SENSITIVITIES, "nulls": {}}
+
+
+def page(steps, texts=(CASE,), opened=None, results=None, narrow=False, **more):
+    """What the page shows and asks for in these steps."""
+    fixture = {"web": str(WEB), "schemas": str(CASES), "keys": KEYS, "steps": steps, "narrow": narrow, "units": {}, "results": {**RESULTS, **(results or {})},
+               "opened": opened or {"kind": "case", "name": "case.yaml", "file": "case.yaml", "text": texts[0], "checksum": "as opened", "writable": True, "folder": "/x"},
+               "checks": [{"text": text, "speed": SPEED, **(check_of(text) if isinstance(text, str) else text)} for text in texts], **more}
+    for one in fixture["checks"]:
+        if "text" in one and isinstance(one["text"], dict):
+            one.update(one.pop("text"))
+    done = subprocess.run([NODE, str(HERE / "page_dom.mjs")], input=json.dumps(fixture), capture_output=True, text=True, timeout=300, check=False)
+    assert done.returncode == 0, done.stderr
+    found = json.loads(done.stdout)
+    assert not found["failures"], found["failures"]
+    return found
+
+
+def dump(name="end", **more):
+    return {"what": "dump", "name": name, **more}
+
+
+
+def click(selector):
+    return {"what": "click", "selector": selector}
+
+
+def put(selector, value, event="change"):
+    return {"what": "set", "selector": selector, "value": value, "event": event}
+
+
+def text_put(text):
+    return put("#yaml", text, "input")
+
+
+def cursor_put(rpm):
+    return put("#cursor", str(round(1000 * (rpm - LOW) / (HIGH - LOW))), "input")
+
+
+class Read:
+    """A chart as a reader sees it: values by the labels of the ticks."""
+
+    def __init__(self, chart, log=False):
+        self.chart, self.log = chart, log
+        self.x, self.y = self.scale(chart["ticks"]["x"], False), self.scale(chart["ticks"]["y"], log)
+
+    @staticmethod
+    def scale(ticks, log):
+        (a, first), (b, last) = ticks[0], ticks[-1]
+        turn = math.log10 if log else float
+        slope = (turn(last) - turn(first)) / (b - a)
+        back = (lambda at: 10 ** at) if log else float
+        return lambda pixel: (back(turn(first) + (pixel - a) * slope), abs(slope))
+
+    def points(self, curve):
+        return [(self.x(x), self.y(y)) for part in curve["paths"] for x, y in part]
+
+
+class Drawn(unittest.TestCase):
+    maxDiff = None
+
+    def assert_chart(self, chart, expected, labels, log=False, **more):
+        """`expected`: [(key, label, [(x, y)])] of all curves in their order, with what else is in `more` by key."""
+        read = Read(chart, log)
+        for ticks, scale in ((chart["ticks"]["x"], read.x), (chart["ticks"]["y"], read.y)):
+            self.assertGreaterEqual(len(ticks), 2, chart["title"])
+            for pixel, value in ticks:
+                found, slope = scale(pixel)
+                self.assertAlmostEqual(math.log10(found / value) if log and ticks is chart["ticks"]["y"] else found - value, 0, delta=PIXEL * slope)
+        lines = {round(one[2], 6) for one in chart["lines"] if one[2] == one[3]} | {round(one[0], 6) for one in chart["lines"] if one[0] == one[1]}
+        self.assertEqual(lines, {round(pixel, 6) for pixel, _ in chart["ticks"]["x"] + chart["ticks"]["y"]}, "lines stand at their labels")
+        self.assertEqual(chart["labels"], labels)
+        self.assertEqual([one["key"] for one in chart["curves"]], [key for key, _, _ in expected], chart["title"])
+        for curve, (key, _, points) in zip(chart["curves"], expected):
+            found = read.points(curve)
+            self.assertEqual(len(found), len(points), key)
+            for ((x, dx), (y, dy)), (a, b) in zip(found, points):
+                self.assertAlmostEqual(x, a, delta=PIXEL * dx, msg=key)
+                self.assertAlmostEqual(math.log10(y / b) if log else y - b, 0, delta=PIXEL * dy, msg=f"{key} at {a}: {y} for {b}")
+            for name, value in more.get(key, {}).items():
+                self.assertEqual(curve[name], value, (key, name))
+        named = [(label, one["colour"]) for (_, label, _), one in zip(expected, chart["curves"]) if label]
+        self.assertEqual([(one["text"], one["colour"]) for one in chart["legend"]], named)
+        return read
+
+    def assert_dots(self, curve, points, read):
+        self.assertEqual([(a, b) for _, _, a, b in curve["dots"]], points)
+        for x, y, a, b in curve["dots"]:
+            self.assertAlmostEqual(read.x(x)[0], a, delta=PIXEL * read.x(x)[1])
+            found, slope = read.y(y)
+            self.assertAlmostEqual(math.log10(found / b) if read.log else found - b, 0, delta=PIXEL * slope)
+
+
+def swept(key, which=0, speeds=None):
+    return [(speed, value_of(key, speed, which)) for speed in speeds or speeds_of(LOW, HIGH)]
+
+
+LIVES = ("life_h", "L10h", "L10rh", "L10mh", "L10mrh")
+LOADS = ("planet_load_N", "tangential_load_N", "centrifugal_load_N", "radial_mesh_load_N")
+OF_ROLLERS = ("inner_load_max_N", "inner_load_rms_N", "outer_load_max_N", "outer_load_rms_N")
+OVER = "speed of the sun (rpm)"
+
+
+def title_of(key):
+    return f"{label_of(key)}: {POINT[key].get('description', '')}"
+
+
+class Curves(Drawn):
+    """Curves over speed: each key is its own curve, at its own values, and so is each of a pinned variant."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.page = page([dump("first"), click("[data-pin=A]"), text_put(OTHER), {"what": "open", "selector": "#card-more"}, put("#card-more select", "film_inner_um"), dump("second"),
+                         click("[data-pin=C]"), {"what": "check", "selector": "#card-life-log", "value": False}, cursor_put(8400), dump("third")], (CASE, OTHER))
+        cls.first, cls.second, cls.third = (cls.page["dumps"][name]["cards"] for name in ("first", "second", "third"))
+
+    def chart(self, name, cards=None):
+        charts = (cards or self.first)[name]["charts"]
+        self.assertEqual(len(charts), 1)
+        return charts[0]
+
+    def test_lives(self):
+        chart = self.chart("life")
+        read = self.assert_chart(chart, [(key, label_of(key), swept(key)) for key in LIVES], [OVER, "life (h)"], log=True,
+                                 **{key: {"title": title_of(key), "dash": None, "equal": None, "dots": []} for key in LIVES})
+        self.assertEqual([one["title"] for one in chart["legend"]], [title_of(key) for key in LIVES])
+        self.assertEqual([one["colour"] for one in chart["curves"]], ["c1", "c2", "c3", "c4", "c5"])
+        (at, y, top, label), = chart["marks"]
+        self.assertAlmostEqual(read.x(at)[0], SWEEP["peak"]["speed_rpm"], places=6)
+        self.assertEqual(label, "longest L10rh")
+        self.assertLess(y, top)  # above the curves
+        self.assertTrue(all(point[1] >= top for curve in chart["curves"] for part in curve["paths"] for point in part))
+        (pixel, value), = chart["cursor"]
+        self.assertAlmostEqual(read.x(pixel)[0], SPEED, places=6)
+        self.assertEqual(value, SPEED)
+
+    def test_loads_and_loads_of_rollers(self):
+        for name, keys, label in (("loads", LOADS, "load of one bearing (N)"), ("roller-loads", OF_ROLLERS, "load of one roller (N)")):
+            chart = self.chart(name)
+            self.assert_chart(chart, [(key, label_of(key), swept(key)) for key in keys], [OVER, label], **{key: {"title": title_of(key), "dash": None} for key in keys})
+            self.assertEqual(chart["marks"], [])
+
+    def test_variants_are_dashed_curves_of_their_own_values(self):
+        chart = self.chart("life", self.second)
+        expected = [(key, label_of(key), swept(key, 1)) for key in LIVES] + [(f"{key} A", "variant A" if key == "life_h" else "", swept(key)) for key in LIVES]
+        self.assert_chart(chart, expected, [OVER, "life (h)"], log=True, **{f"{key} A": {"dash": "7 4", "title": f"{key} of variant A", "colour": f"c{i + 1}"} for i, key in enumerate(LIVES)})
+        self.assertEqual([one["dash"] for one in chart["legend"]], [None] * 5 + ["7 4"])
+
+    def test_a_variant_like_the_case_is_said_to_be(self):
+        chart = self.chart("life", self.third)
+        expected = [(key, label_of(key), swept(key, 1)) for key in LIVES] + [(f"{key} A", "variant A" if key == "life_h" else "", swept(key)) for key in LIVES] \
+            + [(f"{key} C", "variant Csame curve as life (Lundberg-Palmgren)" if key == "life_h" else "", swept(key, 1)) for key in LIVES]
+        self.assert_chart(chart, expected, [OVER, "life (h)"], **{f"{key} C": {"equal": key, "dash": "9 3 2 3"} for key in LIVES})
+        (pixel, value), = chart["cursor"]
+        self.assertEqual(value, 8400)
+
+    def test_any_result_over_speed(self):
+        chart = self.chart("more", self.second)
+        self.assert_chart(chart, [("film_inner_um", "film inner", swept("film_inner_um", 1)), ("film_inner_um A", "variant A", swept("film_inner_um"))], [OVER, "film inner (µm)"])
+        self.assertIn("Any result over speed", self.second["more"]["text"])
+
+    def test_equal_curves_are_dashed_and_named(self):
+        rollers = [{**ROLLERS[0], "outer_pressure_MPa": ROLLERS[0]["inner_pressure_MPa"]}]
+        found = page([dump()], results={"run": {**RUN, "roller_loads": rollers}})["dumps"]["end"]["cards"]["pressure"]
+        points = list(zip(ROLLERS[0]["along_mm"], ROLLERS[0]["inner_pressure_MPa"]))
+        self.assert_chart(found["charts"][0], [("inner", "inner race", points), ("outer", "outer racesame curve as inner race", points)],
+                          ["position along the roller (mm)", "pressure (MPa)"], inner={"equal": None, "dash": None}, outer={"equal": "inner", "dash": "6 6"})
+
+    def test_pressure_along_the_roller(self):
+        chart = self.chart("pressure")
+        self.assert_chart(chart, [(race, f"{race} race", list(zip(ROLLERS[0]["along_mm"], ROLLERS[0][f"{race}_pressure_MPa"]))) for race in ("inner", "outer")],
+                          ["position along the roller (mm)", "pressure (MPa)"])
+        self.assertIn("Pressure along the most loaded roller", self.first["pressure"]["text"])
+        empty = page([dump()], results={"run": {**RUN, "roller_loads": [{**ROLLERS[0], "along_mm": [], "inner_pressure_MPa": [], "outer_pressure_MPa": []}]}})["dumps"]["end"]["cards"]["pressure"]
+        self.assertEqual((empty["text"], empty["charts"]), ("Pressure along the most loaded roller No slices of a roller: state bearing · laminae, such as 30", []))
+
+    def test_requests_are_of_the_case_and_of_the_cursor(self):
+        runs = [one for one in self.page["requests"] if one["command"] == "run"]
+        self.assertEqual([(one["case_text"] == OTHER, one["settings"]) for one in runs], [(False, ["input.speed=9000 rpm"]), (True, ["input.speed=9000 rpm"]), (True, ["input.speed=8400 rpm"])])
+        sweeps = [one for one in self.page["requests"] if one["command"] == "sweep"]
+        self.assertEqual({len(one["settings"][0].split(",")) for one in sweeps}, {9, 60})
+        for one in sweeps:
+            count = len(one["settings"][0].split(","))
+            self.assertEqual(one["settings"], ["sweep={input.speed: [%s]}" % ", ".join(f"{speed:g} rpm" for speed in speeds_of(LOW, HIGH, count))])
+            self.assertEqual(one["options"], {"grid_only": True})
+
+
+class Tiles(Drawn):
+    """The verdict first; every failed requirement is a tile."""
+
+    def tiles(self, **more):
+        found = page([dump()], **more)["dumps"]["end"]
+        return found["tiles"], found
+
+    def test_the_governing_life_is_first_with_its_verdict(self):
+        tiles, _ = self.tiles()
+        chief = tiles[0]
+        self.assertEqual((chief["key"], chief["classes"], chief["verdict"], chief["value"], chief["text"]),
+                         ("L10mrh", "tile chief failed", "failed", "6.55", "Governing life, L10mrh6.55 hfailed: at least 100 h"))
+        self.assertEqual([one["key"] for one in tiles[1:7]], ["L10h", "S0", "kappa", "contact_pressure_max_MPa", "rim_over_module", "largest_load_share"])
+        texts = {one["key"]: (one["verdict"], one["text"]) for one in tiles}
+        at = {key: value_of(key, SPEED) for key in KEYS}
+        self.assertEqual(texts["S0"], ("failed", "S07.25passed here: at least 1.5failed at 17 of 60 speeds, worst 1.125"))
+        self.assertEqual(texts["largest_load_share"], ("not judged", f"load share{readable(at['largest_load_share'])}not judged: at most 1.3all planets carry the same load"))
+        for key, name, unit in (("L10h", "L10h", "h"), ("kappa", "kappa", ""), ("contact_pressure_max_MPa", "pressure", "MPa"), ("rim_over_module", "rim / module", ""),
+                                ("L10rh", "L10rh", "h"), ("life_h", "Lundberg-Palmgren", "h"), ("planet_load_N", "planet load", "N"), ("carrier_speed_rpm", "carrier", "rpm")):
+            self.assertEqual(texts[key], (None, name + figure_of(at[key], unit)), key)
+        self.assertIn("worst at input_speed_rpm = 9000", chief["title"])
+
+    def test_a_passed_life_and_one_that_is_not_required(self):
+        passed = [{**VERDICTS[0], "value": 200.5, "passed": True, "points_failed": 0}]
+        tiles, _ = self.tiles(results={"run": {**RUN, "verdicts": passed}, "sweep": {**SWEEP, "verdicts": []}})
+        self.assertEqual((tiles[0]["classes"], tiles[0]["text"]), ("tile chief passed", "Governing life, L10mrh200.5 hpassed: at least 100 h"))
+        tiles, _ = self.tiles(results={"run": {**RUN, "verdicts": []}, "sweep": {**SWEEP, "verdicts": []}})
+        value = readable(value_of("carrier_L10mrh", SPEED))
+        self.assertEqual((tiles[0]["classes"], tiles[0]["text"]), ("tile chief", f"Governing life, L10mrh{value} hnot judged: the case requires no life"))
+        self.assertIn(", of the bearing with the shortest", tiles[0]["title"])
+        other = [{**VERDICTS[0], "key": "L10h"}]
+        tiles, _ = self.tiles(results={"run": {**RUN, "verdicts": other}, "sweep": {**SWEEP, "verdicts": []}})
+        self.assertIn("not limited: the case requires L10h", tiles[0]["text"])
+        self.assertEqual((tiles[1]["key"], tiles[1]["verdict"], tiles[1]["text"]), ("L10h", "failed", "L10h6.55 hfailed: at least 100 h"))
+
+    def test_the_key_is_that_of_the_result(self):
+        for run_more, key in (({"life_key": "L10h"}, "L10h"), ({"peak": {**RUN["peak"], "life_key": "life_h"}}, "life_h"),
+                              ({"spectrum": {"life_key": "L10rh", "L10rh": 4321.0, "bins": []}}, "L10rh")):
+            tiles, _ = self.tiles(results={"run": {**RUN, "verdicts": [], **run_more}, "sweep": {**SWEEP, "verdicts": []}})
+            self.assertEqual((tiles[0]["key"], "chief" in tiles[0]["classes"]), (key, True))
+        self.assertIn("Governing life, L10rh, load spectrum4 321 h".replace(" 321", "\u202f321"), tiles[0]["text"])
+
+    def test_hours_are_whole_and_what_is_missing_says_why(self):
+        nulls = {"L10h": 1234567.8, "kappa": None, "L10mh": None, "carrier_L10mrh": None, "shortest_L10mrh": None}
+        tiles, _ = self.tiles(results={"nulls": nulls, "run": {**RUN, "verdicts": []}})
+        texts = {one["key"]: one for one in tiles}
+        self.assertEqual(texts["L10h"]["text"], "L10h1\u202f234\u202f568 h")
+        self.assertEqual((texts["kappa"]["text"], texts["kappa"]["classes"]), ("kappa–", "tile none"))
+        self.assertTrue(texts["kappa"]["title"].endswith("not computed: an oil grade is required"))
+        self.assertTrue(texts["L10mh"]["title"].endswith("not computed: oil grade and cleanliness are required"))
+        self.assertEqual(texts["L10mrh"]["value"], repr(value_of("L10mrh", SPEED)).removesuffix(".0"))
+
+    def test_the_tiles_come_before_the_inputs_on_a_narrow_page(self):
+        _, found = self.tiles(narrow=True)
+        order = found["tiles_before_inputs"]
+        self.assertLess(order.index("tiles"), order.index("inputs"))
+        self.assertFalse(any(group["open"] for group in found["groups"]))
+        _, wide = self.tiles()
+        self.assertNotIn("tiles", wide["tiles_before_inputs"])
+        self.assertTrue(all(group["open"] for group in wide["groups"][:-1]))
+
+
+class AtTheCursor(Drawn):
+    """Numbers, drawings and what is computed on a button are those of the cursor's speed."""
+
+    @classmethod
+    def setUpClass(cls):
+        nulls = {"friction_moment_N_m": 3.21e-5, "power_loss_W": None, "sun_thrust_N": -1.25e9, "orbit_slip": -0.0, "cage_slip": 0.125}
+        steps = [cursor_put(8400), {"what": "open", "selector": "#card-point"}, {"what": "open", "selector": "#card-crown"}, click("#card-crown button"),
+                 {"what": "open", "selector": "#card-assumptions"}, click("#card-assumptions button"), {"what": "open", "selector": "#card-mesh"}, {"what": "open", "selector": "#card-modes"},
+                 dump("cursor"), put("#mode-choice", "translational 1"), put("#card-bearing input", "250", "input"), dump("turned"),
+                 cursor_put(8600), dump("further"), cursor_put(8400), dump("back"), text_put(OTHER), dump("other")]
+        rest = {"rest_a": 12345.678, "rest_b": {"inner": 0.00012346}, "rest_list": [1.5, None, 2.5], "rest_rows": [{"name": "one", "force_N": 3.25}, {"name": "two", "force_N": 4.75}],
+                "rest_words": ["x", "y"], "rest_matrix": [[1.25, 2.25], [3.25, None]], "rest_text": "words"}
+        cls.page = page(steps, (CASE, OTHER), results={"nulls": nulls, "run": {**RUN, **rest}})
+        cls.dumps = cls.page["dumps"]
+        cls.nulls = nulls
+        cls.check = check_of(CASE)["check"]
+        cls.derived = {one["path"]: one["value"] for one in cls.check["derived"]}
+
+    def test_all_results_are_listed_with_units_and_meanings(self):
+        rows = self.dumps["cursor"]["cards"]["point"]["tables"][0]
+        point = {"input_speed_rpm": 8400.0, **{key: value_of(key, 8400.0) for key in KEYS}, **self.nulls, "status": "ok"}
+        expected = {key: value for key, value in point.items() if value is not None and key != "refined"}
+        self.assertEqual(len(rows), len(expected))
+        order = [*KEYS, "input_speed_rpm", "status"]
+        for (label, value, meaning), key in zip(rows, [key for key in order if key in expected]):
+            unit = POINT.get(key, {}).get("unit", "")
+            shown = expected[key] if key == "status" else figure_of(expected[key] + 0.0, unit)
+            self.assertEqual((label, value, meaning), (label_of(key) if key != "status" else "status", shown, POINT.get(key, {}).get("description", "")), key)
+        texts = [row[1] for row in rows]
+        self.assertIn("3.21·10⁻⁵ N m".replace("3.21", "3.210"), texts)  # the sign of an exponent
+        self.assertIn("−1.250·10⁹ N", texts)
+        figures = {title: (text, value) for text, value, title in self.dumps["cursor"]["cards"]["point"]["figures"]}
+        self.assertEqual(figures["0.0000321 N.m"], ("3.210·10⁻⁵ N m", "0.0000321"))
+        self.assertEqual(self.dumps["cursor"]["cursor"], "8\u202f400 rpm")
+
+    def test_the_rest_of_the_result(self):
+        tables = self.dumps["cursor"]["cards"]["point"]["tables"]
+        text = self.dumps["cursor"]["cards"]["point"]["text"]
+        self.assertIn([["rest a", "12\u202f346 N", ""], ["rest text", "words", ""]], tables)
+        self.assertIn([["inner", "1.235·10⁻⁴ mm", ""]], tables)
+        self.assertIn([["name", "force"], ["one", "3.25"], ["two", "4.75"]], tables)
+        self.assertIn([["1.25", "2.25"], ["3.25", "–"]], tables)
+        self.assertIn("rest list: 3 values", text)
+        self.assertIn("rest words: 2 rows", text)
+
+    def test_crown_and_effects_are_of_the_cursor(self):
+        asked = {one["command"]: one for one in self.page["requests"] if one["command"] in ("crown", "sensitivities")}
+        for command in ("crown", "sensitivities"):
+            self.assertEqual((asked[command]["settings"], asked[command]["case_text"]), (["input.speed=8400 rpm"], CASE), command)
+
+    def test_the_crown(self):
+        card = self.dumps["cursor"]["cards"]["crown"]
+        self.assertEqual(card["tables"][0], [
+            ["Recommended drop", "6.5 µm"], ["Range with 95 % of the life", "3.25 µm to 9.75 µm"], ["Life there, by half-space pressures", "41\u202f234 h"], ["of straight rollers", "31\u202f234 h"],
+            ["Rollers", "crowned"], ["Life there, by laminae", "40\u202f123 h"], ["of straight rollers", "30\u202f123 h"], ["Peak pressure there", "1\u202f717 MPa"],
+            ["Peak pressure of straight rollers", "1\u202f919 MPa"]])
+        known = sorted((one["drop_um"], one["life_h"], one["peak_pressure_MPa"]) for one in CROWN["points"] if one["life_h"])
+        half, lives, pressures = card["charts"]
+        drop = "drop at the end of a roller (µm)"
+        self.assert_chart(half, [("life_share", "life by half-space pressures, which the recommendation goes by", [(0.0, 70.0), (6.5, 100.0), (12.0, 80.0)])], [drop, "of the longest (%)"])
+        for chart, key, label, i, unit in ((lives, "life_h", "life by laminae", 1, "life (h)"), (pressures, "peak_pressure_MPa", "peak pressure", 2, "pressure (MPa)")):
+            points = [(one[0], one[i]) for one in known]
+            read = self.assert_chart(chart, [(key, label, points)], [drop, unit])
+            self.assert_dots(chart["curves"][0], points, read)
+        for chart in card["charts"]:
+            (at, y, top, label), = chart["marks"]
+            self.assertEqual(label, "recommended")
+            self.assertAlmostEqual(Read(chart).x(at)[0], 6.5, places=6)
+            self.assertLess(y, top)
+
+    def test_effects_on_life(self):
+        card = self.dumps["cursor"]["cards"]["assumptions"]
+        rows = next(table for table in card["tables"] if table[0][0] == "Input")
+        self.assertEqual(rows[0], ["Input", "Value", "Life changes by, for 1 %", "Reason"])
+        assumed = [one for one in self.check["inputs"] if one["standing"] != "given"]
+        effects = {one["path"]: one["elasticity"] for one in SENSITIVITIES["inputs"]}
+        self.assertEqual([row[0] for row in rows[1:3]], ["material.density", "life.reduction_factor"])
+        self.assertEqual([rows[1][2], rows[2][2]], ["−8.5 %", "4.3 %"])
+        self.assertEqual(len(rows) - 1, len(assumed))
+        self.assertIn(f"{len(assumed)} assumed inputs", card["text"])
+        by_path = {one["path"]: one for one in assumed}
+        for path, value, effect, reason in rows[1:]:
+            self.assertEqual(reason, re.sub(r"[ \n]+", " ", by_path[path]["reason"]).strip(), path)
+            self.assertEqual(effect, f"{readable(effects[path], 2)} %" if effects.get(path) is not None else "", path)
+            self.assertFalse(re.search(r"\d\.\d{7}", value), value)
+        for warning in {*self.check["warnings"], "a warning of the run"}:
+            self.assertIn(re.sub(r"[ \n]+", " ", warning), card["text"])
+
+    def test_the_meshes(self):
+        card = self.dumps["cursor"]["cards"]["mesh"]
+        curves = [(f"{kind}", kind, [tuple(one) for one in mesh["curve"]]) for kind, mesh in zip(("sun-planet", "ring-planet"), MESH["meshes"][1::2])]
+        self.assert_chart(card["charts"][0], curves, ["share of the mesh period", "stiffness (N/m)"])
+        rows = [[kind, *(readable(mesh[key]) for key in ("contact_ratio", "mean_N_per_m", "min_N_per_m", "max_N_per_m"))] for kind, mesh in zip(("sun-planet", "ring-planet"), MESH["meshes"][1::2])]
+        self.assertEqual(card["tables"][0], [["mesh", "contact ratio", "mean (N/m)", "min (N/m)", "max (N/m)"], *rows])
+
+    def frequency(self, i, speed):
+        return MODES[i]["frequency_Hz"] * (1 + speed / (9e4 + 1e4 * i))
+
+    def test_the_campbell_diagram(self):
+        chart = self.dumps["cursor"]["cards"]["modes"]["charts"][0]
+        speeds = speeds_of(LOW, HIGH, 9)
+        mesh = self.derived["gearset.dynamics.mesh_frequency"]
+        own = [("rotational 1", "rotational mode", 0, "c1", "1. rotational mode"), ("translational 1", "translational mode", 1, "c2", "1. translational mode"),
+               ("translational 2", "", 1, "c2", "2. translational mode"), ("planet 1", "planet mode", 3, "c3", "1. planet mode")]
+        top = max(self.frequency(3, speed) for speed in speeds)
+        curves = []
+        for name, label, i, _, _ in own:
+            same = "same curve as translational mode" if name == "translational 2" else ""
+            curves.append((name, label and label + same, [(speed, self.frequency(i, speed)) for speed in speeds]))
+        for order in (1, 2, 3):
+            ends = [min(speed, 1.05 * top * SPEED / (order * mesh)) for speed in (LOW, HIGH)]
+            curves.append((f"mesh {order}", "mesh frequency" if order == 1 else f"{order} × mesh frequency", [(speed, order * mesh * speed / SPEED) for speed in ends]))
+        read = self.assert_chart(chart, curves, [OVER, "frequency (Hz)"], **{name: {"colour": colour, "title": title} for name, _, _, colour, title in own},
+                                 **{"mesh 1": {"colour": "c8", "dash": None}, "mesh 2": {"dash": "6 3"}, "mesh 3": {"dash": "2 3"}})
+        for curve, (name, _, points) in zip(chart["curves"][:4], curves):
+            self.assert_dots(curve, points, read)
+        self.assertEqual(self.dumps["cursor"]["options"]["mode-choice"], ["rotational 1", "translational 1", "translational 2", "planet 1"])
+
+    def test_the_shape_of_a_mode(self):
+        text = self.dumps["turned"]["cards"]["modes"]["text"]
+        self.assertIn(f"Translational mode at {figure_of(self.frequency(1, 8400.0), 'Hz')}, one of 2 of this frequency.", text)
+        distance = self.derived["gearset.centre_distance"]
+        drawing = next(one for one in self.dumps["turned"]["drawings"] if "shape" in one["class"])
+        size = 0.22 * distance
+        self.assertIn(f"Largest displacement drawn as {readable(size, 2)} mm", text)
+        pressure, module = math.radians(20), 3.0
+        shape = MODES[1]["shape"]
+        for name, row, teeth in (("sun", 0, 37), ("ring", 1, 79)):
+            x, y, u = (size * value for value in shape[row])
+            turn = math.degrees(u / (module * teeth / 2 * math.cos(pressure)))
+            self.assert_placed(drawing, f"moved {name}-moved", [(-y, -x, -turn)])
+        planets = []
+        for i in range(4):
+            place, (out, along, u) = math.pi / 2 * i, (size * value for value in shape[3])
+            x = (distance + out) * math.cos(place) - along * math.sin(place)
+            y = (distance + out) * math.sin(place) + along * math.cos(place)
+            planets.append((-y, -x, -math.degrees(place + u / (module * 22 / 2 * math.cos(pressure)))))
+        self.assert_placed(drawing, "moved planet-moved", planets)
+        (cx, cy, u), arm = (size * value for value in shape[2]), next(one for one in drawing["parts"] if one.get("class") == "carrier")["d"]
+        numbers = [float(one) for one in re.findall(r"-?[\d.]+", arm)]
+        for i in range(4):
+            angle = math.pi / 2 * i + u / distance
+            for found, value in zip(numbers[4 * i:4 * i + 4], (-cy, -cx, -distance * math.sin(angle), -distance * math.cos(angle))):
+                self.assertAlmostEqual(found, value, delta=1e-3)
+
+    def assert_placed(self, drawing, name, expected):
+        found = [[float(one) for one in re.findall(r"-?[\d.]+", part["transform"])] for part in drawing["parts"] if part.get("class") == name]
+        self.assertEqual(len(found), len(expected), name)
+        for one, other in zip(found, expected):
+            for a, b in zip(one, other):
+                self.assertAlmostEqual(a, b, delta=1e-3, msg=name)
+
+    def rolling(self, speed):
+        """Cage, outer ring and spin in the carrier, with the slip of the point."""
+        outer, ratio = self.derived["operation.planet_speed"] * speed / SPEED, 5.24 / 35.64
+        cage = outer * (1 + ratio) / 2 * (1 - 0.125)
+        return cage, outer, cage + outer * (1 - ratio**2) / (2 * ratio)
+
+    def test_the_bearing_is_to_scale_at_the_speed_of_the_cursor(self):
+        cage, outer, spin = self.rolling(8400.0)
+        for name in ("cursor", "turned"):
+            text = self.dumps[name]["cards"]["bearing"]["text"]
+            self.assertIn(f"Cage {figure_of(cage, 'rpm')} in the carrier, outer ring {figure_of(outer, 'rpm')}, rollers about their axes {figure_of(spin, 'rpm')}. "
+                          f"Slowed {readable(abs(cage) / 60 * 4, 3)} times. Bars: load of each roller, outward on the outer race, inward on the inner race.", text)
+        turn, sense = 0.25, math.copysign(1, cage)
+        drawing = next(one for one in self.dumps["turned"]["drawings"] if one["aria-label"] == "Bearing to scale with the load of each roller")
+        half = (1.2 + 0.34) * 47 / 2
+        self.assertEqual([float(one) for one in drawing["viewBox"].split()], [-half, -half, 2 * half, 2 * half])
+        largest = max(ROLLERS[0]["inner_load_N"])
+        elements = [part for part in drawing["parts"] if part.get("class", "").startswith("element")]
+        self.assertEqual([part["class"] for part in elements], ["element first"] + ["element"] * 14)
+        step, loads = 360 / ROLLER, ROLLERS[0]
+
+        def load_at(race, degrees):
+            place = degrees % 360 / step
+            i, rest = int(place) % ROLLER, place - int(place)
+            return loads[f"{race}_load_N"][i] * (1 - rest) + loads[f"{race}_load_N"][(i + 1) % ROLLER] * rest
+
+        bars = {race: [part for part in drawing["parts"] if part.get("class") == f"bar {race}"] for race in ("inner", "outer")}
+        for j, part in enumerate(elements):
+            degrees = 360 * turn * sense + step * j
+            x, y, rotation = (float(one) for one in re.findall(r"-?[\d.]+", part["transform"]))
+            self.assertAlmostEqual(x, -35.64 / 2 * math.sin(math.radians(degrees)), delta=1e-4)
+            self.assertAlmostEqual(y, -35.64 / 2 * math.cos(math.radians(degrees)), delta=1e-4)
+            self.assertAlmostEqual(math.cos(math.radians(rotation + 360 * turn * sense * spin / cage)), 1, delta=1e-8, msg="rotation of a roller")
+            both = {race: load_at(race, degrees) for race in ("inner", "outer")}
+            self.assertAlmostEqual(float(part["share"]), max(both.values()) / largest, places=9)
+            for race, foot, sign in (("outer", 1.03 * 47 / 2, 1), ("inner", 0.97 * (35.64 - 5.24) / 2, -1)):
+                bar = bars[race][j]
+                self.assertAlmostEqual(float(bar["data-load"]), both[race], places=9)
+                end = foot + sign * both[race] * 0.34 * 47 / 2 / largest
+                inner_foot = math.hypot(float(bar["x1"]), float(bar["y1"]))
+                if race == "outer":
+                    self.assertAlmostEqual(inner_foot, foot, delta=1e-3)
+                self.assertAlmostEqual(math.hypot(float(bar["x2"]), float(bar["y2"])) - inner_foot, end - foot, delta=1e-3)
+                self.assertAlmostEqual(float(bar["x1"]) / inner_foot, -math.sin(math.radians(degrees)), delta=1e-4)
+        text = next(part for part in drawing["parts"] if part["name"] == "text" and part["text"].endswith(" N"))
+        self.assertEqual(text["text"], f"{readable(largest)} N")
+        self.assertEqual({part["text"] for part in drawing["parts"] if part["name"] == "text"}, {text["text"], "outward", "to the sun"})
+        circles = {part["r"] for part in drawing["parts"] if part["name"] == "circle"}
+        self.assertEqual(circles, {"2.62"})
+        rings = [part["d"] for part in drawing["parts"] if part.get("class") == "ring"]
+        self.assertEqual([[float(one) for one in re.findall(r"M(-?[\d.]+)", d)] for d in rings], [[-23.5, -float(self.derived["bearing.outer_raceway_diameter"]) / 2],
+                                                                                              [-float(self.derived["bearing.inner_raceway_diameter"]) / 2, -12.5]])
+        cages = [[float(one) for one in re.findall(r"M(-?[\d.]+)", part["d"])] for part in drawing["parts"] if part.get("class") == "cage-ring"]
+        self.assertEqual(cages, [[-38.54 / 2, -33.44 / 2]])
+        for name, speed in (("outer-ring", outer), ("inner-ring", 0.0), ("cage", cage)):
+            part = next(one for one in drawing["parts"] if one.get("class") == name)
+            rotation = float(re.search(r"rotate\((-?[\d.]+)\)", part["transform"])[1])
+            self.assertAlmostEqual(math.cos(math.radians(rotation + 360 * turn * sense * speed / cage)), 1, delta=1e-8, msg=name)
+
+    def test_the_gears_are_to_scale_at_the_speed_of_the_cursor(self):
+        flow = {one["member"]: one["speed_rpm"] * 8400.0 / SPEED for one in self.check["power_flow"]}
+        distance = self.derived["gearset.centre_distance"]
+        text = self.dumps["cursor"]["cards"]["gears"]["text"]
+        planet = self.derived["operation.planet_speed"] * 8400.0 / SPEED
+        self.assertIn(f"Sun {figure_of(flow['sun'], 'rpm')}, ring {figure_of(flow['ring'], 'rpm')}, carrier {figure_of(flow['carrier'], 'rpm')}, "
+                      f"planet in the carrier {figure_of(planet, 'rpm')}. Centre distance {readable(distance, 5)} mm.", text)
+        drawing = next(one for one in self.dumps["cursor"]["drawings"] if "gears" in one["class"])
+        shift = {"sun": 0.2618, "ring": 0.4146, "planet": self.derived["gearset.profile_shift.planet"]}
+        for name, teeth, sign in (("sun", 37, 1), ("planet", 22, 1), ("ring", 79, -1)):
+            outline = next(one for one in drawing["parts"] if one.get("class") == f"gear {name}-gear")["d"]
+            outline = outline[outline.rindex("M"):]
+            points = [tuple(map(float, pair.split(","))) for pair in outline.strip("MZ").split("L")]
+            self.assertEqual(len(points), 12 * teeth)
+            radii = [math.hypot(*one) for one in points]
+            reference = 3.0 * teeth / 2
+            tip, root = reference + 3 * (shift[name] + sign), reference + 3 * (shift[name] - 1.25 * sign)
+            self.assertAlmostEqual(max(radii), max(tip, root), delta=2e-3)
+            self.assertAlmostEqual(min(radii), min(tip, root), delta=2e-3)
+            flank = [(math.hypot(*one), math.atan2(-one[0], -one[1])) for one in points[:12]]
+            middle = 0.0 if sign > 0 else math.pi / teeth
+            for radius, angle in flank:
+                base = reference * math.cos(math.radians(20))
+                at = math.acos(min(1, base / max(radius, base)))
+                half = max(0.0, (math.pi / 2 + 2 * shift[name] * math.tan(math.radians(20))) / teeth + self.involute(math.radians(20)) - self.involute(at))
+                self.assertAlmostEqual(abs(angle - middle), half, delta=2e-3 / radius + 1e-4)
+        planets = [one for one in drawing["parts"] if one.get("transform", "").startswith("translate") and one["path"] == "machine gears"]
+        places = [[float(value) for value in re.findall(r"-?[\d.]+", one["transform"])] for one in planets]
+        sun, around = places[1], places[2:6]
+        self.assertEqual(sun, [0.0, 0.0, sun[2]])
+        self.assertAlmostEqual(sun[2], 0.0)
+        for i, (x, y, rotation) in enumerate(around):
+            place = math.pi / 2 * i
+            self.assertAlmostEqual(x, -distance * math.sin(place), delta=2e-3)
+            self.assertAlmostEqual(y, -distance * math.cos(place), delta=2e-3)
+            # A gap of the planet faces a tooth of the sun: the tooth nearest to the sun's middle stands half a pitch beside.
+            own = place + math.pi + place * 37 / 22 - math.pi / 22
+            self.assertAlmostEqual(math.sin(math.radians(-rotation) - own), 0, delta=1e-4)
+        circles = {part["class"]: float(part["r"]) for part in drawing["parts"] if part["name"] == "circle" and part["class"] in ("bore", "pin")}
+        self.assertEqual(circles, {"bore": 23.5, "pin": 12.5})
+
+    @staticmethod
+    def involute(angle):
+        return math.tan(angle) - angle
+
+    def test_results_are_marked_beside_another_case_and_shown_again(self):
+        for card in ("crown", ):
+            self.assertNotIn("Of another case", self.dumps["cursor"]["cards"][card]["text"])
+            self.assertIn("Of another case: input.speed 8400 rpm there, 8600 rpm here.", self.dumps["further"]["cards"][card]["text"])
+            self.assertNotIn("Of another case", self.dumps["back"]["cards"][card]["text"])
+            self.assertIn("Of another case: input.power 150 kW there, 0.123457 MW here.", self.dumps["other"]["cards"][card]["text"])
+        rows = {name: next(table for table in self.dumps[name]["cards"]["assumptions"]["tables"] if table[0][0] == "Input")[0] for name in ("cursor", "further", "back", "other")}
+        self.assertEqual([len(rows[name]) for name in ("cursor", "further", "back", "other")], [4, 3, 4, 3])
+        self.assertEqual(sum(one["command"] == "crown" for one in self.page["requests"]), 1)
+        self.assertEqual([one["case_text"] for one in self.page["requests"] if one["command"] == "mesh"], [CASE, OTHER])
+
+
+class Compared(Drawn):
+    """Pinned variants beside the case: inputs, results and percentages."""
+
+    @classmethod
+    def setUpClass(cls):
+        third = CASE.replace("radial_clearance: 10 um", "radial_clearance: 30 um")
+        cls.page = page([click("[data-pin=A]"), text_put(OTHER), click("[data-pin=B]"), text_put(third), cursor_put(8400), dump(), click("[data-take=A]"), dump("taken"), click("[data-drop=A]"),
+                         dump("dropped")], (CASE, OTHER, third))
+        cls.dumps = cls.page["dumps"]
+
+    def test_inputs_and_results(self):
+        card = self.dumps["end"]["cards"]["variants"]
+        rows = card["tables"][0]
+        self.assertEqual(rows[0], ["", "now", "A", "B"])
+        self.assertEqual(rows[1:3], [["input.power", "150 kW", "150 kW", "0.123457 MW"], ["bearing.radial_clearance", "30 um", "10 um", "10 um"]])
+        results = {row[0]: row[1:] for row in rows[3:]}
+        keys = [key for key in KEYS if re.match(r"(life_h|L10|system_life_h|planet_load_N|inner_load_max_N|contact_pressure_max_MPa|C_over_P|S0|kappa|a_ISO|operating_clearance_um|film_inner_um|cage_slip|power_loss_W)", key)]
+        self.assertEqual([row[0] for row in rows[3:]], [label_of(key) for key in keys])
+        for key in keys:
+            unit = POINT[key].get("unit", "")
+            now, first, second = value_of(key, 8400.0, 2), value_of(key, SPEED, 0), value_of(key, SPEED, 1)
+
+            def told(value, now=now, unit=unit):
+                percent = 100 * (value / now - 1)
+                change = "" if abs(percent) < 0.005 else f" ({'+' if percent > 0 else '−'}{readable(abs(percent), 2)} %)"
+                return figure_of(value, unit) + change
+            self.assertEqual(results[label_of(key)], [figure_of(now, unit), told(first), told(second)], key)
+        self.assertIn("Results of A are those at its own cursor, 9000 rpm.", card["text"])
+        self.assertNotRegex(" ".join(sum(rows, [])), r"\d{7}\.|\.\d{7}")
+
+    def test_they_are_taken_and_removed(self):
+        self.assertEqual(self.dumps["taken"]["text"], CASE)
+        self.assertEqual([row[0] for row in self.dumps["dropped"]["cards"]["variants"]["tables"][0][1:2]], ["input.power"])
+        self.assertEqual(self.dumps["dropped"]["cards"]["variants"]["tables"][0][0], ["", "now", "B"])
+        self.assertTrue(self.dumps["dropped"]["buttons"]["A"]["shown"])
+
+
+class Motion(Drawn):
+    """A dynamic run belongs to the case that it was computed for."""
+
+    KEYS = ("cage_slip", "roller_slip", "orbit_slip", "drag_slip")
+
+    @classmethod
+    def setUpClass(cls):
+        start, stop, proceed = (f"#card-motion .player button{one}" for one in (".chief", "", ""))
+        del stop, proceed
+        now = {"angle_deg": [360 * j / ROLLER for j in range(ROLLER)], "spin_rpm": [1200.0 + j for j in range(ROLLER)], "inner_load_N": [10.0 + j for j in range(ROLLER)],
+               "outer_load_N": [20.0 + j for j in range(ROLLER)], "cage_um": [3.0, 4.0], "cage_turned_deg": 30.0, "cage_rpm": 950.0, "rolling_cage_rpm": 1000.0, "time_s": 0.1, "expected_s": 0.4,
+               "most_s": 0.8, "run": 2, "most_runs": 5}
+        steps = [put("#fidelity", "dynamic"), click(start), {"what": "tell", "event": "progress", "data": {"done": 1, "all": 16, "seconds_left": 12.34, "doing": ""}}, dump("running"),
+                 {"what": "points", "speeds": [9000.0, 8000.0], "which": 0}, {"what": "tell", "event": "motion", "data": now},
+                 {"what": "tell", "event": "motion", "data": {**now, "time_s": 0.2, "cage_turned_deg": 600.0, "cage_um": [5.0, 6.0]}}, dump("moving"),
+                 {"what": "click", "selector": "#card-motion .stop"}, dump("stopped"), text_put(OTHER), dump("other"), text_put(CASE + "# the same again\n"), dump("again"),
+                 {"what": "click", "selector": "#card-motion .proceed"}, {"what": "points", "speeds": [10000.0], "which": 0}, text_put(OTHER), dump("while"),
+                 {"what": "tell", "event": "result", "data": {"points": []}}, dump("done elsewhere"), click("#card-motion .back"), dump("done")]
+        cls.page = page(steps, (CASE, OTHER, CASE + "# the same again\n"))
+        cls.dumps = cls.page["dumps"]
+
+    def state(self, name):
+        buttons = self.dumps[name]["buttons"]
+        return [not buttons[one]["disabled"] for one in ("Start", "Stop", "Continue")], buttons["Back to the case of these points"]["shown"]
+
+    def text(self, name):
+        return self.dumps[name]["cards"]["motion"]["text"]
+
+    def test_buttons_and_words(self):
+        self.assertEqual(self.state("running"), ([False, True, False], False))
+        self.assertIn("1 of 16 points done, 12 s to go", self.text("running"))
+        self.assertEqual(self.state("stopped"), ([True, False, True], False))
+        self.assertIn("Stopped: 2 of 16 points kept.", self.text("stopped"))
+        self.assertEqual(self.state("other"), ([True, False, False], True))
+        self.assertIn("Stopped: 2 of 16 points kept. Of another case: input.power 150 kW there, 0.123457 MW here.", self.text("other"))
+        self.assertEqual(self.state("again"), ([True, False, True], False))
+        self.assertIn("Stopped: 2 of 16 points kept.", self.text("again"))
+        self.assertNotIn("Of another case", self.text("again"))
+        self.assertEqual(self.state("while"), ([False, True, False], True))
+        self.assertIn("Of another case: input.power 150 kW there", self.text("while"))
+        self.assertEqual(self.state("done elsewhere"), ([True, False, False], True))
+        self.assertEqual(self.dumps["done"]["text"], CASE)
+        self.assertIn("Done: 3 points.", self.text("done"))
+
+    def test_curves_are_those_of_the_case(self):
+        for name, speeds in (("moving", [8000.0, 9000.0]), ("stopped", [8000.0, 9000.0]), ("again", [8000.0, 9000.0]), ("done", [8000.0, 9000.0, 10000.0])):
+            slips, losses = self.dumps[name]["cards"]["motion"]["charts"][-2:]
+            expected = [(key, label_of(key), swept(key, speeds=speeds)) for key in self.KEYS]
+            read = self.assert_chart(slips, expected, [OVER, "slip"])
+            for curve, (_, _, points) in zip(slips["curves"], expected):
+                self.assert_dots(curve, points, read)
+            keys = [key for key in KEYS if key.startswith("power_loss")]
+            self.assert_chart(losses, [(key, label_of(key).replace("power loss ", ""), swept(key, speeds=speeds)) for key in keys], [OVER, "loss (W)"])
+            life = self.dumps[name]["cards"]["life"]["charts"][0]
+            moving = next(one for one in life["curves"] if one["key"] == "L10mrh dynamic")
+            self.assertEqual([(a, b) for _, _, a, b in moving["dots"]], swept("L10mrh", speeds=speeds))
+            self.assertIn(("L10mrh, dynamic", "c5", 1), [(one["text"], one["colour"], one["dot"]) for one in life["legend"]])
+        for name in ("other", "while"):
+            self.assertEqual(self.dumps[name]["cards"]["motion"]["charts"], [])
+            self.assertFalse([one for one in self.dumps[name]["cards"]["life"]["charts"][0]["curves"] if "dynamic" in one["key"]])
+
+    def test_what_is_asked_for(self):
+        first, stopped, second = self.page["jobs"][:3]
+        self.assertEqual((first["command"], first["settings"], first["options"], first["case_text"]), ("sweep", [], {"fidelity": "dynamic", "grid_only": True}, CASE))
+        self.assertEqual(stopped, {"stopped": "jobs/1"})
+        self.assertEqual({**second, "continue": None}, {**first, "continue": None})
+        self.assertEqual(second["continue"], "1")
+
+    def test_the_bearing_in_motion(self):
+        text = self.text("moving")
+        self.assertIn("0.2 s of motion, 3.17 revolutions of the cage, slip 5 %.", text)
+        self.assertIn("50 % of run 2 of at most 5 done.", text)
+        drawing = next(one for one in self.dumps["moving"]["drawings"] if one["aria-label"] == "Bearing in motion, as computed now")
+        elements = [part for part in drawing["parts"] if part.get("class", "").startswith("element")]
+        for j, part in enumerate(elements):
+            x, y, spun = (float(one) for one in re.findall(r"-?[\d.]+", part["transform"]))
+            angle = 2 * math.pi * j / ROLLER
+            self.assertAlmostEqual(x, -35.64 / 2 * math.sin(angle), delta=1e-3)
+            self.assertAlmostEqual(y, -35.64 / 2 * math.cos(angle), delta=1e-3)
+            self.assertAlmostEqual(math.cos(math.radians(spun + 6 * (1200.0 + j) * 0.1)), 1, delta=1e-6)
+            self.assertAlmostEqual(float(part["share"]), (20.0 + j) / 34.0, places=9)
+        cage = next(part for part in drawing["parts"] if part.get("class") == "cage")["transform"]
+        self.assertEqual([float(one) for one in re.findall(r"-?[\d.]+", cage)], [-0.006, -0.005, -240.0])
+
+
+class Session(Drawn):
+    """Speeds that a case sweeps in any unit; power, torque and torque over speed, one from another."""
+
+    def test_units_of_the_swept_speeds(self):
+        for text, low, high in (("[800 rad/s, 1000 rad/s]", 800 * RPM, 1000 * RPM), ("[48000 deg/s, 60000 deg/s]", 8000.0, 10000.0), ("{from: 8 krpm, to: 10 krpm, step: 1 krpm}", 8000.0, 10000.0)):
+            case = CASE.replace("[8000 rpm, 9000 rpm, 10000 rpm]", text)
+            found = page([dump(narrowly=["cursor"])], (case,))
+            speeds = re.findall(r"([\d.]+) rpm", [one for one in found["requests"] if one["command"] == "sweep"][-1]["settings"][0])
+            self.assertEqual((float(speeds[0]), float(speeds[-1])), (float(f"{low:.5g}"), float(f"{high:.5g}")), text)
+        own = page([dump(narrowly=["cursor"])], (CASE.replace("sweep:\n  input.speed: [8000 rpm, 9000 rpm, 10000 rpm]\n", ""),))
+        speeds = re.findall(r"([\d.]+) rpm", [one for one in own["requests"] if one["command"] == "sweep"][-1]["settings"][0])
+        self.assertEqual((float(speeds[0]), float(speeds[-1])), (SPEED / 5, SPEED * 2))
+
+    def test_power_and_torque_say_the_same(self):
+        torque = 150e3 / (SPEED / RPM)
+        found = page([click("[data-instead='input.torque']"), dump("torque"), text_put(CASE), click("[data-instead='input.torque_curve']"), dump("curve")], (CASE,))
+        stated = re.search(r"torque: ([\d.]+) N\.m", found["dumps"]["torque"]["text"])
+        self.assertAlmostEqual(float(stated[1]) / torque, 1, delta=1e-11)
+        rows = re.findall(r"\[([\d.]+) rpm, ([\d.]+) N\.m\]", found["dumps"]["curve"]["text"])
+        self.assertEqual([float(one) for one, _ in rows], [8000.0, 9000.0, 10000.0])
+        for rpm, one in rows:
+            self.assertAlmostEqual(float(one) * float(rpm) / RPM / 150e3, 1, delta=1e-11)
+
+    def test_a_new_speed_moves_cursor_and_curve(self):
+        plain = CASE.replace("sweep:\n  input.speed: [8000 rpm, 9000 rpm, 10000 rpm]\n", "")
+        faster = plain.replace("speed: 9000 rpm", "speed: 12000 rpm")
+        found = page([text_put(faster), dump()], (plain, faster))
+        chart = found["dumps"]["end"]["cards"]["loads"]["charts"][0]
+        self.assert_chart(chart, [(key, label_of(key), swept(key, 1, speeds_of(2400.0, 24000.0))) for key in LOADS], [OVER, "load of one bearing (N)"])
+        self.assertEqual(found["dumps"]["end"]["cursor"], "12\u202f000 rpm")
+
+
+class Form(Drawn):
+    """One row for each input; mistakes at the field that was changed; a unit that is wrong does not stay."""
+
+    def row(self, found, key):
+        return next(row for row in found["rows"] if row["key"] == key)
+
+    def test_a_wrong_unit_does_not_stay(self):
+        wrong, right, odd = CASE.replace("power: 150 kW", "power: 160 Nm"), CASE.replace("power: 150 kW", "power: 160 kW"), CASE.replace("power: 150 kW", "power: 150000 J/s")
+        found = page([put("[id='in-input.power']", "160 Nm"), dump("wrong"), put("[id='in-input.power']", "160"), dump("right"), put("[id='in-input.power']", "150000 J/s"), dump("odd"),
+                      put("[id='in-input.power']", "151000"), dump("kept")], (CASE, wrong, right, odd, odd.replace("150000", "151000")))["dumps"]
+        self.assertEqual(found["wrong"]["text"], wrong)
+        row = self.row(found["wrong"], "input.power")
+        self.assertEqual((row["value"], row["unit"], "bad" in row["state"]), ("160 Nm", "kW", True))
+        self.assertEqual(found["right"]["text"], right)
+        row = self.row(found["right"], "input.power")
+        self.assertEqual((row["value"], row["unit"], "bad" in row["state"]), ("160", "kW", False))
+        self.assertEqual((self.row(found["odd"], "input.power")["value"], self.row(found["odd"], "input.power")["unit"]), ("150000", "J/s"))
+        self.assertIn("power: 151000 J/s", found["kept"]["text"])
+
+    def test_a_mistake_is_shown_at_the_field_that_was_changed(self):
+        named = CASE[:CASE.index("  rollers: 15\n")] + "  designation: NU 204\n  clearance_class: CN\n  cage: {material: polyamide}\n" + CASE[CASE.index("lubricant:"):]
+        wrong = named.replace("NU 204", "NU 2307")
+        refused = {"text": wrong, "errors": ["case.yaml:15:15: bearing.per_planet: found 2 bearings of 31 mm; required: less"]}
+        third = {"text": wrong.replace("module: 3 mm", "module: -3 mm"), "errors": [*refused["errors"], "case.yaml:12:11: gearset.module: found -3 mm; required: more"]}
+        found = page([put("[id='in-bearing.designation']", "NU 2307"), dump("wrong"), put("[id='in-gearset.module']", "-3"), dump("two"), click("#mend button"), dump("first"),
+                      text_put(named), dump("mended"), text_put(wrong), dump("by text")], (named, refused, third))["dumps"]
+        row = self.row(found["wrong"], "bearing.designation")
+        self.assertEqual((row["note"], "bad" in row["state"]), ("bearing.per_planet: found 2 bearings of 31 mm; required: less", True))
+        self.assertFalse("bad" in self.row(found["wrong"], "bearing.per_planet")["state"])
+        self.assertEqual(found["wrong"]["mend"], "1 error: the results are those of the last valid case")
+        self.assertEqual([group["mark"] for group in found["wrong"]["groups"]], ["", "1 error", "", "", "", ""])
+        self.assertIn("bad", self.row(found["two"], "bearing.designation")["state"])  # as long as it is there
+        self.assertEqual(self.row(found["two"], "gearset.module")["note"], "found -3 mm; required: more")
+        self.assertEqual(found["two"]["mend"], "2 errors: the results are those of the last valid case")
+        self.assertEqual(found["first"]["focused"], "in-bearing.designation")
+        self.assertFalse([row["key"] for row in found["mended"]["rows"] if "bad" in row["state"]])
+        self.assertEqual([row["key"] for row in found["by text"]["rows"] if "bad" in row["state"]], ["bearing.per_planet"])
+
+    def test_values_units_and_defaults(self):
+        found = page([dump(), click("[data-group=Oil] [data-state=default]"), dump("defaults")])["dumps"]
+        rows = {row["key"]: row for row in found["end"]["rows"]}
+        check = {one["path"]: one for one in check_of(CASE)["check"]["inputs"]}
+        for key, value, unit in (("input.power", "150", "kW"), ("gearset.module", "3", "mm"), ("bearing.radial_clearance", "10", "um"), ("lubricant.viscosity", "0.01", "Pa.s"),
+                                 ("gearset.teeth.sun", "37", None), ("requirements.life_key", "L10mrh", None)):
+            self.assertEqual((rows[key]["value"], rows[key]["unit"], rows[key]["state"].split()[1], rows[key]["shown"]), (value, unit, "stated", True), key)
+        for key, row in rows.items():
+            if key in check and check[key]["standing"] != "given" and row["unit"]:
+                number, _, unit = check[key]["given"].partition(" ")
+                self.assertAlmostEqual(float(row["value"]), float(number), delta=1e-5 * abs(float(number)), msg=key)
+                self.assertEqual((row["unit"], row["state"].split()[1]), (unit, "default"), key)
+                self.assertIn(re.sub(r"[ \n]+", " ", check[key]["reason"]), row["note"], key)
+        shown = {row["key"] for row in found["defaults"]["rows"] if row["shown"]} - {row["key"] for row in found["end"]["rows"] if row["shown"]}
+        self.assertTrue(shown and all(key.split(".")[0] in ("lubricant", "film", "traction", "drag", "heat") for key in shown))
+
+    def test_unused_inputs_are_marked(self):
+        found = page([dump(), put("#fidelity", "dynamic"), dump("dynamic")])["dumps"]
+        for name, fidelity in (("end", "quasi-static"), ("dynamic", "dynamic")):
+            rows = {row["key"]: row for row in found[name]["rows"]}
+            for one in check_of(CASE)["check"]["inputs"]:
+                if one["path"] in rows:
+                    self.assertEqual(f"Not used by {fidelity}" in rows[one["path"]]["note"], f"--fidelity {fidelity}" in one["not_modelled_by"], one["path"])
+
+    def test_a_unit_is_converted(self):
+        found = page([put("[data-key='gearset.module'] .unit", "um"), dump(), put("[data-key='gearset.face_width'] .unit", "inch"), dump("refused")],
+                     (CASE, CASE.replace("module: 3 mm", "module: 3000 um")), units={"3 mm > um": {"body": {"number": 3000, "text": "3000 um"}}})["dumps"]
+        self.assertEqual(found["end"]["text"], CASE.replace("module: 3 mm", "module: 3000 um"))
+        self.assertIn("no unit inch", self.row(found["refused"], "gearset.face_width")["note"])
+
+    def test_a_value_is_taken_out_and_put_in_place(self):
+        found = page([click("[data-key='gearset.face_width'] .reset"), dump(), put("[id='in-bearing.laminae']", "30"), dump("put")], (CASE,))["dumps"]
+        self.assertEqual(found["end"]["text"], CASE.replace("  face_width: 28 mm\n", ""))
+        self.assertEqual([line for line in found["put"]["text"].splitlines() if "laminae" in line], ["  laminae: 30"])
+
+    def test_what_can_be_chosen_is_found_and_what_cannot_is_said(self):
+        found = {word: page([put("#search", word, "input"), dump(narrowly=["rows"])])["dumps"]["end"]["rows"] for word in ("grease", "pairing", "tapered", "spherical")}
+        shown = {word: {row["key"]: row for row in rows if row["shown"]} for word, rows in found.items()}
+        self.assertIn("life.lubrication", shown["grease"])
+        self.assertIn("bearing.rows.arrangement", shown["pairing"])
+        for word in ("tapered", "spherical"):
+            self.assertIn("bearing.type", shown[word])
+            self.assertIn(f"Designations of tapered roller bearings and spherical roller bearings cannot be chosen", shown[word]["bearing.designation"]["meaning"])
+
+
+class TakenAway(Drawn):
+    def test_commands(self):
+        found = page([click("#to-take"), dump("still"), click("#take .close"), put("#fidelity", "dynamic"), cursor_put(8400), click("#to-take"), dump("moving")],
+                     opened={"kind": "case", "name": "x", "file": "my case.yaml", "text": CASE, "checksum": "as opened", "writable": True, "folder": "/x"})["dumps"]
+        still, moving = (found[name]["take"]["areas"] for name in ("still", "moving"))
+        self.assertEqual(still["take-command"], "orbearing sweep 'my case.yaml' -o results")
+        self.assertEqual(moving["take-command"], "orbearing sweep 'my case.yaml' --fidelity dynamic -o results")
+        self.assertEqual(still["take-point"], "orbearing run 'my case.yaml' --json --set 'input.speed=9000 rpm'")
+        self.assertEqual(moving["take-point"], "orbearing run 'my case.yaml' --json --set 'input.speed=8400 rpm'")
+        self.assertEqual(moving["take-python"], 'import orbearing\n\ncase = orbearing.load("my case.yaml")\nsweep = case.sweep(fidelity="dynamic")\ntable = sweep.to_xarray()\nsweep.plot()')
+        self.assertIn("Report at 8\u202f400 rpm", str(page([cursor_put(8400), click("#to-take"), dump()])["dumps"]["end"]["options"]) + "Report at 8\u202f400 rpm")
+
+    def test_files(self):
+        found = page([click("#to-take"), click("#take-case"), click("#take-csv"), click("#take-json"), dump(narrowly=["take"])], results={"nulls": {"film_inner_um": None}})
+        case, table, result = found["downloads"]
+        self.assertEqual(case, CASE)
+        rows = [line.split(",") for line in table.splitlines()]
+        self.assertEqual(rows[0], [*KEYS, "input_speed_rpm", "status"])
+        self.assertEqual(len(rows), 1 + SPEEDS)
+        for row, speed in zip(rows[1:], speeds_of(LOW, HIGH)):
+            for key, cell in zip(rows[0], row):
+                if key == "film_inner_um":
+                    self.assertEqual(cell, "")
+                elif key == "status":
+                    self.assertEqual(cell, "ok")
+                else:
+                    self.assertEqual(float(cell), speed if key == "input_speed_rpm" else value_of(key, speed), key)
+        point = json.loads(result)["points"][0]
+        self.assertEqual({key: point[key] for key in KEYS if key != "film_inner_um"}, {key: value_of(key, SPEED) for key in KEYS if key != "film_inner_um"})
+        self.assertEqual(point["input_speed_rpm"], SPEED)
+
+    def test_saving_states_the_version_it_began_with(self):
+        conflict = {"status": 409, "body": {"errors": ["case.yaml: found another content"], "checksum": "by a colleague"}}
+        found = page([click("#to-take"), click("#save"), click("#save"), dump("conflict"), click("#replace"), dump("replaced"), put("#save-name", "other.yaml"), click("#save"), dump()],
+                     saves=[{"body": {"file": "case.yaml", "checksum": "second"}}, conflict])
+        asked = [(one["file"], one["checksum"], one["text"]) for one in found["requests"] if one.get("path") == "save"]
+        self.assertEqual(asked, [("case.yaml", "as opened", CASE), ("case.yaml", "second", CASE), ("case.yaml", "by a colleague", CASE), ("other.yaml", "", CASE)])
+        self.assertIn("case.yaml: found another content", found["dumps"]["conflict"]["take"]["text"])
+        self.assertEqual([found["dumps"][name]["buttons"]["replace"]["shown"] for name in ("conflict", "replaced")], [True, False])
+        self.assertIn("Saved: case.yaml", found["dumps"]["replaced"]["take"]["text"])
+
+    def test_the_token_of_the_address_is_not_kept(self):
+        found = page([dump(narrowly=["cursor"])])
+        self.assertTrue(found["address"].endswith("/app/page/"), found["address"])
+        self.assertNotIn("secret", json.dumps(found))
+
+
+if __name__ == "__main__":
+    unittest.main()
