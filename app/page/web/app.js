@@ -27,7 +27,7 @@ class Page {
       save: engine.save && ((name, text) => engine.save(name, text, '')),
       closed: matchMedia('(max-width: 560px)').matches
     });
-    this.crown = new CrownCard((crown, laminae) => this.putCrown(crown, laminae));
+    this.crown = new CrownCard((crown) => this.putCrown(crown));
     this.motion = new MotionCard();
     const machine = new MachineCard(), focus = (key) => this.form.focus(key);
     this.cards = [
@@ -302,11 +302,8 @@ class Page {
     at('tiles').replaceChildren(...tiles);
   }
 
-  // A profile acts on laminae: a case that does not cut its rollers takes as many as the crown did.
-  putCrown({drop_um: drop, profile}, laminae) {
+  putCrown({drop_um: drop, profile}) {
     let text = this.session.text;
-    if (!yaml.nodeAt(yaml.parse(text), ['bearing', 'laminae']))
-      text = yaml.withValue(text, ['bearing', 'laminae'], `${laminae}`);
     const node = yaml.nodeAt(yaml.parse(text), ['bearing', 'profile', 'kind']);
     if (!node || node.value === 'straight')
       text = yaml.withValue(text, ['bearing', 'profile', 'kind'], profile);

@@ -746,9 +746,10 @@ export class CrownCard extends AskedCard {
           ],
           ['Life there, by half-space pressures', figure(best.half_space_life_h, 'h')],
           ['of straight rollers', figure(straight.half_space_life_h, 'h')], ['Rollers', best.rollers]);
+    const life = result.life_key === 'life_h' ? 'Life' : result.life_key, inRun = result.in_run;
     rows.push(
-        ['Life there, by laminae', figure(known.life_h, 'h')],
-        ['of straight rollers', figure(straight.life_h, 'h')],
+        [`${life} there, by laminae`, figure(known.governing_life_h, 'h')],
+        ['of straight rollers', figure(straight.governing_life_h, 'h')],
         ['Peak pressure there', figure(known.peak_pressure_MPa, 'MPa')],
         ['Peak pressure of straight rollers', figure(straight.peak_pressure_MPa, 'MPa')]);
     const table = element(
@@ -759,23 +760,26 @@ export class CrownCard extends AskedCard {
                 ([name, value]) =>
                     element('tr', {}, element('th', {scope: 'row'}, name), element('td', {}, value)))));
     const take = element('button', {type: 'button'}, 'Put this drop into the case');
-    take.addEventListener('click', () => this.apply(known, result.laminae));
+    take.addEventListener('click', () => this.apply(known));
     const charts = element('div');
     const told = best ?
         element(
             'p', {class: 'told'},
-            'Half-space pressures contain the pressure peaks at the ends of the rollers; laminae, on which the ' +
-                'life of the curve stands, do not.') :
+            'The drop is chosen by half-space pressures, which contain the peaks at the ends of the rollers. ' +
+                'Laminae have the stress riser of the standard instead. ' +
+                (inRun ? `Design by the tile: ${inRun.life_key} is ${readable(inRun.case_h)} h now and ` +
+                         `${readable(inRun.recommended_h)} h with this drop.` :
+                         `Design by ${life} of the tile.`)) :
         '';
     this.shown.replaceChildren(table, told, take, charts);
     const drops = [
-      ...new Map(points.filter((point) => isNumber(point.life_h)).map((point) => [point.drop_um, point]))
+      ...new Map(points.filter((point) => isNumber(point.governing_life_h)).map((point) => [point.drop_um, point]))
           .values()
     ].sort((a, b) => a.drop_um - b.drop_um);
     const series = (key) => [{
       key,
-      label: key === 'life_h' ? 'life by laminae' : 'peak pressure',
-      colour: key === 'life_h' ? 'c1' : 'c2',
+      label: key === 'governing_life_h' ? `${life} by laminae` : 'peak pressure',
+      colour: key === 'governing_life_h' ? 'c1' : 'c2',
       points: drops.map((point) => [point.drop_um, point[key]]),
       dots: true
     }];
@@ -792,7 +796,7 @@ export class CrownCard extends AskedCard {
             points: best.curve.map((point) => [point.drop_um, 100 * point.life_share])
           }],
           ['of the longest', '%']);
-    chart('Life by laminae over the crown\'s drop', series('life_h'), ['life', 'h']);
+    chart(`${life} by laminae over the crown's drop`, series('governing_life_h'), [life, 'h']);
     chart('Peak pressure over the crown\'s drop', series('peak_pressure_MPa'), ['pressure', 'MPa']);
   }
 }
