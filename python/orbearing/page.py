@@ -6,7 +6,7 @@ from html import escape
 from pathlib import Path
 from typing import Any, Sequence
 
-from orbearing import assessor, lives
+from orbearing import assessor, lives, style
 from orbearing.blocks import MISSING, FigureBlock, Table, format_quantity, is_number
 from orbearing.result_folder import Report, records
 from orbearing.summary import headline, summary_table
@@ -134,7 +134,7 @@ def _sensitivities(report: Report) -> str:
     rows = report.records("sensitivities")
     if not rows:
         return ""
-    names = ("assumption", "other reading", "peak (rpm)", "life at the peak (h)", "effect")
+    names = ("assumption", "other reading", "peak (rpm)", f"{style.life_name(report.life_key)} at the peak (h)", "effect")
     cells = [(row.get("assumption"), row.get("reading"), row.get("peak_speed_rpm"), row.get("peak_life_h"),
               _hours(row["worth_h"]) if is_number(row.get("worth_h")) else None) for row in rows]
     first = next((row for row in rows if is_number(row.get("peak_life_h")) and is_number(row.get("worth_h"))), None)

@@ -40,7 +40,7 @@ class Drivetrains(unittest.TestCase):
     def setUpClass(cls):
         cls.runs, cls.cases = {}, {}
         for name, (file, values, _) in DRIVETRAINS.items():
-            cls.runs[name] = program.answer("run", file, *options_of(values))
+            cls.runs[name] = cls.answer("run", name)
             cls.cases[name] = orbearing.load(file, values)
 
     def each(self, test):

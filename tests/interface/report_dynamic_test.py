@@ -259,9 +259,9 @@ class Numbers(unittest.TestCase):
         runs = {entry["name"]: {1000.0: entry["points"][0]} for entry in dynamic.make_report()["dynamic"]["ablation"]}
         reference = runs["all effects"]
         for name, worth in dynamic.EFFECTS.items():
-            change = dynamic_ablation.change_of_life(runs[name], reference, 1000.0)
+            change = dynamic_ablation.change_of_life(runs[name], reference, 1000.0, "life_h")
             self.assertAlmostEqual(change, 100 * (worth - 1), delta=100 * worth * ROUND_OFF)
-        self.assertTrue(np.isnan(dynamic_ablation.change_of_life({}, reference, 1000.0)))
+        self.assertTrue(np.isnan(dynamic_ablation.change_of_life({}, reference, 1000.0, "life_h")))
 
     def test_effects_as_a_table(self):
         lines = effects_table.rows(self.report.record("dynamic")["ablation"])
