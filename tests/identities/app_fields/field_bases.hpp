@@ -321,6 +321,10 @@ inline const std::map<std::string, Change>& stated_changes() {
       {"bearing.clearance_differences", {"[10 um]", tilting}},
       {"support.pin_ends", {"one", tilting}},
       {"support.pin_span", {"40 mm", {laminae, "bearing.tilt_state=computed", "support.pin_ends=one"}}},
+      {"support.pin_diameter", {"14 mm", {laminae, "bearing.tilt_state=computed", "support.pin_ends=flexpin"}}},
+      {"gearset.dynamics.sun.tilt_stiffness", {"1e5 N.m/rad"}},
+      {"gearset.dynamics.sun.axial_stiffness", {"1e7 N/m"}},
+      {"gearset.dynamics.planet.axial_stiffness", {"1e7 N/m"}},
       {"support.carrier_twist_stiffness", {"1e5 N.m/rad", tilting}},
       {"support.pin_inclination.radial", {"0.03 deg", tilting}},
       {"support.pin_inclination.tangential", {"0.03 deg", tilting}},
@@ -532,6 +536,7 @@ inline const std::map<std::string, Change>& stated_changes() {
       {"requirements.kappa", {"0.4"}},
       {"requirements.load_share", {"1.2"}},
       {"pair.teeth", {"[30, 41]"}},
+      {"pair.driven_bore", {"31 mm"}},
       {"pair.kind", {"internal", {"pair.teeth=[20, 51]"}}},
       {"pair.ring_outside_ratio", {"1.3", {"pair.teeth=[20, 51]", "pair.kind=internal"}}},
       {"pair.profile_shift", {"[0.1, 0]"}}};
