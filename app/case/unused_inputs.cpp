@@ -350,7 +350,7 @@ void require_bearing(const ResolvedCase& in, use::Analysis analysis) {
   if (!in.has(stepped)) return;
   throw BadInput(in.file() +
                  ": bearing: missing; required: the bearing of the planets, as bearing.designation and "
-                 "bearing.per_planet: without one the gears run alone in motion, which takes no " +
+                 "bearing.per_planet. Without one the gears move alone, which takes no " +
                  stepped + ". check computes ratio, speeds and mesh forces without it");
 }
 

@@ -6,12 +6,12 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <limits>
-#include <string>
 #include <vector>
 
 #include "bearing/equilibrium/lamina_stiffness.hpp"
 #include "bearing/pin_beam.hpp"
 #include "mechanics/linear_algebra.hpp"
+#include "tests/messages.hpp"
 #include "tests/unit/bearing/example_bearings.hpp"
 
 namespace orbearing::bearing::laminae::planet_on_pin_test {
@@ -222,8 +222,7 @@ TEST(PlanetOnPin, LeavesNoNaN) {
   const PlanetOnPinState state = planet_on_pin(planet, loaded({900.0, 2100.0}), kNone, {}, 0.1);
   EXPECT_FALSE(state.report.converged);
   EXPECT_FALSE(std::isnan(state.report.residual));
-  EXPECT_EQ(state.report.message.find("nan"), std::string::npos) << state.report.message;
-  EXPECT_NE(state.report.message.find("the forces are not finite"), std::string::npos) << state.report.message;
+  EXPECT_SAID("planet on a pin that is no number", state.report.message);
 }
 
 // An inclined pin takes a free planet with it: nothing changes but the planet's tilt. Held by its meshes it
