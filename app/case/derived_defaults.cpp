@@ -169,8 +169,7 @@ std::optional<DerivedDefault> support(const ValuesOfSet& value) {
 // Of the set in three dimensions.
 std::optional<DerivedDefault> sun_tilt(const ValuesOfSet& value) {
   const std::optional<gearset::PlanetarySet> set = teeth_of(value);
-  if (!set ||
-      !value.has({"gearset.carrier.bearing_positions", "gearset.dynamics.sun.support_stiffness"}))
+  if (!set || !value.has({"gearset.carrier.bearing_positions", "gearset.dynamics.sun.support_stiffness"}))
     return std::nullopt;
   return DerivedDefault{
       fmt::format("{:.6g} N.m/rad", gearset::dynamics::default_sun_tilt_stiffness(
@@ -238,14 +237,16 @@ std::optional<DerivedDefault> pin_stiffness_of_bearing(const ValuesOfSet& value)
     pin.loaded_length = std::min(face, pin.span);
   }
   if (pin.ends == bearing::PinEnds::flexpin) pin.diameter = value("support.pin_diameter");
-  constexpr std::string_view held[] = {"between the middles of the carrier's walls",
-                                       "clamped in one wall: twice the distance from there to the middle of the "
-                                       "face",
-                                       "from the wall to where it carries its sleeve: a flexpin"};
+  constexpr std::string_view held[] = {
+      "between the middles of the carrier's walls",
+      "clamped in one wall: twice the distance from there to the middle of the "
+      "face",
+      "from the wall to where it carries its sleeve: a flexpin"};
   return DerivedDefault{
       stiffness_text(bearing::pin_stiffness(pin) / value("bearing.per_planet")),
-      fmt::format("a solid pin of {:.4g} mm, {:.4g} mm {}, shared by the bearings of a planet; the walls are rigid",
-                  1e3 * pin.diameter, 1e3 * pin.span, held[static_cast<std::size_t>(pin.ends)])};
+      fmt::format(
+          "a solid pin of {:.4g} mm, {:.4g} mm {}, shared by the bearings of a planet; the walls are rigid",
+          1e3 * pin.diameter, 1e3 * pin.span, held[static_cast<std::size_t>(pin.ends)])};
 }
 
 std::optional<DerivedDefault> required_life(const ValuesOfSet& value) {
@@ -299,7 +300,8 @@ constexpr DefaultRule default_rules[] = {
     {"support.pin_diameter", flexpin_diameter, Needed::at_times, flexpin_rule},
     {"support.stiffness", pin_stiffness_of_bearing, Needed::always,
      "a solid pin that fills the bore of the inner ring, between the middles of both walls of the carrier, "
-     "shared by the bearings of a planet; each of several sets has its own. Held at one end, and as a flexpin, "
+     "shared by the bearings of a planet; each of several sets has its own. Held at one end, and as a "
+     "flexpin, "
      "as support.pin_ends has it where tilts are computed"},
     {"requirements.life_key", required_life, Needed::at_rest_too, "L10mh, where requirements.life is given"},
     {"simulation.load_error_share", load_error_share, Needed::at_times,

@@ -343,7 +343,8 @@ UseStatus use_status_of(const ResolvedCase& resolved, const Input& input, use::A
 
 namespace {
 
-// Without a bearing gears run alone, and in motion planets have one gear. What is missing then is the bearing.
+// Without a bearing gears run alone, and in motion planets have one gear. What is missing then is the
+// bearing.
 void require_bearing(const ResolvedCase& in, use::Analysis analysis) {
   if (in.shape().bearing || in.shape().several || analysis != use::gears) return;
   const char* stepped = "gearset.stepped_planet.teeth";

@@ -205,27 +205,28 @@ void warn_of_carrier(const ResolvedCase& resolved, const SweepOutcome& outcome, 
       [&](const ResultRow& row) { return column(row, "carrier_back_flank_load_N") > 0.0; }, warnings);
 }
 
-// Sets so slow that rollers and cage follow gravity, which motion leaves out: where weight is beside the field
-// of the carrier and that of the rollers' own orbit.
+// Sets so slow that rollers and cage follow gravity, which motion leaves out: where weight is beside the
+// field of the carrier and that of the rollers' own orbit.
 void warn_of_weight(const ResolvedCase& resolved, const SweepOutcome& outcome, Texts& warnings) {
   constexpr double gravity = 9.80665, share = 0.3;  // [m/s2], [-]  of the larger field
   const ResolvedCase at_point = resolved.without_sweep();
   for (const study::NamedSet& set : bearing_sets(at_point)) {
     const study::BearingDuty duty = study::bearing_duty(set.drivetrain, set.geometry);
-    const double cage = bearing::kinematic_cage_speed(set.geometry.bearing, duty.point.inner_speed,
-                                                      duty.point.outer_speed);
+    const double cage =
+        bearing::kinematic_cage_speed(set.geometry.bearing, duty.point.inner_speed, duty.point.outer_speed);
     const double field = std::max(std::pow(duty.gears.carrier_speed, 2) * set.geometry.gears.centre_distance,
                                   cage * cage * set.geometry.bearing.pitch_radius);  // [m/s2]
     const double input = speed_in_rpm(set.drivetrain.drive.speed);
     const auto at = [&](const ResultRow& row) {
       return field * std::pow(value_of(outcome.head, row, "input_speed_rpm") / input, 2);
     };
-    warn_where(outcome,
-               fmt::format("gravity: {}motion leaves it out, and it is more than {:g} of the inertial fields of "
-                           "carrier and rollers there. Slip, impacts and unloaded rollers of sets as slow follow "
-                           "gravity; loads of the meshes and lives do not",
-                           set.name.empty() ? "" : set.name + ": ", share),
-               [&](const ResultRow& row) { return row.ok() && at(row) * share < gravity; }, warnings);
+    warn_where(
+        outcome,
+        fmt::format("gravity: {}motion leaves it out, and it is more than {:g} of the inertial fields of "
+                    "carrier and rollers there. Slip, impacts and unloaded rollers of sets as slow follow "
+                    "gravity; loads of the meshes and lives do not",
+                    set.name.empty() ? "" : set.name + ": ", share),
+        [&](const ResultRow& row) { return row.ok() && at(row) * share < gravity; }, warnings);
   }
 }
 

@@ -94,8 +94,8 @@ PinFreedoms pin_freedoms(const Eigen::MatrixXd& pin, const Eigen::MatrixXd& comp
     return {Eigen::MatrixXd::Identity(2 * seats, 2 * seats),
             unit.asDiagonal() * compliance.inverse() * unit.asDiagonal()};
   const Eigen::MatrixXd shapes = modes.vectors.rightCols(2 * seats - rigid);  // values ascend
-  const Eigen::MatrixXd soft = shapes.transpose() * per_unit.asDiagonal() * compliance *
-                               per_unit.asDiagonal() * shapes;
+  const Eigen::MatrixXd soft =
+      shapes.transpose() * per_unit.asDiagonal() * compliance * per_unit.asDiagonal() * shapes;
   return {shapes, soft.inverse()};
 }
 
@@ -222,8 +222,7 @@ Eigen::Matrix4d compliance_at(const PlanetOnPin& planet, double lever, const Fre
   for (Index i = 0; i < 4; ++i) {
     Eigen::VectorXd load = Eigen::VectorXd::Zero(stiffness.rows());
     load[i] = i < kTiltAt ? 1.0 : 1.0 / lever;
-    const Eigen::VectorXd moved =
-        free.all * mechanics::lengths_under<Eigen::Dynamic>(load, stiffness);
+    const Eigen::VectorXd moved = free.all * mechanics::lengths_under<Eigen::Dynamic>(load, stiffness);
     Vector2d shift = moved.head<2>();
     for (std::size_t k = 0; k < planet.bearings.size(); ++k) shift -= moved.segment<2>(pin_of(k)) / seats;
     compliance.col(i) << shift, moved.segment<2>(kTiltAt) / lever;
@@ -253,9 +252,9 @@ PlanetOnPinState planet_on_pin(const PlanetOnPin& planet, const OperatingPoint& 
   const FreeCoordinates free = free_coordinates(planet, lever, wave_count(races.front().outer_race));
   const RingsOnRollers<Eigen::Dynamic> rings =
       rings_on(planet, races, load_share(planet, point), moment, lever, free, rollers);
-  Eigen::VectorXd found =
-      near != nullptr ? Eigen::VectorXd(free.all.transpose() * start_near(planet, lever, *near))
-                      : start_of(races.front(), rings.rest);
+  Eigen::VectorXd found = near != nullptr
+                              ? Eigen::VectorXd(free.all.transpose() * start_near(planet, lever, *near))
+                              : start_of(races.front(), rings.rest);
   mechanics::Imbalance<Eigen::Dynamic> now;
   PlanetOnPinState state;
   state.report = {mechanics::find_balance<Eigen::Dynamic>(rings, rings.limits(), found, now)};

@@ -102,8 +102,8 @@ TEST(DerivedDefaults, BacklashIsTheLeastThatIsRecommended) {
   const double helix = 7.5 * 3.141592653589793 / 180.0, alpha = 20.0 * 3.141592653589793 / 180.0;
   const double distance = 5.0 * (21 + 39) / std::cos(helix);
   const double of_wind = 2e-3 / 3.0 * (0.06 + 0.0005 * distance + 0.03 * 10.0);
-  EXPECT_NEAR(wind.quantity("gearset.dynamics.backlash") * std::cos(std::asin(std::sin(helix) * std::cos(alpha))) /
-                  of_wind,
+  EXPECT_NEAR(wind.quantity("gearset.dynamics.backlash") *
+                  std::cos(std::asin(std::sin(helix) * std::cos(alpha))) / of_wind,
               1.0, 2.0 * kSixDigits);
   EXPECT_EQ(shipped().quantity("gearset.dynamics.backlash"), 0.1e-3);
 }
@@ -113,7 +113,8 @@ TEST(DerivedDefaults, GuideLandHasAPlayAndMayBeNone) {
   const ResolvedCase resolved = left_out();
   const char* land = "bearing.cage.guide_land_diameter";
   EXPECT_NEAR(resolved.quantity(land), 38.54e-3 + 0.06 * 5.24e-3, 1e-9);
-  EXPECT_NEAR(resolved.with("bearing.cage.guidance", "inner").quantity(land), 33.44e-3 - 0.06 * 5.24e-3, 1e-9);
+  EXPECT_NEAR(resolved.with("bearing.cage.guidance", "inner").quantity(land), 33.44e-3 - 0.06 * 5.24e-3,
+              1e-9);
   // Half of the way to the outer raceway of 40.88 mm.
   EXPECT_NEAR(resolved.with("bearing.cage.outer_diameter", "40.8 mm").quantity(land), 40.84e-3, 1e-9);
   EXPECT_EQ(resolved.with(land, "0 mm").quantity(land), 0.0);
@@ -199,9 +200,9 @@ TEST(DerivedDefaults, PinStiffnessIsThatOfItsEnds) {
 TEST(DerivedDefaults, SunInclinesOnTheShaftThatHoldsIt) {
   const char* tilt = "gearset.dynamics.sun.tilt_stiffness";
   EXPECT_FALSE(left_out().has(tilt) && left_out().quantity(tilt) > 0.0);  // without a carrier in bearings
-  const ResolvedCase held = left_out().with(
-      std::vector<Setting>{{"gearset.carrier.bearing_positions", "[-60 mm, 60 mm]"},
-                           {"gearset.carrier.bearing_stiffness", "[1e9 N/m, 1e9 N/m]"}});
+  const ResolvedCase held =
+      left_out().with(std::vector<Setting>{{"gearset.carrier.bearing_positions", "[-60 mm, 60 mm]"},
+                                           {"gearset.carrier.bearing_stiffness", "[1e9 N/m, 1e9 N/m]"}});
   const double diameter = 55.5e-3, length = 2.5 * diameter;
   const double angular = 206e9 * 3.141592653589793 / 64.0 * std::pow(diameter, 4) / length;  // 6.9e5 N m/rad
   EXPECT_NEAR(held.quantity(tilt) / angular, 1.0, 2.0 * kSixDigits);
