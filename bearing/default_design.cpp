@@ -93,8 +93,8 @@ double pin_stiffness(const PlanetPin& pin) {
   const double second_moment = area * pin.diameter * pin.diameter / 16.0;
   const double nu = pin.poisson_ratio;
   const double warping = (7.0 + 6.0 * nu) / (6.0 * (1.0 + nu));  // kappa of a circle
-  double bending = 0.0;  // [m^3]  times E I
-  double shear = 0.0;    // [m]    times G A/kappa
+  double bending = 0.0;                                          // [m^3]  times E I
+  double shear = 0.0;                                            // [m]    times G A/kappa
   switch (pin.ends) {
     case PinEnds::both:
       bending = 2.0 * (a * a * a / 12.0 + 0.5 * c * c * b - c * b * b / 24.0 + b * b * b / 640.0);

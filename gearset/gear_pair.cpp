@@ -28,8 +28,8 @@ void check_bore(const GearPair& pair, std::size_t of, const ExternalTooth& tooth
   constexpr double round_off = 1e-9;  // of a bore that equals the root diameter on paper
   if (bore > 0.0 && bore <= root_diameter * (1.0 + round_off)) return;
   problems.push_back({bore_key(pair, of), "found a bore of " + millimetres(bore) +
-                                              "; more than zero and at most the root diameter of the " + gear +
-                                              ", " + millimetres(root_diameter) + ", is required"});
+                                              "; more than zero and at most the root diameter of the " +
+                                              gear + ", " + millimetres(root_diameter) + ", is required"});
 }
 
 void check_internal(const GearPair& pair, Warnings& problems) {

@@ -49,14 +49,16 @@ std::string missing_kind_hint(const std::string& key, const std::string& prefix)
   const bool of_stepped = prefix.ends_with("gearset.stepped_planet.");
   if ((of_stepped && (key == "ring" || key == "sun" || key.ends_with("_ring") || key.ends_with("_sun"))) ||
       (prefix.ends_with("gearset.teeth.") && key != "ring" && key.find("ring") != std::string::npos))
-    return "none is required: the first gear of a stepped planet, gearset.teeth.planet, meshes with the sun "
-           "alone, its second, gearset.stepped_planet.teeth, with the ring, gearset.teeth.ring. A set with two "
-           "rings or two suns (Wolfrom) cannot be stated, nor as two sets: their loads would be wrong";
+    return "none is required: the first gear of a stepped planet (gearset.teeth.planet) meshes with the sun "
+           "alone. Its second gear (gearset.stepped_planet.teeth) meshes with the ring (gearset.teeth.ring). "
+           "A "
+           "set with two rings or suns (Wolfrom) cannot be stated; two sets in its place give wrong loads";
   const bool of_bodies = prefix.find("gearset.dynamics.") != std::string::npos;
   if (of_bodies && (key.find("tilt") != std::string::npos || key.find("transverse") != std::string::npos))
     return "none is required: inertias and stiffnesses against tilting cannot be stated but for "
-           "gearset.dynamics.sun.tilt_stiffness. Modes in three dimensions take them from teeth, bearings and "
-           "gearset.carrier; modes of a set without these are those in its plane";
+           "gearset.dynamics.sun.tilt_stiffness. Modes in three dimensions take them from teeth, bearings "
+           "and "
+           "gearset.carrier. Modes of a set without these are in its plane";
   return {};
 }
 

@@ -171,8 +171,7 @@ std::optional<DerivedDefault> support(const ValuesOfSet& value) {
 // Of the set in three dimensions.
 std::optional<DerivedDefault> sun_tilt(const ValuesOfSet& value) {
   const std::optional<gearset::PlanetarySet> set = teeth_of(value);
-  if (!set ||
-      !value.has({"gearset.carrier.bearing_positions", "gearset.dynamics.sun.support_stiffness"}))
+  if (!set || !value.has({"gearset.carrier.bearing_positions", "gearset.dynamics.sun.support_stiffness"}))
     return std::nullopt;
   return DerivedDefault{
       fmt::format("{:.6g} N.m/rad", gearset::dynamics::default_sun_tilt_stiffness(
@@ -240,14 +239,16 @@ std::optional<DerivedDefault> pin_stiffness_of_bearing(const ValuesOfSet& value)
     pin.loaded_length = std::min(face, pin.span);
   }
   if (pin.ends == bearing::PinEnds::flexpin) pin.diameter = value("support.pin_diameter");
-  constexpr std::string_view held[] = {"between the middles of the carrier's walls",
-                                       "clamped in one wall: twice the distance from there to the middle of the "
-                                       "face",
-                                       "from the wall to where it carries its sleeve: a flexpin"};
+  constexpr std::string_view held[] = {
+      "between the middles of the carrier's walls",
+      "clamped in one wall: twice the distance from there to the middle of the "
+      "face",
+      "from the wall to where it carries its sleeve: a flexpin"};
   return DerivedDefault{
       stiffness_text(bearing::pin_stiffness(pin) / value("bearing.per_planet")),
-      fmt::format("a solid pin of {:.4g} mm, {:.4g} mm {}, shared by the bearings of a planet; the walls are rigid",
-                  1e3 * pin.diameter, 1e3 * pin.span, held[static_cast<std::size_t>(pin.ends)])};
+      fmt::format(
+          "a solid pin of {:.4g} mm, {:.4g} mm {}, shared by the bearings of a planet; the walls are rigid",
+          1e3 * pin.diameter, 1e3 * pin.span, held[static_cast<std::size_t>(pin.ends)])};
 }
 
 // No maker's roller has a sharp end.
@@ -324,7 +325,8 @@ constexpr DefaultRule default_rules[] = {
     {"support.pin_diameter", flexpin_diameter, Needed::at_times, flexpin_rule},
     {"support.stiffness", pin_stiffness_of_bearing, Needed::always,
      "a solid pin that fills the bore of the inner ring, between the middles of both walls of the carrier, "
-     "shared by the bearings of a planet; each of several sets has its own. Held at one end, and as a flexpin, "
+     "shared by the bearings of a planet; each of several sets has its own. Held at one end, and as a "
+     "flexpin, "
      "as support.pin_ends has it where tilts are computed"},
     {"bearing.profile.kind", roller_profile, Needed::at_rest_too,
      "iso16281: catalogue rollers have relieved ends; straight ones state straight"},

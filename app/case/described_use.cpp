@@ -86,8 +86,8 @@ const Exception exceptions[] = {
     // A computed tilt is that of bearings at rest, with which one bearing may go on; it has no effect on
     // gears.
     {{"bearing.tilt_state", "bearing.axial_places", "bearing.clearance_differences", "support.pin_ends",
-      "support.pin_span", "support.pin_diameter", "support.carrier_twist_stiffness", "support.pin_inclination.radial",
-      "support.pin_inclination.tangential"},
+      "support.pin_span", "support.pin_diameter", "support.carrier_twist_stiffness",
+      "support.pin_inclination.radial", "support.pin_inclination.tangential"},
      no_tilt,
      use::bearings_as_springs},
     // Stops hold planets and sun under a load; their stiffness counts in small vibration alone.
@@ -136,8 +136,8 @@ const Condition& where_filmed() {
 // A pin that is held at one end makes the support's stiffness where none is stated.
 Use with_pins(const Use& use, std::string_view path) {
   if (!links_rows(path)) return use;
-  return use.used_too(use::bearings_as_springs,
-                      {where_absent("support.stiffness"), where_held_at_one_end(), where_tilts_are_computed()});
+  return use.used_too(use::bearings_as_springs, {where_absent("support.stiffness"), where_held_at_one_end(),
+                                                 where_tilts_are_computed()});
 }
 
 Use with_meshes(Use use, std::string_view path) {
@@ -409,12 +409,11 @@ Use with_carrier_beside(const Use& use, std::string_view path) {
     if ((way.by & use::carrier) != 0 && (way.by & use::quasi_static) == 0)
       more = more.used_too(use::quasi_static, with_body(way.conditions));
   // What a set in its plane does not know; loads, clearance and weight leave its springs as they are.
-  if (is_one_of(path,
-                {"gearset.carrier.bearing_positions", "gearset.carrier.bearing_stiffness",
-                 "gearset.carrier.housing_stiffness", "gearset.carrier.centre_of_mass",
-                 "bearing.axial_places", "bearing.roller_length", "gearset.dynamics.ring.equivalent_mass",
-                 "gearset.dynamics.sun.tilt_stiffness", "gearset.dynamics.sun.axial_stiffness",
-                 "gearset.dynamics.planet.axial_stiffness"}))
+  if (is_one_of(path, {"gearset.carrier.bearing_positions", "gearset.carrier.bearing_stiffness",
+                       "gearset.carrier.housing_stiffness", "gearset.carrier.centre_of_mass",
+                       "bearing.axial_places", "bearing.roller_length",
+                       "gearset.dynamics.ring.equivalent_mass", "gearset.dynamics.sun.tilt_stiffness",
+                       "gearset.dynamics.sun.axial_stiffness", "gearset.dynamics.planet.axial_stiffness"}))
     more = more.used_too(use::modes, body);
   if (links_rows(path))
     more = more.used_too(use::modes, {body, where_held_at_one_end(), where_tilts_are_computed()});

@@ -368,14 +368,15 @@ UseStatus use_status_of(const ResolvedCase& resolved, const Input& input, use::A
 
 namespace {
 
-// Without a bearing gears run alone, and in motion planets have one gear. What is missing then is the bearing.
+// Without a bearing gears run alone, and in motion planets have one gear. What is missing then is the
+// bearing.
 void require_bearing(const ResolvedCase& in, use::Analysis analysis) {
   if (in.shape().bearing || in.shape().several || analysis != use::gears) return;
   const char* stepped = "gearset.stepped_planet.teeth";
   if (!in.has(stepped)) return;
   throw BadInput(in.file() +
                  ": bearing: missing; required: the bearing of the planets, as bearing.designation and "
-                 "bearing.per_planet: without one the gears run alone in motion, which takes no " +
+                 "bearing.per_planet. Without one the gears move alone, which takes no " +
                  stepped + ". check computes ratio, speeds and mesh forces without it");
 }
 

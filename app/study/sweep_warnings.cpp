@@ -16,6 +16,7 @@
 #include "app/study/fidelity.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/study/plausibility.hpp"
+#include "bearing/geometry.hpp"
 #include "bearing/life/rating_lives.hpp"
 #include "coupling/study/multi_stage.hpp"
 #include "coupling/study/one_way.hpp"
@@ -205,6 +206,31 @@ void warn_of_carrier(const ResolvedCase& resolved, const SweepOutcome& outcome, 
       [&](const ResultRow& row) { return column(row, "carrier_back_flank_load_N") > 0.0; }, warnings);
 }
 
+// Sets so slow that rollers and cage follow gravity, which motion leaves out: where weight is beside the
+// field of the carrier and that of the rollers' own orbit.
+void warn_of_weight(const ResolvedCase& resolved, const SweepOutcome& outcome, Texts& warnings) {
+  constexpr double gravity = 9.80665, share = 0.3;  // [m/s2], [-]  of the larger field
+  const ResolvedCase at_point = resolved.without_sweep();
+  for (const study::NamedSet& set : bearing_sets(at_point)) {
+    const study::BearingDuty duty = study::bearing_duty(set.drivetrain, set.geometry);
+    const double cage =
+        bearing::kinematic_cage_speed(set.geometry.bearing, duty.point.inner_speed, duty.point.outer_speed);
+    const double field = std::max(std::pow(duty.gears.carrier_speed, 2) * set.geometry.gears.centre_distance,
+                                  cage * cage * set.geometry.bearing.pitch_radius);  // [m/s2]
+    const double input = speed_in_rpm(set.drivetrain.drive.speed);
+    const auto at = [&](const ResultRow& row) {
+      return field * std::pow(value_of(outcome.head, row, "input_speed_rpm") / input, 2);
+    };
+    warn_where(
+        outcome,
+        fmt::format("gravity: {}motion leaves it out, and it is more than {:g} of the inertial fields of "
+                    "carrier and rollers there. Slip, impacts and unloaded rollers of sets as slow follow "
+                    "gravity; loads of the meshes and lives do not",
+                    set.name.empty() ? "" : set.name + ": ", share),
+        [&](const ResultRow& row) { return row.ok() && at(row) * share < gravity; }, warnings);
+  }
+}
+
 // Motions that did not settle, and gears and bearings that one way did not bring together.
 void warn_of_motions(const SweepOutcome& outcome, Texts& warnings) {
   const auto column = [&](const ResultRow& row, const char* name) {
@@ -245,6 +271,7 @@ std::vector<std::string> sweep_warnings(const ResolvedCase& resolved, const Swee
   if (in_time(fidelity_of(outcome.header.fidelity))) {
     add(planar_warnings(resolved), warnings);
     add(cage_warnings(resolved), warnings);
+    warn_of_weight(resolved, outcome, warnings);
   }
   add(clearance_warnings(resolved), warnings);
   warn_of_few_laminae(resolved, warnings);

@@ -266,7 +266,8 @@ mechanics::SearchLimits search_limits_of(const InclinedPlanet& planet, double fo
 std::string no_balance_text(double load, double residual) {
   std::ostringstream text;
   text << "the planet found no balance on its bearings under " << load
-       << " N: " << mechanics::force_left_text(residual) << "; check clearance, preload and the number of rolling elements";
+       << " N: " << mechanics::force_left_text(residual)
+       << "; check clearance, preload and the number of rolling elements";
   return text.str();
 }
 

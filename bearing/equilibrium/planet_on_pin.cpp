@@ -79,22 +79,24 @@ struct PinFreedoms {
   bool are_all() const { return shapes.rows() == shapes.cols(); }
 };
 
-// Seats on a rigid sleeve have two freedoms, however many they are: against all others the compliance is
-// zero.
-PinFreedoms pin_freedoms(const Eigen::MatrixXd& compliance, double lever) {
+// Seats on a rigid sleeve have two freedoms, however many they are: against all others the compliance of the
+// pin is zero. What the carrier adds to it says nothing of that.
+PinFreedoms pin_freedoms(const Eigen::MatrixXd& pin, const Eigen::MatrixXd& compliance, double lever) {
   constexpr double kRigid = 1e-12;  // [-]  of the softest freedom: round-off of zero
-  const Index seats = compliance.rows() / 2;
+  const Index seats = pin.rows() / 2;
   Eigen::VectorXd unit(2 * seats);  // of slopes: rad by length
   unit << Eigen::VectorXd::Ones(seats), Eigen::VectorXd::Constant(seats, 1.0 / lever);
   const Eigen::VectorXd per_unit = unit.cwiseInverse();
   const mechanics::SymmetricModes modes =
-      mechanics::symmetric_modes(per_unit.asDiagonal() * compliance * per_unit.asDiagonal());
+      mechanics::symmetric_modes(per_unit.asDiagonal() * pin * per_unit.asDiagonal());
   const Index rigid = (modes.values.array() <= kRigid * modes.values.maxCoeff()).count();
   if (rigid == 0)
     return {Eigen::MatrixXd::Identity(2 * seats, 2 * seats),
             unit.asDiagonal() * compliance.inverse() * unit.asDiagonal()};
-  const Index soft = 2 * seats - rigid;  // values ascend
-  return {modes.vectors.rightCols(soft), modes.values.tail(soft).cwiseInverse().asDiagonal()};
+  const Eigen::MatrixXd shapes = modes.vectors.rightCols(2 * seats - rigid);  // values ascend
+  const Eigen::MatrixXd soft =
+      shapes.transpose() * per_unit.asDiagonal() * compliance * per_unit.asDiagonal() * shapes;
+  return {shapes, soft.inverse()};
 }
 
 // The coordinates that are free, and how they move all.
@@ -106,8 +108,8 @@ struct FreeCoordinates {
 FreeCoordinates free_coordinates(const PlanetOnPin& planet, double lever, Index waves) {
   const Eigen::MatrixXd& along_y =
       planet.tangential_compliance.size() > 0 ? planet.tangential_compliance : planet.pin_compliance;
-  const std::array<PinFreedoms, 2> pin{pin_freedoms(planet.pin_compliance, lever),
-                                       pin_freedoms(along_y, lever)};
+  const std::array<PinFreedoms, 2> pin{pin_freedoms(planet.pin_compliance, planet.pin_compliance, lever),
+                                       pin_freedoms(planet.pin_compliance, along_y, lever)};
   const auto seats = static_cast<Index>(planet.bearings.size());
   // Displacements of all seats stand before all slopes in the pin's own matrix.
   const auto coordinate = [&](Index i, Index axis) {
@@ -220,8 +222,7 @@ Eigen::Matrix4d compliance_at(const PlanetOnPin& planet, double lever, const Fre
   for (Index i = 0; i < 4; ++i) {
     Eigen::VectorXd load = Eigen::VectorXd::Zero(stiffness.rows());
     load[i] = i < kTiltAt ? 1.0 : 1.0 / lever;
-    const Eigen::VectorXd moved =
-        free.all * mechanics::lengths_under<Eigen::Dynamic>(load, stiffness);
+    const Eigen::VectorXd moved = free.all * mechanics::lengths_under<Eigen::Dynamic>(load, stiffness);
     Vector2d shift = moved.head<2>();
     for (std::size_t k = 0; k < planet.bearings.size(); ++k) shift -= moved.segment<2>(pin_of(k)) / seats;
     compliance.col(i) << shift, moved.segment<2>(kTiltAt) / lever;
@@ -251,9 +252,9 @@ PlanetOnPinState planet_on_pin(const PlanetOnPin& planet, const OperatingPoint& 
   const FreeCoordinates free = free_coordinates(planet, lever, wave_count(races.front().outer_race));
   const RingsOnRollers<Eigen::Dynamic> rings =
       rings_on(planet, races, load_share(planet, point), moment, lever, free, rollers);
-  Eigen::VectorXd found =
-      near != nullptr ? Eigen::VectorXd(free.all.transpose() * start_near(planet, lever, *near))
-                      : start_of(races.front(), rings.rest);
+  Eigen::VectorXd found = near != nullptr
+                              ? Eigen::VectorXd(free.all.transpose() * start_near(planet, lever, *near))
+                              : start_of(races.front(), rings.rest);
   mechanics::Imbalance<Eigen::Dynamic> now;
   PlanetOnPinState state;
   state.report = {mechanics::find_balance<Eigen::Dynamic>(rings, rings.limits(), found, now)};

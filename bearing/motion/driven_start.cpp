@@ -168,7 +168,8 @@ Eigen::VectorXd driven_start(const Bearing& bearing, const BearingModel& model,
   if (!balance.rollers.report.converged) {
     std::ostringstream text;
     text << "the pin ring found no static equilibrium with its bore at (" << motion.position.transpose()
-         << ") m: " << mechanics::force_left_text(balance.rollers.report.residual) << "; required: a displacement that rollers and support can carry";
+         << ") m: " << mechanics::force_left_text(balance.rollers.report.residual)
+         << "; required: a displacement that rollers and support can carry";
     throw std::runtime_error(text.str());
   }
   const double spin = kinematic_roller_spin(model.geometry, 0.0, motion.speed);

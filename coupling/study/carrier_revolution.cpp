@@ -411,8 +411,8 @@ spatial::SpatialSet spatial_set(const PlanetaryDrivetrain& drivetrain, const Set
                           .sun = mesh_of(bodies.sun_mesh, base_helix_angle, width),
                           .ring = mesh_of(bodies.ring_mesh, base_helix_angle, width),
                           .planet_bearings = {},
-                          // Axial forces of both meshes cancel on a planet: washers hold what is left, which no
-                          // load depends on. In small vibration they have play: moving_set().
+                          // Axial forces of both meshes cancel on a planet: washers hold what is left, which
+                          // no load depends on. In small vibration they have play: moving_set().
                           .planet_axial_stiffness = bodies.planet.bearing_stiffness,
                           .carrier_bearings = carrier_bearings(mounting),
                           .housing_stiffness = spatial::matrix_of_rows(mounting.housing),

@@ -112,7 +112,7 @@ struct PinSeats {
       axial_positions;  // [m]  (bearings)  from the middle of the face; none: evenly across it
   std::vector<double> clearance_differences;  // [m]  (bearings)  beyond the stated clearance; none: alike
   bearing::PinEnds ends = bearing::PinEnds::both;
-  std::optional<double> span;  // [m]  of the pin; none: by the face, pin_span()
+  std::optional<double> span;      // [m]  of the pin; none: by the face, pin_span()
   std::optional<double> diameter;  // [m]  of a flexpin, within its sleeve; none: the bore of the bearing
   std::optional<double>
       carrier_twist;                // [N m/rad]  of one wall of the carrier against the other; none: rigid

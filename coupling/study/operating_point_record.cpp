@@ -154,9 +154,11 @@ void describe_motion(Record& record, const PointResult& point) {
       "slip of the orbit by drag of the oil against traction of the loaded rollers, in closed form, to "
       "compare with that of the motion",
       moving([](const DynamicRecord& d) { return d.drag_slip.value_or(kAbsent); }));
-  record.value("friction_moment_N_m", dimension::torque, "friction moment of the bearing on the bore; times the planet's speed it is the loss but for what "
-               "the vibration of the planet brings",
-               moving([](const DynamicRecord& d) { return d.friction_moment; }));
+  record.value(
+      "friction_moment_N_m", dimension::torque,
+      "friction moment of the bearing on the bore; times the planet's speed it is the loss but for what "
+      "the vibration of the planet brings",
+      moving([](const DynamicRecord& d) { return d.friction_moment; }));
   describe_losses(record, point);
   record.value("steady", dimension::ratio, "1: the means were steady; 0: they drifted to the end",
                moving([](const DynamicRecord& d) { return d.steady ? 1.0 : 0.0; }));

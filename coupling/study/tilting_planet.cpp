@@ -30,7 +30,8 @@ bearing::PinBeam planet_pin(const PlanetaryDrivetrain& drivetrain) {
   const bool ringed = drivetrain.mounting.rings == bearing::Rings::both;  // else rollers run on the pin
   const double bore = ringed ? drivetrain.bearing.inner.seat_diameter
                              : 2.0 * bearing::geometry_of(drivetrain.bearing).inner_radius;
-  return {.diameter = seats.diameter.value_or(bore),
+  const bool sleeved = seats.ends == bearing::PinEnds::flexpin;
+  return {.diameter = sleeved ? seats.diameter.value_or(bore) : bore,
           .bore = bored ? drivetrain.mounting.pin_bore : 0.0,
           .span = seats.span.value_or(span),
           .ends = seats.ends,

@@ -218,9 +218,8 @@ class Builder {
     for (const Eigen::Index about : {0, 1}) {
       Motion tilt{.body = sun};
       tilt.row[3 + about] = 1.0;
-      made_.springs.push_back({.one = tilt,
-                               .other = {},
-                               .stiffness = set_.sun_tilt_stiffness / (made_.lever * made_.lever)});
+      made_.springs.push_back(
+          {.one = tilt, .other = {}, .stiffness = set_.sun_tilt_stiffness / (made_.lever * made_.lever)});
     }
   }
 
@@ -550,8 +549,7 @@ Eigen::MatrixXd closed_stiffness(const SpatialSet& set, int slices, bool ring_mo
   const VectorXd nowhere = VectorXd::Zero(assembly.force.size());
   for (const Spring& spring : assembly.springs) add_spring(spring, nowhere, sum);
   for (const RadialSpring& spring : assembly.radial) add_radial(spring, nowhere, sum);
-  for (const PinnedPlanet& planet : assembly.pinned)
-    add_pinned(planet, assembly.pin_stiffness, nowhere, sum);
+  for (const PinnedPlanet& planet : assembly.pinned) add_pinned(planet, assembly.pin_stiffness, nowhere, sum);
   for (const MeshFlanks& mesh : assembly.meshes)
     add_pressing(mesh.driving, assembly.height, Eigen::ArrayXd::Ones(slices), sum.stiffness);
   add_housing(assembly, nowhere, sum);

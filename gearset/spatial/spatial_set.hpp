@@ -49,10 +49,10 @@ struct SpatialSet {
   double planet_base_radius = 0.0;  // [m]
   SpatialMesh sun, ring;
   std::vector<PlanetBearing> planet_bearings;  // the same on each pin
-  /// [m/N]  (planet bearings, the same)  of a pin at them, in any one plane, beside their own compliance; they
-  /// then have no clearance; none: in their stiffness
+  /// [m/N]  (planet bearings, the same)  of a pin at them, in any one plane, beside their own compliance;
+  /// they then have no clearance; none: in their stiffness
   Eigen::MatrixXd pin_compliance;
-  double planet_axial_stiffness = 0.0;         // [N/m]  between planet and pin
+  double planet_axial_stiffness = 0.0;  // [N/m]  between planet and pin
   std::vector<CarrierBearing> carrier_bearings;
   /// [N/m]  (3 x carrier bearings, the same)  of the housing at the bearings' seats, in series with them: x,
   /// y and z of the housing, bearing by bearing; none: rigid
@@ -85,8 +85,8 @@ struct CarrierMounting {
   double gravity = 9.80665;          // [m/s2]
   std::vector<double> rotor_force;   // [N]    (3) or empty
   std::vector<double> rotor_moment;  // [N m]  (2) or empty
-  double sun_tilt_stiffness = 0.0;      // [N m/rad]  of its shaft; 0: it inclines freely
-  double sun_axial_stiffness = 0.0;     // [N/m]  in small vibration
+  double sun_tilt_stiffness = 0.0;   // [N m/rad]  of its shaft; 0: it inclines freely
+  double sun_axial_stiffness = 0.0;  // [N/m]  in small vibration
   double planet_axial_stiffness = 0.0;  // [N/m]  of all bearings of a planet, the same
 };
 

@@ -51,7 +51,8 @@ double sun_base_radius(const SpatialSet& set) {
   return set.centre_distance * std::cos(set.sun.pressure_angle) - set.planet_base_radius;
 }
 
-// Of a pin that links its rows: a force on the sleeve moves it by `radial`, a moment inclines it by `angular`.
+// Of a pin that links its rows: a force on the sleeve moves it by `radial`, a moment inclines it by
+// `angular`.
 Eigen::MatrixXd sleeve(const SpatialSet& set, double radial, double angular) {
   Eigen::VectorXd position(static_cast<Eigen::Index>(set.planet_bearings.size()));
   for (std::size_t r = 0; r < set.planet_bearings.size(); ++r)
@@ -132,7 +133,8 @@ TEST(SpatialSet, PinOfASleeveIsInSeriesWithItsRows) {
   set.pin_compliance = sleeve(set, radial, angular);
   const SpatialBalance pinned = balance(set, rated(), 0.0, kSlices);
   for (int p = 0; p < 3; ++p) {
-    EXPECT_NEAR(pinned.bearing_tangential.col(p).sum() / rows.bearing_tangential.col(p).sum(), 1.0, kRoundOff);
+    EXPECT_NEAR(pinned.bearing_tangential.col(p).sum() / rows.bearing_tangential.col(p).sum(), 1.0,
+                kRoundOff);
     EXPECT_NEAR(pinned.planet_tilt.col(p).norm() / rows.planet_tilt.col(p).norm(),
                 (1.0 / (2.0 * k * z * z) + angular) / (1.0 / (2.0 * k * z * z)), 0.02);
   }

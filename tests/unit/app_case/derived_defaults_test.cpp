@@ -102,8 +102,8 @@ TEST(DerivedDefaults, BacklashIsTheLeastThatIsRecommended) {
   const double helix = 7.5 * 3.141592653589793 / 180.0, alpha = 20.0 * 3.141592653589793 / 180.0;
   const double distance = 5.0 * (21 + 39) / std::cos(helix);
   const double of_wind = 2e-3 / 3.0 * (0.06 + 0.0005 * distance + 0.03 * 10.0);
-  EXPECT_NEAR(wind.quantity("gearset.dynamics.backlash") * std::cos(std::asin(std::sin(helix) * std::cos(alpha))) /
-                  of_wind,
+  EXPECT_NEAR(wind.quantity("gearset.dynamics.backlash") *
+                  std::cos(std::asin(std::sin(helix) * std::cos(alpha))) / of_wind,
               1.0, 2.0 * kSixDigits);
   EXPECT_EQ(shipped().quantity("gearset.dynamics.backlash"), 0.1e-3);
 }
@@ -113,7 +113,8 @@ TEST(DerivedDefaults, GuideLandHasAPlayAndMayBeNone) {
   const ResolvedCase resolved = left_out();
   const char* land = "bearing.cage.guide_land_diameter";
   EXPECT_NEAR(resolved.quantity(land), 38.54e-3 + 0.06 * 5.24e-3, 1e-9);
-  EXPECT_NEAR(resolved.with("bearing.cage.guidance", "inner").quantity(land), 33.44e-3 - 0.06 * 5.24e-3, 1e-9);
+  EXPECT_NEAR(resolved.with("bearing.cage.guidance", "inner").quantity(land), 33.44e-3 - 0.06 * 5.24e-3,
+              1e-9);
   // Half of the way to the outer raceway of 40.88 mm.
   EXPECT_NEAR(resolved.with("bearing.cage.outer_diameter", "40.8 mm").quantity(land), 40.84e-3, 1e-9);
   EXPECT_EQ(resolved.with(land, "0 mm").quantity(land), 0.0);
@@ -155,6 +156,65 @@ TEST(DerivedDefaults, EachOfSeveralSetsHasItsOwnPin) {
   EXPECT_NE(all.of_set("coupling").quantity("support.stiffness"), reduction);
   EXPECT_NE(all.quantity("sets.coupling.bearing.cage.pocket_clearance"),
             all.quantity("sets.reduction.bearing.cage.pocket_clearance"));
+}
+
+// As the pin is held, where tilts are computed: clamped in one wall over the face, or within the sleeve of a
+// flexpin; two bearings share it. Where tilts are stated the ends of the pin have no effect.
+TEST(DerivedDefaults, PinStiffnessIsThatOfItsEnds) {
+  const auto held = [](const std::string& ends, const std::string& tilt) {
+    return left_out().with(std::vector<Setting>{
+        {"bearing.laminae", "30"}, {"bearing.tilt_state", tilt}, {"support.pin_ends", ends}});
+  };
+  bearing::PlanetPin pin{.diameter = 25e-3,
+                         .loaded_length = 28e-3,
+                         .span = 28e-3,
+                         .youngs_modulus = 206e9,
+                         .poisson_ratio = 0.3,
+                         .ends = bearing::PinEnds::one};
+  const auto expect = [&](const ResolvedCase& resolved) {
+    EXPECT_NEAR(resolved.quantity("support.stiffness") * 2.0 / bearing::pin_stiffness(pin), 1.0, kSixDigits);
+  };
+  expect(held("one", "computed"));
+  pin.span = 40e-3;
+  expect(held("one", "computed").with("support.pin_span", "40 mm"));
+  pin = {.diameter = 0.625 * 25e-3,
+         .loaded_length = 28e-3,
+         .span = 28e-3,
+         .youngs_modulus = 206e9,
+         .poisson_ratio = 0.3,
+         .ends = bearing::PinEnds::flexpin};
+  const ResolvedCase flexpin = held("flexpin", "computed");
+  EXPECT_NEAR(flexpin.quantity("support.pin_diameter"), pin.diameter, kSixDigits * pin.diameter);
+  expect(flexpin);
+  EXPECT_THAT(flexpin.assumed().at("support.stiffness"), HasSubstr("a flexpin"));
+  pin.diameter = 12e-3;
+  expect(flexpin.with("support.pin_diameter", "12 mm"));
+  EXPECT_FALSE(held("both", "computed").has("support.pin_diameter"));
+  EXPECT_EQ(held("flexpin", "stated").quantity("support.stiffness"),
+            left_out().quantity("support.stiffness"));
+  EXPECT_THROW((void)flexpin.with("support.pin_diameter", "25 mm"), BadInput);  // no room for a sleeve
+}
+
+// E I/l of an overhung shaft of half the sun's diameter (111 mm), 2.5 of its diameters long; a floating sun
+// inclines freely, and a stiffer shaft is stiffer both ways.
+TEST(DerivedDefaults, SunInclinesOnTheShaftThatHoldsIt) {
+  const char* tilt = "gearset.dynamics.sun.tilt_stiffness";
+  EXPECT_FALSE(left_out().has(tilt) && left_out().quantity(tilt) > 0.0);  // without a carrier in bearings
+  const ResolvedCase held =
+      left_out().with(std::vector<Setting>{{"gearset.carrier.bearing_positions", "[-60 mm, 60 mm]"},
+                                           {"gearset.carrier.bearing_stiffness", "[1e9 N/m, 1e9 N/m]"}});
+  const double diameter = 55.5e-3, length = 2.5 * diameter;
+  const double angular = 206e9 * 3.141592653589793 / 64.0 * std::pow(diameter, 4) / length;  // 6.9e5 N m/rad
+  EXPECT_NEAR(held.quantity(tilt) / angular, 1.0, 2.0 * kSixDigits);
+  const char* support = "gearset.dynamics.sun.support_stiffness";
+  EXPECT_NEAR(held.with(support, "4e8 N/m").quantity(tilt) / angular, 4.0, 8.0 * kSixDigits);
+  EXPECT_EQ(held.with(support, "0 N/m").quantity(tilt), 0.0);
+  const char* axial = "gearset.dynamics.sun.axial_stiffness";
+  EXPECT_EQ(held.quantity(axial), 0.0);
+  EXPECT_EQ(held.quantity("gearset.dynamics.planet.axial_stiffness"), 0.0);
+  EXPECT_NEAR(held.with("gearset.helix_angle", "10 deg").quantity(axial) /
+                  held.with("gearset.helix_angle", "10 deg").quantity(support),
+              1.0, 2.0 * kSixDigits);
 }
 
 // Without bearings there is nothing to derive.

@@ -73,7 +73,8 @@ TEST(PinStiffness, HeldAtOneEndIsThatOfTheBeamsEnergy) {
       const double x = (i + 0.5) * to / slices;
       const double force = std::clamp((to - x) / held.loaded_length, 0.0, 1.0);
       const double moment = force * (0.5 * (std::max(from, x) + to) - x);
-      sum += (moment * moment / bending_stiffness(held) + force * force / shear_stiffness(held)) * to / slices;
+      sum +=
+          (moment * moment / bending_stiffness(held) + force * force / shear_stiffness(held)) * to / slices;
     }
     EXPECT_NEAR(pin_stiffness(held) * sum, 1.0, midpoint_rule);
   }

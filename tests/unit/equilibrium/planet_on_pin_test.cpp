@@ -6,12 +6,12 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <limits>
-#include <string>
 #include <vector>
 
 #include "bearing/equilibrium/lamina_stiffness.hpp"
 #include "bearing/pin_beam.hpp"
 #include "mechanics/linear_algebra.hpp"
+#include "tests/messages.hpp"
 #include "tests/unit/bearing/example_bearings.hpp"
 
 namespace orbearing::bearing::laminae::planet_on_pin_test {
@@ -172,8 +172,8 @@ TEST(PlanetOnPin, ClampedPinLoadsTheBearingAtTheWall) {
   EXPECT_NEAR(force_of(state.bearings[1]).norm() / far, 1.0, 0.02);
 }
 
-// Bearings on the rigid sleeve of a flexpin move together, however many they are: each carries its part as one
-// bearing alone does, and the sleeve follows by L^3/(12 E I) and shear without inclining.
+// Bearings on the rigid sleeve of a flexpin move together, however many they are: each carries its part as
+// one bearing alone does, and the sleeve follows by L^3/(12 E I) and shear without inclining.
 TEST(PlanetOnPin, FlexpinCarriesAnyNumberOfBearingsAlike) {
   const PinBeam pin{.diameter = 0.015, .span = 0.035, .ends = PinEnds::flexpin};
   const double compliance = pin_compliance(pin, {0.0})(0, 0);  // pin_beam_test has its closed form
@@ -208,11 +208,12 @@ TEST(PlanetOnPin, FlexpinInclinesUnderAMoment) {
   const double angular = pin_compliance(pin, {0.0})(1, 1);  // L/(E I)
   Vector2d from_cages = kNone;
   for (std::size_t k = 0; k < 2; ++k)
-    from_cages += planet.position[k] * load_through_cage(planet.bearings[k].bearing(),
-                                                         planet.bearings[k].geometry(),
-                                                         loaded(kNone).carrier, {});
+    from_cages +=
+        planet.position[k] * load_through_cage(planet.bearings[k].bearing(), planet.bearings[k].geometry(),
+                                               loaded(kNone).carrier, {});
   for (const Vector2d& bearing : state.bearing_tilt)
-    EXPECT_LT((state.tilt - bearing - angular * (moment + from_cages)).norm(), 1e-6 * angular * moment.norm());
+    EXPECT_LT((state.tilt - bearing - angular * (moment + from_cages)).norm(),
+              1e-6 * angular * moment.norm());
 }
 
 // A pin that is no number ends as a planet without balance, said without NaN.
@@ -222,8 +223,7 @@ TEST(PlanetOnPin, LeavesNoNaN) {
   const PlanetOnPinState state = planet_on_pin(planet, loaded({900.0, 2100.0}), kNone, {}, 0.1);
   EXPECT_FALSE(state.report.converged);
   EXPECT_FALSE(std::isnan(state.report.residual));
-  EXPECT_EQ(state.report.message.find("nan"), std::string::npos) << state.report.message;
-  EXPECT_NE(state.report.message.find("the forces are not finite"), std::string::npos) << state.report.message;
+  EXPECT_SAID("planet on a pin that is no number", state.report.message);
 }
 
 // An inclined pin takes a free planet with it: nothing changes but the planet's tilt. Held by its meshes it

@@ -146,8 +146,8 @@ TEST(PlanetPair, IsAssembledWhereTeethFit) {
   EXPECT_NE(pair_problems(set, kSecond).back().text.find("root diameter of both planets"), std::string::npos);
 }
 
-// The set of 33/21/23/93 teeth whose ring reaches into the fillets of the second planet: its meshes warn as the
-// same teeth do as pairs of two gears.
+// The set of 33/21/23/93 teeth whose ring reaches into the fillets of the second planet: its meshes warn as
+// the same teeth do as pairs of two gears.
 TEST(PlanetPair, WarnsOfTeethAsTwoGearsDo) {
   PlanetarySet set{33, 21, 93, 3, 4e-3, {}, 0.2, 0.3, 40e-3, 55e-3};
   const SecondPlanet second{.teeth = 23, .first_shift = 0.1, .shift = 0.15, .side = PairSide::behind};

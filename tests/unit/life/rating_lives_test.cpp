@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "bearing/life/inclined_rating.hpp"
 #include "bearing/units.hpp"
 #include "tests/unit/bearing/example_bearings.hpp"
 
@@ -153,6 +154,22 @@ TEST(RatingLives, EachLaminaHasItsOwnFactor) {
   const RatingLives lives = rating_lives(rating, under(1.0, OilCondition{1.0, 0.5}), loads, loads);
   const double expected = life_modification_factor(RollingElement::roller, 1.0,
                                                    0.5 * lives.fatigue_load_limit / (0.323 * 15 * 3 * 100.0));
+  EXPECT_NEAR(lives.reference_modification / expected, 1.0, kSumsOfPowers);
+}
+
+// Of two rows P_k has the factor 2, where their C has 2^(7/9): under the same loads of all laminae the
+// bearing bears twice the load of one row, and the share of a lamina in it is half.
+TEST(RatingLives, LaminaOfTwoRowsStandsForTheLoadOfBoth) {
+  Bearing bearing = example_bearings::planet_bearing();
+  bearing.rollers().laminae = 3;
+  const PlanetRows two{.type = PlanetBearingType::spherical_roller, .contact_angle = 0.2};
+  const BearingRating rating = planet_bearing_rating(bearing, two, {});
+  const Eigen::ArrayXd middle{{0.0, 100.0, 0.0}};
+  const ElementLoads loads = of_rollers(Eigen::ArrayXd::Ones(15), middle);
+  const RatingLives lives = rating_lives(rating, under(1.0, OilCondition{1.0, 0.5}), loads, loads);
+  const double load = 0.323 * 2 * 15 * 3 * std::cos(0.2) * 100.0;
+  const double expected =
+      life_modification_factor(RollingElement::roller, 1.0, 0.5 * lives.fatigue_load_limit / load);
   EXPECT_NEAR(lives.reference_modification / expected, 1.0, kSumsOfPowers);
 }
 
