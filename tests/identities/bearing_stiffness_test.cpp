@@ -279,8 +279,7 @@ TEST(BearingStiffness, AcrossOverAlongIsThatOfTheSum) {
           along += stiffness * std::pow(std::cos(angle), 2);
           across += stiffness * std::pow(std::sin(angle), 2);
         }
-        // Balls ride on grooves, whose sides hold the ring along the axis of the load a little.
-        EXPECT_NEAR(state.stiffness(1, 1) / state.stiffness(0, 0), across / along, rolls ? 1e-6 : 5e-3)
+        EXPECT_NEAR(state.stiffness(1, 1) / state.stiffness(0, 0), across / along, kAgreement)
             << count << (rolls ? " rollers" : " balls") << ", turned by " << turn;
       }
 }
