@@ -291,6 +291,12 @@ std::optional<DerivedDefault> load_error_share(const ValuesOfSet& value) {
   return DerivedDefault{"0", "simulation.length_error is given"};
 }
 
+// Who states the sliding speed gets that one.
+std::optional<DerivedDefault> sliding_share(const ValuesOfSet& value) {
+  if (!value.given("traction.sliding_scale")) return std::nullopt;
+  return DerivedDefault{"0", "traction.sliding_scale is given"};
+}
+
 // Whether a structure of parameters needs the value, and whether bearings have it that are not moved in time.
 enum class Needed { always, at_times, at_rest_too };
 
@@ -336,6 +342,8 @@ constexpr DefaultRule default_rules[] = {
      "the governing life, where requirements.life is given"},
     {"simulation.load_error_share", load_error_share, Needed::at_times,
      "0, where simulation.length_error is given"},
+    {"traction.sliding_share", sliding_share, Needed::at_rest_too,
+     "0, where traction.sliding_scale is given"},
     {"life.minimum_load", minimum_load, Needed::at_rest_too,
      "0.02, where spectrum is given: makers' rule of thumb for roller bearings"}};
 

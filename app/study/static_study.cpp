@@ -268,6 +268,14 @@ void describe(Record& record, const StaticStudy& study) {
              describe_life)
       .detail = true;
   record.child("life_table", "comparison of lives", study.life_table()).detail = true;
+  record.table("over_cage_positions", "range",
+               "least and greatest over the positions of the cage in a pitch; results are those at "
+               "bearing.first_element_angle",
+               study.over_positions, [](Record& row, const PositionRange& range) {
+                 row.value("result", "its key", range.result);
+                 row.value("least", dimension::ratio, "in the unit that the key ends in", range.least);
+                 row.value("most", dimension::ratio, "the same", range.most);
+               });
   if (!balls_move(study.state))
     record.child("steps", "between the bearing and its reference life", study, describe_steps).detail = true;
   record.array("stiffness", {}, "of the inner ring: x, y, z, tilt about x, tilt about y; SI",
@@ -416,6 +424,41 @@ void rate(const ResolvedCase& in, StaticStudy& study) {
   warn(in, study);
 }
 
+// What hangs on the position of the cage, by keys of the result.
+std::vector<std::pair<std::string, double>> results_by_position(const StaticStudy& study) {
+  const LifeValue lives = value_by_name(study.all_lives());
+  std::vector<std::pair<std::string, double>> found{
+      {"contact_load_max_N", study.state.contact_load.maxCoeff()}};
+  for (const char* key : {"contact_pressure_max_MPa", "L10r_Mrev", "L10rh", "L10mrh", "life_h"})
+    if (const double value = lives(key); std::isfinite(value)) found.emplace_back(key, value);
+  return found;
+}
+
+// Rollers and balls pass the load: what is found with the first one where it is stated, beside other
+// positions.
+void put_ranges(const ResolvedCase& in, StaticStudy& study) {
+  constexpr int positions = 8;
+  for (const auto& [key, value] : results_by_position(study))
+    study.over_positions.push_back({key, value, value});
+  for (int k = 1; k < positions; ++k) {
+    StaticStudy turned{.bearing = study.bearing, .state = {}, .ratings = study.ratings};
+    turned.bearing.first_element += constants::two_pi / study.bearing.element_count() * k / positions;
+    try {
+      turned.state = balance_of(in, turned.bearing);
+    } catch (const ComputationFailed&) {  // no range without all positions
+      study.over_positions.clear();
+      return;
+    }
+    rate(in, turned);
+    const auto found = results_by_position(turned);
+    for (std::size_t i = 0; i < found.size() && i < study.over_positions.size(); ++i) {
+      PositionRange& range = study.over_positions[i];
+      range.least = std::min(range.least, found[i].second);
+      range.most = std::max(range.most, found[i].second);
+    }
+  }
+}
+
 // Lives that need the load on the bearing alone; none where P is not known or the oil is too thin for a_ISO.
 void add_lives_by_load(const ResolvedCase& in, const bearing::Bearing& bearing, std::vector<Derived>& rows) {
   rating::RatingCondition condition;
@@ -515,6 +558,7 @@ StaticStudy static_study(const ResolvedCase& in) {
     study.films = ball_films(bearing, *motion.film, state);
     for (const std::string& warning : film_warnings(bearing, *study.films)) study.warnings.push_back(warning);
   }
+  put_ranges(in, study);
   study.rolling_friction = friction_study(in, bearing, state);
   if (study.rolling_friction && study.rolling_friction->oil_temperature)
     study.warnings.push_back(

@@ -17,6 +17,12 @@ namespace orbearing::app {
 
 // What comes out of one bearing under a static load.
 
+/// Of one result, in the unit that its name ends in, over the positions of the cage in a pitch.
+struct PositionRange {
+  std::string result;
+  double least = 0.0, most = 0.0;
+};
+
 /// Results; lives in revolutions, infinite where nothing is loaded.
 struct StaticStudy {
   bearing::Bearing bearing;
@@ -35,6 +41,7 @@ struct StaticStudy {
   std::optional<SpeedTable> over_speed;
   std::optional<FrictionStudy> rolling_friction;             // none without speed and oil
   std::optional<FrictionByStandards> friction_by_standards;  // none without boundary dimensions
+  std::vector<PositionRange> over_positions;                 // of results at the stated position
   std::vector<std::string> warnings;
 
   BearingLives all_lives() const { return {lives, lundberg_palmgren.bearing, speed, state.largest_pressure}; }

@@ -144,15 +144,22 @@ void warn_of_free_bores(const ResolvedCase& resolved, const SweepOutcome& outcom
              together, warnings);
   // Another state than the closed form has: as close as the two come where oil is squeezed.
   constexpr double share = 0.15, creep = 0.003;
+  const bool squeezed = resolved.has("contact.squeeze") && resolved.flag("contact.squeeze");
+  // Rolling resistance of a bore that turns carries rollers along: then less slip is no other state.
+  const bool carried =
+      resolved.has("traction.rolling_resistance") && resolved.flag("traction.rolling_resistance");
+  const char* advice = squeezed ? "The closed form takes loads at rest and no friction in the pockets: use "
+                                  "cage_slip"
+                                : "Compare with contact.squeeze: true";
   warn_where(
       outcome,
       fmt::format("cage_slip differs by more than {:g} % from the slip by drag against traction (drag_slip). "
-                  "Rollers that bounce, or a bore that whirls, may hold such a state up. Compare with "
-                  "contact.squeeze: true",
-                  100.0 * share),
+                  "Rollers that bounce, or a bore that whirls, may hold such a state up. {}",
+                  100.0 * share, advice),
       [&](const ResultRow& row) {
         const double slip = column(row, "drag_slip");
-        return slip > study::kLightSlip && std::abs(column(row, "cage_slip") - slip) > share * slip + creep;
+        const double more = column(row, "cage_slip") - slip;
+        return slip > study::kLightSlip && (carried ? more : std::abs(more)) > share * slip + creep;
       },
       warnings);
   const auto free = [&](const ResultRow& row) {

@@ -34,11 +34,25 @@ double radius_of_race(const Bearing& bearing, const BearingGeometry& geometry, c
   return inner ? radius - film.inner : radius + film.outer;
 }
 
+// Speeds over which friction and films are rounded are at most a share of the speed at pure rolling: a slow
+// bearing would otherwise slip by them.
+RaceContactParameters with_scales_of(const BearingGeometry& geometry, const OperatingPoint& point,
+                                     RaceContactParameters given) {
+  constexpr double nothing_rolls = 1e-6;  // [m/s]
+  const double cage = kinematic_cage_speed(geometry, point.inner_speed, point.outer_speed);
+  const double rolling = geometry.inner_radius * std::abs(cage - point.inner_speed);
+  const double limit = given.sliding_share * rolling;
+  if (limit < nothing_rolls) return given;
+  for (double* scale : {&given.sliding_scale, &given.least_sliding_scale, &given.entrainment_scale})
+    *scale = std::min(*scale, limit);
+  return given;
+}
+
 }  // namespace
 
 RaceModel race_model(const Bearing& bearing, const BearingGeometry& geometry, const OperatingPoint& point,
                      Race race, const DynamicsParameters& parameters) {
-  const RaceContactParameters& given = parameters.race;
+  const RaceContactParameters given = with_scales_of(geometry, point, parameters.race);
   const FilmContact film = film_contact(bearing, geometry, race, parameters.lubricant);
   RaceModel model;
   model.side = race == Race::inner ? -1.0 : 1.0;
@@ -335,10 +349,12 @@ Vector2 growing_load(const BearingModel& model, double time) {
 }  // namespace
 
 BearingModel bearing_model(const Bearing& bearing, const OperatingPoint& point,
-                           const DynamicsParameters& parameters) {
+                           const DynamicsParameters& stated) {
   const CylindricalRollers& rollers = bearing.rollers();
   const BearingGeometry geometry = geometry_of(bearing);
-  check(bearing, geometry, parameters);
+  check(bearing, geometry, stated);
+  DynamicsParameters parameters = stated;
+  parameters.race = with_scales_of(geometry, point, stated.race);
   OperatingPoint moving = point;
   moving.outer_race = moving_waves(point.outer_race, parameters.rim);
   const double bore_mass = parameters.bore_mass > 0.0 ? parameters.bore_mass : geometry.outer_ring_mass;

@@ -119,6 +119,7 @@ struct RaceContactParameters {
   TractionLaw traction = TractionLaw::regularised_coulomb;
   double friction = 0.05;           // [-]    largest friction
   double sliding_scale = 0.1;       // [m/s]  s_0
+  double sliding_share = 0.02;      // [-]    largest s_0 of rollers over their rolling speed; 0: no limit
   double limiting_friction = 0.06;  // [-]    limiting shear stress / pressure
   double least_sliding_scale =
       0.01;  // [m/s]  added to s_c, so that a film that has gone leaves finite slope.
@@ -174,6 +175,11 @@ void describe(Visitor& visit, RaceContactParameters& m) {
              .reason = "creep of oiled contacts",
              .where = coulomb,
              .fmu = InFmu::parameter}),
+      field(m.sliding_share, "traction.sliding_share", Physics::motion,
+            "largest traction.sliding_scale over the rolling speed of the rollers at pure rolling; 0: no limit",
+            {.models = planetary_drivetrain,
+             .range = {0.0, 1.0},
+             .reason = "oiled contacts reach their friction at slide-to-roll ratios of 1 to 3 % [JohnsonTevaarwerk1977]"}),
       field(m.limiting_friction, "traction.limiting_friction", Physics::motion,
             "limiting shear stress of the oil over pressure",
             {.models = in_time,

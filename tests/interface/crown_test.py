@@ -46,6 +46,29 @@ def life_at(study, drop, tilt):
 STATED = ("--tilts", "0 mrad, 1 mrad, 2 mrad")
 
 
+class RangeOfDrops(unittest.TestCase):
+    """The drops that are studied extend until the best lies below the greatest, unless they are stated."""
+
+    TILTED = ("--tilts", "8 mrad")
+    CASE = CASES / "templates" / "e-drive.yaml"
+    CURVE = 0.02  # of a drop: interpolation over wider nodes
+
+    def test_extends_to_the_optimum(self):
+        study = crown(*self.TILTED, case=self.CASE)
+        greatest = max(point["drop_um"] for point in study["points"])
+        wide = crown(*self.TILTED, "--drops", "0 um : 128 um : 4 um", case=self.CASE)
+        for part in ("recommended", "optimum"):
+            self.assertLess(study[part]["drop_um"], 0.99 * greatest)
+            self.assertAlmostEqual(study[part]["drop_um"] / wide[part]["drop_um"], 1.0, delta=self.CURVE)
+        self.assertFalse(any("greatest studied" in warning for warning in study["warnings"]))
+
+    def test_stated_drops_stay(self):
+        study = crown(*self.TILTED, "--drops", "0 um : 16 um : 2 um", case=self.CASE)
+        self.assertEqual(max(point["drop_um"] for point in study["points"]), 16.0)
+        self.assertTrue(study["recommended"]["most_is_greatest_studied"])
+        self.assertTrue(any("the best drop is the greatest studied" in warning for warning in study["warnings"]))
+
+
 class ComputedTilt(unittest.TestCase):
     """Issue 16, Build 9: tilts are computed where none are stated."""
 

@@ -3,6 +3,7 @@
 Random bearings of a fixed seed, on a set whose carrier is held. 30 of them, 4 in the ordinary test.
 """
 
+import math
 import random
 import unittest
 
@@ -71,6 +72,35 @@ class LightLoads(unittest.TestCase):
         """Displaced planets use up the backlash: the bearing has not the load of the gears."""
         _, said = point_of("gearset.mesh_variation=false", "gearset.dynamics.backlash=0 mm", "bearing.radial_clearance=15 um", "input.speed=12000 rpm", *SHORT)
         self.assertIn("one_way_load_difference", said)
+
+
+class SlowSets(unittest.TestCase):
+    """Friction builds up over a share of the rolling speed: a slow set does not slip by the way friction is rounded."""
+
+    SLOW = ("input.speed=100 rpm", "input.power=2.5 kW", "simulation.observed_revolutions=2", "simulation.most_revolutions=6")
+
+    def slip(self, *values):
+        return point_of(*self.SLOW, *values)[0]["roller_slip"]
+
+    def test_roller_slip_of_a_slow_set(self):
+        slip, half = self.slip("traction.sliding_share=0.02"), self.slip("traction.sliding_share=0.01")
+        # Rounding over 2 % of the rolling speed adds at most 1 % of slip; over 0.1 m/s, as much as the rollers roll, it is the slip.
+        self.assertLess(abs(slip - half), 0.01)
+        self.assertGreater(self.slip(), 2.0 * slip)  # the published case states 0.1 m/s
+        # The share is of the rolling speed at pure rolling, d_m/4 (1 - gamma^2) times the speed of the planet in the carrier.
+        carrier = 100.0 * 37.0 / 116.0
+        rolling = 35.64e-3 / 4.0 * (1.0 - (5.24 / 35.64) ** 2) * (100.0 - carrier) * 37.0 / 22.0 * math.pi / 30.0
+        self.assertAlmostEqual(self.slip(f"traction.sliding_scale={0.02 * rolling!r} m/s"), slip, delta=1e-6)
+
+    def test_fast_sets_keep_the_largest_scale(self):
+        """0.1 m/s where 2 % of the rolling speed is more."""
+        values = ("gearset.mesh_variation=false", *SHORT)
+        self.assertEqual(point_of(*values)[0], point_of(*values, "traction.sliding_share=0.02")[0])
+
+    def test_default(self):
+        shares = [{row["path"]: row["value"] for row in answer("check", case)["inputs"]}["traction.sliding_share"]
+                  for case in (REDUCER.parents[1] / "templates" / "industrial.yaml", REDUCER)]
+        self.assertEqual(shares, [0.02, 0.0])
 
 
 class FullComplement(unittest.TestCase):

@@ -338,6 +338,29 @@ class CagePositions(unittest.TestCase):
         # From 413 to 466 W by position.
         self.assertGreater(found[0]["most_power_W"] / found[0]["least_power_W"], 1.1)
 
+    def test_formulas_take_the_viscosity_of_the_heated_oil(self):
+        """M_0 ~ (nu n)^(2/3): an ISO VG 46 oil of index 95 has 46 mm2/s at 40 degC and 6.75 at 100, between them by ASTM D341."""
+
+        def double_log(viscosity):
+            return math.log10(math.log10(viscosity + 0.7))
+
+        first, second = math.log10(313.15), math.log10(373.15)
+        slope = (double_log(46.0) - double_log(6.75)) / (second - first)
+
+        def viscosity(temperature):
+            return 10.0 ** 10.0 ** (double_log(46.0) - slope * (math.log10(temperature + 273.15) - first)) - 0.7
+
+        text = self.CASE.read_text(encoding="utf-8").replace("  kinematic_viscosity: 12 mm2/s\n", "  grade: ISO VG 46\n  temperature: 70 degC\n")
+        with tempfile.TemporaryDirectory() as folder:
+            case = pathlib.Path(folder) / "graded.yaml"
+            case.write_text(text, encoding="utf-8")
+            cold = run(case, *self.DUTY)
+            hot = run(case, *self.DUTY, "heat.enabled=true", "heat.model=oil", "lubricant.flow=0.4 L/min", "heat.inlet=60 degC")
+        outlet = hot["friction"]["oil_temperature_degC"]
+        self.assertGreater(outlet, 80.0)
+        found = [one["friction_by_standards"]["palmgren"]["load_free_N_mm"] for one in (hot, cold)]
+        self.assertAlmostEqual(found[0] / found[1] / (viscosity(outlet) / viscosity(70.0)) ** (2.0 / 3.0), 1.0, delta=0.02)
+
     def test_heated_oil_takes_the_mean_along(self):
         """The temperature at which the oil leaves is that of the mean heat: 1.7 MJ/(m3 K) of oil."""
         heated = ("heat.enabled=true", "heat.model=oil", "lubricant.flow=1 L/min", "heat.inlet=60 degC")

@@ -459,6 +459,7 @@ inline const std::map<std::string, Change>& stated_changes() {
       {"simulation.load_drift",
        {"1e-9", {"simulation.most_revolutions=4", "simulation.load_drift=0.9", "simulation.cage_drift=0.9"}}},
       {"simulation.load_error_share", {"1e-3"}},
+      {"traction.sliding_share", {"1e-3"}},
       {"simulation.cage_drift",
        {"1e-9", {"simulation.most_revolutions=4", "simulation.load_drift=0.9", "simulation.cage_drift=0.9"}}},
       {"bearing.cage.pocket_straight", {"0.1 mm"}},

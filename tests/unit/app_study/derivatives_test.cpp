@@ -126,6 +126,15 @@ TEST(Derivatives, OfPowersAreExact) {
   EXPECT_NEAR(found([](double t) { return std::sin(t); }, scatter).value, 1.0, 1e-9);  // of both signs
 }
 
+// At the end of a range the slope is one to one side, with the sign of the result's growth.
+TEST(Derivatives, OfPowersToOneSideAreExact) {
+  const double scatter = scatter::at_rest;
+  for (const int side : {-1, 1}) {
+    EXPECT_NEAR(found([](double t) { return 5.0 * std::exp(4.0 * t); }, scatter, side).value, 20.0, 1e-8);
+    EXPECT_NEAR(found([](double t) { return -7.0 + 3.0 * t; }, scatter, side).value, 3.0, 1e-8) << side;
+  }
+}
+
 TEST(Derivatives, StateHowMuchTheSlopesToBothSidesDiffer) {
   const Slope kink = found([](double t) { return 1.0 + (t > 0.0 ? 3.0 * t : t); }, scatter::at_rest);
   EXPECT_NEAR(kink.value, 2.0, 1e-4);

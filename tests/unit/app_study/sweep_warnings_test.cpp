@@ -64,9 +64,19 @@ TEST(SweepWarnings, OfBoresWhoseMotionDependsOnTheirMeshes) {
   EXPECT_SAID("one way solved together", last_warning(outcome_of("interface_window_us", {0.0, 4.3})));
   const SweepOutcome light = outcome_of("drag_slip", {0.05, 0.051});
   EXPECT_SAID("one way not followed", last_warning(light));
-  EXPECT_SAID("one way free bore", sweep_warnings(shipped({"input.acceleration=10 rpm/s"}), light, {}).back());
+  EXPECT_SAID("one way free bore",
+              sweep_warnings(shipped({"input.acceleration=10 rpm/s"}), light, {}).back());
   const SweepOutcome whirling = outcome_of("drag_slip", {0.5, 0.4, 0.05}, "cage_slip", 0.42);
-  EXPECT_SAID("slip by drag", sweep_warnings(shipped(), whirling, {}).end()[-2]);
+  const std::string without = "traction.rolling_resistance=false";
+  EXPECT_SAID("slip by drag", sweep_warnings(shipped({without}), whirling, {}).end()[-2]);
+  EXPECT_SAID("slip by drag of squeezed oil",
+              sweep_warnings(shipped({without, "contact.squeeze=true"}), whirling, {}).end()[-2]);
+  // With rolling resistance less slip than 0.5 is as it should be; more is not.
+  const auto count = [](const SweepOutcome& outcome) {
+    return sweep_warnings(shipped(), outcome, {}).size();
+  };
+  const SweepOutcome slipping = outcome_of("drag_slip", {0.5, 0.4, 0.05}, "cage_slip", 0.6);
+  EXPECT_EQ(count(slipping), count(whirling) + 1);
 }
 
 }  // namespace

@@ -85,10 +85,24 @@ TEST(PinBeam, SlopeOfASlenderPinIsThatOfItsDisplacement) {
   EXPECT_NEAR((near(1, 3) - near(0, 3)) / (2.0 * h) / near(6, 3), 1.0, 1e-4);
 }
 
-TEST(PinBeam, BoreMakesItSofter) {
-  PinBeam bored = kPinInWalls;
-  bored.bore = 0.015;
-  EXPECT_GT(pin_compliance(bored, {0.0})(0, 0), 1.1 * pin_compliance(kPinInWalls, {0.0})(0, 0));
+// A slender pin bends only: as 1 - (d/D)^4 of the solid one.
+TEST(PinBeam, BoreTakesItsSecondMoment) {
+  PinBeam slender = kPinInWalls, bored = slender;
+  slender.diameter = bored.diameter = 1e-5;
+  bored.bore = 0.6e-5;
+  EXPECT_NEAR(pin_compliance(slender, {0.0})(0, 0) / pin_compliance(bored, {0.0})(0, 0), 1.0 - 0.1296, 1e-6);
+}
+
+// A short thin tube, whose shear coefficient is 2 (1 + nu)/(4 + 3 nu) [Cowper1966].
+TEST(PinBeam, ThinTubeShearsAsOne) {
+  PinBeam tube = kPinInWalls;
+  tube.bore = 0.999 * tube.diameter;
+  const double nu = tube.material.poisson_ratio, l = tube.span;
+  const double area = 0.25 * pi * (tube.diameter * tube.diameter - tube.bore * tube.bore);
+  const double shear = 2.0 * (1.0 + nu) / (4.0 + 3.0 * nu) * tube.material.shear_modulus() * area;
+  EXPECT_NEAR(pin_compliance(tube, {0.0})(0, 0) /
+                  (std::pow(l, 3) / (48.0 * bending_stiffness(tube)) + l / (4.0 * shear)),
+              1.0, 1e-5);
 }
 
 TEST(PinBeam, RefusesAPositionBeyondItsSupports) {
