@@ -141,10 +141,12 @@ class Resolver {
     }
   }
 
-  // A class that was assumed, and the clearance that follows from it.
+  // A class that was assumed, and what follows from it.
   static bool is_of_default_class(const Entry& assumed, const std::string& path) {
     const std::string set = set_of(path);
-    if (path != set + catalogue_keys::kClass && path != set + catalogue_keys::kClearance) return false;
+    if (!is_one_of(path.substr(set.size()),
+                   {catalogue_keys::kClass, catalogue_keys::kClearance, catalogue_keys::kState}))
+      return false;
     const Member* of_class = find_member(assumed, set + catalogue_keys::kClass);
     return of_class != nullptr && of_class->value.text.starts_with("default:");
   }

@@ -147,6 +147,33 @@ class BadInput(unittest.TestCase):
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertIn("reducer_150kW", result.stdout)
 
+    def test_missing_keys_and_what_tooth_numbers_tell_are_one_round(self):
+        """Four planets at equal steps need a sum of teeth that 4 divides: 24 + 90 = 114; 16 keys are missing beside it."""
+        text = ("name: b\nmodel: planetary-drivetrain\ninput: {power: 160 Nm}\n"
+                "gearset: {planets: 4, teeth: {sun: 24, planet: 33, ring: 90}, module: 3 kg}\nbearing: {rollers: 5.5}\n")
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "b.yaml"
+            file.write_text(text, encoding="utf-8")
+            result = run("check", file)
+        for said in (r"^\S*: input\.power: '160 Nm': its unit 'Nm' does not measure the same as 'W' \(it is one of torque\); .*; did you mean 'input\.torque'\?$",
+                     r"gearset\.planets: found 4 equally spaced planets; a divisor of sun \+ ring teeth = 114 is required",
+                     r"gearset\.module: '3 kg': its unit 'kg' does not measure the same as 'm' \(it is one of mass\)",
+                     r"input\.speed: missing", r"bearing\.per_planet: missing", r"bearing\.rollers: '5\.5' is not a whole number"):
+            self.expect_message(result, said)
+        self.assertNotIn("source", result.stderr)
+
+    def test_the_source_is_the_file_unless_it_is_given(self):
+        text = re.sub(r"^source:.*\n", "", SHIPPED.read_text(encoding="utf-8"), flags=re.M)
+        with tempfile.TemporaryDirectory() as folder:
+            for name, shown in (("mine.yaml", "mine.yaml"), ("gearbox/case.yaml", "gearbox/case.yaml")):
+                file = pathlib.Path(folder) / name
+                file.parent.mkdir(exist_ok=True)
+                file.write_text(text, encoding="utf-8")
+                result = run("run", file, "--json")
+                self.assertEqual(result.returncode, 0, result.stderr)
+                (told,) = [one for one in json.loads(result.stdout)["assumptions"] if one["key"] == "source"]
+                self.assertEqual((told["value"], told["reason"]), (shown, "default: name of the case file"))
+
     def test_changed_files(self):
         self.expect_refused(SHIPPED, CHANGED_FILES)
 

@@ -167,6 +167,15 @@ class ComputedTilt(unittest.TestCase):
         self.assertTrue(any("carrier_wind_up" in text and "--tilts" in text for text in found["warnings"]))
 
 
+class Text(unittest.TestCase):
+    def test_warnings_are_before_the_results(self):
+        """That tilts are assumed decides how a crown is to be read; it was the last of some hundred lines."""
+        lines = call("crown", REDUCER, "--drops", "0 um, 10 um", "--starts", "1").stdout.splitlines()
+        warnings = [i for i, line in enumerate(lines) if line.startswith("warning: ")]
+        self.assertEqual(warnings, list(range(len(warnings))), lines)
+        self.assertTrue(warnings)
+
+
 class Contract(unittest.TestCase):
     @classmethod
     def setUpClass(cls):

@@ -470,7 +470,7 @@ class ResultsTravel(unittest.TestCase):
 
     def test_files_of_a_result_in_motion(self):
         """A copy shares them; they are deleted with the last one, and another process does not get them."""
-        moved = orbearing.load(REDUCER, {"simulation.settling_revolutions": 0.2, "simulation.observed_revolutions": 0.2, "simulation.most_revolutions": 0.4})
+        moved = orbearing.load(REDUCER, {"simulation.observed_revolutions": 1, "simulation.most_revolutions": 2})
         result = moved.run(fidelity="dynamic")
         folder = result.folder
         self.assertTrue(folder.is_dir())

@@ -147,6 +147,26 @@ class RatedRecords(unittest.TestCase):
         text = run("spectrum", *arguments, *settings(NO_INERTIA)).stdout
         self.assertIn("skid risk: P/C below 0.02 (life.minimum_load) for 10 % of the time, 100 h", text)
 
+    def test_a_run_states_skid_risk_and_in_motion_slip_and_losses(self):
+        brief = ("simulation.observed_revolutions=1", "simulation.most_revolutions=2")
+        for power, at_risk in (("150 kW", False), ("5 kW", True)):
+            duty = (f"input.power={power}", "input.speed=2000 rpm", *brief)
+            still, moving = answer("run", REDUCER, *duty[:2]), answer("run", REDUCER, *duty, options=("--fidelity", "dynamic"))
+            for found in (still, moving):
+                (point,) = found["points"]
+                self.assertEqual((found["skid_risk"], found["minimum_load"]), (at_risk, 0.02))
+                self.assertAlmostEqual(found["P_over_C"], point["P_N"] / point["C_N"], places=12)
+            lines = run("run", REDUCER, "--fidelity", "dynamic", *settings(duty)).stdout.splitlines()
+            (point,) = moving["points"]
+            self.assertEqual(lines[0], f"slip: cage {100 * point['cage_slip']:.3g} %, rollers {100 * point['roller_slip']:.3g} %")
+            losses = {key[len("power_loss_"):-2].replace("_", " "): value for key, value in point.items()
+                      if key.startswith("power_loss_") and key != "power_loss_W" and value}
+            head, _, causes = lines[1].partition(" W: ")
+            self.assertEqual(head, f"power loss of one bearing: {point['power_loss_W']:.4g}")
+            self.assertEqual(causes.split(", "), [f"{name} {value:.3g}" for name, value in sorted(losses.items(), key=lambda one: -abs(one[1]))])
+            self.assertAlmostEqual(sum(losses.values()) / point["power_loss_W"], 1.0, places=6)
+            self.assertEqual(lines[2], f"skid risk: {'yes' if at_risk else 'no'}: P/C {moving['P_over_C']:.3g}, minimum load 0.02")
+
     def test_the_mean_torque_of_a_bin_is_that_of_the_life_in_use_and_never_lengthens_it(self):
         """Issue 47, item 3: bins by the exponent of the life that is used, their mean conservative."""
         uneven = self.record("uneven", [(torque, 3000.0) for torque in (60.0, 400.0, 120.0, 300.0, 200.0, 80.0, 350.0, 250.0, 150.0)])

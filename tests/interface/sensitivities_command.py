@@ -27,6 +27,28 @@ def of_itself(name):
     return loaded("sensitivities", case(name))
 
 
+class Text(unittest.TestCase):
+    def test_it_is_as_its_page_shows(self):
+        """Warnings, the result, the table; what has no effect is last, in lines of a screen."""
+        lines = call("sensitivities", case("reducer_150kW")).stdout.splitlines()
+        page = (CASES.parent / "docs" / "sensitivities.md").read_text(encoding="utf-8")
+        shown = [line[4:] for line in page[page.index("    quantity  life_h"):].split("\n\n- ")[0].splitlines()]
+        first = lines.index(shown[0])
+        self.assertEqual(lines[first:first + len(shown)], shown)
+        self.assertTrue(all(line.startswith("warning: ") or not line for line in lines[:first]), lines[:first])
+        self.assertFalse(any(line.startswith("warning: ") for line in lines[first:]))
+        place = lines.index("without_effect: inputs on which the result does not depend")
+        self.assertGreater(len(lines) - place, 3)
+        self.assertLessEqual(max(len(line) for line in lines[place:]), 160)
+        named = " ".join(lines[place + 1:]).replace(",", " ").split()
+        self.assertEqual(named, of_itself("reducer_150kW")["without_effect"])
+
+    def test_by_an_input_without_effect_it_is_refused(self):
+        refused = call("sensitivities", case("reducer_nu204"), "--by", "bearing.radial_clearance")
+        self.assertEqual((refused.returncode, refused.stdout), (2, ""))
+        self.assertIn("bearing.radial_clearance: found a varied input that has no effect: it counts only where bearing.clearance_class is not given", refused.stderr)
+
+
 class Contract(unittest.TestCase):
     def test_of_a_drivetrain(self):
         found = of_itself("reducer_150kW")
