@@ -447,6 +447,7 @@ class AtTheCursor(Drawn):
             unit = POINT.get(key, {}).get("unit", "")
             shown = expected[key] if key == "status" else figure_of(expected[key] + 0.0, unit)
             self.assertEqual((label, value, meaning), (label_of(key) if key != "status" else "status", shown, POINT.get(key, {}).get("description", "")), key)
+        self.assertEqual([title for _, title in self.dumps["cursor"]["cards"]["point"]["titles"][:len(rows)]], [key for key in order if key in expected])
         texts = [row[1] for row in rows]
         self.assertIn("3.21·10⁻⁵ N m".replace("3.21", "3.210"), texts)  # the sign of an exponent
         self.assertIn("−1.250·10⁹ N", texts)
@@ -1023,6 +1024,9 @@ class Single(Drawn):
         verdicts = next(table for table in card["tables"] if table[0][0] == "requirement")
         self.assertEqual([row[:4] for row in verdicts[1:]], [["life", "1\u202f274", "1\u202f275", "false"], ["S0", "2.5", "2", "true"]])
         self.assertNotIn("of the run", card["text"])
+        titles = dict(card["titles"])
+        self.assertEqual(titles["bound"], STATIC["verdicts"]["items"]["properties"]["bound"]["description"])
+        self.assertEqual(titles[STATIC["L10mh"].get("symbol", "L10mh")], "L10mh")
 
     def test_laminae_of_the_most_loaded_roller(self):
         card = self.end["cards"]["pressure"]
