@@ -50,6 +50,7 @@ python3-venv: FMI tools of others, installed below the build folder
 chromium: the page of `orbearing open` in a browser
 chromium-driver: the same, moved by a test
 python3-selenium: the same, steps of the test
+nodejs: scripts of the page without a browser, and what they draw
 '
 
 site_packages='

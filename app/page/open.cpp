@@ -1,7 +1,6 @@
 #include <fcntl.h>
 #include <fmt/core.h>
 #include <spawn.h>
-#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -35,12 +34,10 @@ class LeadingFile {
   }
 
   fs::path write(const std::string& address) {
-    folder_ = page::temporary_folder();
+    folder_ = page::temporary_folder();  // which its owner alone can enter
     const fs::path file = folder_ / "open.html";
-    const std::string text = page::leading_to(address);
-    const Descriptor opened(open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, S_IRUSR | S_IWUSR));
-    if (opened.number < 0 || ::write(opened.number, text.data(), text.size()) != ssize_t(text.size()))
-      throw ComputationFailed(file.string() + ": cannot be written; --no-browser does not require it");
+    write_aside_and_rename(file, page::leading_to(address));
+    fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write);
     return file;
   }
 

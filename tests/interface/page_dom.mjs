@@ -321,6 +321,7 @@ function partOf(element) {
     text: clean(seenText(element)),
     charts: element.querySelectorAll('svg').filter((one) => one.classList.contains('chart') && isSeen(one) && one.querySelector('.axes')).map(chartOf),
     tables: element.querySelectorAll('table').map((table) => table.querySelectorAll('tr').map((row) => row.children.map((cell) => clean(cell.textContent)))),
+    titles: element.querySelectorAll('th').map((one) => [clean(one.textContent), one.getAttribute('title')]),
     figures: element.querySelectorAll('.figure').map((one) => [one.textContent, one.getAttribute('data-value'), one.getAttribute('title')])
   };
 }

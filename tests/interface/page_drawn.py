@@ -20,6 +20,13 @@ import unittest
 
 from program import CASES, run
 
+try:
+    import yaml
+except ImportError:
+    print("skipped: yaml is missing (Debian: python3-yaml)")
+    sys.exit(77)
+
+BASE = getattr(yaml, "CBaseLoader", yaml.BaseLoader)  # each scalar as it stands
 NODE = shutil.which("node") or shutil.which("nodejs")
 if NODE is None:
     print("skipped: node is missing (Debian: nodejs)")
@@ -169,13 +176,11 @@ RESULTS = {"run": RUN, "sweep": SWEEP, "mode_list": MODES, "mesh": MESH, "crown"
 
 
 def page(steps, texts=(CASE,), opened=None, results=None, narrow=False, **more):
-    """What the page shows and asks for in these steps."""
+    """What the page shows and asks for in these steps. Of `texts`, those that are checks already are {"text", "check" or "errors"}."""
+    checks = [{"speed": SPEED, **({"text": one, **check_of(one)} if isinstance(one, str) else one)} for one in texts]
     fixture = {"web": str(WEB), "schemas": str(CASES), "keys": KEYS, "steps": steps, "narrow": narrow, "units": {}, "results": {**RESULTS, **(results or {})},
-               "opened": opened or {"kind": "case", "name": "case.yaml", "file": "case.yaml", "text": texts[0], "checksum": "as opened", "writable": True, "folder": "/x"},
-               "checks": [{"text": text, "speed": SPEED, **(check_of(text) if isinstance(text, str) else text)} for text in texts], **more}
-    for one in fixture["checks"]:
-        if "text" in one and isinstance(one["text"], dict):
-            one.update(one.pop("text"))
+               "opened": opened or {"kind": "case", "name": "case.yaml", "file": "case.yaml", "text": checks[0]["text"], "checksum": "as opened", "writable": True, "folder": "/x"},
+               "checks": checks, **more}
     done = subprocess.run([NODE, str(HERE / "page_dom.mjs")], input=json.dumps(fixture), capture_output=True, text=True, timeout=300, check=False)
     assert done.returncode == 0, done.stderr
     found = json.loads(done.stdout)
@@ -442,6 +447,7 @@ class AtTheCursor(Drawn):
             unit = POINT.get(key, {}).get("unit", "")
             shown = expected[key] if key == "status" else figure_of(expected[key] + 0.0, unit)
             self.assertEqual((label, value, meaning), (label_of(key) if key != "status" else "status", shown, POINT.get(key, {}).get("description", "")), key)
+        self.assertEqual([title for _, title in self.dumps["cursor"]["cards"]["point"]["titles"][:len(rows)]], [key for key in order if key in expected])
         texts = [row[1] for row in rows]
         self.assertIn("3.21·10⁻⁵ N m".replace("3.21", "3.210"), texts)  # the sign of an exponent
         self.assertIn("−1.250·10⁹ N", texts)
@@ -780,6 +786,14 @@ class Motion(Drawn):
             self.assertEqual(self.dumps[name]["cards"]["motion"]["charts"], [])
             self.assertFalse([one for one in self.dumps[name]["cards"]["life"]["charts"][0]["curves"] if "dynamic" in one["key"]])
 
+    def test_a_case_of_one_speed_runs_at_the_cursor(self):
+        plain = CASE.replace("sweep:\n  input.speed: [8000 rpm, 9000 rpm, 10000 rpm]\n", "")
+        found = page([put("#cursor", "500", "input"), click("#card-motion .chief"), cursor_put(8100), dump("at")], (plain,))
+        low, high = SPEED / 5, SPEED * 2
+        self.assertEqual(found["jobs"][0]["settings"], [f"sweep={{input.speed: [{low + (high - low) / 2:g} rpm]}}"])
+        self.assertIn(", at the speed of the cursor. ", found["dumps"]["at"]["cards"]["motion"]["text"])
+        self.assertIn(", at the speeds of the case's own sweep. ", self.text("stopped"))
+
     def test_what_is_asked_for(self):
         first, stopped, second = self.page["jobs"][:3]
         self.assertEqual((first["command"], first["settings"], first["options"], first["case_text"]), ("sweep", [], {"fidelity": "dynamic", "grid_only": True}, CASE))
@@ -964,6 +978,292 @@ class TakenAway(Drawn):
         found = page([dump(narrowly=["cursor"])])
         self.assertTrue(found["address"].endswith("/app/page/"), found["address"])
         self.assertNotIn("secret", json.dumps(found))
+
+
+ROLLER_CASE = (CASES / "templates" / "roller-bearing.yaml").read_text(encoding="utf-8")
+DEFECT_CASE = (CASES / "templates" / "defect.yaml").read_text(encoding="utf-8")
+STATIC = SCHEMA["$defs"]["run static"]["properties"]
+
+
+class Single(Drawn):
+    """Cases without a curve over speed: one result as tables, drawn and judged; in time after a button."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.check = check_of(ROLLER_CASE)["check"]
+        cls.inputs = {one["path"]: one["value"] for one in cls.check["inputs"]}
+        cls.derived = {one["path"]: one["value"] for one in cls.check["derived"]}
+        cls.count = int(cls.inputs["bearing.rollers"])
+        cls.lives = {key: 1000.0 + 137 * i for i, key in enumerate(("L10h", "L10rh", "L10mh", "L10mrh", "life_h"))}
+        cls.loads = {"contact_loads_N": [500.0 + 7 * j for j in range(cls.count)], "lamina_loads_N": [[10.0 * j + i for i in range(4)] for j in range(cls.count)],
+                     "steps": {"gamma": 0.125, "lamina_places_mm": [-3.0, -1.0, 1.0, 3.0]}}
+        cls.found = {**cls.lives, "life_key": "L10mh", "S0": 2.5, "kappa": 3.5, "contact_pressure_max_MPa": 1234.0, **cls.loads, "displacement": {"radial_um": 4.25, "axial_um": 0.5},
+                   "verdicts": [{**VERDICTS[0], "key": "L10mh", "value": 1274.0, "limit": 1274.5}, {**VERDICTS[1], "value": 2.5, "limit": 2.0}], "units": {"steps/gamma": "1"}, "warnings": ["of the run"]}
+        cls.page = page([dump()], ({"text": ROLLER_CASE, **check_of(ROLLER_CASE), "results": {"run": cls.found}},), results={"run": {}},
+                        opened={"kind": "case", "name": "x", "file": "x.yaml", "text": ROLLER_CASE, "checksum": "1", "writable": False, "folder": ""})
+        cls.end = cls.page["dumps"]["end"]
+
+    def test_tiles(self):
+        tiles = self.end["tiles"]
+        self.assertEqual([(one["key"], one["verdict"], one["text"]) for one in tiles[:4]], [
+            ("L10mh", "failed", "Governing life, L10mh1\u202f274 hfailed: at least 1\u202f275 h"), ("L10h", None, "L10h1\u202f000 h"), ("S0", "passed", "S02.5passed: at least 2"), ("kappa", None, "kappa3.5")])
+        self.assertEqual({one["key"]: one["text"] for one in tiles[4:]}, {
+            "contact_pressure_max_MPa": "pressure1\u202f234 MPa", **{key: f"{'Lundberg-Palmgren' if key == 'life_h' else key}{figure_of(self.lives[key], 'h')}" for key in ("L10rh", "L10mrh", "life_h")}})
+
+    def test_the_result_as_tables(self):
+        card = self.end["cards"]["result"]
+        rows = {row[0]: row[1:] for row in card["tables"][0]}
+        for key in (*self.lives, "S0", "kappa", "contact_pressure_max_MPa"):
+            part = STATIC[key]
+            label = part.get("symbol") or name_of(key, part.get("unit", ""))
+            self.assertEqual(rows[label], [figure_of(self.found[key], part.get("unit", "")), part["description"]], key)
+        self.assertIn(["radial", "4.25 µm", STATIC["displacement"]["properties"]["radial_um"]["description"]], sum(card["tables"], []))
+        self.assertIn(["gamma", "0.125", STATIC["steps"]["properties"]["gamma"]["description"]], sum(card["tables"], []))
+        self.assertIn(f"contact loads: {self.count} values – {STATIC['contact_loads_N']['description']}", card["text"])
+        self.assertIn("verdicts: 2 rows", card["text"])
+        verdicts = next(table for table in card["tables"] if table[0][0] == "requirement")
+        self.assertEqual([row[:4] for row in verdicts[1:]], [["life", "1\u202f274", "1\u202f275", "false"], ["S0", "2.5", "2", "true"]])
+        self.assertNotIn("of the run", card["text"])
+        titles = dict(card["titles"])
+        self.assertEqual(titles["bound"], STATIC["verdicts"]["items"]["properties"]["bound"]["description"])
+        self.assertEqual(titles[STATIC["L10mh"].get("symbol", "L10mh")], "L10mh")
+
+    def test_laminae_of_the_most_loaded_roller(self):
+        card = self.end["cards"]["pressure"]
+        self.assertIn("Load along the most loaded roller", card["text"])
+        self.assert_chart(card["charts"][0], [("lamina", f"roller {self.count}", list(zip(self.loads["steps"]["lamina_places_mm"], self.loads["lamina_loads_N"][-1])))],
+                          ["position along the roller (mm)", "load of a lamina (N)"])
+
+    def test_the_bearing(self):
+        pitch, roller = self.inputs["bearing.pitch_diameter"] * 1e3, self.inputs["bearing.roller_diameter"] * 1e3
+        inner, ratio = self.inputs["operation.shaft_speed"] * RPM, roller / pitch
+        cage = inner * (1 - ratio) / 2
+        spin = cage - inner * (1 - ratio**2) / (2 * ratio)
+        self.assertIn(f"Cage {figure_of(cage, 'rpm')}, inner ring {figure_of(inner, 'rpm')}, rollers about their axes {figure_of(spin, 'rpm')}. Slowed {readable(cage / 60 * 4, 3)} times.", self.end["cards"]["bearing"]["text"])
+        drawing = next(one for one in self.end["drawings"] if one["aria-label"].startswith("Bearing to scale"))
+        bars = [float(part["data-load"]) for part in drawing["parts"] if part.get("class") == "bar outer"]
+        for found, expected in zip(bars, self.loads["contact_loads_N"]):
+            self.assertAlmostEqual(found, expected, places=9)
+        self.assertEqual({part["text"] for part in drawing["parts"] if part["name"] == "text"}, {"radial load", f"{readable(max(bars))} N"})
+        first = next(part for part in drawing["parts"] if part.get("class") == "element first")
+        x, y, _ = (float(one) for one in re.findall(r"-?[\d.]+", first["transform"]))
+        self.assertAlmostEqual(math.hypot(x, y), pitch / 2, delta=1e-3)
+
+    def test_commands(self):
+        found = page([click("#to-take"), dump()], ({"text": ROLLER_CASE, **check_of(ROLLER_CASE), "results": {"run": self.found}},), results={"run": {}})["dumps"]["end"]["take"]
+        self.assertEqual(found["areas"], {"take-command": "orbearing run case.yaml", "take-python": 'import orbearing\n\ncase = orbearing.load("case.yaml")\nresult = case.run()'})
+
+    def test_a_run_in_time_belongs_to_its_case(self):
+        other = DEFECT_CASE.replace("radial: 1 kN", "radial: 2 kN")
+        found = page([dump("asked"), click("#card-result .chief"), {"what": "tell", "event": "progress", "data": {"done": 3, "all": 8, "doing": "Motion", "seconds_left": 4.56}}, dump("running"),
+                      text_put(other), {"what": "tell", "event": "progress", "data": {"done": 4, "all": 8, "doing": "Motion", "seconds_left": None}}, dump("other"),
+                      {"what": "tell", "event": "result", "data": {"shaft_Hz": 25.25, "defect_Hz": 89.5, "units": {}}}, dump("ended"), text_put(DEFECT_CASE), dump("again")],
+                     ({"text": DEFECT_CASE, **check_of(DEFECT_CASE)}, {"text": other, **check_of(other)}), results={"run": {}})
+        texts = {name: one["cards"]["result"]["text"] for name, one in found["dumps"].items()}
+        self.assertIn("The run follows the motion in time: press Compute.", texts["asked"])
+        self.assertIn("Motion: 38 %, 4.6 s to go.", texts["running"])
+        self.assertIn("Motion: 50 %. Of another case: load.radial 1 kN there, 2 kN here.", texts["other"])
+        self.assertIn("Done. Of another case: load.radial 1 kN there, 2 kN here.", texts["ended"])
+        self.assertNotIn("25.25", texts["ended"])
+        self.assertIn("shaft25.25 Hz".replace("shaft", ""), texts["again"])
+        self.assertNotIn("Of another case", texts["again"])
+        self.assertEqual([one["command"] for one in found["jobs"]], ["run"])
+
+
+class Opened(Drawn):
+    """The first page, folders of results, load spectra."""
+
+    def test_templates_and_folders(self):
+        start = {"kind": "start", "name": "", "file": "", "text": "", "writable": False, "folder": ""}
+        more = {"templates": [{"name": "one", "title": "One title", "purpose": "its purpose", "text": CASE}], "folders": [{"name": "half", "case": "reducer", "fidelity": "dynamic", "points": 5, "of": 16}]}
+        found = page([dump("start"), click("[data-folder=half]"), dump("refused"), click("[data-template=one]"), dump("open")], opened=start, **more)["dumps"]
+        self.assertIn("One titleits purpose", found["start"]["start"])
+        self.assertIn("halfreducer, dynamic, 5 of 16 points", found["start"]["start"])
+        self.assertIn("a folder that differs", found["refused"]["start"])
+        self.assertEqual((found["open"]["text"], found["open"]["title"]), (CASE, "reducer of the page – Orbearing"))
+
+    def test_a_folder_that_is_not_finished_goes_on(self):
+        points = [{**{key: value_of(key, speed) for key in KEYS}, "input_speed_rpm": speed, "status": "ok"} for speed in (8000.0, 9000.0)]
+        opened = {"kind": "results", "name": "half", "file": "case.resolved.yaml", "text": CASE, "checksum": "1", "writable": True, "folder": "/x/half", "fidelity": "dynamic", "finished": False,
+                  "points": points, "missing": {"found": 2, "of": 3}, "options": {"fidelity": "dynamic", "grid_only": True, "continue": "speed"}}
+        found = page([dump("opened"), click("#card-motion .proceed"), {"what": "points", "speeds": [10000.0], "which": 0}, {"what": "tell", "event": "stopped", "data": {"points": []}}, dump("stopped"),
+                      click("#card-motion .proceed"), {"what": "tell", "event": "result", "data": {"points": []}}, dump("done")], opened=opened)
+        texts = {name: one["cards"]["motion"]["text"] for name, one in found["dumps"].items()}
+        self.assertIn("Folder half: 2 of 3 points. Continue computes the others in this folder.", texts["opened"])
+        self.assertIn("Stopped: 3 points kept.", texts["stopped"])
+        self.assertIn("Done: 3 points.", texts["done"])
+        asked = {"command": "sweep", "case_text": CASE, "settings": [], "options": opened["options"], "results": ""}
+        self.assertEqual(found["jobs"], [asked, asked])
+        self.assertEqual(found["dumps"]["opened"]["cards"]["motion"]["charts"][0]["curves"][0]["dots"][0][2], 8000.0)
+
+    def test_an_error_of_the_folder_stays(self):
+        opened = {"kind": "results", "name": "half", "file": "case.resolved.yaml", "text": CASE, "checksum": "1", "writable": True, "folder": "/x", "error": "case.resolved.yaml: differs from what its run wrote"}
+        found = page([dump(), cursor_put(8400), put("#fidelity", "dynamic"), dump("later")], opened=opened)["dumps"]
+        for one in found.values():
+            self.assertIn("case.resolved.yaml: differs from what its run wrote", one["errors"])
+
+    def test_the_bins_of_a_spectrum(self):
+        bins = [{"bin": i + 1, "power_kW": 150.5 - i, "torque_N_m": 160.25 - 3 * i, "speed_rpm": 9000.0 - 7 * i, "share": 0.25 + 0.5 * i, "damage_share": 0.875 - 0.75 * i, "life_h": 4321.0 + 11 * i} for i in range(2)]
+        for spectrum in ({"bins": bins, "life_h": 5432.0}, [{"bins": bins, "life_h": 5432.0}]):
+            card = page([dump()], results={"sweep": {**SWEEP, "spectrum": spectrum}})["dumps"]["end"]["cards"]["spectrum"]
+            self.assertEqual(card["tables"][0], [
+                ["bin", "power (kW)", "torque (N m)", "speed (rpm)", "share of time", "share of damage", "life (h)"],
+                ["1", "150.5", "160.3", "9\u202f000", "25 %", "87.5 %", "4\u202f321"], ["2", "149.5", "157.3", "8\u202f993", "75 %", "12.5 %", "4\u202f332"]])
+            self.assertIn("Life under the spectrum: 5\u202f432 h.", card["text"])
+
+    def test_rings(self):
+        for rings, parts in (("none", {"raceway": 1, "pin": 1, "ring": 0}), ("outer", {"raceway": 0, "pin": 1, "ring": 1}), ("both", {"raceway": 0, "pin": 0, "ring": 2})):
+            text = CASE.replace("  type: cylindrical-roller\n", f"  type: cylindrical-roller\n  rings: {rings}\n")
+            if rings != "both":
+                text = text.replace("  bore: 25 mm\n", "")
+            check = check_of(CASE)["check"]
+            inputs = [one if one["path"] != "bearing.rings" else {**one, "value": rings, "given": rings} for one in check["inputs"]]
+            found = page([dump()], ({"text": text, "check": {**check, "inputs": inputs}},))["dumps"]["end"]
+            drawing = next(one for one in found["drawings"] if one["aria-label"].startswith("Bearing to scale"))
+            self.assertEqual({name: sum(part.get("class") == name for part in drawing["parts"]) for name in parts}, parts, rings)
+            sizes = {part["class"]: float(part["r"]) for part in drawing["parts"] if part.get("class") in ("raceway", "pin")}
+            derived = {one["path"]: one["value"] for one in check["derived"]}
+            for name, path in (("raceway", "outer"), ("pin", "inner")):
+                if name in sizes:
+                    self.assertAlmostEqual(sizes[name], derived[f"bearing.{path}_raceway_diameter"] / 2, places=9)
+            gears = next(one for one in found["drawings"] if "gears" in one["class"])
+            seats = {part["class"]: float(part["r"]) for part in gears["parts"] if part["name"] == "circle" and part["class"] in ("bore", "pin")}
+            self.assertAlmostEqual(seats["bore"], derived["bearing.outer_raceway_diameter"] / 2 if rings == "none" else 23.5, places=9)
+            self.assertAlmostEqual(seats["pin"], 12.5 if rings == "both" else derived["bearing.inner_raceway_diameter"] / 2, places=9)
+            self.assertEqual({"none": "No rings: rollers run on the pin and in the bore of the planet. ", "outer": "Rollers run on the pin. ", "both": ""}[rings] in found["cards"]["bearing"]["text"], True)
+
+
+READER = """
+import * as yaml from %s;
+import fs from 'node:fs';
+const plain = (node) => node.kind === 'map' ? Object.fromEntries(node.entries.map((one) => [one.key, plain(one.node)])) : node.kind === 'list' ? node.items.map(plain) : node.empty ? '' : node.value;
+const tried = (act) => { try { return act(); } catch (error) { if (!(error instanceof yaml.NotReadable)) throw error; return {refused: error.message}; } };
+process.stdout.write(JSON.stringify(JSON.parse(fs.readFileSync(0)).map(({text, sets, removes, words}) => ({
+  tree: tried(() => plain(yaml.parse(text))),
+  sets: (sets ?? []).map(([path, source, order]) => yaml.withValue(text, path, source, order && (() => order))),
+  removes: (removes ?? []).map((path) => yaml.withoutValue(text, path)),
+  texts: (sets ?? []).map(([path]) => yaml.textAt(text, yaml.nodeAt(yaml.parse(text), path))),
+  words: (words ?? []).map(([value, options]) => yaml.scalarText(value, options))
+}))));
+"""
+ODD = """# a comment
+---
+name: "quoted: \\"text\\" \\u00e9 \\x41 #"   # behind it
+source: 'it''s quoted # no comment'
+plain: a value # a comment
+folded: first line
+  second line
+  third
+block: |
+  one
+    two
+
+  three
+empty:
+flow: {a: 1, "b c": [x, 'y, z', {d: e}], f:   # a comment
+  last, g: }
+list:
+  - one
+  - two: 2
+    three: {}
+  -
+    four: [4]
+  - - nested
+    - list
+after: last
+nested:
+  deeper:
+    deepest: 1
+"""
+
+
+def paths_in(tree, before=()):
+    for key, value in tree.items():
+        yield (*before, key)
+        if isinstance(value, dict):
+            yield from paths_in(value, (*before, key))
+
+
+def with_value(tree, path, value):
+    return {**tree, path[0]: value if len(path) == 1 else with_value(tree.get(path[0]) or {}, path[1:], value)}
+
+
+def without(tree, path):
+    """A mapping that held nothing else goes too."""
+    if len(path) == 1:
+        return {key: value for key, value in tree.items() if key != path[0]}
+    inner = without(tree[path[0]], path[1:])
+    return {**tree, path[0]: inner} if inner else {key: value for key, value in tree.items() if key != path[0]}
+
+
+class CaseText(unittest.TestCase):
+    """Case files as a tree, and edits that leave all else as it was: compared with PyYAML."""
+
+    maxDiff = None
+
+    @staticmethod
+    def read(requests):
+        program = READER % json.dumps((WEB / "yaml_text.js").as_uri())
+        done = subprocess.run([NODE, "--input-type=module", "-e", program], input=json.dumps(requests), capture_output=True, text=True, timeout=300, check=False)
+        assert done.returncode == 0, done.stderr
+        return json.loads(done.stdout)
+
+    @staticmethod
+    def loaded(text):
+        tree = yaml.load(text, BASE)
+        if tree and "block" in tree:
+            tree["block"] = tree["block"].rstrip()
+        return tree
+
+    @staticmethod
+    def comments(text):
+        return re.findall(r"(?:^|\s)(#.*)$", text, re.M)
+
+    def test_trees_and_edits_of_all_cases(self):
+        texts = [ODD, *(file.read_text(encoding="utf-8") for file in sorted(CASES.glob("*/case.yaml")) + sorted((CASES / "templates").glob("*.yaml")))]
+        texts = [text for text in texts if not re.search(r": [&*]", text)]
+        trees = [yaml.load(text, BASE) for text in texts]
+        trees[0]["block"] = trees[0]["block"].rstrip()  # the form shows it without its last line break
+        requests = []
+        for text, tree in zip(texts, trees):
+            paths = [list(path) for path in paths_in(tree)]
+            requests.append({"text": text, "sets": [[path, "12 mm"] for path in paths] + [[[*path[:-1], "added"], "7"] for path in paths] + [[["new", "deep", "key"], "8"]], "removes": paths})
+        for request, tree, found in zip(requests, trees, self.read(requests)):
+            self.assertEqual(found["tree"], tree)
+            for (path, source), edited, own in zip(request["sets"], found["sets"], found["texts"]):
+                self.assertEqual(self.loaded(edited), with_value(tree, path, source), (path, edited))
+                value = functools.reduce(lambda one, key: one.get(key) if isinstance(one, dict) else None, path, tree)
+                if isinstance(value, str):
+                    self.assertEqual(own, value, path)
+                elif value:
+                    self.assertEqual(yaml.load(own, BASE), value, path)
+                if isinstance(value, str) and request["text"] is not ODD or value is None:
+                    self.assertEqual(self.comments(edited), self.comments(request["text"]), path)
+            for path, edited in zip(request["removes"], found["removes"]):
+                self.assertEqual(self.loaded(edited) or {}, without(tree, path), (path, edited))
+
+    def test_keys_are_added_in_the_order_of_the_schema(self):
+        text = "a: 1\nc: 3  # of c\ne:\n  f: 1\n"
+        found, = self.read([{"text": text, "sets": [[["b"], "2", ["a", "b", "c", "d", "e"]], [["d"], "4", ["a", "b", "c", "d", "e"]], [["z"], "9", ["z", "a", "b"]]]}])
+        self.assertEqual(found["sets"], ["a: 1\nb: 2\nc: 3  # of c\ne:\n  f: 1\n", "a: 1\nc: 3  # of c\nd: 4\ne:\n  f: 1\n", "z: 9\na: 1\nc: 3  # of c\ne:\n  f: 1\n"])
+
+    def test_what_cannot_be_read_is_refused_with_its_line(self):
+        refused = {"a: &x 1\n": "line 1: anchors", "a: 1\nb: *x\n": "line 2: anchors", "a: !!binary x\n": "line 1: anchors", "a: 'x\n": "line 1: a quotation mark", "a: [1, 2\n": "line 1: '[' is not closed",
+                   "a: {b: 1} c\n": "line 1: nothing but a comment", "a: 1\n   b: 2\n": "line 2: its indentation", "a: 1\nwords\n": "line 2: a key and a colon", "a: b: c\n": "line 1: a colon within",
+                   "a: [1 2: 3]\n": "line 1: a comma", "\ta: 1\n": "line 1: a tabulator", "a:\n  b: 1\n c: 2\n": "line 3: its indentation"}
+        for (text, said), found in zip(refused.items(), self.read([{"text": text} for text in refused])):
+            self.assertTrue(found["tree"].get("refused", "").startswith(said), (text, found["tree"]))
+
+    def test_words_stay_words(self):
+        values = ["a", "", " a", "a: b", "a #b", "- a", "-5 mm", ".5 mm", "[a", "{", "yes", "null", "~", "a\nb\tc\x01", 'a "b" \\c', "#", "'x", "1", "1.5e3", "true", "0x1F", ".nan", "a, b", "NU 204", "%x", "@x", "5 % of it"]
+        found, = self.read([{"text": "", "words": [[value, {"words": words, "flow": flow}] for value in values for words in (False, True) for flow in (False, True)]}])
+        for i, value in enumerate(values):
+            for j, (words, flow) in enumerate(((False, False), (False, True), (True, False), (True, True))):
+                text = found["words"][4 * i + j]
+                document = f"{{k: {text}, l: 1}}" if flow else f"k: {text}\nl: 1\n"
+                self.assertEqual(yaml.load(document, BASE)["k"], value, (value, text))
+                if words:
+                    self.assertIsInstance(yaml.safe_load(document)["k"], str, (value, text))
 
 
 if __name__ == "__main__":

@@ -174,6 +174,8 @@ def path_and_body(rng, jobs, broken):
         body = {"value": hostile_value(rng), "unit": rng.choice(UNITS)[1:]}
     elif kind == "/save":
         body = {"file": rng.choice(("a.yaml", "b.txt", "../a.yaml", "/tmp/a.yaml", ".yaml", "a\0.yaml", "x" * 200, "case.yaml", "c.html", "a/b.csv")), "text": hostile_value(rng)}
+        if rng.random() < 0.4:
+            body["checksum"] = odd_value(rng, "0" * 16)
     elif kind == "/report":
         kind += rng.choice(("", "?form=pdf", "?form=", "?form=pdf&form=x"))
         body = {"job": odd_value(rng, *jobs)} if rng.random() < 0.5 else {"case_text": broken_case(rng).replace("step", "stop"), "settings": settings(rng)}

@@ -64,6 +64,9 @@ def main():
             for _ in range(8):
                 running.start(**long)
             told(running, "/jobs", long)
+        (pathlib.Path(place) / "case.yaml").write_text(CASE, encoding="utf-8")
+        with page(place) as running:
+            told(running, "/save", {"file": "case.yaml", "text": "name: b\n", "checksum": "0"})
 
 
 sys.exit(main())  # run by messages/page.txt, no test by itself

@@ -28,13 +28,12 @@ class Reader {
   }
 
   skipBlank() {
-    while (this.at < this.lines.length &&
-           (isBlank(this.lines[this.at].text) || (this.at === 0 && this.lines[0].text.trim() === '---')))
-      this.at++;
+    while (this.at < this.lines.length && isBlank(this.lines[this.at].text)) this.at++;
     return this.lines[this.at];
   }
 
   document() {
+    if (this.skipBlank()?.text.trim() === '---') this.at++;
     const first = this.skipBlank();
     if (!first)
       return {
@@ -66,7 +65,7 @@ class Reader {
     const quoted = /^("(?:[^"\\]|\\.)*"|'(?:[^']|'')*')\s*:(?=\s|$)/.exec(rest);
     if (quoted)
       return {
-        key: scalarOf(quoted[1]).value,
+        key: scalarOf(quoted[1]),
         keyStart: offset,
         keyEnd: offset + quoted[1].length,
         after: offset + quoted[0].length
@@ -125,11 +124,11 @@ class Reader {
         item = next && indentOf(next.text) > indent ?
             this.block(indentOf(next.text), 0) :
             {kind: 'scalar', value: null, empty: true, start: line.end, end: line.end};
-      } else if (this.keyAt(line.start + inner, line)) {
-        // The first key stands behind the dash; the others stand below it.
+      } else if (/^-(\s|$)/.test(line.text.slice(inner)) || this.keyAt(line.start + inner, line)) {
+        // The first key, or item of a list within, stands behind the dash; the others stand below it.
         const kept = line.text;
         line.text = ' '.repeat(inner) + kept.slice(inner);
-        item = this.blockMap(inner);
+        item = this.block(inner, 0);
         line.text = kept;
       } else
         item = this.value(line.start + inner, indent);
@@ -152,11 +151,12 @@ class Reader {
     if (first === '"' || first === '\'') {
       const end = quotedEnd(this.text, offset);
       if (end < 0) this.refuse('a quotation mark is not closed', offset);
-      return this.endOfLine({kind: 'scalar', ...scalarOf(this.text.slice(offset, end)), start: offset, end});
+      return this.endOfLine(
+          {kind: 'scalar', value: scalarOf(this.text.slice(offset, end)), start: offset, end});
     }
     const line = this.lines[this.at],
           plain = this.text.slice(offset, line.end).replace(/\s+#.*$/, '').trimEnd();
-    const node = {kind: 'scalar', value: plain, quoted: false, start: offset, end: offset + plain.length};
+    const node = {kind: 'scalar', value: plain, start: offset, end: offset + plain.length};
     if (/:(\s|$)/.test(plain)) this.refuse('a colon within a value', offset);
     this.at++;
     for (let next = this.lines[this.at]; next && !isBlank(next.text) && indentOf(next.text) > indent;
@@ -191,7 +191,7 @@ class Reader {
     }
     const own = Math.min(...parts.filter((part) => part.trim()).map(indentOf));
     const value = parts.map((part) => part.slice(own)).join(folded ? ' ' : '\n').trimEnd();
-    return {kind: 'scalar', value, quoted: true, start: offset, end};
+    return {kind: 'scalar', value, start: offset, end};
   }
 
   skipFlowSpace(offset) {
@@ -215,7 +215,7 @@ class Reader {
         offset = this.skipFlowSpace(part.node.end);
         if (this.text[offset] === ',')
           offset = this.skipFlowSpace(offset + 1);
-        else if (this.text[offset] !== (map ? '}' : ']'))
+        else if (offset < this.text.length && this.text[offset] !== (map ? '}' : ']'))
           this.refuse('a comma is required between entries', offset);
       }
       node.end = offset + 1;
@@ -230,7 +230,7 @@ class Reader {
     if (first === '"' || first === '\'') {
       const end = quotedEnd(this.text, offset);
       if (end < 0) this.refuse('a quotation mark is not closed', offset);
-      return {kind: 'scalar', ...scalarOf(this.text.slice(offset, end)), start: offset, end};
+      return {kind: 'scalar', value: scalarOf(this.text.slice(offset, end)), start: offset, end};
     }
     let end = offset;
     while (end < this.text.length && !stop.test(this.text[end]) && this.text[end] !== '\n' &&
@@ -238,7 +238,7 @@ class Reader {
       end++;
     const plain = this.text.slice(offset, end).trimEnd();
     if (!plain) this.refuse('a value is required', offset);
-    return {kind: 'scalar', value: plain, quoted: false, start: offset, end: offset + plain.length};
+    return {kind: 'scalar', value: plain, start: offset, end: offset + plain.length};
   }
 
   flowEntry(offset) {
@@ -279,11 +279,10 @@ const escapes = {
 
 function scalarOf(source) {
   const inner = source.slice(1, -1);
-  if (source[0] === '\'') return {value: inner.replace(/''/g, '\''), quoted: true};
-  const value = inner.replace(
+  if (source[0] === '\'') return inner.replace(/''/g, '\'');
+  return inner.replace(
       /\\(x[0-9a-fA-F]{2}|u[0-9a-fA-F]{4}|.)/gs,
       (all, one) => one.length > 1 ? String.fromCharCode(parseInt(one.slice(1), 16)) : (escapes[one] ?? one));
-  return {value, quoted: true};
 }
 
 /** The tree of a text. Throws NotReadable. */
@@ -356,7 +355,8 @@ function added(text, tree, node, path, source, order) {
   if (node.flow) {
     const at = node.end - 1, last = node.entries.at(-1);
     const entry = `${scalarText(path[0], {flow: true})}: ${flowNested(path.slice(1), source)}`;
-    return last ? spliced(text, last.node.end, last.node.end, `, ${entry}`) : spliced(text, at, at, entry);
+    return last ? spliced(text, last.node.end, last.node.end, `${last.node.empty ? ' ' : ''}, ${entry}`) :
+                  spliced(text, at, at, entry);
   }
   const rank = order ? order.indexOf(path[0]) : -1;
   const before = rank < 0 ?
