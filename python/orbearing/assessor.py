@@ -58,6 +58,9 @@ QUANTITIES = (
     Quantity("largest_load_share", "K_gamma", "largest load of a planet / mean load", "", "no clause", "no clause"),
 )
 LARGER_IS_WORSE = ("contact_pressure_max_MPa", "largest_load_share")
+# Columns of the worst bearing over a revolution of the carrier that are no lives.
+WORST_BY_CARRIER = {"P0_N": ("carrier_P0_N",), "S0": ("carrier_S0",), "contact_pressure_max_MPa": ("carrier_contact_pressure_max_MPa",),
+                    "largest_load_share": ("carrier_K_gamma",)}
 # Of the bins of a spectrum the worst is shown; other quantities belong to one bin.
 WORST_OF_BINS = ("S0", "contact_pressure_max_MPa", "kappa", "largest_load_share")
 
@@ -206,7 +209,7 @@ def _columns(report: Report) -> list[Column]:
     columns += [Column(f"{words.replace('One bearing', 'Mean of bearings') if unlike else words}, load spectrum", lambda key, before=before: _under(spectrum, before, key))
                 for words, before in named]
     if unlike:
-        columns.append(Column("Worst bearing, load spectrum", lambda key: _worst(spectrum, key)))
+        columns.append(Column("Worst bearing, load spectrum", lambda key: _worst_under(spectrum, key)))
     return [*columns, Column("All bearings, load spectrum", lambda key: _of_all(spectrum, key))]
 
 
@@ -218,10 +221,18 @@ def _of_all(row: dict, key: str) -> float | str | None:
 
 
 def _worst(row: dict, key: str) -> float | str | None:
-    """Of the bearing with the shortest life: over a revolution of the carrier where that is computed."""
-    if key not in LIVES:
-        return " "
-    return next((row[name] for name in (f"carrier_{key}", f"shortest_{key}") if is_number(row.get(name))), None)
+    """Of the bearing that requirements are judged by: over a revolution of the carrier where that is computed, else the one with the shortest life."""
+    names = WORST_BY_CARRIER.get(key, (f"carrier_{key}", f"shortest_{key}") if key in LIVES else ())
+    blank = None if key in LIVES else " "
+    return next((row[name] for name in names if is_number(row.get(name))), blank)
+
+
+def _worst_under(spectrum: dict, key: str) -> float | str | None:
+    """The same under the spectrum: a life of the whole of it, else the worst of its bins that take time."""
+    if key in LIVES or key not in WORST_OF_BINS:
+        return _worst(spectrum, key)
+    numbers = [number for number in (_worst(one, key) for one in records(spectrum.get("bins")) if one.get("share")) if is_number(number)]
+    return (max if key in LARGER_IS_WORSE else min)(numbers, default=" ")
 
 
 def _under(spectrum: dict, before: str, key: str) -> float | None:

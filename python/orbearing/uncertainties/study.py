@@ -10,7 +10,7 @@ import numpy as np
 from orbearing.errors import CaseError
 from orbearing.uncertainties import chaos, design, indices, scatter
 from orbearing.uncertainties.inputs import UncertainInputs
-from orbearing.uncertainties.lives import RPM, SPEED, Evaluate, Peaks, refined_peaks
+from orbearing.uncertainties.lives import RPM, SPEED, Evaluate, Peaks, of_worst_bearing, refined_peaks
 from orbearing.uncertainties.result import UncertaintyResult
 from orbearing.uncertainties.settings import Settings
 from orbearing.uncertainties.store import Store, header_of
@@ -58,7 +58,8 @@ class Study:
     def _lives(self, values: np.ndarray, speed_rpm, fidelity: str = REST) -> tuple[np.ndarray, list[str]]:
         """Lives [h] at samples (samples, inputs) and speeds; NaN where a point failed."""
         columns, status = self._evaluate((*self.inputs.paths, SPEED), self._rows(values, speed_rpm), fidelity)
-        lives = np.asarray(columns[self.life], dtype=float)
+        # In motion the carrier is no body.
+        lives = np.asarray(columns[self.life if fidelity == REST else self.life.removeprefix("carrier_")], dtype=float)
         return np.where(lives > 0.0, lives, np.nan), list(status)
 
     def _life_column(self) -> tuple[str, float]:
@@ -69,7 +70,7 @@ class Study:
             raise CaseError(f"{self.case['name']}: the case itself has no life at its operating point ({status[0]}); required: a case "
                            "that can be computed")
         rated = [name for name in known if name == "L10mrh"]
-        wanted = self.settings.life or (rated or known)[0]
+        wanted = self.settings.life or of_worst_bearing((rated or known)[0], known)
         if wanted not in known:
             raise CaseError(f"life: {wanted!r} found; one of {', '.join(known)} is required")
         stated = self._number("life.reliability")
