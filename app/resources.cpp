@@ -8,6 +8,7 @@
 #include <iterator>
 #include <utility>
 
+#include "app/case/printable.hpp"
 #include "app/errors.hpp"
 #include "app/version.hpp"
 

@@ -16,7 +16,7 @@ constexpr double kHalf = 0.5 * kLength;
 constexpr double kPublishedConstant = 2e-4;  // 0.3033 and 1.1932 are printed to four digits
 
 const DesignLoad design{
-    .load = 2000.0, .length = kLength, .equivalent_radius = 2.2e-3, .material = Material{}};
+    .load = 2000.0, .length = kLength, .equivalent_radius = 2.2e-3, .material = mechanics::Material{}};
 
 // One of each kind that has a parameter.
 std::vector<Profile> relieved() {
