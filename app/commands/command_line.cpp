@@ -20,6 +20,7 @@
 #include "app/resources.hpp"
 #include "app/results/durable_file.hpp"
 #include "app/results/progress.hpp"
+#include "app/standard_error.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/version.hpp"
 #include "mechanics/cancellation.hpp"
@@ -472,7 +473,7 @@ void print_error(std::string_view text) {
   for (bool more = true; more;) {
     const std::size_t end = text.find('\n');
     more = end != std::string_view::npos;
-    fmt::print(stderr, "{}\n", printable(text.substr(0, end)));
+    print_to_standard_error("{}\n", printable(text.substr(0, end)));
     if (more) text.remove_prefix(end + 1);
   }
 }
@@ -525,8 +526,12 @@ int parse_and_run(int argc, char** argv) {
     // Not into the streams themselves: they flush, and the reason of a full disk would be gone.
     std::ostringstream answer;
     const int code = program.exit(error, answer, answer);
-    fmt::print(code == 0 ? stdout : stderr, "{}", answer.str());
-    return code == 0 ? kDone : kBadInput;
+    if (code != 0) {
+      print_to_standard_error(std::string_view(answer.str()));
+      return kBadInput;
+    }
+    fmt::print("{}", answer.str());
+    return kDone;
   }
   return asked.command(asked.options);
 }
@@ -582,16 +587,16 @@ int run_command_line(int argc, char** argv) {
     return kFailed;
   } catch (const std::system_error& error) {
     if (std::ferror(stdout) != 0)
-      fmt::print(stderr, "standard output: {}; {}, then give the command again\n", error.what(),
-                 remedy_of(error.code().value()));
+      print_to_standard_error("standard output: {}; {}, then give the command again\n", error.what(),
+                              remedy_of(error.code().value()));
     else
-      fmt::print(stderr, "orbearing: {}\n", error.what());
+      print_to_standard_error("orbearing: {}\n", error.what());
     return kFailed;
   } catch (const std::exception& error) {
     print_error(std::string("orbearing: ") + error.what());
     return kFailed;
   } catch (const Cancelled& wish) {
-    fmt::print(stderr, "orbearing: {}\n", wish.what());
+    print_to_standard_error("orbearing: {}\n", wish.what());
     return kFailed;
   }
 }

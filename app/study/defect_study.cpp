@@ -41,18 +41,8 @@ bool is_defect(const ResolvedCase& resolved) {
   return (resolved.model() & described::single_scratched) != 0;
 }
 
-void require_wide_scratch(const ResolvedCase& in) {
-  constexpr double least = 1e-6;  // [m]
-  if (!in.has("defect.width") || in.quantity("defect.width") >= least) return;
-  throw BadInput(
-      fmt::format("{}: defect.width: found '{}'; required: at least 1 um, below which an element enters by "
-                  "less than the size of an atom",
-                  in.origin("defect.width"), in.given("defect.width")));
-}
-
 DefectStudy defect_study(const ResolvedCase& in, DefectRung rung, const std::function<void(double)>& progress,
                          const std::function<void(study::RingVibration&)>& disturb) {
-  require_wide_scratch(in);
   const defect::ScratchedBearing scratched = scratched_bearing_of(in);
   const bearing::BearingGeometry geometry = bearing::geometry_of(scratched.bearing);
   DefectStudy study{.scratched = scratched.scratch.race,

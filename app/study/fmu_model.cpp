@@ -9,6 +9,7 @@
 #include "app/license.hpp"
 #include "app/resources.hpp"
 #include "app/results/durable_file.hpp"
+#include "app/standard_error.hpp"
 #include "app/study/gear_case.hpp"
 #include "app/study/planetary_case.hpp"
 #include "coupling/fmu/export/description.hpp"
@@ -142,7 +143,7 @@ std::string build_missing(const Platform& platform, const fs::path& library, boo
   if (!fs::exists(recipe))
     return fmt::format("found no file {}; required: {}", library.string(), platform.remedy);
   if (!quiet)
-    fmt::print(stderr, "fmu: building the library for {}, this once (a minute or less) ...\n",
+    print_to_standard_error("fmu: building the library for {}, this once (a minute or less) ...\n",
                platform.folder);
   const Ended ended = run_program(recipe);
   if (!ended.well) return ended.last_line;
