@@ -8,7 +8,6 @@
 #include <iterator>
 #include <utility>
 
-#include "app/case/printable.hpp"
 #include "app/errors.hpp"
 #include "app/version.hpp"
 
@@ -17,6 +16,12 @@ namespace orbearing::app {
 namespace {
 
 namespace fs = std::filesystem;
+
+// Without what a terminal would take as a command.
+std::string escaped(const std::string& text) {
+  const std::string quoted = fmt::format("{:?}", text);
+  return quoted.substr(1, quoted.size() - 2);
+}
 
 // The one that was built beside the program; else that of an installation; else, without the
 // program's library, that of the source tree.
@@ -74,7 +79,7 @@ CaseTemplate case_template(const std::string& name) {
   const std::vector<std::string>& names = template_names();
   if (std::ranges::find(names, name) == names.end())
     throw BadInput(
-        fmt::format("TEMPLATE: found {}; required: one of {}", quote(name), fmt::join(names, ", ")));
+        fmt::format("TEMPLATE: found '{}'; required: one of {}", escaped(name), fmt::join(names, ", ")));
   const fs::path file = shipped_cases() / "templates" / (name + ".yaml");
   std::ifstream stream(file, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(stream), {}};

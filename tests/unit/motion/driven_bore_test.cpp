@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
+
+#include <Eigen/LU>
+
 #include "bearing/equilibrium/elastic_waves.hpp"
 #include "bearing/motion/snapshot.hpp"
 #include "bearing/motion/vector_bearing.hpp"

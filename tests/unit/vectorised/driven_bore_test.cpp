@@ -2,6 +2,8 @@
 // the free bore.
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
+
 #include "bearing/motion/snapshot.hpp"
 #include "bearing/motion/vector_bearing.hpp"
 #include "tests/unit/motion/reducer_bearing.hpp"
