@@ -32,7 +32,7 @@ void show_in_browser(const std::string& address) {
   pid_t process = -1;
   if (posix_spawnp(&process, "xdg-open", &files, nullptr, pointers, environ) != 0)
     print_to_standard_error(
-               "no program to open the address with (xdg-open, Debian: xdg-utils): open it in a browser\n");
+        "no program to open the address with (xdg-open, Debian: xdg-utils): open it in a browser\n");
   posix_spawn_file_actions_destroy(&files);
 }
 

@@ -138,9 +138,8 @@ double of_worst_bearing(const std::string& key, const LifeValue& value) {
 LifeValue values_in_row(const SweepOutcome& outcome, const ResultRow& row) {
   return [&outcome, &row](const std::string& key) {
     const auto in = [&](const std::string& prefix) {
-      const double value = of_worst_bearing(key, [&](const std::string& name) {
-        return value_of(outcome.head, row, prefix + name);
-      });
+      const double value = of_worst_bearing(
+          key, [&](const std::string& name) { return value_of(outcome.head, row, prefix + name); });
       const bool unloaded =
           is_life(key) && std::isnan(value) && std::isnan(value_of(outcome.head, row, prefix + "life_h"));
       return unloaded ? std::numeric_limits<double>::infinity() : value;

@@ -144,7 +144,7 @@ std::string build_missing(const Platform& platform, const fs::path& library, boo
     return fmt::format("found no file {}; required: {}", library.string(), platform.remedy);
   if (!quiet)
     print_to_standard_error("fmu: building the library for {}, this once (a minute or less) ...\n",
-               platform.folder);
+                            platform.folder);
   const Ended ended = run_program(recipe);
   if (!ended.well) return ended.last_line;
   return fs::exists(library) ? "" : "found no file " + library.string() + " after its build";
