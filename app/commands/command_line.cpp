@@ -478,6 +478,19 @@ void print_error(std::string_view text) {
   }
 }
 
+// An empty text would be read as 0.
+void require_numbers(const CLI::App& program) {
+  for (const CLI::App* command : program.get_subcommands())
+    for (const CLI::Option* option : command->get_options()) {
+      const std::string type = option->get_type_name();
+      const bool numeric = type.starts_with("FLOAT") || type.starts_with("INT") || type.starts_with("UINT");
+      if (numeric && std::ranges::any_of(option->results(), [](const std::string& text) {
+            return text.find_first_not_of(" \t") == std::string::npos;
+          }))
+        throw BadInput(fmt::format("{}: found an empty text; required: a number", option->get_name()));
+    }
+}
+
 // A line for each option that was not expected and resembles one of its command.
 std::string proposals(const CLI::App& program) {
   std::string lines;
@@ -533,6 +546,7 @@ int parse_and_run(int argc, char** argv) {
     fmt::print("{}", answer.str());
     return kDone;
   }
+  require_numbers(program);
   return asked.command(asked.options);
 }
 
@@ -568,6 +582,7 @@ Asked asked_by(const std::vector<std::string>& words) {
   } catch (const CLI::ParseError& error) {
     throw BadInput(error.what() + proposals(reader.program()));
   }
+  require_numbers(reader.program());
   return asked;
 }
 

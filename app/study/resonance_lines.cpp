@@ -29,7 +29,8 @@ std::vector<Resonance> resonances(const ResolvedCase& resolved, double lowest_rp
                     .mode = meeting.mode.name,
                     .frequency = meeting.mode.frequency,
                     .harmonic = meeting.order,
-                    .speed = meeting.speed});
+                    .speed = meeting.speed,
+                    .change = meeting.change});
   return list;
 }
 
