@@ -20,7 +20,6 @@ NOTE_16281 = "ISO/TS 16281:2008 has since become ISO 16281:2025."
 RELIABILITY = "life.reliability"  # 90 % is what defines L10: no uncertain value
 LEAST_INFLUENCE = 0.01  # [%] of the life; assumptions below are listed without a line of their own
 DOCUMENT = "docs/requirements.md"
-FAILED_ELSEWHERE = "FAILED (below)"
 VERDICTS = {True: "passed", False: "FAILED", None: "not judged"}
 
 
@@ -110,19 +109,23 @@ def verdict_in_words(report: Report) -> str:
 
 def _judged(html: str) -> str:
     """Verdicts in a table as a style sheet finds them."""
-    for word, name in (("passed", "passed"), (VERDICTS[False], "failed"), (FAILED_ELSEWHERE, "failed")):
-        html = html.replace(f'<td class="short">{word}</td>', f'<td class="short {name}">{word}</td>')
+    for word, name in ((VERDICTS[True], "passed"), (VERDICTS[False], "failed")):
+        html = re.sub(rf'<td( class="short)?"?>({word}(?:: [^<]*)?)</td>', lambda found, name=name: f'<td class="{"short " if found[1] else ""}{name}">{found[2]}</td>', html)
     return html
 
 
 def _verdict(verdict: dict | None, shown: list) -> str:
-    """Beside numbers that meet the limit while those of another operating point or bearing do not, the table below says where."""
+    """The verdict; where the value that decides is none of those beside it, that value with its speed, bin or bearing."""
     if not verdict:
         return " "
-    at_most, limit = verdict.get("bound") == "at most", verdict.get("limit")
-    numbers = [number for number in shown if is_number(number)]
-    met = bool(numbers) and is_number(limit) and all(number <= limit if at_most else number >= limit for number in numbers)
-    return FAILED_ELSEWHERE if verdict.get("passed") is False and met else VERDICTS[verdict.get("passed")]
+    word, value, place = VERDICTS[verdict.get("passed")], verdict.get("value"), _place(str(verdict.get("at") or ""))
+    beside = {format_number(number) for number in shown if is_number(number)}
+    return f"{word}: {format_number(value)} at {place}" if is_number(value) and place and format_number(value) not in beside else word
+
+
+def _place(at: str) -> str:
+    """An operating point or bin of a verdict in words: "bin 2, 3,000 rpm"."""
+    return re.sub(r"\binput_speed_rpm = ([-+.\de]+)", lambda found: f"{format_number(float(found[1]))} rpm", at)
 
 
 def _ratings(report: Report) -> str:
