@@ -85,6 +85,7 @@ std::vector<Derived> defect_quantities(const ResolvedCase& in) {
   const defect::PassingFrequencies passing =
       defect::passing_frequencies(scratched.bearing, scratched.shaft_speed);
   const defect::StaticPosition at_rest = defect::ScratchedMotion(scratched).static_position();
+  require_few_steps(in, at_rest.natural_frequency);
   return {{"defect.shaft_frequency", passing.shaft, "Hz", "turns of the shaft"},
           {"defect.cage_frequency", passing.cage, "Hz", "turns of the cage at pure rolling"},
           {"defect.outer_pass_frequency", passing.outer_pass, "Hz", "balls over a point of the outer race"},
