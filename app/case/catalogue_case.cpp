@@ -744,6 +744,30 @@ void add_replaced_ratings(const ResolvedCase& in, const std::string& set, const 
 
 }  // namespace
 
+namespace {
+
+// A table of the case in which no line has the designation: the ratings are those of the program's own.
+void add_table_without_effect(const ResolvedCase& in, const std::string& set,
+                              std::vector<std::string>& warnings) {
+  const std::string path = set + catalogue_keys::kCatalogue;
+  const FieldValue* table = table_of_case(in, set);
+  const std::string name = in.text(set + catalogue_keys::kDesignation);
+  if (table == nullptr || table->texts.empty() || catalogue::find(catalogue_of(*table), name) != nullptr)
+    return;
+  std::vector<std::string> names;
+  for (const catalogue::Entry& entry : catalogue_of(*table))
+    names.insert(names.end(), entry.designations.begin(), entry.designations.end());
+  constexpr std::size_t most = 5;
+  const std::string others = names.size() > most ? fmt::format(" and {} more", names.size() - most) : "";
+  names.resize(std::min(names.size(), most));
+  warnings.push_back(
+      fmt::format("{}: {} has no effect: it counts only where a line has the designation '{}'. Lines of it: "
+                  "{}{}. The line of the project's own catalogue is used",
+                  path, in.has(path) ? in.written(path) : "", name, fmt::join(names, ", "), others));
+}
+
+}  // namespace
+
 std::vector<std::string> inferred_warnings(const ResolvedCase& resolved) {
   std::vector<std::string> warnings;
   for (const Input& input : resolved.inputs()) {
@@ -752,6 +776,7 @@ std::vector<std::string> inferred_warnings(const ResolvedCase& resolved) {
     const catalogue::Entry* entry = line_of(resolved, set);
     if (entry == nullptr) continue;
     add_suffixes(resolved, set, warnings);
+    add_table_without_effect(resolved, set, warnings);
     warnings.push_back(inferred_warning(input.path, resolved.text(input.path), *entry));
     if (const std::string rings = set + catalogue_keys::kRings;
         resolved.has(rings) && resolved.choice(rings) != "both" &&

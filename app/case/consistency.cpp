@@ -337,7 +337,9 @@ bool takes_part_in_consistency(std::string_view path) {
   return begins_with_one_of(path, {"gearset.", "bearing.", "sets.", "shafts.", "pair.", "load.", "spindle.",
                                    "housing.", "measured.", "identification.", "defect.", "signal.", "life.",
                                    "lubricant.kinematic", "parallel_stage."}) ||
-         is_one_of(path, {"stiffness", "arrangement", "operation.shaft_speed", "input.member"});
+         is_one_of(path,
+                   {"stiffness", "arrangement", "operation.shaft_speed", "operation.outer_speed",
+                    "lubricant.grade", "lubricant.temperature", "lubricant.viscosity_index", "input.member"});
 }
 
 void check_consistency(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {

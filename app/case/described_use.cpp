@@ -311,7 +311,7 @@ std::vector<Condition> where_others_know_friction() {
           where_given({"operation.shaft_speed", "operation.outer_speed"})};
 }
 
-Use with_friction_and_heat(const Use& use, std::string_view path) {
+Use with_friction_and_heat(Use use, std::string_view path) {
   // Besides the friction of the races, others build up over the same sliding speed.
   constexpr unsigned moving = use::rollers_in_motion | use::balls_in_motion | use::planet_defect;
   if (path == "traction.sliding_scale")
@@ -337,9 +337,34 @@ Use with_friction_and_heat(const Use& use, std::string_view path) {
                        "heat.enabled", "lubricant.flow", "lubricant.share", "traction.starvation"}))
     return use.used_too(use::static_load, where_others_know_friction());
   if (!is_one_of(path, {"heat.model", "heat.inlet"})) return use;
+  // Oil that does not flow brings nothing in.
+  if (path == "heat.inlet") use = use.when(where_given({"lubricant.flow"}));
   std::vector<Condition> heated = where_others_know_friction();
   heated.push_back(where("heat.enabled", {"true"}));
   return use.used_too(use::static_load, std::move(heated));
+}
+
+// What rollers alone have in planets, whose balls know neither a law of line contacts nor a film: it is idle
+// beside them.
+Use of_rollers(const Use& use, std::string_view path) {
+  if (!is_one_of(path, {"life.reduction_factor", "contact.law", "film.inlet_heating", "heat.viscosity_slope",
+                        "lubricant.density"}))
+    return use;
+  return use.when(where_true(planets_have_rollers, "where the planet bearings have rollers"));
+}
+
+// Rows in motion name the nearest resonance of the gears, of which bearings are springs.
+Use with_resonances(const Use& use, std::string_view path) {
+  if (path != "gearset.dynamics.planet.bearing_stiffness") return use;
+  return use.used_too(use::dynamic, where_true(resonances_are_named, "where gearset.mesh_variation is true"))
+      .used_too(use::dynamic, where_true(is_one_system, "where bearing.complement is full"));
+}
+
+// A pin that is the inner race moves with it, down to its hole.
+Use with_moving_pin(const Use& use, std::string_view path) {
+  if (path != "bearing.fit.pin_bore") return use;
+  return use.used_too(use::rollers_in_motion,
+                      where_true(pin_is_race, "where bearing.rings is outer or none"));
 }
 
 // Fields of unlike physics, of which each hangs on other choices.
@@ -390,7 +415,8 @@ Use use_of(const described::Facts& facts) {
   Use use = with_meshes(with_pins(use_by_physics(facts), path), path);
   use = with_oil(with_rotating_rings(with_stiffness(use, path), facts), path);
   use = with_carrier(with_springs(with_held_members(use, path), facts), path);
-  return with_other_ways(with_own_condition(use, facts), path);
+  use = with_other_ways(with_own_condition(use, facts), path);
+  return with_moving_pin(with_resonances(of_rollers(use, path), path), path);
 }
 
 Use with_carrier_beside(const Use& use, std::string_view path) {

@@ -261,9 +261,19 @@ void check_ball_planets(CheckedCase& in) {
   check_ball_circle(in);
 }
 
-// Do the values fit the type of the bearings of a set? Nothing for cylindrical rollers.
+// Rollers and balls do not share a bearing.
+void check_roller_planets(CheckedCase& in) {
+  for (const char* path : {"bearing.balls", "bearing.ball_diameter"})
+    if (is_stated(in, path))
+      in.add_error_at(path, in.given(path) + " in a bearing with rollers",
+                      "none is required, or bearing.type: deep-groove-ball without rollers");
+}
+
+// Do the values fit the type of the bearings of a set? Of cylindrical rollers nothing but their elements.
 void check_bearing_type(CheckedCase& in) {
   const PlanetBearingType type = bearing_type_of(in);
+  if (in.model() == planetary_drivetrain && type != PlanetBearingType::deep_groove_ball)
+    check_roller_planets(in);
   if (type == PlanetBearingType::cylindrical_roller) return;
   if (in.model() != planetary_drivetrain)
     return in.add_error_at(

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/case/catalogue_case.hpp"
+#include "bearing/life/life_modification.hpp"
 #include "mechanics/constants.hpp"
 
 namespace orbearing::app {
@@ -91,7 +92,33 @@ void check_motion(CheckedCase& in) {
   in.add_error_at("load.radial", "no load", "a radial or axial load greater than 0 N is required");
 }
 
+// The viscosity ratio of the oil, by which a_ISO is known: it needs a speed, and begins at 0.1.
+void check_viscosity_ratio(CheckedCase& in) {
+  const char* kinematic = "lubricant.kinematic_viscosity";
+  if (in.has("life.viscosity_ratio") || !in.has(kinematic)) return;
+  const char* path = in.has("lubricant.grade") ? "lubricant.grade" : kinematic;
+  if (rings_rotate_alike(in)) {
+    in.add_error_at(path, "a viscosity for rings that do not rotate",
+                    "operation.shaft_speed is required, from which the viscosity ratio follows");
+    return;
+  }
+  if (!has_all(in, {"operation.shaft_speed", "operation.outer_speed", "bearing.pitch_diameter"})) return;
+  namespace rating = bearing::rating;
+  const double kappa =
+      in.quantity(kinematic) /
+      rating::required_viscosity(in.quantity("operation.shaft_speed") - in.quantity("operation.outer_speed"),
+                                 in.quantity("bearing.pitch_diameter"));
+  if (!(kappa >= rating::kLeastViscosityRatio))
+    in.add_error_at(path,
+                    fmt::format("a viscosity ratio kappa of {:.3g} by a viscosity of {:.3g} mm2/s", kappa,
+                                1e6 * in.quantity(kinematic)),
+                    fmt::format("at least {:g} is required, where a_ISO begins: a thicker oil, a lower "
+                                "temperature or a higher speed",
+                                rating::kLeastViscosityRatio));
+}
+
 void check_life(CheckedCase& in) {
+  check_viscosity_ratio(in);
   if (in.has("lubricant.grade")) return;  // a viscosity that is always there
   check_either(in, "life.viscosity_ratio", "lubricant.kinematic_viscosity");
   const bool film = in.has("life.viscosity_ratio") || in.has("lubricant.kinematic_viscosity");
@@ -103,9 +130,6 @@ void check_life(CheckedCase& in) {
     if (in.has(path) && !in.has("life.contamination_factor") && !in.has("life.cleanliness"))
       in.add_error_at(path, "a viscosity without cleanliness",
                       "life.contamination_factor or life.cleanliness is required with it");
-  if (in.has("lubricant.kinematic_viscosity") && rings_rotate_alike(in))
-    in.add_error_at("lubricant.kinematic_viscosity", "a viscosity for rings that do not rotate",
-                    "operation.shaft_speed is required, from which the viscosity ratio follows");
 }
 
 }  // namespace

@@ -216,7 +216,9 @@ Conversion make_conversion(std::string_view unit, std::string_view target_unit) 
     return no_conversion(
         "the unit database of udunits2 cannot be read (Debian: libudunits2-data; UDUNITS2_XML_PATH may name "
         "another)");
-  const Unit target = parse_unit(target_unit);  // of a field, or one that a page asks for
+  // Of a field, where it may be a number alone, or one that a page asks for.
+  const bool sound = is_plain_unit(target_unit) || read_number(target_unit).value.has_value();
+  const Unit target = sound ? parse_unit(target_unit) : nullptr;
   if (!target) return no_conversion(fmt::format("the unit {} is not known", quote(target_unit)));
   const Unit parsed = is_plain_unit(unit) ? parse_unit(unit) : nullptr;
   const std::string other =

@@ -155,6 +155,34 @@ bool fits_are_warm(const ResolvedCase& in, std::string_view set) {
   });
 }
 
+bool planets_have_rollers(const ResolvedCase& in, std::string_view set) {
+  if (in.model() != planetary_drivetrain) return true;
+  const auto rolls = [&](const std::string& prefix) {
+    return bearing_type_of(in, prefix) != bearing::PlanetBearingType::deep_groove_ball;
+  };
+  const std::vector<std::string>& sets = in.shape().sets;
+  return !set.empty() || sets.empty()
+             ? rolls(std::string(set))
+             : std::ranges::any_of(sets, [&](const std::string& name) { return rolls(set_prefix(name)); });
+}
+
+bool resonances_are_named(const ResolvedCase& in, std::string_view) {
+  const CaseShape& shape = in.shape();
+  return in.model() == planetary_drivetrain && !shape.several && shape.teeth && shape.bearing &&
+         has_cylindrical_rollers(in) && !in.has("gearset.second_planet.teeth") &&
+         is_on(in, "gearset.mesh_variation");
+}
+
+bool is_one_system(const ResolvedCase& in, std::string_view set) {
+  return !in.shape().several && in.shape().teeth && is_chosen(in, "bearing.complement", "full") &&
+         speed_is_steady(in, set) && !is_chosen(in, "bearing.tilt_state", "computed");
+}
+
+bool pin_is_race(const ResolvedCase& in, std::string_view set) {
+  const std::string rings = in_set(set, "bearing.rings");
+  return in.has(rings) && in.choice(rings) != "both";
+}
+
 bool speed_is_steady(const ResolvedCase& in, std::string_view) {
   return !is_nonzero(in, "input.acceleration");
 }

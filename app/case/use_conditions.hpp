@@ -42,6 +42,15 @@ bool material_makes_springs(const ResolvedCase& in, std::string_view set);
 bool modulus_makes_springs(const ResolvedCase& in, std::string_view set);
 /// Whether a part of a fit has another temperature than that of the sizes.
 bool fits_are_warm(const ResolvedCase& in, std::string_view set);
+/// Whether planet bearings of the set, or of any, have rollers; so of other models.
+bool planets_have_rollers(const ResolvedCase& in, std::string_view set);
+/// Whether results in motion name resonances of the gears: one set with cylindrical rollers whose meshes
+/// vary.
+bool resonances_are_named(const ResolvedCase& in, std::string_view set);
+/// Whether bearings without a cage move as one system with their gears, one way too.
+bool is_one_system(const ResolvedCase& in, std::string_view set);
+/// Whether the bearing's inner race is that of the pin, which moves with it.
+bool pin_is_race(const ResolvedCase& in, std::string_view set);
 /// Whether the input speed does not grow.
 bool speed_is_steady(const ResolvedCase& in, std::string_view set);
 /// Whether gears start at another speed than they run at.

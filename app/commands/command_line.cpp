@@ -20,6 +20,7 @@
 #include "app/resources.hpp"
 #include "app/results/durable_file.hpp"
 #include "app/results/progress.hpp"
+#include "app/standard_error.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/version.hpp"
 #include "mechanics/cancellation.hpp"
@@ -479,9 +480,22 @@ void print_error(std::string_view text) {
   for (bool more = true; more;) {
     const std::size_t end = text.find('\n');
     more = end != std::string_view::npos;
-    fmt::print(stderr, "{}\n", printable(text.substr(0, end)));
+    print_to_standard_error("{}\n", printable(text.substr(0, end)));
     if (more) text.remove_prefix(end + 1);
   }
+}
+
+// An empty text would be read as 0.
+void require_numbers(const CLI::App& program) {
+  for (const CLI::App* command : program.get_subcommands())
+    for (const CLI::Option* option : command->get_options()) {
+      const std::string type = option->get_type_name();
+      const bool numeric = type.starts_with("FLOAT") || type.starts_with("INT") || type.starts_with("UINT");
+      if (numeric && std::ranges::any_of(option->results(), [](const std::string& text) {
+            return text.find_first_not_of(" \t") == std::string::npos;
+          }))
+        throw BadInput(fmt::format("{}: found an empty text; required: a number", option->get_name()));
+    }
 }
 
 // A line for each option that was not expected and resembles one of its command.
@@ -532,9 +546,14 @@ int parse_and_run(int argc, char** argv) {
     // Not into the streams themselves: they flush, and the reason of a full disk would be gone.
     std::ostringstream answer;
     const int code = program.exit(error, answer, answer);
-    fmt::print(code == 0 ? stdout : stderr, "{}", answer.str());
-    return code == 0 ? kDone : kBadInput;
+    if (code != 0) {
+      print_to_standard_error(std::string_view(answer.str()));
+      return kBadInput;
+    }
+    fmt::print("{}", answer.str());
+    return kDone;
   }
+  require_numbers(program);
   return asked.command(asked.options);
 }
 
@@ -570,6 +589,7 @@ Asked asked_by(const std::vector<std::string>& words) {
   } catch (const CLI::ParseError& error) {
     throw BadInput(error.what() + proposals(reader.program()));
   }
+  require_numbers(reader.program());
   return asked;
 }
 
@@ -589,16 +609,16 @@ int run_command_line(int argc, char** argv) {
     return kFailed;
   } catch (const std::system_error& error) {
     if (std::ferror(stdout) != 0)
-      fmt::print(stderr, "standard output: {}; {}, then give the command again\n", error.what(),
-                 remedy_of(error.code().value()));
+      print_to_standard_error("standard output: {}; {}, then give the command again\n", error.what(),
+                              remedy_of(error.code().value()));
     else
-      fmt::print(stderr, "orbearing: {}\n", error.what());
+      print_to_standard_error("orbearing: {}\n", error.what());
     return kFailed;
   } catch (const std::exception& error) {
     print_error(std::string("orbearing: ") + error.what());
     return kFailed;
   } catch (const Cancelled& wish) {
-    fmt::print(stderr, "orbearing: {}\n", wish.what());
+    print_to_standard_error("orbearing: {}\n", wish.what());
     return kFailed;
   }
 }

@@ -13,6 +13,7 @@
 #include "app/results/motion_summary.hpp"
 #include "app/results/terminal_chart.hpp"
 #include "app/results/verdicts.hpp"
+#include "app/standard_error.hpp"
 #include "app/study/carrier_study.hpp"
 #include "app/study/life_peak.hpp"
 #include "app/study/motion_budget.hpp"
@@ -54,7 +55,7 @@ void print_failures(const std::string& line, const Options& options) {
   if (options.take_failures)
     options.take_failures(line);
   else
-    fmt::print(stderr, "{}\n", line);
+    print_to_standard_error("{}\n", line);
 }
 
 namespace {
@@ -111,7 +112,7 @@ PlannedSweep plan_sweep(const ResolvedCase& resolved, const Options& options,
     if (std::optional<BudgetedCase> budgeted = within_budget(resolved, *estimate, *options.budget)) {
       plan = {budgeted->resolved, request_of(budgeted->resolved)};
       windows = budgeted->windows;
-      if (!options.quiet) fmt::print(stderr, "{}\n", budgeted->chosen);
+      if (!options.quiet) print_to_standard_error("{}\n", budgeted->chosen);
     }
   }
   if (options.quiet) return plan;
@@ -123,7 +124,7 @@ PlannedSweep plan_sweep(const ResolvedCase& resolved, const Options& options,
                                  plan.request.points.size() == 1](double seconds, std::size_t missing) {
     const auto threads = static_cast<int>(study::threads_for(missing + added, one ? 1 : jobs));
     const std::string text = estimate_text(seconds + beyond, missing, added, threads);
-    if (!text.empty()) fmt::print(stderr, "{}\n", text);
+    if (!text.empty()) print_to_standard_error("{}\n", text);
   };
   return plan;
 }

@@ -14,6 +14,7 @@
 #include "app/case/case_file.hpp"
 #include "app/case/check_table.hpp"
 #include "app/case/field_table.hpp"
+#include "app/case/printable.hpp"
 #include "app/case/resolved_writer.hpp"
 #include "app/case/unused_inputs.hpp"
 #include "app/commands/command_line.hpp"
@@ -373,8 +374,11 @@ char* orbearing_table_answers(const orbearing_table* table, const char* request,
 
 char* orbearing_machine_make(const orbearing_case* stated, const char* model, orbearing_machine** made) {
   return failure_of([&] {
-    *made = new orbearing_machine{std::string(model) == "gearset" ? Participant::gearset(stated->of)
-                                                                  : Participant::bearing(stated->of)};
+    const std::string of = model;
+    if (of != "bearing" && of != "gearset")
+      throw BadInput("model: found '" + app::printable(of) + "'; required: bearing or gearset");
+    *made = new orbearing_machine{of == "gearset" ? Participant::gearset(stated->of)
+                                                  : Participant::bearing(stated->of)};
   });
 }
 

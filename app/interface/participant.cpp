@@ -1,6 +1,9 @@
 #include "orbearing/participant.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "app/study/fmu_model.hpp"
@@ -74,6 +77,11 @@ std::size_t index_of(const std::vector<Described>& all, const std::string& name,
   throw BadInput(name + ": found no " + what + " of that name; required: one of " + known);
 }
 
+void require_finite(const std::string& what, double value) {
+  if (!std::isfinite(value))
+    throw BadInput(fmt::format("{}: found {}; required: a finite number", what, value));
+}
+
 }  // namespace
 
 Participant::Participant(std::unique_ptr<Content> content) : content_(std::move(content)) {}
@@ -104,6 +112,8 @@ double Participant::time() const {
 void Participant::set_input(const std::string& name, double value, std::optional<double> slope) {
   Content& c = *content_;
   const std::size_t index = index_of(c.facts.inputs, name, "input");
+  require_finite(name, value);
+  if (slope) require_finite(name + ", slope", *slope);
   c.inputs[index] = value;
   c.slopes[index] = slope.value_or(0.0);
   c.has_slope[index] = slope.has_value();
@@ -115,12 +125,14 @@ double Participant::input(const std::string& name) const {
 }
 
 void Participant::initialize(double time) {
+  require_finite("initialize: time [s]", time);
   content_->time = time;
   content_->begin();
 }
 
 void Participant::advance(double length) {
   if (!(length > 0.0)) throw BadInput("advance: found " + std::to_string(length) + " s; required: above 0");
+  require_finite("advance: step [s]", length);
   Content& c = *content_;
   c.require_begun();
   const std::vector<system::InputPolynomial> over = c.polynomials();

@@ -13,6 +13,7 @@
 #include "app/page/page_server.hpp"
 #include "app/resources.hpp"
 #include "app/results/durable_file.hpp"
+#include "app/standard_error.hpp"
 #include "mechanics/cancellation.hpp"
 
 namespace orbearing::app {
@@ -55,8 +56,8 @@ void show_in_browser(const std::string& file) {
     posix_spawn_file_actions_addopen(&files, stream, "/dev/null", O_RDWR, 0);
   pid_t process = -1;
   if (posix_spawnp(&process, "xdg-open", &files, nullptr, pointers, environ) != 0)
-    fmt::print(stderr,
-               "no program to open the address with (xdg-open, Debian: xdg-utils): open it in a browser\n");
+    print_to_standard_error(
+        "no program to open the address with (xdg-open, Debian: xdg-utils): open it in a browser\n");
   posix_spawn_file_actions_destroy(&files);
 }
 

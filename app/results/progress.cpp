@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "app/standard_error.hpp"
 #include "app/units.hpp"
 #include "bearing/motion/snapshot.hpp"
 #include "mechanics/cancellation.hpp"
@@ -125,7 +126,7 @@ Progress::Progress(std::size_t kept, std::size_t all, bool shown, std::string do
 
 Progress::~Progress() {
   motions_.reset();
-  if (shown_) fmt::print(stderr, "{}", wiped_line);
+  if (shown_) print_to_standard_error("{}", wiped_line);
 }
 
 void Progress::show(std::size_t done, double work) {
@@ -156,8 +157,7 @@ void Progress::print(const std::string& motion) {
     text = share_text(static_cast<double>(done_) / static_cast<double>(all_), simulated_, seconds);
   else if (motion.empty() || all_ > 1)
     text += progress_text(done_, kept_, all_, seconds, work_) + (motion.empty() ? "" : "; a point: ");
-  fmt::print(stderr, "{}{}{}", wiped_line, text, motion);
-  std::fflush(stderr);
+  print_to_standard_error("{}{}{}", wiped_line, text, motion);
 }
 
 namespace {

@@ -11,6 +11,7 @@
 #include "app/errors.hpp"
 #include "app/results/result_row.hpp"
 #include "app/results/spectrum_life.hpp"
+#include "app/standard_error.hpp"
 
 namespace orbearing::app {
 namespace {
@@ -214,7 +215,7 @@ ResultFolder open_results(const fs::path& folder, const ManifestHeader& header,
   if (folder.empty()) return ResultFolder(header);
   ResultFolder opened(folder, header, resolved_case, resume ? OpenMode::resume : OpenMode::fresh);
   for (const std::string& file : opened.damaged())
-    if (!quiet) fmt::print(stderr, "{}; its point is computed again\n", file);
+    if (!quiet) print_to_standard_error("{}; its point is computed again\n", file);
   return opened;
 }
 

@@ -133,11 +133,16 @@ void describe(Record& record, const Resonance& resonance) {
   record.value("resonance_kind", "of the mode: rotational, translational or planet", resonance.kind);
   record.value("resonance_mode", "its name in the report", resonance.mode);
   record.value("resonance_frequency_Hz", dimension::cycles,
-               "natural frequency of the gear set at the nearest resonance", resonance.frequency);
+               "natural frequency of the gear set, and harmonic of the mesh, at the nearest resonance",
+               resonance.frequency);
   record.value("resonance_harmonic", dimension::ratio, "harmonic of the mesh frequency that meets it",
                resonance.harmonic);
   record.value("resonance_speed_rpm", dimension::angular_speed, "input speed at which it does",
                resonance.speed);
+  record.value("resonance_frequency_change_Hz", dimension::cycles,
+               "change of that natural frequency from 0.01 % below that speed to 0.01 % above; large where a "
+               "roller leaves its load there",
+               resonance.change);
 }
 
 bool on_one_line(const TableHead& head, const ResultRow& one, const ResultRow& other) {

@@ -67,6 +67,7 @@ struct Resonance {
   double frequency = 0.0;  // [Hz]
   int harmonic = 0;        // of the mesh frequency
   double speed = 0.0;      // [rad/s]  of the driving member
+  double change = 0.0;     // [Hz]  of the natural frequency from 0.01 % below that speed to 0.01 % above
 };
 
 /// Text first, then the numbers.

@@ -124,19 +124,22 @@ double worst_of_sets(const std::vector<std::string>& sets, bool at_most,
   return at_most ? std::ranges::max(values) : std::ranges::min(values);
 }
 
-// Of the bearing with the shortest life, where planets or their bearings are loaded unevenly: over a
-// revolution of the carrier where that is a body.
-double life_or(double over_revolution, double shortest, double life) {
-  return std::isfinite(over_revolution) ? over_revolution : std::isfinite(shortest) ? shortest : life;
+// The first of the names that has a number, by `value`.
+double of_worst_bearing(const std::string& key, const LifeValue& value) {
+  double found = described::kAbsent;
+  for (const std::string& name : keys_of_worst_bearing(key)) {
+    found = value(name);
+    if (std::isfinite(found)) return found;
+  }
+  return found;
 }
 
 // In a row a life without load has no number, as that by Lundberg and Palmgren beside it.
 LifeValue values_in_row(const SweepOutcome& outcome, const ResultRow& row) {
   return [&outcome, &row](const std::string& key) {
     const auto in = [&](const std::string& prefix) {
-      const double value = life_or(value_of(outcome.head, row, "carrier_" + prefix + key),
-                                   value_of(outcome.head, row, "shortest_" + prefix + key),
-                                   value_of(outcome.head, row, prefix + key));
+      const double value = of_worst_bearing(
+          key, [&](const std::string& name) { return value_of(outcome.head, row, prefix + name); });
       const bool unloaded =
           is_life(key) && std::isnan(value) && std::isnan(value_of(outcome.head, row, prefix + "life_h"));
       return unloaded ? std::numeric_limits<double>::infinity() : value;
@@ -165,8 +168,7 @@ LifeValue values_under_spectrum(const SweepOutcome& outcome, const SpectrumResul
   return [&outcome, &result](const std::string& key) {
     if (key != "kappa")
       return worst_of_sets(outcome.header.sets, false, [&](const std::string& prefix) {
-        return life_or(life_of(result, "carrier_" + prefix + key),
-                       life_of(result, "shortest_" + prefix + key), life_of(result, prefix + key));
+        return of_worst_bearing(key, [&](const std::string& name) { return life_of(result, prefix + name); });
       });
     double least = described::kAbsent;
     for (const SpectrumBin& bin : result.bins)
@@ -186,6 +188,12 @@ Sample sample_of(const SweepOutcome& outcome, const SpectrumResult& result) {
 }
 
 }  // namespace
+
+std::vector<std::string> keys_of_worst_bearing(const std::string& key) {
+  if (key == "largest_load_share") return {"carrier_K_gamma", key};
+  if (key == "P0_N" || key == "S0" || key == "contact_pressure_max_MPa") return {"carrier_" + key, key};
+  return is_life(key) ? std::vector{"carrier_" + key, "shortest_" + key, key} : std::vector{key};
+}
 
 void describe(Record& record, const Verdict& verdict) {
   const Requirement& requirement = verdict.requirement;

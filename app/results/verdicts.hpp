@@ -24,6 +24,11 @@ struct Verdict {
   std::size_t points_failed = 0;      // of them, those that do not meet the requirement
 };
 
+/// Names under which a row has the result `key` of the bearing that a requirement is judged by, the first that
+/// has a number before the others: over a revolution of the carrier where that is a body, of the shortest
+/// life where bearings carry unlike loads, else of any bearing. What planets share is K_gamma of their meshes.
+std::vector<std::string> keys_of_worst_bearing(const std::string& key);
+
 void describe(described::Record& record, const Verdict& verdict);
 /// The table `verdicts`; nothing where there are none.
 void describe_verdicts(described::Record& record, const std::vector<Verdict>& verdicts);

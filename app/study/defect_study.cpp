@@ -41,18 +41,8 @@ bool is_defect(const ResolvedCase& resolved) {
   return (resolved.model() & described::single_scratched) != 0;
 }
 
-void require_wide_scratch(const ResolvedCase& in) {
-  constexpr double least = 1e-6;  // [m]
-  if (!in.has("defect.width") || in.quantity("defect.width") >= least) return;
-  throw BadInput(
-      fmt::format("{}: defect.width: found '{}'; required: at least 1 um, below which an element enters by "
-                  "less than the size of an atom",
-                  in.origin("defect.width"), in.given("defect.width")));
-}
-
 DefectStudy defect_study(const ResolvedCase& in, DefectRung rung, const std::function<void(double)>& progress,
                          const std::function<void(study::RingVibration&)>& disturb) {
-  require_wide_scratch(in);
   const defect::ScratchedBearing scratched = scratched_bearing_of(in);
   const bearing::BearingGeometry geometry = bearing::geometry_of(scratched.bearing);
   DefectStudy study{.scratched = scratched.scratch.race,
@@ -95,6 +85,7 @@ std::vector<Derived> defect_quantities(const ResolvedCase& in) {
   const defect::PassingFrequencies passing =
       defect::passing_frequencies(scratched.bearing, scratched.shaft_speed);
   const defect::StaticPosition at_rest = defect::ScratchedMotion(scratched).static_position();
+  require_few_steps(in, at_rest.natural_frequency);
   return {{"defect.shaft_frequency", passing.shaft, "Hz", "turns of the shaft"},
           {"defect.cage_frequency", passing.cage, "Hz", "turns of the cage at pure rolling"},
           {"defect.outer_pass_frequency", passing.outer_pass, "Hz", "balls over a point of the outer race"},

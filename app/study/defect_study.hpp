@@ -40,10 +40,6 @@ bool is_defect(const ResolvedCase& resolved);
 /// How much of the bearing moves: the outer ring alone on balls without mass, or all of it.
 enum class DefectRung { ring, all };
 
-/// Throws BadInput where a scratch is so narrow that an element sinks into it by less than the size of an
-/// atom: its signal would take hours of steps.
-void require_wide_scratch(const ResolvedCase& in);
-
 /// `progress` gets the share done, if any; of the ring alone it is not asked. `disturb` may add to what the
 /// instrument records before it is analysed. Throws ComputationFailed where the motion cannot be followed,
 /// BadInput as scratched_motion_of().

@@ -11,10 +11,13 @@
 #include <utility>
 
 #include "app/case/defect_case.hpp"
+#include "app/case/set_case.hpp"
 #include "app/case/unused_inputs.hpp"
+#include "app/case/use_conditions.hpp"
 #include "app/errors.hpp"
 #include "app/results/record_writers.hpp"
 #include "app/results/result_row.hpp"
+#include "app/results/verdicts.hpp"
 #include "app/study/ball_study.hpp"
 #include "app/study/drivetrain_case.hpp"
 #include "app/study/fidelity.hpp"
@@ -68,6 +71,16 @@ Run run_of(const ResolvedCase& in, const std::string& fidelity) {
   throw BadInput(in.origin(path) + ": " + path + ": found " + found + "; required: " + required);
 }
 
+// The life of the bearing by which a requirement is judged; in motion bearings are taken together.
+std::string of_worst_bearing(const ResolvedCase& in, const std::string& life, use::Analysis analysis) {
+  const std::vector<std::string> names = keys_of_worst_bearing(life);
+  if (analysis != use::quasi_static || in.shape().several || names.size() < 3) return life;
+  if (carrier_is_body(in, "")) return names[0];
+  const bool unlike = !uneven_planets_by(in).empty() ||
+                      (in.has("bearing.tilt_state") && in.choice("bearing.tilt_state") == "computed");
+  return unlike ? names[1] : life;
+}
+
 // Key and unit of the governing life.
 std::pair<std::string, std::string> life_key(const ResolvedCase& in) {
   if (is_static_bearing(in) && in.quantity("operation.shaft_speed") == in.quantity("operation.outer_speed"))
@@ -100,6 +113,8 @@ ScalarResult scalar_result(const ResolvedCase& in, const std::string& fidelity, 
   ScalarResult result{.quantity = key, .unit = ""};
   if (key.empty()) std::tie(result.quantity, result.unit) = life_key(in);
   Run run = run_of(in, fidelity);
+  if (key.empty() && is_of_planet_bearings(in))
+    result.quantity = of_worst_bearing(in, result.quantity, run.analysis);
   result.analysis = run.analysis;
   result.scatter = run.scatter;
   const std::string set = std::string(limiting_set_column);

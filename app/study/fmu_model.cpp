@@ -5,11 +5,13 @@
 #include <cstdio>
 #include <optional>
 
+#include "app/case/unused_inputs.hpp"
 #include "app/errors.hpp"
 #include "app/license.hpp"
 #include "app/resources.hpp"
 #include "app/results/durable_file.hpp"
 #include "app/results/progress.hpp"
+#include "app/standard_error.hpp"
 #include "app/study/gear_case.hpp"
 #include "app/study/planetary_case.hpp"
 #include "coupling/fmu/export/description.hpp"
@@ -72,6 +74,7 @@ std::vector<double> start_forces(const system::DrivenGearsSetup& setup) {
 }  // namespace
 
 fmu::NumberTable bearing_numbers(const ResolvedCase& in) {
+  require_used(in, use::fmu_bearing);
   require_drivable_set(in);
   require(in.shape().bearing, in, "bearing", "no bearing", "a planet bearing, or --model gearset");
   system::DrivenBearingSetup setup = bearing_setup(in);
@@ -86,6 +89,7 @@ fmu::NumberTable bearing_numbers(const ResolvedCase& in) {
 }
 
 fmu::NumberTable gear_numbers(const ResolvedCase& in) {
+  require_used(in, use::fmu_gearset);
   require_drivable_set(in);
   require(in.shape().teeth, in, "gearset", "no teeth", "tooth numbers, from which loads and speeds follow");
   system::DrivenGearsSetup setup = gears_setup(in);
@@ -156,8 +160,8 @@ std::string build_missing(const Platform& platform, const fs::path& library, boo
   if (!fs::exists(recipe))
     return fmt::format("found no file {}; required: {}", library.string(), platform.remedy);
   if (!quiet)
-    fmt::print(stderr, "fmu: building the library for {}, this once (5 to 20 minutes) ...\n",
-               platform.folder);
+    print_to_standard_error("fmu: building the library for {}, this once (5 to 20 minutes) ...\n",
+                            platform.folder);
   const Ended ended = run_program(recipe, fmt::format("library for {}: ", platform.folder), quiet);
   if (!ended.well) return ended.last_line;
   return fs::exists(library) ? "" : "found no file " + library.string() + " after its build";

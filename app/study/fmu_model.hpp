@@ -11,13 +11,13 @@
 
 namespace orbearing::app {
 
-/// One bearing of one planet, its speeds and its load at the start those of the case's operating point.
-/// Throws BadInput for a case of another model, of several sets, without bearing or with what has no place in
-/// a driven bearing.
+/// One bearing of one planet, its speeds and its load at the start those of the case's operating point. Throws BadInput
+/// for a case of another model, of several sets, without bearing or with what a driven bearing does not
+/// include, as require_used() says.
 fmu::NumberTable bearing_numbers(const ResolvedCase& resolved);
 
 /// The gear set with its planet bearings left out; at the start they hold the mean loads of the case. Throws
-/// BadInput for a case of another model, of several sets or without teeth.
+/// BadInput for a case of another model, of several sets, without teeth or with what they do not include.
 fmu::NumberTable gear_numbers(const ResolvedCase& resolved);
 
 // An FMU as a file: what is packed, and where the libraries inside it come from.

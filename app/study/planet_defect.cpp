@@ -60,7 +60,6 @@ diagnosis::InstrumentView planet_view(const ResolvedCase& in, const PlanetDefect
 }  // namespace
 
 PlanetDefectStudy planet_defect_study(const ResolvedCase& in, const std::function<void(double)>& progress) {
-  require_wide_scratch(in);
   const study::PlanetaryDrivetrain drivetrain = scratched_drivetrain_of(in);
   const study::PlanetSampling sampling = from_case<study::PlanetSampling>(in);
   const Eigen::Vector2d loaded = load_zone_of(in, drivetrain);  // the way in which the load zone lies

@@ -5,8 +5,7 @@
 #include <map>
 #include <memory>
 
-#include "app/case/bearing_type.hpp"
-#include "app/case/set_case.hpp"
+#include "app/case/use_conditions.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/study/gear_case.hpp"
 #include "app/study/planetary_case.hpp"
@@ -30,7 +29,8 @@ std::vector<Resonance> resonances(const ResolvedCase& resolved, double lowest_rp
                     .mode = meeting.mode.name,
                     .frequency = meeting.mode.frequency,
                     .harmonic = meeting.order,
-                    .speed = meeting.speed});
+                    .speed = meeting.speed,
+                    .change = meeting.change});
   return list;
 }
 
@@ -42,19 +42,6 @@ std::optional<Resonance> nearest(const std::vector<Resonance>& resonances, doubl
   if (found == resonances.end() || !diagnosis::is_near(found->speed, speed)) return std::nullopt;
   return *found;
 }
-
-namespace {
-
-// Whether resonances of its gears affect the motion of a case's bearings: one set with bearings, whose meshes
-// vary. Several sets have no gear dynamics yet.
-bool has_resonances(const ResolvedCase& resolved) {
-  const CaseShape& shape = resolved.shape();
-  return resolved.model() == planetary_drivetrain && !shape.several && shape.teeth && shape.bearing &&
-         has_cylindrical_rollers(resolved) && !has_planet_pairs(resolved) &&
-         resolved.flag("gearset.mesh_variation");
-}
-
-}  // namespace
 
 std::vector<double> speeds_rpm(const ResolvedCase& resolved) {
   std::vector<double> speeds;
@@ -78,7 +65,7 @@ ResonancesOfLine resonances_by_line(const ResolvedCase& resolved) {
 }
 
 void name_resonances(const ResolvedCase& resolved, SweepRequest& request) {
-  if (!in_time(fidelity_of(request.header.fidelity)) || !has_resonances(resolved)) return;
+  if (!in_time(fidelity_of(request.header.fidelity)) || !resonances_are_named(resolved, "")) return;
   request.header.resonances = true;
   request.resonance_of = [line_of = resonances_by_line(resolved)](const SweepPoint& point) {
     return nearest(line_of(point.settings), point.input_speed);

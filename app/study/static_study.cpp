@@ -301,20 +301,8 @@ double relative_speed(const ResolvedCase& in) {
 std::optional<rating::OilCondition> oil_of(const ResolvedCase& in) {
   const std::optional<rating::StatedOil> stated = stated_oil(in);
   if (!stated) return {};
-  if (!stated->viscosity_ratio && relative_speed(in) == 0.0) {
-    const char* path = in.has("lubricant.grade") ? "lubricant.grade" : "lubricant.kinematic_viscosity";
-    throw BadInput(
-        fmt::format("{}: {}: an oil for rings that do not rotate; operation.shaft_speed is required, from "
-                    "which the viscosity ratio follows",
-                    in.origin(path), path));
-  }
-  const rating::OilCondition oil =
-      rating::oil_condition(*stated, relative_speed(in), in.quantity("bearing.pitch_diameter"));
-  if (oil.viscosity_ratio >= rating::kLeastViscosityRatio) return oil;
-  throw BadInput(fmt::format(
-      "{}: lubricant.kinematic_viscosity: viscosity ratio kappa: found {:.3g}; required: at "
-      "least {:g}, where a_ISO begins",
-      in.origin("lubricant.kinematic_viscosity"), oil.viscosity_ratio, rating::kLeastViscosityRatio));
+  // A speed and a ratio from which a_ISO is known are checked where the case is read.
+  return rating::oil_condition(*stated, relative_speed(in), in.quantity("bearing.pitch_diameter"));
 }
 
 // Of rollers by the capacities of Lundberg and Palmgren, lamina by lamina; of balls those of [ISO16281] are
@@ -459,14 +447,9 @@ void put_ranges(const ResolvedCase& in, StaticStudy& study) {
   }
 }
 
-// Lives that need the load on the bearing alone; none where P is not known or the oil is too thin for a_ISO.
+// Lives that need the load on the bearing alone; none where P is not known.
 void add_lives_by_load(const ResolvedCase& in, const bearing::Bearing& bearing, std::vector<Derived>& rows) {
-  rating::RatingCondition condition;
-  try {
-    condition = rating_condition_of(in, bearing);
-  } catch (const BadInput&) {
-    return;  // the run says it
-  }
+  const rating::RatingCondition condition = rating_condition_of(in, bearing);
   if (!condition.dynamic_load || !(*condition.dynamic_load > 0.0)) return;
   const rating::ElementLoads nothing{Eigen::ArrayXd::Zero(1), Eigen::ArrayXXd::Zero(1, 1)};
   const rating::RatingLives lives = rating::rating_lives(

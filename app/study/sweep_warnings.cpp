@@ -185,7 +185,15 @@ constexpr double kOtherLife = 0.1;  // [-]  of the set's own life
 // What the carrier as a body says of the lives beside it, and where it is none.
 void warn_of_carrier(const ResolvedCase& resolved, const SweepOutcome& outcome, Texts& warnings) {
   const std::string stated = "gearset.carrier.bearing_positions";
-  if (outcome.header.fidelity != "quasi-static" || !resolved.has(stated)) return;
+  if (!resolved.has(stated)) return;
+  if (outcome.header.fidelity != "quasi-static") {
+    if (carrier_is_body(resolved, ""))
+      warnings.push_back(fmt::format(
+          "gearset.carrier: --fidelity {} does not include the carrier as a body. Loads, lives and verdicts "
+          "are those of the set in its plane. The worst bearing over a revolution is in the run at rest",
+          outcome.header.fidelity));
+    return;
+  }
   if (!carrier_is_body(resolved, ""))
     warnings.push_back(stated +
                        ": the carrier is not taken as a body; required: one set with bearings, "

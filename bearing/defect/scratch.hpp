@@ -57,8 +57,8 @@ void describe(Visitor& visit, Scratch& m) {
       field(m.width, "defect.width", Physics::defect, "width of the scratch along the track",
             {.models = scratched_bearings,
              .dimension = dimension::length,
-             // An element sinks into a narrower one by less than the size of an atom.
-             .range = {.least = 1e-6, .most = 100.0},
+             // 1 um: an element sinks into a narrower one by less than the size of an atom.
+             .range = {.least = 1e-3, .most = 100.0},
              .where = scratched}),
       field(m.depth, "defect.depth", Physics::defect, "depth of the scratch",
             {.models = scratched_bearings,

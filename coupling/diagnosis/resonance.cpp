@@ -27,6 +27,9 @@ constexpr double kNear = 1.5;        // a resonance at a speed further off by th
 // smoothly. The speeds are powers of it [rpm], the same in every sweep, so that a point has one resonance.
 constexpr double kSpeedRatio = 1.2;
 constexpr double kRadiansPerSecond = constants::pi / 30.0;  // of 1 rpm
+// Of a meeting's speed: a bearing's stiffness falls within less where a roller leaves its load, and the mode
+// with it.
+constexpr double kBeside = 1e-4;
 
 // Modes of one kind at one frequency of the set at rest. At speed a group of several splits.
 int group_size(ModeKind kind, int planets) {
@@ -92,21 +95,24 @@ struct Crossing {
 std::optional<Meeting> meeting_at(const Crossing& crossing, const ModesAt& modes_at) try {
   constexpr double same_speed = 1e-10;  // relative
   constexpr std::uintmax_t most = 60;
-  const auto difference = [&](double speed) {
-    const ModesAtSpeed found = modes_at(speed);
+  const auto in = [&](const ModesAtSpeed& found) {
     const NamedFrequency* mode = same_mode(crossing.mode, found);
     if (!mode) throw std::runtime_error(crossing.mode.name);
-    return crossing.order * found.mesh_frequency - mode->frequency;
+    return mode->frequency;
+  };
+  const auto frequency_at = [&](double speed) { return in(modes_at(speed)); };
+  const auto difference = [&](double speed) {
+    const ModesAtSpeed found = modes_at(speed);
+    return crossing.order * found.mesh_frequency - in(found);
   };
   const auto near = [&](double one, double other) { return std::abs(other - one) <= same_speed * other; };
   std::uintmax_t tries = most;
   const auto [low, high] = boost::math::tools::toms748_solve(
       difference, crossing.lower, crossing.upper, crossing.above_lower, crossing.above_upper, near, tries);
   Meeting meeting{crossing.order, crossing.mode, std::midpoint(low, high)};
-  const ModesAtSpeed there = modes_at(meeting.speed);
-  const NamedFrequency* mode = same_mode(crossing.mode, there);
-  if (!mode) return std::nullopt;
-  meeting.mode.frequency = mode->frequency;
+  meeting.mode.frequency = crossing.order * modes_at(meeting.speed).mesh_frequency;
+  meeting.change =
+      frequency_at((1.0 + kBeside) * meeting.speed) - frequency_at((1.0 - kBeside) * meeting.speed);
   return meeting;
 } catch (const std::runtime_error&) {
   return std::nullopt;  // no balance of the bearing there

@@ -34,8 +34,9 @@ struct ModesAtSpeed {
 /// A meeting of a harmonic and a mode.
 struct Meeting {
   int order = 0;
-  NamedFrequency mode;   // frequency: where they meet
+  NamedFrequency mode;   // frequency: of the harmonic where they meet
   double speed = 0.0;    // [rad/s]
+  double change = 0.0;   // [Hz]  of the mode from 0.01 % below that speed to 0.01 % above
   bool excited = false;  // whether the meshes can excite it; Eq. (14) of gearset/dynamics
 };
 

@@ -247,18 +247,33 @@ BearingOverRevolution over_revolution(const PlanetBearingRating& rating, Bearing
                                       std::vector<double>& loads) {
   BearingOverRevolution over;
   std::vector<bearing::motion::WindowStatistics> means;
+  const PlanetaryDrivetrain& drivetrain = rating.drivetrain();
+  const int laminae = drivetrain.bearing.rollers().laminae;
+  const auto add_pressure = [&](const bearing::motion::WindowStatistics& at) {
+    const auto largest = [&](const bearing::motion::RaceStatistics& race) {
+      return race.lamina_load_max > 0.0 ? laminae * race.lamina_load_max : race.load_max;
+    };
+    over.largest_pressure =
+        std::max(over.largest_pressure,
+                 largest_hertz_pressure(drivetrain, rating.geometry(), largest(at.inner), largest(at.outer)));
+  };
   for (std::size_t i = 0; i < duties.size(); ++i) {
     loads.push_back(rating.load_of(duties[i]));
     over.mean += loads.back() / static_cast<double>(duties.size());
     over.largest_tilt = std::max(over.largest_tilt, duties[i].point.bore_tilt.norm());
     if (i % static_cast<std::size_t>(life_step) == 0) means.push_back(at_rest.one(duties[i]).means);
   }
+  const auto most = static_cast<std::size_t>(std::ranges::max_element(loads) - loads.begin());
   over.least = std::ranges::min(loads);
-  over.largest = std::ranges::max(loads);
+  over.largest = loads[most];
+  for (const bearing::motion::WindowStatistics& at : means) add_pressure(at);
+  if (most % static_cast<std::size_t>(life_step) != 0) add_pressure(at_rest.one(duties[most]).means);
   over.equivalent_load = mean_by_basic_life(loads);
   const bearing::motion::WindowStatistics pooled = system::pooled(means);
   over.least_film = std::min(pooled.inner.least_film, pooled.outer.least_film);
   const PlanetBearingRating::Lives lives = rating.of(pooled, over.equivalent_load, over.largest);
+  over.static_load = lives.rating.static_load;
+  over.static_safety = lives.rating.static_safety();
   over.life_hours = lives.hours;
   over.rated_hours = lives.rated_hours;
   return over;
@@ -275,6 +290,10 @@ void describe_bearing(Record& row, const BearingOverRevolution& bearing) {
             bearing.largest_tilt);
   row.value("film_um", dimension::small_length, "least film of both races", bearing.least_film);
   row.value("equivalent_load_N", dimension::force, "P: mean of the power 10/3", bearing.equivalent_load);
+  row.value("static_load_N", dimension::force, "P0: the largest load", bearing.static_load);
+  row.value("S0", dimension::ratio, "basic static load rating over P0", bearing.static_safety);
+  row.value("pressure_max_MPa", dimension::pressure, "largest over a revolution, after Hertz",
+            bearing.largest_pressure);
   row.value("L10h_h", dimension::hours, "basic rating life under P", bearing.rated_hours.basic);
   for (const bearing::rating::RatedLife& life : bearing::rating::kRatedLives)
     if (life.hours != &bearing::rating::RatedHours::basic)
@@ -327,6 +346,10 @@ double CarrierRevolution::back_flank_load() const {
 const BearingOverRevolution& CarrierRevolution::worst(double bearing::rating::RatedHours::*hours) const {
   return *std::ranges::min_element(bearings, {},
                                    [&](const BearingOverRevolution& one) { return one.rated_hours.*hours; });
+}
+
+const BearingOverRevolution& CarrierRevolution::most_loaded(double BearingOverRevolution::*loads) const {
+  return *std::ranges::max_element(bearings, {}, loads);
 }
 
 void describe(Record& record, const CarrierRevolution& revolution) {

@@ -33,7 +33,11 @@ struct BearingOverRevolution {
   double largest_tilt = 0.0;     // [rad]  of the bore against the pin
   double least_film = 0.0;       // [m]    of both races; NaN: no oil is given
   double equivalent_load = 0.0;  // [N]  mean with the exponent of roller bearings, 10/3
-  double life_hours = 0.0;       // [h]  Lundberg and Palmgren, of the loads of its rollers
+  double static_load = 0.0;      // [N]  P_0 of [ISO76]: under the largest load
+  double static_safety = 0.0;    // [-]  S_0 of it
+  double largest_pressure =
+      0.0;                  // [Pa]  after Hertz, where its rollers are computed and under the largest load
+  double life_hours = 0.0;  // [h]  Lundberg and Palmgren, of the loads of its rollers
   bearing::rating::RatedHours rated_hours;
 };
 
@@ -76,6 +80,8 @@ struct CarrierRevolution {
   /// The bearing with the shortest life by `hours`.
   const BearingOverRevolution& worst(
       double bearing::rating::RatedHours::*hours = &bearing::rating::RatedHours::basic) const;
+  /// The bearing with the largest of `loads`: static load or pressure.
+  const BearingOverRevolution& most_loaded(double BearingOverRevolution::*loads) const;
 };
 
 void describe(described::Record& record, const CarrierRevolution& revolution);

@@ -452,12 +452,9 @@ void put_loads(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& 
 
 double largest_pressure(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                         const PointResult& result) {
-  const auto pressure = [&](Race race, const RaceResult& loads) {
-    return bearing::hertz_pressure(loads.largest_even_load(drivetrain.bearing.rollers().laminae),
-                                   bearing::equivalent_radius(geometry.bearing, race),
-                                   drivetrain.bearing.rollers().length, drivetrain.bearing.material);
-  };
-  return std::max(pressure(Race::inner, result.inner), pressure(Race::outer, result.outer));
+  const int laminae = drivetrain.bearing.rollers().laminae;
+  return largest_hertz_pressure(drivetrain, geometry, result.inner.largest_even_load(laminae),
+                                result.outer.largest_even_load(laminae));
 }
 
 PointResult completed(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,

@@ -318,6 +318,15 @@ void describe_carrier(Record& record, const PointResult& point) {
     record.value(std::string("carrier_") + life.name, dimension::hours,
                  std::string(life.name) + " of the planet bearing with the shortest, likewise",
                  of([&](const Whole& r) { return r.worst(life.hours).rated_hours.*life.hours; }));
+  using One = BearingOverRevolution;
+  record.value("carrier_P0_N", dimension::force,
+               "static equivalent load of the most loaded planet bearing over a revolution, likewise",
+               of([](const Whole& r) { return r.most_loaded(&One::static_load).static_load; }));
+  record.value("carrier_S0", dimension::ratio, "basic static load rating over that load",
+               of([](const Whole& r) { return r.most_loaded(&One::static_load).static_safety; }));
+  record.value("carrier_contact_pressure_max_MPa", dimension::pressure,
+               "largest pressure of roller and race of all planet bearings over a revolution, likewise",
+               of([](const Whole& r) { return r.most_loaded(&One::largest_pressure).largest_pressure; }));
 }
 
 void describe_distribution(Record& record, const LoadDistribution& loads) {

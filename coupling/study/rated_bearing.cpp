@@ -102,6 +102,15 @@ bearing::QuasiStaticResult BearingsAtRest::loads_under(const BearingDuty& duty) 
   return bearing::quasi_static_bearing(bearing_, duty.point, options_);
 }
 
+double largest_hertz_pressure(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                              double inner_load, double outer_load) {
+  const auto pressure = [&](bearing::Race race, double load) {
+    return bearing::hertz_pressure(load, bearing::equivalent_radius(geometry.bearing, race),
+                                   drivetrain.bearing.rollers().length, drivetrain.bearing.material);
+  };
+  return std::max(pressure(bearing::Race::inner, inner_load), pressure(bearing::Race::outer, outer_load));
+}
+
 bearing::rating::RatingCondition rating_condition(const RatedBearing& rated, double load, double largest_load,
                                                   double speed, double pitch_diameter) {
   bearing::rating::RatingCondition condition{.dynamic_load = load,

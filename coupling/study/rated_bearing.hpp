@@ -57,6 +57,11 @@ PlanetaryDrivetrain cut_for_rating(PlanetaryDrivetrain drivetrain);
 double least_film_at_rest(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                           bearing::Race race, const bearing::Film& film, double load);
 
+/// Largest pressure [Pa] of both races after Hertz, under the largest load [N] of a roller on each. Of
+/// laminae the load of a roller all of which carries as its most loaded one.
+double largest_hertz_pressure(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                              double inner_load, double outer_load);
+
 /// Load [N] on the bore of one bearing with what reaches it through its cages, whatever its type.
 Eigen::Vector2d bore_load_with_cage(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                                     const bearing::OperatingPoint& point);
@@ -101,6 +106,7 @@ class PlanetBearingRating {
   }
 
   const PlanetaryDrivetrain& drivetrain() const { return drivetrain_; }
+  const DrivetrainGeometry& geometry() const { return geometry_; }
 
  private:
   const PlanetaryDrivetrain& drivetrain_;

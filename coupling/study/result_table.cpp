@@ -20,6 +20,8 @@ constexpr double kRefinedShare = 0.1;
 constexpr std::size_t kTermsPerInput = 40;  // more terms than this times the inputs: a cell is halved
 constexpr int kFailedDepth = 2;  // times the inputs: cells in which points fail are halved so often
 constexpr int kMostDepth = 10;   // times the inputs
+// How far around the largest misses of a cell they are followed, over its half widths.
+constexpr std::array<double, 2> kNearWorst{0.4, 0.15};
 
 constexpr std::size_t kNodes = kMostTableDegree + 1;
 
@@ -221,15 +223,46 @@ void TableBuilder::want_first_points(Cell& cell) {
 }
 
 void TableBuilder::want_checks(Cell& cell, std::size_t count) {
+  constexpr double whole = 1.0;
+  for (; count > 0; --count) want_check(cell, point_of(cell, {}), whole);
+}
+
+// At random about a point, as far from it as this part of the cell's half widths, and in the cell.
+void TableBuilder::want_check(Cell& cell, const TablePoint& middle, double radius) {
   const auto number = static_cast<std::uint64_t>(&cell - cells_.data());
-  for (; count > 0; --count, ++cell.random_checks) {
+  TablePoint point{};
+  for (std::size_t i = 0; i < target_.inputs; ++i) {
+    const double at = table_random(target_.seed + number, cell.random_checks * kMostTableInputs + i);
+    point[i] = std::clamp(middle[i] + 0.5 * radius * at * (cell.upper[i] - cell.lower[i]), cell.lower[i],
+                          cell.upper[i]);
+  }
+  ++cell.random_checks;
+  cell.wanted_checks.push_back(point);
+}
+
+// A kink that runs through a cell cuts off a corner at least.
+void TableBuilder::want_corners(Cell& cell) {
+  const std::size_t corners = std::min(std::size_t{1} << target_.inputs, target_.checks);
+  for (std::size_t corner = 0; corner < corners; ++corner) {
     TablePoint point{};
-    for (std::size_t i = 0; i < target_.inputs; ++i) {
-      const double at = table_random(target_.seed + number, cell.random_checks * kMostTableInputs + i);
-      point[i] = 0.5 * ((1.0 - at) * cell.lower[i] + (1.0 + at) * cell.upper[i]);
-    }
+    for (std::size_t i = 0; i < target_.inputs; ++i)
+      point[i] = ((corner >> i) & 1U) != 0 ? cell.upper[i] : cell.lower[i];
     cell.wanted_checks.push_back(point);
   }
+}
+
+// Of a result with a kink the miss is largest in a narrow part of the cell, which few points at random meet:
+// the largest miss of each result is followed.
+void TableBuilder::want_checks_near_worst(Cell& cell, double radius) {
+  std::vector<TablePoint> worst;
+  for (std::size_t r = 0; r < target_.results; ++r) {
+    const auto most =
+        std::ranges::max_element(cell.checks, {}, [&](const Check& one) { return one.miss[r]; });
+    if (std::ranges::find(worst, most->point) == worst.end()) worst.push_back(most->point);
+  }
+  const std::size_t each = std::max<std::size_t>(1, target_.checks / 6);
+  for (const TablePoint& point : worst)
+    for (std::size_t k = 0; k < each; ++k) want_check(cell, point, radius);
 }
 
 // Whether all terms one degree lower have been accepted.
@@ -308,11 +341,14 @@ void TableBuilder::decide(std::size_t number) {
   if (cell.terms.empty() && !cell.failed) return want_first_points(cell);
   const double worst = *std::max_element(cell.error.begin(), cell.error.end());
   const int most_depth = (cell.failed ? kFailedDepth : kMostDepth) * static_cast<int>(target_.inputs);
-  const bool within = worst <= target_.bound, sure = within && cell.confirmed;
-  cell.confirmed = within;
+  const bool within = worst <= target_.bound;
+  const std::size_t confirmed = std::exchange(cell.confirmed, within ? cell.confirmed + 1 : 0);
   if (within) {
-    cell.finished = sure;
-    if (!sure) want_checks(cell, std::max(target_.checks, target_.box_checks >> std::min(cell.depth, 60)));
+    cell.finished = confirmed > kNearWorst.size();
+    if (confirmed == 0)
+      want_checks(cell, std::max(target_.checks, target_.box_checks >> std::min(cell.depth, 60)));
+    if (confirmed == 1) want_corners(cell);
+    if (confirmed > 0 && !cell.finished) want_checks_near_worst(cell, kNearWorst[confirmed - 1]);
   } else if (cell.failed || !want_more_terms(cell)) {
     if (cell.depth < most_depth)
       halve(number);

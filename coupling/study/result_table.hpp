@@ -129,7 +129,9 @@ class TableBuilder {
     std::vector<TablePoint> wanted_checks;
     std::size_t random_checks = 0;  // so far
     bool failed = false, finished = false;
-    bool confirmed = false;  // within the bound at check points that had no part in growing
+    // How often in turn it was found within the bound, at check points that had no part in growing: at
+    // random, in its corners and near the largest misses.
+    std::size_t confirmed = 0;
     std::size_t split_input = 0;
     std::size_t below = 0;  // number of its lower half; the upper one follows; 0: not halved
   };
@@ -138,6 +140,9 @@ class TableBuilder {
   std::vector<double> sum_of_terms(const Cell& cell, const TablePoint& point) const;
   void want_first_points(Cell& cell);
   void want_checks(Cell& cell, std::size_t count);
+  void want_check(Cell& cell, const TablePoint& middle, double radius);
+  void want_corners(Cell& cell);
+  void want_checks_near_worst(Cell& cell, double radius);
   bool is_admissible(const Cell& cell, const TableDegrees& degrees) const;
   bool want_more_terms(Cell& cell);
   void decide(std::size_t cell);

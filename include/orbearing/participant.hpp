@@ -21,9 +21,10 @@ struct Port {
 /// of carrier rotation) turn with the carrier; SI throughout. An unknown name throws BadInput.
 class Participant {
  public:
-  /// One bearing of one planet; BadInput for a case that has none, or of several sets.
+  /// One bearing of one planet; BadInput for a case that has none, of several sets, or with what a driven
+  /// bearing does not include, as the command fmu says.
   static Participant bearing(const Case& stated);
-  /// The gear set with its planet bearings left out.
+  /// The gear set with its planet bearings left out; BadInput likewise.
   static Participant gearset(const Case& stated);
 
   std::vector<Port> inputs() const;

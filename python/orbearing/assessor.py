@@ -21,7 +21,6 @@ NOTE_16281 = "ISO/TS 16281:2008 has since become ISO 16281:2025."
 RELIABILITY = "life.reliability"  # 90 % is what defines L10: no uncertain value
 LEAST_INFLUENCE = 0.01  # [%] of the life; assumptions below are listed without a line of their own
 DOCUMENT = "docs/requirements.md"
-FAILED_ELSEWHERE = "FAILED (below)"
 VERDICTS = {True: "passed", False: "FAILED", None: "not judged"}
 
 
@@ -59,6 +58,9 @@ QUANTITIES = (
     Quantity("largest_load_share", "K_gamma", "largest load of a planet / mean load", "", "no clause", "no clause"),
 )
 LARGER_IS_WORSE = ("contact_pressure_max_MPa", "largest_load_share")
+# Columns of the worst bearing over a revolution of the carrier that are no lives.
+WORST_BY_CARRIER = {"P0_N": ("carrier_P0_N",), "S0": ("carrier_S0",), "contact_pressure_max_MPa": ("carrier_contact_pressure_max_MPa",),
+                    "largest_load_share": ("carrier_K_gamma",)}
 # Of the bins of a spectrum the worst is shown; other quantities belong to one bin.
 WORST_OF_BINS = ("S0", "contact_pressure_max_MPa", "kappa", "largest_load_share")
 
@@ -108,19 +110,23 @@ def verdict_in_words(report: Report) -> str:
 
 def _judged(html: str) -> str:
     """Verdicts in a table as a style sheet finds them."""
-    for word, name in (("passed", "passed"), (VERDICTS[False], "failed"), (FAILED_ELSEWHERE, "failed")):
-        html = html.replace(f'<td class="short">{word}</td>', f'<td class="short {name}">{word}</td>')
+    for word, name in ((VERDICTS[True], "passed"), (VERDICTS[False], "failed")):
+        html = re.sub(rf'<td( class="short)?"?>({word}(?:: [^<]*)?)</td>', lambda found, name=name: f'<td class="{"short " if found[1] else ""}{name}">{found[2]}</td>', html)
     return html
 
 
 def _verdict(verdict: dict | None, shown: list) -> str:
-    """Beside numbers that meet the limit while those of another operating point or bearing do not, the table below says where."""
+    """The verdict; where the value that decides is none of those beside it, that value with its speed, bin or bearing."""
     if not verdict:
         return " "
-    at_most, limit = verdict.get("bound") == "at most", verdict.get("limit")
-    numbers = [number for number in shown if is_number(number)]
-    met = bool(numbers) and is_number(limit) and all(number <= limit if at_most else number >= limit for number in numbers)
-    return FAILED_ELSEWHERE if verdict.get("passed") is False and met else VERDICTS[verdict.get("passed")]
+    word, value, place = VERDICTS[verdict.get("passed")], verdict.get("value"), _place(str(verdict.get("at") or ""))
+    beside = {format_number(number) for number in shown if is_number(number)}
+    return f"{word}: {format_number(value)} at {place}" if is_number(value) and place and format_number(value) not in beside else word
+
+
+def _place(at: str) -> str:
+    """An operating point or bin of a verdict in words: "bin 2, 3,000 rpm"."""
+    return re.sub(r"\binput_speed_rpm = ([-+.\de]+)", lambda found: f"{format_number(float(found[1]))} rpm", at)
 
 
 def _ratings(report: Report) -> str:
@@ -207,7 +213,7 @@ def _columns(report: Report) -> list[Column]:
     columns += [Column(f"{words.replace('One bearing', 'Mean of bearings') if unlike else words}, load spectrum", lambda key, before=before: _under(spectrum, before, key))
                 for words, before in named]
     if unlike:
-        columns.append(Column("Worst bearing, load spectrum", lambda key: _worst(spectrum, key)))
+        columns.append(Column("Worst bearing, load spectrum", lambda key: _worst_under(spectrum, key)))
     return [*columns, Column("All bearings, load spectrum", lambda key: _of_all(spectrum, key))]
 
 
@@ -219,10 +225,18 @@ def _of_all(row: dict, key: str) -> float | str | None:
 
 
 def _worst(row: dict, key: str) -> float | str | None:
-    """Of the bearing with the shortest life: over a revolution of the carrier where that is computed."""
-    if key not in LIVES:
-        return " "
-    return next((row[name] for name in (f"carrier_{key}", f"shortest_{key}") if is_number(row.get(name))), None)
+    """Of the bearing that requirements are judged by: over a revolution of the carrier where that is computed, else the one with the shortest life."""
+    names = WORST_BY_CARRIER.get(key, (f"carrier_{key}", f"shortest_{key}") if key in LIVES else ())
+    blank = None if key in LIVES else " "
+    return next((row[name] for name in names if is_number(row.get(name))), blank)
+
+
+def _worst_under(spectrum: dict, key: str) -> float | str | None:
+    """The same under the spectrum: a life of the whole of it, else the worst of its bins that take time."""
+    if key in LIVES or key not in WORST_OF_BINS:
+        return _worst(spectrum, key)
+    numbers = [number for number in (_worst(one, key) for one in records(spectrum.get("bins")) if one.get("share")) if is_number(number)]
+    return (max if key in LARGER_IS_WORSE else min)(numbers, default=" ")
 
 
 def _under(spectrum: dict, before: str, key: str) -> float | None:

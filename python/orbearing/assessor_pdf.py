@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import base64
+import hashlib
 import re
+from datetime import datetime, timezone
 from html import escape
 from pathlib import Path
 from typing import Sequence
@@ -36,18 +38,21 @@ def pdf(report: Report, blocks: Sequence[FigureBlock]) -> bytes:
         raise CaseError("--pdf: found a result without rated lives; required: a run or sweep with at least one point that was computed")
     pages = 0
     for most, figures in LEVELS:
-        document = HTML(string=html(report, blocks if figures else (), most)).render()
+        document = HTML(string=html(report, blocks, most, figures)).render()
         pages = len(document.pages)
         if pages <= MOST_PAGES:
             return document.write_pdf()
     raise CaseError(f"--pdf: found {pages} pages with the shortest tables; required: at most {MOST_PAGES}. Shorten the reasons of assumptions")
 
 
-def html(report: Report, blocks: Sequence[FigureBlock], most: assessor.Most) -> str:
-    """The document before it is cut into pages."""
+def html(report: Report, blocks: Sequence[FigureBlock], most: assessor.Most, figures: bool = True) -> str:
+    """The document before it is cut into pages: one picture is on the first, the others follow the tables."""
     name, source = _name_and_source(report)
-    pictures = [_figure(block) for block in blocks if block.slug in FIGURES and block.pictures and not _is_point(report, block)]
-    title = f'<header><h1>{escape(name)}: bearing ratings, lives and verdicts</h1>\n<p>{escape(_facts(report, source))}</p></header>'
+    drawn = sorted((block for block in blocks if block.slug in FIGURES and block.pictures and not _is_point(report, block)), key=lambda block: FIGURES.index(block.slug))
+    first = [block for block in drawn if block.slug != "load-spectrum"][:1]
+    pictures = [_figure(block) for block in drawn if block not in first] if figures else []
+    title = f'<header><h1>{escape(name)}: bearing ratings, lives and verdicts</h1>\n<p>{escape(_facts(report, source))}</p>\n<p>{escape(_issue(report))}</p></header>'
+    title += "".join(f'\n<div class="first">{_image(block.pictures[0])}<p>{escape(block.title)}.</p></div>' for block in first)
     return "\n".join(["<!DOCTYPE html>", '<html lang="en">', "<head>", '<meta charset="utf-8">', f"<title>{escape(name)}: bearing assessment</title>",
                       f"<style>\n{STYLE_SHEET.read_text(encoding='utf-8')}</style>", "</head>", "<body>", title,
                       *map(_breakable, assessor.sections(report, most)), *pictures, "</body>", "</html>", ""])
@@ -68,6 +73,16 @@ def _facts(report: Report, source: str) -> str:
              f"Computed by orbearing {versions.get('orbearing')}." if versions.get("orbearing") else "",
              "The full report, report.html, is the appendix; case.resolved.yaml holds every input."]
     return " ".join(fact for fact in facts if fact)
+
+
+def _issue(report: Report) -> str:
+    """Date and revision of the results: the day on which they were computed, and a checksum of all inputs."""
+    resolved = report.folder / "case.resolved.yaml" if report.folder else None
+    if resolved is None or not resolved.is_file():
+        return ""
+    day = datetime.fromtimestamp(resolved.stat().st_mtime, timezone.utc).date().isoformat()
+    revision = hashlib.sha256(resolved.read_bytes()).hexdigest()[:8]
+    return f"Date: {day}. Revision: {revision} (begin of the SHA-256 of case.resolved.yaml)."
 
 
 def _is_point(report: Report, block: FigureBlock) -> bool:

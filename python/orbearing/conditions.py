@@ -19,6 +19,7 @@ from pathlib import Path
 import numpy as np
 
 from orbearing.errors import CaseError
+from orbearing.terminal import finished
 from orbearing.units import units_in
 
 COLUMNS = {"time": {"time_s": 1.0, "time_h": 3600.0}, "speed": {"speed_rpm": 1.0}, "load": {"load_N": 1.0, "load_kN": 1e3}}
@@ -133,4 +134,4 @@ def main(arguments: list[str]) -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(finished(lambda: main(sys.argv[1:])))

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Optional, Sequence
 import numpy as np
 
 from orbearing import _core
+from orbearing.errors import CaseError
 
 if TYPE_CHECKING:
     from orbearing.results import ComputedCase
@@ -19,7 +20,10 @@ class _Machine:
     _model = ""
 
     def __init__(self, case: "ComputedCase"):
-        self._machine = _core.Machine(case.core, self._model)
+        try:
+            self._machine = _core.Machine(case.core, self._model)
+        except CaseError as error:
+            raise error.without_option() from None
 
     @property
     def inputs(self) -> list[tuple[str, str, str]]:

@@ -17,6 +17,7 @@ import numpy as np
 
 from orbearing.animate import length, resolved
 from orbearing.terminal import finished
+from orbearing.whole_files import write_whole
 
 SIDES = 24  # of the prism that stands for a roller
 TYPES = {"f": "Float64", "i": "Int32"}
@@ -102,7 +103,7 @@ def write_loads(folder: Folder, out: Path) -> Path:
     on_sides = np.repeat(loads.ravel(), SIDES)
     surface.numbers = {"load_N": on_sides, "load_per_length_N_per_m": on_sides * loads.shape[1] / folder.length}
     file = out / "rollers.vtp"
-    file.write_text(text_of(surface), encoding="ascii")
+    write_whole(file, text_of(surface))
     return file
 
 
@@ -115,9 +116,9 @@ def write_motion(folder: Folder, out: Path, frames: int) -> Path:
     for file, at in zip(files, instants):
         surface = rollers(folder.centres(data["roller_angle"][:, at]), folder.radius, folder.edges(1))
         surface.numbers = {name: np.repeat(data[name][:, at], SIDES) for name in names}
-        (out / file).write_text(text_of(surface), encoding="ascii")
+        write_whole(out / file, text_of(surface))
     whole = out / "rollers.pvd"
-    whole.write_text(collection(files, data["time"][instants]), encoding="ascii")
+    write_whole(whole, collection(files, data["time"][instants]))
     return whole
 
 

@@ -17,6 +17,7 @@ import tempfile
 from pathlib import Path
 
 from orbearing.errors import CaseError, ComputationError
+from orbearing.terminal import finished
 
 def build(folder: Path) -> str:
     """The page of a result folder as text; the same results give the same bytes."""
@@ -142,4 +143,4 @@ def main(arguments: list[str]) -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(finished(lambda: main(sys.argv[1:])))

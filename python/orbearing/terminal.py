@@ -43,8 +43,36 @@ def exit_code(name: str, run: Callable[[], int], packages: str, stays: str = "")
     return 1
 
 
+class _StandardError:
+    """Standard error that may be closed, or a file on a full disk: what becomes of a message changes no exit code."""
+
+    def __init__(self, stream):
+        self._stream = stream
+
+    def write(self, text: str) -> int:
+        """All of it, or nothing any more."""
+        self._try(lambda: self._stream.write(text))
+        return len(text)
+
+    def flush(self) -> None:
+        """As far as anyone reads it."""
+        self._try(self._stream.flush)
+
+    def _try(self, call: Callable[[], object]) -> None:
+        try:
+            call()
+        except (OSError, ValueError):
+            # What is left in the buffer would be written once more at the end, and fail there.
+            os.dup2(os.open(os.devnull, os.O_WRONLY), 2)
+
+    def __getattr__(self, name: str):
+        return getattr(self._stream, name)
+
+
 def finished(command: Callable[[], int]) -> int:
-    """The exit code of a command once all that it printed is written; 1 where that fails, as on a full disk."""
+    """The exit code of a command once all that it printed is written; 1 where that fails, as on a full disk. Messages on
+    standard error may be lost, and it stays the same."""
+    sys.stderr = _StandardError(sys.stderr if sys.stderr is not None else open(os.devnull, "w", encoding="utf-8"))
     try:
         code = command()
     except SystemExit as end:  # of --help, of wrong options, and with a message
@@ -53,7 +81,8 @@ def finished(command: Callable[[], int]) -> int:
             print(end.code, file=sys.stderr)
     except OSError as error:
         if error.filename:
-            raise
+            print(f"{error.filename}: {error.strerror}", file=sys.stderr)
+            return 1
         return _not_printed(error, 1)
     try:
         sys.stdout.flush()

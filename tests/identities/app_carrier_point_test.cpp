@@ -44,6 +44,9 @@ TEST(CarrierPoint, LivesOfACentredCarrierAreThoseOfThePlane) {
       EXPECT_NEAR(one.life_hours / point.life_hours, 1.0, 1e-6);
       EXPECT_NEAR(one.rated_hours.basic / point.rating.hours.basic, 1.0, 1e-6);
       EXPECT_NEAR(one.rated_hours.reference / point.rating.hours.reference, 1.0, 1e-6);
+      EXPECT_NEAR(one.static_safety / point.rating.lives.static_safety(), 1.0, 1e-8);
+      EXPECT_NEAR(one.static_load / point.rating.lives.static_load, 1.0, 1e-8);
+      EXPECT_NEAR(one.largest_pressure / point.contact_pressure, 1.0, 1e-7);
     }
   }
 }
@@ -102,6 +105,10 @@ TEST(CarrierPoint, LivesHoldOnFinerSteps) {
     const CarrierRevolution coarse = revolution_of(in),
                             fine = revolution_of(in, {.angles = 144, .life_step = 3});
     EXPECT_NEAR(coarse.largest_share() / fine.largest_share(), 1.0, 2e-3);
+    using One = BearingOverRevolution;
+    EXPECT_NEAR(coarse.most_loaded(&One::largest_pressure).largest_pressure /
+                    fine.most_loaded(&One::largest_pressure).largest_pressure,
+                1.0, 5e-3);
     for (std::size_t b = 0; b < fine.bearings.size(); ++b) {
       EXPECT_NEAR(coarse.bearings[b].rated_hours.basic / fine.bearings[b].rated_hours.basic, 1.0, 5e-3);
       EXPECT_NEAR(coarse.bearings[b].rated_hours.reference / fine.bearings[b].rated_hours.reference, 1.0,
@@ -128,6 +135,16 @@ TEST(CarrierPoint, TheRowShowsTheWorstBearing) {
   EXPECT_EQ(value("carrier_life_h"), shortest([](const BearingOverRevolution& b) { return b.life_hours; }));
   EXPECT_EQ(value("carrier_load_share"), point.carrier->load.maxCoeff() / point.carrier->expected_load);
   EXPECT_LT(value("carrier_L10h"), value("L10h"));
+  const auto most = [&](const auto& load) {
+    return load(*std::ranges::max_element(point.carrier->bearings, {}, load));
+  };
+  const double largest = most([](const BearingOverRevolution& b) { return b.largest; });
+  EXPECT_EQ(value("carrier_P0_N"), largest);
+  EXPECT_NEAR(value("carrier_S0") * largest / point.rating.lives.static_capacity, 1.0, 1e-12);
+  EXPECT_EQ(value("carrier_contact_pressure_max_MPa"),
+            most([](const BearingOverRevolution& b) { return b.largest_pressure; }));
+  EXPECT_GT(value("carrier_contact_pressure_max_MPa"), point.contact_pressure);
+  EXPECT_LT(value("carrier_S0"), value("S0"));
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 Exit code 77 (skipped) where matplotlib is missing; what concerns the PDF is skipped without WeasyPrint or poppler-utils.
 """
 
+import datetime
+import hashlib
 import html
 import json
 import pathlib
@@ -24,7 +26,7 @@ try:
 except ImportError:
     weasyprint = None
 
-from program import BRIEF_GEARS, CASES, REDUCER, SETS, WIND, answer, run, settings
+from program import BRIEF_GEARS, CASES, REDUCER, SETS, WIND, answer, package, run, settings
 
 REQUIRED = {"life": "175000 h", "life_key": "L10mh", "contact_pressure_max": "1500 MPa", "S0": "3", "kappa": "0.4", "load_share": "1.2"}
 SPECTRUM = ("spectrum=[{power: 750 kW, speed: 22 rpm, share: 0.2}, {power: 400 kW, speed: 20 rpm, share: 0.5}, "
@@ -92,12 +94,10 @@ class Verdicts(unittest.TestCase):
         # The tilt of its planets is computed, and its carrier is a body: the bearing with the shortest life over a revolution decides.
         self.assertLess(point["shortest_L10mh"], point["L10mh"])
         self.assertLess(point["carrier_L10mh"], point["shortest_L10mh"])
-        for name, key, limit, passed in (("life", "carrier_L10mh", 175000.0, False), ("contact_pressure_max", "contact_pressure_max_MPa", 1500.0, False),
-                                         ("S0", "S0", 3.0, True), ("kappa", "kappa", 0.4, True)):
+        for name, key, limit, passed in (("life", "carrier_L10mh", 175000.0, False), ("contact_pressure_max", "carrier_contact_pressure_max_MPa", 1500.0, False),
+                                         ("S0", "carrier_S0", 3.0, True), ("kappa", "kappa", 0.4, True), ("load_share", "carrier_K_gamma", 1.2, True)):
             self.assertEqual((verdicts[name]["value"], verdicts[name]["passed"]), (point[key], passed), name)
             self.assertAlmostEqual(verdicts[name]["limit"] / limit, 1.0, delta=1e-12)
-        self.assertIsNone(verdicts["load_share"]["passed"])
-        self.assertIn("pin_error", verdicts["load_share"]["reason"])
 
     def test_a_failed_requirement_leaves_exit_code_0(self):
         result = run("run", REDUCER, "--json", *settings(required(life="1e8 h", life_key="L10h")))
@@ -122,6 +122,9 @@ class Verdicts(unittest.TestCase):
 
     def test_any_of_them_and_none(self):
         self.assertNotIn("verdicts", answer("run", REDUCER))
+        alike = verdicts_of("run", REDUCER, "requirements.load_share=1.2")["load_share"]
+        self.assertIsNone(alike["passed"])
+        self.assertIn("pin_error", alike["reason"])
         self.assertEqual(list(verdicts_of("run", REDUCER, "requirements.S0=2")), ["S0"])
 
     def test_a_life_without_its_kind_is_the_modified_one_and_listed(self):
@@ -162,7 +165,8 @@ class Verdicts(unittest.TestCase):
         self.assertEqual(verdicts["life"]["at"], "load spectrum")
         used = sum(one["share"] / one["shortest_L10mh"] for one in spectrum["bins"])
         self.assertAlmostEqual(used * spectrum["shortest_L10mh"], 1.0, delta=1e-9)
-        self.assertEqual(verdicts["contact_pressure_max"]["value"], max(one["contact_pressure_max_MPa"] for one in spectrum["bins"]))
+        self.assertEqual(verdicts["contact_pressure_max"]["value"], max(one["carrier_contact_pressure_max_MPa"] for one in spectrum["bins"]))
+        self.assertEqual(verdicts["S0"]["value"], min(one["carrier_S0"] for one in spectrum["bins"]))
         self.assertIn("bin 1", verdicts["contact_pressure_max"]["at"])
 
     def test_several_sets_are_judged_by_the_worst(self):
@@ -237,10 +241,22 @@ class Page(unittest.TestCase):
                 self.equals(row[5], worst[key](bins), symbol)
             else:
                 self.assertEqual(row[5], "\u2013", symbol)
-            if key not in LIVES:
+            if key in ("P0_N", "S0", "contact_pressure_max_MPa"):  # of the worst bearing over a revolution of the carrier
+                self.equals(row[4], point[f"carrier_{key}"], symbol)
+                if key == "P0_N":
+                    self.assertEqual(row[6], " ")
+                else:
+                    self.equals(row[6], worst[key](one[f"carrier_{key}"] for one in spectrum["bins"]), symbol)
+            elif key not in LIVES:
                 self.assertEqual((row[4], row[6]), (" ", " "), symbol)
+        self.equals(by_symbol["K_gamma"][4], point["carrier_K_gamma"], "K_gamma")
         self.assertEqual([by_symbol[symbol][-1] for symbol in ("L10mh", "p_max", "S0", "kappa", "K_gamma", "P")],
-                         ["FAILED", "FAILED", "passed", "passed", "not judged", " "])
+                         ["FAILED", "FAILED", "passed", "passed", "passed", " "])
+
+    def test_the_head_counts_verdicts(self):
+        counts = [sum(one["passed"] is value for one in self.found["verdicts"]) for value in (True, False)]
+        self.assertEqual(counts, [3, 2])
+        self.assertIn("<strong>3 of 5 requirements are met, 2 failed.</strong>", self.page)
 
     def equals(self, cell, value, of):
         """All digits that the page shows."""
@@ -328,6 +344,18 @@ class Page(unittest.TestCase):
         for words in ("Ratings and lives", "Requirements", "Load spectrum and damage by bin", "Assumptions by influence", "Warnings", "Versions", "FAILED"):
             self.assertIn(words, text)
 
+    @unittest.skipUnless(weasyprint, "WeasyPrint is missing")
+    @unittest.skipUnless(shutil.which("pdftotext"), "poppler-utils is missing")
+    def test_the_first_page_has_date_revision_verdicts_and_a_picture(self):
+        resolved = self.folder / "case.resolved.yaml"
+        first = " ".join(pdf_text(self.folder / "report.pdf").split("\f")[0].split())
+        self.assertIn(f"Date: {datetime.datetime.fromtimestamp(resolved.stat().st_mtime, datetime.timezone.utc):%Y-%m-%d}.", first)
+        self.assertIn(f"Revision: {hashlib.sha256(resolved.read_bytes()).hexdigest()[:8]} ", first)
+        self.assertIn("3 of 5 requirements are met, 2 failed.", first)
+        paths = subprocess.run(["pdftocairo", "-svg", "-f", "1", "-l", "1", str(self.folder / "report.pdf"), "-"], capture_output=True, text=True, check=True).stdout
+        curves = [path for path in re.findall(r' d="([^"]+)"', paths) if path.count("L") + path.count("C") > 20]
+        self.assertTrue(curves, "no curve is drawn on page 1")
+
 
 def pdf_text(path):
     return subprocess.run(["pdftotext", "-layout", str(path), "-"], capture_output=True, text=True, check=True).stdout
@@ -354,12 +382,33 @@ class Sweep(unittest.TestCase):
         # A limit that is met here and missed elsewhere says so.
         self.assertGreater(own["L10rh"], 20000)
         self.assertFalse(found["verdicts"][0]["passed"])
-        self.assertEqual([rows[symbol][-1] for symbol in ("L10rh", "S0")], ["FAILED (below)", "passed"])
+        worst = {one["key"]: one for one in found["verdicts"]}
+        speed = f"{float(worst['L10rh']['at'].split(' = ')[1]):,.0f} rpm"
+        self.assertEqual(speed, "12,000 rpm")
+        for symbol, word in (("L10rh", "FAILED"), ("S0", "passed")):
+            said, at = rows[symbol][-1].split(" at ")
+            self.assertEqual((said.split(": ")[0], at), (word, speed))
+            self.assertAlmostEqual(number(said.split(": ")[1]), printed(worst[symbol]["value"]), delta=1e-9 * worst[symbol]["value"])
         # The curve over speed is that of the life that the sweep goes by, as its peak is.
         self.assertEqual(content["peak"]["life_key"], "L10mh")
         self.assertEqual(len(content["fine"]["L10mh"]), len(content["fine"]["speed_rpm"]))
         self.assertIn("L10mh of one bearing (h)", page)
         self.assertIn("The torque is the same at all speeds", page)
+
+
+class Words(unittest.TestCase):
+    def test_what_is_not_judged_is_not_met(self):
+        orbearing = package()
+        from orbearing import assessor
+        from orbearing.result_folder import Report
+
+        def said(*passed):
+            return assessor.verdict_in_words(Report({"verdicts": [{"passed": one} for one in passed]}))
+        self.assertEqual(orbearing.__name__, "orbearing")
+        self.assertEqual(said(True, None, None, None), "1 of 4 requirements are met, 3 not judged.")
+        self.assertEqual(said(True, True, False, None), "2 of 4 requirements are met, 1 failed, 1 not judged.")
+        self.assertEqual(said(True, True), "2 of 2 requirements are met.")
+        self.assertEqual(said(), "The case states no requirements.")
 
 
 class SingleBearings(unittest.TestCase):

@@ -304,6 +304,45 @@ class BadInput(unittest.TestCase):
             with self.subTest(setting):
                 self.assertRegex(run("check", SHIPPED, "--set", setting).stderr, pattern)
 
+    def test_check_refuses_what_run_refuses(self):
+        """By the same rules and with the same words: what depends on the case alone."""
+        cases = SOURCE / "cases"
+        for case, settings, text in (
+                (cases / "harris_209", ("lubricant.grade=ISO VG 10",), "lubricant.grade: a viscosity for rings that do not rotate; operation.shaft_speed is required"),
+                (cases / "templates" / "roller-bearing.yaml", ("operation.shaft_speed=0 rpm",), "lubricant.grade: a viscosity for rings that do not rotate"),
+                (cases / "harris_209", ("lubricant.kinematic_viscosity=0.01 mm2/s", "life.cleanliness=high", "operation.shaft_speed=1000 rpm"),
+                 "lubricant.kinematic_viscosity: a viscosity ratio kappa of 0.000554 by a viscosity of 0.01 mm2/s; at least 0.1 is required, where a_ISO begins"),
+                (cases / "harris_209", ("lubricant.grade=ISO VG 10", "lubricant.temperature=140 degC", "operation.shaft_speed=10 rpm"), "lubricant.grade: a viscosity ratio kappa of 0.00"),
+                (cases / "templates" / "defect.yaml", ("defect.width=1e-6 mm", "signal.revolutions=3"), "defect.width: '1e-6 mm'"),
+                (cases / "scratch_defect", ("defect.width=0.1 um",), "at least 0.001 mm"),
+                (cases / "scratch_defect", ("bearing.outer_ring_mass=1e-9 kg",), "bearing.outer_ring_mass: found 1e-9 kg, with which the ring vibrates at 5.21e+07 Hz"),
+                (cases / "wind_stage_tapered", ("bearing.balls=4",), "bearing.balls: 4 in a bearing with rollers; none is required, or bearing.type: deep-groove-ball without rollers"),
+                (cases / "templates" / "industrial.yaml", ("bearing.balls=4",), "bearing.balls: 4 in a bearing with rollers"),
+                (cases / "reducer_150kW", ("bearing.ball_diameter=5 mm",), "bearing.ball_diameter: 5 mm in a bearing with rollers")):
+            words = [word for setting in settings for word in ("--set", setting)]
+            said = [subprocess.run([os.environ["ORBEARING"], command, str(case), "--json", *words], capture_output=True, text=True, timeout=SECONDS, check=False)
+                    for command in ("check", "run")]
+            for one in said:
+                self.assertEqual((one.returncode, one.stdout), (2, ""), (case, settings, one.stderr))
+            self.assertEqual(said[0].stderr, said[1].stderr)
+            self.assertIn(text, said[0].stderr)
+            self.assertTrue(all(line.startswith("--set: ") for line in said[0].stderr.splitlines()), said[0].stderr)
+
+    def test_balls_beside_rollers_have_their_place(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "case.yaml"
+            file.write_text(SHIPPED.read_text(encoding="utf-8").replace("  rollers: 15\n", "  rollers: 15\n  balls: 4\n"), encoding="utf-8")
+            for command in ("check", "run", "mesh", "modes"):
+                said = subprocess.run([os.environ["ORBEARING"], command, str(file), "--json"], capture_output=True, text=True, timeout=SECONDS, check=False)
+                self.assertEqual(said.returncode, 2, command)
+                self.assertRegex(said.stderr, r"case\.yaml:\d+:10: bearing\.balls: 4 in a bearing with rollers; ")
+
+    def test_an_empty_number_is_none(self):
+        for words in (("signals", SOURCE / "cases" / "scratch_defect", "--noise", ""), ("run", SHIPPED, "--jobs", ""), ("sweep", SHIPPED, "--jobs=")):
+            said = subprocess.run([os.environ["ORBEARING"], *map(str, words), "--json"], capture_output=True, text=True, timeout=SECONDS, check=False)
+            self.assertEqual((said.returncode, said.stdout), (2, ""), words)
+            self.assertIn(next(word for word in map(str, words) if word.startswith("--")).rstrip("="), said.stderr)
+
     def test_json_keeps_standard_output_clean(self):
         self.expect_message(run("check", SHIPPED, "--json", "--set", "input.power=0 kW"), r"^--set: input\.power: ")
 

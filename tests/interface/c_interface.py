@@ -61,6 +61,91 @@ print("stopped")
 """
 
 
+# Features that a driven bearing, driven gears, or bearings in motion do not include.
+LAMINAE = {"bearing.laminae": "20", "bearing.tilt_state": "computed"}
+FEATURES = {
+    "tapered pair": ("wind_stage_tapered", {}),
+    "spherical rollers": ("reducer_150kW", {"bearing.type": "spherical-roller", "bearing.rows.contact_angle": "10 deg"}),
+    "elastic rim": ("reducer_150kW", {"gearset.planet_rim": "elastic"}),
+    "tilt": ("wind_stage_750kW", {}),
+    "unequal clearances": ("reducer_150kW", {**LAMINAE, "bearing.clearance_differences": "[0 um, 100 um]"}),
+    "stepped planet": ("reducer_150kW", {**LAMINAE, "gearset.stepped_planet.offset": "28 mm", "gearset.stepped_planet.profile_shift": "-0.46",
+                                         "gearset.stepped_planet.teeth": "22"}),
+    "planets in pairs": ("reducer_150kW", {"gearset.teeth.ring": "121", "gearset.second_planet.teeth": "24", "gearset.profile_shift.sun": "0",
+                                           "gearset.profile_shift.ring": "0"}),
+    "several sets": ("three_sets_150kW", {}),
+    "a single bearing": ("harris_209", {}),
+    "a roller of its own": ("reducer_150kW", {"bearing.roller_diameter_deviation": "[1 um]"}),
+}
+# What each analysis refuses of them.
+REFUSED = {
+    ("fmu", "bearing"): set(FEATURES) - {"a roller of its own"},
+    ("fmu", "gearset"): {"tapered pair", "spherical rollers", "elastic rim", "stepped planet", "planets in pairs", "several sets", "a single bearing"},
+    ("run", "dynamic"): {"tapered pair", "spherical rollers", "stepped planet", "planets in pairs"},
+    ("run", "monolithic"): {"tapered pair", "spherical rollers", "tilt", "unequal clearances", "stepped planet", "planets in pairs", "several sets"},
+    ("run", "quasi-static"): {"a roller of its own"},
+}
+
+
+class Doors(unittest.TestCase):
+    """Whether an analysis can take a case is asked in the library: command line, Python and C refuse the same with the same words."""
+
+    def test_each_feature_at_each_door(self):
+        for (command, of), features in REFUSED.items():
+            for feature in sorted(features):
+                with self.subTest(command=command, of=of, feature=feature):
+                    name, settings = FEATURES[feature]
+                    file = program.CASES / name / "case.yaml"
+                    words = ["fmu", file, "--model", of, "-o", "never.fmu"] if command == "fmu" else ["run", file, "--fidelity", of, "--json"]
+                    said = program.run(*words, *program.settings([f"{path}={value}" for path, value in settings.items()]))
+                    self.assertEqual((said.returncode, said.stdout), (2, ""), said.stderr)
+                    messages = [line.removeprefix("--set: ") for line in said.stderr.splitlines()]
+                    self.assertTrue(all("required" in line for line in messages), messages)
+                    case = orbearing.load(file, settings)
+                    self.refuses(messages, (lambda: self.machine(case, of)) if command == "fmu" else (lambda: self.points(case, of)))
+                    self.refuses(messages, (case.bearing if of == "bearing" else case.gears) if command == "fmu" else (lambda: case.run(fidelity=of)))
+                    if command == "run":
+                        self.refuses(messages, lambda: case.sensitivities(fidelity=of, by=["input.power"]))
+
+    @staticmethod
+    def machine(case, model):
+        """By the C function."""
+        _core.Machine(case.core, model)
+
+    @staticmethod
+    def points(case, fidelity):
+        orbearing.evaluate(case, ["input.power"], [[150e3]], fidelity)
+
+    def refuses(self, messages, call):
+        with self.assertRaises(orbearing.CaseError) as raised:
+            call()
+        self.assertEqual([text.removeprefix("--set: ") for text in raised.exception.messages], messages)
+
+    def test_what_they_take_is_made(self):
+        """What the FMU of a bearing takes: unlike rollers."""
+        name, settings = FEATURES["a roller of its own"]
+        for model in ("bearing", "gearset"):
+            _core.Machine(orbearing.load(program.CASES / name / "case.yaml", settings if model == "bearing" else {}).core, model)
+
+    def test_a_machine_has_a_model_and_finite_numbers(self):
+        case = orbearing.load(program.CASES / "reducer_150kW" / "case.yaml")
+        with self.assertRaises(orbearing.CaseError) as raised:
+            _core.Machine(case.core, "zz")
+        self.assertEqual(raised.exception.messages, ["model: found 'zz'; required: bearing or gearset"])
+        bearing = case.bearing()
+        for call, text in ((lambda: bearing.initialize(float("nan")), "initialize: time [s]: found nan; required: a finite number"),
+                           (lambda: bearing.initialize(float("inf")), "initialize: time [s]: found inf; required: a finite number"),
+                           (lambda: bearing.set_input("planet.velocity.x", float("nan")), "planet.velocity.x: found nan; required: a finite number"),
+                           (lambda: bearing.set_input("planet.velocity.x", 0.0, float("inf")), "planet.velocity.x, slope: found inf; required: a finite number"),
+                           (lambda: bearing.advance(float("nan")), "advance: found nan s; required: above 0"),
+                           (lambda: bearing.advance(float("inf")), "advance: step [s]: found inf; required: a finite number")):
+            with self.assertRaises(orbearing.CaseError) as raised:
+                call()
+            self.assertEqual(raised.exception.messages, [text])
+        bearing.initialize(0.0)
+        self.assertTrue(np.isfinite(bearing.force).all())
+
+
 class CInterface(unittest.TestCase):
     def test_answers_are_those_of_the_command_line(self):
         for name in CASES:

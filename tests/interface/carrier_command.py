@@ -111,6 +111,49 @@ class Carrier(unittest.TestCase):
         self.assertFalse(verdict["passed"])
         self.assertGreater(found["points"][0]["L10h"], 55000)
 
+    def test_a_strong_moment_moves_every_verdict(self):
+        """Each requirement is judged by the worst bearing over a revolution, and is met without the moment of the rotor alone."""
+        def judged(moment):
+            limits = ("requirements.life=30000 h", "requirements.life_key=L10mh", "requirements.S0=4", "requirements.contact_pressure_max=1750 MPa", "requirements.load_share=1.03")
+            found = answer(f"gearset.carrier.rotor_moment=[{moment} kN.m, 0 N.m]", *limits, command="run")
+            return found["points"][0], found["carrier"], {one["requirement"]: one for one in found["verdicts"]}
+        gentle, strong = judged(0), judged(200)
+        for point, carrier, verdicts in (gentle, strong):
+            for name, key in (("life", "carrier_L10mh"), ("S0", "carrier_S0"), ("contact_pressure_max", "carrier_contact_pressure_max_MPa"), ("load_share", "carrier_K_gamma")):
+                self.assertEqual(verdicts[name]["value"], point[key], name)
+            # C0/P0 of ISO 76 under the largest radial load.
+            self.assertAlmostEqual(point["carrier_S0"] * point["carrier_load_share"] * carrier["expected_load_N"] / point["C0_N"], 1, delta=1e-9)
+            self.assertAlmostEqual(point["carrier_P0_N"], max(row["load_max_N"] for row in carrier["bearings"]), delta=1e-9 * point["carrier_P0_N"])
+            self.assertEqual(point["carrier_contact_pressure_max_MPa"], max(row["pressure_max_MPa"] for row in carrier["bearings"]))
+            self.assertEqual(point["carrier_S0"], min(row["S0"] for row in carrier["bearings"]))
+        for name in ("life", "S0", "contact_pressure_max", "load_share"):
+            self.assertEqual((gentle[2][name]["passed"], strong[2][name]["passed"]), (True, False), (name, gentle[2][name]["value"], strong[2][name]["value"]))
+
+    def test_motion_without_the_carrier_is_warned_of(self):
+        short = ("simulation.observed_revolutions=1", "simulation.most_revolutions=1", "simulation.length_error=2e-6 mm", "bearing.tilt_state=stated", "gearset.helix_angle=0 deg")
+        found = answer(*short, command="run", words=("--fidelity", "dynamic"))
+        self.assertTrue(any(text.startswith("gearset.carrier: --fidelity dynamic does not include the carrier as a body.") for text in found["warnings"]), found["warnings"])
+
+    def test_sensitivities_and_uncertainty_are_those_of_the_worst_bearing(self):
+        life = answer(command="run")["points"][0]["carrier_L10mrh"]
+        moment = "gearset.carrier.rotor_moment"
+        method = "life.method=iso-16281"
+        found = answer(method, command="sensitivities", words=("--by", moment))
+        self.assertEqual((found["quantity"], found["warnings"]), ("carrier_L10mrh", []))
+        self.assertAlmostEqual(found["carrier_L10mrh"] / life, 1, delta=1e-9)
+        row = next(one for one in found["inputs"] if one["path"] == f"{moment}[0]")
+        more, less = (answer(f"{moment}=[{value} N.m, 0 N.m]", command="run")["points"][0]["carrier_L10mrh"]
+                      for value in (1.001 * row["value"], 0.999 * row["value"]))
+        self.assertAlmostEqual((more - less) / (0.002 * row["value"]) / row["derivative"], 1, delta=1e-2)
+        try:
+            import openturns  # noqa: F401
+        except ImportError:
+            self.skipTest("OpenTURNS is not installed")
+        words = ("--samples", "8", "--curves", "2", "--index-samples", "4", "--speeds", "20 rpm, 22 rpm")
+        found = answer("uncertain={bearing.radial_clearance: {normal: {standard_deviation: 5 um}}}", command="uncertainty", words=words)
+        self.assertEqual(found["life"], "carrier_L10mrh")
+        self.assertAlmostEqual(found["operating_point"]["life_at_the_case_h"] / life, 1, delta=1e-9)
+
     def test_a_point_has_its_revolution_in_its_file(self):
         with tempfile.TemporaryDirectory() as folder:
             subprocess.run([os.environ["ORBEARING"], "run", str(CASE), "--quiet", "-o", folder], check=True, timeout=120)

@@ -76,12 +76,16 @@ class Continued(unittest.TestCase):
 
     def test_interrupted_and_resumed(self):
         with tempfile.TemporaryDirectory() as place:
-            folder = Path(place) / "interrupted"
-            process = subprocess.Popen(call(folder, "--continue", "up"), stderr=subprocess.PIPE, text=True)
-            while process.poll() is None and not manifest_points(folder):
-                time.sleep(0.002)
-            process.send_signal(signal.SIGINT)
-            message = process.communicate()[1]
+            # On a busy machine the last point may be there before the signal of the first.
+            for attempt in range(10):
+                folder = Path(place) / f"interrupted {attempt}"
+                process = subprocess.Popen(call(folder, "--continue", "up"), stderr=subprocess.PIPE, text=True)
+                while process.poll() is None and not manifest_points(folder):
+                    time.sleep(0.002)
+                process.send_signal(signal.SIGINT)
+                message = process.communicate()[1]
+                if process.returncode != 0:
+                    break
             self.assertEqual(process.returncode, 1)
             self.assertIn("--resume", message)
             self.assertLess(len(manifest_points(folder)), 5)

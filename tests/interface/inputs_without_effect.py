@@ -14,6 +14,22 @@ DUPLEX, SCRATCH, PLANET_SCRATCH = (CASES / name / "case.yaml" for name in ("dupl
 # Beside what is computed they say what was read.
 READ = ("assumptions", "warnings", "versions", "inputs")
 
+NEEDLES, NU204 = (CASES / name / "case.yaml" for name in ("reducer_needles", "reducer_nu204"))
+SHORT = ("simulation.observed_revolutions=1", "simulation.most_revolutions=1", "simulation.length_error=2e-6 mm")
+OWN_BEARING = """bearing: {type: deep-groove-ball, per_planet: 2, balls: 10, ball_diameter: 40 mm, pitch_diameter: 225 mm, radial_clearance: 60 um, bore: 160 mm, outside_diameter: 290 mm, width: 80 mm,
+  cage: {inner_diameter: 212 mm, outer_diameter: 250 mm, width: 70 mm, density: 8500 kg/m3}}
+"""
+
+
+def balls_in_planets(folder):
+    """The wind stage with spur gears on deep-groove ball bearings."""
+    text = (CASES / "wind_stage_tapered" / "case.yaml").read_text(encoding="utf-8").split("\nassumed:")[0] + "\n"
+    text = text[:text.index("bearing:")] + OWN_BEARING + text[text.index("lubricant:"):]
+    file = pathlib.Path(folder) / "balls.yaml"
+    file.write_text(text.replace("  helix_angle: 7.5 deg\n", ""), encoding="utf-8")
+    return file
+
+
 # Command, its options, case, settings, and the one that changes nothing beside them.
 SILENT = [
     ("modes", ("--speed", "6000 rpm"), REDUCER, (), "input.speed=3000 rpm"),
@@ -33,6 +49,7 @@ SILENT = [
     ("run", (), HARRIS, ("operation.shaft_speed=10000 rpm",), "material.density=20000 kg/m3"),
     ("modes", (), DUPLEX, ("operation.shaft_speed=8000 rpm",), "linear.mass=20 kg"),
     ("run", (), SETS, (), "sets.transmission.gearset.module=4.2 mm"),
+    ("run", (), MOTOR, ("simulation.duration=0.005 s", "heat.enabled=true"), "heat.inlet=80 degC"),
 ]
 
 # Said to have no effect before, though the results change.
@@ -45,6 +62,11 @@ FELT = [
     ("run", (), CASES / "nasa_35mm" / "case.yaml", ("simulation.duration=0.005 s",), "traction.limiting_friction=0.03"),
     ("mesh", (), REDUCER, ("gearset.planet_rim=elastic",), "bearing.width=13 mm"),
     ("run", (), HARRIS, ("operation.shaft_speed=10000 rpm", "lubricant.grade=ISO VG 68"), "material.density=20000 kg/m3"),
+    # Without a cage the motion is that of one system; with one the columns of resonances change.
+    ("run", ("--fidelity", "dynamic"), NEEDLES, SHORT, "gearset.dynamics.planet.bearing_stiffness=1e8 N/m"),
+    ("run", ("--fidelity", "dynamic"), NEEDLES, SHORT, "bearing.fit.pin_bore=16 mm"),
+    ("run", ("--fidelity", "dynamic"), REDUCER, SHORT, "gearset.dynamics.planet.bearing_stiffness=1e8 N/m"),
+    ("run", (), MOTOR, ("simulation.duration=0.005 s", "heat.enabled=true", "lubricant.flow=1 L/min"), "heat.inlet=80 degC"),
 ]
 
 
@@ -75,6 +97,32 @@ class InputsWithoutEffect(unittest.TestCase):
                 changed = answer(command, case, *beside, setting, options=options)
                 self.assertNotEqual(computed(plain), computed(changed))
                 self.assertEqual(of_path(changed, setting), [])
+
+    def test_what_rollers_alone_have_is_named_beside_balls_in_planets(self):
+        with tempfile.TemporaryDirectory() as folder:
+            case = balls_in_planets(folder)
+            plain = computed(answer("run", case))
+            for setting in ("life.reduction_factor=0.5", "contact.law=iso16281", "lubricant.density=1000 kg/m3", "film.inlet_heating=gupta"):
+                changed = answer("run", case, setting)
+                self.assertEqual(plain, computed(changed), setting)
+                path, _, value = setting.partition("=")
+                self.assertEqual(of_path(changed, setting), [f"{path}: {value} has no effect: it counts only where the planet bearings have rollers"])
+
+    def test_a_table_without_the_designation_is_named(self):
+        """'NU 204-E' is another bearing than NU 204, whose line is the project's own."""
+        head = "designation, family, bore_mm, outside_diameter_mm, width_mm, inner_raceway_mm, dynamic_capacity_kN, static_capacity_kN\n"
+        with tempfile.TemporaryDirectory() as folder:
+            own, case = pathlib.Path(folder) / "own.csv", pathlib.Path(folder) / "case.yaml"
+            case.write_text(NU204.read_text(encoding="utf-8"), encoding="utf-8")
+            plain = answer("run", case)
+            for name, counts in (("NU 204-E", False), ("NU 204", True)):
+                own.write_text(f"{head}{name}, cylindrical-roller, 20, 47, 14, 26.5, 32.5, 24.7\n", encoding="utf-8")
+                changed = answer("run", case, "bearing.catalogue=own.csv")
+                self.assertEqual(changed["points"][0]["C_N"], 32500 if counts else plain["points"][0]["C_N"])
+                found = of_path(changed, "bearing.catalogue=own.csv")
+                self.assertEqual(len(found), 0 if counts else 1, changed["warnings"])
+                if not counts:
+                    self.assertIn("it counts only where a line has the designation 'NU 204'. Lines of it: NU 204-E. The line of the project's own catalogue is used", found[0])
 
     def test_what_decides_a_life_is_swept(self):
         _, _, case, beside, _ = FELT[0]

@@ -15,7 +15,7 @@ from sweep_runs import PROGRAM, ROOT, manifest_points, run, snapshot
 
 CASES = ROOT / "cases"
 HANG = 120.0  # [s]  a hang guard: a second is promised, and printed here; each of these takes many minutes
-BEFORE = 0.4  # [s]  until the signal: reading a case takes a tenth of it
+BEFORE = 0.4  # [s]  of the processor until the signal: reading a case takes a tenth of it
 # Long before its end at the time of the signal, whatever the machine.
 LONG = "simulation.most_revolutions=2000", "simulation.observed_revolutions=1000"
 IN_TIME = ("simulation.duration=100 s",)
@@ -89,7 +89,7 @@ class Interrupted(unittest.TestCase):
                 continue
             with self.subTest(name):
                 output = [] if arguments[0] == "validate" else ["-o", str(self.place / name)]
-                code, words, seconds = interrupted([*arguments, "--quiet", *output], lambda process: time.sleep(BEFORE))
+                code, words, seconds = interrupted([*arguments, "--quiet", *output], lambda process: program.wait_until_it_computes(process, BEFORE))
                 print(f"{name}: {'ended before' if seconds is None else f'{seconds:.2f} s'}", flush=True)
                 self.assertIsNotNone(seconds, f"it ended before the signal: {words}")
                 self.assertEqual(code, 1, words)

@@ -8,14 +8,18 @@ import itertools
 import json
 import os
 import pathlib
+import re
+import shutil
+import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 SOURCE = pathlib.Path(os.environ.get("ORBEARING_SOURCE_DIR", pathlib.Path(__file__).resolve().parents[2])).resolve()
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(SOURCE / "tools"))
-from mutants import beside, draw, glue  # noqa: E402
+from mutants import beside, draw, glue, page_trial  # noqa: E402
 from mutants.results import Results  # noqa: E402
 from mutants.trial import with_error  # noqa: E402
 
@@ -142,6 +146,51 @@ class Glue(unittest.TestCase):
         for folder in glue.GLUE.folders:
             self.assertTrue(any(mutant.file.startswith(folder) for mutant in errors), folder)
         self.assertGreater(sum(mutant.file.endswith(".py") for mutant in errors), 15)
+
+
+PAGE_TEST = """import os, pathlib, subprocess, sys
+page = pathlib.Path(os.environ["ORBEARING_SOURCE_DIR"]) / "app" / "page" / "web"
+said = subprocess.run(["node", str(page / "shown.mjs")], capture_output=True, text=True).stdout
+if said.strip() != "7":
+    print("FAIL: test_what_is_drawn", file=sys.stderr)
+    sys.exit(1)
+"""
+
+
+class PageScripts(unittest.TestCase):
+    """Errors in the page's scripts stay in them, and the page's own test judges them."""
+
+    @unittest.skipUnless(shutil.which("node"), "node is missing (Debian: nodejs)")
+    def test_an_error_is_found_in_a_copy(self):
+        with tempfile.TemporaryDirectory() as folder:
+            root, home = pathlib.Path(folder) / "root", pathlib.Path(folder) / "home"
+            web, tests = root / "app" / "page" / "web", root / "tests" / "interface"
+            for place in (web, tests, home):
+                place.mkdir(parents=True)
+            right = "const a = 3; const b = 4; const unused = a <= b;\nconsole.log(a + b);\n"
+            (web / "shown.mjs").write_text("import './code.js';\n", encoding="utf-8")
+            (web / "code.js").write_text(right, encoding="utf-8")
+            (tests / "page_drawn.py").write_text(PAGE_TEST, encoding="utf-8")
+            copies = page_trial.PageCopies(root, home, root / "build", 1)
+            copies.measure(self.fail)
+            def judged(line, before, after):
+                at = right.splitlines()[line - 1].index(before)
+                return copies.finder(draw.Mutant("kind", "app/page/web/code.js", line, at, at + len(before), "", "", after, 0))
+            self.assertEqual(judged(2, "a + b", "a - b"), ("interface", "page_drawn.py: test_what_is_drawn"))
+            self.assertEqual(judged(1, "a <= b", "a >= b"), ("none", ""))
+            self.assertEqual(judged(2, "a + b", "a + +* b"), ("no program", ""))
+            self.assertEqual((web / "code.js").read_text(encoding="utf-8"), right)
+            self.assertNotEqual(judged(2, "a + b", "a * b"), ("none", ""))  # the copy is whole again, and takes the next one
+
+    def test_a_draw_has_a_new_seed_and_can_be_repeated(self):
+        def listed(*words):
+            return subprocess.run([sys.executable, str(SOURCE / "tools" / "mutation"), "--glue", "--list", "--count", "20", *words], capture_output=True,
+                                  text=True, check=True).stdout
+        first = listed()
+        seed = re.match(r"errors in glue and figures, seed (\d+): --seed \1 goes on with this draw\n", first)[1]
+        self.assertLess(abs(int(seed) - time.time()), 600)
+        self.assertEqual(listed("--seed", seed), first)
+        self.assertNotEqual(listed("--seed", str(int(seed) + 1)).splitlines()[1:], first.splitlines()[1:])
 
 
 class Table(unittest.TestCase):

@@ -64,6 +64,13 @@ class Responses(unittest.TestCase):
         self.assertAlmostEqual(slopes["life_h", "bearing.roller_diameter"] * 0.00524 / responses.values({})["life_h"], 4.538, delta=0.01)
         self.assertEqual(slopes["life_h", "lubricant.viscosity"], 0.0)
 
+    def test_an_input_whose_value_is_zero_has_a_slope_in_si(self):
+        """The clearance of the case is 0 um: the table has the derivative by one micrometre, the component by one metre."""
+        row = answer("sensitivities", REDUCER, options=["--by=bearing.radial_clearance"])["inputs"][0]
+        self.assertEqual((row["value"], row["unit"]), (0.0, "um"))
+        slopes = openmdao.Responses(orbearing.load(REDUCER), ["bearing.radial_clearance"], ["life_h"]).slopes({})
+        self.assertAlmostEqual(slopes["life_h", "bearing.radial_clearance"] / row["derivative"], 1e6, delta=1e-3)
+
     def test_what_cannot_be_is_refused(self):
         case = orbearing.load(HARRIS)
         for inputs, outputs, more, text in (

@@ -27,6 +27,21 @@ class PlanetPairs(unittest.TestCase):
         self.assertAlmostEqual(found["sets.second_planet.gearset.pair_angle"], math.degrees(math.acos(cosine)), delta=1e-9)
         self.assertAlmostEqual(found["sets.first_planet.operation.carrier_speed"], 6000 / (121 / 37 - 1), delta=1e-6)
 
+    def test_each_mesh_is_its_own(self):
+        """Working angles by cos(a_w) = m (z_1 +- z_2)/2 cos(a) over the distance of its own axes, all three unlike by shifts."""
+        shifts = ("gearset.profile_shift.sun=0.3", "gearset.second_planet.first_profile_shift=0.1", "gearset.second_planet.profile_shift=0.25", "gearset.profile_shift.ring=-0.2")
+        found = {row["path"]: row["value"] for row in answer("check", REDUCER, *PAIRS, *shifts)["derived"]}
+        first, second = "sets.first_planet.gearset.", "sets.second_planet.gearset."
+        angles = []
+        for mesh, distance, teeth in ((first + "sun_mesh", first + "centre_distance", 37 + 22), (second + "planet_mesh", second + "planet_distance", 22 + 24),
+                                      (second + "ring_mesh", second + "centre_distance", 121 - 24)):
+            angle = math.radians(found[mesh + ".pressure_angle"])
+            self.assertAlmostEqual(math.cos(angle) * found[distance] / (3 * teeth / 2 * math.cos(math.radians(20))), 1, delta=1e-9, msg=mesh)
+            angles.append(angle)
+        self.assertGreater(min(abs(one - other) for one, other in ((angles[0], angles[1]), (angles[1], angles[2]), (angles[0], angles[2]))), 1e-3)
+        ratios = [found[mesh + ".contact_ratio"] for mesh in (first + "sun_mesh", second + "planet_mesh", second + "ring_mesh")]
+        self.assertEqual(len({round(ratio, 6) for ratio in ratios}), 3, ratios)
+
     def test_both_pins_carry_the_torque(self):
         """Without centrifugal loads: N (a_1 F_1t + a_2 F_2t) over both bearings of a planet is the torque of the carrier."""
         found = {row["path"]: row["value"] for row in answer("check", REDUCER, *PAIRS, "inertia.carrier_centrifugal=false")["derived"]}

@@ -6,8 +6,14 @@ import io
 import json
 import os
 import pathlib
+import signal
 import subprocess
 import sys
+import time
+
+# Whoever started the tests may ignore Ctrl-C, as a shell does for work in the background: programs that a test starts do not.
+if signal.getsignal(signal.SIGINT) == signal.SIG_IGN:
+    signal.signal(signal.SIGINT, signal.default_int_handler)
 
 CASES = pathlib.Path(os.environ.get("ORBEARING_SOURCE_DIR", ".")) / "cases"
 REDUCER = CASES / "reducer_150kW" / "case.yaml"
@@ -45,6 +51,21 @@ def within(main, *arguments):
         except SystemExit as end:
             code = end.code
     return subprocess.CompletedProcess(arguments, code, said.getvalue(), complained.getvalue())
+
+
+def wait_until_it_computes(process, seconds):
+    """Until the program catches Ctrl-C and has had so much of the processor: on a busy machine that is later. Returns where it ends before."""
+    def catches():
+        status = pathlib.Path(f"/proc/{process.pid}/status").read_text(encoding="ascii")
+        caught = next(line.split()[1] for line in status.splitlines() if line.startswith("SigCgt:"))
+        return int(caught, 16) >> (signal.SIGINT - 1) & 1
+
+    def of_the_processor():
+        words = pathlib.Path(f"/proc/{process.pid}/stat").read_text(encoding="utf-8").rpartition(")")[2].split()
+        return (int(words[11]) + int(words[12])) / os.sysconf("SC_CLK_TCK")
+
+    while process.poll() is None and not (catches() and of_the_processor() > seconds):
+        time.sleep(0.01)
 
 
 def settings(values):

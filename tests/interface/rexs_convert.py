@@ -20,7 +20,7 @@ orbearing = program.package()
 from orbearing.rexs import names, reading, results  # noqa: E402
 from orbearing.rexs.__main__ import main  # noqa: E402
 
-REFERENCE = pathlib.Path(os.environ.get("ORBEARING_REFERENCE", "/nonexistent")) / "rexs"
+REFERENCE = pathlib.Path(os.environ.get("ORBEARING_REFERENCE", os.devnull)) / "rexs"
 NO_REFERENCE = "ORBEARING_REFERENCE names no folder with rexs/: the published files and schemas are not part of the project"
 ROUND_OFF = 1e-9
 FORMS = (".rexs", ".rexsj", ".rexsz")

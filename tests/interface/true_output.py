@@ -8,6 +8,7 @@ import importlib.util
 import json
 import os
 import re
+import resource
 import signal
 import subprocess
 import tempfile
@@ -102,6 +103,74 @@ class FullDisk(InAFolder):
         self.assertIn("No space left on device", result.stderr)
         self.assertTrue(full.is_char_device())
         self.assertTrue(full.is_symlink())
+
+
+class MessagesLost(InAFolder):
+    """Where standard error is closed or on a full disk, the exit code is what it would be, and nothing is written elsewhere."""
+
+    def code(self, *arguments, out=subprocess.DEVNULL, close=()):
+        """With /dev/full as standard error, or with streams that are closed."""
+        def shut():
+            for stream in close:
+                os.close(stream)
+        with open("/dev/full", "w", encoding="ascii") as full:
+            return self.call(*arguments, stdout=out, stderr=full, capture_output=False, preexec_fn=shut).returncode
+
+    def test_bad_input_stays_bad_input(self):
+        for arguments in (("run", "nosuch"), ("check", "nosuch"), ("validate", "nosuch"), ("run", REDUCER, "--json", "--set", "input.power=3"), ("nonsense",), ("run", "--nosuch"),
+                          ("fmu", REDUCER, "-o", "x.txt"), ("report", "nosuch")):
+            with self.subTest(arguments):
+                self.assertEqual(self.code(*arguments), 2)
+                self.assertEqual(self.code(*arguments, close=(2,)), 2)
+
+    @unittest.skipUnless(STORES, "numpy and netCDF4 are required")
+    def test_bad_input_of_python_parts(self):
+        for arguments in (("study", REDUCER, "-o", "s", "--vary", "x"), ("study", REDUCER, "--nosuch"), ("uncertainty", REDUCER, "-o", "u"), ("convert", "nosuch.rexs", "-o", "c")):
+            with self.subTest(arguments):
+                self.assertEqual(self.code(*arguments), 2)
+                self.assertEqual(self.code(*arguments, close=(2,)), 2)
+
+    def test_a_computation_that_fails_or_cannot_be_printed(self):
+        with open("/dev/full", "w", encoding="ascii") as full:
+            self.assertEqual(self.code("run", REDUCER, "--json", out=full), 1)
+        self.assertEqual(self.code("check", REDUCER, close=(1, 2)), 1)
+        self.assertEqual(self.code("check", REDUCER), 0)
+
+    def test_messages_do_not_go_into_files_of_results(self):
+        """A file that is opened first would have the number of the closed stream."""
+        self.assertEqual(self.code("sweep", REDUCER, "-o", "out", "--set", THREE, "--set", "bearing.radial_clearance=-1 mm", "--grid-only", close=(2,)),
+                         self.code("sweep", REDUCER, "-o", "other", "--set", THREE, "--set", "bearing.radial_clearance=-1 mm", "--grid-only"))
+        self.assertEqual(self.code("sweep", REDUCER, "-o", "kept", "--set", THREE, "--grid-only", close=(2,)), 0)
+        for line in (self.place / "kept" / "manifest.jsonl").read_text(encoding="utf-8").splitlines():
+            json.loads(line)
+
+
+class FilesThatEnd(InAFolder):
+    """A disk that is full, here a limit on the size of files: exit 1 with the file and the reason, and --resume goes on."""
+
+    def limited(self, kilobytes, *arguments):
+        def limit():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (1024 * kilobytes, 1024 * kilobytes))
+        return self.call(*arguments, preexec_fn=limit)
+
+    @unittest.skipUnless(STORES, "numpy and netCDF4 are required")
+    def test_a_study_goes_on(self):
+        words = ("study", REDUCER, "-o", "st", "--quiet", "--vary", "bearing.radial_clearance={from: 0 um, to: 40 um, count: 6}", "--set", THREE)
+        stopped = self.limited(60, *words)
+        self.assertEqual(stopped.returncode, 1, stopped.stderr)
+        self.assertEqual(stopped.stderr, "study: st/study.nc: cannot be written: File too large; what is done stays in st, --resume continues\n")
+        self.done(*words, "--resume")
+        self.done(*(word.replace("st", "whole") if word == "st" else word for word in words))
+        self.assertEqual((self.place / "st" / "study.nc").read_bytes(), (self.place / "whole" / "study.nc").read_bytes())
+
+    @unittest.skipUnless(SAMPLES, "openturns, xarray, netCDF4 and matplotlib are required")
+    def test_a_study_of_uncertainty_goes_on(self):
+        words = ("uncertainty", UNCERTAIN, "-o", "u", "--quiet", *FEW)
+        stopped = self.limited(20, *words)
+        self.assertEqual(stopped.returncode, 1, stopped.stderr)
+        self.assertRegex(stopped.stderr, r"^uncertainty: u/\w+\.(svg|png|html|nc): cannot be written: File too large; what is done stays in u, --resume continues\n$")
+        self.done(*words, "--resume")
+        self.assertTrue((self.place / "u" / "uncertainty.json").is_file())
 
 
 class ForeignCode(InAFolder):

@@ -19,6 +19,7 @@ from orbearing.rexs.parts import Source, filler, is_bearing
 from orbearing.rexs.reactions import bearing_forces
 from orbearing.rexs.stages import StageCase
 from orbearing.rexs.writing import checked, shortened, warnings_of
+from orbearing.whole_files import write_whole
 
 FIGURES = {"rpm": "rpm", "N_m": "N.m", "N": "N", "Hz": "Hz", "mm": "mm"}
 REPORT = "conversion.json"
@@ -160,9 +161,9 @@ def write(conversion: Conversion, folder: Path) -> None:
         for name, text in texts.items():
             file = folder / block.format(name)
             file.parent.mkdir(parents=True, exist_ok=True)
-            file.write_text(text, encoding="utf-8")
+            write_whole(file, text)
     folder.mkdir(parents=True, exist_ok=True)
-    (folder / REPORT).write_text(json_of(conversion) + "\n", encoding="utf-8")
+    write_whole(folder / REPORT, json_of(conversion) + "\n")
 
 
 def require_empty(folder: Path) -> None:

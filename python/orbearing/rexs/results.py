@@ -14,6 +14,7 @@ from typing import Any, Iterable, Optional
 from orbearing.errors import CaseError
 from orbearing.rexs import reading
 from orbearing.rexs.model import Component, Model
+from orbearing.whole_files import write_whole
 
 MARK = b"\xef\xbb\xbf"  # the format asks for it
 SAME_SPEED = 1e-6  # relative
@@ -156,7 +157,7 @@ def write_back(file: Path, content: bytes, conversion: Any, runs: list[Path], fo
     for entry in written:
         entry["file"] = file.name
     folder.mkdir(parents=True, exist_ok=True)
-    (folder / file.name).write_bytes(document.bytes() if not member else _packed(content, member, document.bytes()))
+    write_whole(folder / file.name, document.bytes() if not member else _packed(content, member, document.bytes()))
     return written
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -13,9 +12,9 @@ from orbearing.lives import life_in_words
 from orbearing.studies.design import SPEED, Design, Parameter
 from orbearing.studies.table import SPEED_COLUMN, ResultTable
 from orbearing.units import units_of
+from orbearing.whole_files import netcdf_content, write_whole
 
 CONVENTIONS = "CF-1.10"
-ASIDE = ".tmp"
 
 STATUS = "ok, or why a point has no result"
 
@@ -114,29 +113,30 @@ def to_xarray(content: Content):
 
 def write_netcdf(path: Path, content: Content) -> None:
     """The content as a netCDF-4 file, written aside and renamed: it is whole or the one before."""
-    import netCDF4
 
-    aside = path.with_name(path.name + ASIDE)
-    try:
-        with netCDF4.Dataset(aside, "w", format="NETCDF4") as file:
-            file.setncatts(content.attributes)
-            for name, length in content.dimensions:
-                file.createDimension(name, length)
-            coordinates = " ".join(v.name for v in content.coordinates if v.dimensions != (v.name,))
-            for variable in content.coordinates:
-                _put(file, variable)
-            for variable in content.variables:
-                _put(file, variable, coordinates)
-        with open(aside, "rb") as written:
-            os.fsync(written.fileno())
-        os.replace(aside, path)
-    except BaseException:
-        aside.unlink(missing_ok=True)
-        raise
+    def fill(file) -> None:
+        file.setncatts(content.attributes)
+        for name, length in content.dimensions:
+            file.createDimension(name, length)
+        coordinates = " ".join(v.name for v in content.coordinates if v.dimensions != (v.name,))
+        for variable in content.coordinates:
+            _put(file, variable)
+        for variable in content.variables:
+            _put(file, variable, coordinates)
+
+    write_whole(path, netcdf_content(fill))
+
+
+def content_of_xarray(dataset) -> Content:
+    """The inverse of `to_xarray`."""
+    def variables(found) -> list[Variable]:
+        return [Variable(str(name), tuple(map(str, one.dims)), np.asarray(one.values), dict(one.attrs)) for name, one in found.items()]
+
+    return Content(tuple((str(name), length) for name, length in dataset.sizes.items()), variables(dataset.coords), variables(dataset.data_vars), dict(dataset.attrs))
 
 
 def _put(file, variable: Variable, coordinates: str = "") -> None:
-    if variable.values.dtype == object:
+    if variable.values.dtype.kind in "OU":
         target = file.createVariable(variable.name, str, variable.dimensions)
     else:
         target = file.createVariable(variable.name, variable.values.dtype, variable.dimensions, zlib=True, complevel=1, shuffle=True, endian="little",

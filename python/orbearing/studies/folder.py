@@ -19,9 +19,10 @@ import numpy as np
 
 from orbearing.errors import CaseError
 from orbearing.studies import journal as journals
-from orbearing.studies.dataset import ASIDE, content_of, write_netcdf
+from orbearing.studies.dataset import content_of, write_netcdf
 from orbearing.studies.design import Design, from_content
 from orbearing.studies.table import CHUNK, Chunk, ResultTable, decode, encode
+from orbearing.whole_files import ASIDE, write_whole
 
 FORMAT = 1
 JOURNAL, RESOLVED, DATASET, POINTS = "study.journal", "case.resolved.yaml", "study.nc", "points"
@@ -219,12 +220,7 @@ def finished_counts(folder: Path) -> np.ndarray:
 def _write_text(path: Path, text: str) -> None:
     if path.is_file() and path.read_text(encoding="utf-8") == text:
         return
-    aside = path.with_name(path.name + ASIDE)
-    with open(aside, "w", encoding="utf-8", newline="\n") as file:
-        file.write(text)
-        file.flush()
-        os.fsync(file.fileno())
-    os.replace(aside, path)
+    write_whole(path, text)
 
 
 def _sync(folder: Path) -> None:

@@ -130,7 +130,7 @@ class Journal:
             os.fsync(self._file)
         except OSError as error:
             os.ftruncate(self._file, self._length)
-            raise OSError(error.errno, error.strerror, str(self.path)) from error
+            raise OSError(error.errno, f"cannot be written: {error.strerror}", str(self.path)) from error
         self._length += len(data)
 
     def close(self) -> None:

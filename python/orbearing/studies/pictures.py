@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from html import escape
 from pathlib import Path
 
@@ -12,6 +11,7 @@ from orbearing import page, style
 from orbearing.blocks import FigureBlock, Table, format_number, format_quantity
 from orbearing.studies.dataset import in_rpm
 from orbearing.studies.design import SPEED
+from orbearing.whole_files import write_whole
 
 PICTURE = (6.0, 4.0)  # [inch]
 MOST_CURVES = 60  # that a picture shows one by one
@@ -169,7 +169,5 @@ def page_of(result) -> str:
 
 def write_report(result, path: Path) -> Path:
     """Writes the page aside and renames it."""
-    aside = path.with_name(f".{path.name}.tmp")
-    aside.write_text(page_of(result), encoding="utf-8")
-    os.replace(aside, path)
+    write_whole(path, page_of(result))
     return path

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import io
-import os
 from pathlib import Path
 
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.backends.backend_svg import FigureCanvasSVG
 
 from orbearing import style
+from orbearing.studies.dataset import content_of_xarray, write_netcdf
 from orbearing.uncertainties.page import page
+from orbearing.whole_files import write_whole
 
 SAMPLES = "samples.nc"
 DOTS_PER_INCH = 160
@@ -19,17 +20,12 @@ DOTS_PER_INCH = 160
 def save(result, folder: Path, resolved: str | None = None) -> Path:
     folder.mkdir(parents=True, exist_ok=True)
     if resolved is not None:
-        _write(folder / "case.resolved.yaml", resolved.encode())
+        write_whole(folder / "case.resolved.yaml", resolved.encode())
     for name, content in _pictures(result).items():
-        _write(folder / name, content)
-    _write(folder / "uncertainty.html", page(result).encode())
-    aside = folder / f".{SAMPLES}.tmp"
-    try:
-        result.to_xarray().to_netcdf(aside, engine="netcdf4")
-        os.replace(aside, folder / SAMPLES)
-    finally:
-        aside.unlink(missing_ok=True)
-    _write(folder / "uncertainty.json", result.json().encode())  # last: where it stands, all stands
+        write_whole(folder / name, content)
+    write_whole(folder / "uncertainty.html", page(result).encode())
+    write_netcdf(folder / SAMPLES, content_of_xarray(result.to_xarray()))
+    write_whole(folder / "uncertainty.json", result.json().encode())  # last: where it stands, all stands
     return folder
 
 
@@ -44,12 +40,3 @@ def _pictures(result) -> dict[str, bytes]:
                 figure.savefig(target, format=ending, **more)
                 found[f"{name}.{ending}"] = target.getvalue()
     return found
-
-
-def _write(path: Path, content: bytes) -> None:
-    aside = path.with_name(f".{path.name}.tmp")
-    try:
-        aside.write_bytes(content)
-        os.replace(aside, path)
-    finally:
-        aside.unlink(missing_ok=True)

@@ -27,6 +27,12 @@ class Peaks:
     points: int  # operating points that were computed beyond the curves
 
 
+def of_worst_bearing(life: str, known: Sequence[str]) -> str:
+    """The column of that life of the bearing by which a requirement is judged: over a revolution of the carrier where that is
+    computed, else of the bearing with the shortest life where bearings carry unlike loads."""
+    return next(name for name in (f"carrier_{life}", f"shortest_{life}", life) if name in known)
+
+
 def refined_peaks(speeds_rpm: np.ndarray, lives: np.ndarray, lives_at: Callable[[np.ndarray, np.ndarray], np.ndarray]) -> Peaks:
     """From curves `lives` (samples, speeds); `lives_at(samples, speeds_rpm)` computes a point of each of some samples.
 

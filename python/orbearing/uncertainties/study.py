@@ -11,7 +11,7 @@ from orbearing.errors import CaseError
 from orbearing.lives import LIVES, governing_life
 from orbearing.uncertainties import chaos, design, indices, scatter
 from orbearing.uncertainties.inputs import UncertainInputs
-from orbearing.uncertainties.lives import RPM, SPEED, Evaluate, Peaks, refined_peaks
+from orbearing.uncertainties.lives import RPM, SPEED, Evaluate, Peaks, of_worst_bearing, refined_peaks
 from orbearing.uncertainties.result import UncertaintyResult
 from orbearing.uncertainties.settings import Settings
 from orbearing.uncertainties.store import Store, header_of
@@ -62,8 +62,10 @@ class Study:
     def _rated_lives(self, values: np.ndarray, speed_rpm, fidelity: str = REST) -> tuple[np.ndarray, np.ndarray, list[str]]:
         """The same, with the factors a_1 that the lives hold."""
         columns, status = self._evaluate((*self.inputs.paths, SPEED), self._rows(values, speed_rpm), fidelity)
-        lives = np.asarray(columns[self.life], dtype=float)
-        return np.where(lives > 0.0, lives, np.nan), scatter.reliability_factors(self.life, columns), list(status)
+        # In motion the carrier is no body.
+        life = self.life if fidelity == REST else self.life.removeprefix("carrier_")
+        lives = np.asarray(columns[life], dtype=float)
+        return np.where(lives > 0.0, lives, np.nan), scatter.reliability_factors(life, columns), list(status)
 
     def _life_column(self) -> str:
         """The life that is studied."""
@@ -72,7 +74,7 @@ class Study:
         if not known:
             raise CaseError(f"{self.case['name']}: the case itself has no life at its operating point ({status[0]}); required: a case "
                            "that can be computed")
-        wanted = self.settings.life or self.case["governing_life"]["key"]
+        wanted = self.settings.life or of_worst_bearing(self.case["governing_life"]["key"], known)
         if wanted not in known:
             what = f"{wanted!r} found" if self.settings.life else f"{wanted}, the governing life, has no number at the case's operating point"
             raise CaseError(f"life: {what}; one of {', '.join(known)} is required")

@@ -25,6 +25,7 @@
 #include "app/study/gear_case.hpp"
 #include "app/study/mesh_study.hpp"
 #include "app/study/planetary_case.hpp"
+#include "app/study/resonance_lines.hpp"
 #include "app/study/static_study.hpp"
 #include "app/study/stiffness_study.hpp"
 #include "app/study/sweep_study.hpp"
@@ -68,13 +69,24 @@ inline std::string spectrum_result(const ResolvedCase& in, study::Fidelity fidel
   return spectrum_json(outcome.header, outcome.spectra).dump();
 }
 
+/// The nearest resonance of the gears, which rows of points in motion name.
+inline std::string resonance_result(const ResolvedCase& in, const study::PointResult& point,
+                                    study::Fidelity fidelity) {
+  SweepRequest request;
+  request.header.fidelity = fidelity_names().at(static_cast<std::size_t>(fidelity));
+  name_resonances(in, request);
+  if (!request.resonance_of) return "";
+  const std::optional<Resonance> found = request.resonance_of({.input_speed = point.input_speed});
+  return found ? json_of(record_of(*found)).dump() : "";
+}
+
 /// One point of a run or sweep: all columns, the loads by place, the final state.
 inline std::string point_result(const ResolvedCase& in, study::Fidelity fidelity) {
   const study::PointResult point = study::evaluate(bearing_sets(in), fidelity);
   std::string text = digits(result_row(point, {}, bearing_set_names(in)).values) +
                      digits(std::vector<double>{study::governing_hours(point)}) +
                      digits(point.distribution.inner_load) + digits(point.distribution.outer_load);
-  if (point.dynamic) text += digits(point.dynamic->final_state);
+  if (point.dynamic) text += digits(point.dynamic->final_state) + resonance_result(in, point, fidelity);
   if (point.coupled) text += digits(point.coupled->bearing_life_hours);
   if (in.has(kSpectrumPath)) text += spectrum_result(in, fidelity);
   ManifestHeader header{.sets = bearing_set_names(in)};

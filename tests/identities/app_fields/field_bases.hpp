@@ -208,11 +208,40 @@ inline std::string displaced_pins() {
   return kDrivetrain + gears + kBearing + kShortRun;
 }
 
+/// Elements of planets other than caged cylindrical rollers, in place of those.
+inline std::string planet_bearing(const std::string& elements) {
+  std::string bearing = kBearing;
+  const std::size_t begin = bearing.find("  type:"), end = bearing.find("  pitch_diameter:");
+  return bearing.replace(begin, end - begin, elements);
+}
+
+inline const std::string kPlanetBalls =
+    planet_bearing("  type: deep-groove-ball\n  per_planet: 1\n  balls: 9\n  ball_diameter: 5.24 mm\n");
+inline const std::string kPlanetSpherical = planet_bearing(
+    "  type: spherical-roller\n  per_planet: 1\n  rollers: 8\n  roller_diameter: 5.24 mm\n"
+    "  roller_length: 5.7 mm\n  rows: {contact_angle: 10 deg}\n");
+
+inline std::string planet_tapered() {
+  std::string bearing = planet_bearing(
+      "  type: tapered-roller\n  per_planet: 2\n  rollers: 8\n  roller_diameter: 5.24 mm\n"
+      "  roller_length: 5.7 mm\n  rows: {contact_angle: 12 deg, arrangement: back-to-back}\n");
+  const std::string clearance = "radial_clearance: 5 um";
+  return bearing.replace(bearing.find(clearance), clearance.size(), "radial_clearance: 0 um");
+}
+
+inline std::string planet_without_cage() {
+  const std::string bearing = planet_bearing(
+      "  type: cylindrical-roller\n  per_planet: 1\n  complement: full\n  rollers: 21\n"
+      "  roller_diameter: 5.24 mm\n  roller_length: 5.7 mm\n  rings: none\n");
+  return bearing.substr(0, bearing.find("  cage:"));
+}
+
 struct Base {
   std::string name;
   std::string text;
-  std::string set{};  // of several sets, the one whose fields are changed
-  unsigned but{};     // analyses that are left out
+  std::string set{};               // of several sets, the one whose fields are changed
+  unsigned but{};                  // analyses that are left out
+  bool reader_may_refuse = false;  // other values, which do not fit its bearings
 };
 
 inline std::string rollers_case() {
@@ -243,7 +272,16 @@ inline const std::vector<Base>& bases() {
       {"scratched_planet", kDrivetrain + kGears + kBearing + kScratchedPlanet, "",
        use::all & ~unsigned{use::planet_defect}},
       {"duplex_pair", kDuplex},
-      {"spin_film", kSpinFilm}};
+      {"spin_film", kSpinFilm},
+      // Other bearings of planets, by what is computed of them alone.
+      {"planets_on_balls", kDrivetrain + kGears + kPlanetBalls, "", use::all & ~unsigned{use::quasi_static},
+       true},
+      {"planets_on_tapered_rollers", kDrivetrain + kGears + planet_tapered(), "",
+       use::all & ~unsigned{use::quasi_static}, true},
+      {"planets_on_spherical_rollers", kDrivetrain + kGears + kPlanetSpherical, "",
+       use::all & ~unsigned{use::quasi_static}, true},
+      {"planets_without_cage", kDrivetrain + kGears + planet_without_cage() + kShortRun, "",
+       use::all & ~unsigned{use::dynamic}, true}};
   return all;
 }
 

@@ -117,6 +117,9 @@ const std::vector<std::string> promised = {"input_speed_rpm",
                                            "carrier_L10rh",
                                            "carrier_L10mh",
                                            "carrier_L10mrh",
+                                           "carrier_P0_N",
+                                           "carrier_S0",
+                                           "carrier_contact_pressure_max_MPa",
                                            "refined"};
 
 study::PointResult at_6000_rpm() {

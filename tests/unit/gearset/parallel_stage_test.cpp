@@ -96,6 +96,24 @@ TEST(ParallelStage, SeveralFollowEachOther) {
   EXPECT_FALSE(power_circulation(flow).present());
 }
 
+// In front the first is driven by the motor and the last drives the set: each has the speed and, by its
+// power, the torque of its own place.
+TEST(ParallelStage, SeveralInFrontFollowEachOther) {
+  const PlanetarySet set{.sun_teeth = 21, .planet_teeth = 39, .ring_teeth = 99, .planets = 3};
+  const PowerFlow flow = power_flow(
+      with_parallel_stages(arrangement_of(set, Member::sun, "set"), {{{23, 82}, {22, 88}}, {{1, 1}}}));
+  ASSERT_EQ(flow.sets.size(), 3u);
+  const double middle = -23.0 / 82.0, sun = 23.0 * 22.0 / (82.0 * 88.0);
+  EXPECT_NEAR(flow.sets[1].speed.sun, 1.0, round_off);
+  EXPECT_NEAR(flow.sets[1].speed.ring / middle, 1.0, round_off);
+  EXPECT_NEAR(flow.sets[2].speed.sun / middle, 1.0, round_off);
+  EXPECT_NEAR(flow.sets[2].speed.ring / sun, 1.0, round_off);
+  EXPECT_NEAR(flow.sets[0].speed.sun / sun, 1.0, round_off);
+  EXPECT_NEAR(flow.sets[1].torque.sun, 1.0, 10.0 * round_off);
+  EXPECT_NEAR(flow.sets[2].torque.sun * middle, 1.0, 10.0 * round_off);
+  EXPECT_NEAR(flow.sets[0].torque.sun * sun, 1.0, 10.0 * round_off);
+}
+
 // Whose order they have, on which side of the set they stand and how many there are: the ratio is the
 // product.
 TEST(ParallelStage, OrderDoesNotChangeTheOverallRatio) {

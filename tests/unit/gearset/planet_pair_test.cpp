@@ -1,6 +1,7 @@
 // Issue 48, Build 3: planets in pairs, the first in the sun, the second in the first and in the ring.
 #include "gearset/planet_pair.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
@@ -169,6 +170,25 @@ TEST(PlanetPair, WarnsOfTeethAsTwoGearsDo) {
   EXPECT_NEAR(planet_pair_geometry(set, second).ring_mesh.contact_ratio, 1.737, 5e-4);
   set.sun_shift = -0.9;  // undercut: 33 teeth need more than -0.93, and the meshes reach deeper
   EXPECT_GE(pair_tooth_warnings(set, second).size(), 1U);
+}
+
+// Six pairs: a first planet stands 60 - 40.54 degrees from the second one of the pair before, 23 mm apart;
+// tips have radii of 22 and 23 mm, m (z/2 + 1). First planets, 50 mm apart, and second ones, 63 mm, have
+// room.
+TEST(PlanetPair, UnlikePlanetsOfNeighboursNeedRoom) {
+  PlanetarySet set = paired_set();
+  set.planets = 6;
+  const double angle =
+      constants::pi / 3.0 - std::acos((50.0 * 50.0 + 63.0 * 63.0 - 41.0 * 41.0) / (2.0 * 50.0 * 63.0));
+  const double apart = std::sqrt(50.0 * 50.0 + 63.0 * 63.0 - 2.0 * 50.0 * 63.0 * std::cos(angle));  // [mm]
+  const Warnings problems = pair_problems(set, kSecond);
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_EQ(problems.front().key, "gearset.planets");
+  EXPECT_NE(problems.front().text.find(
+                fmt::format("axes lie {:.3f} mm apart; more than their tip radii, 45.000 mm", apart)),
+            std::string::npos)
+      << problems.front().text;
+  EXPECT_LT(apart, 45.0);
 }
 
 TEST(PlanetPair, EachPlanetHasItsOwnOrbitAndTooth) {
