@@ -13,6 +13,7 @@ class Attribute:
     id: str
     unit: str
     value: Any
+    file: str = ""  # beside the model, which states it; empty: the model itself
 
 
 @dataclass

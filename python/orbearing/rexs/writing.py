@@ -8,6 +8,7 @@ from typing import Any, Callable, Optional
 
 from orbearing.errors import CaseError
 from orbearing.rexs.ledger import Draft, Ledger
+from orbearing.rexs.names import OURS, in_unit
 
 # What a case can do without: taken out, first match first, where the check refuses it.
 OPTIONAL = ("gearset.profile_shift.planet", "gearset.centre_distance", "gearset.planet_angles", "gearset.addendum_of", "gearset.clearance_of",
@@ -34,8 +35,14 @@ def number_text(value: float) -> str:
 
 
 def quantity(value: float, unit: str) -> str:
-    """A number with its unit."""
-    return f"{number_text(value)} {unit}".strip()
+    """A number in SI as text in a unit of a case."""
+    return f"{number_text(in_unit(value, unit))} {unit}".strip()
+
+
+def number_in(text: Any) -> float:
+    """A text with a unit of a case as a number in SI."""
+    number, _, unit = str(text).partition(" ")
+    return float(number) * OURS[unit]
 
 
 def scalar_text(value: Any) -> str:
