@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any, Optional
 
 from orbearing.errors import CaseError, ComputationError
-from orbearing.rexs.drive import GEARED, Drive, planetary
+from orbearing.rexs.drive import Drive, planetary
 from orbearing.rexs.ledger import Ledger
 from orbearing.rexs.model import Component, Model
 from orbearing.rexs.names import BEARINGS, attribute_of, in_unit, number_of
@@ -20,6 +20,7 @@ from orbearing.rexs.parts import Source, filler, is_bearing
 from orbearing.rexs.reactions import bearing_forces
 from orbearing.rexs.stages import SAME_SHARE, StageCase, rounded
 from orbearing.rexs.writing import checked, shortened, warnings_of
+from orbearing.terminal import CONTROL, printable
 
 FIGURES = {"rpm": "rpm", "N_m": "N.m", "N": "N", "kN": "kN", "Hz": "Hz", "mm": "mm", "deg": "deg", "h": "h"}
 REPORT = "conversion.json"
@@ -70,7 +71,7 @@ def _plain(text: str) -> str:
 def convert(model: Model, source: str, form: str) -> Conversion:
     """Cases of the planetary stages; without any, of the gear pairs and bearings."""
     ledger = Ledger(model)
-    text = f"REXS {model.version} file {source}" + (f" of {model.application}" if model.application else "")
+    text = printable(f"REXS {model.version} file {source}" + (f" of {model.application}" if model.application else ""))
     parts = Source(model, ledger, text)
     conversion = Conversion({"source": source, "form": form, "version": model.version, "application": model.application,
                              "stages": [], "pairs": [], "bearings": [], "shafts": [], "notes": list(model.notes)})
@@ -127,13 +128,11 @@ def _shares(parts: Source, notes: list[str]) -> Optional[list[float]]:
 def _add_pairs(conversion: Conversion, ledger: Ledger, parts: Source, drive: Drive, names: Names, points: list[LoadPoint]) -> None:
     longest = _longest(points)
     drive.members(longest.model)
-    for mesh in parts.model.of_type(*GEARED):
-        if mesh.type == "cylindrical_stage":
-            _add(conversion, ledger, "pairs", mesh, PairCase(parts, drive, mesh, names.of(mesh, "pair"), longest.speeds))
-        else:
-            _add(conversion, ledger, "pairs", mesh, None, "a bevel stage: cylindrical gears are known")
-    for mesh in parts.model.of_type("worm_stage"):
-        _add(conversion, ledger, "pairs", mesh, None, "a worm stage: cylindrical gears are known")
+    for mesh in parts.model.of_type("cylindrical_stage"):
+        _add(conversion, ledger, "pairs", mesh, PairCase(parts, drive, mesh, names.of(mesh, "pair"), longest.speeds))
+    for mesh in parts.model.components.values():
+        if mesh.type.endswith("_stage") and mesh.type != "cylindrical_stage":
+            _add(conversion, ledger, "pairs", mesh, None, f"a {mesh.type.replace('_', ' ')}: cylindrical gears are known")
 
 
 def _add_bearings(conversion: Conversion, ledger: Ledger, parts: Source, drive: Drive, names: Names, points: list[LoadPoint]) -> None:
@@ -269,5 +268,6 @@ def require_empty(folder: Path) -> None:
 
 
 def json_of(conversion: Conversion) -> str:
-    """The report as JSON."""
-    return json.dumps(conversion.report, ensure_ascii=False, indent=1, allow_nan=False)
+    """The report as JSON; what would move the cursor of a terminal is escaped."""
+    text = json.dumps(conversion.report, ensure_ascii=False, indent=1, allow_nan=False)
+    return "\n".join(CONTROL.sub(lambda found: f"\\u{ord(found[0]):04x}", line) for line in text.split("\n"))

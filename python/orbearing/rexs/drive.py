@@ -311,7 +311,8 @@ class Drive:
         stated, free = self._loads(model, speeds, notes)
         stage_torques = self._stage_torques(stated, free) if stated else {}
         if stage_torques is None:
-            notes.append("the torques that the file states contradict each other")
+            if not self._has_other_stages():
+                notes.append("the torques that the file states contradict each other")
             stage_torques = {}
         members: dict[int, dict[str, Member]] = {}
         for stage in self.stages:
@@ -340,6 +341,11 @@ class Drive:
                 sure = determined(matrix)
                 return {stage: float(solution[row]) for stage, row in self._row_of.items() if sure[row]}
         return None
+
+    def _has_other_stages(self) -> bool:
+        """Whether torques pass through stages that are no rows: worms, bevels without teeth."""
+        meshes = {mesh.id for stage in self.stages for mesh in (*stage.sun_meshes, *stage.ring_meshes)}
+        return any(one.type.endswith("_stage") and one.id not in self._row_of and one.id not in meshes for one in self.model.components.values())
 
     def is_open(self, node: object) -> bool:
         """Whether the body is a gear without a shaft: what it is joined to is not in the file."""

@@ -61,6 +61,7 @@ class Ledger:
         self._copies: dict[int, list[Component]] = {}
         self._originals: dict[int, int] = {}
         self._contradictions: dict[tuple, list[int]] = {}
+        self.refused: dict[str, list[str]] = {}  # values of the file that the check of a case does not let pass: path and reason, and in which cases
 
     def miss(self, case: str, key: str, name: str, component: Optional[Component], reason: str, instead: Any = None) -> None:
         """A key of a case for which the file has nothing; `instead`: what the case takes."""
@@ -89,8 +90,11 @@ class Ledger:
     @property
     def notes(self) -> list[str]:
         """The contradictions: which attribute of which components, and why it is left out."""
-        return [f"component {', '.join(map(str, components))}: {name} {value[:40]}{f' {unit}' if unit not in ('', 'none') else ''}: {reason}"
-                for (name, value, unit, reason), components in self._contradictions.items()]
+        taken = {(entry["component"], entry["attribute"]) for entry in self.taken}  # of a planet's second bearing, as of the first planet's second
+        left = {key: [one for one in components if (one, key[0]) not in taken] for key, components in self._contradictions.items()}
+        return [f"{', '.join(names)}: {what}; left out" for what, names in self.refused.items()] + [
+            f"component {', '.join(map(str, components))}: {name} {value[:40]}{f' {unit}' if unit not in ('', 'none') else ''}: {reason}"
+            for (name, value, unit, reason), components in left.items() if components]
 
     def alike(self, original: Component, copies: list[Component]) -> None:
         """Parts that a case states once: those of the other planets."""

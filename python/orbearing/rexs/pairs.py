@@ -190,6 +190,9 @@ class BearingCase:
         """Inside, ratings, load, speeds, oil and life."""
         if self.bearing.type not in CATALOGUE:
             self.problem = "a concept bearing has no inside"
+        elif not self.kind:
+            unread = self.source.model.unread.get(self.bearing.id)
+            self.problem = unread or "the file states no bearing_type"
         elif self.kind not in (*BALLS, *ROLLERS):
             self.problem = f"'{self.kind}': cylindrical roller, needle roller, deep groove and angular contact ball bearings are known"
         if self.problem:

@@ -137,7 +137,7 @@ def bearing_forces(drive: Drive, places: Places, model: Model) -> dict[int, Bear
     supports = _supports(places, model)
     forces = [*_mesh_forces(drive, places, model), *_external_forces(model)]
     turned = any((direction_of(shaft, "u_axis_vector") or [1.0])[0] < 0.0 for shaft in model.of_type("shaft"))
-    if not supports or None in forces or turned:
+    if not supports or None in forces or turned or not any(force.u or force.v or force.w or force.moment_v or force.moment_w for force in forces):
         return {}
     shafts = [shaft.id for shaft in model.of_type("shaft")]
     matrix, wanted = np.zeros((4 * len(shafts), 2 * len(supports))), np.zeros(4 * len(shafts))

@@ -163,7 +163,10 @@ class StageCase:
                 numbers[name] = abs(value)
                 draft.put(f"gearset.teeth.{name}", numbers[name], origin)
         module, origins = common(source, gears.values(), "module")
-        self.problem = self.problem or unlike_modules(source, [stage.sun, *stage.planets, stage.ring])
+        unlike = unlike_modules(source, [stage.sun, *stage.planets, stage.ring])
+        if unlike:
+            self.problem = unlike
+            return
         if module is not None:
             draft.put("gearset.module", quantity(module, "mm"), *origins)
         angle = pressure_angle(source, draft, "gearset", gears.values())
@@ -478,8 +481,10 @@ class StageCase:
     def _motion(self, distance: Optional[float]) -> dict[str, float]:
         values, carrier = self.draft.values, self.members["carrier"]
         relative = self.members["sun"].speed - carrier.speed
-        figures = {"planet_relative_speed_rpm": in_unit(relative, "rpm") * values["gearset.teeth.sun"] / values["gearset.teeth.planet"],
-                   "mesh_frequency_Hz": abs(relative) * values["gearset.teeth.sun"] / (2.0 * math.pi)}
+        figures = {}
+        if "gearset.teeth.planet" in values and "gearset.teeth.sun" in values:
+            figures = {"planet_relative_speed_rpm": in_unit(relative, "rpm") * values["gearset.teeth.sun"] / values["gearset.teeth.planet"],
+                       "mesh_frequency_Hz": abs(relative) * values["gearset.teeth.sun"] / (2.0 * math.pi)}
         if distance is not None:
             figures["pin_force_N"] = abs(carrier.torque) / (distance * values["gearset.planets"])
             if self.bearings:

@@ -133,6 +133,8 @@ def _to_remove(draft: Draft, keys: list[str]) -> Optional[str]:
 
 def _drop(draft: Draft, ledger: Ledger, path: str, reason: str) -> None:
     for gone in draft.remove(path):
+        if any(attribute.value is not None for _, attribute in draft.origins.get(gone, [])):
+            ledger.refused.setdefault(f"{gone}: {shortened(reason)}", []).append(draft.name)
         for component, attribute in draft.origins.get(gone, []):
             ledger.leave(component, attribute, f"{gone}: {shortened(reason)}")
 
