@@ -328,6 +328,8 @@ class Drive:
 
     def _stage_torques(self, stated: dict[object, float], free: set[object]) -> Optional[dict[int, float]]:
         """The torque of each stage per tooth; only those that are determined. None where the stated ones contradict each other."""
+        if not self.nodes:
+            return {}
         for unstated in (free | {node for node in self.nodes if node == FLOOR or not isinstance(node, int)}
                          | {node for node in self.nodes if self.is_open(node)}, set(self.nodes) - set(stated)):
             unknown = [node for node in self.nodes if node in unstated - set(stated)]

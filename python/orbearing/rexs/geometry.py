@@ -34,7 +34,7 @@ class Teeth:
     def shift_sum(self, teeth_sum: float, centre_distance: float) -> Optional[float]:
         """Sum of the shifts of an external pair at a centre distance [m]; of an internal one, with the difference of its teeth, ring less planet outward."""
         ratio = teeth_sum * self.transverse_module * math.cos(self.transverse_angle) / (2.0 * centre_distance)
-        if not 0.0 < ratio <= 1.0:
+        if not 0.0 < ratio <= 1.0 or math.tan(self.pressure_angle) == 0.0:
             return None
         working = math.acos(ratio)
         involute = math.tan(working) - working - math.tan(self.transverse_angle) + self.transverse_angle

@@ -61,6 +61,7 @@ class Ledger:
         self._copies: dict[int, list[Component]] = {}
         self._originals: dict[int, int] = {}
         self._contradictions: dict[tuple, list[int]] = {}
+        self._unlike: dict[tuple, list[int]] = {}  # of copies
         self.refused: dict[str, list[str]] = {}  # values of the file that the check of a case does not let pass: path and reason, and in which cases
 
     def miss(self, case: str, key: str, name: str, component: Optional[Component], reason: str, instead: Any = None) -> None:
@@ -83,18 +84,16 @@ class Ledger:
         """An attribute that contradicts another one, which the case takes; notes() reports it."""
         if attribute is not None:
             self.leave(component, attribute, reason)
-            found = self._contradictions.setdefault((attribute.id, str(attribute.value), attribute.unit, reason), [])
-            if component.id not in found:
-                found.append(component.id)
+            _list(self._contradictions, component, attribute, reason)
 
     @property
     def notes(self) -> list[str]:
         """The contradictions: which attribute of which components, and why it is left out."""
         taken = {(entry["component"], entry["attribute"]) for entry in self.taken}  # of a planet's second bearing, as of the first planet's second
-        left = {key: [one for one in components if (one, key[0]) not in taken] for key, components in self._contradictions.items()}
+        unlike = {key: [one for one in components if (one, key[0]) not in taken] for key, components in self._unlike.items()}
         return [f"{', '.join(names)}: {what}; left out" for what, names in self.refused.items()] + [
             f"component {', '.join(map(str, components))}: {name} {value[:40]}{f' {unit}' if unit not in ('', 'none') else ''}: {reason}"
-            for (name, value, unit, reason), components in left.items() if components]
+            for (name, value, unit, reason), components in [*self._contradictions.items(), *unlike.items()] if components]
 
     def alike(self, original: Component, copies: list[Component]) -> None:
         """Parts that a case states once: those of the other planets."""
@@ -115,7 +114,9 @@ class Ledger:
                     if _same(other, attribute):
                         self._take(copy, other, draft.name, path, copy_of=component.id)
                     else:
-                        self.contradict(copy, other, f"differs from component {component.id}; all planets of a case, and all bearings of a planet, are alike")
+                        reason = f"differs from component {component.id}; all planets of a case, and all bearings of a planet, are alike"
+                        self.leave(copy, other, reason)
+                        _list(self._unlike, copy, other, reason)
         for path, load_case, component, attribute in draft.of_load_cases:
             if path in draft.values:
                 self._take(component, attribute, draft.name, path, load_case=load_case)
@@ -142,12 +143,20 @@ class Ledger:
 
     def _reason(self, component: Component, attribute: Attribute, load_case: str) -> str:
         particular = self._left.get((load_case, component.id, attribute.id))
-        original = self._originals.get(component.id)
-        while particular is None and original is not None:
+        original, seen = self._originals.get(component.id), {component.id}
+        while particular is None and original is not None and original not in seen:  # a file may name parts in circles
+            seen.add(original)
             inherited = self._left.get((load_case, original, attribute.id))
             particular = f"as of component {original}: {inherited}" if inherited else None
             original = self._originals.get(original)
         return particular or reason_of(component, attribute, load_case)
+
+
+def _list(found: dict[tuple, list[int]], component: Component, attribute: Attribute, reason: str) -> None:
+    """Adds a component to those of which the same attribute says the same wrong."""
+    components = found.setdefault((attribute.id, str(attribute.value), attribute.unit, reason), [])
+    if component.id not in components:
+        components.append(component.id)
 
 
 def _entry(component: Component, attribute: Attribute) -> dict:
@@ -159,6 +168,8 @@ def _json_value(value: Any) -> Any:
     """The value; a number that JSON does not have, as text."""
     if isinstance(value, list):
         return [_json_value(one) for one in value]
+    if isinstance(value, dict):
+        return {str(key): _json_value(one) for key, one in value.items()}
     return str(value) if isinstance(value, float) and not math.isfinite(value) else value
 
 

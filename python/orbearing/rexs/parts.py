@@ -324,13 +324,22 @@ class Inside:
         """Sizes where all are stated, else the designation; ratings in both cases."""
         if not self._put_sizes():
             self._put_designation()
-        for name, path in (("bore", "bearing.bore"), ("outside", "bearing.outside_diameter"), ("width", "bearing.width")):
-            value, origin = self.source.number(self.bearing, name)
-            if value is not None and value > 0.0 and "bearing.designation" not in self.draft.values:
-                self.draft.put(path, quantity(value, "mm"), origin)
+        self._put_rings()
         if row_count(self.source, self.bearing) == 1:
             self._put_ratings()
         self._put_clearance()
+
+    def _put_rings(self) -> None:
+        """Bore, outside diameter and the width of one row, where neither a designation nor the balls stand for them."""
+        rows = row_count(self.source, self.bearing)
+        for name, path in (("bore", "bearing.bore"), ("outside", "bearing.outside_diameter"), ("width", "bearing.width")):
+            value, origin = self.source.number(self.bearing, name)
+            if value is None or value <= 0.0 or "bearing.designation" in self.draft.values:
+                continue
+            if "bearing.balls" in self.draft.values:
+                self.source.ledger.leave(*origin, "a ball-bearing with the sizes of its balls takes none of its rings")
+            else:
+                self.draft.put(path, quantity(value / rows if name == "width" else value, "mm"), origin)
 
     def _put_ratings(self) -> None:
         for name, path in (("dynamic_capacity", "bearing.dynamic_capacity"), ("static_capacity", "bearing.static_capacity"),
@@ -411,18 +420,21 @@ class Inside:
             self.draft.put("bearing.radial_clearance", quantity(0.5 * (least[0] + most[0]), "um"), least[1], most[1])
             return
         attribute = attribute_of(self.bearing, "clearance_class")
-        if attribute is not None and str(attribute.value) in CLASSES:
+        if attribute is not None and "bearing.balls" in self.draft.values:
+            self.source.ledger.leave(self.bearing, attribute, "a class of clearance requires a designation; a ball-bearing with the sizes of its balls takes "
+                                                              "a clearance in micrometres")
+        elif attribute is not None and str(attribute.value) in CLASSES:
             self.draft.put("bearing.clearance_class", CLASSES[str(attribute.value)], (self.bearing, attribute))
 
 
 def filler(source: Source, bearing: Optional[Component]):
     """A function that assumes what REXS has no attribute for, or what the file left out, so that a case is whole."""
 
-    def fill(draft: Draft, missing: list[str]) -> bool:
+    def fill(draft: Draft, missing: list[str], refused: set[str]) -> bool:
         filled = False
         for key in missing:
             path, text, reason = _assumption(draft, key)
-            if text and path not in draft.values:
+            if text and path not in draft.values and path not in refused:
                 draft.assume(path, text, reason)
                 source.ledger.miss(draft.name, path, "shelf_clearance" if "clearance" in path else "", bearing, reason, text)
                 filled = True
@@ -436,7 +448,7 @@ def _assumption(draft: Draft, path: str) -> tuple[str, str, str]:
     def length(key: str) -> Optional[float]:
         return number_in(draft.values[key]) if key in draft.values else None
 
-    if path == "bearing.radial_clearance":
+    if path == "bearing.radial_clearance" and "bearing.balls" not in draft.values:
         return "bearing.clearance_class", "CN", "the file states no clearance: the normal class"
     if path == "bearing.cage.density":
         return "bearing.cage.material", "polyamide", "REXS describes no cage: the usual material"

@@ -208,7 +208,8 @@ class StageCase:
         ring_distance, ring_origins = self._centre_distance(self.stage.ring_meshes)
         distance, ring_distance = distance or ring_distance, ring_distance or distance
         if distance is not None:
-            self.draft.put("gearset.centre_distance", quantity(distance, "mm"), *origins, *ring_origins)
+            alike = ring_distance is not None and same_number(distance, ring_distance)
+            self.draft.put("gearset.centre_distance", quantity(distance, "mm"), *origins, *(ring_origins if alike else []))
         self.centre_distance = distance
         outer = teeth.shift_sum(numbers["sun"] + numbers["planet"], distance) if distance else None
         inner = teeth.shift_sum(numbers["ring"] - numbers["planet"], ring_distance) if ring_distance else None

@@ -108,7 +108,10 @@ def warnings_of(core: object) -> list[str]:
     """What the check says of a case that it lets pass."""
     from orbearing import _core
 
-    return json.loads(_core.compute(core, "check", {})[0]).get("warnings", [])
+    try:
+        return json.loads(_core.compute(core, "check", {})[0]).get("warnings", [])
+    except RuntimeError as error:  # a derived value that cannot be computed
+        return [f"check: {error}"]
 
 
 def _refused(text: str, name: str) -> tuple[Optional[object], list]:
@@ -148,15 +151,16 @@ def _drop_bearing(draft: Draft, ledger: Ledger, lacking: list[str]) -> None:
         _drop(draft, ledger, block, f"the bearing of the planets is incomplete: {', '.join(lacking)} missing")
 
 
-def checked(draft: Draft, ledger: Ledger, fill: Callable[[Draft, list[str]], bool]) -> Checked:
-    """The draft as a case that passes the check. `fill` may put what is missing and says whether it did."""
+def checked(draft: Draft, ledger: Ledger, fill: Callable[[Draft, list[str], set[str]], bool]) -> Checked:
+    """The draft as a case that passes the check. `fill` may put what is missing, but for what was refused, and says whether it did."""
+    dropped: set[str] = set()
     for _ in range(MOST_TRIALS):
         text = case_text(draft)
         core, mistakes = _refused(text, draft.name)
         if core is not None:
             return Checked(text, core)
         missing = [mistake.key for mistake in mistakes if mistake.key and mistake.text.startswith("missing")]
-        if missing and fill(draft, missing):
+        if missing and fill(draft, missing, dropped):
             continue
         lacking = [key for key in missing if key.startswith("bearing.")]
         if lacking and draft.model == "planetary-drivetrain":
@@ -168,6 +172,7 @@ def checked(draft: Draft, ledger: Ledger, fill: Callable[[Draft, list[str]], boo
             for key in missing:
                 ledger.miss(draft.name, key, "", None, "required by the case")
             return Checked(text, None, [_message(mistake) for mistake in mistakes])
+        dropped.add(path)
         reason = next((text for key, text in refused if key == path or key.startswith(path + ".") or path.startswith(key)), "refused by the check")
         _drop(draft, ledger, path, reason)
     return Checked(case_text(draft), None, ["no version of the case passes the check"])
