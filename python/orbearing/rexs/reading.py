@@ -34,7 +34,7 @@ MODEL_NAMES = (".rexs", ".rexs.xml", ".rexsj", ".rexs.json")
 class _Fault(Exception):
     """What is wrong inside the file, with its line and column where they are known; `identity`: the id that is none."""
 
-    def __init__(self, text: str, line: int = 1, column: int = 1, identity: Any = None):
+    def __init__(self, text: str, line: int = 1, column: int = 1, identity: Any = ...):
         super().__init__(text)
         self.line, self.column, self.identity = line, column, identity
 
@@ -316,7 +316,7 @@ def _from_json(content: bytes) -> Model:
     try:
         return _json_model(data)
     except _Fault as fault:
-        place = re.search(r'"id"\s*:\s*(' + re.escape(json.dumps(fault.identity)) + ")", content.decode("utf-8-sig")) if fault.identity is not None else None
+        place = re.search(r'"id"\s*:\s*(' + re.escape(json.dumps(fault.identity)) + ")", content.decode("utf-8-sig")) if fault.identity is not ... else None
         if place:
             fault.line, fault.column = _line_and_column(content.decode("utf-8-sig"), place.start(1))
         raise
