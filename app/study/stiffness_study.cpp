@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <stdexcept>
@@ -319,16 +320,34 @@ std::string ross_table(const StiffnessStudy& study, std::size_t series) {
   std::sort(points.begin(), points.end(),
             [](const StiffnessPoint* a, const StiffnessPoint* b) { return a->speed < b->speed; });
   Worksheet sheet;
-  constexpr std::array<const char*, 9> heads{"kxx", "kxy", "kyx", "kyy", "cxx", "cxy", "cyx", "cyy", "speed"};
+  // The last names no column of ROSS, which skips it.
+  constexpr std::array<const char*, 10> heads{
+      "kxx",   "kxy",
+      "kyx",   "kyy",
+      "cxx",   "cxy",
+      "cyx",   "cyy",
+      "speed", "x is along the load (of a planet: outward), y across; weight in ROSS is along y"};
   for (std::size_t i = 0; i < heads.size(); ++i) sheet.label(0, i, heads[i]);
-  const auto put_row = [&](std::size_t row, const StiffnessPoint& point, double speed) {
-    for (std::size_t i = 0; i < 4; ++i) sheet.number(row, i, entry(point, i / 2, i % 2));
+  std::size_t row = 0;
+  const auto put_row = [&](const StiffnessPoint& before, const StiffnessPoint& after, double share) {
+    ++row;
+    for (std::size_t i = 0; i < 4; ++i)
+      sheet.number(row, i, std::lerp(entry(before, i / 2, i % 2), entry(after, i / 2, i % 2), share));
     for (std::size_t i = 4; i < 8; ++i) sheet.number(row, i, 0.0);  // no damping
-    sheet.number(row, 8, speed);
+    sheet.number(row, 8, std::lerp(before.speed, after.speed, share));
   };
-  for (std::size_t row = 0; row < points.size(); ++row) put_row(row + 1, *points[row], points[row]->speed);
-  constexpr double another = 1000.0;  // [rad/s]  ROSS draws its curve through two speeds at least
-  if (points.size() == 1) put_row(2, *points.front(), points.front()->speed + another);
+  if (points.empty()) return sheet.finished();
+  constexpr double range = 1000.0;  // [rad/s]  over which a single point is constant
+  StiffnessPoint again = *points.front();
+  again.speed += range;
+  if (points.size() == 1) points.push_back(&again);
+  constexpr std::size_t least_intervals = 4;  // ROSS 3 warns of fewer than five speeds
+  const std::size_t intervals = points.size() - 1;
+  const std::size_t parts = (least_intervals + intervals - 1) / intervals;
+  for (std::size_t i = 0; i < intervals; ++i)
+    for (std::size_t part = 0; part < parts; ++part)
+      put_row(*points[i], *points[i + 1], static_cast<double>(part) / static_cast<double>(parts));
+  put_row(*points.back(), *points.back(), 0.0);
   return sheet.finished();
 }
 

@@ -51,9 +51,10 @@ StiffnessStudy stiffness_study(const ResolvedCase& resolved);
 std::string stiffness_csv(const StiffnessStudy& study);
 
 /// The points of one series as a worksheet (BIFF 4, .xls) with the columns that ROSS's
-/// BearingElement.from_table reads: kxx, kxy, kyx, kyy [N/m], damping 0 [N s/m] and frequency [rad/s], the
-/// speed, rising. A single point stands there twice, at two speeds. ROSS takes nothing of the axis and of
-/// tilts.
+/// BearingElement.from_table reads: kxx, kxy, kyx, kyy [N/m], damping 0 [N s/m] and the rotor's speed
+/// [rad/s], rising. It has five rows at least: rows between fewer points are linear, a single point is
+/// constant over 1000 rad/s. x is along the radial load, while weight in ROSS is along y. ROSS takes nothing
+/// of the axis and of tilts.
 std::string ross_table(const StiffnessStudy& study, std::size_t series);
 
 }  // namespace orbearing::app

@@ -509,20 +509,25 @@ class StiffnessResult(Result):
                                **loads}, coords={"force": freedoms, "displacement": freedoms}, attrs=self._attributes())
 
     def ross_element(self, n: int, load: int = 0):
-        """A bearing for a rotor in ROSS (ross-rotordynamics) at node `n`, undamped: radial stiffness over speed under the
-        load of that number, in the order in which the table has them."""
+        """A bearing for a rotor in ROSS (ross-rotordynamics 2 and 3) at node `n`, undamped: radial stiffness over speed under
+        the load of that number, in the order in which the table has them. x is along the load here; weight in ROSS is along y."""
         import ross
 
         keys = [tuple(round(value, 6) for value in point["load"].values()) for point in self["points"]]  # moments of 0 are round-off
         chosen = list(dict.fromkeys(keys))[load]
         points = [point for point, key in zip(self["points"], keys) if key == chosen]
+        points = sorted(points, key=lambda point: point["speed_rpm"])
         terms = {f"k{a}{b}": [point["stiffness"][i][j] for point in points] for i, a in enumerate("xy") for j, b in enumerate("xy")}
-        speeds = [point["speed_rpm"] * np.pi / 30 for point in points]
         if len(points) == 1:
             return ross.BearingElement(n=n, cxx=0.0, **{name: values[0] for name, values in terms.items()})
+        # Release 3 warns below five speeds: those between are linear, as in ross.xls.
+        parts = -(-4 // (len(points) - 1))
+        at, every = np.arange(len(points)), np.arange(parts * (len(points) - 1) + 1) / parts
+        terms = {name: np.interp(every, at, values).tolist() for name, values in terms.items()}
+        speeds = np.interp(every, at, [point["speed_rpm"] * np.pi / 30 for point in points]).tolist()
         # `frequency` is that of the excitation from release 3 on; `speed` is the rotor's in each release that knows it.
         known = inspect.signature(ross.BearingElement.__init__).parameters
-        return ross.BearingElement(n=n, cxx=[0.0] * len(points), **{"speed" if "speed" in known else "frequency": speeds}, **terms)
+        return ross.BearingElement(n=n, cxx=[0.0] * len(every), **{"speed" if "speed" in known else "frequency": speeds}, **terms)
 
     def plot(self, axes=None):
         """Diagonal terms in translation over the points."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import sys
 import time
 from typing import Callable
@@ -11,6 +12,16 @@ from orbearing.errors import CaseError, ComputationError
 
 PAUSE_SECONDS = 0.1  # between two lines of progress
 WIPED = "\r\x1b[K"
+
+
+# Control characters, marks that turn the direction of writing, and halves of a pair of UTF-16: as printable() of the C++ commands.
+CONTROL = re.compile("[\x00-\x1f\x7f-\x9f\u200e\u200f\u2028-\u202e\u2066-\u2069\ufeff\ud800-\udfff]")
+_SHORT = {"\n": "\\n", "\t": "\\t", "\r": "\\r"}
+
+
+def printable(text: str) -> str:
+    """A text of a file or of the user on one line of a terminal: what moves the cursor or turns the writing is escaped."""
+    return CONTROL.sub(lambda found: _SHORT.get(found[0]) or (f"\\x{ord(found[0]):02x}" if ord(found[0]) < 0x100 else f"\\u{ord(found[0]):04x}"), text)
 
 
 def settings_of(options: list[str]) -> list[tuple[str, str]]:
@@ -30,7 +41,8 @@ def exit_code(name: str, run: Callable[[], int], packages: str, stays: str = "")
     try:
         return run()
     except CaseError as error:
-        print(error, file=sys.stderr)
+        for message in error.messages:
+            print(printable(message), file=sys.stderr)
         return 2
     except ImportError as error:
         print(f"{name}: {error}; required: {packages}", file=sys.stderr)

@@ -86,16 +86,26 @@ class Results(Compared):
             for j, along in enumerate(names):
                 self.assertEqual(float(arrays.stiffness.sel(force=force, displacement=along)[1]), tables[1][1][i, j])
         self.assertEqual((arrays.load_x_N.attrs["units"], arrays.load_x_N.values.tolist()), ("N", [1100.0, 4100.0]))
-        ross = types.ModuleType("ross")
-        ross.BearingElement = lambda **given: given
         for point in data["points"]:
             point["load"]["x_N"] = 100.0
-        with unittest.mock.patch.dict("sys.modules", ross=ross):
-            element = results.StiffnessResult(data, "stiffness", CASE).ross_element(n=3)
-        np.testing.assert_allclose(element["frequency"], [1000 * 2 * np.pi / 60, 4000 * 2 * np.pi / 60])
-        for name, (i, j) in {"kxx": (0, 0), "kxy": (0, 1), "kyx": (1, 0), "kyy": (1, 1)}.items():
-            self.assertEqual(element[name], [k[i, j] for _, k in tables], name)
-        self.assertEqual((element["n"], element["cxx"]), (3, [0.0, 0.0]))
+
+        def of_release_2(n, kxx, cxx, kyy=None, kxy=0, kyx=0, frequency=None):
+            return {**locals(), "over": frequency}
+
+        def of_release_3(n, kxx, cxx, kyy=None, kxy=0, kyx=0, speed=None, frequency=None):
+            self.assertIsNone(frequency)  # that of the whirl
+            return {**locals(), "over": speed}
+
+        for signature in (of_release_2, of_release_3):
+            ross = types.ModuleType("ross")
+            ross.BearingElement = type("BearingElement", (), {"__new__": lambda cls, *a, **given: signature(*a, **given), "__init__": signature})
+            with unittest.mock.patch.dict("sys.modules", ross=ross):
+                element = results.StiffnessResult(data, "stiffness", CASE).ross_element(n=3)
+            # Five speeds, of which the first and the last are computed.
+            np.testing.assert_allclose(element["over"], np.linspace(1000, 4000, 5) * 2 * np.pi / 60)
+            for name, (i, j) in {"kxx": (0, 0), "kxy": (0, 1), "kyx": (1, 0), "kyy": (1, 1)}.items():
+                np.testing.assert_allclose(element[name], np.linspace(*(k[i, j] for _, k in tables), 5), err_msg=name)
+            self.assertEqual((element["n"], element["cxx"]), (3, [0.0] * 5))
 
     def test_sensitivities(self):
         inputs = [{"path": f"a.{n}", "elasticity": e, "derivative": 1.0} for n, e in enumerate((-4.0, 2.5, None, 1.25))]

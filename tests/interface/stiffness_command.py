@@ -160,11 +160,23 @@ class Files(unittest.TestCase):
             elif kind == 0x0204:
                 row, column, _, size = struct.unpack_from("<HHHH", data)
                 cells[row, column] = data[8:8 + size].decode()
-        heads = [cells[0, i] for i in range(9)]
-        self.assertEqual(heads, ["kxx", "kxy", "kyx", "kyy", "cxx", "cxy", "cyx", "cyy", "speed"])
-        for row, point in enumerate(points, 1):
-            self.assertEqual([cells[row, i] for i in range(4)], [point["stiffness"][i][j] for i in (0, 1) for j in (0, 1)])
-            self.assertAlmostEqual(cells[row, 8], point["speed_rpm"] * math.pi / 30, places=9)
+        heads = [cells[0, i] for i in range(10)]
+        self.assertEqual(heads[:9], ["kxx", "kxy", "kyx", "kyy", "cxx", "cxy", "cyx", "cyy", "speed"])
+        self.assertIn("x is along the load", heads[9])  # across_over_along: weight in ROSS is along y
+        self.assertIn("in ROSS is along y", heads[9])
+        # Five rows at least; those between the points are linear.
+        rows = max(row for row, _ in cells)
+        parts = -(-4 // (len(points) - 1))
+        self.assertEqual(rows, 1 + parts * (len(points) - 1))
+        self.assertGreaterEqual(rows, 5)
+        for row in range(1, rows + 1):
+            before, share = divmod(row - 1, parts)
+            first, second = points[before], points[min(before + 1, len(points) - 1)]
+            wanted = [[(1 - share / parts) * a + share / parts * b for a, b in zip(*pair)] for pair in zip(first["stiffness"][:2], second["stiffness"][:2])]
+            for i in range(4):
+                self.assertAlmostEqual(cells[row, i], wanted[i // 2][i % 2], delta=1e-12 * abs(wanted[0][0]))
+            speed = first["speed_rpm"] + share / parts * (second["speed_rpm"] - first["speed_rpm"])
+            self.assertAlmostEqual(cells[row, 8], speed * math.pi / 30, places=9)
 
 
 class Refusals(unittest.TestCase):

@@ -8,9 +8,13 @@ from __future__ import annotations
 import argparse
 import sys
 from pathlib import Path
+from typing import TYPE_CHECKING, Optional
 
-from orbearing.errors import CaseError
-from orbearing.terminal import exit_code, finished
+from orbearing.errors import CaseError, ComputationError
+from orbearing.terminal import exit_code, finished, printable
+
+if TYPE_CHECKING:
+    from orbearing.rexs.convert import Conversion
 
 
 def parser() -> argparse.ArgumentParser:
@@ -30,7 +34,7 @@ def parser() -> argparse.ArgumentParser:
 
 def run(options: argparse.Namespace) -> int:
     """The conversion of the options; the exit code."""
-    from orbearing.rexs import convert, reading
+    from orbearing.rexs import convert
 
     if options.output is None and not options.json:
         raise CaseError("--output: missing; required: a folder for the cases, or --json to print the report alone")
@@ -40,12 +44,7 @@ def run(options: argparse.Namespace) -> int:
     if folder is not None:
         convert.require_empty(folder)
     file = Path(options.file)
-    content = reading.read_bytes(file)
-    conversion = convert.convert(reading.read(file, content), file.name, reading.form_of(content))
-    if options.results:
-        from orbearing.rexs import results
-
-        conversion.report["results"] = results.write_back(file, content, conversion, [Path(one) for one in options.results], folder)
+    conversion = _converted(file, [Path(one) for one in options.results], folder)
     if folder is not None:
         convert.write(conversion, folder)
     if options.json:
@@ -55,34 +54,82 @@ def run(options: argparse.Namespace) -> int:
     return _told(conversion)
 
 
+def _converted(file: Path, runs: list[Path], folder: Optional[Path]) -> Conversion:
+    """The file as cases, and with results where there are runs. What no one thought of in a file is bad input too."""
+    from orbearing.rexs import convert, reading, sources
+
+    content = reading.read_bytes(file)
+    try:
+        model = sources.completed(reading.read(file, content), file)
+        conversion = convert.convert(model, file.name, reading.form_of(content))
+        if runs:
+            from orbearing.rexs import results
+
+            conversion.report["results"] = results.write_back(file, content, conversion, runs, folder)
+        return conversion
+    except (CaseError, ComputationError, ImportError, OSError):
+        raise
+    except Exception as error:
+        raise CaseError(f"{file}:1:1: found a model that cannot be converted ({type(error).__name__}: {error}); required: one that is complete; "
+                        "please report this file") from error
+
+
+def _say(text: str) -> None:
+    """Texts of the file are printed without what moves the cursor."""
+    print(printable(text))
+
+
 def print_summary(report: dict, folder: Path) -> None:
     """What was found, for people."""
-    print(f"{report['source']}: REXS {report['version']}" + (f" of {report['application']}" if report["application"] else ""))
+    _say(f"{report['source']}: REXS {report['version']}" + (f" of {report['application']}" if report["application"] else ""))
     for kind in ("stages", "pairs", "bearings"):
         for entry in report[kind]:
-            where = str(folder / entry["case"]) if entry["case"] else f"no case: {entry['problems'][0]}"
-            print(f"  {entry['type']} {entry['component']} '{entry['name']}': {where}")
-    print(f"{len(report['taken'])} attributes taken, {len(report['missing'])} keys missing in the file, {len(report['left_out'])} attributes left out")
+            where = str(folder / entry["case"]) if entry["case"] else f"no case: {'; '.join(entry['problems'])}"
+            _say(f"  {entry['type']} {entry['component']} '{entry['name']}': {where}")
+            if kind == "bearings":
+                _say_of_bearing(entry)
+    for entry in report["shafts"]:
+        speed = f": {entry['figures']['speed_rpm']:.6g} rpm" if "speed_rpm" in entry["figures"] else ""
+        _say(f"  {entry['type']} {entry['component']} '{entry['name']}'{speed}")
+    _say(f"{len(report['taken'])} attributes taken, {len(report['missing'])} keys missing in the file, {len(report['left_out'])} attributes left out")
     for entry in report["missing"]:
         instead = f"; taken instead: {entry['instead']}" if entry["instead"] is not None else ""
-        print(f"  missing {entry['case']}: {entry['key']}: {entry['reason']}{instead}")
+        _say(f"  missing {entry['case']}: {entry['key']}: {entry['reason']}{instead}")
     for note in report["notes"]:
-        print(f"warning: {note}")
-    print(folder / "conversion.json")
+        _say(f"warning: {note}")
+    _say(str(folder / "conversion.json"))
 
 
-def _told(conversion) -> int:
+def _say_of_bearing(entry: dict) -> None:
+    """Forces of a bearing at each load, and its lives under all of them together."""
+    loads = entry.get("load_cases") or [{"load_case": "", "share": None, "figures": entry.get("figures", {})}]
+    for load in loads:
+        figures = load["figures"]
+        if "radial_force_N" in figures:
+            name = f"load case {load['load_case']}: " if load["load_case"] else ""
+            share = f" for {100 * load['share']:.4g} % of the time" if load["share"] is not None else ""
+            _say(f"    {name}{figures['radial_force_N']:.6g} N radial, {figures['axial_force_N']:.6g} N axial{share}")
+    if entry.get("lives"):
+        _say("    all load cases together: " + ", ".join(f"{life} {hours:.6g} h" for life, hours in entry["lives"].items()))
+
+
+def _told(conversion: Conversion) -> int:
     """0 where each planetary stage is a case; else 2, with the reason on standard error."""
     if conversion.is_complete:
         return 0
     report = conversion.report
     if not report["stages"]:
-        print(f"{report['source']}: no planetary stage found; {len(report['pairs'])} gear pairs and {len(report['bearings'])} bearings are in "
-              f"conversion.json, {len(conversion.cases)} of them as cases", file=sys.stderr)
+        counts = ", ".join(f"{len(report[kind])} {name if len(report[kind]) == 1 else name + 's'}"
+                           for kind, name in (("pairs", "gear pair"), ("bearings", "bearing"), ("shafts", "shaft")))
+        _complain(f"{report['source']}: no planetary stage found; {counts} in conversion.json, {len(conversion.cases)} cases")
     for stage in report["stages"]:
         for problem in stage.get("problems", []):
-            print(f"{report['source']}: planetary stage {stage['component']} '{stage['name']}': {problem}", file=sys.stderr)
+            _complain(f"{report['source']}: planetary stage {stage['component']} '{stage['name']}': {problem}")
     return 2
+
+
+def _complain(text: str) -> None:
+    print(printable(text), file=sys.stderr)
 
 
 def main(arguments: list[str]) -> int:

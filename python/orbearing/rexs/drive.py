@@ -12,13 +12,14 @@ from typing import Iterable, Optional
 import numpy as np
 
 from orbearing.rexs.model import Component, Model, Relation
-from orbearing.rexs.names import is_true, number_of, vector_of
+from orbearing.rexs.names import direction_of, in_unit, is_true, number_of
 
 JOINTS = ("coupling", "switchable_coupling", "involute_spline_connection", "feather_key_connection", "cylindrical_interference_fit",
           "tapered_interference_fit")
 GEARED = ("cylindrical_stage", "bevel_stage")
 FLOOR = "casing"
 SMALL = 1e-6  # relative: speeds and torques in files have at least six digits
+SAME_POWER = 1e-3  # relative, of a load that states torque and power
 
 
 @dataclass
@@ -41,12 +42,13 @@ class Planetary:
 class Member:
     """A member of a stage at one load; power enters the stage where it is positive."""
 
-    speed_rpm: float
-    torque_n_m: float
+    speed: float  # [rad/s]
+    torque: float  # [N m]
 
     @property
-    def power_w(self) -> float:
-        return self.speed_rpm * np.pi / 30.0 * self.torque_n_m
+    def power(self) -> float:
+        """[W]"""
+        return self.speed * self.torque
 
 
 class Bodies:
@@ -196,6 +198,8 @@ class Drive:
 
     def _add_planetary(self, stage: Planetary) -> None:
         sun, ring = _teeth(stage.sun), _teeth(stage.ring)
+        if not sun or not ring:
+            return
         row: dict[object, float] = {}
         for member, teeth in (("sun", sun), ("ring", ring), ("carrier", -sun - ring)):
             row[stage.bodies[member]] = row.get(stage.bodies[member], 0.0) + teeth * stage.directions[member]
@@ -257,7 +261,7 @@ class Drive:
         return matrix
 
     def speeds(self, model: Model) -> tuple[dict[object, float], list[str]]:
-        """Speed [rpm] of each body that follows from the stated ones, and contradictions."""
+        """Speed [rad/s] of each body that follows from the stated ones, and contradictions."""
         rows, values = list(self._matrix()), [0.0] * len(self._rows)
         rows = [row / max(np.abs(row).max(), 1.0) for row in rows]
         known = [(self.bodies.of(shaft.id), number_of(shaft, "speed").number) for shaft in model.of_type("shaft")]
@@ -275,7 +279,7 @@ class Drive:
         sure = determined(matrix)
         return {node: float(solution[i]) for i, node in enumerate(self.nodes) if sure[i]}, notes
 
-    def _loads(self, model: Model, speeds: dict[object, float]) -> tuple[dict[object, float], set[object]]:
+    def _loads(self, model: Model, speeds: dict[object, float], notes: list[str]) -> tuple[dict[object, float], set[object]]:
         """Stated torques [N m] by body, and bodies with a load whose torque follows from the others."""
         stated: dict[object, float] = {}
         free: set[object] = set()
@@ -286,8 +290,12 @@ class Drive:
         for body, load in loads:
             torque = number_of(load, "torque").number
             power = number_of(load, "load_power").number
-            if torque is None and power is not None and speeds.get(body):
-                torque = 1e3 * power / (speeds[body] * np.pi / 30.0)
+            if power is not None and speeds.get(body):
+                by_power = power / speeds[body]
+                if torque is not None and abs(by_power - torque) > SAME_POWER * abs(torque):
+                    notes.append(f"component {load.id} ('{load.name}'): torque_around_u_axis is {torque:.6g} N m; its power at {in_unit(speeds[body], 'rpm'):.6g} "
+                                 f"rpm gives {by_power:.6g} N m; the torque is taken")
+                torque = by_power if torque is None else torque
             transmits = load.attributes.get("transmits_torque")
             if transmits is not None and transmits.value is False:
                 continue
@@ -300,8 +308,12 @@ class Drive:
     def members(self, model: Model) -> tuple[dict[int, dict[str, Member]], dict[object, float], list[str]]:
         """Members of each planetary stage at the loads of `model`, about the axis of the gear unit; speeds of all bodies; contradictions."""
         speeds, notes = self.speeds(model)
-        stated, free = self._loads(model, speeds)
+        stated, free = self._loads(model, speeds, notes)
         stage_torques = self._stage_torques(stated, free) if stated else {}
+        if stage_torques is None:
+            if not self._has_other_stages():
+                notes.append("the torques that the file states contradict each other")
+            stage_torques = {}
         members: dict[int, dict[str, Member]] = {}
         for stage in self.stages:
             torque = stage_torques.get(stage.stage.id)
@@ -314,8 +326,10 @@ class Drive:
         self.torque_of_mesh = stage_torques
         return members, speeds, notes
 
-    def _stage_torques(self, stated: dict[object, float], free: set[object]) -> dict[int, float]:
-        """The torque of each stage per tooth; only those that are determined."""
+    def _stage_torques(self, stated: dict[object, float], free: set[object]) -> Optional[dict[int, float]]:
+        """The torque of each stage per tooth; only those that are determined. None where the stated ones contradict each other."""
+        if not self.nodes:
+            return {}
         for unstated in (free | {node for node in self.nodes if node == FLOOR or not isinstance(node, int)}
                          | {node for node in self.nodes if self.is_open(node)}, set(self.nodes) - set(stated)):
             unknown = [node for node in self.nodes if node in unstated - set(stated)]
@@ -328,7 +342,12 @@ class Drive:
             if np.abs(matrix @ solution - wanted).max() <= SMALL * np.abs(wanted).max():
                 sure = determined(matrix)
                 return {stage: float(solution[row]) for stage, row in self._row_of.items() if sure[row]}
-        return {}
+        return None
+
+    def _has_other_stages(self) -> bool:
+        """Whether torques pass through stages that are no rows: worms, bevels without teeth."""
+        meshes = {mesh.id for stage in self.stages for mesh in (*stage.sun_meshes, *stage.ring_meshes)}
+        return any(one.type.endswith("_stage") and one.id not in self._row_of and one.id not in meshes for one in self.model.components.values())
 
     def is_open(self, node: object) -> bool:
         """Whether the body is a gear without a shaft: what it is joined to is not in the file."""
@@ -346,9 +365,9 @@ def _renamed(row: dict[object, float], body: object) -> dict[object, float]:
 
 def _direction(model: Model, shaft: Optional[Component]) -> float:
     """-1 where the shaft's axis points against that of the gear unit."""
-    axis = vector_of(shaft, "u_axis_vector") if shaft is not None else None
+    axis = direction_of(shaft, "u_axis_vector") if shaft is not None else None
     unit = next(iter(model.of_type("gear_unit")), None)
-    main = vector_of(unit, "u_axis_vector") if unit is not None else None
+    main = direction_of(unit, "u_axis_vector") if unit is not None else None
     return -1.0 if axis and np.dot(axis, main or [1.0, 0.0, 0.0]) < 0.0 else 1.0
 
 

@@ -7,11 +7,11 @@ from dataclasses import dataclass, field
 from typing import Any, Optional
 
 from orbearing.rexs.model import Attribute, Component, Model
-from orbearing.rexs.names import CATALOGUE, KNOWN, RIGID, unit_of
+from orbearing.rexs.names import CATALOGUE, KNOWN, RIGID, is_number, same_number, unit_of
 
 IN_SPACE = {"support_vector", "u_axis_vector", "w_axis_vector", "reference_component_for_position", "rotating_angle_around_neg_u_axis"}
-DESCRIBING = {"part_number", "revision_number", "sequence_number", "version", "modification_date", "data_source", "display_color", "customer",
-              "model_name", "material_designation", "referenced_component_id"}
+DESCRIBING = {"part_number", "revision_number", "sequence_number", "version", "modification_date", "display_color", "customer",
+              "model_name", "material_designation"}
 
 
 @dataclass
@@ -24,11 +24,16 @@ class Draft:
     values: dict[str, Any] = field(default_factory=dict)
     origins: dict[str, list[tuple[Component, Attribute]]] = field(default_factory=dict)
     assumed: dict[str, str] = field(default_factory=dict)
+    of_load_cases: list[tuple[str, str, Component, Attribute]] = field(default_factory=list)  # path, load case, and what states it there
 
     def put(self, path: str, value: Any, *origins: tuple[Component, Optional[Attribute]]) -> None:
         """A value that the file states."""
         self.values[path] = value
         self.origins[path] = [(component, attribute) for component, attribute in origins if attribute is not None]
+
+    def put_of_load_case(self, path: str, load_case: str, component: Component, attribute: Attribute) -> None:
+        """Where a value that the draft holds stands in a load case."""
+        self.of_load_cases.append((path, load_case, component, attribute))
 
     def assume(self, path: str, value: Any, reason: str) -> None:
         """A value that the file does not state."""
@@ -55,6 +60,9 @@ class Ledger:
         self._left: dict[tuple, str] = {}
         self._copies: dict[int, list[Component]] = {}
         self._originals: dict[int, int] = {}
+        self._contradictions: dict[tuple, list[int]] = {}
+        self._unlike: dict[tuple, list[int]] = {}  # of copies
+        self.refused: dict[str, list[str]] = {}  # values of the file that the check of a case does not let pass: path and reason, and in which cases
 
     def miss(self, case: str, key: str, name: str, component: Optional[Component], reason: str, instead: Any = None) -> None:
         """A key of a case for which the file has nothing; `instead`: what the case takes."""
@@ -71,6 +79,21 @@ class Ledger:
         """An attribute that no case takes, with the particular reason; the last one stays."""
         if attribute is not None:
             self._left[(load_case, component.id, attribute.id)] = reason
+
+    def contradict(self, component: Component, attribute: Optional[Attribute], reason: str) -> None:
+        """An attribute that contradicts another one, which the case takes; notes() reports it."""
+        if attribute is not None:
+            self.leave(component, attribute, reason)
+            _list(self._contradictions, component, attribute, reason)
+
+    @property
+    def notes(self) -> list[str]:
+        """The contradictions: which attribute of which components, and why it is left out."""
+        taken = {(entry["component"], entry["attribute"]) for entry in self.taken}  # of a planet's second bearing, as of the first planet's second
+        unlike = {key: [one for one in components if (one, key[0]) not in taken] for key, components in self._unlike.items()}
+        return [f"{', '.join(names)}: {what}; left out" for what, names in self.refused.items()] + [
+            f"component {', '.join(map(str, components))}: {name} {value[:40]}{f' {unit}' if unit not in ('', 'none') else ''}: {reason}"
+            for (name, value, unit, reason), components in [*self._contradictions.items(), *unlike.items()] if components]
 
     def alike(self, original: Component, copies: list[Component]) -> None:
         """Parts that a case states once: those of the other planets."""
@@ -91,7 +114,12 @@ class Ledger:
                     if _same(other, attribute):
                         self._take(copy, other, draft.name, path, copy_of=component.id)
                     else:
-                        self.leave(copy, other, f"differs from component {component.id}; all planets of a case are alike")
+                        reason = f"differs from component {component.id}; all planets of a case, and all bearings of a planet, are alike"
+                        self.leave(copy, other, reason)
+                        _list(self._unlike, copy, other, reason)
+        for path, load_case, component, attribute in draft.of_load_cases:
+            if path in draft.values:
+                self._take(component, attribute, draft.name, path, load_case=load_case)
 
     def _take(self, component: Component, attribute: Attribute, case: str, key: str, **more: Any) -> None:
         self.taken.append({**_entry(component, attribute), "case": case, "key": key, **more})
@@ -113,31 +141,42 @@ class Ledger:
                     reason = self._reason(component, attribute, load_case)
                     self.left_out.append({**_entry(component, attribute), "reason": reason, **({"load_case": load_case} if load_case else {})})
 
-
     def _reason(self, component: Component, attribute: Attribute, load_case: str) -> str:
         particular = self._left.get((load_case, component.id, attribute.id))
-        original = self._originals.get(component.id)
-        while particular is None and original is not None:
+        original, seen = self._originals.get(component.id), {component.id}
+        while particular is None and original is not None and original not in seen:  # a file may name parts in circles
+            seen.add(original)
             inherited = self._left.get((load_case, original, attribute.id))
             particular = f"as of component {original}: {inherited}" if inherited else None
             original = self._originals.get(original)
         return particular or reason_of(component, attribute, load_case)
 
 
+def _list(found: dict[tuple, list[int]], component: Component, attribute: Attribute, reason: str) -> None:
+    """Adds a component to those of which the same attribute says the same wrong."""
+    components = found.setdefault((attribute.id, str(attribute.value), attribute.unit, reason), [])
+    if component.id not in components:
+        components.append(component.id)
+
+
 def _entry(component: Component, attribute: Attribute) -> dict:
-    return {"component": component.id, "type": component.type, "attribute": attribute.id, "value": _json_value(attribute.value), "unit": attribute.unit}
+    entry = {"component": component.id, "type": component.type, "attribute": attribute.id, "value": _json_value(attribute.value), "unit": attribute.unit}
+    return {**entry, "file": attribute.file} if attribute.file else entry
 
 
 def _json_value(value: Any) -> Any:
     """The value; a number that JSON does not have, as text."""
     if isinstance(value, list):
         return [_json_value(one) for one in value]
+    if isinstance(value, dict):
+        return {str(key): _json_value(one) for key, one in value.items()}
     return str(value) if isinstance(value, float) and not math.isfinite(value) else value
 
 
 def _same(one: Attribute, other: Attribute) -> bool:
-    if isinstance(one.value, (int, float)) and isinstance(other.value, (int, float)):
-        return one.unit == other.unit and abs(one.value - other.value) <= 1e-9 * max(abs(one.value), abs(other.value))
+    units = unit_of(one.unit), unit_of(other.unit)
+    if is_number(one.value) and is_number(other.value) and None not in units and units[0].quantity == units[1].quantity:
+        return same_number(*(value.value * unit.factor + unit.offset for value, unit in zip((one, other), units)))
     return (one.value, one.unit) == (other.value, other.unit)
 
 
@@ -149,10 +188,12 @@ def reason_of(component: Component, attribute: Attribute, load_case: str) -> str
         return "has no value"
     if attribute.id in IN_SPACE:
         return "position in space; a case states distances along the shaft and between axes alone"
+    if attribute.id in ("data_source", "referenced_component_id"):
+        return "names the part of another file that describes this one"
     if attribute.id in DESCRIBING:
         return "describes the part, does not size it"
     unit = unit_of(attribute.unit)
-    if "stiffness" in attribute.id and isinstance(attribute.value, (int, float)) and attribute.value >= RIGID / (unit.factor if unit else 1.0):
+    if "stiffness" in attribute.id and is_number(attribute.value) and attribute.value >= RIGID / (unit.factor if unit else 1.0):
         return "says that the part is rigid; not taken as a number"
     if attribute.id.startswith("custom_"):
         return "an extension of one program"

@@ -13,6 +13,7 @@ class Attribute:
     id: str
     unit: str
     value: Any
+    file: str = ""  # beside the model, which states it; empty: the model itself
 
 
 @dataclass
@@ -60,6 +61,7 @@ class Model:
     load_cases: list[LoadCase] = field(default_factory=list)
     accumulation: list[Component] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
+    unread: dict[int, str] = field(default_factory=dict)  # by component: why what stands in another file is not there
 
     def of_type(self, *types: str) -> list[Component]:
         """Components of these types in the order of the file."""

@@ -1,5 +1,8 @@
 """Attributes of REXS that a case takes, by the name that this package gives them, and the units of both sides.
 
+Every number of a file is read by number_of() or place_of(), which return SI; quantity() writes SI in the unit of a case.
+No other function of this package converts a unit of a file. Angles are in rad, speeds in rad/s, temperatures in degC.
+
 Names of attributes changed between versions: each row lists all of them, the newest first. A test compares the table
 with the published schemas.
 """
@@ -14,38 +17,43 @@ from orbearing.rexs.model import Attribute, Component
 
 LARGEST = 1e100  # of any number in a file; beyond lies a slip
 RIGID = 1e15  # [N/m] from here on a stiffness says "rigid"; programs write 1e20 to 1e23
+WHOLE = 1e-6  # a number is whole within this; programs write 20.9999999999
+SAME_NUMBER = 1e-9  # relative; conversion of units changes the last digits
 
 
 class Unit(NamedTuple):
-    """A quantity and the factor to its SI unit."""
+    """A quantity, the factor to its SI unit, and what is added then."""
 
     quantity: str
     factor: float
+    offset: float = 0.0
 
 
+_DEGREE, _RPM = math.pi / 180.0, math.pi / 30.0
 # Spellings without spaces, of all versions and of programs that keep their own.
 UNITS = {
     **dict.fromkeys(("none", "", "-", "1"), Unit("number", 1.0)),
     "%": Unit("number", 0.01),
-    "mm": Unit("length", 1e-3), "m": Unit("length", 1.0),
+    "mm": Unit("length", 1e-3), "cm": Unit("length", 1e-2), "m": Unit("length", 1.0),
     **dict.fromkeys(("mum", "um", "\u00b5m", "\u03bcm"), Unit("length", 1e-6)),
-    **dict.fromkeys(("deg", "\u00b0", "degree"), Unit("angle", math.pi / 180.0)), "rad": Unit("angle", 1.0),
-    **dict.fromkeys(("1/min", "rpm", "min^-1"), Unit("rotation", math.pi / 30.0)), "rad/s": Unit("rotation", 1.0),
+    **dict.fromkeys(("deg", "\u00b0", "degree"), Unit("angle", _DEGREE)), "rad": Unit("angle", 1.0),
+    **dict.fromkeys(("1/min", "rpm", "min^-1"), Unit("rotation", _RPM)), "rad/s": Unit("rotation", 1.0),
     "1/s": Unit("rotation", 2.0 * math.pi),
     **dict.fromkeys(("Nm", "N*m", "N.m"), Unit("torque", 1.0)), **dict.fromkeys(("kNm", "kN*m"), Unit("torque", 1e3)),
-    "N": Unit("force", 1.0), "kN": Unit("force", 1e3),
+    **dict.fromkeys(("Nmm", "N*mm"), Unit("torque", 1e-3)),
+    "N": Unit("force", 1.0), "kN": Unit("force", 1e3), "MN": Unit("force", 1e6),
     "W": Unit("power", 1.0), "kW": Unit("power", 1e3), "MW": Unit("power", 1e6),
-    **dict.fromkeys(("MPa", "N/mm^2"), Unit("stress", 1e6)), "Pa": Unit("stress", 1.0),
-    **dict.fromkeys(("C", "degC", "\u00b0C"), Unit("temperature", 1.0)),
-    "h": Unit("time", 3600.0), "s": Unit("time", 1.0),
-    "kg": Unit("mass", 1.0), "kg/dm^3": Unit("density", 1e3), "kg/m^3": Unit("density", 1.0),
-    "mm^2/s": Unit("viscosity", 1e-6), "N/m": Unit("stiffness", 1.0),
+    **dict.fromkeys(("MPa", "N/mm^2"), Unit("stress", 1e6)), "Pa": Unit("stress", 1.0), "GPa": Unit("stress", 1e9),
+    **dict.fromkeys(("C", "degC", "\u00b0C"), Unit("temperature", 1.0)), "K": Unit("temperature", 1.0, -273.15),
+    "h": Unit("time", 3600.0), "min": Unit("time", 60.0), "s": Unit("time", 1.0),
+    "kg": Unit("mass", 1.0), "g": Unit("mass", 1e-3), "t": Unit("mass", 1e3),
+    **dict.fromkeys(("kg/dm^3", "g/cm^3"), Unit("density", 1e3)), "kg/m^3": Unit("density", 1.0),
+    **dict.fromkeys(("mm^2/s", "cSt"), Unit("viscosity", 1e-6)), "m^2/s": Unit("viscosity", 1.0),
+    "N/m": Unit("stiffness", 1.0), "N/mm": Unit("stiffness", 1e3), **dict.fromkeys(("N/mum", "N/um", "kN/mm"), Unit("stiffness", 1e6)),
 }
-# Unit of each quantity as a case states it.
-OURS = {"number": ("", 1.0), "length": ("mm", 1e-3), "angle": ("deg", math.pi / 180.0),
-        "rotation": ("rpm", math.pi / 30.0), "torque": ("N.m", 1.0), "force": ("kN", 1e3), "power": ("kW", 1e3),
-        "stress": ("GPa", 1e9), "temperature": ("degC", 1.0), "time": ("h", 3600.0), "mass": ("kg", 1.0),
-        "density": ("kg/m3", 1.0), "viscosity": ("mm2/s", 1e-6), "stiffness": ("N/m", 1.0)}
+# Units in which a case and the figures of the report state SI.
+OURS = {"": 1.0, "mm": 1e-3, "um": 1e-6, "deg": _DEGREE, "rpm": _RPM, "kN": 1e3, "kW": 1e3, "GPa": 1e9, "degC": 1.0, "h": 3600.0, "kg": 1.0,
+        "kg/m3": 1.0, "N/m": 1.0}
 
 
 @dataclass(frozen=True)
@@ -55,6 +63,7 @@ class Known:
     names: tuple[str, ...]
     unit: str
     components: tuple[str, ...]
+    whole: bool = False  # a count
 
 
 GEARS = ("cylindrical_gear", "ring_gear")
@@ -65,7 +74,7 @@ BEARINGS = (*CATALOGUE, "concept_bearing")
 ROW, ELEMENT = ("rolling_bearing_row",), ("rolling_element",)
 
 KNOWN = {
-    "teeth": Known(("number_of_teeth",), "none", GEARS),
+    "teeth": Known(("number_of_teeth",), "none", GEARS, whole=True),
     "module": Known(("normal_module",), "mm", GEARS),
     "helix": Known(("helix_angle_reference_diameter",), "deg", GEARS),
     "face_width": Known(("face_width",), "mm", GEARS),
@@ -111,7 +120,7 @@ KNOWN = {
     "designation": Known(("catalogue_designation", "name"), "none", CATALOGUE),
     "bearing_type": Known(("bearing_type",), "none", CATALOGUE),
     "manufacturer": Known(("manufacturer",), "none", CATALOGUE),
-    "rows": Known(("number_of_bearing_rows",), "none", CATALOGUE),
+    "rows": Known(("number_of_bearing_rows",), "none", CATALOGUE, whole=True),
     "bore": Known(("inner_diameter",), "mm", BEARINGS),
     "outside": Known(("outer_diameter",), "mm", BEARINGS),
     "width": Known(("width",), "mm", BEARINGS),
@@ -123,6 +132,9 @@ KNOWN = {
     "dynamic_capacity": Known(("radial_dynamic_load_rating", "dynamic_capacity"), "kN", CATALOGUE),
     "static_capacity": Known(("radial_static_load_rating", "static_capacity"), "kN", CATALOGUE),
     "fatigue_limit": Known(("fatigue_limit_load",), "kN", CATALOGUE),
+    "catalogue_e": Known(("catalogue_value_e",), "none", CATALOGUE),
+    "catalogue_y1": Known(("axial_factor_y_1",), "none", CATALOGUE),
+    "catalogue_y2": Known(("axial_factor_y_2",), "none", CATALOGUE),
     "operating_clearance": Known(("operating_radial_bearing_clearance", "radial_backlash"), "mum", CATALOGUE),
     "mounted_clearance": Known(("mounted_radial_bearing_clearance",), "mum", CATALOGUE),
     "shelf_clearance": Known(("radial_bearing_clearance",), "mum", CATALOGUE),
@@ -138,7 +150,7 @@ KNOWN = {
     "axial_sense": Known(("axial_force_absorption",), "none", BEARINGS),
     "inner_speed": Known(("speed_inner_ring",), "1 / min", CATALOGUE),
     "outer_speed": Known(("speed_outer_ring",), "1 / min", CATALOGUE),
-    "elements": Known(("number_of_rolling_elements",), "none", ROW),
+    "elements": Known(("number_of_rolling_elements",), "none", ROW, whole=True),
     "pitch_diameter": Known(("reference_diameter_rolling_bearing", "reference_diameter"), "mm", ROW),
     "contact_angle": Known(("pressure_angle",), "deg", ROW),
     "inner_groove": Known(("raceway_radius_of_inner_ring", "running_path_radius_of_inner_ring"), "mm", ROW),
@@ -152,7 +164,7 @@ KNOWN = {
 
 
 class Reading(NamedTuple):
-    """A number in the unit of a case, and the attribute that states it; without a number, why there is none."""
+    """A number in SI and the attribute that states it; without a number, why there is none."""
 
     number: Optional[float]
     attribute: Optional[Attribute]
@@ -173,19 +185,42 @@ def attribute_of(component: Component, name: str) -> Optional[Attribute]:
     return None
 
 
+def in_unit(value: float, unit: str) -> float:
+    """A number in SI in a unit of a case or of the report."""
+    return value / OURS[unit]
+
+
+def same_number(one: float, other: float) -> bool:
+    """Whether two numbers are equal but for the round-off of their units."""
+    return math.isclose(one, other, rel_tol=SAME_NUMBER, abs_tol=0.0)
+
+
+def is_number(value: object) -> bool:
+    """Whether a value of a file is a number that can be used."""
+    return isinstance(value, (int, float)) and not isinstance(value, bool) and abs(value) <= LARGEST
+
+
 def number_of(component: Component, name: str) -> Reading:
-    """A number in the unit of a case."""
-    attribute = attribute_of(component, name)
+    """A number in SI; a count as a whole number."""
+    known, attribute = KNOWN[name], attribute_of(component, name)
     if attribute is None:
         return Reading(None, None)
-    if isinstance(attribute.value, bool) or not isinstance(attribute.value, (int, float)) or not abs(attribute.value) <= LARGEST:
+    if not is_number(attribute.value):
         return Reading(None, attribute, f"found {str(attribute.value)[:40]!r}; a number with a decimal point is required")
-    wanted, found = unit_of(KNOWN[name].unit), unit_of(attribute.unit)
+    wanted, found = unit_of(known.unit), unit_of(attribute.unit)
     if found is None or found.quantity != wanted.quantity:
-        return Reading(None, attribute, f"its unit '{attribute.unit}' is none of this quantity; '{KNOWN[name].unit}' is required")
-    scale = found.factor / OURS[wanted.quantity][1]
-    number = attribute.value * scale if scale != 1.0 else attribute.value
-    return Reading(float(number) + 0.0, attribute)  # -0.0 + 0.0 is 0.0
+        return Reading(None, attribute, f"its unit '{attribute.unit}' is none of this quantity; '{known.unit}' is required")
+    if known.whole:
+        return _count(attribute, attribute.value * found.factor)
+    number = attribute.value * found.factor if found.factor != 1.0 else attribute.value
+    return Reading(float(number) + found.offset + 0.0, attribute)  # -0.0 + 0.0 is 0.0
+
+
+def _count(attribute: Attribute, value: float) -> Reading:
+    nearest = round(value)
+    if abs(value - nearest) > WHOLE:
+        return Reading(None, attribute, f"found {value:.10g}; a whole number is required")
+    return Reading(nearest, attribute)
 
 
 def text_of(component: Component, name: str) -> str:
@@ -202,10 +237,19 @@ def is_true(component: Component, name: str) -> Optional[bool]:
     return attribute.value if isinstance(attribute.value, bool) else {"true": True, "false": False}.get(str(attribute.value).strip().lower())
 
 
-def vector_of(component: Component, name: str) -> Optional[list[float]]:
-    """A vector of three numbers, or None."""
-    attribute = component.attributes.get(name)
+def _vector(attribute: Optional[Attribute]) -> Optional[list[float]]:
     value = attribute.value if attribute is not None else None
-    if isinstance(value, list) and len(value) == 3 and all(isinstance(one, (int, float)) and not isinstance(one, bool) for one in value):
-        return [float(one) for one in value]
-    return None
+    return [float(one) for one in value] if isinstance(value, list) and len(value) == 3 and all(map(is_number, value)) else None
+
+
+def direction_of(component: Component, name: str) -> Optional[list[float]]:
+    """A direction in space, which has no unit; None where it has no length."""
+    vector = _vector(component.attributes.get(name))
+    return vector if vector and any(vector) else None
+
+
+def place_of(component: Component) -> Optional[list[float]]:
+    """Where a component is in space [m], or None."""
+    attribute = component.attributes.get("support_vector")
+    vector, unit = _vector(attribute), unit_of(attribute.unit) if attribute is not None else None
+    return [one * unit.factor for one in vector] if vector and unit and unit.quantity == "length" else None

@@ -6,11 +6,12 @@ import math
 import re
 from typing import Iterable, Optional
 
-from orbearing.rexs.geometry import Teeth, crown_drop_um
+from orbearing.rexs.geometry import Teeth, crown_drop
 from orbearing.rexs.ledger import Draft, Ledger
 from orbearing.rexs.model import Attribute, Component, Model
-from orbearing.rexs.names import BEARINGS, attribute_of, number_of, text_of
-from orbearing.rexs.writing import quantity
+from orbearing.rexs.names import BEARINGS, attribute_of, number_of, same_number, text_of
+from orbearing.rexs.places import Places
+from orbearing.rexs.writing import number_in, quantity
 
 ISO_GRADES = (7, 10, 15, 22, 32, 46, 68, 100, 150, 220, 320, 460, 680, 1000, 1500, 2200, 3200)
 GRADE_BAND = 0.1  # ISO 3448: the viscosity at 40 degC lies within a tenth of its grade
@@ -26,13 +27,15 @@ Origin = tuple[Component, Optional[Attribute]]
 
 
 class Source:
-    """A model with the report of what is taken from it."""
+    """A model with the report of what is taken from it; `load_cases`: the model while each load acts."""
 
     def __init__(self, model: Model, ledger: Ledger, text: str):
         self.model, self.ledger, self.text = model, ledger, text
+        self.places = Places(model)
+        self.load_cases = [(one, model.with_load_case(one)) for one in model.load_cases]
 
     def number(self, component: Optional[Component], name: str) -> tuple[Optional[float], Origin]:
-        """A number and where it stands; what cannot be read is told."""
+        """A number in SI and where it stands; what cannot be read is told."""
         if component is None:
             return None, (None, None)
         reading = number_of(component, name)
@@ -68,9 +71,9 @@ class Source:
             return None, []
         value = found[0][0]
         for other, (component, attribute) in found[1:]:
-            if other != value:
-                self.ledger.leave(component, attribute, "differs from the other flank; a case has one value for both")
-        return value, [origin for other, origin in found if other == value]
+            if not same_number(other, value):
+                self.ledger.contradict(component, attribute, "differs from the other flank; a case has one value for both")
+        return value, [origin for other, origin in found if same_number(other, value)]
 
     def shift(self, gear: Component, module: float) -> tuple[Optional[float], list[Origin]]:
         """The profile shift in modules, with the file's sign."""
@@ -88,9 +91,33 @@ def common(source: Source, gears: Iterable[Component], name: str) -> tuple[Optio
         return None, []
     first = found[0][0]
     for value, (component, attribute) in found:
-        if value != first:
-            source.ledger.leave(component, attribute, f"differs from component {found[0][1][0].id}; a case has one value for all gears")
-    return first, [origin for value, origin in found if value == first]
+        if not same_number(value, first):
+            source.ledger.contradict(component, attribute, f"differs from component {found[0][1][0].id}; a case has one value for all gears")
+    return first, [origin for value, origin in found if same_number(value, first)]
+
+
+def unlike_modules(source: Source, gears: Iterable[Component]) -> str:
+    """Why gears cannot mesh; empty where their modules are equal, or one alone is stated."""
+    found = [(gear, value) for gear, (value, _) in ((gear, source.number(gear, "module")) for gear in gears) if value is not None]
+    other = next(((gear, value) for gear, value in found if not same_number(value, found[0][1])), None)
+    if other is None:
+        return ""
+    return (f"component {found[0][0].id} has a normal module of {quantity(found[0][1], 'mm')}, component {other[0].id} of {quantity(other[1], 'mm')}: "
+            "gears that mesh have one module")
+
+
+def pressure_angle(source: Source, draft: Draft, block: str, gears: Iterable[Component]) -> float:
+    """The normal pressure angle [rad] of the gears, put into the case; 20 degrees where no flank states it."""
+    found = [(value, origin) for value, origins in (source.of_flanks(gear, "pressure_angle") for gear in gears) if value is not None for origin in origins]
+    if not found:
+        source.ledger.miss(draft.name, f"{block}.pressure_angle", "pressure_angle", None, "no flank states it", "20 deg")
+        return math.radians(20.0)
+    value, (first, _) = found[0]
+    for other, origin in found:
+        if not same_number(other, value):
+            source.ledger.contradict(*origin, f"differs from component {first.id}; gears that mesh have one pressure angle")
+    draft.put(f"{block}.pressure_angle", quantity(value, "deg"), *(origin for other, origin in found if same_number(other, value)))
+    return value
 
 
 def narrowest(source: Source, gears: Iterable[Component]) -> tuple[Optional[float], list[Origin]]:
@@ -100,9 +127,9 @@ def narrowest(source: Source, gears: Iterable[Component]) -> tuple[Optional[floa
         return None, []
     least = min(value for value, _ in found)
     for value, (component, attribute) in found:
-        if value > least:
+        if not same_number(value, least):
             source.ledger.leave(component, attribute, "wider than its mate; a case has the common face width")
-    return least, [origin for value, origin in found if value == least]
+    return least, [origin for value, origin in found if same_number(value, least)]
 
 
 class Heights:
@@ -159,7 +186,7 @@ def put_heights(source: Source, draft: Draft, block: str, heights: dict[str, Hei
             draft.put(f"{block}.{what}", first, *(origin for one in origins.values() for origin in one))
         elif block == "pair":
             for name, value in stated.items():
-                if value != first:
+                if abs(value - first) >= 1e-6:
                     for origin in origins[name]:
                         source.ledger.leave(*origin, f"gives {value:.4g}; a pair has one {what} for both gears")
             draft.put(f"{block}.{what}", first, *next(iter(origins.values())))
@@ -181,9 +208,9 @@ def put_fillet(source: Source, draft: Draft, block: str, gears: Iterable[Compone
         else:
             found.append((value, origin))
     if found:
-        draft.put(f"{block}.root_fillet_radius", found[0][0], *(origin for value, origin in found if value == found[0][0]))
+        draft.put(f"{block}.root_fillet_radius", found[0][0], *(origin for value, origin in found if same_number(value, found[0][0])))
         for value, origin in found:
-            if value != found[0][0]:
+            if not same_number(value, found[0][0]):
                 source.ledger.leave(*origin, "differs from the other gear's tool; a case has one rack")
     else:
         source.ledger.miss(draft.name, f"{block}.root_fillet_radius", "tool_tip_radius", None, "no rack-shaped tool states it", 0.38)
@@ -207,7 +234,7 @@ def lubricant_of(source: Source, users: Iterable[Component]) -> Optional[Compone
     return None
 
 
-def put_oil(source: Source, draft: Draft, users: Iterable[Component], load_cases: list[Model]) -> None:
+def put_oil(source: Source, draft: Draft, users: Iterable[Component]) -> None:
     """Grade and temperature of the oil."""
     users = list(users)
     oil = lubricant_of(source, users)
@@ -215,7 +242,7 @@ def put_oil(source: Source, draft: Draft, users: Iterable[Component], load_cases
         source.ledger.miss(draft.name, "lubricant.grade", "viscosity_40", None, "no component refers to a lubricant", "the default oil")
         return
     viscosity, origin = source.number(oil, "viscosity_40")
-    grade = next((one for one in ISO_GRADES if viscosity is not None and abs(viscosity / one - 1.0) <= GRADE_BAND), None)
+    grade = next((one for one in ISO_GRADES if viscosity is not None and abs(viscosity / (1e-6 * one) - 1.0) <= GRADE_BAND), None)
     if grade is None:
         source.ledger.miss(draft.name, "lubricant.grade", "viscosity_40", oil, "the viscosity at 40 degC is that of no grade of ISO 3448", "the default oil")
         return
@@ -226,16 +253,29 @@ def put_oil(source: Source, draft: Draft, users: Iterable[Component], load_cases
     holders = [*source.model.of_type("gear_casing"), *users]
     stated = [(value, origin) for value, origin in (source.number(one, "oil_temperature") for one in holders) if value is not None]
     if not stated:
-        stated = [(value, (None, None)) for model in load_cases for value in
-                  [number_of(one, "oil_temperature").number for one in model.of_type("gear_casing")] if value is not None]
-        stated = sorted(stated, key=lambda one: -one[0])[:1]  # the thinnest oil
+        stated = _thinnest_oil(source, draft, holders)
     if stated:
-        draft.put("lubricant.temperature", quantity(stated[0][0], "degC"), *(one for value, one in stated if value == stated[0][0]))
+        draft.put("lubricant.temperature", quantity(stated[0][0], "degC"), *(one for value, one in stated if same_number(value, stated[0][0])))
         for value, one in stated:
-            if value != stated[0][0]:
+            if not same_number(value, stated[0][0]):
                 source.ledger.leave(*one, "differs from the casing's; a case has one temperature of the oil")
     else:
         source.ledger.miss(draft.name, "lubricant.temperature", "oil_temperature", None, "no component states it", "70 degC")
+
+
+def _thinnest_oil(source: Source, draft: Draft, holders: list[Component]) -> list[tuple]:
+    """The highest temperature of all load cases."""
+    found = [(number_of(model.components[one.id], "oil_temperature"), load_case.id, one) for load_case, model in source.load_cases for one in holders]
+    found = [(reading, *more) for reading, *more in found if reading.number is not None]
+    if not found:
+        return []
+    hottest = max(reading.number for reading, *_ in found)
+    for reading, load_case, component in found:
+        if same_number(reading.number, hottest):
+            draft.put_of_load_case("lubricant.temperature", load_case, component, reading.attribute)
+        else:
+            source.ledger.leave(component, reading.attribute, "cooler than in another load case; a case has one temperature of the oil", load_case)
+    return [(hottest, (None, None))]
 
 
 def put_life(source: Source, draft: Draft, bearing: Component) -> None:
@@ -256,7 +296,7 @@ def rows_of(source: Source, bearing: Component) -> list[Component]:
 def row_count(source: Source, bearing: Component) -> int:
     """How many rows a bearing has."""
     value, _ = source.number(bearing, "rows")
-    return max(int(value or 0), len(rows_of(source, bearing)), 1)
+    return max(value or 0, len(rows_of(source, bearing)), 1)
 
 
 def designation_of(bearing: Component) -> tuple[str, str]:
@@ -284,13 +324,22 @@ class Inside:
         """Sizes where all are stated, else the designation; ratings in both cases."""
         if not self._put_sizes():
             self._put_designation()
-        for name, path in (("bore", "bearing.bore"), ("outside", "bearing.outside_diameter"), ("width", "bearing.width")):
-            value, origin = self.source.number(self.bearing, name)
-            if value is not None and value > 0.0 and "bearing.designation" not in self.draft.values:
-                self.draft.put(path, quantity(value, "mm"), origin)
+        self._put_rings()
         if row_count(self.source, self.bearing) == 1:
             self._put_ratings()
         self._put_clearance()
+
+    def _put_rings(self) -> None:
+        """Bore, outside diameter and the width of one row, where neither a designation nor the balls stand for them."""
+        rows = row_count(self.source, self.bearing)
+        for name, path in (("bore", "bearing.bore"), ("outside", "bearing.outside_diameter"), ("width", "bearing.width")):
+            value, origin = self.source.number(self.bearing, name)
+            if value is None or value <= 0.0 or "bearing.designation" in self.draft.values:
+                continue
+            if "bearing.balls" in self.draft.values:
+                self.source.ledger.leave(*origin, "a ball-bearing with the sizes of its balls takes none of its rings")
+            else:
+                self.draft.put(path, quantity(value / rows if name == "width" else value, "mm"), origin)
 
     def _put_ratings(self) -> None:
         for name, path in (("dynamic_capacity", "bearing.dynamic_capacity"), ("static_capacity", "bearing.static_capacity"),
@@ -303,9 +352,9 @@ class Inside:
         number, counted = self.source.number(self.row, "elements")
         diameter, sized = self.source.number(self.element, "element_diameter")
         pitch, placed = self.source.number(self.row, "pitch_diameter")
-        if not number or not diameter or not pitch:
+        if min(number or 0, diameter or 0.0, pitch or 0.0) <= 0:
             return False
-        self.draft.put("bearing.balls" if self.balls else "bearing.rollers", int(number), counted)
+        self.draft.put("bearing.balls" if self.balls else "bearing.rollers", number, counted)
         self.draft.put("bearing.ball_diameter" if self.balls else "bearing.roller_diameter", quantity(diameter, "mm"), sized)
         self.draft.put("bearing.pitch_diameter", quantity(pitch, "mm"), placed)
         if self.balls:
@@ -332,7 +381,7 @@ class Inside:
         length, whole = self.source.number(self.element, "element_length")
         if stated:
             shortest = min(value for value, _ in stated)
-            self.draft.put("bearing.roller_length", quantity(shortest, "mm"), *(origin for value, origin in stated if value == shortest))
+            self.draft.put("bearing.roller_length", quantity(shortest, "mm"), *(origin for value, origin in stated if same_number(value, shortest)))
             self.source.ledger.leave(*whole, "the length of contact is stated, and a case takes that")
         elif length:
             self.draft.put("bearing.roller_length", quantity(length, "mm"), whole)
@@ -340,9 +389,10 @@ class Inside:
 
     def _put_crown(self, length: float) -> None:
         radius, origin = self.source.number(self.element, "crown_radius")
-        if radius and length and crown_drop_um(radius, length) > 0.0:
+        drop = crown_drop(radius, length, CROWN_LAMINAE) if radius and length else 0.0
+        if drop > 0.0:
             self.draft.put("bearing.profile.kind", "circular", origin)
-            self.draft.put("bearing.profile.drop", quantity(round(crown_drop_um(radius, length), 9), "um"), origin)
+            self.draft.put("bearing.profile.drop", quantity(round(drop, 15), "um"), origin)
             self.draft.put("bearing.laminae", CROWN_LAMINAE)
 
     def _put_designation(self) -> None:
@@ -360,28 +410,31 @@ class Inside:
         for name in ("operating_clearance", "mounted_clearance", "shelf_clearance"):
             value, origin = self.source.number(self.bearing, name)
             if value is not None:
-                self.draft.put("bearing.radial_clearance", quantity(1e3 * value, "um"), origin)
+                self.draft.put("bearing.radial_clearance", quantity(value, "um"), origin)
                 if name == "shelf_clearance":
                     self.source.ledger.miss(self.draft.name, "bearing.radial_clearance", "operating_clearance", self.bearing,
-                                            "the file states the clearance before mounting alone", quantity(1e3 * value, "um"))
+                                            "the file states the clearance before mounting alone", quantity(value, "um"))
                 return
         least, most = (self.source.number(self.bearing, name) for name in ("least_clearance", "most_clearance"))
         if least[0] is not None and most[0] is not None:
-            self.draft.put("bearing.radial_clearance", quantity(500.0 * (least[0] + most[0]), "um"), least[1], most[1])
+            self.draft.put("bearing.radial_clearance", quantity(0.5 * (least[0] + most[0]), "um"), least[1], most[1])
             return
         attribute = attribute_of(self.bearing, "clearance_class")
-        if attribute is not None and str(attribute.value) in CLASSES:
+        if attribute is not None and "bearing.balls" in self.draft.values:
+            self.source.ledger.leave(self.bearing, attribute, "a class of clearance requires a designation; a ball-bearing with the sizes of its balls takes "
+                                                              "a clearance in micrometres")
+        elif attribute is not None and str(attribute.value) in CLASSES:
             self.draft.put("bearing.clearance_class", CLASSES[str(attribute.value)], (self.bearing, attribute))
 
 
 def filler(source: Source, bearing: Optional[Component]):
     """A function that assumes what REXS has no attribute for, or what the file left out, so that a case is whole."""
 
-    def fill(draft: Draft, missing: list[str]) -> bool:
+    def fill(draft: Draft, missing: list[str], refused: set[str]) -> bool:
         filled = False
         for key in missing:
             path, text, reason = _assumption(draft, key)
-            if text and path not in draft.values:
+            if text and path not in draft.values and path not in refused:
                 draft.assume(path, text, reason)
                 source.ledger.miss(draft.name, path, "shelf_clearance" if "clearance" in path else "", bearing, reason, text)
                 filled = True
@@ -393,10 +446,9 @@ def filler(source: Source, bearing: Optional[Component]):
 def _assumption(draft: Draft, path: str) -> tuple[str, str, str]:
     """What to put for a missing path: path, text and reason; an empty text where nothing can be assumed."""
     def length(key: str) -> Optional[float]:
-        text = draft.values.get(key)
-        return float(str(text).split()[0]) if text is not None else None
+        return number_in(draft.values[key]) if key in draft.values else None
 
-    if path == "bearing.radial_clearance":
+    if path == "bearing.radial_clearance" and "bearing.balls" not in draft.values:
         return "bearing.clearance_class", "CN", "the file states no clearance: the normal class"
     if path == "bearing.cage.density":
         return "bearing.cage.material", "polyamide", "REXS describes no cage: the usual material"

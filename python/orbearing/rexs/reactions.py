@@ -15,13 +15,14 @@ import numpy as np
 from orbearing.rexs.drive import SMALL, Drive, determined, gears_of, shaft_of
 from orbearing.rexs.geometry import Teeth
 from orbearing.rexs.model import Component, Model
-from orbearing.rexs.names import number_of, text_of, vector_of
+from orbearing.rexs.names import direction_of, number_of, place_of, text_of
 from orbearing.rexs.parts import is_bearing
+from orbearing.rexs.places import Places
 
 
 @dataclass(frozen=True)
 class Force:
-    """A force [N] on a shaft at a place along it [mm], and moments about v and w [N mm]."""
+    """A force [N] on a shaft at a place along it [m], and moments about v and w [N m]."""
 
     shaft: int
     place: float
@@ -32,7 +33,7 @@ class Force:
     moment_w: float = 0.0
 
 
-def _mesh_forces(drive: Drive, model: Model) -> Iterator[Optional[Force]]:
+def _mesh_forces(drive: Drive, places: Places, model: Model) -> Iterator[Optional[Force]]:
     """Forces of each external pair on its shafts; None where they do not follow from the file."""
     for mesh in model.of_type("cylindrical_stage"):
         gears = gears_of(model, mesh)
@@ -40,14 +41,15 @@ def _mesh_forces(drive: Drive, model: Model) -> Iterator[Optional[Force]]:
             yield None
             continue
         for gear, mate in (gears, gears[::-1]):
-            yield _gear_force(drive, model, mesh, gear, mate)
+            yield _gear_force(drive, places, model, mesh, gear, mate)
 
 
-def _gear_force(drive: Drive, model: Model, mesh: Component, gear: Component, mate: Component) -> Optional[Force]:
+def _gear_force(drive: Drive, places: Places, model: Model, mesh: Component, gear: Component, mate: Component) -> Optional[Force]:
     torque, shaft = drive.mesh_torque(mesh, gear), shaft_of(model, gear)
-    here, there = vector_of(gear, "support_vector"), vector_of(mate, "support_vector")
-    numbers = {name: number_of(gear, name).number for name in ("teeth", "module", "helix", "gear_place")}
-    if torque is None or shaft is None or not here or not there or None in numbers.values():
+    here, there = place_of(gear), place_of(mate)
+    numbers = {name: number_of(gear, name).number for name in ("teeth", "module", "helix")}
+    place = places.along(gear, shaft, "gear_place")
+    if torque is None or shaft is None or not here or not there or place is None or None in numbers.values():
         return None
     across = np.array([there[1] - here[1], there[2] - here[2]])
     distance = float(np.hypot(*across))
@@ -56,44 +58,50 @@ def _gear_force(drive: Drive, model: Model, mesh: Component, gear: Component, ma
         return None
     teeth = Teeth(numbers["module"], _angle(model, gear), numbers["helix"])
     pitch_radius = distance * numbers["teeth"] / (numbers["teeth"] + mate_teeth)
+    if pitch_radius <= 0.0:
+        return None
     reference_radius = 0.5 * teeth.reference_diameter(numbers["teeth"])
     towards = across / distance
     around = np.array([-towards[1], towards[0]])
-    tangential = 1e3 * torque / pitch_radius
+    tangential = torque / pitch_radius
     ratio = reference_radius * math.cos(teeth.transverse_angle) / pitch_radius
     if not 0.0 < ratio:
         return None
     radial = abs(tangential) * math.tan(math.acos(min(ratio, 1.0)))
-    axial = -1e3 * torque / reference_radius * math.tan(math.radians(numbers["helix"]))
+    axial = -torque / reference_radius * math.tan(numbers["helix"])
     v, w = tangential * around - radial * towards
     # The axial force acts at the pitch point: r x F = (v r, w r) x (F along u).
-    return Force(shaft.id, numbers["gear_place"], axial, float(v), float(w), pitch_radius * towards[1] * axial, -pitch_radius * towards[0] * axial)
+    return Force(shaft.id, place, axial, float(v), float(w), pitch_radius * towards[1] * axial, -pitch_radius * towards[0] * axial)
 
 
 def _angle(model: Model, gear: Component) -> float:
+    """[rad]"""
     for relation in model.related("flank", gear=gear.id):
-        flank = model.components.get(relation.part("left") or -1)
-        angle = number_of(flank, "pressure_angle").number if flank is not None else None
-        if angle is not None:
-            return angle
-    return 20.0
+        for side in ("left", "right"):
+            flank = model.components.get(relation.part(side) or -1)
+            angle = number_of(flank, "pressure_angle").number if flank is not None else None
+            if angle is not None:
+                return angle
+    return math.radians(20.0)
 
 
-def _external_forces(model: Model) -> Iterator[Force]:
+def _external_forces(model: Model) -> Iterator[Optional[Force]]:
+    """Forces that the file states on shafts; None where one cannot be read or acts nowhere."""
     for relation in model.related("assembly"):
         shaft, load = (model.components.get(relation.part(role) or -1) for role in ("assembly", "part"))
         if shaft is None or load is None or shaft.type != "shaft" or load.type != "external_load":
             continue
-        u, v, w, torque_v, torque_w = (number_of(load, f"load_{name}").number or 0.0
-                                       for name in ("force_u", "force_v", "force_w", "torque_v", "torque_w"))
-        place = number_of(load, "load_place").number
-        if place is not None:
-            yield Force(shaft.id, place, u, v, w, 1e3 * torque_v, 1e3 * torque_w)
+        read = [number_of(load, f"load_{name}") for name in ("force_u", "force_v", "force_w", "torque_v", "torque_w", "place")]
+        u, v, w, torque_v, torque_w, place = (one.number or 0.0 for one in read)
+        if any(one.problem for one in read) or (read[-1].number is None and (v or w)):
+            yield None
+        else:
+            yield Force(shaft.id, place, u, v, w, torque_v, torque_w)
 
 
 @dataclass(frozen=True)
 class Support:
-    """A bearing between a shaft and the casing, or another shaft; places along each [mm]."""
+    """A bearing between a shaft and the casing, or another shaft; places along each [m]."""
 
     bearing: Component
     inner: Component
@@ -102,26 +110,34 @@ class Support:
     outer_place: float
 
 
-def _supports(model: Model) -> Optional[list[Support]]:
+def _supports(places: Places, model: Model) -> Optional[list[Support]]:
     """All bearings between shafts and casing; None where one has no place."""
     found = []
     for relation in model.related("side"):
         bearing, inner, outer = (model.components.get(relation.part(role) or -1) for role in ("assembly", "inner_part", "outer_part"))
         if not is_bearing(bearing) or inner is None or outer is None:
             continue
-        places = [number_of(bearing, f"{side}_place").number for side in ("inner", "outer")]
-        if places[0] is None or (outer.type == "shaft" and places[1] is None):
+        inner_place, outer_place = places.along(bearing, inner, "inner_place"), places.along(bearing, outer, "outer_place")
+        if inner_place is None or (outer.type == "shaft" and outer_place is None):
             return None
-        found.append(Support(bearing, inner, places[0], outer, places[1] or 0.0))
+        found.append(Support(bearing, inner, inner_place, outer, outer_place or 0.0))
     return found
 
 
-def bearing_forces(drive: Drive, model: Model) -> dict[int, tuple[float, float]]:
-    """Radial and axial force [kN] of each bearing whose forces follow from statics alone, at the loads of drive.members(model)."""
-    supports = _supports(model)
-    forces = [*_mesh_forces(drive, model), *_external_forces(model)]
-    turned = any((vector_of(shaft, "u_axis_vector") or [1.0])[0] < 0.0 for shaft in model.of_type("shaft"))
-    if not supports or None in forces or turned:
+@dataclass(frozen=True)
+class BearingForce:
+    """What a bearing carries."""
+
+    radial: float  # [N]
+    axial: float  # [N]
+
+
+def bearing_forces(drive: Drive, places: Places, model: Model) -> dict[int, BearingForce]:
+    """Force of each bearing that follows from statics alone, at the loads of drive.members(model)."""
+    supports = _supports(places, model)
+    forces = [*_mesh_forces(drive, places, model), *_external_forces(model)]
+    turned = any((direction_of(shaft, "u_axis_vector") or [1.0])[0] < 0.0 for shaft in model.of_type("shaft"))
+    if not supports or None in forces or turned or not any(force.u or force.v or force.w or force.moment_v or force.moment_w for force in forces):
         return {}
     shafts = [shaft.id for shaft in model.of_type("shaft")]
     matrix, wanted = np.zeros((4 * len(shafts), 2 * len(supports))), np.zeros(4 * len(shafts))
@@ -137,7 +153,7 @@ def bearing_forces(drive: Drive, model: Model) -> dict[int, tuple[float, float]]
         return {}
     sure = determined(matrix)
     axial = _axial(supports, forces)
-    return {support.bearing.id: (1e-3 * math.hypot(solution[2 * i], solution[2 * i + 1]), 1e-3 * axial.get(support.bearing.id, 0.0))
+    return {support.bearing.id: BearingForce(math.hypot(solution[2 * i], solution[2 * i + 1]), axial.get(support.bearing.id, 0.0))
             for i, support in enumerate(supports) if sure[2 * i] and sure[2 * i + 1]}
 
 

@@ -6,8 +6,10 @@ import base64
 import io
 import json
 import re
+import shutil
 import struct
 import xml.etree.ElementTree as ElementTree
+import xml.parsers.expat as expat
 import zipfile
 from pathlib import Path
 from typing import Any, Iterable
@@ -16,8 +18,13 @@ from orbearing.errors import CaseError
 from orbearing.rexs.model import Attribute, Component, LoadCase, Model, Relation
 
 REQUIRED = "a REXS file is required: XML (.rexs), JSON (.rexsj) or ZIP (.rexsz), version 1.0 to 2.0"
-NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
-LARGEST_BYTES = 512 * 1024 * 1024  # of a model in a ZIP file
+NUMBER = re.compile(r"[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?")
+IDENTITY = re.compile(r"\s*[0-9]{1,18}\s*")
+# Strings, brackets and nothing else of a JSON text.
+JSON_TOKEN = re.compile(r'"(?:[^"\\]|\\.)*"|[\[\]{}]', re.S)
+HALF_PAIR = re.compile("[\ud800-\udfff]")
+LARGEST_BYTES = 512 * 1024 * 1024  # of a model in a ZIP file, and of all that stands beside it where that is packed again
+DEEPEST = 100  # elements or brackets within each other; a model has ten
 CODES = {"int32": "i", "float32": "f", "float64": "d"}
 NEWEST_MAJOR = 2
 LISTS = ("support_vector", "u_axis_vector", "w_axis_vector", "is_engaged")  # attributes with several values
@@ -25,11 +32,11 @@ MODEL_NAMES = (".rexs", ".rexs.xml", ".rexsj", ".rexs.json")
 
 
 class _Fault(Exception):
-    """What is wrong inside the file, with its line and column where they are known."""
+    """What is wrong inside the file, with its line and column where they are known; `identity`: the id that is none."""
 
-    def __init__(self, text: str, line: int = 1, column: int = 1):
+    def __init__(self, text: str, line: int = 1, column: int = 1, identity: Any = ...):
         super().__init__(text)
-        self.line, self.column = line, column
+        self.line, self.column, self.identity = line, column, identity
 
 
 def form_of(content: bytes) -> str:
@@ -58,16 +65,46 @@ def unpacked(content: bytes) -> tuple[bytes, str]:
             if archive.getinfo(name).file_size > LARGEST_BYTES:
                 raise _Fault(f"found a model of more than {LARGEST_BYTES // 1024 ** 2} MB in a ZIP file; a smaller one is required")
             return archive.read(name), name
-    except (zipfile.BadZipFile, RuntimeError, NotImplementedError, EOFError) as error:
+    except (_Fault, MemoryError):
+        raise
+    except Exception as error:  # each reader of a compression has errors of its own
         raise _Fault(f"found a ZIP file that cannot be read ({error}); {REQUIRED}") from error
+
+
+def packed(file: Path, content: bytes, member: str, model: bytes) -> bytes:
+    """The archive with another model; the others, as large as LARGEST_BYTES together, are copied piece by piece."""
+    out = io.BytesIO()
+    with zipfile.ZipFile(io.BytesIO(content)) as old, zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED) as new:
+        others = [info for info in old.infolist() if info.filename != member]
+        if sum(info.file_size for info in others) > LARGEST_BYTES:
+            raise CaseError(f"{file}:1:1: found {sum(info.file_size for info in others) / 1024 ** 2:.0f} MB beside the model in a ZIP file; at most "
+                            f"{LARGEST_BYTES // 1024 ** 2} MB are packed again: take the model '{member}' out of the archive and convert that")
+        for info in old.infolist():
+            kept = zipfile.ZipInfo(info.filename, info.date_time)
+            kept.compress_type, kept.external_attr, kept.comment = zipfile.ZIP_DEFLATED, info.external_attr, info.comment
+            with new.open(kept, "w") as target:
+                if info.filename == member:
+                    target.write(model)
+                else:
+                    _copy(file, old, info, target)
+    return out.getvalue()
+
+
+def _copy(file: Path, archive: zipfile.ZipFile, info: zipfile.ZipInfo, target: Any) -> None:
+    try:
+        with archive.open(info) as source:
+            shutil.copyfileobj(source, target)
+    except Exception as error:
+        raise CaseError(f"{file}:1:1: found '{info.filename}' beside the model in a ZIP file, which cannot be read ({error}); take the model out of the "
+                        "archive and convert that") from error
 
 
 def read_bytes(file: Path) -> bytes:
     """The file's content. Raises CaseError where it cannot be read."""
     try:
         return file.read_bytes()
-    except OSError as error:
-        raise CaseError(f"{file}:1:1: cannot be opened ({error.strerror}); {REQUIRED}") from error
+    except (OSError, ValueError) as error:
+        raise CaseError(f"{file}:1:1: cannot be opened ({getattr(error, 'strerror', None) or error}); {REQUIRED}") from error
 
 
 def read(file: Path, content: bytes | None = None) -> Model:
@@ -106,7 +143,7 @@ def scalar(text: str) -> Any:
     if text in ("true", "false"):
         return text == "true"
     if NUMBER.fullmatch(text):
-        return int(text) if re.fullmatch(r"[-+]?\d+", text) else float(text)
+        return int(text) if re.fullmatch(r"[-+]?[0-9]+", text) else float(text)
     return text
 
 
@@ -146,24 +183,56 @@ def _xml_component(element: ElementTree.Element, model: Model) -> Component:
     return component
 
 
-def _identity(text: Any) -> int:
-    try:
-        return int(text)
-    except (TypeError, ValueError):
-        raise _Fault(f"found the id '{text}' of a component; a whole number is required") from None
+def _identity(stated: Any) -> int:
+    """The whole number that a component has as its id."""
+    if isinstance(stated, str) and IDENTITY.fullmatch(stated):
+        return int(stated)
+    if isinstance(stated, (int, float)) and not isinstance(stated, bool) and 0 <= stated <= 1e18 and stated == int(stated):
+        return int(stated)
+    raise _Fault(f"found the id '{str(stated)[:40]}' of a component; a whole number is required", identity=stated)
 
 
-class _Builder(ElementTree.TreeBuilder):
-    """Refuses documents that define their own entities: a model has none, and they can be made to fill the memory."""
+class _Scan:
+    """What a tree cannot say any more: refuses, with line and column, what has no place in a model or would fill the memory."""
 
-    def doctype(self, *_: Any) -> None:
-        raise _Fault("found a document type declaration; a REXS file has none")
+    def __init__(self) -> None:
+        self._parser = expat.ParserCreate()
+        self._depth = 0
+        self._parser.StartElementHandler, self._parser.EndElementHandler = self._begin, self._end
+        self._parser.StartDoctypeDeclHandler = self._document_type
+
+    def run(self, content: bytes) -> None:
+        """Raises _Fault; what is no XML is left to the reader."""
+        try:
+            self._parser.Parse(content, True)
+        except (expat.ExpatError, LookupError, ValueError):
+            pass
+
+    def _fault(self, text: str) -> _Fault:
+        return _Fault(text, self._parser.CurrentLineNumber, self._parser.CurrentColumnNumber + 1)
+
+    def _begin(self, name: str, attributes: dict[str, str]) -> None:
+        self._depth += 1
+        if self._depth > DEEPEST:
+            raise self._fault(f"found more than {DEEPEST} elements within each other; {REQUIRED}")
+        if name.rpartition(":")[2] in ("component", "ref"):
+            try:
+                _identity(attributes.get("id"))
+            except _Fault as fault:
+                raise self._fault(str(fault)) from fault
+
+    def _end(self, _: str) -> None:
+        self._depth -= 1
+
+    def _document_type(self, *_: Any) -> None:
+        raise self._fault("found a document type declaration; a REXS file has none")  # its entities can be made to fill the memory
 
 
 def xml_root(content: bytes) -> ElementTree.Element:
     """The root with its comments. Raises _Fault."""
+    _Scan().run(content)
     try:
-        return ElementTree.fromstring(content, parser=ElementTree.XMLParser(target=_Builder(insert_comments=True)))
+        return ElementTree.fromstring(content, parser=ElementTree.XMLParser(target=ElementTree.TreeBuilder(insert_comments=True)))
     except ElementTree.ParseError as error:
         line, column = error.position
         reason = str(error).split(":")[0]
@@ -201,15 +270,59 @@ def _xml_spectrum(block: ElementTree.Element, model: Model) -> None:
             model.accumulation += parts
 
 
-def _from_json(content: bytes) -> Model:
+def _scan_json(text: str) -> None:
+    """As _Scan, of a JSON text. Raises _Fault."""
+    depth = 0
+    for token in JSON_TOKEN.finditer(text):
+        if token[0] in "[{":
+            depth += 1
+            if depth > DEEPEST:
+                raise _Fault(f"found more than {DEEPEST} brackets within each other; {REQUIRED}", *_line_and_column(text, token.start()))
+        elif token[0] in "]}":
+            depth -= 1
+        elif "\\u" in token[0] and _is_half(token[0]):
+            raise _Fault("found half of a pair of UTF-16 in a text; a whole character is required", *_line_and_column(text, token.start()))
+
+
+def _is_half(token: str) -> bool:
     try:
-        data = json.loads(content.decode("utf-8-sig"))
+        return HALF_PAIR.search(json.loads(token)) is not None
+    except ValueError:
+        return False  # the reader says so
+
+
+def _line_and_column(text: str, at: int) -> tuple[int, int]:
+    return text.count("\n", 0, at) + 1, at - text.rfind("\n", 0, at)
+
+
+def json_of(content: bytes) -> Any:
+    """The content of a JSON text. Raises _Fault."""
+    try:
+        text = content.decode("utf-8-sig")
+        _scan_json(text)
+        return json.loads(text)
     except json.JSONDecodeError as error:
         raise _Fault(f"found what is no JSON ({error.msg}); {REQUIRED}", error.lineno, error.colno) from error
     except UnicodeDecodeError as error:
         line = content.count(b"\n", 0, error.start) + 1
         raise _Fault("found a byte that is not UTF-8; a text file in UTF-8 is required", line,
                      error.start - content.rfind(b"\n", 0, error.start)) from error
+    except ValueError as error:
+        raise _Fault(f"found a number that cannot be read ({str(error).split(';')[0]}); a shorter one is required") from error
+
+
+def _from_json(content: bytes) -> Model:
+    data = json_of(content)
+    try:
+        return _json_model(data)
+    except _Fault as fault:
+        place = re.search(r'"id"\s*:\s*(' + re.escape(json.dumps(fault.identity)) + ")", content.decode("utf-8-sig")) if fault.identity is not ... else None
+        if place:
+            fault.line, fault.column = _line_and_column(content.decode("utf-8-sig"), place.start(1))
+        raise
+
+
+def _json_model(data: Any) -> Model:
     root = data.get("model") if isinstance(data, dict) else None
     if not isinstance(root, dict):
         raise _Fault(f"found a JSON file without 'model'; {REQUIRED}")
@@ -257,9 +370,9 @@ def _json_relation(data: dict) -> Relation:
 
 
 def _supported(version: Any) -> str:
-    match = re.match(r"(\d+)\.(\d+)", str(version or ""))
+    match = re.fullmatch(r"([0-9]{1,3})\.([0-9]{1,3})(\.[0-9]{1,3})*", str(version or ""))
     if not match:
-        raise _Fault(f"found a model without a version; {REQUIRED}")
+        raise _Fault(f"found a model without a version{f' (it states {str(version)[:20]!r})' if version else ''}; {REQUIRED}")
     if not 1 <= int(match[1]) <= NEWEST_MAJOR:
         raise _Fault(f"found REXS {version}; {REQUIRED}")
     return str(version)

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import io
 import json
 import math
 import xml.etree.ElementTree as ElementTree
-import zipfile
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Iterable, Optional
@@ -150,24 +148,16 @@ def _operating_point(folder: Path, points: list[dict], resolved: Any) -> dict:
 
 def write_back(file: Path, content: bytes, conversion: Any, runs: list[Path], folder: Path) -> list[dict]:
     """The file with the results of these runs, in its own form, in `folder`. Returns what was written. Raises CaseError."""
+    model = reading.read(file, content)  # what cannot be read is refused here
     inner, member = reading.unpacked(content)
-    model = reading.read(file, content)
     document = _Json(inner) if reading.form_of(inner) == "json" else _Xml(inner)
     written = [_write_run(model, document, conversion, read_run(run)) for run in runs]
     for entry in written:
         entry["file"] = file.name
+    whole = document.bytes() if not member else reading.packed(file, content, member, document.bytes())
     folder.mkdir(parents=True, exist_ok=True)
-    write_whole(folder / file.name, document.bytes() if not member else _packed(content, member, document.bytes()))
+    write_whole(folder / file.name, whole)
     return written
-
-
-def _packed(content: bytes, member: str, model: bytes) -> bytes:
-    """The archive with another model."""
-    out = io.BytesIO()
-    with zipfile.ZipFile(io.BytesIO(content)) as old, zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED) as new:
-        for info in old.infolist():
-            new.writestr(info, model if info.filename == member else old.read(info), zipfile.ZIP_DEFLATED)
-    return out.getvalue()
 
 
 def _write_run(model: Model, document: Any, conversion: Any, run: Run) -> dict:
@@ -283,13 +273,14 @@ class _Xml:
         self._space = f"{{{space}}}" if space else ""
         if space:
             ElementTree.register_namespace("", space)
-        blocks = {reading.local(block): block for block in self._root}
-        self._components, self._relations = blocks["components"], blocks.get("relations")
+        blocks = [block for block in self._root if reading.local(block) == "components"]  # the file has a bearing, so it has one
+        self._components = blocks[0]
+        self._relations = next((block for block in self._root if reading.local(block) == "relations"), None)
         if self._relations is None:
             self._relations = ElementTree.SubElement(self._root, f"{self._space}relations")
-        self._by_id = {int(one.get("id")): one for one in self._components if reading.local(one) == "component"}
+        self._by_id = {int(one.get("id")): one for block in blocks for one in block if reading.local(one) == "component"}
         self._next = max(self._by_id, default=0) + 1
-        self._next_relation = 1 + max((int(one.get("id")) for one in self._relations if (one.get("id") or "").isdigit()), default=0)
+        self._next_relation = 1 + max((int(one.get("id")) for one in self._relations if (one.get("id") or "").isdecimal()), default=0)
 
     def put(self, component: int, attribute: str, unit: str, value: Any) -> Any:
         """Sets an attribute; the value it had before."""
@@ -346,17 +337,21 @@ class _Json:
     """A JSON model that is changed in place."""
 
     def __init__(self, content: bytes):
-        self._data = json.loads(content.decode("utf-8-sig"))
+        self._data = reading.json_of(content)
         model = self._data["model"]
-        self._components, self._relations = model.setdefault("components", []), model.setdefault("relations", [])
-        self._by_id = {int(one["id"]): one for one in self._components}
+        if not isinstance(model.get("relations"), list):
+            model["relations"] = []
+        self._components, self._relations = model["components"], model["relations"]  # the file has a bearing, so it has components
+        self._by_id = {int(one["id"]): one for one in self._components if isinstance(one, dict)}
         self._next = max(self._by_id, default=0) + 1
-        self._next_relation = 1 + max((one["id"] for one in self._relations if isinstance(one.get("id"), int)), default=0)
+        self._next_relation = 1 + max((one["id"] for one in self._relations if isinstance(one, dict) and isinstance(one.get("id"), int)), default=0)
 
     def put(self, component: int, attribute: str, unit: str, value: Any) -> Any:
         """Sets an attribute; the value it had before."""
-        attributes = self._by_id[component].setdefault("attributes", [])
-        found = next((one for one in attributes if one.get("id") == attribute), None)
+        if not isinstance(self._by_id[component].get("attributes"), list):
+            self._by_id[component]["attributes"] = []
+        attributes = self._by_id[component]["attributes"]
+        found = next((one for one in attributes if isinstance(one, dict) and one.get("id") == attribute), None)
         kind = "floating_point_array" if isinstance(value, list) else "enum" if isinstance(value, str) else "floating_point"
         fresh = {"id": attribute, "unit": unit, kind: value}
         if found is None:
@@ -387,4 +382,7 @@ class _Json:
 
     def bytes(self) -> bytes:
         """The file's content."""
-        return json.dumps(self._data, ensure_ascii=False, indent=1, allow_nan=False).encode("utf-8") + b"\n"
+        try:
+            return json.dumps(self._data, ensure_ascii=False, indent=1, allow_nan=False).encode("utf-8") + b"\n"
+        except ValueError as error:
+            raise CaseError(f"--results: the file holds a number beyond all bounds ({error}), which JSON does not have; results are not written into it") from error

@@ -9,14 +9,16 @@ from orbearing.rexs.drive import FLOOR, Drive, Member, Planetary, shaft_of
 from orbearing.rexs.geometry import SAME_SHIFT, Teeth
 from orbearing.rexs.ledger import Draft
 from orbearing.rexs.model import Component, Model
-from orbearing.rexs.names import CATALOGUE, RIGID, attribute_of, is_true, number_of, text_of, vector_of
-from orbearing.rexs.parts import (ROLLERS, Heights, Inside, Source, common, is_bearing, narrowest, put_fillet, put_heights, put_life, put_material,
-                                  put_oil, row_count, rows_of)
-from orbearing.rexs.writing import quantity
+from orbearing.rexs.names import CATALOGUE, RIGID, attribute_of, in_unit, is_number, is_true, number_of, place_of, same_number, text_of
+from orbearing.rexs.parts import (ROLLERS, Heights, Inside, Source, common, is_bearing, narrowest, pressure_angle, put_fillet, put_heights, put_life,
+                                  put_material, put_oil, row_count, rows_of, unlike_modules)
+from orbearing.rexs.writing import number_text, quantity
 
 SAME_ANGLE = 0.01  # [deg]
+SAME_HELIX = 1e-8  # [rad]
 SAME_SHARE = 1e-6
-STANDSTILL = 1e-9  # [rpm]
+STANDSTILL = 1e-10  # [rad/s]
+NOTHING = 1e-9  # [unit of a figure] round-off of zero
 
 
 class StageCase:
@@ -29,7 +31,8 @@ class StageCase:
         self.spectrum_origins: list[tuple] = []
         self.bearings: list[Component] = []
         self.sides: list[list[tuple[Component, Component]]] = []
-        self.bearing_places: list[float] = []
+        self.bearing_places: list[float] = []  # [m]
+        self.centre_distance: Optional[float] = None  # [m]
         self.notes: list[str] = []
         self.problem = ""
         self.contact_ratios: dict[str, float] = {}
@@ -43,7 +46,7 @@ class StageCase:
         put_material(self.source, self.draft, [self.stage.sun, self.stage.planets[0], self.stage.ring])
         self._put_bearings()
         users = [*self.bearings, *self.stage.sun_meshes, *self.stage.ring_meshes]
-        put_oil(self.source, self.draft, users, [self.model.with_load_case(one) for one in self.model.load_cases])
+        put_oil(self.source, self.draft, users)
         return self.draft
 
     # What drives the stage
@@ -55,7 +58,7 @@ class StageCase:
                     self.source.number(part, name)  # tells what cannot be read
         self._put_fixed()
         base = self._at(self.model)
-        rows = [(one, self._at(self.model.with_load_case(one))) for one in self.model.load_cases]
+        rows = [(one, self._at(model)) for one, model in self.source.load_cases]
         rows = [(one, members) for one, members in rows if members]
         if not base and rows:
             operating, base = max(rows, key=lambda row: self._share(row[0])[1])
@@ -66,10 +69,10 @@ class StageCase:
             self.source.ledger.miss(self.draft.name, "input.power", "torque", None, "speed and torque of the stage do not follow from the file")
             return
         self.members = base
-        driving = max(base, key=lambda name: base[name].power_w)
+        driving = max(base, key=lambda name: base[name].power)
         self.draft.put("input.member", driving)
-        self.draft.put("input.power", quantity(base[driving].power_w / 1e3, "kW"), *self._load_origins())
-        self.draft.put("input.speed", quantity(abs(base[driving].speed_rpm), "rpm"), *self._speed_origins())
+        self.draft.put("input.power", quantity(base[driving].power, "kW"), *self._load_origins())
+        self.draft.put("input.speed", quantity(abs(base[driving].speed), "rpm"), *self._speed_origins())
         if len(rows) > 1:
             self._put_spectrum(driving, rows)
         elif rows:
@@ -118,15 +121,15 @@ class StageCase:
         return found
 
     def _share(self, load_case: Any) -> tuple[str, float]:
-        """How long a load acts: share or hours, and the number; share 0 where it is not stated."""
+        """How long a load acts: share [-] or hours [s], and the number; share 0 where it is not stated."""
         for component in load_case.components:
             if component.id in self.model.components and self.model.components[component.id].type == "gear_unit":
                 share = number_of(component, "share").number
                 if share is not None:
                     return "share", share
-                hours = number_of(component, "duration").number
-                if hours is not None:
-                    return "hours", hours
+                duration = number_of(component, "duration").number
+                if duration is not None:
+                    return "hours", duration
         return "share", 0.0
 
     def _put_spectrum(self, driving: str, rows: list[tuple]) -> None:
@@ -135,14 +138,14 @@ class StageCase:
             self.source.ledger.miss(self.draft.name, "spectrum", "share", None, "some load cases state no duration")
             return
         total = sum(time for _, time in times)
-        shares = [time / total if kind == "share" else time for kind, time in times]
+        shares = [time / total if kind == "share" else in_unit(time, "h") for kind, time in times]
         if times[0][0] == "share" and abs(total - 1.0) > SAME_SHARE:
             self.notes.append(f"{self.draft.name}: the shares of the load cases add up to {total:.6g}; scaled to 1")
         spectrum = []
         for (one, members), (kind, _), time in zip(rows, times, shares):
-            if members[driving].power_w < 0.0:
+            if members[driving].power < 0.0:
                 self.notes.append(f"{self.draft.name}: load case {one.id} drives the stage backwards; its power is taken without its sign")
-            spectrum.append({"power": quantity(abs(members[driving].power_w) / 1e3, "kW"), "speed": quantity(abs(members[driving].speed_rpm), "rpm"),
+            spectrum.append({"power": quantity(abs(members[driving].power), "kW"), "speed": quantity(abs(members[driving].speed), "rpm"),
                              kind: time})
             self.spectrum_origins += self._case_origins(one)
         self.draft.put("spectrum", spectrum)
@@ -157,17 +160,21 @@ class StageCase:
         for name, gear in gears.items():
             value, origin = source.number(gear, "teeth")
             if value is not None:
-                numbers[name] = abs(int(value))
+                numbers[name] = abs(value)
                 draft.put(f"gearset.teeth.{name}", numbers[name], origin)
         module, origins = common(source, gears.values(), "module")
+        unlike = unlike_modules(source, [stage.sun, *stage.planets, stage.ring])
+        if unlike:
+            self.problem = unlike
+            return
         if module is not None:
             draft.put("gearset.module", quantity(module, "mm"), *origins)
-        angle = self._put_pressure_angle(gears)
+        angle = pressure_angle(source, draft, "gearset", gears.values())
         helix = self._put_helix(gears)
         width, origins = narrowest(source, [stage.sun, *stage.planets, stage.ring])
         if width is not None:
             draft.put("gearset.face_width", quantity(width, "mm"), *origins)
-        if module is None or len(numbers) < 3:
+        if not module or len(numbers) < 3 or not all(numbers.values()) or abs(helix) >= 0.5 * math.pi:
             return
         teeth = Teeth(module, angle, helix)
         shifts = self._put_shifts(gears, numbers, teeth)
@@ -178,26 +185,16 @@ class StageCase:
         self._find_contact_ratios(teeth, numbers, shifts, heights)
         self._put_backlash()
 
-    def _put_pressure_angle(self, gears: dict[str, Component]) -> float:
-        for gear in gears.values():
-            value, origins = self.source.of_flanks(gear, "pressure_angle")
-            if value is not None:
-                same = [origin for other in gears.values() for found, several in [self.source.of_flanks(other, "pressure_angle")] for origin in several
-                        if found == value]
-                self.draft.put("gearset.pressure_angle", quantity(value, "deg"), *(same or origins))
-                return value
-        self.source.ledger.miss(self.draft.name, "gearset.pressure_angle", "pressure_angle", None, "no flank states it", "20 deg")
-        return 20.0
-
     def _put_helix(self, gears: dict[str, Component]) -> float:
         value, origin = self.source.number(gears["sun"], "helix")
         others = [self.source.number(gear, "helix") for name, gear in gears.items() if name != "sun"]
         if value is None:
             return 0.0
-        fitting = [one for found, one in others if found is not None and abs(abs(found) - abs(value)) < 1e-6]
+        # A planet is of the sun's opposite hand, and so is the ring, which is of the planet's.
+        fitting = [one for found, one in others if found is not None and abs(found + value) < SAME_HELIX]
         for found, one in others:
-            if found is not None and abs(abs(found) - abs(value)) >= 1e-6:
-                self.source.ledger.leave(*one, "differs from the sun's; gears that mesh have the same helix angle")
+            if found is not None and abs(found + value) >= SAME_HELIX:
+                self.source.ledger.contradict(*one, "contradicts the sun's: planet and ring have the same helix angle, of the opposite hand")
         self.draft.put("gearset.helix_angle", quantity(value, "deg"), origin, *fitting)
         return value
 
@@ -211,7 +208,9 @@ class StageCase:
         ring_distance, ring_origins = self._centre_distance(self.stage.ring_meshes)
         distance, ring_distance = distance or ring_distance, ring_distance or distance
         if distance is not None:
-            self.draft.put("gearset.centre_distance", quantity(distance, "mm"), *origins, *ring_origins)
+            alike = ring_distance is not None and same_number(distance, ring_distance)
+            self.draft.put("gearset.centre_distance", quantity(distance, "mm"), *origins, *(ring_origins if alike else []))
+        self.centre_distance = distance
         outer = teeth.shift_sum(numbers["sun"] + numbers["planet"], distance) if distance else None
         inner = teeth.shift_sum(numbers["ring"] - numbers["planet"], ring_distance) if ring_distance else None
         sun, planet = stated["sun"][0], stated["planet"][0]
@@ -223,7 +222,11 @@ class StageCase:
                 planet, share = 0.5 * outer, "the file states no shift; half of the sum that the centre distance gives"
             sun = outer - planet
             self._assume_shift("sun", sun, share)
+        elif planet is not None and distance and (outer is None or abs(sun + planet - outer) > SAME_SHIFT):
+            self._contradict_distance(origins, f"the profile shifts of sun and planet add up to {sun + planet:.6g}", outer)
         ring = self._ring_shift(stated["ring"], planet, inner)
+        if stated["ring"][0] is not None and planet is not None and ring_distance and (inner is None or abs(ring - planet - inner) > SAME_SHIFT):
+            self._contradict_distance(ring_origins or origins, f"the profile shift of the ring is {ring - planet:.6g} more than the planet's", inner)
         if sun is not None and stated["sun"][0] is not None:
             self.draft.put("gearset.profile_shift.sun", sun, *stated["sun"][1])
         if stated["planet"][0] is not None:
@@ -233,6 +236,11 @@ class StageCase:
         if sun is None:
             self._assume_missing("sun")
         return {"sun": sun or 0.0, "planet": planet or 0.0, "ring": ring or 0.0}
+
+    def _contradict_distance(self, origins: list, stated: str, wanted: Optional[float]) -> None:
+        for origin in origins:
+            self.source.ledger.contradict(*origin, f"contradicts the teeth: {stated}; this centre distance requires "
+                                                   f"{'another number of teeth' if wanted is None else f'{wanted:.6g}'}")
 
     def _assume_missing(self, name: str) -> None:
         self.source.ledger.miss(self.draft.name, f"gearset.profile_shift.{name}", "shift", getattr(self.stage, name),
@@ -283,10 +291,9 @@ class StageCase:
 
     def _find_contact_ratios(self, teeth: Teeth, numbers: dict[str, int], shifts: dict[str, float], heights: dict[str, Heights]) -> None:
         """Transverse contact ratios between the tip circles alone, as most programs state them."""
-        text = self.draft.values.get("gearset.centre_distance")
-        if text is None:
+        distance = self.centre_distance
+        if distance is None:
             return
-        distance = float(text.split()[0])
         tips = {name: teeth.reference_diameter(numbers[name]) + 2.0 * teeth.module
                 * (shifts[name] + (-1.0 if name == "ring" else 1.0) * (1.0 if heights[name].addendum is None else heights[name].addendum)) for name in numbers}
         for name in ("sun", "ring"):
@@ -311,14 +318,14 @@ class StageCase:
     # Planets, bodies and bearings
 
     def _put_planets(self) -> None:
-        axis = vector_of(self.stage.sun, "support_vector") or vector_of(self.stage.ring, "support_vector")
-        places = [vector_of(one, "support_vector") for one in self.stage.planet_shafts]
+        axis = place_of(self.stage.sun) or place_of(self.stage.ring)
+        places = [place_of(one) for one in self.stage.planet_shafts]
         if axis is None or not all(places) or len(places) < 2:
             return
         angles = sorted(math.degrees(math.atan2(place[2] - axis[2], place[1] - axis[1])) % 360.0 for place in places)
         steps = [(angle - angles[0]) % 360.0 for angle in angles]
         if any(abs(step - 360.0 * i / len(steps)) > SAME_ANGLE for i, step in enumerate(steps)):
-            self.draft.put("gearset.planet_angles", [quantity(round(step, 6), "deg") for step in steps],
+            self.draft.put("gearset.planet_angles", [f"{number_text(round(step, 6))} deg" for step in steps],
                            *((shaft, shaft.attributes.get("support_vector")) for shaft in self.stage.planet_shafts))
 
     def _put_bodies(self) -> None:
@@ -354,7 +361,7 @@ class StageCase:
 
     def _put_bearings(self) -> None:
         bodies = [self.drive.bodies.of(shaft.id) for shaft in self.stage.planet_shafts]
-        sides = [sorted(self._sides_of(body), key=lambda side: number_of(side[0], "outer_place").number or 0.0) for body in bodies]
+        sides = [sorted(self._sides_of(body), key=lambda side: self._place_of(side[0], shaft) or 0.0) for body, shaft in zip(bodies, self.stage.planet_shafts)]
         self.sides = sides
         self._note_copies()
         if not sides or not sides[0]:
@@ -376,14 +383,18 @@ class StageCase:
 
     def _leave(self, component: Component, reason: str) -> None:
         for attribute in component.attributes.values():
-            if not (isinstance(attribute.value, (int, float)) and attribute.value >= RIGID) and "vector" not in attribute.id:
+            if not (is_number(attribute.value) and attribute.value >= RIGID) and "vector" not in attribute.id:
                 self.source.ledger.leave(component, attribute, reason)
 
     def _places(self) -> list[float]:
-        """Places of the bearings along the planet, from the middle of its face [mm]."""
-        middle = number_of(self.stage.planets[0], "gear_place").number
-        places = [number_of(bearing, "outer_place").number for bearing in self.bearings]
+        """Places of the bearings along the planet, from the middle of its face [m]."""
+        shaft = shaft_of(self.model, self.stage.planets[0])
+        middle = self.source.places.along(self.stage.planets[0], shaft, "gear_place")
+        places = [self._place_of(bearing, shaft) for bearing in self.bearings]
         return [place - middle for place in places] if middle is not None and None not in places else []
+
+    def _place_of(self, bearing: Component, shaft: Optional[Component]) -> Optional[float]:
+        return self.source.places.along(bearing, shaft, "outer_place")
 
     def _put_roller_bearing(self, first: Component, pin: Component) -> None:
         draft, rows = self.draft, row_count(self.source, first)
@@ -397,7 +408,7 @@ class StageCase:
         if inner is False:
             draft.put("bearing.rings", "none" if outer is False else "outer", *((first, attribute_of(first, f"has_{side}_ring")) for side in ("inner", "outer")))
         if self.bearing_places and rows == 1:
-            draft.put("bearing.axial_places", [quantity(round(place, 9), "mm") for place in self.bearing_places],
+            draft.put("bearing.axial_places", [quantity(round(place, 12), "mm") for place in self.bearing_places],
                       *((bearing, attribute_of(bearing, "outer_place")) for bearing in self.bearings),
                       (self.stage.planets[0], attribute_of(self.stage.planets[0], "gear_place")))
         put_life(self.source, draft, first)
@@ -457,33 +468,35 @@ class StageCase:
     def figures(self) -> dict[str, float]:
         """What follows by elementary geometry, statics and kinematics, as a check against the program that wrote the file."""
         values = self.draft.values
-        distance = float(values["gearset.centre_distance"].split()[0]) if "gearset.centre_distance" in values else None
-        figures = {"centre_distance_mm": distance} if distance is not None else {}
+        distance = self.centre_distance if "gearset.centre_distance" in values else None
+        figures = {"centre_distance_mm": in_unit(distance, "mm")} if distance is not None else {}
         figures |= self.contact_ratios
         for name, member in self.members.items():
-            figures[f"{name}_speed_rpm"], figures[f"{name}_torque_N_m"] = member.speed_rpm, member.torque_n_m
+            figures[f"{name}_speed_rpm"], figures[f"{name}_torque_N_m"] = in_unit(member.speed, "rpm"), member.torque
         if self.members:
             figures |= self._motion(distance)
         for place, value in enumerate(self.bearing_places):
-            figures[f"bearing_{place + 1}_place_mm"] = value
-        return {name: _rounded(value) for name, value in figures.items()}
+            figures[f"bearing_{place + 1}_place_mm"] = in_unit(value, "mm")
+        return {name: rounded(value) for name, value in figures.items()}
 
     def _motion(self, distance: Optional[float]) -> dict[str, float]:
         values, carrier = self.draft.values, self.members["carrier"]
-        relative = self.members["sun"].speed_rpm - carrier.speed_rpm
-        figures = {"planet_relative_speed_rpm": relative * values["gearset.teeth.sun"] / values["gearset.teeth.planet"],
-                   "mesh_frequency_Hz": abs(relative) * values["gearset.teeth.sun"] / 60.0}
+        relative = self.members["sun"].speed - carrier.speed
+        figures = {}
+        if "gearset.teeth.planet" in values and "gearset.teeth.sun" in values:
+            figures = {"planet_relative_speed_rpm": in_unit(relative, "rpm") * values["gearset.teeth.sun"] / values["gearset.teeth.planet"],
+                       "mesh_frequency_Hz": abs(relative) * values["gearset.teeth.sun"] / (2.0 * math.pi)}
         if distance is not None:
-            figures["pin_force_N"] = abs(carrier.torque_n_m) / (1e-3 * distance * values["gearset.planets"])
+            figures["pin_force_N"] = abs(carrier.torque) / (distance * values["gearset.planets"])
             if self.bearings:
                 figures["bearings_per_planet"] = len(self.bearings)
                 figures["force_per_bearing_N"] = figures["pin_force_N"] / len(self.bearings)
         return figures
 
 
-def _rounded(value: float) -> float:
+def rounded(value: float) -> float:
     """Without the last digits, in which one computer differs from another."""
-    return 0.0 if abs(value) < STANDSTILL else float(f"{value:.10g}")
+    return 0.0 if abs(value) < NOTHING else float(f"{value:.10g}")
 
 
 def sections_of(source: Source, gear: Component, name: str) -> list[tuple]:
@@ -492,7 +505,7 @@ def sections_of(source: Source, gear: Component, name: str) -> list[tuple]:
     if shaft is None:
         return []
     sections = [one for one in source.model.parts("assembly", "assembly", shaft.id, "part") if one.type == "shaft_section"]
-    place = number_of(gear, "gear_place").number
+    place = source.places.along(gear, shaft, "gear_place")
     return [source.number(one, name) for one in sections if place is None or _covers(one, place, sections)]
 
 

@@ -8,6 +8,7 @@ from typing import Any, Callable, Optional
 
 from orbearing.errors import CaseError
 from orbearing.rexs.ledger import Draft, Ledger
+from orbearing.rexs.names import OURS, in_unit
 
 # What a case can do without: taken out, first match first, where the check refuses it.
 OPTIONAL = ("gearset.profile_shift.planet", "gearset.centre_distance", "gearset.planet_angles", "gearset.addendum_of", "gearset.clearance_of",
@@ -34,8 +35,14 @@ def number_text(value: float) -> str:
 
 
 def quantity(value: float, unit: str) -> str:
-    """A number with its unit."""
-    return f"{number_text(value)} {unit}".strip()
+    """A number in SI as text in a unit of a case."""
+    return f"{number_text(in_unit(value, unit))} {unit}".strip()
+
+
+def number_in(text: Any) -> float:
+    """A text with a unit of a case as a number in SI."""
+    number, _, unit = str(text).partition(" ")
+    return float(number) * OURS[unit]
 
 
 def scalar_text(value: Any) -> str:
@@ -101,7 +108,10 @@ def warnings_of(core: object) -> list[str]:
     """What the check says of a case that it lets pass."""
     from orbearing import _core
 
-    return json.loads(_core.compute(core, "check", {})[0]).get("warnings", [])
+    try:
+        return json.loads(_core.compute(core, "check", {})[0]).get("warnings", [])
+    except RuntimeError as error:  # a derived value that cannot be computed
+        return [f"check: {error}"]
 
 
 def _refused(text: str, name: str) -> tuple[Optional[object], list]:
@@ -126,6 +136,8 @@ def _to_remove(draft: Draft, keys: list[str]) -> Optional[str]:
 
 def _drop(draft: Draft, ledger: Ledger, path: str, reason: str) -> None:
     for gone in draft.remove(path):
+        if any(attribute.value is not None for _, attribute in draft.origins.get(gone, [])):
+            ledger.refused.setdefault(f"{gone}: {shortened(reason)}", []).append(draft.name)
         for component, attribute in draft.origins.get(gone, []):
             ledger.leave(component, attribute, f"{gone}: {shortened(reason)}")
 
@@ -139,15 +151,16 @@ def _drop_bearing(draft: Draft, ledger: Ledger, lacking: list[str]) -> None:
         _drop(draft, ledger, block, f"the bearing of the planets is incomplete: {', '.join(lacking)} missing")
 
 
-def checked(draft: Draft, ledger: Ledger, fill: Callable[[Draft, list[str]], bool]) -> Checked:
-    """The draft as a case that passes the check. `fill` may put what is missing and says whether it did."""
+def checked(draft: Draft, ledger: Ledger, fill: Callable[[Draft, list[str], set[str]], bool]) -> Checked:
+    """The draft as a case that passes the check. `fill` may put what is missing, but for what was refused, and says whether it did."""
+    dropped: set[str] = set()
     for _ in range(MOST_TRIALS):
         text = case_text(draft)
         core, mistakes = _refused(text, draft.name)
         if core is not None:
             return Checked(text, core)
         missing = [mistake.key for mistake in mistakes if mistake.key and mistake.text.startswith("missing")]
-        if missing and fill(draft, missing):
+        if missing and fill(draft, missing, dropped):
             continue
         lacking = [key for key in missing if key.startswith("bearing.")]
         if lacking and draft.model == "planetary-drivetrain":
@@ -159,6 +172,7 @@ def checked(draft: Draft, ledger: Ledger, fill: Callable[[Draft, list[str]], boo
             for key in missing:
                 ledger.miss(draft.name, key, "", None, "required by the case")
             return Checked(text, None, [_message(mistake) for mistake in mistakes])
+        dropped.add(path)
         reason = next((text for key, text in refused if key == path or key.startswith(path + ".") or path.startswith(key)), "refused by the check")
         _drop(draft, ledger, path, reason)
     return Checked(case_text(draft), None, ["no version of the case passes the check"])
