@@ -127,14 +127,14 @@ class Verdicts(unittest.TestCase):
         self.assertIn("pin_error", alike["reason"])
         self.assertEqual(list(verdicts_of("run", REDUCER, "requirements.S0=2")), ["S0"])
 
-    def test_a_life_without_its_kind_is_the_modified_one_and_listed(self):
+    def test_a_life_without_its_kind_is_the_governing_one_and_listed(self):
         found = answer("run", REDUCER, *OIL, "requirements.life=1000 h")
-        self.assertEqual([one["key"] for one in found["verdicts"]], ["L10mh"])
+        self.assertEqual([one["key"] for one in found["verdicts"]], ["L10mrh"])
         self.assertIn("requirements.life_key", [one["key"] for one in found["assumptions"]])
         self.assertNotIn("requirements.life_key", [one["key"] for one in answer("run", REDUCER)["assumptions"]])
 
     def test_what_is_not_computed_is_reported_with_its_reason(self):
-        dry = verdicts_of("run", REDUCER, "requirements.life=1000 h", "requirements.kappa=1")
+        dry = verdicts_of("run", REDUCER, "requirements.life=1000 h", "requirements.life_key=L10mh", "requirements.kappa=1")
         for one in dry.values():
             self.assertIsNone(one["passed"])
             self.assertIsNone(one["value"])
@@ -301,7 +301,7 @@ class Page(unittest.TestCase):
         bins = sorted(self.found["spectrum"]["bins"], key=lambda one: -one["damage_share"])
         self.assertEqual([row[0] for row in rows], [str(one["bin"]) for one in bins])
         for row, one in zip(rows, bins):
-            for place, value in ((1, one["power_kW"]), (2, one["torque_N_m"]), (3, one["speed_rpm"]), (4, 100 * one["share"]), (5, one["life_h"]),
+            for place, value in ((1, one["power_kW"]), (2, one["torque_N_m"]), (3, one["speed_rpm"]), (4, 100 * one["share"]), (5, one[self.found["spectrum"]["life_key"]]),
                                  (6, 100 * one["damage_share"]), (7, 100 * one["damage_share_L10mh"])):
                 self.equals(row[place], value, f"bin {row[0]}")
 

@@ -63,7 +63,7 @@ class Planets(unittest.TestCase):
         for key, revolutions in (("L10h", "L10_Mrev"), ("L10rh", "L10r_Mrev"), ("L10mh", "L10m_Mrev"), ("L10mrh", "L10mr_Mrev"), ("life_h", "life_Mrev")):
             (line,) = [one for one in lines[2:7] if one.split()[0] == key]
             self.assertAlmostEqual(float(line.split()[2]) / float(self.row[revolutions]), 1.0, delta=1e-5, msg=line)
-        self.assertIn("Design by L10mrh", self.text)
+        self.assertIn("Governing life: life_h (life.method)", self.text)
         for symbol, column in (("C", "C_N"), ("P", "P_N"), ("C/P", "C_over_P"), ("S0", "S0"), ("contact pressure", "contact_pressure_max_MPa"),
                                ("kappa", "kappa"), ("e_C", "e_C"), ("a_ISO", "a_ISO"), ("a_ISO_r", "a_ISO_r")):
             found = re.search(rf"(?:^|, ){re.escape(symbol)} ([0-9.e+]+)", self.text, re.MULTILINE)
@@ -78,14 +78,14 @@ class Planets(unittest.TestCase):
             self.assertIsNotNone(cells, life)
             self.assertAlmostEqual(number(cells.group(1)) / float(self.row[life]), 1.0, delta=1e-4, msg=life)
             self.assertIn("Lundberg-Palmgren" if life == "life_h" else "ISO", cells.group(3))
-        self.assertIn("Design by L10mrh", section)
+        self.assertIn("Governing life: life_h (life.method)", section)
         self.assertIn(f"At {float(self.row['input_speed_rpm']):,.0f} rpm", section)
         self.assertIn("a_ISO_r", section)
 
     def test_without_oil_the_advice_asks_for_it(self):
-        text = call("run", REDUCER, "-o", pathlib.Path(self.place.name) / "dry")
+        text = call("run", REDUCER, "-o", pathlib.Path(self.place.name) / "dry", settings=("life.method=iso-16281",))
         self.assertTrue(text.startswith("life of one bearing"))
-        self.assertIn("Design by L10rh", text)
+        self.assertIn("Governing life: L10rh (life.method)", text)
         self.assertIn("life.cleanliness", text)
         self.assertRegex(text, r"L10mh +- +-")
 
@@ -124,7 +124,7 @@ class BallsInMotion(unittest.TestCase):
         self.assertEqual(found["P_N"], 938.0)
         self.assertGreater(found["contact_pressure_max_MPa"], 1000.0)
         self.assertLess(page.index('<section id="lives">'), page.index("<th scope=\"col\">Quantity</th>"))
-        self.assertIn("Design by L10mrh", page)
+        self.assertIn(f"Governing life: {found['life_table']['governing']} (life.method)", page)
 
 
 if __name__ == "__main__":

@@ -106,8 +106,8 @@ class LoadSpectrum(unittest.TestCase):
         self.assertGreaterEqual(advice["most_drop_um"], advice["drop_um"])
         self.assertEqual(len(advice["points"]), 7)
         self.assertAlmostEqual(sum(one["damage_share"] for one in advice["points"]), 1.0, delta=1e-9)
-        used = sum(one["share"] / one["life_h"] for one in advice["points"])
-        self.assertAlmostEqual(used * advice["life_h"], 1.0, delta=1e-6)
+        used = sum(one["share"] / one["governing_life_h"] for one in advice["points"])
+        self.assertAlmostEqual(used * advice["governing_life_h"], 1.0, delta=1e-6)
         self.assertIn("one of both", self.refusal("crown", CASE, "-o", self.place / "no", "--spectrum", *settings(SHIPPED)))
 
     def test_record_over_time_becomes_a_spectrum_that_a_case_takes(self):

@@ -112,7 +112,7 @@ class Published(unittest.TestCase):
                 {"source": "a", "quantity": "peak_life_h", "published": 5e4, "reading": ""},
                 {"source": "a", "quantity": "peak_life_h", "published": 4e4, "reading": "another"}]
         content = {"points": sweep["points"], "validation": rows, "fidelity": "quasi-static"}
-        one, = published(content, lambda rpm: asked.life_at(rpm, []))
+        one, = published(content, lambda rpm: asked.lundberg_palmgren_life_at(rpm, []))
         life = program.answer("sweep", REDUCER, "sweep.input.speed=[6000 rpm]", options=("--grid-only",))["points"][0]["life_h"]
         self.assertEqual((one["speed_rpm"], one["life_h"], one["ours_h"]), (6000, 5e4, life))
         self.assertIsNone(published({**content, "fidelity": "dynamic"}, self.fail)[0]["ours_h"])  # which nothing here computes

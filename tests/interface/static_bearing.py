@@ -75,12 +75,12 @@ class Rollers(unittest.TestCase):
         for line, clause in zip(plain[1:6], ("ISO 281", "ISO/TS 16281", "ISO 281", "ISO/TS 16281", "Lundberg-Palmgren")):
             self.assertIn(clause, line)
         text = "\n".join(plain)
-        self.assertIn("Design by L10rh", text)
+        self.assertIn("Governing life: L10rh (life.method)", text)
         self.assertRegex(text, r"C 484\d\d N, C0 \d+ N, C_u [\d.]+ N, P 4450 N, P0 4450 N")
         with tempfile.TemporaryDirectory() as folder:
             oil = call("run", HARRIS, "-o", pathlib.Path(folder) / "out", "--set", "life.viscosity_ratio=1", "--set",
                        "life.contamination_factor=0.5", "--set", "operation.shaft_speed=1000 rpm").stdout
-        self.assertIn("Design by L10mrh", oil)
+        self.assertIn("Governing life: L10mrh (life.method)", oil)
         found = run(HARRIS, "life.viscosity_ratio=1", "life.contamination_factor=0.5", "operation.shaft_speed=1000 rpm")
         lines = {line.split()[0]: line.split()[1:3] for line in oil.splitlines() if line.strip()}
         for hours, revolutions in (("L10h", "L10_Mrev"), ("L10mrh", "L10mr_Mrev"), ("life_h", "life_Mrev")):
