@@ -136,7 +136,11 @@ std::string nearest_number(const Field& field, const std::string& text) {
     return known && given && known->first == given->first && !given->first.empty();
   };
   const auto is_another = [&](const std::string& choice) { return numbered(choice) && !is_alike(choice); };
-  if (!given || std::any_of(field.choices.begin(), field.choices.end(), is_another)) return "";
+  constexpr std::size_t least_letters = 4;  // of a name that numbers follow beside other choices
+  const bool all = std::all_of(field.choices.begin(), field.choices.end(), is_alike);
+  if (!given || (!all && given->first.size() < least_letters) ||
+      std::any_of(field.choices.begin(), field.choices.end(), is_another))
+    return "";
   std::string nearest;
   double least = std::log(2.0);
   for (const std::string& choice : field.choices) {
