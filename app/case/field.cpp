@@ -127,7 +127,7 @@ std::optional<std::pair<std::string, double>> numbered(const std::string& text) 
   return std::pair{letters.substr(0, digit), *number.value};
 }
 
-// Of choices that differ by a number alone, as grades of oil do, the one whose
+// Of choices that differ by a number alone, as grades of oil do, beside those without one, the one whose
 // number is nearest in ratio; empty where there is none.
 std::string nearest_number(const Field& field, const std::string& text) {
   const auto given = numbered(text);
@@ -135,11 +135,17 @@ std::string nearest_number(const Field& field, const std::string& text) {
     const auto known = numbered(choice);
     return known && given && known->first == given->first && !given->first.empty();
   };
-  if (!std::all_of(field.choices.begin(), field.choices.end(), is_alike)) return "";
+  const auto is_another = [&](const std::string& choice) { return numbered(choice) && !is_alike(choice); };
+  constexpr std::size_t least_letters = 4;  // of a name that numbers follow beside other choices
+  const bool all = std::all_of(field.choices.begin(), field.choices.end(), is_alike);
+  if (!given || (!all && given->first.size() < least_letters) ||
+      std::any_of(field.choices.begin(), field.choices.end(), is_another))
+    return "";
   std::string nearest;
   double least = std::log(2.0);
   for (const std::string& choice : field.choices) {
     const auto known = numbered(choice);
+    if (!known) continue;
     const double distance = std::abs(std::log(given->second / known->second));
     if (distance >= least) continue;
     least = distance;

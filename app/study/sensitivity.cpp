@@ -196,14 +196,16 @@ std::vector<Setting> alternatives(const ResolvedCase& in, const Input& input) {
   return others;
 }
 
-// What is left out is no estimate: the meaning of the power and of L10, what results go by, and effects that
-// take seconds or are another machine.
+// What is left out is no estimate: the meaning of the power and of L10, what results go by, printed ratings,
+// and effects that take seconds or are another machine.
 bool is_assumption(const ResolvedCase& in, const Input& input, use::Analysis analysis) {
   return in.has(input.path) && in.origin(input.path) == "default" &&
          !is_one_of(input.field->path,
-                    {"input.application_factor", "life.reliability", "life.method", "gearset.planet_rim",
+                    {"life.reliability", "life.method", "gearset.planet_rim",
                      "bearing.tilt_state", "gearset.fixed", "bearing.complement", "bearing.clearance_state",
-                     "lubricant.grade"}) &&
+                     "lubricant.grade", "bearing.dynamic_capacity", "bearing.static_capacity",
+                     "bearing.fatigue_load_limit"}) &&
+         !input.field->path.starts_with("input.") &&
          use_status_in_row(in, input, analysis) == UseStatus::used;
 }
 
@@ -225,7 +227,8 @@ std::vector<AssumedEffect> assumed_effects(const ResolvedCase& resolved) {
         if (changed.given(input.path) == in.given(input.path)) continue;  // another input decides it
         const Effect effect = effect_on(here, lives_at_rest(changed));
         if (effect.text.empty()) continue;
-        text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", changed.given(input.path), effect.text);
+        text += fmt::format("{}{}: {}", text.empty() ? "" : "; ",
+                            other.number ? "10 % more" : changed.given(input.path), effect.text);
         largest = std::max(largest, effect.largest);
       } catch (const BadInput&) {  // no such case
       }
