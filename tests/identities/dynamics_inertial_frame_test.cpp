@@ -2,6 +2,9 @@
 // Cartesian coordinates, absolute speeds, no fictitious forces (tests/reference/inertial_bearing.hpp).
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "bearing/motion/snapshot.hpp"
 #include "bearing/motion/vector_bearing.hpp"
 #include "tests/reference/inertial_bearing.hpp"

@@ -253,13 +253,15 @@ class Settings(unittest.TestCase):
             list(pool.map(used_settings, all_cases()))
 
     def check(self, pairs, seconds=math.inf):
-        runs, end, done, faults = Runs(), time.monotonic() + seconds, 0, []
-        for pair in pairs:
-            if time.monotonic() > end:
-                break
-            faults += runs.faults(pair)[:3]
-            done += 1
-        print(f"{done} of {len(pairs)} pairs of a case and a value of a setting, {len(faults)} faults")
+        runs, end = Runs(), time.monotonic() + seconds
+
+        def faults_of(pair):
+            return runs.faults(pair)[:3] if time.monotonic() < end else None
+
+        with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+            found = [faults for faults in pool.map(faults_of, pairs) if faults is not None]
+        faults = [fault for some in found for fault in some]
+        print(f"{len(found)} of {len(pairs)} pairs of a case and a value of a setting, {len(faults)} faults")
         self.assertFalse(faults, "\n".join(faults))
 
     def test_at_rest(self):
