@@ -283,6 +283,7 @@ class Settings(unittest.TestCase):
     def test_each_setting_is_used_by_a_case(self):
         """None of the marked inputs escapes because no case uses it."""
         used = {without_set(path) for case in all_cases() for rows in used_settings(case).values() for path, _ in rows}
+        self.assertTrue(NUMERICAL, "the schema marks no input as numerical")
         self.assertEqual(set(NUMERICAL) - used, set())
         analyses = {analysis for case in all_cases() for analysis in used_settings(case)}
         self.assertEqual(analyses - {*AT_REST, *ELSEWHERE, *(row[1] for row in MOVING)}, set())
