@@ -268,14 +268,15 @@ void describe(Record& record, const StaticStudy& study) {
              describe_life)
       .detail = true;
   record.child("life_table", "comparison of lives", study.life_table()).detail = true;
-  record.table("over_cage_positions", "range",
-               "least and greatest over the positions of the cage in a pitch; results are those at "
-               "bearing.first_element_angle",
-               study.over_positions, [](Record& row, const PositionRange& range) {
-                 row.value("result", "its key", range.result);
-                 row.value("least", dimension::ratio, "in the unit that the key ends in", range.least);
-                 row.value("most", dimension::ratio, "the same", range.most);
-               });
+  if (!study.over_positions.empty())
+    record.table("over_cage_positions", "range",
+                 "least and greatest over the positions of the cage in a pitch; results are those at "
+                 "bearing.first_element_angle",
+                 study.over_positions, [](Record& row, const PositionRange& range) {
+                   row.value("result", "its key", range.result);
+                   row.value("least", dimension::ratio, "in the unit that the key ends in", range.least);
+                   row.value("most", dimension::ratio, "the same", range.most);
+                 });
   if (!balls_move(study.state))
     record.child("steps", "between the bearing and its reference life", study, describe_steps).detail = true;
   record.array("stiffness", {}, "of the inner ring: x, y, z, tilt about x, tilt about y; SI",
@@ -425,7 +426,7 @@ std::vector<std::pair<std::string, double>> results_by_position(const StaticStud
 // Rollers and balls pass the load: what is found with the first one where it is stated, beside other
 // positions.
 void put_ranges(const ResolvedCase& in, StaticStudy& study) {
-  constexpr int positions = 8;
+  constexpr int positions = 4;  // the ends are mirrored: an element on the load line, or two beside it
   for (const auto& [key, value] : results_by_position(study))
     study.over_positions.push_back({key, value, value});
   for (int k = 1; k < positions; ++k) {

@@ -8,11 +8,18 @@
 
 namespace orbearing::bearing::motion {
 
+/// 1 or -1: that of pure rolling, which a cage that stands has too.
+inline double sense_of_orbit(const BearingModel& model) {
+  const double rolling =
+      kinematic_cage_speed(model.geometry, model.point.inner_speed, model.point.outer_speed);
+  return rolling < 0.0 ? -1.0 : 1.0;
+}
+
 /// Force [N] on the pitch circle against the orbit at the orbital speed `speed` [rad/s]: drag of all rollers
 /// and of the cage, and what the land does to a cage that is centred in it (negative where the land drives).
 inline double resistance_to_orbit(const BearingModel& model, double speed) {
   const double pitch = 0.5 * (model.geometry.inner_radius + model.geometry.outer_radius);
-  const double along = speed < 0.0 ? -1.0 : 1.0;
+  const double along = sense_of_orbit(model);
   double resistance =
       -along * static_cast<double>(model.layout.rollers) * model.orbit_drag.force(pitch * speed) -
       along * model.cage_drag.force(speed) / pitch;
@@ -29,9 +36,11 @@ inline double resistance_to_orbit(const BearingModel& model, double speed) {
 ///   2 mu sum(Q) sigma / sqrt(sigma^2 + s_0^2) = resistance at (1 - s) omega_k,   sigma = s omega_k d_m / 2
 ///
 /// with Q the smaller of a roller's loads at both races: a roller that only one race touches takes its spin
-/// from that race and drives nothing. Left out, so that the motion slips more: resistance to rolling,
-/// churning by the rollers' spin, friction in the pockets. 1 where traction moves neither rollers nor cage; 0
-/// where nothing resists.
+/// from that race and drives nothing. Left out: churning by the rollers' spin and friction in the pockets, so
+/// that the motion slips more, and resistance to rolling F. That has the sense of the outer race, 2 F R_o/r_m
+/// on a roller that no other touches (bearing/motion/README.md, Eq. 6): a bore that turns carries rollers
+/// along, and the motion slips less; about a shaft that turns it slips more. 1 where traction moves neither
+/// rollers nor cage; 0 where nothing resists.
 /// @param loads [N] Q of all rollers, their sum
 inline double drag_slip(const BearingModel& model, double loads) {
   const double rolling =

@@ -85,5 +85,20 @@ TEST(DragSlip, DoesNotDependOnTheSenseOfRotation) {
   EXPECT_NEAR(drag_slip(model, 60.0), forward, kHalvings);
 }
 
+// A land of the bore drives the cage: in either sense a cage that stands is driven as much.
+TEST(DragSlip, ALandOfTheBoreDrivesInEitherSense) {
+  Bearing bearing = test::reducer_bearing();
+  DynamicsParameters parameters = test::reducer_parameters();
+  parameters.cage.guide_diameter = 38.88e-3;
+  OperatingPoint point = test::reducer_point(6000.0);
+  point.carrier = {};
+  BearingModel model = bearing_model(bearing, point, parameters);
+  ASSERT_TRUE(model.land.on_bore);
+  const double backward = resistance_to_orbit(model, -0.0);
+  model.point.outer_speed = -model.point.outer_speed;
+  EXPECT_NEAR(resistance_to_orbit(model, 0.0), backward, 1e-12 * std::abs(backward));
+  EXPECT_LT(backward, 0.0);
+}
+
 }  // namespace
 }  // namespace orbearing::bearing::motion::drag_slip_test
