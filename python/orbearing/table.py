@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import os
 from typing import NamedTuple, Optional
 
 import numpy as np
@@ -32,6 +33,7 @@ class Table:
     """
 
     def __init__(self, file):
+        self._file = os.path.abspath(file)
         self._core = _core.CoreTable(str(file))
         self.inputs = {path: (low, high) for path, low, high in self._core.inputs()}
         self.results = tuple(self._core.results())
@@ -43,6 +45,9 @@ class Table:
             last = path.rpartition(".")[2]
             alone = sum(other.rpartition(".")[2] == last for other in self.inputs) == 1
             self._paths.update({path.replace(".", "_"): path, **({last: path} if alone else {})})
+
+    def __reduce__(self):
+        return Table, (self._file,)
 
     def __getattr__(self, name: str):
         if name.startswith("_") or name not in self.results:

@@ -135,11 +135,11 @@ class Study(unittest.TestCase):
         (self.place / "rows.csv").write_bytes(b"bearing.rollers,input.speed (rpm)\n15,6000\xff\n")
         self.assertRegex(run("--table", self.place / "rows.csv", "--json").stderr, r"rows\.csv:2:8: found a byte that is not UTF-8")
 
-    def test_what_nothing_feels_is_said(self):
-        found = json.loads(run("--vary", "input.acceleration=[0 rpm/s, 10 rpm/s]", "--json").stdout)
-        self.assertEqual(len(found["warnings"]), 1)
-        self.assertIn("input.acceleration", found["warnings"][0])
-        self.assertEqual(found["variants"][0]["peak_life_h"], found["variants"][1]["peak_life_h"])
+    def test_what_has_no_effect_on_any_point_is_refused(self):
+        result = run("--vary", "input.acceleration=[0 rpm/s, 10 rpm/s]", "--json")
+        self.assertEqual((result.returncode, result.stdout), (2, ""))
+        self.assertIn("input.acceleration: found a varied input that has no effect on --fidelity quasi-static; used by --fidelity dynamic; required: an input "
+                      "that has an effect", result.stderr)
 
     def test_points_that_fail(self):
         # More and larger rollers fit each alone, not both.

@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 """`orbearing table` and orbearing.Table: errors of random queries, what is computed or refused, resumed and damaged tables."""
 
+import copy
 import pathlib
+import pickle
 import shutil
 import tempfile
 import unittest
@@ -80,6 +82,11 @@ class TableCommand(unittest.TestCase):
             self.table.life_h(clearance=0)
         with self.assertRaisesRegex(AttributeError, "no result cage_slip"):
             self.table.cage_slip()
+
+    def test_it_can_be_copied_and_pickled(self):
+        expected = self.table.life_h(**MIDDLE).value
+        for again in (pickle.loads(pickle.dumps(self.table)), copy.deepcopy(self.table)):
+            self.assertEqual((again.life_h(**MIDDLE).value, again.inputs), (expected, self.table.inputs))
 
     def test_outside_and_above_the_bound_the_program_computes(self):
         outside = self.table.life_h(speed=["4000 rpm", "9000 rpm"], power=150e3)

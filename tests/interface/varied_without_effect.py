@@ -43,11 +43,11 @@ class VariedWithoutEffect(unittest.TestCase):
         # A number that another input gives cannot be uncertain; one that lives at rest do not take can be stated, and not sampled.
         self.refused(run("check", CLASSED, "--set", f"uncertain={{{CLEARANCE}: {{uniform: {{from: 0 um, to: 10 um}}}}}}"), "a number that another input replaces")
         self.refused(program.within(uncertainty_main, REDUCER, "--samples", "8", "--set", "uncertain={bearing.cage.pocket_clearance: {normal: {standard_deviation: 10 um}}}"),
-                     "bearing.cage.pocket_clearance: found a varied input that has no effect on run and sweep")
+                     "bearing.cage.pocket_clearance: found a varied input that has no effect on --fidelity quasi-static; used by --fidelity dynamic")
 
     def test_an_input_that_this_fidelity_does_not_take(self):
         done = program.within(study_main, REDUCER, "-o", self.folder / "s", "--vary", "bearing.cage.pocket_clearance=[0.1 mm, 0.2 mm]")
-        self.refused(done, "bearing.cage.pocket_clearance: found a varied input that has no effect on run and sweep with --fidelity quasi-static; used by")
+        self.refused(done, "bearing.cage.pocket_clearance: found a varied input that has no effect on --fidelity quasi-static; used by --fidelity dynamic")
 
     def test_python(self):
         case = orbearing.load(CLASSED)
