@@ -168,6 +168,7 @@ function parsed(html) {
   return root;
 }
 
+let frames = [];
 const kept = {downloads: [], requests: [], jobs: [], failures: [], copied: []};
 const page = parsed(fs.readFileSync(`${fixture.web}/index.html`, 'utf8').replace('<!--orbearing:opened-->', '<script type="application/json" id="opened"></script>'));
 globalThis.document = {
@@ -185,7 +186,7 @@ Object.assign(globalThis, {
   history: {replaceState: (_, __, address) => (kept.address = address)},
   addEventListener: () => {},
   removeEventListener: () => {},
-  requestAnimationFrame: () => {},
+  requestAnimationFrame: (act) => frames.push(act),
   scrollTo: () => {},
   setInterval: () => {},
   matchMedia: (rule) => ({matches: fixture.narrow === true, media: rule, addEventListener: () => {}}),
@@ -359,6 +360,13 @@ for (const step of fixture.steps) {
     one.checked = value;
     one.dispatchEvent(new Event('change'));
   } else if (what === 'open') find(selector).open = value ?? true;
+  else if (what === 'event') find(selector).dispatchEvent(Object.assign(new Event(step.event, {cancelable: true}), step.data));
+  else if (what === 'frames')
+    for (const time of step.times) {
+      const now = frames;
+      frames = [];
+      for (const act of now) act(time);
+    }
   else if (what === 'tell') jobs.at(-1).source.tell(step.event, step.data);
   else if (what === 'points') {
     jobs.at(-1).points = step.speeds.map((speed) => pointAt(speed, step.which));
@@ -382,6 +390,7 @@ for (const step of fixture.steps) {
       text: find('#yaml').value, errors: clean(find('#errors').textContent), mend: isShown(find('#mend')) ? clean(find('#mend').querySelector('span').textContent) : '', header: clean(seenText(find('header'))),
       cursor: clean(find('#cursor-value').textContent), take: find('#take').open ? {text: clean(seenText(find('#take'))), areas: Object.fromEntries(find('#take').querySelectorAll('textarea').map((one) => [one.id, one.value]))} : null,
       title: document.title, start: clean(seenText(find('#start'))), options: Object.fromEntries(page.querySelectorAll('select').filter((one) => one.id).map((one) => [one.id, one.options.map((option) => option.value)])),
+      choices: Object.fromEntries(page.querySelectorAll('select').filter((one) => one.id).map((one) => [one.id, one.options.map((option) => option.textContent)])),
       body: document.body.className, focused: document.activeElement?.id ?? ''
     };
     if (step.narrowly) dumps[step.name] = Object.fromEntries(step.narrowly.map((name) => [name, dumps[step.name][name]]));

@@ -688,6 +688,86 @@ class AtTheCursor(Drawn):
         self.assertEqual([one["case_text"] for one in self.page["requests"] if one["command"] == "mesh"], [CASE, OTHER])
 
 
+class Moved(Drawn):
+    """What is played and dragged."""
+
+    def test_bearing_and_gears_are_played(self):
+        found = page([click("#card-bearing .play"), {"what": "frames", "times": [500, 1500, 2500]}, dump("playing"), click("#card-bearing .play"), {"what": "frames", "times": [9000, 9900]}, dump("paused"),
+                      put("#card-bearing .player select", "16"), dump("slower")])["dumps"]
+        self.assertEqual([re.search(r"(Play|Pause) one revolution of the cage in", found[name]["cards"]["bearing"]["text"])[1] for name in ("playing", "paused")], ["Pause", "Play"])
+        flow = {one["member"]: one["speed_rpm"] for one in check_of(CASE)["check"]["power_flow"]}
+        planet = next(one["value"] for one in check_of(CASE)["check"]["derived"] if one["path"] == "operation.planet_speed")
+        turn, sense = 2.0 / 4, math.copysign(1, planet * (1 - value_of("cage_slip", SPEED)))
+        for name in ("playing", "paused"):
+            drawings = found[name]["drawings"]
+            bearing = next(one for one in drawings if one["aria-label"].startswith("Bearing to scale"))
+            first = next(part for part in bearing["parts"] if part.get("class") == "element first")
+            x, y, _ = (float(one) for one in re.findall(r"-?[\d.]+", first["transform"]))
+            self.assertAlmostEqual(x, -35.64 / 2 * math.sin(2 * math.pi * turn * sense), delta=1e-3)
+            self.assertAlmostEqual(y, -35.64 / 2 * math.cos(2 * math.pi * turn * sense), delta=1e-3)
+            gears = next(one for one in drawings if "gears" in one["class"])
+            places = [[float(value) for value in re.findall(r"-?[\d.]+", part["transform"])] for part in gears["parts"] if part.get("transform", "").startswith("translate")]
+            slowed = turn / 4 * 2 * math.pi / max(map(abs, flow.values()))
+            self.assertAlmostEqual(math.cos(math.radians(places[1][2]) + slowed * flow["sun"]), 1, delta=1e-9)
+            distance = next(one["value"] for one in check_of(CASE)["check"]["derived"] if one["path"] == "gearset.centre_distance")
+            for i, (x, y, rotation) in enumerate(places[2:6]):
+                place = math.pi / 2 * i + slowed * flow["carrier"]
+                self.assertAlmostEqual(x, -distance * math.sin(place), delta=2e-3)
+                self.assertAlmostEqual(y, -distance * math.cos(place), delta=2e-3)
+                # Teeth roll on the sun: the planet turns back by the ratio of the teeth.
+                own = place + math.pi - (slowed * flow["sun"] - place) * 37 / 22 - math.pi / 22
+                self.assertAlmostEqual(math.sin(math.radians(-rotation) - own), 0, delta=1e-4)
+            self.assertAlmostEqual(places[0][2] % (360 / 79), (-math.degrees(self.ring_of(slowed, flow))) % (360 / 79), delta=2e-3)
+            arms = [float(one) for one in re.findall(r"-?[\d.]+", next(part for part in gears["parts"] if part.get("class") == "carrier")["d"])]
+            self.assertAlmostEqual(arms[2], -distance * math.sin(slowed * flow["carrier"]), delta=2e-3)
+        speed = abs(planet * (1 + 5.24 / 35.64) / 2 * (1 - value_of("cage_slip", SPEED)))
+        self.assertIn(f"Slowed {readable(speed / 60 * 16, 3)} times.", found["slower"]["cards"]["bearing"]["text"])
+
+    @staticmethod
+    def ring_of(slowed, flow):
+        """A ring at rest stands still: where it stands, a gap faces the tooth of the first planet."""
+        place = slowed * flow["carrier"]
+        planet = place + math.pi - (slowed * flow["sun"] - place) * 37 / 22 - math.pi / 22
+        return place + (planet - place) * 22 / 79 + math.pi / 79
+
+    def test_the_shape_of_a_mode_swings(self):
+        found = page([{"what": "open", "selector": "#card-modes"}, put("#mode-choice", "translational 1"), click("#card-modes .play"), {"what": "frames", "times": [100, 600]}, dump("swung"),
+                      put("#card-modes .player input", "50", "input"), dump("half")])["dumps"]
+        distance = next(one["value"] for one in check_of(CASE)["check"]["derived"] if one["path"] == "gearset.centre_distance")
+        for name, factor in (("swung", 1.0), ("half", 0.5)):
+            drawing = next(one for one in found[name]["drawings"] if "shape" in one["class"])
+            x, y, _ = (float(one) for one in re.findall(r"-?[\d.]+", next(part for part in drawing["parts"] if part.get("class") == "moved sun-moved")["transform"]))
+            angle = 2 * math.pi * 0.5 / 2  # half a second of two a period
+            values = [0.22 * distance * factor * (a * math.cos(angle) + b * math.sin(angle)) for a, b in zip(MODES[1]["shape"][0], MODES[1]["shape_quarter"][0])]
+            self.assertAlmostEqual(-y, values[0], delta=1e-3)
+            self.assertAlmostEqual(-x, values[1], delta=1e-3)
+            self.assertIn(f"Largest displacement drawn as {readable(0.22 * distance * factor, 2)} mm", found[name]["cards"]["modes"]["text"])
+
+    def test_the_cursor_is_dragged_in_a_chart(self):
+        left, right = 76, 640 - 22
+        at = {rpm: left + (right - left) * (rpm - LOW) / (HIGH - LOW) for rpm in (8500, 9250)}
+        found = page([{"what": "event", "selector": "#card-loads .chart", "event": "pointerdown", "data": {"buttons": 1, "clientX": at[8500], "clientY": 50, "pointerId": 1}}, dump("pressed"),
+                      {"what": "event", "selector": "#card-loads .chart", "event": "pointermove", "data": {"buttons": 1, "clientX": at[9250], "clientY": 50}}, dump("dragged"),
+                      {"what": "event", "selector": "#card-loads .chart", "event": "pointermove", "data": {"buttons": 0, "clientX": 300, "clientY": 50}}, dump("left"),
+                      {"what": "event", "selector": "#card-loads .chart", "event": "pointermove", "data": {"buttons": 1, "clientX": 5000, "clientY": 50}}, dump("beyond")])
+        dumps = found["dumps"]
+        self.assertEqual([dumps[name]["cursor"] for name in ("pressed", "dragged", "left", "beyond")], ["8\u202f500 rpm", "9\u202f250 rpm", "9\u202f250 rpm", "10\u202f000 rpm"])
+        for name, rpm in (("pressed", 8500), ("dragged", 9250), ("beyond", 10000)):
+            for card in ("life", "loads", "roller-loads"):
+                chart = dumps[name]["cards"][card]["charts"][0]
+                (pixel, value), = chart["cursor"]
+                self.assertEqual(value, rpm)
+                self.assertAlmostEqual(Read(chart).x(pixel)[0], rpm, delta=1e-6)
+        self.assertEqual([one["settings"] for one in found["requests"] if one["command"] == "run"][1:], [["input.speed=8500 rpm"], ["input.speed=9250 rpm"], ["input.speed=10000 rpm"]])
+
+    def test_a_curve_of_the_campbell_diagram_is_pressed(self):
+        first = page([{"what": "open", "selector": "#card-modes"}, dump()])["dumps"]["end"]["cards"]["modes"]["charts"][0]
+        curve = next(one for one in first["curves"] if one["key"] == "planet 1")
+        x, y = curve["paths"][0][4]
+        found = page([{"what": "open", "selector": "#card-modes"}, {"what": "event", "selector": "#card-modes .chart", "event": "pointerdown", "data": {"buttons": 1, "clientX": x, "clientY": y, "pointerId": 1}}, dump()])
+        self.assertIn("Planet mode at ", found["dumps"]["end"]["cards"]["modes"]["text"])
+
+
 class Compared(Drawn):
     """Pinned variants beside the case: inputs, results and percentages."""
 
@@ -943,7 +1023,6 @@ class TakenAway(Drawn):
         self.assertEqual(still["take-point"], "orbearing run 'my case.yaml' --json --set 'input.speed=9000 rpm'")
         self.assertEqual(moving["take-point"], "orbearing run 'my case.yaml' --json --set 'input.speed=8400 rpm'")
         self.assertEqual(moving["take-python"], 'import orbearing\n\ncase = orbearing.load("my case.yaml")\nsweep = case.sweep(fidelity="dynamic")\ntable = sweep.to_xarray()\nsweep.plot()')
-        self.assertIn("Report at 8\u202f400 rpm", str(page([cursor_put(8400), click("#to-take"), dump()])["dumps"]["end"]["options"]) + "Report at 8\u202f400 rpm")
 
     def test_files(self):
         found = page([click("#to-take"), click("#take-case"), click("#take-csv"), click("#take-json"), dump(narrowly=["take"])], results={"nulls": {"film_inner_um": None}})
@@ -963,6 +1042,14 @@ class TakenAway(Drawn):
         point = json.loads(result)["points"][0]
         self.assertEqual({key: point[key] for key in KEYS if key != "film_inner_um"}, {key: value_of(key, SPEED) for key in KEYS if key != "film_inner_um"})
         self.assertEqual(point["input_speed_rpm"], SPEED)
+
+    def test_reports(self):
+        found = page([cursor_put(8400), click("#to-take"), click("#take-report"), put("#take-scope", "speeds"), click("#take-pdf"), dump()])
+        asked = [one for one in found["requests"] if "path" in one]
+        self.assertEqual([(one["path"], one["settings"], one["case_text"]) for one in asked], [("report?of=point", ["input.speed=8400 rpm"], CASE), ("report?of=speeds&form=pdf", [], CASE)])
+        self.assertEqual(found["downloads"], ["<p>report</p>"] * 2)
+        self.assertIn("The PDF is among the downloads.", found["dumps"]["end"]["take"]["text"])
+        self.assertIn("Report at 8\u202f400 rpm", found["dumps"]["end"]["choices"]["take-scope"])
 
     def test_saving_states_the_version_it_began_with(self):
         conflict = {"status": 409, "body": {"errors": ["case.yaml: found another content"], "checksum": "by a colleague"}}
@@ -1052,6 +1139,16 @@ class Single(Drawn):
     def test_commands(self):
         found = page([click("#to-take"), dump()], ({"text": ROLLER_CASE, **check_of(ROLLER_CASE), "results": {"run": self.found}},), results={"run": {}})["dumps"]["end"]["take"]
         self.assertEqual(found["areas"], {"take-command": "orbearing run case.yaml", "take-python": 'import orbearing\n\ncase = orbearing.load("case.yaml")\nresult = case.run()'})
+
+    def test_cards_are_those_of_the_model(self):
+        pair = (CASES / "mesh_62_62" / "case.yaml").read_text(encoding="utf-8")
+        duplex = (CASES / "templates" / "duplex.yaml").read_text(encoding="utf-8")
+        shown = {name: set(page([dump()], ({"text": text, **check_of(text), "results": {command: result}},), results={"run": {}})["dumps"]["end"]["cards"])
+                 for name, text, command, result in (("gears", pair, "mesh", MESH), ("duplex", duplex, "run", {"L10h": 1.5}), ("defect", DEFECT_CASE, "run", {}))}
+        shown |= {"planets": set(page([dump()])["dumps"]["end"]["cards"]), "roller": set(self.end["cards"])}
+        always = {"variants", "assumptions"}
+        self.assertEqual(shown, {"planets": always | {"life", "loads", "roller-loads", "motion", "more", "mesh", "bearing", "gears", "pressure", "crown", "modes", "point"},
+                                 "roller": always | {"result", "bearing", "pressure"}, "gears": always | {"result", "mesh"}, "duplex": always | {"result", "bearing"}, "defect": always | {"result", "bearing"}})
 
     def test_a_run_in_time_belongs_to_its_case(self):
         other = DEFECT_CASE.replace("radial: 1 kN", "radial: 2 kN")
@@ -1160,6 +1257,8 @@ block: |
 
   three
 empty:
+"quoted: key" : 5
+'other key': 6
 flow: {a: 1, "b c": [x, 'y, z', {d: e}], f:   # a comment
   last, g: }
 list:
