@@ -321,7 +321,7 @@ class Curves(Drawn):
     def test_a_variant_like_the_case_is_said_to_be(self):
         chart = self.chart("life", self.third)
         expected = [(key, label_of(key), swept(key, 1)) for key in LIVES] + [(f"{key} A", "variant A" if key == "life_h" else "", swept(key)) for key in LIVES] \
-            + [(f"{key} C", "variant Csame curve as life (Lundberg-Palmgren)" if key == "life_h" else "", swept(key, 1)) for key in LIVES]
+            + [(f"{key} C", "variant Csame curves as the case" if key == "life_h" else "", swept(key, 1)) for key in LIVES]
         self.assert_chart(chart, expected, [OVER, "life (h)"], **{f"{key} C": {"equal": key, "dash": "9 3 2 3"} for key in LIVES})
         (pixel, value), = chart["cursor"]
         self.assertEqual(value, 8400)
@@ -451,6 +451,11 @@ class AtTheCursor(Drawn):
         texts = [row[1] for row in rows]
         self.assertIn("3.21·10⁻⁵ N m".replace("3.21", "3.210"), texts)  # the sign of an exponent
         self.assertIn("−1.250·10⁹ N", texts)
+        numbers = [key for key in order if isinstance(expected.get(key), float)]
+        for key, (text, value, title) in zip(numbers, self.dumps["cursor"]["cards"]["point"]["figures"]):
+            unit = POINT.get(key, {}).get("unit", "")
+            self.assertEqual(float(value), expected[key], key)
+            self.assertEqual(title, f"{value} {'' if unit == '1' else unit}".strip(), key)  # all digits, and the unit as the program has it
         figures = {title: (text, value) for text, value, title in self.dumps["cursor"]["cards"]["point"]["figures"]}
         self.assertEqual(figures["0.0000321 N.m"], ("3.210·10⁻⁵ N m", "0.0000321"))
         self.assertEqual(self.dumps["cursor"]["cursor"], "8\u202f400 rpm")
