@@ -115,6 +115,7 @@ class Element extends EventTarget {
   click() { this.dispatchEvent(new Event('click')); }
   scrollIntoView() {}
   setPointerCapture() {}
+  setSelectionRange(from, to) { this.selected = [from, to]; }
   showModal() { this.open = true; }
   close() { this.open = false; }
   matches(selector) { return selector.split(',').some((one) => matchesOne(this, one.trim())); }
@@ -233,6 +234,11 @@ globalThis.fetch = async (url, init = {}) => {
   const respond = ({status = 200, body: answer}) => ({ok: status < 400, status, json: async () => answer, text: async () => String(answer), blob: async () => answer});
   if (path.startsWith('schema/')) return respond({body: JSON.parse(fs.readFileSync(`${fixture.schemas}/${path.slice(7)}.schema.json`, 'utf8'))});
   if (path.startsWith('request')) {
+    if (fixture.refusals?.length) {
+      const refused = fixture.refusals.shift();
+      if (refused === 'gone') throw new TypeError('no connection');
+      if (refused) return respond(refused);
+    }
     kept.requests.push(body);
     return respond(answered(body));
   }

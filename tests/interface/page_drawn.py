@@ -1021,6 +1021,64 @@ class Form(Drawn):
             self.assertIn(f"Designations of tapered roller bearings and spherical roller bearings cannot be chosen", shown[word]["bearing.designation"]["meaning"])
 
 
+class Edited(Drawn):
+    """Values by slider, by a unit that is typed, from a file; requests that fail."""
+
+    def test_a_slider_spans_about_the_value(self):
+        texts = [CASE.replace("module: 3 mm", f"module: {value} mm") for value in ("4.5", "1.5")]
+        rollers = CASE.replace("rollers: 15", "rollers: 22")  # of 3, the least, to 30
+        found = page([put("[data-key='gearset.module'] .slider", "150", "input"), dump("dragging"), put("[data-key='gearset.module'] .slider", "50"), dump("released"),
+                      text_put(CASE), put("[data-key='bearing.rollers'] .slider", "140"), dump("whole")], (CASE, *texts, rollers))["dumps"]
+        self.assertEqual([found[name]["text"] for name in ("dragging", "released", "whole")], [*texts, rollers])
+
+    def test_a_typed_unit(self):
+        inch = CASE.replace("module: 3 mm", "module: 0.125 inch")
+        found = page([put("[data-key='gearset.module'] .unit", "other"), put("[data-key='gearset.module'] input.unit", "inch", "input"), {"what": "event", "selector": "[data-key='gearset.module'] input.unit", "event": "blur"}, dump(),
+                      put("[data-key='gearset.face_width'] .unit", "other"), {"what": "event", "selector": "[data-key='gearset.face_width'] input.unit", "event": "blur"}, dump("none")],
+                     (CASE, inch), units={"3 mm > inch": {"body": {"number": 0.125, "text": "0.125 inch"}}})["dumps"]
+        self.assertEqual(found["end"]["text"], inch)
+        row = next(row for row in found["end"]["rows"] if row["key"] == "gearset.module")
+        self.assertEqual((row["value"], row["unit"]), ("0.125", "inch"))
+        self.assertEqual(found["none"]["text"], inch)
+
+    def test_text_that_the_form_cannot_show(self):
+        anchored = CASE.replace("module: 3 mm", "module: &m 3 mm")
+        broken = {"text": anchored, "errors": ["case.yaml:10:11: gearset.module: found an anchor", "case.yaml:4:3: nowhere.key: found a key", "not about a line"]}
+        found = page([text_put(anchored), dump(), click("#errors button"), dump("line")], (CASE, broken))["dumps"]
+        self.assertIn("The form cannot show this text (line 10: anchors, aliases and tags are not read here). Edit it as YAML.", found["end"]["errors"])
+        self.assertIn("Line 4, column 3: nowhere.key: found a key Show the linenot about a line", found["end"]["errors"])
+        self.assertEqual((found["line"]["focused"], "with-text" in found["line"]["body"]), ("yaml", True))
+        self.assertEqual(next(row for row in found["end"]["rows"] if row["key"] == "gearset.module")["note"], "found an anchor")
+        self.assertEqual(found["end"]["mend"], "3 errors: the results are those of the last valid case")
+        self.assertIn("stale", found["end"]["body"])
+
+    def test_requests_that_fail(self):
+        failed = {"status": 500, "body": {"code": 1, "errors": ["no static equilibrium", "second line"]}}
+        found = page([cursor_put(8400), dump("failed"), cursor_put(8600), dump("again")], refusals=[None] * 4 + [failed])["dumps"]
+        self.assertIn("no static equilibriumsecond line", found["failed"]["errors"])
+        self.assertTrue(found["failed"]["header"].endswith("failed New case YAML Take away") and "stale" in found["failed"]["body"])
+        self.assertEqual(found["again"]["errors"], "")
+        self.assertNotIn("stale", found["again"]["body"])
+        gone = page([cursor_put(8400), dump()], refusals=[None] * 4 + ["gone"])["dumps"]["end"]
+        self.assertIn("The program does not answer. Start `orbearing open` again, then load its new address.", gone["errors"])
+        busy = page([cursor_put(8400), dump()], refusals=[None] * 4 + [{"status": 429, "body": {"error": "more than 8"}}] * 2)
+        self.assertEqual(busy["dumps"]["end"]["errors"], "")
+        self.assertEqual(busy["requests"][-1]["settings"], ["input.speed=8400 rpm"])
+
+    def test_long_results(self):
+        rest = {"many": [{"name": f"row {i}", "force_N": 1.5 + i} for i in range(70)], "wide": [[float(i) for i in range(14)]], "none": [], "long": [float(i) + 0.5 for i in range(30)]}
+        card = page([{"what": "open", "selector": "#card-point"}, {"what": "open", "selector": "#card-point details"}, dump()], results={"run": {**RUN, **rest}})["dumps"]["end"]["cards"]["point"]
+        many = next(table for table in card["tables"] if ["name", "force"] in table)
+        self.assertEqual((len(many), many[60]), (61, ["row 59", "60.5"]))
+        self.assertIn(["0", "1", "2", "3", "4", "5", "6", "7", "8", "9", "10", "11", "…"], sum(card["tables"], []))
+        self.assertIn("long: 30 values", card["text"])
+
+    def test_a_curve_that_takes_long_has_few_speeds(self):
+        """Speeds of the curve: nine at first, sixty where they take no long time."""
+        found = page([dump(narrowly=["cursor"]), text_put(OTHER)], (CASE, OTHER))
+        self.assertEqual([len(one["settings"][0].split(",")) for one in found["requests"] if one["command"] == "sweep"], [9, 60, 60])
+
+
 class TakenAway(Drawn):
     def test_commands(self):
         found = page([click("#to-take"), dump("still"), click("#take .close"), put("#fidelity", "dynamic"), cursor_put(8400), click("#to-take"), dump("moving")],
@@ -1351,8 +1409,8 @@ class CaseText(unittest.TestCase):
 
     def test_keys_are_added_in_the_order_of_the_schema(self):
         text = "a: 1\nc: 3  # of c\ne:\n  f: 1\n"
-        found, = self.read([{"text": text, "sets": [[["b"], "2", ["a", "b", "c", "d", "e"]], [["d"], "4", ["a", "b", "c", "d", "e"]], [["z"], "9", ["z", "a", "b"]]]}])
-        self.assertEqual(found["sets"], ["a: 1\nb: 2\nc: 3  # of c\ne:\n  f: 1\n", "a: 1\nc: 3  # of c\nd: 4\ne:\n  f: 1\n", "z: 9\na: 1\nc: 3  # of c\ne:\n  f: 1\n"])
+        found, = self.read([{"text": text, "sets": [[["b"], "2", ["a", "b", "c", "k", "e"]], [["k"], "4", ["a", "b", "c", "k", "e"]], [["z"], "9", ["z", "a", "b"]]]}])
+        self.assertEqual(found["sets"], ["a: 1\nb: 2\nc: 3  # of c\ne:\n  f: 1\n", "a: 1\nc: 3  # of c\nk: 4\ne:\n  f: 1\n", "z: 9\na: 1\nc: 3  # of c\ne:\n  f: 1\n"])
 
     def test_what_cannot_be_read_is_refused_with_its_line(self):
         refused = {"a: &x 1\n": "line 1: anchors", "a: 1\nb: *x\n": "line 2: anchors", "a: !!binary x\n": "line 1: anchors", "a: 'x\n": "line 1: a quotation mark", "a: [1, 2\n": "line 1: '[' is not closed",
