@@ -1267,7 +1267,7 @@ class Opened(Drawn):
 
     def test_the_bins_of_a_spectrum(self):
         bins = [{"bin": i + 1, "power_kW": 150.5 - i, "torque_N_m": 160.25 - 3 * i, "speed_rpm": 9000.0 - 7 * i, "share": 0.25 + 0.5 * i, "damage_share": 0.875 - 0.75 * i, "life_h": 4321.0 + 11 * i} for i in range(2)]
-        for spectrum in ({"bins": bins, "life_h": 5432.0}, [{"bins": bins, "life_h": 5432.0}]):
+        for spectrum in ({"bins": bins, "life_h": 5432.0}, [{"bins": bins, "life_h": 5432.0}, {"bins": bins[:1], "life_h": 1.0}]):
             card = page([dump()], results={"sweep": {**SWEEP, "spectrum": spectrum}})["dumps"]["end"]["cards"]["spectrum"]
             self.assertEqual(card["tables"][0], [
                 ["bin", "power (kW)", "torque (N m)", "speed (rpm)", "share of time", "share of damage", "life (h)"],
