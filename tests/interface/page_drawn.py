@@ -546,6 +546,8 @@ class AtTheCursor(Drawn):
     def test_the_shape_of_a_mode(self):
         text = self.dumps["turned"]["cards"]["modes"]["text"]
         self.assertIn(f"Translational mode at {figure_of(self.frequency(1, 8400.0), 'Hz')}, one of 2 of this frequency.", text)
+        self.assertIn(f"Translational mode at {figure_of(self.frequency(1, 8600.0), 'Hz')}, one of 2", self.dumps["further"]["cards"]["modes"]["text"])  # the same one at another speed
+        self.assertIn(f"Rotational mode at {figure_of(self.frequency(0, 8400.0), 'Hz')}. Largest", self.dumps["cursor"]["cards"]["modes"]["text"])
         distance = self.derived["gearset.centre_distance"]
         drawing = next(one for one in self.dumps["turned"]["drawings"] if "shape" in one["class"])
         size = 0.22 * distance
