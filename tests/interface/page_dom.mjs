@@ -9,7 +9,6 @@ const WIDTH = 640;
 
 // --- A document.
 const VOID = ['meta', 'link', 'input', 'br'];
-const camel = (name) => name.replace(/-(.)/g, (_, letter) => letter.toUpperCase());
 
 class Text {
   constructor(data) {
@@ -19,32 +18,41 @@ class Text {
   get textContent() { return this.data; }
 }
 
-class Element extends EventTarget {
+class Element {  // what few elements need is made when it is asked for
   constructor(name) {
-    super();
     this.name = name.toLowerCase();
     this.tagName = name.toUpperCase();
     this.attributes = new Map();
     this.childNodes = [];
     this.parent = null;
-    const properties = {};
-    this.style = new Proxy(properties, {get: (all, key) => key === 'setProperty' ? (name, value) => (properties[name] = String(value)) : (properties[key] ?? '')});
-    this.dataset = new Proxy({}, {
+  }
+  addEventListener(name, act, {once = false} = {}) { ((this.listeners ??= {})[name] ??= []).push({act, once}); }
+  dispatchEvent(event) {
+    Object.defineProperty(event, 'target', {value: this, configurable: true});
+    const heard = this.listeners?.[event.type] ?? [];
+    if (heard.length) this.listeners[event.type] = heard.filter((one) => !one.once);
+    for (const {act} of heard) act(event);
+  }
+  get style() {
+    const properties = this.properties ??= {};
+    return this.styled ??= new Proxy(properties, {get: (all, key) => key === 'setProperty' ? (name, value) => (properties[name] = String(value)) : (properties[key] ?? '')});
+  }
+  get dataset() {
+    return this.data ??= new Proxy({}, {
       get: (_, key) => this.getAttribute(`data-${String(key).replace(/[A-Z]/g, (one) => `-${one.toLowerCase()}`)}`) ?? undefined,
       set: (_, key, value) => (this.setAttribute(`data-${String(key)}`, value), true)
     });
-    const list = () => (this.getAttribute('class') ?? '').split(/\s+/).filter(Boolean), put = (names) => this.setAttribute('class', names.join(' '));
-    this.classList = {
+  }
+  get classList() {
+    const list = () => this.className.split(' ').filter(Boolean), put = (names) => (this.className = names.join(' '));
+    return this.list ??= {
       contains: (one) => list().includes(one),
       add: (...names) => put([...new Set([...list(), ...names])]),
       remove: (...names) => put(list().filter((one) => !names.includes(one))),
       toggle: (one, on = !list().includes(one)) => put(on ? [...new Set([...list(), one])] : list().filter((other) => other !== one))
     };
   }
-  setAttribute(name, value) {
-    this.attributes.set(name, String(value));
-    if (name === 'value' && this.given === undefined) this.given = undefined;
-  }
+  setAttribute(name, value) { this.attributes.set(name, String(value)); }
   getAttribute(name) { return this.attributes.get(name) ?? null; }
   removeAttribute(name) { this.attributes.delete(name); }
   get children() { return this.childNodes.filter((one) => one instanceof Element); }
@@ -118,16 +126,17 @@ class Element extends EventTarget {
   setSelectionRange(from, to) { this.selected = [from, to]; }
   showModal() { this.open = true; }
   close() { this.open = false; }
-  matches(selector) { return selector.split(',').some((one) => matchesOne(this, one.trim())); }
+  matches(selector) { return selectorOf(selector).some((one) => one(this)); }
   closest(selector) {
     for (let at = this; at instanceof Element; at = at.parent)
       if (at.matches(selector)) return at;
     return null;
   }
   querySelectorAll(selector) {
-    const found = [], walk = (node) => {
-      for (const one of node.children) {
-        if (one.matches(selector)) found.push(one);
+    const found = [], tests = selectorOf(selector), walk = (node) => {
+      for (const one of node.childNodes) {
+        if (!(one instanceof Element)) continue;
+        if (tests.some((test) => test(one))) found.push(one);
         walk(one);
       }
     };
@@ -138,18 +147,29 @@ class Element extends EventTarget {
 }
 
 const SIMPLE = /([a-z][\w-]*)|\.([\w-]+)|#([\w.-]+)|\[([\w-]+)(?:=['"]?([^'"\]]*)['"]?)?\]/giy;
-function matchesOne(element, selector) {
-  const parts = selector.split(/\s+/), last = parts.pop();
+function partOfSelector(text) {
+  const tests = [];
   SIMPLE.lastIndex = 0;
-  for (let one, at = 0; at < last.length; at = SIMPLE.lastIndex) {
-    one = SIMPLE.exec(last);
-    if (!one) throw new Error(`a selector that this document does not read: ${selector}`);
+  for (let one, at = 0; at < text.length; at = SIMPLE.lastIndex) {
+    one = SIMPLE.exec(text);
+    if (!one) throw new Error(`a selector that this document does not read: ${text}`);
     const [, tag, name, id, attribute, value] = one;
-    if (tag && element.name !== tag.toLowerCase() || name && !element.classList.contains(name) || id && element.id !== id) return false;
-    if (attribute && (value === undefined ? !element.attributes.has(attribute) : element.getAttribute(attribute) !== value)) return false;
+    tests.push((element) => tag ? element.name === tag.toLowerCase() :
+        name                    ? element.attributes.has('class') && element.classList.contains(name) :
+        id                      ? element.id === id :
+        value === undefined     ? element.attributes.has(attribute) :
+                                  element.getAttribute(attribute) === value);
   }
-  if (!parts.length) return true;
-  return Boolean(element.parent instanceof Element && element.parent.closest(parts.join(' ')));
+  return (element) => tests.every((test) => test(element));
+}
+const selectors = new Map();
+function selectorOf(text) {
+  if (!selectors.has(text))
+    selectors.set(text, text.split(',').map((one) => {
+      const parts = one.trim().split(/\s+/), last = partOfSelector(parts.pop()), above = parts.join(' ');
+      return (element) => last(element) && (!above || Boolean(element.parent?.closest(above)));
+    }));
+  return selectors.get(text);
 }
 
 function parsed(html) {
@@ -345,7 +365,6 @@ const settled = async () => {
 await import(pathToFileURL(`${fixture.web}/app.js`));
 while (!document.body.classList.contains('ready')) await new Promise((resolve) => setTimeout(resolve, 2));  // files are read
 await settled();
-const session = () => kept.session;
 const dumps = {};
 const find = (selector) => {
   const found = page.querySelector(selector);
