@@ -565,6 +565,13 @@ class AtTheCursor(Drawn):
             y = (distance + out) * math.sin(place) + along * math.cos(place)
             planets.append((-y, -x, -math.degrees(place + u / (module * 22 / 2 * math.cos(pressure)))))
         self.assert_placed(drawing, "moved planet-moved", planets)
+        still = [[float(part[key]) for key in ("r", "cx", "cy")] for part in drawing["parts"] if part.get("class") == "still"]
+        expected = [[118.5, 0, 0], [55.5, 0, 0], *([33.0, -distance * math.sin(math.pi / 2 * i), -distance * math.cos(math.pi / 2 * i)] for i in range(4))]
+        for one, other in zip(still, expected, strict=True):
+            self.assert_numbers(one, other)
+        self.assert_numbers([float(one) for one in drawing["viewBox"].split()], [-1.3 * 118.5, -1.3 * 118.5, 2.6 * 118.5, 2.6 * 118.5])
+        bodies = [(float(part["r"]), part["path"]) for part in drawing["parts"] if part["name"] == "circle" and part["path"].startswith("moved")]
+        self.assertEqual(bodies, [(118.5, "moved ring-moved")] + [(33.0, "moved planet-moved")] * 4 + [(55.5, "moved sun-moved")])
         (cx, cy, u), arm = (size * value for value in shape[2]), next(one for one in drawing["parts"] if one.get("class") == "carrier")["d"]
         numbers = [float(one) for one in re.findall(r"-?[\d.]+", arm)]
         for i in range(4):
@@ -628,6 +635,24 @@ class AtTheCursor(Drawn):
         self.assertEqual({part["text"] for part in drawing["parts"] if part["name"] == "text"}, {text["text"], "outward", "to the sun"})
         circles = {part["r"] for part in drawing["parts"] if part["name"] == "circle"}
         self.assertEqual(circles, {"2.62"})
+        lines = {name: [[float(part[key]) for key in ("x1", "y1", "x2", "y2")] for part in drawing["parts"] if part["name"] == "line" and part["path"] == name] for name in ("marks", "cage", "scale")}
+        spoke = {element: [[float(part[key]) for key in ("x1", "y1", "x2", "y2")] for part in drawing["parts"] if part["name"] == "line" and part["path"].startswith(element)] for element in ("element", )}
+        self.assertEqual(spoke["element"], [[0.0, 0.0, 0.0, -0.85 * 5.24 / 2]] * ROLLER)
+        marks = []
+        for small, large in ((float(self.derived["bearing.outer_raceway_diameter"]), 47.0), (25.0, float(self.derived["bearing.inner_raceway_diameter"]))):
+            for i in range(12):
+                depth, angle = (0.6 if i == 0 else 0.25) * (large - small) / 2, math.pi / 6 * i
+                high = (large + small) / 4 + depth / 2
+                marks.append([-high * math.sin(angle), -high * math.cos(angle), -(high - depth) * math.sin(angle), -(high - depth) * math.cos(angle)])
+        self.assertEqual(len(lines["marks"]), len(marks))
+        for one, other in zip(lines["marks"], marks):
+            self.assert_numbers(one, other)
+        for j, one in enumerate(lines["cage"]):
+            angle = 2 * math.pi * (j + 0.5) / ROLLER
+            self.assert_numbers(one, [-33.44 / 2 * math.sin(angle), -33.44 / 2 * math.cos(angle), -38.54 / 2 * math.sin(angle), -38.54 / 2 * math.cos(angle)])
+        self.assertEqual(len(lines["cage"]), ROLLER)
+        right, long = 1.44 * 47 / 2, 0.34 * 47 / 2
+        self.assert_numbers(lines["scale"][0], [right - long, right, right, right])
         rings = [part["d"] for part in drawing["parts"] if part.get("class") == "ring"]
         self.assertEqual([[float(one) for one in re.findall(r"M(-?[\d.]+)", d)] for d in rings], [[-23.5, -float(self.derived["bearing.outer_raceway_diameter"]) / 2],
                                                                                               [-float(self.derived["bearing.inner_raceway_diameter"]) / 2, -12.5]])
@@ -678,6 +703,20 @@ class AtTheCursor(Drawn):
             self.assertAlmostEqual(math.sin(math.radians(-rotation) - own), 0, delta=1e-4)
         circles = {part["class"]: float(part["r"]) for part in drawing["parts"] if part["name"] == "circle" and part["class"] in ("bore", "pin")}
         self.assertEqual(circles, {"bore": 23.5, "pin": 12.5})
+        root = {name: 3.0 * teeth / 2 + 3 * (shift[name] - 1.25) for name, teeth in (("sun", 37), ("planet", 22))}
+        dots = [(float(part["r"]), float(part["cx"]), round(float(part["cy"]), 9)) for part in drawing["parts"] if part.get("class") == "dot"]
+        self.assertEqual(dots, [(1.5, 0.0, round(-0.7 * root["sun"], 9))] + [(1.5, 0.0, round(-(root["planet"] + 23.5) / 2, 9))] * 4)
+        outside = 3.0 * 79 / 2 + 3 * (shift["ring"] + 1.25) + 2.5 * 3
+        self.assert_numbers([float(one) for one in drawing["viewBox"].split()], [-1.03 * outside, -1.03 * outside, 2.06 * outside, 2.06 * outside])
+        ring = next(one for one in drawing["parts"] if one.get("class") == "gear ring-gear")["d"]
+        self.assertAlmostEqual(float(re.match(r"M(-?[\d.]+),0a", ring)[1]), -outside, places=6)
+        arms = [float(one) for one in re.findall(r"-?[\d.]+", next(part for part in drawing["parts"] if part.get("class") == "carrier")["d"])]
+        self.assert_numbers(arms, sum(([0, 0, -distance * math.sin(math.pi / 2 * i), -distance * math.cos(math.pi / 2 * i)] for i in range(4)), []), 1e-3)
+
+    def assert_numbers(self, found, expected, delta=1e-6):
+        self.assertEqual(len(found), len(expected))
+        for one, other in zip(found, expected):
+            self.assertAlmostEqual(one, other, delta=delta)
 
     @staticmethod
     def involute(angle):
