@@ -641,7 +641,7 @@ class PageServer {
 
 std::string leading_to(const std::string& address) {
   return fmt::format(
-      "<!DOCTYPE html>\n<meta charset=\"utf-8\"><title>Orbearing</title>\n"
+      "<!DOCTYPE html>\n<meta charset=\"utf-8\"><title>Orbearing</title><link rel=\"icon\" href=\"data:,\">\n"
       "<meta http-equiv=\"refresh\" content=\"0; url={0}\">\n<a href=\"{0}\">Orbearing</a>\n",
       address);
 }

@@ -119,7 +119,7 @@ def main(program):
                          choice.dispatchEvent(new Event("change"));""")
         camera.keep("modes.jpg", parts, "card-modes")
         camera.size(360, 760, "dark")
-        camera.script("document.getElementById('results').scrollIntoView()")
+        camera.script("scrollTo(0, 0)")
         camera.keep("narrow.jpg", parts)
     finally:
         camera.close()

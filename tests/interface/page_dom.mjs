@@ -9,7 +9,6 @@ const WIDTH = 640;
 
 // --- A document.
 const VOID = ['meta', 'link', 'input', 'br'];
-const camel = (name) => name.replace(/-(.)/g, (_, letter) => letter.toUpperCase());
 
 class Text {
   constructor(data) {
@@ -19,32 +18,41 @@ class Text {
   get textContent() { return this.data; }
 }
 
-class Element extends EventTarget {
+class Element {  // what few elements need is made when it is asked for
   constructor(name) {
-    super();
     this.name = name.toLowerCase();
     this.tagName = name.toUpperCase();
     this.attributes = new Map();
     this.childNodes = [];
     this.parent = null;
-    const properties = {};
-    this.style = new Proxy(properties, {get: (all, key) => key === 'setProperty' ? (name, value) => (properties[name] = String(value)) : (properties[key] ?? '')});
-    this.dataset = new Proxy({}, {
+  }
+  addEventListener(name, act, {once = false} = {}) { ((this.listeners ??= {})[name] ??= []).push({act, once}); }
+  dispatchEvent(event) {
+    Object.defineProperty(event, 'target', {value: this, configurable: true});
+    const heard = this.listeners?.[event.type] ?? [];
+    if (heard.length) this.listeners[event.type] = heard.filter((one) => !one.once);
+    for (const {act} of heard) act(event);
+  }
+  get style() {
+    const properties = this.properties ??= {};
+    return this.styled ??= new Proxy(properties, {get: (all, key) => key === 'setProperty' ? (name, value) => (properties[name] = String(value)) : (properties[key] ?? '')});
+  }
+  get dataset() {
+    return this.data ??= new Proxy({}, {
       get: (_, key) => this.getAttribute(`data-${String(key).replace(/[A-Z]/g, (one) => `-${one.toLowerCase()}`)}`) ?? undefined,
       set: (_, key, value) => (this.setAttribute(`data-${String(key)}`, value), true)
     });
-    const list = () => (this.getAttribute('class') ?? '').split(/\s+/).filter(Boolean), put = (names) => this.setAttribute('class', names.join(' '));
-    this.classList = {
+  }
+  get classList() {
+    const list = () => this.className.split(' ').filter(Boolean), put = (names) => (this.className = names.join(' '));
+    return this.list ??= {
       contains: (one) => list().includes(one),
       add: (...names) => put([...new Set([...list(), ...names])]),
       remove: (...names) => put(list().filter((one) => !names.includes(one))),
       toggle: (one, on = !list().includes(one)) => put(on ? [...new Set([...list(), one])] : list().filter((other) => other !== one))
     };
   }
-  setAttribute(name, value) {
-    this.attributes.set(name, String(value));
-    if (name === 'value' && this.given === undefined) this.given = undefined;
-  }
+  setAttribute(name, value) { this.attributes.set(name, String(value)); }
   getAttribute(name) { return this.attributes.get(name) ?? null; }
   removeAttribute(name) { this.attributes.delete(name); }
   get children() { return this.childNodes.filter((one) => one instanceof Element); }
@@ -115,18 +123,20 @@ class Element extends EventTarget {
   click() { this.dispatchEvent(new Event('click')); }
   scrollIntoView() {}
   setPointerCapture() {}
+  setSelectionRange(from, to) { this.selected = [from, to]; }
   showModal() { this.open = true; }
   close() { this.open = false; }
-  matches(selector) { return selector.split(',').some((one) => matchesOne(this, one.trim())); }
+  matches(selector) { return selectorOf(selector).some((one) => one(this)); }
   closest(selector) {
     for (let at = this; at instanceof Element; at = at.parent)
       if (at.matches(selector)) return at;
     return null;
   }
   querySelectorAll(selector) {
-    const found = [], walk = (node) => {
-      for (const one of node.children) {
-        if (one.matches(selector)) found.push(one);
+    const found = [], tests = selectorOf(selector), walk = (node) => {
+      for (const one of node.childNodes) {
+        if (!(one instanceof Element)) continue;
+        if (tests.some((test) => test(one))) found.push(one);
         walk(one);
       }
     };
@@ -137,18 +147,29 @@ class Element extends EventTarget {
 }
 
 const SIMPLE = /([a-z][\w-]*)|\.([\w-]+)|#([\w.-]+)|\[([\w-]+)(?:=['"]?([^'"\]]*)['"]?)?\]/giy;
-function matchesOne(element, selector) {
-  const parts = selector.split(/\s+/), last = parts.pop();
+function partOfSelector(text) {
+  const tests = [];
   SIMPLE.lastIndex = 0;
-  for (let one, at = 0; at < last.length; at = SIMPLE.lastIndex) {
-    one = SIMPLE.exec(last);
-    if (!one) throw new Error(`a selector that this document does not read: ${selector}`);
+  for (let one, at = 0; at < text.length; at = SIMPLE.lastIndex) {
+    one = SIMPLE.exec(text);
+    if (!one) throw new Error(`a selector that this document does not read: ${text}`);
     const [, tag, name, id, attribute, value] = one;
-    if (tag && element.name !== tag.toLowerCase() || name && !element.classList.contains(name) || id && element.id !== id) return false;
-    if (attribute && (value === undefined ? !element.attributes.has(attribute) : element.getAttribute(attribute) !== value)) return false;
+    tests.push((element) => tag ? element.name === tag.toLowerCase() :
+        name                    ? element.attributes.has('class') && element.classList.contains(name) :
+        id                      ? element.id === id :
+        value === undefined     ? element.attributes.has(attribute) :
+                                  element.getAttribute(attribute) === value);
   }
-  if (!parts.length) return true;
-  return Boolean(element.parent instanceof Element && element.parent.closest(parts.join(' ')));
+  return (element) => tests.every((test) => test(element));
+}
+const selectors = new Map();
+function selectorOf(text) {
+  if (!selectors.has(text))
+    selectors.set(text, text.split(',').map((one) => {
+      const parts = one.trim().split(/\s+/), last = partOfSelector(parts.pop()), above = parts.join(' ');
+      return (element) => last(element) && (!above || Boolean(element.parent?.closest(above)));
+    }));
+  return selectors.get(text);
 }
 
 function parsed(html) {
@@ -168,6 +189,7 @@ function parsed(html) {
   return root;
 }
 
+let frames = [];
 const kept = {downloads: [], requests: [], jobs: [], failures: [], copied: []};
 const page = parsed(fs.readFileSync(`${fixture.web}/index.html`, 'utf8').replace('<!--orbearing:opened-->', '<script type="application/json" id="opened"></script>'));
 globalThis.document = {
@@ -185,7 +207,7 @@ Object.assign(globalThis, {
   history: {replaceState: (_, __, address) => (kept.address = address)},
   addEventListener: () => {},
   removeEventListener: () => {},
-  requestAnimationFrame: () => {},
+  requestAnimationFrame: (act) => frames.push(act),
   scrollTo: () => {},
   setInterval: () => {},
   matchMedia: (rule) => ({matches: fixture.narrow === true, media: rule, addEventListener: () => {}}),
@@ -232,6 +254,11 @@ globalThis.fetch = async (url, init = {}) => {
   const respond = ({status = 200, body: answer}) => ({ok: status < 400, status, json: async () => answer, text: async () => String(answer), blob: async () => answer});
   if (path.startsWith('schema/')) return respond({body: JSON.parse(fs.readFileSync(`${fixture.schemas}/${path.slice(7)}.schema.json`, 'utf8'))});
   if (path.startsWith('request')) {
+    if (fixture.refusals?.length) {
+      const refused = fixture.refusals.shift();
+      if (refused === 'gone') throw new TypeError('no connection');
+      if (refused) return respond(refused);
+    }
     kept.requests.push(body);
     return respond(answered(body));
   }
@@ -338,7 +365,6 @@ const settled = async () => {
 await import(pathToFileURL(`${fixture.web}/app.js`));
 while (!document.body.classList.contains('ready')) await new Promise((resolve) => setTimeout(resolve, 2));  // files are read
 await settled();
-const session = () => kept.session;
 const dumps = {};
 const find = (selector) => {
   const found = page.querySelector(selector);
@@ -359,6 +385,13 @@ for (const step of fixture.steps) {
     one.checked = value;
     one.dispatchEvent(new Event('change'));
   } else if (what === 'open') find(selector).open = value ?? true;
+  else if (what === 'event') find(selector).dispatchEvent(Object.assign(new Event(step.event, {cancelable: true}), step.data));
+  else if (what === 'frames')
+    for (const time of step.times) {
+      const now = frames;
+      frames = [];
+      for (const act of now) act(time);
+    }
   else if (what === 'tell') jobs.at(-1).source.tell(step.event, step.data);
   else if (what === 'points') {
     jobs.at(-1).points = step.speeds.map((speed) => pointAt(speed, step.which));
@@ -382,6 +415,7 @@ for (const step of fixture.steps) {
       text: find('#yaml').value, errors: clean(find('#errors').textContent), mend: isShown(find('#mend')) ? clean(find('#mend').querySelector('span').textContent) : '', header: clean(seenText(find('header'))),
       cursor: clean(find('#cursor-value').textContent), take: find('#take').open ? {text: clean(seenText(find('#take'))), areas: Object.fromEntries(find('#take').querySelectorAll('textarea').map((one) => [one.id, one.value]))} : null,
       title: document.title, start: clean(seenText(find('#start'))), options: Object.fromEntries(page.querySelectorAll('select').filter((one) => one.id).map((one) => [one.id, one.options.map((option) => option.value)])),
+      choices: Object.fromEntries(page.querySelectorAll('select').filter((one) => one.id).map((one) => [one.id, one.options.map((option) => option.textContent)])),
       body: document.body.className, focused: document.activeElement?.id ?? ''
     };
     if (step.narrowly) dumps[step.name] = Object.fromEntries(step.narrowly.map((name) => [name, dumps[step.name][name]]));

@@ -321,7 +321,7 @@ class Curves(Drawn):
     def test_a_variant_like_the_case_is_said_to_be(self):
         chart = self.chart("life", self.third)
         expected = [(key, label_of(key), swept(key, 1)) for key in LIVES] + [(f"{key} A", "variant A" if key == "life_h" else "", swept(key)) for key in LIVES] \
-            + [(f"{key} C", "variant Csame curve as life (Lundberg-Palmgren)" if key == "life_h" else "", swept(key, 1)) for key in LIVES]
+            + [(f"{key} C", "variant Csame curves as the case" if key == "life_h" else "", swept(key, 1)) for key in LIVES]
         self.assert_chart(chart, expected, [OVER, "life (h)"], **{f"{key} C": {"equal": key, "dash": "9 3 2 3"} for key in LIVES})
         (pixel, value), = chart["cursor"]
         self.assertEqual(value, 8400)
@@ -451,6 +451,11 @@ class AtTheCursor(Drawn):
         texts = [row[1] for row in rows]
         self.assertIn("3.21·10⁻⁵ N m".replace("3.21", "3.210"), texts)  # the sign of an exponent
         self.assertIn("−1.250·10⁹ N", texts)
+        numbers = [key for key in order if isinstance(expected.get(key), float)]
+        for key, (text, value, title) in zip(numbers, self.dumps["cursor"]["cards"]["point"]["figures"]):
+            unit = POINT.get(key, {}).get("unit", "")
+            self.assertEqual(float(value), expected[key], key)
+            self.assertEqual(title, f"{value} {'' if unit == '1' else unit}".strip(), key)  # all digits, and the unit as the program has it
         figures = {title: (text, value) for text, value, title in self.dumps["cursor"]["cards"]["point"]["figures"]}
         self.assertEqual(figures["0.0000321 N.m"], ("3.210·10⁻⁵ N m", "0.0000321"))
         self.assertEqual(self.dumps["cursor"]["cursor"], "8\u202f400 rpm")
@@ -541,6 +546,8 @@ class AtTheCursor(Drawn):
     def test_the_shape_of_a_mode(self):
         text = self.dumps["turned"]["cards"]["modes"]["text"]
         self.assertIn(f"Translational mode at {figure_of(self.frequency(1, 8400.0), 'Hz')}, one of 2 of this frequency.", text)
+        self.assertIn(f"Translational mode at {figure_of(self.frequency(1, 8600.0), 'Hz')}, one of 2", self.dumps["further"]["cards"]["modes"]["text"])  # the same one at another speed
+        self.assertIn(f"Rotational mode at {figure_of(self.frequency(0, 8400.0), 'Hz')}. Largest", self.dumps["cursor"]["cards"]["modes"]["text"])
         distance = self.derived["gearset.centre_distance"]
         drawing = next(one for one in self.dumps["turned"]["drawings"] if "shape" in one["class"])
         size = 0.22 * distance
@@ -558,6 +565,13 @@ class AtTheCursor(Drawn):
             y = (distance + out) * math.sin(place) + along * math.cos(place)
             planets.append((-y, -x, -math.degrees(place + u / (module * 22 / 2 * math.cos(pressure)))))
         self.assert_placed(drawing, "moved planet-moved", planets)
+        still = [[float(part[key]) for key in ("r", "cx", "cy")] for part in drawing["parts"] if part.get("class") == "still"]
+        expected = [[118.5, 0, 0], [55.5, 0, 0], *([33.0, -distance * math.sin(math.pi / 2 * i), -distance * math.cos(math.pi / 2 * i)] for i in range(4))]
+        for one, other in zip(still, expected, strict=True):
+            self.assert_numbers(one, other)
+        self.assert_numbers([float(one) for one in drawing["viewBox"].split()], [-1.3 * 118.5, -1.3 * 118.5, 2.6 * 118.5, 2.6 * 118.5])
+        bodies = [(float(part["r"]), part["path"]) for part in drawing["parts"] if part["name"] == "circle" and part["path"].startswith("moved")]
+        self.assertEqual(bodies, [(118.5, "moved ring-moved")] + [(33.0, "moved planet-moved")] * 4 + [(55.5, "moved sun-moved")])
         (cx, cy, u), arm = (size * value for value in shape[2]), next(one for one in drawing["parts"] if one.get("class") == "carrier")["d"]
         numbers = [float(one) for one in re.findall(r"-?[\d.]+", arm)]
         for i in range(4):
@@ -621,6 +635,24 @@ class AtTheCursor(Drawn):
         self.assertEqual({part["text"] for part in drawing["parts"] if part["name"] == "text"}, {text["text"], "outward", "to the sun"})
         circles = {part["r"] for part in drawing["parts"] if part["name"] == "circle"}
         self.assertEqual(circles, {"2.62"})
+        lines = {name: [[float(part[key]) for key in ("x1", "y1", "x2", "y2")] for part in drawing["parts"] if part["name"] == "line" and part["path"] == name] for name in ("marks", "cage", "scale")}
+        spoke = {element: [[float(part[key]) for key in ("x1", "y1", "x2", "y2")] for part in drawing["parts"] if part["name"] == "line" and part["path"].startswith(element)] for element in ("element", )}
+        self.assertEqual(spoke["element"], [[0.0, 0.0, 0.0, -0.85 * 5.24 / 2]] * ROLLER)
+        marks = []
+        for small, large in ((float(self.derived["bearing.outer_raceway_diameter"]), 47.0), (25.0, float(self.derived["bearing.inner_raceway_diameter"]))):
+            for i in range(12):
+                depth, angle = (0.6 if i == 0 else 0.25) * (large - small) / 2, math.pi / 6 * i
+                high = (large + small) / 4 + depth / 2
+                marks.append([-high * math.sin(angle), -high * math.cos(angle), -(high - depth) * math.sin(angle), -(high - depth) * math.cos(angle)])
+        self.assertEqual(len(lines["marks"]), len(marks))
+        for one, other in zip(lines["marks"], marks):
+            self.assert_numbers(one, other)
+        for j, one in enumerate(lines["cage"]):
+            angle = 2 * math.pi * (j + 0.5) / ROLLER
+            self.assert_numbers(one, [-33.44 / 2 * math.sin(angle), -33.44 / 2 * math.cos(angle), -38.54 / 2 * math.sin(angle), -38.54 / 2 * math.cos(angle)])
+        self.assertEqual(len(lines["cage"]), ROLLER)
+        right, long = 1.44 * 47 / 2, 0.34 * 47 / 2
+        self.assert_numbers(lines["scale"][0], [right - long, right, right, right])
         rings = [part["d"] for part in drawing["parts"] if part.get("class") == "ring"]
         self.assertEqual([[float(one) for one in re.findall(r"M(-?[\d.]+)", d)] for d in rings], [[-23.5, -float(self.derived["bearing.outer_raceway_diameter"]) / 2],
                                                                                               [-float(self.derived["bearing.inner_raceway_diameter"]) / 2, -12.5]])
@@ -671,6 +703,20 @@ class AtTheCursor(Drawn):
             self.assertAlmostEqual(math.sin(math.radians(-rotation) - own), 0, delta=1e-4)
         circles = {part["class"]: float(part["r"]) for part in drawing["parts"] if part["name"] == "circle" and part["class"] in ("bore", "pin")}
         self.assertEqual(circles, {"bore": 23.5, "pin": 12.5})
+        root = {name: 3.0 * teeth / 2 + 3 * (shift[name] - 1.25) for name, teeth in (("sun", 37), ("planet", 22))}
+        dots = [(float(part["r"]), float(part["cx"]), round(float(part["cy"]), 9)) for part in drawing["parts"] if part.get("class") == "dot"]
+        self.assertEqual(dots, [(1.5, 0.0, round(-0.7 * root["sun"], 9))] + [(1.5, 0.0, round(-(root["planet"] + 23.5) / 2, 9))] * 4)
+        outside = 3.0 * 79 / 2 + 3 * (shift["ring"] + 1.25) + 2.5 * 3
+        self.assert_numbers([float(one) for one in drawing["viewBox"].split()], [-1.03 * outside, -1.03 * outside, 2.06 * outside, 2.06 * outside])
+        ring = next(one for one in drawing["parts"] if one.get("class") == "gear ring-gear")["d"]
+        self.assertAlmostEqual(float(re.match(r"M(-?[\d.]+),0a", ring)[1]), -outside, places=6)
+        arms = [float(one) for one in re.findall(r"-?[\d.]+", next(part for part in drawing["parts"] if part.get("class") == "carrier")["d"])]
+        self.assert_numbers(arms, sum(([0, 0, -distance * math.sin(math.pi / 2 * i), -distance * math.cos(math.pi / 2 * i)] for i in range(4)), []), 1e-3)
+
+    def assert_numbers(self, found, expected, delta=1e-6):
+        self.assertEqual(len(found), len(expected))
+        for one, other in zip(found, expected):
+            self.assertAlmostEqual(one, other, delta=delta)
 
     @staticmethod
     def involute(angle):
@@ -686,6 +732,89 @@ class AtTheCursor(Drawn):
         self.assertEqual([len(rows[name]) for name in ("cursor", "further", "back", "other")], [4, 3, 4, 3])
         self.assertEqual(sum(one["command"] == "crown" for one in self.page["requests"]), 1)
         self.assertEqual([one["case_text"] for one in self.page["requests"] if one["command"] == "mesh"], [CASE, OTHER])
+
+
+class Moved(Drawn):
+    """What is played and dragged."""
+
+    def test_bearing_and_gears_are_played(self):
+        found = page([click("#card-bearing .play"), {"what": "frames", "times": [500, 1500, 2500]}, dump("playing"), click("#card-bearing .play"), {"what": "frames", "times": [9000, 9900]}, dump("paused"),
+                      put("#card-bearing .player select", "16"), dump("slower")])["dumps"]
+        self.assertEqual([re.search(r"(Play|Pause) one revolution of the cage in", found[name]["cards"]["bearing"]["text"])[1] for name in ("playing", "paused")], ["Pause", "Play"])
+        flow = {one["member"]: one["speed_rpm"] for one in check_of(CASE)["check"]["power_flow"]}
+        planet = next(one["value"] for one in check_of(CASE)["check"]["derived"] if one["path"] == "operation.planet_speed")
+        turn, sense = 2.0 / 4, math.copysign(1, planet * (1 - value_of("cage_slip", SPEED)))
+        for name in ("playing", "paused"):
+            drawings = found[name]["drawings"]
+            bearing = next(one for one in drawings if one["aria-label"].startswith("Bearing to scale"))
+            first = next(part for part in bearing["parts"] if part.get("class") == "element first")
+            x, y, _ = (float(one) for one in re.findall(r"-?[\d.]+", first["transform"]))
+            self.assertAlmostEqual(x, -35.64 / 2 * math.sin(2 * math.pi * turn * sense), delta=1e-3)
+            self.assertAlmostEqual(y, -35.64 / 2 * math.cos(2 * math.pi * turn * sense), delta=1e-3)
+            if name == "playing":
+                continue  # the gears follow by a frame
+            gears = next(one for one in drawings if "gears" in one["class"])
+            places = [[float(value) for value in re.findall(r"-?[\d.]+", part["transform"])] for part in gears["parts"] if part.get("transform", "").startswith("translate")]
+            slowed = turn / 4 * 2 * math.pi / max(map(abs, flow.values()))
+            self.assertAlmostEqual(math.cos(math.radians(places[1][2]) + slowed * flow["sun"]), 1, delta=1e-9)
+            distance = next(one["value"] for one in check_of(CASE)["check"]["derived"] if one["path"] == "gearset.centre_distance")
+            for i, (x, y, rotation) in enumerate(places[2:6]):
+                place = math.pi / 2 * i + slowed * flow["carrier"]
+                self.assertAlmostEqual(x, -distance * math.sin(place), delta=2e-3)
+                self.assertAlmostEqual(y, -distance * math.cos(place), delta=2e-3)
+                # Teeth roll on the sun: the planet turns back by the ratio of the teeth.
+                own = place + math.pi - (slowed * flow["sun"] - place) * 37 / 22 - math.pi / 22
+                self.assertAlmostEqual(math.sin(math.radians(-rotation) - own), 0, delta=1e-4)
+            self.assertAlmostEqual(math.cos(79 * (math.radians(places[0][2]) + self.ring_of(slowed, flow))), 1, delta=1e-5)
+            self.assertAlmostEqual(math.cos(79 * math.radians(places[0][2])), 1, delta=1e-5)  # a ring at rest stands still, up to a tooth
+            arms = [float(one) for one in re.findall(r"-?[\d.]+", next(part for part in gears["parts"] if part.get("class") == "carrier")["d"])]
+            self.assertAlmostEqual(arms[2], -distance * math.sin(slowed * flow["carrier"]), delta=2e-3)
+        speed = abs(planet * (1 + 5.24 / 35.64) / 2 * (1 - value_of("cage_slip", SPEED)))
+        self.assertIn(f"Slowed {readable(speed / 60 * 16, 3)} times.", found["slower"]["cards"]["bearing"]["text"])
+
+    @staticmethod
+    def ring_of(slowed, flow):
+        """A gap of the ring faces the tooth of the first planet."""
+        place = slowed * flow["carrier"]
+        planet = place + math.pi - (slowed * flow["sun"] - place) * 37 / 22 - math.pi / 22
+        return place + (planet - place) * 22 / 79 + math.pi / 79
+
+    def test_the_shape_of_a_mode_swings(self):
+        found = page([{"what": "open", "selector": "#card-modes"}, put("#mode-choice", "translational 1"), click("#card-modes .play"), {"what": "frames", "times": [100, 600]}, dump("swung"),
+                      put("#card-modes .player input", "50", "input"), dump("half")])["dumps"]
+        distance = next(one["value"] for one in check_of(CASE)["check"]["derived"] if one["path"] == "gearset.centre_distance")
+        for name, factor in (("swung", 1.0), ("half", 0.5)):
+            drawing = next(one for one in found[name]["drawings"] if "shape" in one["class"])
+            x, y, _ = (float(one) for one in re.findall(r"-?[\d.]+", next(part for part in drawing["parts"] if part.get("class") == "moved sun-moved")["transform"]))
+            angle = 2 * math.pi * 0.5 / 2  # half a second of two a period
+            values = [0.22 * distance * factor * (a * math.cos(angle) + b * math.sin(angle)) for a, b in zip(MODES[1]["shape"][0], MODES[1]["shape_quarter"][0])]
+            self.assertAlmostEqual(-y, values[0], delta=1e-3)
+            self.assertAlmostEqual(-x, values[1], delta=1e-3)
+            self.assertIn(f"Largest displacement drawn as {readable(0.22 * distance * factor, 2)} mm", found[name]["cards"]["modes"]["text"])
+
+    def test_the_cursor_is_dragged_in_a_chart(self):
+        left, right = 76, 640 - 22
+        at = {rpm: left + (right - left) * (rpm - LOW) / (HIGH - LOW) for rpm in (8500, 9250)}
+        found = page([{"what": "event", "selector": "#card-loads .chart", "event": "pointerdown", "data": {"buttons": 1, "clientX": at[8500], "clientY": 50, "pointerId": 1}}, dump("pressed"),
+                      {"what": "event", "selector": "#card-loads .chart", "event": "pointermove", "data": {"buttons": 1, "clientX": at[9250], "clientY": 50}}, dump("dragged"),
+                      {"what": "event", "selector": "#card-loads .chart", "event": "pointermove", "data": {"buttons": 0, "clientX": 300, "clientY": 50}}, dump("left"),
+                      {"what": "event", "selector": "#card-loads .chart", "event": "pointermove", "data": {"buttons": 1, "clientX": 5000, "clientY": 50}}, dump("beyond")])
+        dumps = found["dumps"]
+        self.assertEqual([dumps[name]["cursor"] for name in ("pressed", "dragged", "left", "beyond")], ["8\u202f500 rpm", "9\u202f250 rpm", "9\u202f250 rpm", "10\u202f000 rpm"])
+        for name, rpm in (("pressed", 8500), ("dragged", 9250), ("beyond", 10000)):
+            for card in ("life", "loads", "roller-loads"):
+                chart = dumps[name]["cards"][card]["charts"][0]
+                (pixel, value), = chart["cursor"]
+                self.assertEqual(value, rpm)
+                self.assertAlmostEqual(Read(chart).x(pixel)[0], rpm, delta=1e-6)
+        self.assertEqual([one["settings"] for one in found["requests"] if one["command"] == "run"][1:], [["input.speed=8500 rpm"], ["input.speed=9250 rpm"], ["input.speed=10000 rpm"]])
+
+    def test_a_curve_of_the_campbell_diagram_is_pressed(self):
+        first = page([{"what": "open", "selector": "#card-modes"}, dump()])["dumps"]["end"]["cards"]["modes"]["charts"][0]
+        curve = next(one for one in first["curves"] if one["key"] == "planet 1")
+        x, y = curve["paths"][0][4]
+        found = page([{"what": "open", "selector": "#card-modes"}, {"what": "event", "selector": "#card-modes .chart", "event": "pointerdown", "data": {"buttons": 1, "clientX": x, "clientY": y, "pointerId": 1}}, dump()])
+        self.assertIn("Planet mode at ", found["dumps"]["end"]["cards"]["modes"]["text"])
 
 
 class Compared(Drawn):
@@ -933,6 +1062,64 @@ class Form(Drawn):
             self.assertIn(f"Designations of tapered roller bearings and spherical roller bearings cannot be chosen", shown[word]["bearing.designation"]["meaning"])
 
 
+class Edited(Drawn):
+    """Values by slider, by a unit that is typed, from a file; requests that fail."""
+
+    def test_a_slider_spans_about_the_value(self):
+        texts = [CASE.replace("module: 3 mm", f"module: {value} mm") for value in ("4.5", "1.5")]
+        rollers = CASE.replace("rollers: 15", "rollers: 22")  # of 3, the least, to 30
+        found = page([put("[data-key='gearset.module'] .slider", "150", "input"), dump("dragging"), put("[data-key='gearset.module'] .slider", "50"), dump("released"),
+                      text_put(CASE), put("[data-key='bearing.rollers'] .slider", "140"), dump("whole")], (CASE, *texts, rollers))["dumps"]
+        self.assertEqual([found[name]["text"] for name in ("dragging", "released", "whole")], [*texts, rollers])
+
+    def test_a_typed_unit(self):
+        inch = CASE.replace("module: 3 mm", "module: 0.125 inch")
+        found = page([put("[data-key='gearset.module'] .unit", "other"), put("[data-key='gearset.module'] input.unit", "inch", "input"), {"what": "event", "selector": "[data-key='gearset.module'] input.unit", "event": "blur"}, dump(),
+                      put("[data-key='gearset.face_width'] .unit", "other"), {"what": "event", "selector": "[data-key='gearset.face_width'] input.unit", "event": "blur"}, dump("none")],
+                     (CASE, inch), units={"3 mm > inch": {"body": {"number": 0.125, "text": "0.125 inch"}}})["dumps"]
+        self.assertEqual(found["end"]["text"], inch)
+        row = next(row for row in found["end"]["rows"] if row["key"] == "gearset.module")
+        self.assertEqual((row["value"], row["unit"]), ("0.125", "inch"))
+        self.assertEqual(found["none"]["text"], inch)
+
+    def test_text_that_the_form_cannot_show(self):
+        anchored = CASE.replace("module: 3 mm", "module: &m 3 mm")
+        broken = {"text": anchored, "errors": ["case.yaml:10:11: gearset.module: found an anchor", "case.yaml:4:3: nowhere.key: found a key", "not about a line"]}
+        found = page([text_put(anchored), dump(), click("#errors button"), dump("line")], (CASE, broken))["dumps"]
+        self.assertIn("The form cannot show this text (line 10: anchors, aliases and tags are not read here). Edit it as YAML.", found["end"]["errors"])
+        self.assertIn("Line 4, column 3: nowhere.key: found a key Show the linenot about a line", found["end"]["errors"])
+        self.assertEqual((found["line"]["focused"], "with-text" in found["line"]["body"]), ("yaml", True))
+        self.assertEqual(next(row for row in found["end"]["rows"] if row["key"] == "gearset.module")["note"], "found an anchor")
+        self.assertEqual(found["end"]["mend"], "3 errors: the results are those of the last valid case")
+        self.assertIn("stale", found["end"]["body"])
+
+    def test_requests_that_fail(self):
+        failed = {"status": 500, "body": {"code": 1, "errors": ["no static equilibrium", "second line"]}}
+        found = page([cursor_put(8400), dump("failed"), cursor_put(8600), dump("again")], refusals=[None] * 4 + [failed])["dumps"]
+        self.assertIn("no static equilibriumsecond line", found["failed"]["errors"])
+        self.assertTrue(found["failed"]["header"].endswith("failed New case YAML Take away") and "stale" in found["failed"]["body"])
+        self.assertEqual(found["again"]["errors"], "")
+        self.assertNotIn("stale", found["again"]["body"])
+        gone = page([cursor_put(8400), dump()], refusals=[None] * 4 + ["gone"])["dumps"]["end"]
+        self.assertIn("The program does not answer. Start `orbearing open` again, then load its new address.", gone["errors"])
+        busy = page([cursor_put(8400), dump()], refusals=[None] * 4 + [{"status": 429, "body": {"error": "more than 8"}}] * 2)
+        self.assertEqual(busy["dumps"]["end"]["errors"], "")
+        self.assertEqual(busy["requests"][-1]["settings"], ["input.speed=8400 rpm"])
+
+    def test_long_results(self):
+        rest = {"many": [{"name": f"row {i}", "force_N": 1.5 + i} for i in range(70)], "wide": [[float(i) for i in range(14)]], "none": [], "long": [float(i) + 0.5 for i in range(30)]}
+        card = page([{"what": "open", "selector": "#card-point"}, {"what": "open", "selector": "#card-point details"}, dump()], results={"run": {**RUN, **rest}})["dumps"]["end"]["cards"]["point"]
+        many = next(table for table in card["tables"] if ["name", "force"] in table)
+        self.assertEqual((len(many), many[60]), (61, ["row 59", "60.5"]))
+        self.assertIn(["0", "1", "2", "3", "4", "5", "6", "7", "8", "9", "10", "11", "…"], sum(card["tables"], []))
+        self.assertIn("long: 30 values", card["text"])
+
+    def test_a_curve_that_takes_long_has_few_speeds(self):
+        """Speeds of the curve: nine at first, sixty where they take no long time."""
+        found = page([dump(narrowly=["cursor"]), text_put(OTHER)], (CASE, OTHER))
+        self.assertEqual([len(one["settings"][0].split(",")) for one in found["requests"] if one["command"] == "sweep"], [9, 60, 60])
+
+
 class TakenAway(Drawn):
     def test_commands(self):
         found = page([click("#to-take"), dump("still"), click("#take .close"), put("#fidelity", "dynamic"), cursor_put(8400), click("#to-take"), dump("moving")],
@@ -943,7 +1130,6 @@ class TakenAway(Drawn):
         self.assertEqual(still["take-point"], "orbearing run 'my case.yaml' --json --set 'input.speed=9000 rpm'")
         self.assertEqual(moving["take-point"], "orbearing run 'my case.yaml' --json --set 'input.speed=8400 rpm'")
         self.assertEqual(moving["take-python"], 'import orbearing\n\ncase = orbearing.load("my case.yaml")\nsweep = case.sweep(fidelity="dynamic")\ntable = sweep.to_xarray()\nsweep.plot()')
-        self.assertIn("Report at 8\u202f400 rpm", str(page([cursor_put(8400), click("#to-take"), dump()])["dumps"]["end"]["options"]) + "Report at 8\u202f400 rpm")
 
     def test_files(self):
         found = page([click("#to-take"), click("#take-case"), click("#take-csv"), click("#take-json"), dump(narrowly=["take"])], results={"nulls": {"film_inner_um": None}})
@@ -963,6 +1149,14 @@ class TakenAway(Drawn):
         point = json.loads(result)["points"][0]
         self.assertEqual({key: point[key] for key in KEYS if key != "film_inner_um"}, {key: value_of(key, SPEED) for key in KEYS if key != "film_inner_um"})
         self.assertEqual(point["input_speed_rpm"], SPEED)
+
+    def test_reports(self):
+        found = page([cursor_put(8400), click("#to-take"), click("#take-report"), put("#take-scope", "speeds"), click("#take-pdf"), dump()])
+        asked = [one for one in found["requests"] if "path" in one]
+        self.assertEqual([(one["path"], one["settings"], one["case_text"]) for one in asked], [("report?of=point", ["input.speed=8400 rpm"], CASE), ("report?of=speeds&form=pdf", [], CASE)])
+        self.assertEqual(found["downloads"], ["<p>report</p>"] * 2)
+        self.assertIn("The PDF is among the downloads.", found["dumps"]["end"]["take"]["text"])
+        self.assertIn("Report at 8\u202f400 rpm", found["dumps"]["end"]["choices"]["take-scope"])
 
     def test_saving_states_the_version_it_began_with(self):
         conflict = {"status": 409, "body": {"errors": ["case.yaml: found another content"], "checksum": "by a colleague"}}
@@ -1053,6 +1247,16 @@ class Single(Drawn):
         found = page([click("#to-take"), dump()], ({"text": ROLLER_CASE, **check_of(ROLLER_CASE), "results": {"run": self.found}},), results={"run": {}})["dumps"]["end"]["take"]
         self.assertEqual(found["areas"], {"take-command": "orbearing run case.yaml", "take-python": 'import orbearing\n\ncase = orbearing.load("case.yaml")\nresult = case.run()'})
 
+    def test_cards_are_those_of_the_model(self):
+        pair = (CASES / "mesh_62_62" / "case.yaml").read_text(encoding="utf-8")
+        duplex = (CASES / "templates" / "duplex.yaml").read_text(encoding="utf-8")
+        shown = {name: set(page([dump()], ({"text": text, **check_of(text), "results": {command: result}},), results={"run": {}})["dumps"]["end"]["cards"])
+                 for name, text, command, result in (("gears", pair, "mesh", MESH), ("duplex", duplex, "run", {"L10h": 1.5}), ("defect", DEFECT_CASE, "run", {}))}
+        shown |= {"planets": set(page([dump()])["dumps"]["end"]["cards"]), "roller": set(self.end["cards"])}
+        always = {"variants", "assumptions"}
+        self.assertEqual(shown, {"planets": always | {"life", "loads", "roller-loads", "motion", "more", "mesh", "bearing", "gears", "pressure", "crown", "modes", "point"},
+                                 "roller": always | {"result", "bearing", "pressure"}, "gears": always | {"result", "mesh"}, "duplex": always | {"result", "bearing"}, "defect": always | {"result", "bearing"}})
+
     def test_a_run_in_time_belongs_to_its_case(self):
         other = DEFECT_CASE.replace("radial: 1 kN", "radial: 2 kN")
         found = page([dump("asked"), click("#card-result .chief"), {"what": "tell", "event": "progress", "data": {"done": 3, "all": 8, "doing": "Motion", "seconds_left": 4.56}}, dump("running"),
@@ -1104,7 +1308,7 @@ class Opened(Drawn):
 
     def test_the_bins_of_a_spectrum(self):
         bins = [{"bin": i + 1, "power_kW": 150.5 - i, "torque_N_m": 160.25 - 3 * i, "speed_rpm": 9000.0 - 7 * i, "share": 0.25 + 0.5 * i, "damage_share": 0.875 - 0.75 * i, "life_h": 4321.0 + 11 * i} for i in range(2)]
-        for spectrum in ({"bins": bins, "life_h": 5432.0}, [{"bins": bins, "life_h": 5432.0}]):
+        for spectrum in ({"bins": bins, "life_h": 5432.0}, [{"bins": bins, "life_h": 5432.0}, {"bins": bins[:1], "life_h": 1.0}]):
             card = page([dump()], results={"sweep": {**SWEEP, "spectrum": spectrum}})["dumps"]["end"]["cards"]["spectrum"]
             self.assertEqual(card["tables"][0], [
                 ["bin", "power (kW)", "torque (N m)", "speed (rpm)", "share of time", "share of damage", "life (h)"],
@@ -1160,6 +1364,8 @@ block: |
 
   three
 empty:
+"quoted: key" : 5
+'other key': 6
 flow: {a: 1, "b c": [x, 'y, z', {d: e}], f:   # a comment
   last, g: }
 list:
@@ -1244,8 +1450,8 @@ class CaseText(unittest.TestCase):
 
     def test_keys_are_added_in_the_order_of_the_schema(self):
         text = "a: 1\nc: 3  # of c\ne:\n  f: 1\n"
-        found, = self.read([{"text": text, "sets": [[["b"], "2", ["a", "b", "c", "d", "e"]], [["d"], "4", ["a", "b", "c", "d", "e"]], [["z"], "9", ["z", "a", "b"]]]}])
-        self.assertEqual(found["sets"], ["a: 1\nb: 2\nc: 3  # of c\ne:\n  f: 1\n", "a: 1\nc: 3  # of c\nd: 4\ne:\n  f: 1\n", "z: 9\na: 1\nc: 3  # of c\ne:\n  f: 1\n"])
+        found, = self.read([{"text": text, "sets": [[["b"], "2", ["a", "b", "c", "k", "e"]], [["k"], "4", ["a", "b", "c", "k", "e"]], [["z"], "9", ["z", "a", "b"]]]}])
+        self.assertEqual(found["sets"], ["a: 1\nb: 2\nc: 3  # of c\ne:\n  f: 1\n", "a: 1\nc: 3  # of c\nk: 4\ne:\n  f: 1\n", "z: 9\na: 1\nc: 3  # of c\ne:\n  f: 1\n"])
 
     def test_what_cannot_be_read_is_refused_with_its_line(self):
         refused = {"a: &x 1\n": "line 1: anchors", "a: 1\nb: *x\n": "line 2: anchors", "a: !!binary x\n": "line 1: anchors", "a: 'x\n": "line 1: a quotation mark", "a: [1, 2\n": "line 1: '[' is not closed",

@@ -147,8 +147,11 @@ return [...document.querySelectorAll("#form .row")].filter((row) => row.checkVis
 class Server:
     """`orbearing open` without a browser."""
 
-    def __init__(self, *words, folder=None):
-        self.process = subprocess.Popen([os.environ["ORBEARING"], "open", *map(str, words), "--no-browser"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=folder)
+    def __init__(self, *words, folder=None, browser=None):
+        """`browser`: a folder of programs that come first, among them xdg-open."""
+        env = {**os.environ, "PATH": f"{browser}:{os.environ['PATH']}"} if browser else None
+        words = [*map(str, words), *([] if browser else ["--no-browser"])]
+        self.process = subprocess.Popen([os.environ["ORBEARING"], "open", *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=folder, env=env)
         self.address = self.process.stdout.readline().strip()
 
     def stop(self):
@@ -807,7 +810,7 @@ class PageSteps:
     @classmethod
     def judge_traffic(cls):
         """After all tests of an engine: what was asked for and said."""
-        outside = [url for url in cls.requests if not url.startswith((origin_of(cls.address), *cls.origins, "data:", "blob:", "about:"))]
+        outside = [url for url in cls.requests if not url.startswith((origin_of(cls.address), *cls.origins, "data:", "blob:", "about:", "file:"))]
         assert not outside, f"requests left the loopback address: {outside}"
         assert cls.requests, "the browser's log of requests is empty"
         assert not cls.console, f"the console of the browser says: {cls.console}"
@@ -851,6 +854,23 @@ class EngineA(PageSteps, unittest.TestCase):
     @classmethod
     def tearDownClass(cls):
         cls.judge_traffic()
+
+    def test_a_browser_is_led_by_a_file_of_its_owner(self):
+        """The file that the browser is started with leads to the page, which goes on by its cookie: no secret stays in the address."""
+        place = self.folder / "led"
+        place.mkdir()
+        program = place / "xdg-open"
+        program.write_text(f'#!/bin/sh\ncp "$1" {place}/open.tmp; mv {place}/open.tmp {place}/open.html\n')
+        program.chmod(0o755)
+        server = Server("industrial", browser=place)
+        self.addCleanup(server.stop)
+        self.origins.append(origin_of(server.address))
+        self.until((place / "open.html").exists, "the browser is started")
+        for go in (lambda: self.driver.get((place / "open.html").as_uri()), self.driver.refresh, lambda: self.driver.get(server.address)):
+            go()
+            self.until(lambda: self.all("#tiles .tile") and not self.all("body.busy"), "results are there")
+            self.assertRegex(self.driver.current_url, re.escape(origin_of(server.address)) + "page-[0-9a-f]{32}/$")
+        self.driver.get("about:blank")  # before the program ends
 
     def test_a_folder_of_results_is_continued(self):
         """Item 6: an unfinished sweep is listed at the start, shown, and gone on with in its folder; a crown folder is shown."""

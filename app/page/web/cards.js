@@ -140,6 +140,7 @@ export class LifeCard extends CurveCard {
                                           title: `${key} of variant ${variant.name}`,
                                           colour: COLOURS[i % COLOURS.length],
                                           dash: DASHES[variant.name],
+                                          group: variant.name,
                                           points: columnOf(variant.sweep.points, key)
                                         })));
   }

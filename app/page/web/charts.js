@@ -43,9 +43,9 @@ const covered = (some, others) => some.length !== others.length ?
 
 /**
  * A chart in `root`. set({series, x, y, cursor, marks}) draws: series [{key, label, points: [[x, y]], colour
- * (class c1 to c8), dash, dots, title}], x and y {label, unit, log}, marks [{x, label}], whose labels stand
- * above the curves. A curve that lies on an earlier one is dashed, and the legend says so. `moved(x)` is
- * called where the cursor is dragged, `picked(x, y)` where it is pressed.
+ * (class c1 to c8), dash, dots, title, group}], x and y {label, unit, log}, marks [{x, label}], whose labels
+ * stand above the curves. A curve that lies on an earlier one is dashed, and the legend says so. `moved(x)`
+ * is called where the cursor is dragged, `picked(x, y)` where it is pressed.
  */
 export class Chart {
   constructor(root, {title, moved = null, picked = null, height = HEIGHT}) {
@@ -238,18 +238,26 @@ export class Chart {
         drawn('line', {x1: at, x2: at, y1: this.top, y2: this.height - MARGIN.bottom, 'data-x': cursor}));
   }
 
+  // Of which earlier curve a series is the same; of a group that has one label: where all of it are.
+  sameAs({group}, i) {
+    const {equal} = this.places[i];
+    if (group === undefined) return equal?.label ? `same curve as ${equal.label}` : '';
+    const all = this.places.every((other) => other.one.group !== group || other.equal);
+    return all ? 'same curves as the case' : '';
+  }
+
   drawLegend(series) {
-    series.forEach(({label, colour, title, key, only}, i) => {
+    series.forEach((one, i) => {
+      const {label, colour, title, key, only} = one, {dash} = this.places[i];
       if (!label) return;
-      const {dash, equal} = this.places[i],
-                   sample = drawn(
-                       'svg',
-                       {width: 26, height: 10, class: `curve ${colour ?? 'c1'}`, 'aria-hidden': 'true'},
-                       only ? drawn('circle', {cx: 13, cy: 5, r: 4}) :
-                              drawn('path', {d: 'M1,5L25,5', 'stroke-dasharray': dash ?? null}));
+      const sample = drawn(
+                'svg', {width: 26, height: 10, class: `curve ${colour ?? 'c1'}`, 'aria-hidden': 'true'},
+                only ? drawn('circle', {cx: 13, cy: 5, r: 4}) :
+                       drawn('path', {d: 'M1,5L25,5', 'stroke-dasharray': dash ?? null})),
+            same = this.sameAs(one, i);
       this.legend.append(element(
           'span', {class: 'key', title: title ?? '', 'data-series': key ?? label}, sample, label,
-          equal?.label ? element('span', {class: 'hint'}, `same curve as ${equal.label}`) : null));
+          same ? element('span', {class: 'hint'}, same) : null));
     });
   }
 }
