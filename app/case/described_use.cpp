@@ -346,7 +346,7 @@ Use with_friction_and_heat(Use use, std::string_view path) {
 
 // What rollers alone have in planets, whose balls know neither a law of line contacts nor a film: it is idle
 // beside them.
-Use of_rollers(const Use& use, std::string_view path) {
+Use used_beside_rollers(const Use& use, std::string_view path) {
   if (!is_one_of(path, {"life.reduction_factor", "contact.law", "film.inlet_heating", "heat.viscosity_slope",
                         "lubricant.density"}))
     return use;
@@ -416,7 +416,7 @@ Use use_of(const described::Facts& facts) {
   use = with_oil(with_rotating_rings(with_stiffness(use, path), facts), path);
   use = with_carrier(with_springs(with_held_members(use, path), facts), path);
   use = with_other_ways(with_own_condition(use, facts), path);
-  return with_moving_pin(with_resonances(of_rollers(use, path), path), path);
+  return with_moving_pin(with_resonances(used_beside_rollers(use, path), path), path);
 }
 
 Use with_carrier_beside(const Use& use, std::string_view path) {

@@ -125,7 +125,7 @@ double worst_of_sets(const std::vector<std::string>& sets, bool at_most,
 }
 
 // The first of the names that has a number, by `value`.
-double of_worst_bearing(const std::string& key, const LifeValue& value) {
+double value_of_worst_bearing(const std::string& key, const LifeValue& value) {
   double found = described::kAbsent;
   for (const std::string& name : keys_of_worst_bearing(key)) {
     found = value(name);
@@ -138,7 +138,7 @@ double of_worst_bearing(const std::string& key, const LifeValue& value) {
 LifeValue values_in_row(const SweepOutcome& outcome, const ResultRow& row) {
   return [&outcome, &row](const std::string& key) {
     const auto in = [&](const std::string& prefix) {
-      const double value = of_worst_bearing(
+      const double value = value_of_worst_bearing(
           key, [&](const std::string& name) { return value_of(outcome.head, row, prefix + name); });
       const bool unloaded =
           is_life(key) && std::isnan(value) && std::isnan(value_of(outcome.head, row, prefix + "life_h"));
@@ -168,7 +168,8 @@ LifeValue values_under_spectrum(const SweepOutcome& outcome, const SpectrumResul
   return [&outcome, &result](const std::string& key) {
     if (key != "kappa")
       return worst_of_sets(outcome.header.sets, false, [&](const std::string& prefix) {
-        return of_worst_bearing(key, [&](const std::string& name) { return life_of(result, prefix + name); });
+        return value_of_worst_bearing(
+            key, [&](const std::string& name) { return life_of(result, prefix + name); });
       });
     double least = described::kAbsent;
     for (const SpectrumBin& bin : result.bins)
