@@ -140,6 +140,13 @@ class Stage(ReadBack):
         rows = self.case(of_load_cases("h", operating_time=1000.0))["spectrum"]
         self.assertEqual([round(row["hours"] / 3600.0, 6) for row in rows], [1000.0, 2000.0, 3000.0])
 
+    def test_the_gear_that_is_shifted(self):
+        """The second of three gears holds the ring; a number that a program writes as 2.0 is 2."""
+        for index, held in ((2, True), (2.0, True), (1, False), (3, False), (2.5, False)):
+            model = with_attributes(with_attributes(rexs_files.planetary(), 1, gear_shift_index=(index, "none")), 7, is_engaged=([False, True, False], "none"))
+            model.components = [(number, "switchable_coupling" if number == 7 else kind, name, rows) for number, kind, name, rows in model.components]
+            self.assertEqual(STAGE in self.converted(model).cases, held, index)
+
     def test_rings_that_a_bearing_has(self):
         for inner, outer, rings in ((False, True, "outer"), (False, False, "none"), (True, True, "both")):
             model = rexs_files.planetary()

@@ -384,4 +384,5 @@ class _Json:
         try:
             return json.dumps(self._data, ensure_ascii=False, indent=1, allow_nan=False).encode("utf-8") + b"\n"
         except ValueError as error:
-            raise CaseError(f"--results: the file holds a number beyond all bounds ({error}), which JSON does not have; results are not written into it") from error
+            raise CaseError(f"--results: the file holds a number beyond all bounds ({error}), which JSON does not have; results are not written "
+                            "into it") from error
