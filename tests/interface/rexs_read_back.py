@@ -231,6 +231,40 @@ class Bearings(ReadBack):
         self.assertEqual(entry["case"], "cases/6205_lager_41_load_case_2/case.yaml")  # which does most damage
 
 
+    def test_of_many_load_cases_the_worst_is_written(self):
+        model = without(rexs_files.gearbox(), "torque_around_u_axis", "rotational_speed")
+        for number in range(1, 26):
+            model.load_case(number, [(rexs_files.UNIT, "gear_unit", [("operating_time_fraction", 4.0, "%")]),
+                                     (5, "shaft", [("rotational_speed", 1000.0, "1 / min")]), (3, "external_load", [("torque_around_u_axis", 10.0 + number % 13, "N m")])])
+        found = self.converted(model)
+        self.assertEqual(sorted(name for name in found.cases if name != "stage"), [f"6205_lager_{number}_load_case_12" for number in (30, 31, 40, 41)])
+        entry = found.report["bearings"][0]
+        self.assertEqual([one["load_case"] for one in entry["load_cases"] if one["case"]], ["12"])
+        lives = [one["figures"]["L10h"] for one in entry["load_cases"]]
+        self.assertAlmostEqual(entry["lives"]["L10h"] * sum(0.04 / life for life in lives), 1.0, 8)
+
+    def test_results_of_a_load_case_are_written_into_it(self):
+        """Each life stands where its load does, in both forms."""
+        for form in (".rexs", ".rexsj"):
+            model = without(rexs_files.gearbox(), "torque_around_u_axis", "rotational_speed")
+            for number, torque in ((1, 50.0), (2, 30.0)):
+                model.load_case(number, [(rexs_files.UNIT, "gear_unit", [("operating_time_fraction", 50.0, "%")]),
+                                         (5, "shaft", [("rotational_speed", 1000.0, "1 / min")]), (3, "external_load", [("torque_around_u_axis", torque, "N m")])])
+            file = model.write(self.place / f"loads{form}")
+            read = reading.read(file)
+            found = convert.convert(read, file.name, reading.form_of(file.read_bytes()))
+            document = (results._Json if form == ".rexsj" else results._Xml)(file.read_bytes())
+            for number, life in ((1, 1000.0), (2, 7000.0)):
+                results._write_run(read, document, found, results.Run(pathlib.Path("run"), f"6205_lager_40_load_case_{number}", {"L10h": life}, {}, None))
+            file.write_bytes(document.bytes())
+            again = reading.read(file)
+            for load_case, life in zip(again.load_cases, (1000.0, 7000.0), strict=True):
+                (bearing,) = (one for one in load_case.components if one.id == 40)
+                self.assertEqual((bearing.type, bearing.attributes["nominal_rating_life_time_iso_281_2007"].value), ("rolling_bearing_with_catalog_geometry", life))
+            self.assertNotIn("nominal_rating_life_time_iso_281_2007", again.components[40].attributes)
+            self.assertEqual(again.notes, [])
+
+
 class Planets(ReadBack):
     """Results of unlike planets go to their own bearings."""
 
@@ -238,7 +272,7 @@ class Planets(ReadBack):
         def __init__(self):
             self.values = {}
 
-        def put(self, component, attribute, unit, value):
+        def put(self, component, attribute, unit, value, _):
             self.values[component, attribute] = value
 
     def test_each_bearing_has_its_own_life(self):
