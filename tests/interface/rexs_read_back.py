@@ -275,6 +275,17 @@ class Planets(ReadBack):
         def put(self, component, attribute, unit, value, _):
             self.values[component, attribute] = value
 
+    def test_of_a_sweep_the_point_at_the_speed_of_the_case(self):
+        class Resolved:
+            def value(self, path):
+                return {"input.speed": 100.0}[path]  # [rad/s]
+
+        points = [{"row": {"input_speed_rpm": speed}} for speed in (900.0, 100.0 * 30.0 / math.pi, 1000.0)]
+        self.assertIs(results._operating_point(pathlib.Path("run"), points, Resolved()), points[1])
+        self.assertIs(results._operating_point(pathlib.Path("run"), points[2:], Resolved()), points[2])
+        with self.assertRaisesRegex(CaseError, "found 2 points, none at the case's input.speed"):
+            results._operating_point(pathlib.Path("run"), points[::2], Resolved())
+
     def test_each_bearing_has_its_own_life(self):
         found = self.converted(rexs_files.planetary())
         lives = [1000.0 + 100.0 * i for i in range(6)]
