@@ -167,6 +167,41 @@ class Stage(ReadBack):
             case = self.case(without(model, "inner_diameter", "outer_diameter", "width"))
             self.reads(case, bearing__designation="NU 2210", bearing__radial_clearance=60e-6, bearing__dynamic_capacity=930e3)
 
+    def test_what_is_said_to_be_missing(self):
+        """Of a bearing without an inside what it lacks, once; not what stands for it alone. The other stage keeps its own."""
+        model = rexs_files.two_stages()
+        for number in of_bearings(model):
+            model.relations = [one for one in model.relations if one[0] != "ordered_assembly" or ("assembly", number) not in one[1]]
+        found = self.converted(model)
+        missing = {}
+        for entry in found.report["missing"]:
+            missing.setdefault(entry["case"], []).append(entry["key"])
+        first, second = STAGE, f"{STAGE}_5009"
+        self.assertIn("bearing.roller_diameter", missing[first])
+        self.assertEqual([key for key in missing[first] if key.startswith(("bearing.clearance_class", "lubricant", "life"))], [])
+        self.assertIn("gearset.addendum", missing[first])
+        self.assertIn("bearing.cage.width", missing[second])
+        self.assertNotIn("bearing:", found.cases[first].replace("bearings", ""))
+        self.assertIn("rollers: 16", found.cases[second])
+
+    def test_ratings_of_nothing_are_none(self):
+        model = rexs_files.planetary()
+        for number in of_bearings(model):
+            with_attributes(model, number, radial_dynamic_load_rating=(0.0, "kN"), radial_static_load_rating=(0.0, "kN"), fatigue_limit_load=(0.0, "kN"))
+        found = self.converted(model)
+        self.assertNotIn("dynamic_capacity", found.cases[STAGE])
+        self.assertEqual(found.report["notes"], [])
+
+    def test_why_an_attribute_is_left_out(self):
+        model = with_attributes(rexs_files.planetary(), BEARING, nominal_rating_life_time_iso_281_2007=(1000.0, "h"), custom_colour=(3, "none"),
+                                display_color=("red", "none"), bearing_tolerance_class=("P6", "none"), maximum_radial_bearing_clearance=(None, "mum"))
+        reasons = {entry["attribute"]: entry["reason"] for entry in self.converted(model, ".rexsj").report["left_out"] if entry["component"] == BEARING}
+        for attribute, reason in (("nominal_rating_life_time_iso_281_2007", "a result of another program"), ("custom_colour", "an extension of one program"),
+                                  ("display_color", "describes the part, does not size it"), ("maximum_radial_bearing_clearance", "has no value"),
+                                  ("bearing_tolerance_class", "no key of a case takes this attribute of this type of component"),
+                                  ("u_coordinate_on_shaft_inner_side", "place along a shaft that no key of a case needs")):
+            self.assertEqual(reasons[attribute], reason)
+
     def test_whole_numbers_are_whole(self):
         """Rounded within a millionth, left out with the reason beyond."""
         def changed(value, number_of):
@@ -205,6 +240,13 @@ class Bearings(ReadBack):
         case = self.case(gearbox(), "stage")
         self.assertEqual((case["pair.teeth"], case["pair.profile_shift"]), ([20, 40], [0.0, 0.0]))
         self.reads(case, pair__module=2e-3, pair__helix_angle=12 * DEGREE, pair__pressure_angle=20 * DEGREE, pair__face_width=20e-3, pair__bore=25e-3)
+
+    def test_the_bore_of_a_pair_that_states_none(self):
+        """Half the root diameter of the smaller gear."""
+        model = without(rexs_files.gearbox(), "outer_diameter_begin", "center_distance")
+        for side in (71, 72):
+            with_attributes(model, side, addendum_modification_coefficient=(0.2, "none"))
+        self.reads(self.case(model, "stage"), pair__bore=0.5 * (40e-3 + 2 * 2e-3 * (0.2 - 1.25)))
 
     def test_forces_and_lives_under_several_load_cases(self):
         """A case for each; together by the rule of Palmgren and Miner, with forces of each by statics."""
