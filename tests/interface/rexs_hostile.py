@@ -79,7 +79,7 @@ class Damaged(Hostile):
     def test_characters_and_numbers(self):
         text = rexs_files.planetary().json()
         self.refused(self.write("s.rexsj", text.replace("Planetenstufe", "Pl\\udc00")), "found half of a pair of UTF-16 in a text")
-        self.refused(self.write("n.rexsj", text.replace('"floating_point": 10.0', f'"floating_point": {"9" * 5000}')), "found a number that cannot be read")
+        self.refused(self.write("n.rexsj", text.replace('"floating_point": 10.0', f'"floating_point": {"9" * 5000}')), "found a number with more digits than can be read")
         self.refused(self.write("v.rexsj", text.replace('"1.4"', '"1.4\\u001b[2J"')), "(it states '1.4\\x1b[2J')")
         pair = program.within(main, self.write("p.rexsj", text.replace("Planetenstufe", "Pl\\ud83d\\ude00")), "-o", self.out)
         self.assertEqual(pair.returncode, 0, pair.stderr)

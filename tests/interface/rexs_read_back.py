@@ -140,6 +140,13 @@ class Stage(ReadBack):
         rows = self.case(of_load_cases("h", operating_time=1000.0))["spectrum"]
         self.assertEqual([round(row["hours"] / 3600.0, 6) for row in rows], [1000.0, 2000.0, 3000.0])
 
+    def test_the_gear_that_is_shifted(self):
+        """The second of three gears holds the ring; a number that a program writes as 2.0 is 2."""
+        for index, held in ((2, True), (2.0, True), (1, False), (3, False), (2.5, False)):
+            model = with_attributes(with_attributes(rexs_files.planetary(), 1, gear_shift_index=(index, "none")), 7, is_engaged=([False, True, False], "none"))
+            model.components = [(number, "switchable_coupling" if number == 7 else kind, name, rows) for number, kind, name, rows in model.components]
+            self.assertEqual(STAGE in self.converted(model).cases, held, index)
+
     def test_rings_that_a_bearing_has(self):
         for inner, outer, rings in ((False, True, "outer"), (False, False, "none"), (True, True, "both")):
             model = rexs_files.planetary()
@@ -159,6 +166,41 @@ class Stage(ReadBack):
                 with_attributes(model, number, catalogue_designation=("NU 2210", "none"))
             case = self.case(without(model, "inner_diameter", "outer_diameter", "width"))
             self.reads(case, bearing__designation="NU 2210", bearing__radial_clearance=60e-6, bearing__dynamic_capacity=930e3)
+
+    def test_what_is_said_to_be_missing(self):
+        """Of a bearing without an inside what it lacks, once; not what stands for it alone. The other stage keeps its own."""
+        model = rexs_files.two_stages()
+        for number in of_bearings(model):
+            model.relations = [one for one in model.relations if one[0] != "ordered_assembly" or ("assembly", number) not in one[1]]
+        found = self.converted(model)
+        missing = {}
+        for entry in found.report["missing"]:
+            missing.setdefault(entry["case"], []).append(entry["key"])
+        first, second = STAGE, f"{STAGE}_5009"
+        self.assertIn("bearing.roller_diameter", missing[first])
+        self.assertEqual([key for key in missing[first] if key.startswith(("bearing.clearance_class", "lubricant", "life"))], [])
+        self.assertIn("gearset.addendum", missing[first])
+        self.assertIn("bearing.cage.width", missing[second])
+        self.assertNotIn("bearing:", found.cases[first].replace("bearings", ""))
+        self.assertIn("rollers: 16", found.cases[second])
+
+    def test_ratings_of_nothing_are_none(self):
+        model = rexs_files.planetary()
+        for number in of_bearings(model):
+            with_attributes(model, number, radial_dynamic_load_rating=(0.0, "kN"), radial_static_load_rating=(0.0, "kN"), fatigue_limit_load=(0.0, "kN"))
+        found = self.converted(model)
+        self.assertNotIn("dynamic_capacity", found.cases[STAGE])
+        self.assertEqual(found.report["notes"], [])
+
+    def test_why_an_attribute_is_left_out(self):
+        model = with_attributes(rexs_files.planetary(), BEARING, nominal_rating_life_time_iso_281_2007=(1000.0, "h"), custom_colour=(3, "none"),
+                                display_color=("red", "none"), bearing_tolerance_class=("P6", "none"), maximum_radial_bearing_clearance=(None, "mum"))
+        reasons = {entry["attribute"]: entry["reason"] for entry in self.converted(model, ".rexsj").report["left_out"] if entry["component"] == BEARING}
+        for attribute, reason in (("nominal_rating_life_time_iso_281_2007", "a result of another program"), ("custom_colour", "an extension of one program"),
+                                  ("display_color", "describes the part, does not size it"), ("maximum_radial_bearing_clearance", "has no value"),
+                                  ("bearing_tolerance_class", "no key of a case takes this attribute of this type of component"),
+                                  ("u_coordinate_on_shaft_inner_side", "place along a shaft that no key of a case needs")):
+            self.assertEqual(reasons[attribute], reason)
 
     def test_whole_numbers_are_whole(self):
         """Rounded within a millionth, left out with the reason beyond."""
@@ -199,6 +241,13 @@ class Bearings(ReadBack):
         self.assertEqual((case["pair.teeth"], case["pair.profile_shift"]), ([20, 40], [0.0, 0.0]))
         self.reads(case, pair__module=2e-3, pair__helix_angle=12 * DEGREE, pair__pressure_angle=20 * DEGREE, pair__face_width=20e-3, pair__bore=25e-3)
 
+    def test_the_bore_of_a_pair_that_states_none(self):
+        """Half the root diameter of the smaller gear."""
+        model = without(rexs_files.gearbox(), "outer_diameter_begin", "center_distance")
+        for side in (71, 72):
+            with_attributes(model, side, addendum_modification_coefficient=(0.2, "none"))
+        self.reads(self.case(model, "stage"), pair__bore=0.5 * (40e-3 + 2 * 2e-3 * (0.2 - 1.25)))
+
     def test_forces_and_lives_under_several_load_cases(self):
         """A case for each; together by the rule of Palmgren and Miner, with forces of each by statics."""
         model = without(rexs_files.gearbox(), "torque_around_u_axis", "rotational_speed")
@@ -224,6 +273,40 @@ class Bearings(ReadBack):
         self.assertEqual(entry["case"], "cases/6205_lager_41_load_case_2/case.yaml")  # which does most damage
 
 
+    def test_of_many_load_cases_the_worst_is_written(self):
+        model = without(rexs_files.gearbox(), "torque_around_u_axis", "rotational_speed")
+        for number in range(1, 26):
+            model.load_case(number, [(rexs_files.UNIT, "gear_unit", [("operating_time_fraction", 4.0, "%")]),
+                                     (5, "shaft", [("rotational_speed", 1000.0, "1 / min")]), (3, "external_load", [("torque_around_u_axis", 10.0 + number % 13, "N m")])])
+        found = self.converted(model)
+        self.assertEqual(sorted(name for name in found.cases if name != "stage"), [f"6205_lager_{number}_load_case_12" for number in (30, 31, 40, 41)])
+        entry = found.report["bearings"][0]
+        self.assertEqual([one["load_case"] for one in entry["load_cases"] if one["case"]], ["12"])
+        lives = [one["figures"]["L10h"] for one in entry["load_cases"]]
+        self.assertAlmostEqual(entry["lives"]["L10h"] * sum(0.04 / life for life in lives), 1.0, 8)
+
+    def test_results_of_a_load_case_are_written_into_it(self):
+        """Each life stands where its load does, in both forms."""
+        for form in (".rexs", ".rexsj"):
+            model = without(rexs_files.gearbox(), "torque_around_u_axis", "rotational_speed")
+            for number, torque in ((1, 50.0), (2, 30.0)):
+                model.load_case(number, [(rexs_files.UNIT, "gear_unit", [("operating_time_fraction", 50.0, "%")]),
+                                         (5, "shaft", [("rotational_speed", 1000.0, "1 / min")]), (3, "external_load", [("torque_around_u_axis", torque, "N m")])])
+            file = model.write(self.place / f"loads{form}")
+            read = reading.read(file)
+            found = convert.convert(read, file.name, reading.form_of(file.read_bytes()))
+            document = (results._Json if form == ".rexsj" else results._Xml)(file.read_bytes())
+            for number, life in ((1, 1000.0), (2, 7000.0)):
+                results._write_run(read, document, found, results.Run(pathlib.Path("run"), f"6205_lager_40_load_case_{number}", {"L10h": life}, {}, None))
+            file.write_bytes(document.bytes())
+            again = reading.read(file)
+            for load_case, life in zip(again.load_cases, (1000.0, 7000.0), strict=True):
+                (bearing,) = (one for one in load_case.components if one.id == 40)
+                self.assertEqual((bearing.type, bearing.attributes["nominal_rating_life_time_iso_281_2007"].value), ("rolling_bearing_with_catalog_geometry", life))
+            self.assertNotIn("nominal_rating_life_time_iso_281_2007", again.components[40].attributes)
+            self.assertEqual(again.notes, [])
+
+
 class Planets(ReadBack):
     """Results of unlike planets go to their own bearings."""
 
@@ -231,8 +314,19 @@ class Planets(ReadBack):
         def __init__(self):
             self.values = {}
 
-        def put(self, component, attribute, unit, value):
+        def put(self, component, attribute, unit, value, _):
             self.values[component, attribute] = value
+
+    def test_of_a_sweep_the_point_at_the_speed_of_the_case(self):
+        class Resolved:
+            def value(self, path):
+                return {"input.speed": 100.0}[path]  # [rad/s]
+
+        points = [{"row": {"input_speed_rpm": speed}} for speed in (900.0, 100.0 * 30.0 / math.pi, 1000.0)]
+        self.assertIs(results._operating_point(pathlib.Path("run"), points, Resolved()), points[1])
+        self.assertIs(results._operating_point(pathlib.Path("run"), points[2:], Resolved()), points[2])
+        with self.assertRaisesRegex(CaseError, "found 2 points, none at the case's input.speed"):
+            results._operating_point(pathlib.Path("run"), points[::2], Resolved())
 
     def test_each_bearing_has_its_own_life(self):
         found = self.converted(rexs_files.planetary())

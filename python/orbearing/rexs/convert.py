@@ -25,6 +25,7 @@ from orbearing.whole_files import write_whole
 
 FIGURES = {"rpm": "rpm", "N_m": "N.m", "N": "N", "kN": "kN", "Hz": "Hz", "mm": "mm", "deg": "deg", "h": "h"}
 REPORT = "conversion.json"
+MOST_CASES = 20  # of one bearing; of more load cases that with most damage is written alone
 LIVES = ("L10h", "L10mh", "L10rh", "L10mrh")
 
 
@@ -36,6 +37,7 @@ class Conversion:
     cases: dict[str, str] = field(default_factory=dict)
     incomplete: dict[str, str] = field(default_factory=dict)
     bearings: dict[str, list[list[Component]]] = field(default_factory=dict)  # by case: those of each planet
+    load_cases: dict[str, str] = field(default_factory=dict)  # by case of one of several loads: which
 
     @property
     def is_complete(self) -> bool:
@@ -158,6 +160,8 @@ def _add_bearing(conversion: Conversion, ledger: Ledger, builders: list[BearingC
     for number, builder in enumerate(builders):
         builder.draft.name = name if len(builders) == 1 else f"{name}_load_case_{_plain(builder.at.load_case) or number + 1}"
         _add(conversion, ledger, "bearings", bearing, builder)
+        if len(builders) > 1:
+            conversion.load_cases[builder.draft.name] = builder.at.load_case
         entry = conversion.report["bearings"].pop()
         entry["figures"] = builder.figures()
         rows.append((builder, entry, _lives(conversion.cases.get(builder.draft.name), builder.draft.name) if len(builders) > 1 else {}))
@@ -167,6 +171,12 @@ def _add_bearing(conversion: Conversion, ledger: Ledger, builders: list[BearingC
     lives = _lives_together([(builder.at.share, lives) for builder, _, lives in rows if not builder.stands])
     worst = max(rows, key=lambda row: (row[0].at.share or 0.0) / row[2].get("L10h", math.inf)) if lives else max(rows, key=lambda row: row[0].at.share or 0.0)
     entry = worst[1]
+    if len(rows) > MOST_CASES:
+        for builder, one, _ in rows:
+            if one is not entry:
+                one["case"] = None
+                for held in (conversion.cases, conversion.incomplete, conversion.bearings, conversion.load_cases):
+                    held.pop(builder.draft.name, None)
     entry["load_cases"] = [{"load_case": builder.at.load_case, "share": builder.at.share, "case": one["case"], "figures": builder.load_figures() | lives_of_one}
                            for builder, one, lives_of_one in rows]
     entry["lives"] = lives

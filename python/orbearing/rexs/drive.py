@@ -99,8 +99,7 @@ class Bodies:
         if not isinstance(states, list) or not states:
             return True  # a single value is not of the attribute's type; the reader notes it
         unit = next(iter(self._model.of_type("gear_unit")), None)
-        shifted = unit.attributes.get("gear_shift_index") if unit is not None else None
-        index = shifted.value - 1 if shifted is not None and isinstance(shifted.value, int) else 0
+        index = (number_of(unit, "gear_shift").number or 1) - 1 if unit is not None else 0
         return states[min(max(index, 0), len(states) - 1)] in (True, "true")
 
 
@@ -293,8 +292,8 @@ class Drive:
             if power is not None and speeds.get(body):
                 by_power = power / speeds[body]
                 if torque is not None and abs(by_power - torque) > SAME_POWER * abs(torque):
-                    notes.append(f"component {load.id} ('{load.name}'): torque_around_u_axis is {torque:.6g} N m; its power at {in_unit(speeds[body], 'rpm'):.6g} "
-                                 f"rpm gives {by_power:.6g} N m; the torque is taken")
+                    notes.append(f"component {load.id} ('{load.name}'): torque_around_u_axis is {torque:.6g} N m; its power at "
+                                 f"{in_unit(speeds[body], 'rpm'):.6g} rpm gives {by_power:.6g} N m; the torque is taken")
                 torque = by_power if torque is None else torque
             transmits = load.attributes.get("transmits_torque")
             if transmits is not None and transmits.value is False:
@@ -327,7 +326,7 @@ class Drive:
         return members, speeds, notes
 
     def _stage_torques(self, stated: dict[object, float], free: set[object]) -> Optional[dict[int, float]]:
-        """The torque of each stage per tooth; only those that are determined. None where the stated ones contradict each other."""
+        """The torque of each stage per tooth, where it is determined; None where the stated ones contradict each other."""
         if not self.nodes:
             return {}
         for unstated in (free | {node for node in self.nodes if node == FLOOR or not isinstance(node, int)}

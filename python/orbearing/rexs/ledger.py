@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any, Optional
 
 from orbearing.rexs.model import Attribute, Component, Model
-from orbearing.rexs.names import CATALOGUE, KNOWN, RIGID, is_number, same_number, unit_of
+from orbearing.rexs.names import CATALOGUE, KNOWN, is_number, is_rigid, same_number, unit_of
 
 IN_SPACE = {"support_vector", "u_axis_vector", "w_axis_vector", "reference_component_for_position", "rotating_angle_around_neg_u_axis"}
 DESCRIBING = {"part_number", "revision_number", "sequence_number", "version", "modification_date", "display_color", "customer",
@@ -192,8 +192,7 @@ def reason_of(component: Component, attribute: Attribute, load_case: str) -> str
         return "names the part of another file that describes this one"
     if attribute.id in DESCRIBING:
         return "describes the part, does not size it"
-    unit = unit_of(attribute.unit)
-    if "stiffness" in attribute.id and is_number(attribute.value) and attribute.value >= RIGID / (unit.factor if unit else 1.0):
+    if is_rigid(attribute):
         return "says that the part is rigid; not taken as a number"
     if attribute.id.startswith("custom_"):
         return "an extension of one program"

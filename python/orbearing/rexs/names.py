@@ -104,6 +104,7 @@ KNOWN = {
     "load_torque_w": Known(("torque_around_w_axis",), "N m", ("external_load",)),
     "load_place": Known(("u_coordinate_on_shaft",), "mm", ("external_load",)),
     "load_power": Known(("power",), "kW", ("external_load",)),
+    "gear_shift": Known(("gear_shift_index",), "none", ("gear_unit",), whole=True),
     "share": Known(("operating_time_fraction", "load_duration_fraction"), "%", ("gear_unit",)),
     "duration": Known(("operating_time", "load_duration"), "h", ("gear_unit",)),
     "oil_temperature": Known(("temperature_lubricant",), "C", ("gear_casing", "cylindrical_stage", *CATALOGUE)),
@@ -198,6 +199,12 @@ def same_number(one: float, other: float) -> bool:
 def is_number(value: object) -> bool:
     """Whether a value of a file is a number that can be used."""
     return isinstance(value, (int, float)) and not isinstance(value, bool) and abs(value) <= LARGEST
+
+
+def is_rigid(attribute: Attribute) -> bool:
+    """Whether a stiffness says "rigid" instead of a number."""
+    unit = unit_of(attribute.unit)
+    return "stiffness" in attribute.id and is_number(attribute.value) and attribute.value * (unit.factor if unit else 1.0) >= RIGID
 
 
 def number_of(component: Component, name: str) -> Reading:

@@ -308,7 +308,7 @@ def json_of(content: bytes) -> Any:
         raise _Fault("found a byte that is not UTF-8; a text file in UTF-8 is required", line,
                      error.start - content.rfind(b"\n", 0, error.start)) from error
     except ValueError as error:
-        raise _Fault(f"found a number that cannot be read ({str(error).split(';')[0]}); a shorter one is required") from error
+        raise _Fault("found a number with more digits than can be read; a shorter one is required") from error
 
 
 def _from_json(content: bytes) -> Model:

@@ -165,7 +165,7 @@ def _write_run(model: Model, document: Any, conversion: Any, run: Run) -> dict:
     if planets is None:
         known = ", ".join(conversion.bearings) or "none"
         raise CaseError(f"--results: {run.folder}: its case '{run.case}' is no case of this file with a bearing ({known})")
-    version = version_of(model.version)
+    version, load_case = version_of(model.version), conversion.load_cases.get(run.case, "")
     attributes, not_written = [], []
     for result in RESULTS:
         spelling = result.of(version)
@@ -177,19 +177,21 @@ def _write_run(model: Model, document: Any, conversion: Any, run: Run) -> dict:
             for index, bearing in enumerate(bearings):
                 value = run.value(result.column, planet * len(bearings) + index)
                 if value is not None:
-                    attributes.append(_written(document, bearing, spelling, value * spelling.factor, result.column))
+                    attributes.append(_written(document, bearing, spelling, value * spelling.factor, result.column, load_case))
     contacts = 0
-    if version < LAMINAE_FROM:
+    if load_case:
+        not_written.append({"column": "lamina loads", "reason": f"of load case {load_case} alone; a bearing has one set of contacts"})
+    elif version < LAMINAE_FROM:
         not_written.append({"column": "lamina loads", "reason": f"REXS {model.version} has no contacts of rolling elements"})
     else:
         contacts = _write_contacts(model, document, _with_lamina_loads(planets, run, not_written), run, not_written)
     return {"run": str(run.folder), "case": run.case, "written": attributes, "contacts": contacts, "not_written": not_written}
 
 
-def _written(document: Any, bearing: Component, spelling: Spelling, value: float, column: str) -> dict:
-    replaced = document.put(bearing.id, spelling.attribute, spelling.unit, value)
+def _written(document: Any, bearing: Component, spelling: Spelling, value: float, column: str, load_case: str) -> dict:
+    replaced = document.put(bearing.id, spelling.attribute, spelling.unit, value, load_case)
     return {"component": bearing.id, "attribute": spelling.attribute, "value": value, "unit": spelling.unit, "column": column,
-            **({"replaced": replaced} if replaced is not None else {})}
+            **({"load_case": load_case} if load_case else {}), **({"replaced": replaced} if replaced is not None else {})}
 
 
 def _with_lamina_loads(planets: list[list[Component]], run: Run, not_written: list[dict]) -> list[Component]:
@@ -282,9 +284,9 @@ class _Xml:
         self._next = max(self._by_id, default=0) + 1
         self._next_relation = 1 + max((int(one.get("id")) for one in self._relations if (one.get("id") or "").isdecimal()), default=0)
 
-    def put(self, component: int, attribute: str, unit: str, value: Any) -> Any:
-        """Sets an attribute; the value it had before."""
-        whole = self._by_id[component]
+    def put(self, component: int, attribute: str, unit: str, value: Any, load_case: str = "") -> Any:
+        """Sets an attribute, that of a load case where one is named; the value it had before."""
+        whole = self._of_load_case(load_case, component) if load_case else self._by_id[component]
         found = next((one for one in whole if reading.local(one) == "attribute" and one.get("id") == attribute), None)
         before = None
         if found is None:
@@ -299,6 +301,17 @@ class _Xml:
         found.set("unit", unit)
         self._fill(found, value)
         return before
+
+    def _of_load_case(self, load_case: str, component: int) -> ElementTree.Element:
+        """What a load case states of a component; begun where it states nothing."""
+        cases = [one for block in self._root if reading.local(block) == "load_spectrum" for one in block if reading.local(one) == "load_case"]
+        case = next(one for number, one in enumerate(cases) if one.get("id", str(number + 1)) == load_case)
+        for one in case:
+            if reading.local(one) == "component" and int(one.get("id")) == component:
+                return one
+        begun = ElementTree.SubElement(case, f"{self._space}component", id=str(component), type=self._by_id[component].get("type", ""))
+        begun.tail = "\n    "
+        return begun
 
     def _fill(self, element: ElementTree.Element, value: Any) -> None:
         for child in list(element):
@@ -346,11 +359,12 @@ class _Json:
         self._next = max(self._by_id, default=0) + 1
         self._next_relation = 1 + max((one["id"] for one in self._relations if isinstance(one, dict) and isinstance(one.get("id"), int)), default=0)
 
-    def put(self, component: int, attribute: str, unit: str, value: Any) -> Any:
-        """Sets an attribute; the value it had before."""
-        if not isinstance(self._by_id[component].get("attributes"), list):
-            self._by_id[component]["attributes"] = []
-        attributes = self._by_id[component]["attributes"]
+    def put(self, component: int, attribute: str, unit: str, value: Any, load_case: str = "") -> Any:
+        """Sets an attribute, that of a load case where one is named; the value it had before."""
+        whole = self._of_load_case(load_case, component) if load_case else self._by_id[component]
+        if not isinstance(whole.get("attributes"), list):
+            whole["attributes"] = []
+        attributes = whole["attributes"]
         found = next((one for one in attributes if isinstance(one, dict) and one.get("id") == attribute), None)
         kind = "floating_point_array" if isinstance(value, list) else "enum" if isinstance(value, str) else "floating_point"
         fresh = {"id": attribute, "unit": unit, kind: value}
@@ -361,6 +375,18 @@ class _Json:
         found.clear()
         found.update(fresh)
         return before
+
+    def _of_load_case(self, load_case: str, component: int) -> dict:
+        """What a load case states of a component; begun where it states nothing."""
+        cases = [one for one in self._data["model"]["load_spectrum"]["load_cases"] if isinstance(one, dict)]
+        case = next(one for one in cases if str(one.get("id")) == load_case)
+        if not isinstance(case.get("components"), list):
+            case["components"] = []
+        for one in case["components"]:
+            if isinstance(one, dict) and int(one["id"]) == component:
+                return one
+        case["components"].append({"id": component, "type": self._by_id[component].get("type", ""), "attributes": []})
+        return case["components"][-1]
 
     def add(self, type_: str, attributes: Iterable[tuple[str, str, Any]]) -> int:
         """A new component; its id."""
@@ -385,4 +411,5 @@ class _Json:
         try:
             return json.dumps(self._data, ensure_ascii=False, indent=1, allow_nan=False).encode("utf-8") + b"\n"
         except ValueError as error:
-            raise CaseError(f"--results: the file holds a number beyond all bounds ({error}), which JSON does not have; results are not written into it") from error
+            raise CaseError(f"--results: the file holds a number beyond all bounds ({error}), which JSON does not have; results are not written "
+                            "into it") from error

@@ -9,7 +9,7 @@ from orbearing.rexs.drive import FLOOR, Drive, Member, Planetary, shaft_of
 from orbearing.rexs.geometry import SAME_SHIFT, Teeth
 from orbearing.rexs.ledger import Draft
 from orbearing.rexs.model import Component, Model
-from orbearing.rexs.names import CATALOGUE, RIGID, attribute_of, in_unit, is_number, is_true, number_of, place_of, same_number, text_of
+from orbearing.rexs.names import CATALOGUE, RIGID, attribute_of, in_unit, is_rigid, is_true, number_of, place_of, same_number, text_of
 from orbearing.rexs.parts import (ROLLERS, Heights, Inside, Source, common, is_bearing, narrowest, pressure_angle, put_fillet, put_heights, put_life,
                                   put_material, put_oil, row_count, rows_of, unlike_modules)
 from orbearing.rexs.writing import number_text, quantity
@@ -361,7 +361,8 @@ class StageCase:
 
     def _put_bearings(self) -> None:
         bodies = [self.drive.bodies.of(shaft.id) for shaft in self.stage.planet_shafts]
-        sides = [sorted(self._sides_of(body), key=lambda side: self._place_of(side[0], shaft) or 0.0) for body, shaft in zip(bodies, self.stage.planet_shafts)]
+        sides = [sorted(self._sides_of(body), key=lambda side, shaft=shaft: self._place_of(side[0], shaft) or 0.0)
+                 for body, shaft in zip(bodies, self.stage.planet_shafts)]
         self.sides = sides
         self._note_copies()
         if not sides or not sides[0]:
@@ -383,7 +384,7 @@ class StageCase:
 
     def _leave(self, component: Component, reason: str) -> None:
         for attribute in component.attributes.values():
-            if not (is_number(attribute.value) and attribute.value >= RIGID) and "vector" not in attribute.id:
+            if not is_rigid(attribute) and "vector" not in attribute.id:
                 self.source.ledger.leave(component, attribute, reason)
 
     def _places(self) -> list[float]:
