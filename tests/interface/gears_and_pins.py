@@ -155,7 +155,7 @@ class GearsAndPins(unittest.TestCase):
         case = self.case(PAIR)
         one, own = (answer("mesh", case, *beside)["meshes"][0] for beside in ((), ("pair.driven_bore=150 mm",)))
         self.assertAlmostEqual(one["mean_N_per_m"] / one["iso6336"]["mean_N_per_m"], 0.33, delta=0.01)
-        self.assertGreater(own["mean_N_per_m"], 1.3 * one["mean_N_per_m"])
+        self.assertAlmostEqual(own["mean_N_per_m"] / own["iso6336"]["mean_N_per_m"], 1, delta=0.1)  # ISO states its formula to 5 to 8 %
         self.assertEqual(own["iso6336"], one["iso6336"])
         wide = run("mesh", case, *settings(["pair.driven_bore=201 mm"]))
         self.assertEqual(wide.returncode, 2)
