@@ -55,12 +55,14 @@ std::string key_hint(const std::string& key, const std::string& prefix, const Ca
   if (!set.empty() && key == "fixed")
     return "a known key is required. A member is stationary on a shaft with 'ground'";
   // The right name in the wrong block is likelier than a slip of the keyboard.
-  for (const Field& field : all_fields()) {
-    if ((!set.empty() && !in_each_set(field)) || (field.models & models) == 0) continue;
-    if (field.path == key || field.path.ends_with("." + key))
-      return fmt::format("a known key is required; '{}{}' nested by its blocks is one",
-                         belongs(shape, field.path) ? "" : set, field.path);
-  }
+  for (const bool of_other_models : {false, true})
+    for (const Field& field : all_fields()) {
+      if ((!set.empty() && !in_each_set(field)) || ((field.models & models) == 0) != of_other_models) continue;
+      if (field.path == key || field.path.ends_with("." + key))
+        return fmt::format("a known key is required; '{}{}' nested by its blocks is one{}",
+                           belongs(shape, field.path) ? "" : set, field.path,
+                           of_other_models ? ", in cases of another model" : "");
+    }
   const std::vector<std::string> siblings = keys_under(prefix, shape);
   // An oil by two viscosities, as data sheets state it, in any spelling.
   if (prefix == "lubricant.")
