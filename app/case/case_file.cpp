@@ -68,26 +68,31 @@ std::string key_hint(const std::string& key, const std::string& prefix, const Ca
   const std::string set = set_of(prefix);
   if (prefix.ends_with("gearset.stepped_planet.") && (key == "ring" || key == "sun"))
     return "a known key is required. The first gear of a stepped planet meshes with the sun alone and the "
-           "second, of gearset.stepped_planet, with the ring of gearset.teeth; a second ring or sun cannot be "
+           "second, of gearset.stepped_planet, with the ring of gearset.teeth; a second ring or sun cannot "
+           "be "
            "stated";
   if (!set.empty() && key == "fixed")
     return "a known key is required. A member is stationary on a shaft with 'ground'";
   if (std::string hint = missing_kind_hint(key, prefix); !hint.empty()) return hint;
   // The right name in the wrong block is likelier than a slip of the keyboard.
-  for (const Field& field : all_fields()) {
-    if ((!set.empty() && !in_each_set(field)) || (field.models & models) == 0) continue;
-    if (field.path == key || field.path.ends_with("." + key))
-      return fmt::format("a known key is required; '{}{}' nested by its blocks is one",
-                         belongs(shape, field.path) ? "" : set, field.path);
-  }
+  for (const bool of_other_models : {false, true})
+    for (const Field& field : all_fields()) {
+      if ((!set.empty() && !in_each_set(field)) || ((field.models & models) == 0) != of_other_models)
+        continue;
+      if (field.path == key || field.path.ends_with("." + key))
+        return fmt::format("a known key is required; '{}{}' nested by its blocks is one{}",
+                           belongs(shape, field.path) ? "" : set, field.path,
+                           of_other_models ? ", in cases of another model" : "");
+    }
   const std::vector<std::string> siblings = keys_under(prefix, shape);
   // An oil by two viscosities, as data sheets state it, in any spelling.
   if (prefix == "lubricant.")
     for (const char* temperature : {"40", "100"})
       if (key.ends_with(temperature) || key.find(std::string(temperature) + "C") != std::string::npos)
-        return fmt::format("a known key is required; did you mean 'lubricant.viscosity_{}', the kinematic "
-                           "viscosity at {} degC?",
-                           temperature, temperature);
+        return fmt::format(
+            "a known key is required; did you mean 'lubricant.viscosity_{}', the kinematic "
+            "viscosity at {} degC?",
+            temperature, temperature);
   const std::string near = nearest_word(key, siblings);
   if (!near.empty()) return fmt::format("a known key is required; did you mean '{}{}'?", prefix, near);
   const bool is_number = !key.empty() && key.find_first_not_of("0123456789") == std::string::npos;

@@ -152,8 +152,8 @@ double exponent_of_number(std::string_view rating) {
 
 // A printed rating with `rollers` instead of those of the line.
 double with_rollers_instead(const PrintedRating& rating, const catalogue::Inside& inside, int rollers) {
-  return rating.value * std::pow(static_cast<double>(rollers) / inside.elements,
-                                 exponent_of_number(rating.path));
+  return rating.value *
+         std::pow(static_cast<double>(rollers) / inside.elements, exponent_of_number(rating.path));
 }
 
 bool is_full(const FieldValue* complement) {
@@ -239,8 +239,7 @@ class CatalogueCase {
   // Those that are stated stand. Without a cage there are more rollers than the line's ratings are of.
   void fill_ratings() {
     if (inside_ == nullptr) return;
-    const std::string published =
-        "default: " + name_of(*entry_, find(catalogue_keys::kDesignation)->given);
+    const std::string published = "default: " + name_of(*entry_, find(catalogue_keys::kDesignation)->given);
     const FieldValue* rollers = find(catalogue_keys::kRollers);
     const bool full = is_full(find(catalogue_keys::kComplement)) && rollers != nullptr;
     for (const PrintedRating& rating : ratings_of(*entry_)) {

@@ -153,8 +153,8 @@ std::vector<Derived> or_reason(const std::string& path,
   } catch (const BadInput&) {
     throw;
   } catch (const std::exception& error) {
-    return {{path, std::numeric_limits<double>::quiet_NaN(), "1",
-             std::string("not computed: ") + error.what()}};
+    return {
+        {path, std::numeric_limits<double>::quiet_NaN(), "1", std::string("not computed: ") + error.what()}};
   }
 }
 

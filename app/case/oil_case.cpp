@@ -115,7 +115,7 @@ bearing::Lubricant graded_lubricant(const ResolvedCase& in) {
 
 bearing::OilGrade graded_oil(const ResolvedCase& in) {
   return oil_by_inputs(in.choice(kGrade),
-                [&](const char* path) { return in.has(path) ? &in.value(path).number : nullptr; });
+                       [&](const char* path) { return in.has(path) ? &in.value(path).number : nullptr; });
 }
 
 double graded_viscosity_slope(const ResolvedCase& in) {
@@ -154,9 +154,9 @@ void check_grade(CheckedCase& in) {
   if (!in.has(kGrade)) return;
   const bool stated = in.choice(kGrade) == kStatedGrade;
   if (stated != in.has(kAt40))
-    return in.add_error_at(kGrade,
-                           in.choice(kGrade) + (stated ? " without " : " together with ") + kAt40,
-                           stated ? "lubricant.viscosity_40 is required with it" : "one of the two is required");
+    return in.add_error_at(
+        kGrade, in.choice(kGrade) + (stated ? " without " : " together with ") + kAt40,
+        stated ? "lubricant.viscosity_40 is required with it" : "one of the two is required");
   if (stated && in.has(kAt100)) {
     if (in.quantity(kAt100) >= in.quantity(kAt40))
       in.add_error_at(kAt100, in.given(kAt100) + " with " + in.given(kAt40) + " at 40 degC",

@@ -44,8 +44,8 @@ bearing::Lubricant graded_lubricant(const ResolvedCase& resolved);
 /// Relative decrease of its viscosity per kelvin [1/K].
 double graded_viscosity_slope(const ResolvedCase& resolved);
 
-/// Where `lubricant.grade` or lubricant.viscosity_40 is given, the properties of such an oil stand in place of what is stated, which
-/// then has no effect.
+/// Where `lubricant.grade` or lubricant.viscosity_40 is given, the properties of such an oil stand in place
+/// of what is stated, which then has no effect.
 void fill_from_grade(CaseData& data, Model model);
 
 /// Whether anything is known of such an oil.

@@ -40,11 +40,11 @@ Checked check(const ResolvedCase& resolved) {
           ? or_reason(analysis->names.name, [&] { return analysis->derived(resolved); })
           : std::vector<Derived>{};
   if (resolved.model() != planetary_drivetrain) return {own};
-  Checked checked{derived_quantities(resolved),
-                  joined(gear_warnings(resolved), overturning_warnings(resolved.without_sweep()),
-                         rim_warnings(resolved.without_sweep()), cage_warnings(resolved),
-                         clearance_warnings(resolved)),
-                  resolved.shape().several || resolved.shape().teeth};
+  Checked checked{
+      derived_quantities(resolved),
+      joined(gear_warnings(resolved), overturning_warnings(resolved.without_sweep()),
+             rim_warnings(resolved.without_sweep()), cage_warnings(resolved), clearance_warnings(resolved)),
+      resolved.shape().several || resolved.shape().teeth};
   if (!resolved.shape().several && !has_stepped_planets(resolved) && !has_planet_pairs(resolved) &&
       has_cylindrical_rollers(resolved))
     for (const Derived& row : gear_dynamics_quantities(resolved))

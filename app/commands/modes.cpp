@@ -46,8 +46,8 @@ gearset::dynamics::SetModel model_at(const ResolvedCase& resolved, const Options
   return gear_model_of(with_speed(resolved, "input.speed", *options.speed));
 }
 
-// Natural frequencies at rest of gears without a bearing follow from neither power nor speed, which a case may
-// then leave out: any stand in their place.
+// Natural frequencies at rest of gears without a bearing follow from neither power nor speed, which a case
+// may then leave out: any stand in their place.
 ResolvedCase point_for_modes(const Options& options) try {
   return point_of(options);
 } catch (const BadInput& error) {

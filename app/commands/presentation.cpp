@@ -161,9 +161,9 @@ std::optional<SkidRisk> skid_risk_of_run(const ResolvedCase& resolved, const Swe
 
 nlohmann::ordered_json sweep_object(const ResolvedCase& resolved, const SweepOutcome& outcome, Record& form) {
   const FoundPeak found = find_peak(outcome);
-  nlohmann::ordered_json object = sweep_json(outcome, found.peak,
-                                             assumptions_json(resolved, effects_at_rest(resolved, outcome)),
-                                             sweep_warnings(resolved, outcome, found), versions_json());
+  nlohmann::ordered_json object =
+      sweep_json(outcome, found.peak, assumptions_json(resolved, effects_at_rest(resolved, outcome)),
+                 sweep_warnings(resolved, outcome, found), versions_json());
   form = sweep_form(found.peak);
   Record judged;
   const std::vector<Verdict> verdicts = verdicts_of(stated_requirements(resolved), outcome);

@@ -17,10 +17,11 @@ int run_command(const Options& options) {
   const Analysis* analysis = options.gears ? &gears_alone() : analysis_of(resolved, fidelity);
   if (analysis != nullptr && options.budget) refuse_budget(resolved, options.gears);
   if (analysis == &gears_alone() && has_stepped_planets(resolved) && !resolved.shape().bearing)
-    throw BadInput(resolved.file() +
-                   ": bearing: missing; required: a planet bearing, whose loads and lives a run gives at rest. "
-                   "Gears run without one as a vibration in their plane, which two gears on each planet do not "
-                   "have. orbearing check shows speeds, torques and loads of the pins");
+    throw BadInput(
+        resolved.file() +
+        ": bearing: missing; required: a planet bearing, whose loads and lives a run gives at rest. "
+        "Gears run without one as a vibration in their plane, which two gears on each planet do not "
+        "have. orbearing check shows speeds, torques and loads of the pins");
   if (analysis != nullptr) return run_analysis(resolved, options, *analysis);
   require_computable(resolved, options.fidelity, false);
   auto [planned, request] = plan_sweep(

@@ -129,9 +129,10 @@ std::vector<std::string> gear_warnings(const ResolvedCase& resolved) {
   if (resolved.shape().several) {
     const gearset::Arrangement arrangement = arrangement_of(resolved);
     for (const std::size_t set : gearset::idle_sets(gearset::power_flow(arrangement)))
-      texts.push_back(fmt::format("sets.{}: idle. It transmits no torque between its shafts; its planet "
-                                  "bearings carry the inertia of planets and rollers alone",
-                                  arrangement.sets[set].name));
+      texts.push_back(
+          fmt::format("sets.{}: idle. It transmits no torque between its shafts; its planet "
+                      "bearings carry the inertia of planets and rollers alone",
+                      arrangement.sets[set].name));
   }
   if (!resolved.shape().teeth) return texts;
   if (!resolved.shape().several) add("", resolved);

@@ -175,8 +175,8 @@ std::vector<Derived> gear_dynamics_quantities(const ResolvedCase& resolved) {
       or_reason(kBlock + kBearingStiffness, [&] { return rows_of_gears(gear_model_of(resolved)); });
   if (!std::isnan(rows.front().value) || resolved.has(kBlock + kBearingStiffness)) return rows;
   std::vector<Derived> all = or_reason(kBlock + "mesh_stiffness", [&] {
-    return rows_of_gears(gear_model_of(resolved.with(
-        {{"gearset.planet_rim", "rigid"}, {kBlock + kBearingStiffness, "1e9 N/m"}})));
+    return rows_of_gears(gear_model_of(
+        resolved.with({{"gearset.planet_rim", "rigid"}, {kBlock + kBearingStiffness, "1e9 N/m"}})));
   });
   std::erase_if(all, [&](const Derived& one) { return one.path == rows.front().path; });
   all.push_back(rows.front());

@@ -94,8 +94,7 @@ MeshedPair meshed_pair(const gearset::GearPair& pair, const mechanics::Material&
       .gears = gearset::meshing_gears(gearset::make_mesh_gear(g.ring, outside, pair.face_width, material),
                                       gear(pair.inside(), g.inside), g.centre_distance, pair.ring() == 0),
       .warnings = gearset::pair_warnings(g)};
-  found.circles.at(pair.ring()) =
-      circles_of(kGearNames[pair.ring()], g.ring, g.mesh.working_pressure_angle);
+  found.circles.at(pair.ring()) = circles_of(kGearNames[pair.ring()], g.ring, g.mesh.working_pressure_angle);
   found.circles.at(pair.inside()) =
       circles_of(kGearNames[pair.inside()], g.inside, g.mesh.working_pressure_angle);
   found.area.at(pair.ring()) = gearset::section_moments(g.ring, outside).area;
@@ -288,8 +287,8 @@ std::vector<Derived> circle_quantities(const std::string& prefix, const std::vec
     };
     add("tip", one.tip, "of the tip circle");
     add("reference", one.reference, "of the reference circle");
-    add("pitch", one.pitch, one.at_ring ? "of the working pitch circle in the sun mesh"
-                                        : "of the working pitch circle");
+    add("pitch", one.pitch,
+        one.at_ring ? "of the working pitch circle in the sun mesh" : "of the working pitch circle");
     if (one.at_ring) add("ring_pitch", *one.at_ring, "of the working pitch circle in the ring mesh");
     add("base", one.base, "of the base circle");
     add("root", one.root, "of the root circle");
@@ -320,16 +319,16 @@ std::vector<Derived> pair_quantities(const ResolvedCase& resolved, const MeshStu
   const MeshedPair geometry = meshed_pair(pair, elasticity_of(resolved));
   const double mass_per_area = resolved.quantity("material.density") * pair.face_width;
   std::vector<Derived> rows{
-          {"pair.centre_distance", 1e3 * geometry.centre_distance, "mm", "working, without backlash"},
-          {"pair.working_pressure_angle", kDegree * geometry.working_pressure_angle, "deg", "working"},
-          {"pair.contact_ratio", geometry.contact_ratio, "1",
-           "where the involutes end; of helical teeth transverse"},
-          {"pair.overlap_ratio", gearset::overlap_ratio(pair.face_width, pair.module, pair.helix_angle), "1",
-           "face width in axial pitches"},
-          {"pair.mass.first", mass_per_area * geometry.area[0], "kg", "the driving gear"},
-          {"pair.mass.second", mass_per_area * geometry.area[1], "kg", "the driven gear"},
-          {"pair.mesh_stiffness", study.meshes.front().stiffness.curve.mean(), "N/m",
-           "mean over the mesh period, from tooth geometry"}};
+      {"pair.centre_distance", 1e3 * geometry.centre_distance, "mm", "working, without backlash"},
+      {"pair.working_pressure_angle", kDegree * geometry.working_pressure_angle, "deg", "working"},
+      {"pair.contact_ratio", geometry.contact_ratio, "1",
+       "where the involutes end; of helical teeth transverse"},
+      {"pair.overlap_ratio", gearset::overlap_ratio(pair.face_width, pair.module, pair.helix_angle), "1",
+       "face width in axial pitches"},
+      {"pair.mass.first", mass_per_area * geometry.area[0], "kg", "the driving gear"},
+      {"pair.mass.second", mass_per_area * geometry.area[1], "kg", "the driven gear"},
+      {"pair.mesh_stiffness", study.meshes.front().stiffness.curve.mean(), "N/m",
+       "mean over the mesh period, from tooth geometry"}};
   for (Derived& row : circle_quantities("pair.", study.gears)) rows.push_back(std::move(row));
   return rows;
 }
@@ -500,7 +499,8 @@ void describe(Record& row, const GearCircles& gear) {
   row.value("reference_mm", dimension::length, "diameter of the reference circle", gear.reference);
   row.value("pitch_mm", dimension::length,
             "diameter of the working pitch circle; of a planet, in the sun mesh", gear.pitch);
-  row.value("ring_pitch_mm", dimension::length, "diameter of a planet's working pitch circle in the ring mesh",
+  row.value("ring_pitch_mm", dimension::length,
+            "diameter of a planet's working pitch circle in the ring mesh",
             gear.at_ring.value_or(described::kAbsent));
   row.value("base_mm", dimension::length, "diameter of the base circle", gear.base);
   row.value("root_mm", dimension::length, "diameter of the root circle", gear.root);

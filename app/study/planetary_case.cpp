@@ -454,8 +454,8 @@ std::vector<Derived> quantities_without_bearing(const ResolvedCase& resolved) {
   if (!resolved.shape().teeth) return rows;
   const study::PlanetaryDrivetrain drivetrain = drivetrain_of(resolved);
   const gearset::WorkingGeometry gears = add_gears_alone(drivetrain, rows);
-  add_motion_without_bearing(drivetrain, gears,
-                             gearset::mean_loads(drivetrain.set, gears, drivetrain.drive), rows);
+  add_motion_without_bearing(drivetrain, gears, gearset::mean_loads(drivetrain.set, gears, drivetrain.drive),
+                             rows);
   add_motor_speed(drivetrain.drive, rows);
   return rows;
 }
@@ -471,9 +471,9 @@ void add_sets_without_bearing(const ResolvedCase& resolved, std::vector<Derived>
     std::vector<Derived> of_set;
     const study::PlanetaryDrivetrain drivetrain = drivetrain_of(resolved.of_set(name));
     const gearset::WorkingGeometry gears = add_gears_alone(drivetrain, of_set);
-    add_motion_without_bearing(
-        drivetrain, gears,
-        gearset::mean_loads(drivetrain.set, gears, flow.sets[set], drive_of(resolved)), of_set);
+    add_motion_without_bearing(drivetrain, gears,
+                               gearset::mean_loads(drivetrain.set, gears, flow.sets[set], drive_of(resolved)),
+                               of_set);
     for (Derived& row : of_set)
       rows.push_back({set_prefix(name) + row.path, row.value, row.unit, row.meaning});
   }

@@ -32,8 +32,6 @@ const std::string kOverTilted =
     "more than makers allow; state load.tilt where the shaft and its other bearing hold the ring";
 const std::string kSkidding = "less than a hundredth of C, below which rolling elements skid";
 
-const std::string kThinnestRim = "thinnest_rim";
-
 void add_meshes(const gearset::PlanetarySet& set, const gearset::WorkingGeometry& geometry,
                 const gearset::MeanLoads& loads, std::vector<Observation>& found) {
   found.push_back({"pitch_line_speed_m_s", std::abs(loads.planet_speed_relative) *

@@ -55,6 +55,9 @@ std::vector<Observation> observations(const nlohmann::ordered_json& object);
 /// unit_load_MPa, thinnest_rim. Empty for models without them.
 std::vector<Observation> observations(const ResolvedCase& at_point);
 
+/// Key of the rim of a planet over its module among observations, by which a point is judged.
+inline constexpr const char* kThinnestRim = "thinnest_rim";
+
 /// Warning of a planet's rim that is thin for its module, before any bearing is solved; empty where none is.
 std::vector<std::string> rim_warnings(const ResolvedCase& at_point);
 

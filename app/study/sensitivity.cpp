@@ -177,7 +177,8 @@ Effect effect_on(const Lives& here, const Lives& there) {
   for (std::size_t i = 0; i < here.size() && i < there.size(); ++i) {
     const double change = there[i].second / here[i].second - 1.0;
     if (!std::isfinite(change) || std::abs(change) < kMovesALife) continue;
-    effect.text += fmt::format("{}{} {:+.0f} %", effect.text.empty() ? "" : ", ", here[i].first, 100.0 * change);
+    effect.text +=
+        fmt::format("{}{} {:+.0f} %", effect.text.empty() ? "" : ", ", here[i].first, 100.0 * change);
     effect.largest = std::max(effect.largest, std::abs(change));
   }
   return effect;
@@ -201,10 +202,9 @@ std::vector<Setting> alternatives(const ResolvedCase& in, const Input& input) {
 bool is_assumption(const ResolvedCase& in, const Input& input, use::Analysis analysis) {
   return in.has(input.path) && in.origin(input.path) == "default" &&
          !is_one_of(input.field->path,
-                    {"life.reliability", "life.method", "gearset.planet_rim",
-                     "bearing.tilt_state", "gearset.fixed", "bearing.complement", "bearing.clearance_state",
-                     "lubricant.grade", "bearing.dynamic_capacity", "bearing.static_capacity",
-                     "bearing.fatigue_load_limit"}) &&
+                    {"life.reliability", "life.method", "gearset.planet_rim", "bearing.tilt_state",
+                     "gearset.fixed", "bearing.complement", "bearing.clearance_state", "lubricant.grade",
+                     "bearing.dynamic_capacity", "bearing.static_capacity", "bearing.fatigue_load_limit"}) &&
          !input.field->path.starts_with("input.") &&
          use_status_in_row(in, input, analysis) == UseStatus::used;
 }
@@ -216,8 +216,7 @@ std::vector<AssumedEffect> assumed_effects(const ResolvedCase& resolved) {
   const Lives here = lives_at_rest(in);
   std::vector<std::pair<double, AssumedEffect>> found;
   if (here.empty()) return {};
-  const use::Analysis analysis =
-      in.model() == planetary_drivetrain ? use::quasi_static : use::static_load;
+  const use::Analysis analysis = in.model() == planetary_drivetrain ? use::quasi_static : use::static_load;
   for (const Input& input : in.inputs()) {
     if (!is_assumption(in, input, analysis)) continue;
     std::string text;

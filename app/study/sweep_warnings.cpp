@@ -51,7 +51,7 @@ std::vector<Observation> observations_at_ends(const ResolvedCase& resolved, cons
   if (!(most > 0.0)) return found;
   for (const double speed : {least, most})
     for (Observation& one : observations(resolved.without_sweep().with({input_speed(speed)})))
-      found.push_back(std::move(one));
+      if (one.key != kThinnestRim) found.push_back(std::move(one));  // which does not depend on the speed
   return found;
 }
 
@@ -289,6 +289,7 @@ std::vector<std::string> sweep_warnings(const ResolvedCase& resolved, const Swee
     warn_of_weight(resolved, outcome, warnings);
   }
   add(clearance_warnings(resolved), warnings);
+  add(rim_warnings(resolved.without_sweep()), warnings);
   warn_of_few_laminae(resolved, warnings);
   add(rating_warnings(resolved), warnings);
   warn_of_carrier(resolved, outcome, warnings);

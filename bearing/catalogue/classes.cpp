@@ -101,8 +101,8 @@ constexpr std::array<ShaftLetter, 7> kShafts{{{"f", {-10, -13, -16, -20, -25, -3
 // The letter j lies about the nominal diameter by no rule: least deviation of shafts, of grades 5 and 6, and
 // most of holes, of grades 6 and 7 [um].
 constexpr std::array<double, kSteps> kLeastOfJ{-2, -2, -3, -4, -5, -7, -9, -11, -13, -16, -18};
-constexpr std::array<std::array<double, kSteps>, 2> kMostOfJ{{{5, 5, 6, 8, 10, 13, 16, 18, 22, 25, 29},
-                                                              {6, 8, 10, 12, 14, 18, 22, 26, 30, 36, 39}}};
+constexpr std::array<std::array<double, kSteps>, 2> kMostOfJ{
+    {{5, 5, 6, 8, 10, 13, 16, 18, 22, 25, 29}, {6, 8, 10, 12, 14, 18, 22, 26, 30, 36, 39}}};
 
 std::size_t step_of(double diameter) {
   constexpr double least = 3e-3, round_off = 1e-9;  // [m]

@@ -4,9 +4,10 @@
 
 namespace orbearing::bearing {
 
-/// Share of the lengths whose difference an approach is, below which it is round-off and what a search leaves.
-/// The load of such a contact is 5e-14 of a full one's, but its stiffness, which is proportional to the ninth
-/// root of the approach, still 5 %: rollers a quarter turn from the load would stiffen a bearing across it.
+/// Share of the lengths whose difference an approach is, below which it is round-off and what a search
+/// leaves. The load of such a contact is 5e-14 of a full one's, but its stiffness, which is proportional to
+/// the ninth root of the approach, still 5 %: rollers a quarter turn from the load would stiffen a bearing
+/// across it.
 inline constexpr double kLeastApproach = 1e-12;  // [-]
 
 /// `approach` [m], or none where it is that little beside `lengths` [m].

@@ -351,8 +351,7 @@ inline void PackEquilibrium::balance_roller(RollerUnknown& roller, const Mask& d
 
 inline RingBalance PackEquilibrium::balance(const Mask& done) {
   RingBalance sums{load_};
-  const Pack touch =
-      kLeastApproach * (absolute(u_.x) + absolute(u_.y) + __builtin_fabs(c_.half_clearance));
+  const Pack touch = kLeastApproach * (absolute(u_.x) + absolute(u_.y) + __builtin_fabs(c_.half_clearance));
   for (int j = 0; j < c_.rollers; ++j) balance_roller(roller_[j], done, touch, sums);
   return sums;
 }

@@ -96,8 +96,8 @@ void SettlingRow<N>::add(Eigen::Index j, const Eigen::Vector<double, N>& positio
   RollerState& roller = (*rollers)[static_cast<std::size_t>(j)];
   const auto out = outward.col(j);
   const double stated = races->cut ? races->end_displacement[j] : 0.0;
-  const double approach = without_round_off(concentric[j] - position.dot(out),
-                                            std::abs(concentric[j]) + position.norm());
+  const double approach =
+      without_round_off(concentric[j] - position.dot(out), std::abs(concentric[j]) + position.norm());
   if (tilting.size() == 0) {
     settle(*races, j, approach, stated, roller);
     sum.force += roller.outer.load * out;

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <vector>
 
-#include "bearing/contact/line_contact.hpp"
 #include "bearing/contact/least_approach.hpp"
+#include "bearing/contact/line_contact.hpp"
 #include "mechanics/checks.hpp"
 
 namespace orbearing::bearing::equilibrium {

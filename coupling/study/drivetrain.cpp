@@ -20,8 +20,7 @@ double rim_over_module(const PlanetaryDrivetrain& drivetrain, const gearset::Wor
   if (!(bore > 0.0)) return std::numeric_limits<double>::quiet_NaN();
   const double module = drivetrain.set.module, first = (gears.planet.root_radius - bore) / module;
   if (!gears.second) return first;
-  return std::min(first,
-                  (gears.second->root_radius - bore) / drivetrain.set.stepped.module.value_or(module));
+  return std::min(first, (gears.second->root_radius - bore) / drivetrain.set.stepped.module.value_or(module));
 }
 
 DrivetrainGeometry derive_rigid(const PlanetaryDrivetrain& drivetrain) {

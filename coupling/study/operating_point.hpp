@@ -114,7 +114,7 @@ struct SetResult {
   RaceResult outer;
   double life_hours = 0.0;  // [h]
   RatingRecord rating{};
-  double contact_pressure = 0.0;  // [Pa]  as of a point
+  double contact_pressure = 0.0;                                      // [Pa]  as of a point
   double rim_over_module = std::numeric_limits<double>::quiet_NaN();  // [-]  as of a point
 };
 

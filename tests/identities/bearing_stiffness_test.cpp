@@ -256,9 +256,9 @@ TEST(PlanetStiffness, IsThatOfTheRollersAlongTheLoad) {
   EXPECT_GT(stiffness(2, 2), 0.0);
 }
 
-// With rollers or balls on the line of the load two are at right angles to it, where the approach is round-off
-// of none: rigid rings, no clearance, load approach^n on rollers (10/9) and balls (3/2), by a sum over the
-// loaded half. Round-off through the ninth root would stiffen rollers across the load by a percent.
+// With rollers or balls on the line of the load two are at right angles to it, where the approach is
+// round-off of none: rigid rings, no clearance, load approach^n on rollers (10/9) and balls (3/2), by a sum
+// over the loaded half. Round-off through the ninth root would stiffen rollers across the load by a percent.
 TEST(BearingStiffness, AcrossOverAlongIsThatOfTheSum) {
   for (const int count : {8, 12, 16})
     for (const double turn : {0.0, 0.5})

@@ -332,10 +332,12 @@ TEST(FullComplement, HasRatingsOfItsOwnNumberOfRollers) {
   ASSERT_EQ(full.integer("bearing.rollers"), 16);
   EXPECT_EQ(caged.quantity("bearing.dynamic_capacity"), 1910e3);
   constexpr double written = 1e-5;  // six digits are put into a case
-  EXPECT_NEAR(full.quantity("bearing.dynamic_capacity") / (1910e3 * std::pow(16.0 / 13.0, 0.75)), 1.0, written);
-  EXPECT_NEAR(full.quantity("bearing.static_capacity") / caged.quantity("bearing.static_capacity"), 16.0 / 13.0,
+  EXPECT_NEAR(full.quantity("bearing.dynamic_capacity") / (1910e3 * std::pow(16.0 / 13.0, 0.75)), 1.0,
               written);
-  EXPECT_THAT(full.assumed().at("bearing.dynamic_capacity"), HasSubstr("13 rollers in a cage, times (16/13)^0.75"));
+  EXPECT_NEAR(full.quantity("bearing.static_capacity") / caged.quantity("bearing.static_capacity"),
+              16.0 / 13.0, written);
+  EXPECT_THAT(full.assumed().at("bearing.dynamic_capacity"),
+              HasSubstr("13 rollers in a cage, times (16/13)^0.75"));
   // A resolved case has the same ratings.
   EXPECT_NEAR(of(write_resolved(full)).quantity("bearing.dynamic_capacity") /
                   full.quantity("bearing.dynamic_capacity"),
@@ -343,7 +345,8 @@ TEST(FullComplement, HasRatingsOfItsOwnNumberOfRollers) {
   // Who states the printed one hears that it is another bearing's.
   const ResolvedCase stated = of(text, {"bearing.complement=full", "bearing.dynamic_capacity=1910 kN"});
   EXPECT_EQ(stated.quantity("bearing.dynamic_capacity"), 1910e3);
-  EXPECT_THAT(inferred_warnings(stated), Contains(HasSubstr("with 13 rollers in a cage; 16 rollers without")));
+  EXPECT_THAT(inferred_warnings(stated),
+              Contains(HasSubstr("with 13 rollers in a cage; 16 rollers without")));
 }
 
 TEST(CatalogueBearing, RatingsOfSteelAreNotThoseOfAnotherMaterial) {
@@ -355,7 +358,8 @@ TEST(CatalogueBearing, RatingsOfSteelAreNotThoseOfAnotherMaterial) {
 }
 
 TEST(CatalogueBearing, WithoutItsOwnRingsIsWarnedOf) {
-  EXPECT_THAT(inferred_warnings(of(planet("designation: NU 204, per_planet: 2, rings: none, radial_clearance: 30 um, cage: {material: brass}"))),
+  EXPECT_THAT(inferred_warnings(of(planet("designation: NU 204, per_planet: 2, rings: none, "
+                                          "radial_clearance: 30 um, cage: {material: brass}"))),
               Contains(HasSubstr("bearing.rings: none; ratings of NSK NU 204")));
 }
 
@@ -364,7 +368,8 @@ TEST(CatalogueBearing, OtherTypesAreNamed) {
   for (const char* name : {"30305", "33014", "HR30206J"})
     EXPECT_THAT(mistakes(kByDesignation, {std::string("bearing.designation=") + name}),
                 ElementsAre(AllOf(HasSubstr("a tapered roller bearing, of which no catalogue has a line"),
-                                  HasSubstr("bearing.type: tapered-roller"), Not(HasSubstr("NU"))))) << name;
+                                  HasSubstr("bearing.type: tapered-roller"), Not(HasSubstr("NU")))))
+        << name;
   EXPECT_THAT(mistakes(kByDesignation, {"bearing.designation=22310 E"}),
               ElementsAre(HasSubstr("a spherical roller bearing")));
   EXPECT_THAT(mistakes(kByDesignation, {"bearing.designation=NU 22310"}),

@@ -25,11 +25,11 @@ struct Known {
 };
 
 TEST(SeatClass, ShaftsAreThoseOfTheStandard) {
-  for (const Known& one : {Known{"k6", 50, 2, 18}, Known{"n6", 25, 15, 28}, Known{"h6", 30, -13, 0},
-                           Known{"g6", 40, -25, -9}, Known{"m5", 60, 11, 24}, Known{"p6", 100, 37, 59},
-                           Known{"js5", 30, -4.5, 4.5}, Known{"k5", 200, 4, 24}, Known{"h7", 10, -15, 0},
-                           Known{"j5", 75, -7, 6}, Known{"j6", 40, -5, 11}, Known{"j5", 280, -16, 7},
-                           Known{"j6", 350, -18, 18}}) {
+  for (const Known& one :
+       {Known{"k6", 50, 2, 18}, Known{"n6", 25, 15, 28}, Known{"h6", 30, -13, 0}, Known{"g6", 40, -25, -9},
+        Known{"m5", 60, 11, 24}, Known{"p6", 100, 37, 59}, Known{"js5", 30, -4.5, 4.5},
+        Known{"k5", 200, 4, 24}, Known{"h7", 10, -15, 0}, Known{"j5", 75, -7, 6}, Known{"j6", 40, -5, 11},
+        Known{"j5", 280, -16, 7}, Known{"j6", 350, -18, 18}}) {
     const Deviations found = shaft_deviations(one.name, per_milli * one.diameter);
     EXPECT_NEAR(found.least / per_micro, one.least, 1e-9) << one.name;
     EXPECT_NEAR(found.most / per_micro, one.most, 1e-9) << one.name;
@@ -37,12 +37,12 @@ TEST(SeatClass, ShaftsAreThoseOfTheStandard) {
 }
 
 TEST(SeatClass, HolesAreThoseOfTheStandard) {
-  for (const Known& one : {Known{"H7", 50, 0, 25}, Known{"N6", 46, -28, -12}, Known{"P6", 46, -37, -21},
-                           Known{"M7", 80, -30, 0}, Known{"K6", 100, -18, 4}, Known{"K7", 100, -25, 10},
-                           Known{"P7", 40, -42, -17}, Known{"N7", 62, -39, -9}, Known{"G7", 30, 7, 28},
-                           Known{"J6", 62, -6, 13}, Known{"J7", 90, -13, 22}, Known{"F7", 52, 30, 60},
-                           Known{"H8", 160, 0, 63}, Known{"M6", 250, -37, -8}, Known{"M6", 280, -41, -9},
-                           Known{"M6", 320, -46, -10}, Known{"M7", 280, -52, 0}}) {
+  for (const Known& one :
+       {Known{"H7", 50, 0, 25}, Known{"N6", 46, -28, -12}, Known{"P6", 46, -37, -21}, Known{"M7", 80, -30, 0},
+        Known{"K6", 100, -18, 4}, Known{"K7", 100, -25, 10}, Known{"P7", 40, -42, -17},
+        Known{"N7", 62, -39, -9}, Known{"G7", 30, 7, 28}, Known{"J6", 62, -6, 13}, Known{"J7", 90, -13, 22},
+        Known{"F7", 52, 30, 60}, Known{"H8", 160, 0, 63}, Known{"M6", 250, -37, -8},
+        Known{"M6", 280, -41, -9}, Known{"M6", 320, -46, -10}, Known{"M7", 280, -52, 0}}) {
     const Deviations found = hole_deviations(one.name, per_milli * one.diameter);
     EXPECT_NEAR(found.least / per_micro, one.least, 1e-9) << one.name;
     EXPECT_NEAR(found.most / per_micro, one.most, 1e-9) << one.name;

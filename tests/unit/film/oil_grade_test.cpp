@@ -26,7 +26,8 @@ TEST(OilGrade, ViscosityIndexAsInTheTableOfTheStandard) {
   }
 }
 
-// Two viscosities as a data sheet states them, interpolated by ASTM D341: 200 and 16 mm^2/s at 40 and 100 degC.
+// Two viscosities as a data sheet states them, interpolated by ASTM D341: 200 and 16 mm^2/s at 40 and 100
+// degC.
 TEST(OilGrade, ByTwoViscositiesAsInTheChartOfTheStandard) {
   const OilGrade oil{.viscosity_40 = 200.0 * kMm2, .viscosity_100 = 16.0 * kMm2};
   constexpr double printed = 0.05 * kMm2;  // digits of the values by hand
