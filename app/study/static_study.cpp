@@ -426,7 +426,7 @@ std::vector<std::pair<std::string, double>> results_by_position(const StaticStud
 // Rollers and balls pass the load: what is found with the first one where it is stated, beside other
 // positions.
 void put_ranges(const ResolvedCase& in, StaticStudy& study) {
-  constexpr int positions = 4;  // the ends are mirrored: an element on the load line, or two beside it
+  constexpr int positions = 8;
   for (const auto& [key, value] : results_by_position(study))
     study.over_positions.push_back({key, value, value});
   for (int k = 1; k < positions; ++k) {

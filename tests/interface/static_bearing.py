@@ -338,6 +338,16 @@ class CagePositions(unittest.TestCase):
         # From 413 to 466 W by position.
         self.assertGreater(found[0]["most_power_W"] / found[0]["least_power_W"], 1.1)
 
+    def test_range_of_loads_and_lives(self):
+        """It holds an element on the load line and two beside it, and ends near them."""
+        on_line, beside = self.at(0.0), self.at(0.5)
+        near = 0.02  # lives have their least a tenth of a pitch beside the load line, 0.4 % lower
+        for key in ("contact_load_max_N", "contact_pressure_max_MPa", "L10rh", "L10mrh", "life_h"):
+            row = next(row for row in on_line["over_cage_positions"] if row["result"] == key)
+            least, most = sorted((on_line[key], beside[key]))
+            self.assertTrue((1.0 - near) * least < row["least"] <= least * (1.0 + 1e-6), key)
+            self.assertTrue(most * (1.0 - 1e-6) <= row["most"] < (1.0 + near) * most, key)
+
     def test_formulas_take_the_viscosity_of_the_heated_oil(self):
         """M_0 ~ (nu n)^(2/3): an ISO VG 46 oil of index 95 has 46 mm2/s at 40 degC and 6.75 at 100, between them by ASTM D341."""
 
