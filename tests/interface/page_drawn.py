@@ -64,7 +64,8 @@ bearing:
   width: 11.9 mm
   cage: {inner_diameter: 33.44 mm, outer_diameter: 38.54 mm, width: 9 mm, density: 1310 kg/m3, guide_land_diameter: 38.88 mm}
 lubricant: {viscosity: 0.01 Pa.s, pressure_viscosity: 1.5e-8 Pa-1}
-requirements: {life: 100 h, life_key: L10mrh, S0: 1.5, kappa: 1000}
+life: {method: lundberg-palmgren}
+requirements: {S0: 1.5, kappa: 1000}
 """
 OTHER = CASE.replace("power: 150 kW", "power: 0.123456789012345 MW")
 ROLLER = 15
@@ -1022,7 +1023,7 @@ class Form(Drawn):
         rows = {row["key"]: row for row in found["end"]["rows"]}
         check = {one["path"]: one for one in check_of(CASE)["check"]["inputs"]}
         for key, value, unit in (("input.power", "150", "kW"), ("gearset.module", "3", "mm"), ("bearing.radial_clearance", "10", "um"), ("lubricant.viscosity", "0.01", "Pa.s"),
-                                 ("gearset.teeth.sun", "37", None), ("requirements.life_key", "L10mrh", None)):
+                                 ("gearset.teeth.sun", "37", None), ("life.method", "lundberg-palmgren", None)):
             self.assertEqual((rows[key]["value"], rows[key]["unit"], rows[key]["state"].split()[1], rows[key]["shown"]), (value, unit, "stated", True), key)
         for key, row in rows.items():
             if key in check and check[key]["standing"] != "given" and row["unit"]:
