@@ -117,7 +117,7 @@ export class Chart {
     }
     if (low > 0 && low < 0.6 * high) low = 0;
     if (high < 0 && high > 0.6 * low) high = 0;
-    if (high === low) [low, high] = [Math.min(0, low), high || 1];
+    if (high === low) [low, high] = low < 0 ? [low, 0] : [0, high || 1];
     const room = 0.05 * (high - low);
     return {x: over, y: {low: low === 0 ? 0 : low - room, high: high === 0 ? 0 : high + room}};
   }
