@@ -114,7 +114,7 @@ class Carrier(unittest.TestCase):
     def test_a_strong_moment_moves_every_verdict(self):
         """Each requirement is judged by the worst bearing over a revolution, and is met without the moment of the rotor alone."""
         def judged(moment):
-            limits = ("requirements.life=30000 h", "requirements.life_key=L10mh", "requirements.S0=4", "requirements.contact_pressure_max=1750 MPa", "requirements.load_share=1.03")
+            limits = ("requirements.life=30000 h", "requirements.life_key=L10mh", "requirements.S0=6", "requirements.contact_pressure_max=1750 MPa", "requirements.load_share=1.025")
             found = answer(f"gearset.carrier.rotor_moment=[{moment} kN.m, 0 N.m]", *limits, command="run")
             return found["points"][0], found["carrier"], {one["requirement"]: one for one in found["verdicts"]}
         gentle, strong = judged(0), judged(200)
