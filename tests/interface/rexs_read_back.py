@@ -218,6 +218,7 @@ class Stage(ReadBack):
             self.assertNotIn(str(int(value)) + "\n", found.cases.get(STAGE, ""), attribute)
             self.assertIn(f"found {value}; a whole number is required", {(entry["component"], entry["attribute"]): entry["reason"]
                                                                           for entry in found.report["left_out"]}[component, attribute])
+            self.assertTrue(any(f"{attribute} {value}: found {value}; a whole number is required" in note for note in found.report["notes"]), found.report["notes"])
 
 
 class Bearings(ReadBack):
@@ -240,6 +241,18 @@ class Bearings(ReadBack):
         case = self.case(gearbox(), "stage")
         self.assertEqual((case["pair.teeth"], case["pair.profile_shift"]), ([20, 40], [0.0, 0.0]))
         self.reads(case, pair__module=2e-3, pair__helix_angle=12 * DEGREE, pair__pressure_angle=20 * DEGREE, pair__face_width=20e-3, pair__bore=25e-3)
+
+    def test_helix_and_pressure_angle_of_one_gear_or_of_none(self):
+        """The mate is of the opposite hand; the force of a pair of 25 degrees; straight teeth where no helix angle is stated."""
+        for attribute, helix in ((-12.0, 12.0), (None, 0.0)):
+            model = without(rexs_files.gearbox(), "helix_angle_reference_diameter", "center_distance")
+            if attribute is not None:
+                with_attributes(model, 8, helix_angle_reference_diameter=(attribute, "deg"))
+            self.reads(self.case(model, "stage"), pair__helix_angle=helix * DEGREE)
+        steep = rexs_files.gearbox()
+        for side in (71, 72, 81, 82):
+            with_attributes(steep, side, normal_pressure_angle=(25.0, "deg"))
+        self.reads(self.case(steep, "6205_lager_31"), load__radial=50.0 / 0.02 / math.cos(25.0 * DEGREE) / 2)
 
     def test_the_bore_of_a_pair_that_states_none(self):
         """Half the root diameter of the smaller gear."""

@@ -81,7 +81,7 @@ class Ledger:
             self._left[(load_case, component.id, attribute.id)] = reason
 
     def contradict(self, component: Component, attribute: Optional[Attribute], reason: str) -> None:
-        """An attribute that contradicts another one, which the case takes; notes() reports it."""
+        """An attribute that contradicts itself or another one, which the case takes; `notes` reports it."""
         if attribute is not None:
             self.leave(component, attribute, reason)
             _list(self._contradictions, component, attribute, reason)

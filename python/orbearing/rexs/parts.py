@@ -40,7 +40,7 @@ class Source:
             return None, (None, None)
         reading = number_of(component, name)
         if reading.problem:
-            self.ledger.leave(component, reading.attribute, reading.problem)
+            self.ledger.contradict(component, reading.attribute, reading.problem)
         return reading.number, (component, reading.attribute if reading.number is not None else None)
 
     def references(self, origin: Component, type_: str) -> list[Component]:
