@@ -98,9 +98,9 @@ TEST(RatedOil, ViscositiesOfTheGradeTakeTheirPositionAndThatIsSaid) {
 }
 
 TEST(RatedOil, CleanlinessThatIsNotSaidIsReported) {
-  EXPECT_THAT(oil_warnings(reducer({kGrade})), Contains(HasSubstr("'high' (-/15/12 of ISO 4406) is taken")));
-  EXPECT_THAT(oil_warnings(reducer({kGrade, "life.contamination_factor=0.5"})), testing::IsEmpty());
-  EXPECT_THAT(oil_warnings(reducer({})), testing::IsEmpty());
+  EXPECT_THAT(rating_warnings(reducer({kGrade})), Contains(HasSubstr("'high' (-/15/12 of ISO 4406) is taken")));
+  EXPECT_THAT(rating_warnings(reducer({kGrade, "life.contamination_factor=0.5"})), testing::IsEmpty());
+  EXPECT_THAT(rating_warnings(reducer({})), testing::IsEmpty());
 }
 
 // Below 0.1 the standard knows no a_ISO: no number rather than a wrong one.
