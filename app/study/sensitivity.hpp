@@ -72,7 +72,7 @@ struct AssumedEffect {
 
 /// Of a run at rest: inputs that the case leaves to their defaults and of which another choice, or a number
 /// 10 % larger, changes a life by 1 % or more; the largest effects first. Rims are taken as rigid and tilts
-/// as stated, which keeps it fast.
+/// as stated, and none are given where planets carry unlike loads, which keeps it fast.
 std::vector<AssumedEffect> assumed_effects(const ResolvedCase& resolved);
 std::string assumed_effects_text(const ResolvedCase& resolved, const std::vector<AssumedEffect>& effects);
 

@@ -282,7 +282,7 @@ class SweepResult(Result):
     @property
     def columns(self) -> tuple[str, ...]:
         """Names of the columns, with their units."""
-        return tuple(self._data["points"][0])
+        return tuple(name for name in self._data["points"][0] if name != "planets")  # lists, of planets that carry unlike loads
 
     @property
     def peak(self) -> Mapping[str, Optional[float]]:
