@@ -279,19 +279,20 @@ void TextTable::find_head() {
 bool TextTable::take_names_of_comment(const std::vector<TableCell>& cells, std::optional<char> stated) {
   const auto holds_number = [](const TableCell& cell) { return is_number(cell.text); };
   if (cells.size() < 2 || !std::all_of(cells.begin(), cells.end(), holds_number)) return false;
-  const auto cells_of = [&](const Line& comment) {
-    return split_cells(comment.text, stated.value_or(separator_of(comment.text)));
-  };
-  const bool units = comments_.size() == 2 && are_bracketed_units(cells_of(comments_[1])) &&
-                     cells_of(comments_[1]).size() == cells.size();
   if (comments_.empty()) return false;
+  const auto cells_of = [&](const Line& comment, const Line& names) {
+    return split_cells(comment.text, stated.value_or(separator_of(names.text)));
+  };
+  std::vector<TableCell> stated_units;
+  if (comments_.size() == 2) stated_units = cells_of(comments_[1], comments_[0]);
+  const bool units = are_bracketed_units(stated_units) && stated_units.size() == cells.size();
   const Line& names = units ? comments_.front() : comments_.back();
-  const std::vector<TableCell> found = cells_of(names);
+  const std::vector<TableCell> found = cells_of(names, names);
   if (found.size() != cells.size() || std::any_of(found.begin(), found.end(), holds_number)) return false;
   head_line_ = names.number;
   for (const TableCell& cell : found) heads_.push_back({cell.text, "", names.number, cell.column});
   for (std::size_t i = 0; units && i < heads_.size(); ++i)
-    heads_[i].unit = without_brackets(cells_of(comments_[1])[i].text);
+    heads_[i].unit = without_brackets(stated_units[i].text);
   return true;
 }
 
