@@ -166,11 +166,12 @@ MODES = [{"kind": "rotational", "multiplicity": 1, "frequency_Hz": 1100.0, "shap
          {"kind": "planet", "multiplicity": 1, "frequency_Hz": 3700.0, "shape": [[0.0, 0.0, 0.0]] * 3 + [[0.71, 0.72, 0.73]] * 4, "shape_quarter": [[0.0, 0.0, 0.0]] * 7}]
 MESH = {"meshes": [{"name": f"{kind} {i}", "contact_ratio": 1.5 + 0.1 * n + 0.01 * i, "mean_N_per_m": (3.1 + n) * 1e8 + i, "min_N_per_m": (2.2 + n) * 1e8 + i, "max_N_per_m": (4.3 + n) * 1e8 + i,
                     "curve": [[0.0, (3.0 + n) * 1e8], [0.5, (4.0 + n) * 1e8], [1.0, (2.5 + n) * 1e8]]} for n, kind in enumerate(("sun-planet", "ring-planet")) for i in (1, 2)]}
-CROWN = {"laminae": 41, "recommended": {"drop_um": 6.5, "least_drop_um": 3.25, "most_drop_um": 9.75, "half_space_life_h": 41234.0, "life_h": 40123.0, "peak_pressure_MPa": 1717.0,
-                                        "rollers": "crowned", "profile": "iso16281", "curve": [{"drop_um": 0.0, "life_share": 0.7}, {"drop_um": 6.5, "life_share": 1.0}, {"drop_um": 12.0, "life_share": 0.8}]},
-         "optimum": {"drop_um": 1.0}, "straight": {"half_space_life_h": 31234.0, "life_h": 30123.0, "peak_pressure_MPa": 1919.0},
-         "points": [{"drop_um": 12.0, "life_h": 33000.0, "peak_pressure_MPa": 1750.0}, {"drop_um": 0.0, "life_h": 30000.0, "peak_pressure_MPa": 1900.0},
-                    {"drop_um": 6.0, "life_h": 40000.0, "peak_pressure_MPa": 1700.0}, {"drop_um": 3.0, "life_h": None, "peak_pressure_MPa": None}]}
+CROWN = {"laminae": 41, "life_key": "L10mrh", "in_run": {"life_key": "L10mrh", "case_h": 21234.0, "recommended_h": 22345.0},
+         "recommended": {"drop_um": 6.5, "least_drop_um": 3.25, "most_drop_um": 9.75, "half_space_life_h": 41234.0, "life_h": 50321.0, "governing_life_h": 40123.0, "peak_pressure_MPa": 1717.0,
+                         "rollers": "crowned", "profile": "iso16281", "curve": [{"drop_um": 0.0, "life_share": 0.7}, {"drop_um": 6.5, "life_share": 1.0}, {"drop_um": 12.0, "life_share": 0.8}]},
+         "optimum": {"drop_um": 1.0}, "straight": {"half_space_life_h": 31234.0, "life_h": 50123.0, "governing_life_h": 30123.0, "peak_pressure_MPa": 1919.0},
+         "points": [{"drop_um": drop, "life_h": 51000.0, "governing_life_h": life, "peak_pressure_MPa": pressure}
+                    for drop, life, pressure in ((12.0, 33000.0, 1750.0), (0.0, 30000.0, 1900.0), (6.0, 40000.0, 1700.0), (3.0, None, None))]}
 SENSITIVITIES = {"inputs": [{"path": "life.reduction_factor", "elasticity": 4.25}, {"path": "material.density", "elasticity": -8.5}, {"path": "bearing.rings", "elasticity": None}]}
 RESULTS = {"run": RUN, "sweep": SWEEP, "mode_list": MODES, "mesh": MESH, "crown": CROWN, "sensitivities": SENSITIVITIES, "nulls": {}}
 
@@ -491,13 +492,14 @@ class AtTheCursor(Drawn):
         card = self.dumps["cursor"]["cards"]["crown"]
         self.assertEqual(card["tables"][0], [
             ["Recommended drop", "6.5 µm"], ["Range with 95 % of the life", "3.25 µm to 9.75 µm"], ["Life there, by half-space pressures", "41\u202f234 h"], ["of straight rollers", "31\u202f234 h"],
-            ["Rollers", "crowned"], ["Life there, by laminae", "40\u202f123 h"], ["of straight rollers", "30\u202f123 h"], ["Peak pressure there", "1\u202f717 MPa"],
+            ["Rollers", "crowned"], ["L10mrh there, by laminae", "40\u202f123 h"], ["of straight rollers", "30\u202f123 h"], ["Peak pressure there", "1\u202f717 MPa"],
             ["Peak pressure of straight rollers", "1\u202f919 MPa"]])
-        known = sorted((one["drop_um"], one["life_h"], one["peak_pressure_MPa"]) for one in CROWN["points"] if one["life_h"])
+        self.assertIn("Design by the tile: L10mrh is 21,234 h now and 22,345 h with this drop.", card["text"].replace("\u202f", ","))
+        known = sorted((one["drop_um"], one["governing_life_h"], one["peak_pressure_MPa"]) for one in CROWN["points"] if one["governing_life_h"])
         half, lives, pressures = card["charts"]
         drop = "drop at the end of a roller (µm)"
         self.assert_chart(half, [("life_share", "life by half-space pressures, which the recommendation goes by", [(0.0, 70.0), (6.5, 100.0), (12.0, 80.0)])], [drop, "of the longest (%)"])
-        for chart, key, label, i, unit in ((lives, "life_h", "life by laminae", 1, "life (h)"), (pressures, "peak_pressure_MPa", "peak pressure", 2, "pressure (MPa)")):
+        for chart, key, label, i, unit in ((lives, "governing_life_h", "L10mrh by laminae", 1, "L10mrh (h)"), (pressures, "peak_pressure_MPa", "peak pressure", 2, "pressure (MPa)")):
             points = [(one[0], one[i]) for one in known]
             read = self.assert_chart(chart, [(key, label, points)], [drop, unit])
             self.assert_dots(chart["curves"][0], points, read)
