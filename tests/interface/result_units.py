@@ -84,7 +84,7 @@ PREFIXED = {"mm": "m", "um": "m", "kN": "N", "MPa": "Pa", "GPa": "Pa", "kW": "W"
 ANY = (1.1, 1.3, 0.8)
 KEEPS_GRAVITY = (1.44, 1.3, 1.2)  # [m] over [s2] stays
 # Standards hold numbers in N, mm and steel; catalogues do not scale. A curve has shares of the pitch beside its values.
-EMPIRICAL = re.compile(r"L10|life|Mrev|rating|capacity|C0?_N$|Cu_N|C_over_P|S0$|static_safety|c_th|curve")
+EMPIRICAL = re.compile(r"L10|life|Mrev|rating|capacity|C0?_N$|Cu_N|C_over_P|P_over_C|S0$|static_safety|c_th|curve")
 
 
 def scale_of(unit, scales):

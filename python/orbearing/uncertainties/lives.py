@@ -30,7 +30,7 @@ class Peaks:
 def of_worst_bearing(life: str, known: Sequence[str]) -> str:
     """The column of that life of the bearing by which a requirement is judged: over a revolution of the carrier where that is
     computed, else of the bearing with the shortest life where bearings carry unlike loads."""
-    return next(name for name in (f"carrier_{life}", f"shortest_{life}", life) if name in known)
+    return next((name for name in (f"carrier_{life}", f"shortest_{life}") if name in known), life)
 
 
 def refined_peaks(speeds_rpm: np.ndarray, lives: np.ndarray, lives_at: Callable[[np.ndarray, np.ndarray], np.ndarray]) -> Peaks:
