@@ -52,11 +52,12 @@ class Program:
     def influences(self, assumed: list[str], result: str = "") -> dict:
         """Effect of each assumed number on a result of the run, by the quasi-static model: that of `orbearing sensitivities`."""
         inputs = self.inputs()
-        numbers = [path for path in assumed if is_number(record(inputs.get(path)).get("value"))]
+        numbers = {path for path in assumed if is_number(record(inputs.get(path)).get("value"))}
         if not numbers:
             return {}
-        options = {"result": result} if result else {}
-        return self._ask("sensitivities", self._folder / "case.resolved.yaml", by=numbers, **options)
+        # Of all inputs, since those without effect on the result are refused where they are named.
+        found = self._ask("sensitivities", self._folder / "case.resolved.yaml", **({"result": result} if result else {}))
+        return {**found, "inputs": [row for row in records(found.get("inputs")) if row.get("path") in numbers]}
 
     def _ask(self, command: str, what: Path, **options):
         try:

@@ -89,7 +89,7 @@ ARRANGEMENTS = {
         "  bracket: [ground, reduction.carrier]\n  first: [coupling.sun, load]\n  second:", 11,
         r"shafts\.bracket: speeds that contradict each other: .*reduction\.carrier \(on 'bracket'\)"),
     "floating member": (
-        HOUSING, "[ground, reduction.ring, coupling.ring]", 83,
+        HOUSING, "[ground, reduction.ring, coupling.ring]", 85,
         r"sets\.transmission: transmission\.ring on no shaft, so that it floats; each member"),
     "member alone on a shaft": (
         HOUSING, "[ground, reduction.ring, coupling.ring]\n  loose: [transmission.ring]", 15,

@@ -65,7 +65,7 @@ print("stopped")
 LAMINAE = {"bearing.laminae": "20", "bearing.tilt_state": "computed"}
 FEATURES = {
     "tapered pair": ("wind_stage_tapered", {}),
-    "spherical rollers": ("reducer_150kW", {"bearing.type": "spherical-roller", "bearing.rows.contact_angle": "10 deg"}),
+    "spherical rollers": ("wind_stage_tapered", {"bearing.type": "spherical-roller", "bearing.rows.contact_angle": "10 deg"}),
     "elastic rim": ("reducer_150kW", {"gearset.planet_rim": "elastic"}),
     "tilt": ("wind_stage_750kW", {}),
     "unequal clearances": ("reducer_150kW", {**LAMINAE, "bearing.clearance_differences": "[0 um, 100 um]"}),

@@ -130,7 +130,7 @@ class Carrier(unittest.TestCase):
             self.assertEqual((gentle[2][name]["passed"], strong[2][name]["passed"]), (True, False), (name, gentle[2][name]["value"], strong[2][name]["value"]))
 
     def test_motion_without_the_carrier_is_warned_of(self):
-        short = ("simulation.observed_revolutions=1", "simulation.most_revolutions=1", "simulation.length_error=2e-6 mm", "bearing.tilt_state=stated", "gearset.helix_angle=0 deg")
+        short = ("simulation.observed_revolutions=1", "simulation.most_revolutions=2", "simulation.length_error=2e-6 mm", "bearing.tilt_state=stated", "gearset.helix_angle=0 deg")
         found = answer(*short, command="run", words=("--fidelity", "dynamic"))
         self.assertTrue(any(text.startswith("gearset.carrier: --fidelity dynamic does not include the carrier as a body.") for text in found["warnings"]), found["warnings"])
 
@@ -175,7 +175,13 @@ class Carrier(unittest.TestCase):
     def test_modes_in_three_dimensions(self):
         """Spur gears have the frequencies of their plane among them; without the carrier's bearings there are none."""
         positions = ("gearset.helix_angle=0 deg", "gearset.dynamics.carrier.support_stiffness=6e9 N/m")
-        found = answer(*HELD, *positions, command="modes")
+        # Spur teeth and cylindrical rollers hold neither the sun nor the three planets along the axis: they and the rotation of all are free.
+        free = answer(*HELD, *positions, command="modes")["in_three_dimensions"]["modes"][0]
+        self.assertEqual((free["frequency_Hz"], free["multiplicity"]), (0, 1 + 1 + 3))
+        for key, count in (("in_plane", 1), ("axial", 4), ("tilting", 0)):
+            self.assertAlmostEqual(free[key] * free["multiplicity"], count, delta=1e-9, msg=key)
+        along = ("gearset.dynamics.sun.axial_stiffness=1e8 N/m", "gearset.dynamics.planet.axial_stiffness=1e8 N/m")
+        found = answer(*HELD, *positions, *along, command="modes")
         space = [mode for mode in found["in_three_dimensions"]["modes"] if mode["in_plane"] > 1 - 1e-6]
         plane = [mode["frequency_Hz"] for mode in found["modes"] for _ in range(mode["multiplicity"])]
         for ours, theirs in zip([mode["frequency_Hz"] for mode in space for _ in range(mode["multiplicity"])], sorted(plane), strict=True):

@@ -71,13 +71,18 @@ class Catalogue(unittest.TestCase):
 
     # "nearest designations proposed (five, sorted), not 110".
     def test_an_unknown_designation_names_the_five_nearest(self):
-        for text, name, nearest in ((BALLS, "6241", "6240, 6238, 6040, 6340, 6236"), (ROLLERS, "NUP204-E", "NUP 204, "), (ROLLERS, "NJ 2242", "NJ 2240, ")):
+        for text, name, nearest in ((BALLS, "6241", "6240, 6238, 6040, 6340, 6236"), (ROLLERS, "NUP204-Q", "NUP 204, "), (ROLLERS, "NJ 2242", "NJ 2240, ")):
             with self.subTest(name):
                 message = self.refused(self.case(text.format(name, "")))
                 self.assertIn(f"'{name}' is not in the catalogue", message)
                 self.assertIn("nearest: " + nearest, message)
                 self.assertEqual(len(message.split("nearest: ")[1].split(". For another")[0].split(", ")), 5)
                 self.assertLess(len(message), 500)
+
+    def test_a_suffix_that_is_not_listed_is_read_behind_a_designation_that_is(self):
+        case = self.case(ROLLERS.format("NUP204-E", ""))
+        self.assertEqual(value_of(answer("check", case), "bearing.dynamic_capacity"), 25700)  # of NSK NUP 204 ET
+        self.assertTrue(any("is read as NUP204 with the suffixes E" in text for text in answer("run", case)["warnings"]))
 
     def test_a_file_of_ones_own_is_sought_first(self):
         self.own()
