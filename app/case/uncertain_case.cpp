@@ -353,12 +353,20 @@ class UncertainCheck {
                 stated.path + ", the expected value, is required as well");
       return false;
     }
-    if (in_.is_replaced(stated.path)) {
+    if (in_.is_replaced(stated.path) || is_given_by_another(stated.path)) {
       add_error(stated, "a number that another input replaces",
                 "a case without it is required: only the input that gives it can be uncertain");
       return false;
     }
     return stated.kind != "class" || stands_as_class(stated);
+  }
+
+  // As the clearance by its class: a number without a default that is not stated, and would not count.
+  bool is_given_by_another(const std::string& path) const {
+    const Input input{path, find_field(path)};
+    return in_.assumed().contains(path) && input.field->default_text.empty() &&
+           use_status_in_row(in_, input, use::quasi_static) == UseStatus::used &&
+           !is_used(in_, input, use::quasi_static);
   }
 
   bool stands_as_class(const StatedUncertain& stated) {
