@@ -66,11 +66,6 @@ std::string missing_kind_hint(const std::string& key, const std::string& prefix)
 std::string key_hint(const std::string& key, const std::string& prefix, const CaseShape& shape,
                      unsigned models) {
   const std::string set = set_of(prefix);
-  if (prefix.ends_with("gearset.stepped_planet.") && (key == "ring" || key == "sun"))
-    return "a known key is required. The first gear of a stepped planet meshes with the sun alone and the "
-           "second, of gearset.stepped_planet, with the ring of gearset.teeth; a second ring or sun cannot "
-           "be "
-           "stated";
   if (!set.empty() && key == "fixed")
     return "a known key is required. A member is stationary on a shaft with 'ground'";
   if (std::string hint = missing_kind_hint(key, prefix); !hint.empty()) return hint;

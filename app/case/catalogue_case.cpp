@@ -110,8 +110,17 @@ const catalogue::Entry* line_of(const ResolvedCase& in, const std::string& set =
   return in.has(path) ? line_of(table_of_case(in, set), in.text(path)) : nullptr;
 }
 
+// A bearing as its maker calls it: without suffixes that were read behind a listed designation.
+std::string maker_name(const catalogue::Entry& entry, const std::string& designation) {
+  const std::vector<catalogue::Entry> line{entry};
+  if (catalogue::find(line, designation) == nullptr)
+    for (const catalogue::SuffixedName& reading : catalogue::suffixed_readings(designation))
+      if (catalogue::find(line, reading.base) != nullptr) return catalogue::full_name(entry, reading.base);
+  return catalogue::full_name(entry, designation);
+}
+
 std::string name_of(const catalogue::Entry& entry, const std::string& designation) {
-  return fmt::format("{} ({})", catalogue::full_name(entry, designation), entry.source);
+  return fmt::format("{} ({})", maker_name(entry, designation), entry.source);
 }
 
 // Designations of rollers, or of balls: a user's own first.
@@ -692,7 +701,7 @@ std::string inferred_warning(const std::string& path, const std::string& name,
       "{:.4g} mm. C computed from them is {:.1f} % {} the printed one. Pass frequencies of the races are "
       "uncertain by about 0.5 % and those of a {} by 2 %; with one {} more or less, by {:.0f} %. State the "
       "{}s instead of the designation where they are known",
-      path, catalogue::full_name(entry, name), inside.elements, element, per_milli * inside.diameter,
+      path, maker_name(entry, name), inside.elements, element, per_milli * inside.diameter,
       per_milli * inside.pitch_diameter, 100.0 * std::abs(inside.dynamic_rating / entry.dynamic_rating - 1.0),
       inside.dynamic_rating < entry.dynamic_rating ? "below" : "above", element, element,
       100.0 / inside.elements, element);

@@ -45,26 +45,21 @@ std::vector<std::string> require_crown_uses(const ResolvedCase& resolved, const 
   return require_used(resolved, use::crown, spectrum ? Axes::speed : Axes::none);
 }
 
-// The governing life that `run` of the case gives, as it is and with the recommended profile; null under a
-// spectrum, of several sets and of a profile that has a straight middle, which a drop does not state.
-nlohmann::ordered_json lives_in_run(const ResolvedCase& given, const CrownStudy& study) {
+std::optional<LivesInRun> lives_in_run(const ResolvedCase& given, const CrownStudy& study) {
   const CrownDesign& design = study.recommended.design;
-  if (given.shape().several || given.has(kSpectrumPath) || design.has_share) return nullptr;
+  if (given.shape().several || given.has(kSpectrumPath) || design.has_share) return std::nullopt;
   const ResolvedCase point = given.without_sweep();
   const ResolvedCase crowned = point.with(
       std::vector<Setting>{{"bearing.profile.kind", design.profile},
                            {"bearing.profile.drop", fmt::format("{:.6g} um", 1e6 * design.crown.drop)}});
   const ScalarResult life = scalar_result(point);
-  return {{"life_key", life.quantity},
-          {"case_h", life.compute(point).number},
-          {"recommended_h", life.compute(crowned).number}};
+  return LivesInRun{life.quantity, life.compute(point).number, life.compute(crowned).number};
 }
 
-std::string text_in_run(const nlohmann::ordered_json& lives) {
-  if (lives.is_null()) return "";
+std::string text_in_run(const std::optional<LivesInRun>& lives) {
+  if (!lives) return "";
   return fmt::format("\nrun gives {} {:.6g} h for the case, {:.6g} h with the recommended profile\n",
-                     lives.at("life_key").get<std::string>(), lives.at("case_h").get<double>(),
-                     lives.at("recommended_h").get<double>());
+                     lives->key, lives->of_case, lives->recommended);
 }
 
 nlohmann::ordered_json result_json(const ResolvedCase& resolved, const CrownOptions& options,
@@ -97,14 +92,13 @@ int crown_command(const Options& options) {
   if (folder.finished().contains(0) && fs::exists(file)) {
     result = read_crown(options.output);
   } else {
-    const CrownStudy study = computed(request, options);
+    CrownStudy study = computed(request, options);
+    study.in_run = lives_in_run(given, study);
     Record record;
     describe(record, study);
     if (options.take_record) options.take_record(record);
-    const nlohmann::ordered_json in_run = lives_in_run(given, study);
     result = {result_json(resolved, options.crown, noted, study, record),
-              text_of(record) + text_in_run(in_run), study.failed};
-    result.object["in_run"] = in_run;
+              text_of(record) + text_in_run(study.in_run), study.failed};
     std::map<std::string, std::string> others;
     if (!options.output.empty()) {
       write_crown(options.output, result);

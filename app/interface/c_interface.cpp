@@ -95,8 +95,8 @@ using Pairs = std::vector<std::pair<std::string, std::string>>;
 app::CaseSource source_from(const Json& stated) {
   if (stated.contains("file")) return app::source_of(stated.at("file"));
   app::CaseSource source{.name = stated.value("name", "case"), .text = stated.at("text")};
-  for (const auto& [name, file] : stated.value("files", Json::object()).items())
-    source.files[name] = {file.at(0), file.at(1)};
+  const Json files = stated.value("files", Json::object());  // items() refers to it
+  for (const auto& [name, file] : files.items()) source.files[name] = {file.at(0), file.at(1)};
   return source;
 }
 

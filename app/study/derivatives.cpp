@@ -76,7 +76,9 @@ std::string of_worst_bearing(const ResolvedCase& in, const std::string& life, us
   const std::vector<std::string> names = keys_of_worst_bearing(life);
   if (analysis != use::quasi_static || in.shape().several || names.size() < 3) return life;
   if (carrier_is_body(in, "")) return names[0];
+  // Bearings of other types than cylindrical rollers are computed one by one.
   const bool unlike = !uneven_planets_by(in).empty() ||
+                      (in.has("bearing.type") && in.choice("bearing.type") != "cylindrical-roller") ||
                       (in.has("bearing.tilt_state") && in.choice("bearing.tilt_state") == "computed");
   return unlike ? names[1] : life;
 }

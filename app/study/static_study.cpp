@@ -274,8 +274,8 @@ void describe(Record& record, const StaticStudy& study) {
                  "bearing.first_element_angle",
                  study.over_positions, [](Record& row, const PositionRange& range) {
                    row.value("result", "its key", range.result);
-                   row.value("least", dimension::ratio, "in the unit that the key ends in", range.least);
-                   row.value("most", dimension::ratio, "the same", range.most);
+                   row.value("least", {}, "in the unit that the key ends in", range.least);
+                   row.value("most", {}, "the same", range.most);
                  });
   if (!balls_move(study.state))
     record.child("steps", "between the bearing and its reference life", study, describe_steps).detail = true;
@@ -367,7 +367,7 @@ void warn(const ResolvedCase& in, StaticStudy& study) {
     study.warnings.push_back(
         "L10: ISO 281 has factors X and Y for nominal contact angles of 0, 15, 20, 25, 30, 35, 40 and 45 "
         "degrees; L10r does not require them");
-  if (study.bearing.has_rollers() && rating::has_too_few_laminae(study.bearing))
+  if (study.bearing.has_rollers() && rating::has_too_few_laminae(study.bearing, study.stress_riser))
     study.warnings.push_back(
         fmt::format("bearing.laminae: {} laminae of straight rollers; L10r and L10mr are left out, for which "
                     "ISO/TS 16281 requires at least {}",

@@ -87,13 +87,13 @@ BearingRating bearing_rating(const Bearing& bearing, const StatedRatings& stated
                        .laminae = {}};
   if (!bearing.has_rollers()) return rating;
   rating.laminae = rated_laminae(rating.ratings.contacts, bearing, stated.stress_riser);
-  rating.on_too_few_laminae = has_too_few_laminae(bearing);
+  rating.on_too_few_laminae = has_too_few_laminae(bearing, stated.stress_riser);
   return rating;
 }
 
-bool has_too_few_laminae(const Bearing& bearing) {
+bool has_too_few_laminae(const Bearing& bearing, StressRiser riser) {
   const CylindricalRollers& rollers = bearing.rollers();
-  return rollers.laminae > 0 && rollers.laminae < kLeastRatedLaminae &&
+  return riser == StressRiser::position && rollers.laminae > 0 && rollers.laminae < kLeastRatedLaminae &&
          std::holds_alternative<profile::Straight>(rollers.profile);
 }
 

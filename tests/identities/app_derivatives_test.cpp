@@ -12,6 +12,7 @@
 
 #include "app/case/case_file.hpp"
 #include "app/study/derivatives.hpp"
+#include "app/study/drivetrain_case.hpp"
 
 namespace orbearing::app::app_derivatives_test {
 namespace {
@@ -54,7 +55,7 @@ Derivatives by_inputs(const Group& group, const std::vector<Row>& rows) {
       read_point(ORBEARING_SOURCE_DIR "/cases/" + group.first + "/case.yaml", split(group.second));
   DerivativeOptions options;
   for (const Row& row : rows) options.paths.push_back(row.input.substr(0, row.input.find('[')));
-  const ScalarResult life = scalar_result(in);
+  const ScalarResult life = scalar_result(in, "", governing_life_key(in));
   return derivatives(in, life, value_here(in, life), options);
 }
 

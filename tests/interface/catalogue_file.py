@@ -83,6 +83,8 @@ class Catalogue(unittest.TestCase):
         case = self.case(ROLLERS.format("NUP204-E", ""))
         self.assertEqual(value_of(answer("check", case), "bearing.dynamic_capacity"), 25700)  # of NSK NUP 204 ET
         self.assertTrue(any("is read as NUP204 with the suffixes E" in text for text in answer("run", case)["warnings"]))
+        self.assertIn("inside of NSK NUP204 ET is", json.dumps(answer("check", case)))
+        self.assertNotIn("NUP204-E ET", json.dumps(answer("check", case)))
 
     def test_a_file_of_ones_own_is_sought_first(self):
         self.own()

@@ -50,7 +50,7 @@ BESIDE = {
     "bearing.cage.reference_speed": (INDUSTRIAL, SHORT, MOVING),
     ("bearing.clearance_state", "operating"): (REDUCER, (), ()),
     ("bearing.profile.kind", "table"): (INDUSTRIAL, (*LAMINAE, "bearing.profile.x=[-4 mm, 0 mm, 4 mm]", "bearing.profile.drops=[5 um, 0 um, 5 um]"), ()),
-    "bearing.rings": (REDUCER, (), ()),
+    "bearing.rings": (REDUCER, SHORT, MOVING),
     "bearing.rows.arrangement": (CASES / "wind_stage_tapered/case.yaml", (), ()),
     ("bearing.type", "tapered-roller"): (CASES / "wind_stage_tapered/case.yaml", (), ()),
     ("bearing.type", "spherical-roller"): ("spherical", (), ()),

@@ -90,7 +90,10 @@ class SlowSets(unittest.TestCase):
         # The share is of the rolling speed at pure rolling, d_m/4 (1 - gamma^2) times the speed of the planet in the carrier.
         carrier = 100.0 * 37.0 / 116.0
         rolling = 35.64e-3 / 4.0 * (1.0 - (5.24 / 35.64) ** 2) * (100.0 - carrier) * 37.0 / 22.0 * math.pi / 30.0
-        self.assertAlmostEqual(self.slip(f"traction.sliding_scale={0.02 * rolling!r} m/s"), slip, delta=1e-6)
+        # A stated speed takes the place of that share where it is the smaller one.
+        for factor, same in ((1.0 + 1e-9, True), (1.0 - 1e-6, False)):
+            stated = self.slip("traction.sliding_share=0.02", f"traction.sliding_scale={0.02 * rolling * factor!r} m/s")
+            self.assertEqual(stated == slip, same, f"{factor!r} of the share: {stated}, {slip}")
 
     def test_fast_sets_keep_the_largest_scale(self):
         """0.1 m/s where 2 % of the rolling speed is more."""

@@ -122,6 +122,7 @@ bearing:
   bore: 200 mm
   outside_diameter: 360 mm
   width: 98 mm
+  profile: {kind: straight}
   cage: {material: brass, inner_diameter: 268 mm, outer_diameter: 310 mm, width: 90 mm}
 lubricant: {grade: ISO VG 320, temperature: 65 degC}
 life: {cleanliness: -/17/14}
@@ -161,8 +162,10 @@ def bearing_of(given):
                 "roller_length_mm": 1e3 * given["bearing.roller_length"], "laminae": int(given.get("bearing.laminae", 40))}
     if "bearing.catalogue.dynamic_rating" in given:
         bearing["dynamic_capacity_N"] = given["bearing.catalogue.dynamic_rating"]
-    if given.get("bearing.profile.kind", "straight") == "johns-gohar":
+    if given["bearing.profile.kind"] == "johns-gohar":
         bearing["profile"] = {"kind": "johns-gohar", "design_load_N": load_of_the_standards_drop(bearing, material_of(given))}
+    elif given["bearing.profile.kind"] == "iso16281":
+        bearing["profile"] = {"kind": "iso16281"}
     return bearing
 
 

@@ -113,7 +113,10 @@ class BallsInMotion(unittest.TestCase):
             found = json.loads(call("run", folder / "case.resolved.yaml", "--json"))
             call("report", folder)
             page = (folder / "report.html").read_text(encoding="utf-8")
-        self.assertTrue(text.startswith("life of one bearing"), text[:200])
+        warnings, _, lives = text.partition("\n\n")
+        self.assertRegex(warnings, r"^warning: drag\.mixture: at-rest has no effect: .*drag\.enabled")
+        self.assertNotIn("\n", warnings)
+        self.assertTrue(lives.startswith("life of one bearing"), text[:400])
         self.assertIn("exponent 3", text)
         self.assertAlmostEqual(found["life_h"] / found["L10rh"], 1.0, delta=1e-9)  # one law, by the same means
         self.assertAlmostEqual(found["L10_Mrev"] / (found["C_N"] / found["P_N"]) ** 3, 1.0, delta=1e-9)

@@ -189,6 +189,12 @@ void describe_recommended(Record& record, const CrownStudy& study) {
   record.table("curve", "curve", "life over drop", advice.curve, describe_drop_life).detail = true;
 }
 
+void describe_in_run(Record& record, const LivesInRun& lives) {
+  record.value("life_key", "governing life", lives.key);
+  record.value("case_h", dimension::hours, "of the case as it is", lives.of_case);
+  record.value("recommended_h", dimension::hours, "with the recommended profile", lives.recommended);
+}
+
 // Over profile, drop and tilt.
 void describe_grid(Record& record, const CrownStudy& study) {
   const CrownRequest& request = study.request;
@@ -250,6 +256,12 @@ void describe(Record& record, const CrownStudy& study) {
     record.child("robust", "best within the tolerances", study.robust[study.best_robust], describe_search);
   record.table("optima", "optimum", "of each profile", study.searches, describe_search);
   describe_front(record, study);
+  if (study.in_run)
+    record.child("in_run", "governing life that run gives", *study.in_run, describe_in_run);
+  else
+    record.nothing("in_run",
+                   "governing life that run gives: under a spectrum, of several sets, and of a profile "
+                   "with a straight middle, none");
   record.value("profiles", "in the order of the grid", fmt::format("{}", fmt::join(request.profiles, " ")))
       .in_files_alone = true;
   describe_grid(record, study);

@@ -44,6 +44,13 @@ struct Recommendation {
   std::vector<study::crowning::DutyRecord> duties;  // those of the problem: at speed, for some time
 };
 
+/// Governing life that `run` of the case gives [h], as it is and with the recommended profile.
+struct LivesInRun {
+  std::string key;
+  double of_case = 0.0;
+  double recommended = 0.0;
+};
+
 struct CrownStudy {
   CrownRequest request;
   bearing::rating::Life life = bearing::rating::Life::lundberg_palmgren;  // that is made longest
@@ -57,6 +64,7 @@ struct CrownStudy {
       robust;  // (profiles) best within the tolerances; empty without any, or computed tilts
   std::size_t best_robust = 0;
   Recommendation recommended;  // for the tolerances where there are such
+  std::optional<LivesInRun> in_run;  // none under a spectrum, of several sets, of a profile with a straight middle
   std::vector<std::string> warnings;
   int failed = 0;  // points without balance
 };

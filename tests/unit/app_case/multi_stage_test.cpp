@@ -141,7 +141,7 @@ TEST(MultiStage, NameTheMembersAtFault) {
   // A floating member.
   EXPECT_THAT(
       three_mistakes(", transmission.ring]", "]"),
-      ElementsAre(AllOf(StartsWith("case.yaml:83:20: sets.transmission: transmission.ring on no shaft"),
+      ElementsAre(AllOf(StartsWith("case.yaml:85:20: sets.transmission: transmission.ring on no shaft"),
                         HasSubstr("floats"))));
   // Shafts that contradict each other: sun and carrier of one set on one shaft, its ring on the ground.
   const std::string locked =

@@ -94,7 +94,7 @@ TEST(ProfileCase, MisalignmentWithoutLaminaeIsAMistake) {
   EXPECT_THAT(setting_mistakes({"bearing.misalignment.planet_tilt=1 mrad"}),
               ElementsAre(HasSubstr("without bearing.laminae")));
   EXPECT_THAT(setting_mistakes({"bearing.laminae=40", "bearing.profile.drop=3 um"}),
-              ElementsAre(HasSubstr("without bearing.profile.kind")));
+              ElementsAre(HasSubstr("profile straight: found no relief at the position of the required drop")));
 }
 
 TEST(ProfileCase, WhatCannotBeMadeIsAMistake) {

@@ -13,6 +13,9 @@
 namespace orbearing::bearing::rating::rating_lives_test {
 namespace {
 
+// Of any number of laminae.
+const StatedRatings kPrintedFormula{.stress_riser = StressRiser::standard};
+
 constexpr double kRoundOff = 1e-12;
 constexpr double kSumsOfPowers = 1e-10;
 
@@ -36,7 +39,7 @@ RatingCondition under(double load, const std::optional<OilCondition>& oil = std:
 TEST(RatingLives, OfAPlanetBearingByHand) {
   Bearing bearing = example_bearings::planet_bearing();
   bearing.rollers().laminae = 30;
-  const BearingRating rating = bearing_rating(bearing);
+  const BearingRating rating = bearing_rating(bearing, kPrintedFormula);
   const RatingLives lives =
       rating_lives(rating, under(2781.0, OilCondition{5.48, 0.5512989584521938}, 0.64),
                    of_rollers(kInner, even_shares(30)), of_rollers(kOuter, even_shares(30)));
@@ -58,8 +61,9 @@ TEST(RatingLives, OfTiltedRollersByHand) {
   Bearing bearing = example_bearings::planet_bearing();
   bearing.rollers().laminae = 10;
   const Eigen::ArrayXd slope = Eigen::ArrayXd::LinSpaced(10, 0.02, 0.18);
-  const RatingLives lives = rating_lives(bearing_rating(bearing), under(2781.0, OilCondition{0.7, 0.4}),
-                                         of_rollers(kInner, slope), of_rollers(kOuter, slope));
+  const RatingLives lives =
+      rating_lives(bearing_rating(bearing, kPrintedFormula), under(2781.0, OilCondition{0.7, 0.4}),
+                   of_rollers(kInner, slope), of_rollers(kOuter, slope));
   EXPECT_NEAR(lives.basic / 411.8428830133287e6, 1.0, kSumsOfPowers);
   EXPECT_NEAR(lives.reference.bearing / 53.094937392034836e6, 1.0, kSumsOfPowers);
   EXPECT_NEAR(lives.life_modification / 0.50732850475411, 1.0, kSumsOfPowers);
@@ -72,8 +76,9 @@ TEST(RatingLives, OfTiltedRollersByHand) {
 // 6305 with C_r by formula; balls: a_ISO at P = C (L10r)^(-1/3), the same on both races.
 TEST(RatingLives, OfABallBearingByHand) {
   const Bearing bearing{.elements = Balls{.count = 7, .diameter = 11.5e-3}, .pitch_diameter = 43.5e-3};
-  const RatingLives lives = rating_lives(bearing_rating(bearing), under(1000.0, OilCondition{2.0, 0.3}, 0.5),
-                                         EquivalentBallLoads{600.0, 640.0});
+  const RatingLives lives =
+      rating_lives(bearing_rating(bearing, kPrintedFormula), under(1000.0, OilCondition{2.0, 0.3}, 0.5),
+                   EquivalentBallLoads{600.0, 640.0});
   EXPECT_NEAR(lives.dynamic_capacity / 22368.568006981048, 1.0, kSumsOfPowers);
   EXPECT_NEAR(lives.basic / 11192.176410091e6, 1.0, kSumsOfPowers);
   EXPECT_NEAR(lives.reference.bearing / 2229.9432906156026e6, 1.0, kSumsOfPowers);
@@ -94,16 +99,19 @@ TEST(RatingLives, OfWholeContactsAreThoseOfThirtyEqualLaminae) {
   Bearing cut = whole;
   cut.rollers().laminae = 30;
   const RatingCondition condition = under(2000.0, OilCondition{1.1, 0.3});
-  const RatingLives one = rating_lives(bearing_rating(whole), condition, of_rollers(kInner, even_shares(1)),
-                                       of_rollers(kOuter, even_shares(1)));
-  const RatingLives thirty = rating_lives(bearing_rating(cut), condition, of_rollers(kInner, even_shares(30)),
-                                          of_rollers(kOuter, even_shares(30)));
+  const RatingLives one =
+      rating_lives(bearing_rating(whole, kPrintedFormula), condition, of_rollers(kInner, even_shares(1)),
+                   of_rollers(kOuter, even_shares(1)));
+  const RatingLives thirty =
+      rating_lives(bearing_rating(cut, kPrintedFormula), condition, of_rollers(kInner, even_shares(30)),
+                   of_rollers(kOuter, even_shares(30)));
   EXPECT_NEAR(one.reference.inner / thirty.reference.inner, 1.0, kSumsOfPowers);
   EXPECT_NEAR(one.reference.outer / thirty.reference.outer, 1.0, kSumsOfPowers);
   EXPECT_NEAR(one.modified_reference.bearing / thirty.modified_reference.bearing, 1.0, kSumsOfPowers);
   // A cut bearing whose laminae carry alike may give the whole loads.
-  const RatingLives of_whole = rating_lives(
-      bearing_rating(cut), condition, of_rollers(kInner, even_shares(1)), of_rollers(kOuter, even_shares(1)));
+  const RatingLives of_whole =
+      rating_lives(bearing_rating(cut, kPrintedFormula), condition, of_rollers(kInner, even_shares(1)),
+                   of_rollers(kOuter, even_shares(1)));
   EXPECT_NEAR(of_whole.reference.bearing / thirty.reference.bearing, 1.0, kSumsOfPowers);
 }
 
@@ -113,7 +121,7 @@ TEST(RatingLives, OfASteadyMotionAreThoseAtRest) {
   bearing.rollers().laminae = 12;
   const Eigen::ArrayXd slope = Eigen::ArrayXd::LinSpaced(12, 0.5, 1.5) / 12.0;
   const ElementLoads inner = of_rollers(kInner, slope), outer = of_rollers(kOuter, slope);
-  const BearingRating rating = bearing_rating(bearing);
+  const BearingRating rating = bearing_rating(bearing, kPrintedFormula);
   const RatingCondition condition = under(2000.0, OilCondition{1.1, 0.3});
   const RatingLives rest = rating_lives(rating, condition, inner, outer);
   const RatingLives motion = rating_lives(
@@ -126,7 +134,7 @@ TEST(RatingLives, OfASteadyMotionAreThoseAtRest) {
 // L10 goes with P^(-10/3), L10r with the load's fourth power: (9/2)(8/9) = 4.
 TEST(RatingLives, FallWithTheLoadByTheirExponents) {
   const Bearing bearing = example_bearings::planet_bearing();
-  const BearingRating rating = bearing_rating(bearing);
+  const BearingRating rating = bearing_rating(bearing, kPrintedFormula);
   const auto at = [&](double times) {
     return rating_lives(rating, under(1000.0 * times), of_rollers(times * kInner, even_shares(1)),
                         of_rollers(times * kOuter, even_shares(1)));
@@ -135,7 +143,7 @@ TEST(RatingLives, FallWithTheLoadByTheirExponents) {
   EXPECT_NEAR(at(1.0).reference.bearing / at(2.0).reference.bearing, 16.0, 1e-8);
   const Bearing balls{.elements = Balls{.count = 7, .diameter = 11.5e-3}, .pitch_diameter = 43.5e-3};
   const auto of_balls = [&](double times) {
-    return rating_lives(bearing_rating(balls), under(1000.0 * times),
+    return rating_lives(bearing_rating(balls, kPrintedFormula), under(1000.0 * times),
                         EquivalentBallLoads{600.0 * times, 640.0 * times});
   };
   EXPECT_NEAR(of_balls(1.0).basic / of_balls(2.0).basic, 8.0, 1e-10);
@@ -147,7 +155,7 @@ TEST(RatingLives, FallWithTheLoadByTheirExponents) {
 TEST(RatingLives, EachLaminaHasItsOwnFactor) {
   Bearing bearing = example_bearings::planet_bearing();
   bearing.rollers().laminae = 3;
-  const BearingRating rating = bearing_rating(bearing);
+  const BearingRating rating = bearing_rating(bearing, kPrintedFormula);
   // The middle lamina alone is loaded, where f_k = 1, and alike all round.
   const Eigen::ArrayXd middle{{0.0, 100.0, 0.0}};
   const ElementLoads loads = of_rollers(Eigen::ArrayXd::Ones(15), middle);
@@ -163,7 +171,7 @@ TEST(RatingLives, LaminaOfTwoRowsStandsForTheLoadOfBoth) {
   Bearing bearing = example_bearings::planet_bearing();
   bearing.rollers().laminae = 3;
   const PlanetRows two{.type = PlanetBearingType::spherical_roller, .contact_angle = 0.2};
-  const BearingRating rating = planet_bearing_rating(bearing, two, {});
+  const BearingRating rating = planet_bearing_rating(bearing, two, kPrintedFormula);
   const Eigen::ArrayXd middle{{0.0, 100.0, 0.0}};
   const ElementLoads loads = of_rollers(Eigen::ArrayXd::Ones(15), middle);
   const RatingLives lives = rating_lives(rating, under(1.0, OilCondition{1.0, 0.5}), loads, loads);

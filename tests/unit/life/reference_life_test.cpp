@@ -11,6 +11,9 @@
 namespace orbearing::bearing::rating::reference_life_test {
 namespace {
 
+// Of any number of laminae.
+const StatedRatings kPrintedFormula{.stress_riser = StressRiser::standard};
+
 constexpr double kRoundOff = 1e-12;
 constexpr ContactCapacities kCapacities{.inner = 4000.0, .outer = 5000.0};
 
@@ -120,7 +123,8 @@ TEST(ReferenceLife, FollowsTheBearingsTurningRace) {
     of_balls.motions = of_rollers.motions = rotating(race);
     const ContactCapacities balls = ratings_of(of_balls).contacts, rollers = ratings_of(of_rollers).contacts;
     const ElementLoads on_inner{inner, inner.transpose()}, on_outer{outer, outer.transpose()};
-    const BearingLife ball_life = rating_lives(bearing_rating(of_balls), {}, on_inner, on_outer).reference;
+    const BearingLife ball_life =
+        rating_lives(bearing_rating(of_balls, kPrintedFormula), {}, on_inner, on_outer).reference;
     const double rotating_ball = 3.0, stationary_ball = 10.0 / 3.0;
     const double expected_inner =
         life_of(balls.inner, mean(inner, inner_turns ? rotating_ball : stationary_ball), 3.0);
@@ -129,7 +133,7 @@ TEST(ReferenceLife, FollowsTheBearingsTurningRace) {
     EXPECT_NEAR(ball_life.inner / expected_inner, 1.0, kRoundOff);
     EXPECT_NEAR(ball_life.outer / expected_outer, 1.0, kRoundOff);
     const BearingLife roller_life =
-        rating_lives(bearing_rating(of_rollers), {}, on_inner, on_outer).reference;
+        rating_lives(bearing_rating(of_rollers, kPrintedFormula), {}, on_inner, on_outer).reference;
     EXPECT_NEAR(roller_life.inner / life_of(rollers.inner, mean(inner, inner_turns ? 4.0 : 4.5), 4.0), 1.0,
                 kRoundOff);
     EXPECT_NEAR(roller_life.outer / life_of(rollers.outer, mean(outer, inner_turns ? 4.5 : 4.0), 4.0), 1.0,
