@@ -42,7 +42,7 @@ class VariedWithoutEffect(unittest.TestCase):
         self.refused(run("sensitivities", CLASSED, "--by", CLEARANCE), REPLACED)
         # A number that another input gives cannot be uncertain; one that lives at rest do not take can be stated, and not sampled.
         self.refused(run("check", CLASSED, "--set", f"uncertain={{{CLEARANCE}: {{uniform: {{from: 0 um, to: 10 um}}}}}}"), "a number that another input replaces")
-        self.refused(program.within(uncertainty_main, REDUCER, "--samples", "8", "--set", "uncertain={bearing.cage.pocket_clearance: {normal: {standard_deviation: 10 um}}}"),
+        self.refused(program.within(uncertainty_main, REDUCER, "-o", self.folder / "u", "--samples", "8", "--set", "uncertain={bearing.cage.pocket_clearance: {normal: {standard_deviation: 10 um}}}"),
                      "bearing.cage.pocket_clearance: found a varied input that has no effect on --fidelity quasi-static; used by --fidelity dynamic")
 
     def test_an_input_that_this_fidelity_does_not_take(self):

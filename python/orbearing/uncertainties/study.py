@@ -257,33 +257,44 @@ def open_store(folder, core, settings: Settings, resume: bool) -> Store:
     """The folder that keeps the lives of a study. Raises CaseError where it holds another study, or another program writes there."""
     from orbearing.studies.engine import program
 
+    checked_record(core)  # before there is a folder
     stated = {key: value for key, value in dataclasses.asdict(settings).items() if key != "jobs"}
     stated["speeds_rpm"] = list(settings.speeds_rpm) if settings.speeds_rpm else None
     stated["life"] = settings.life or governing_life(core)["key"]
     return Store(folder, header_of(core.name(), core.hash(), program(), stated), resume)
 
 
-def of_case(core, settings: Settings, progress=None, store: Store | None = None) -> UncertaintyResult:
-    """The study of a case as the program holds it (`orbearing._core.CoreCase`); with a store it keeps the lives there."""
+def checked_record(core) -> dict:
+    """What `check` says of a case whose lives can be sampled. Raises CaseError for another, and for uncertain inputs without effect."""
     from orbearing import _core  # the mathematics needs none of it
 
     record = json.loads(_core.compute(core, "check", {})[0])
     record["sweep"] = {path: [core.si(path, text) for text in texts] for path, texts in core.axes().items()}
-    speed = next((one["value"] for one in record["inputs"] if one["path"] == SPEED), None)
-    if record["model"] != "planetary-drivetrain" or speed is None:
+    if record["model"] != "planetary-drivetrain" or _speed_of(record) is None:
         raise CaseError(f"{core.file()}: model: {record['model']} found; required: a planetary-drivetrain with a speed, whose lives are "
                        "sampled")
-
     without = core.without_effect([one["path"] for one in record.get("uncertain", {}).get("inputs", [])], REST)
     if without:
         raise CaseError(list(without.values()))
+    return record
+
+
+def of_case(core, settings: Settings, progress=None, store: Store | None = None) -> UncertaintyResult:
+    """The study of a case as the program holds it (`orbearing._core.CoreCase`); with a store it keeps the lives there."""
+    from orbearing import _core
+
+    record = checked_record(core)
 
     def evaluate(paths, values, fidelity):
         columns, table, status = _core.evaluate(core, list(paths), np.ascontiguousarray(values), fidelity, settings.jobs, progress,
                                                 without_effect=True)
         return dict(zip(columns, np.asarray(table).T)), status
 
-    return Study(record, rpm(speed), _swept_speeds(record), store.keeping(evaluate) if store else evaluate, settings).run()
+    return Study(record, rpm(_speed_of(record)), _swept_speeds(record), store.keeping(evaluate) if store else evaluate, settings).run()
+
+
+def _speed_of(record: dict) -> float | None:
+    return next((one["value"] for one in record["inputs"] if one["path"] == SPEED), None)
 
 
 def _swept_speeds(record: dict) -> list[float]:
