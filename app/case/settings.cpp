@@ -177,6 +177,14 @@ bool remove(Entry& block, const std::vector<std::string>& keys, std::size_t from
   return std::erase_if(block.members, [&](const Member& member) { return member.key == keys[from]; }) > 0;
 }
 
+// What is left out has no reason: its default has its own.
+void remove_reasons(Entry& root, const std::string& path) {
+  if (Member* assumed = find_member(root, "assumed"); assumed != nullptr)
+    std::erase_if(assumed->value.members, [&](const Member& member) {
+      return member.key == path || member.key.starts_with(path + ".");
+    });
+}
+
 // A field, or a block of fields.
 bool may_stand(const std::string& path) {
   if (block_length(path) > 0 || is_one_of(path, {"sweep", "uncertain", "assumed", "sets", "shafts"}))
@@ -210,6 +218,7 @@ void apply(Entry& root, const std::string& setting, Location location, std::vect
     if (!remove(root, keys) && !may_stand(path))
       mistakes.push_back(
           {location, path, {"unknown key", "the path of an input, to be left out, is required"}});
+    remove_reasons(root, path);
     return;
   }
   try {

@@ -1,4 +1,3 @@
-#include "app/case/set_case.hpp"
 #include "app/commands/kept_result.hpp"
 #include "app/commands/presentation.hpp"
 #include "app/errors.hpp"
@@ -16,12 +15,6 @@ int run_command(const Options& options) {
                    "; required: none together with --gears, which runs the gears only");
   const Analysis* analysis = options.gears ? &gears_alone() : analysis_of(resolved, fidelity);
   if (analysis != nullptr && options.budget) refuse_budget(resolved, options.gears);
-  if (analysis == &gears_alone() && has_stepped_planets(resolved) && !resolved.shape().bearing)
-    throw BadInput(
-        resolved.file() +
-        ": bearing: missing; required: a planet bearing, whose loads and lives a run gives at rest. "
-        "Gears run without one as a vibration in their plane, which two gears on each planet do not "
-        "have. orbearing check shows speeds, torques and loads of the pins");
   if (analysis != nullptr) return run_analysis(resolved, options, *analysis);
   require_computable(resolved, options.fidelity, false);
   auto [planned, request] = plan_sweep(

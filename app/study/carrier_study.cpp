@@ -35,6 +35,16 @@ void describe_mode(described::Record& row, const SpatialMode& mode) {
       .detail = true;
 }
 
+// What the library refuses is an input of the case.
+template <typename Call>
+auto refused_as_input(const ResolvedCase& in, const Call& call) {
+  try {
+    return call();
+  } catch (const std::invalid_argument& error) {
+    throw BadInput(in.file() + ": " + error.what());
+  }
+}
+
 }  // namespace
 
 void require_carrier(const ResolvedCase& in) {
@@ -56,7 +66,8 @@ study::CarrierRevolution carrier_study(const ResolvedCase& resolved) {
   if (!set.drivetrain.carrier_mounting)
     throw std::logic_error("carrier_study: of a case whose inputs were not asked for, require_used()");
   try {
-    return study::carrier_revolution(set.drivetrain, set.geometry);
+    return refused_as_input(resolved,
+                            [&] { return study::carrier_revolution(set.drivetrain, set.geometry); });
   } catch (const BadInput&) {
     throw;
   } catch (const std::runtime_error& error) {
@@ -66,10 +77,11 @@ study::CarrierRevolution carrier_study(const ResolvedCase& resolved) {
 
 void describe_spatial_modes(described::Record& record, const ResolvedCase& resolved) {
   const study::NamedSet set = bearing_sets(resolved).front();
-  record.table("modes", "spatial_mode", "natural modes",
-               gearset::spatial::modes_at_rest(study::moving_set(set.drivetrain, set.drivetrain.gear_set(),
-                                                                 set.geometry.gears.base_helix_angle)),
-               describe_mode);
+  const auto modes = refused_as_input(resolved, [&] {
+    return gearset::spatial::modes_at_rest(
+        study::moving_set(set.drivetrain, set.drivetrain.gear_set(), set.geometry.gears.base_helix_angle));
+  });
+  record.table("modes", "spatial_mode", "natural modes", modes, describe_mode);
 }
 
 }  // namespace orbearing::app

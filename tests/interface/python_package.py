@@ -389,8 +389,10 @@ class Editing(unittest.TestCase):
         self.assertEqual(len(case.sweep(grid_only=True)["points"]), 1)
         case = orbearing.load(CLASSED)
         case["bearing.clearance_state"] = "unmounted"
+        self.assertIn("warm oil", [row["reason"] for row in case.inputs])
         del case["bearing.temperature"]
         self.assertIsNone(case["bearing.temperature.pin"])
+        self.assertNotIn("warm oil", [row["reason"] for row in case.inputs])  # a reason goes with its value
 
     def test_a_setting_of_null_by_the_command_line(self):
         found = printed("check", CLASSED, "--set", "bearing.clearance_class=null", "--set", "bearing.radial_clearance=10 um", "--set", "bearing.clearance_state=unmounted")
