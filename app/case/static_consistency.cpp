@@ -96,7 +96,8 @@ void check_motion(CheckedCase& in) {
 void check_viscosity_ratio(CheckedCase& in) {
   const char* kinematic = "lubricant.kinematic_viscosity";
   if (in.has("life.viscosity_ratio") || !in.has(kinematic)) return;
-  const char* path = in.has("lubricant.grade") ? "lubricant.grade" : kinematic;
+  const char* oil = in.has("lubricant.viscosity_40") ? "lubricant.viscosity_40" : "lubricant.grade";
+  const char* path = in.has("lubricant.grade") ? oil : kinematic;
   if (rings_rotate_alike(in)) {
     in.add_error_at(path, "a viscosity for rings that do not rotate",
                     "operation.shaft_speed is required, from which the viscosity ratio follows");

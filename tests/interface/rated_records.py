@@ -79,7 +79,7 @@ class RatedRecords(unittest.TestCase):
                 ((high, low, "--share", "0,3,0,7"), "--share: found 4 numbers for 2 files; required: one for each file"),
                 ((high, low, "--share", "30%,70%"), "--share: found '30%'; required: numbers from 0, comma between them"),
                 ((high, low, "--hours", "-1,2"), "--hours: found '-1'; required: numbers from 0, comma between them"),
-                ((high, low, "--hours", "0,0"), "--hours: found a sum of 0; required: hours above 0 for at least one file"),
+                ((high, low, "--hours", "0,0"), "--hours: found a sum of 0; required: finite hours above 0 for at least one file"),
                 ((high, high, "--share", "0.3,0.7"), f"SERIES: found {high} twice; required: each file once"),
                 ((high, "--set", "input.power=1 kW"), "--set requires --case"),
                 ((high, "--case", REDUCER, "--set", "spectrum=[{power: 1 kW, speed: 1000 rpm, share: 1}]"),
