@@ -33,7 +33,7 @@ CarrierRevolution revolution_of(const ResolvedCase& in, const study::RevolutionO
 TEST(CarrierPoint, LivesOfACentredCarrierAreThoseOfThePlane) {
   for (const bool cut : {false, true}) {
     std::vector<std::string> settings{"gearset.carrier.gravity=0 m/s2"};
-    if (cut) settings.emplace_back("bearing.laminae=12");
+    if (cut) settings.emplace_back("bearing.laminae=30");
     const ResolvedCase in = case_of("reducer_150kW", settings);
     const study::PointResult point = study::evaluate(bearing_sets(in));
     ASSERT_TRUE(point.carrier);

@@ -55,7 +55,9 @@ Derivatives by_inputs(const Group& group, const std::vector<Row>& rows) {
       read_point(ORBEARING_SOURCE_DIR "/cases/" + group.first + "/case.yaml", split(group.second));
   DerivativeOptions options;
   for (const Row& row : rows) options.paths.push_back(row.input.substr(0, row.input.find('[')));
-  const ScalarResult life = scalar_result(in, "", governing_life_key(in));
+  // Of one bearing; the carrier as a body has lives of its own.
+  const bool planets = in.model() == planetary_drivetrain;
+  const ScalarResult life = planets ? scalar_result(in, "", governing_life_key(in)) : scalar_result(in);
   return derivatives(in, life, value_here(in, life), options);
 }
 
