@@ -150,7 +150,7 @@ class Carrier(unittest.TestCase):
         except ImportError:
             self.skipTest("OpenTURNS is not installed")
         words = ("--samples", "8", "--curves", "2", "--index-samples", "4", "--speeds", "20 rpm, 22 rpm")
-        found = answer("uncertain={bearing.radial_clearance: {normal: {standard_deviation: 5 um}}}", command="uncertainty", words=words)
+        found = answer(method, "uncertain={bearing.radial_clearance: {normal: {standard_deviation: 5 um}}}", command="uncertainty", words=words)
         self.assertEqual(found["life"], "carrier_L10mrh")
         self.assertAlmostEqual(found["operating_point"]["life_at_the_case_h"] / life, 1, delta=1e-9)
 
