@@ -73,6 +73,7 @@ BESIDE = {
     ("life.cleanliness", "-/21/18"): (INDUSTRIAL, ("life.lubrication=oil-bath",), ()),
     ("life.cleanliness", "lowest"): (INDUSTRIAL, ("life.lubrication=oil-bath",), ()),
     ("life.lubrication", "grease"): (INDUSTRIAL, ("life.cleanliness=high",), ()),
+    ("lubricant.grade", "stated"): (INDUSTRIAL, ("lubricant.viscosity_40=220 mm2/s", "lubricant.viscosity_100=19 mm2/s"), ()),
     "lubricant.fill": (CASES / "deep_groove_motor/case.yaml", ("lubricant.flow=0.5 L/min", "simulation.duration=0.001 s"), ()),
     ("pair.kind", "internal"): (CASES / "mesh_62_62/case.yaml", ("pair.teeth=[62, 140]",), (), "mesh"),
     "simulation.exchange.order": (INDUSTRIAL, SHORT, ("--fidelity", "co-simulated")),
