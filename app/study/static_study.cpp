@@ -367,11 +367,13 @@ void warn(const ResolvedCase& in, StaticStudy& study) {
     study.warnings.push_back(
         "L10: ISO 281 has factors X and Y for nominal contact angles of 0, 15, 20, 25, 30, 35, 40 and 45 "
         "degrees; L10r does not require them");
-  if (study.bearing.has_rollers() && rating::has_too_few_laminae(study.bearing, study.stress_riser))
-    study.warnings.push_back(
-        fmt::format("bearing.laminae: {} laminae of straight rollers; L10r and L10mr are left out, for which "
-                    "ISO/TS 16281 requires at least {}",
-                    study.bearing.rollers().laminae, rating::kLeastRatedLaminae));
+  if (study.bearing.has_rollers() &&
+      rating::has_too_few_laminae(study.bearing, rating::StressRiser::position))
+    study.warnings.push_back(fmt::format(
+        "bearing.laminae: {} laminae of straight rollers; {}ISO/TS 16281 requires at least {}",
+        study.bearing.rollers().laminae,
+        study.stress_riser == rating::StressRiser::position ? "L10r and L10mr are left out, for which " : "",
+        rating::kLeastRatedLaminae));
   constexpr double slipping = 0.1;  // of lubricated steel
   if (study.state.friction > slipping)
     study.warnings.push_back(

@@ -92,12 +92,11 @@ void warn_of_few_laminae(const ResolvedCase& resolved, Texts& warnings) {
           fmt::format("{}bearing.laminae: {} resolve a profile or a tilt coarsely (one: not at all), which "
                       "affects loads and lives. Use {} or more",
                       prefix, laminae, enough));
-    if (laminae > 0 && laminae < least && !is_chosen(resolved, "life.stress_riser", "standard") &&
-        is_chosen(resolved, prefix + "bearing.profile.kind", "straight"))
-      rated.push_back(
-          fmt::format("{}bearing.laminae: {} laminae of straight rollers; L10rh and L10mrh are left out, for "
-                      "which ISO/TS 16281 requires at least {}",
-                      prefix, laminae, least));
+    const bool left_out = !is_chosen(resolved, "life.stress_riser", "standard");
+    if (laminae > 0 && laminae < least && is_chosen(resolved, prefix + "bearing.profile.kind", "straight"))
+      rated.push_back(fmt::format(
+          "{}bearing.laminae: {} laminae of straight rollers; {}ISO/TS 16281 requires at least {}", prefix,
+          laminae, left_out ? "L10rh and L10mrh are left out, for which " : "", least));
   }
   add(rated, warnings);
 }
