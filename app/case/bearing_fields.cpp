@@ -29,8 +29,14 @@ constexpr const char *kKind = "bearing.profile.kind", *kDrop = "bearing.profile.
 // whole contacts, and the profile acts on lives by the standards alone.
 void add_profile(std::vector<Field>& fields) {
   Rows rows(fields, with_rollers);
-  const Use profile(of_laminae, gears_alone), depth(but_crown, use::crown | gears_alone);  // crown varies it
-  const Use table = Use(but_crown, gears_alone).when(where(kKind, {"table"}));
+  // Where contacts are whole it acts on lives by the standards alone.
+  const auto with_laminae = [](const Use& use) {
+    return use.limited(app::use::fmu_bearing | app::use::planet_stiffness,
+                       {where_given({"bearing.laminae"})});
+  };
+  const Use of_any(of_laminae, gears_alone), profile = with_laminae(of_any);
+  const Use depth = with_laminae(Use(but_crown, use::crown | gears_alone));  // crown varies it
+  const Use table = with_laminae(Use(but_crown, gears_alone)).when(where(kKind, {"table"}));
   const auto of_kind = [&](const char* kind) { return profile.when(where(kKind, {kind})); };
   // Its depth may be scaled: what the end and the load make of each other is the shape.
   const std::vector<Condition> shape_beside_end_drop{where(kKind, {"fujiwara-kawase"}),
@@ -41,7 +47,7 @@ void add_profile(std::vector<Field>& fields) {
   constexpr Range end_length{0.0, 1e4}, relief{0.0, 1000.0};
 
   rows.choice(kKind, "profile of the rollers along their length; straight: with sharp ends",
-              profile.limited(use::fmu_bearing | use::planet_stiffness, {where_profile_acts_on_loads()}),
+              of_any.limited(use::fmu_bearing | use::planet_stiffness, {where_profile_acts_on_loads()}),
               {"straight", "chamfer", "circular", "straight-circular", "lundberg", "johns-gohar", "iso16281",
                "fujiwara-kawase", "table"});
   rows.quantity(

@@ -168,6 +168,7 @@ Use with_meshes(Use use, std::string_view path) {
 // contacts knows no modulus, their films do.
 Use with_stiffness(const Use& use, std::string_view path) {
   if (path.starts_with("bearing.misalignment.")) return also_used(use, use::planet_stiffness);
+  if (path == "support.pin_diameter") return use.when(where("support.pin_ends", {"flexpin"}));
   if (path == "bearing.laminae") return also_used(use, use::stiffness | use::planet_stiffness);
   if (path != "material.youngs_modulus" && path != "material.poisson_ratio") return use;
   return use.used_only(use::planet_stiffness, {where_filmed()})
@@ -277,7 +278,10 @@ Use with_carrier(const Use& use, std::string_view path) {
                        "gearset.root_fillet_radius", "gearset.addendum_of.planet",
                        "gearset.clearance_of.planet", "bearing.outside_diameter", "bearing.width"});
   if (!of_planet) return use;
-  return use
+  // Between the root of its teeth and its bearings.
+  const bool of_rim = is_one_of(path, {"gearset.addendum", "gearset.clearance", "gearset.addendum_of.planet",
+                                       "gearset.clearance_of.planet", "bearing.outside_diameter"});
+  return (of_rim ? use.used_too(use::quasi_static, std::vector<Condition>{}) : use)
       .limited(use::rollers_at_rest,
                {where_true(planet_counts_at_rest,
                            rotating + ", or the planet bends, tilts or is pressed on a seat")})

@@ -46,16 +46,23 @@ std::string requirement_path(const RequirementRow& row) {
   return std::string("requirements.") + row.name;
 }
 
+bool requirements_choose_the_life(const ResolvedCase& in, std::string_view) {
+  return in.has("life.method") && in.origin("life.method") == "default" && !in.has("bearing.dynamic_capacity");
+}
+
 }  // namespace
 
 void table::add_requirements(std::vector<Field>& fields) {
   const Use use(kJudgedBy, use::all & ~kJudgedBy);
   for (const RequirementRow& row : kRequirementRows) {
     Rows rows(fields, row.models);
+    // By stating one a case chooses the life that a crown goes by, where nothing else does.
+    const Use limit = use.used_too(use::crown, {where_true(requirements_choose_the_life,
+                                                           "where neither life.method nor C is stated")});
     if (row.dimension.name.empty())
-      rows.number(requirement_path(row), row.meaning, use, positive(1e9));
+      rows.number(requirement_path(row), row.meaning, limit, positive(1e9));
     else
-      rows.quantity(requirement_path(row), row.meaning, use, row.dimension, positive(1e9));
+      rows.quantity(requirement_path(row), row.meaning, limit, row.dimension, positive(1e9));
     if (requirement_path(row) == kLifePath)
       rows.choice(kLifeKeyPath, "life that requirements.life limits", use.when(where_given({kLifePath})),
                   {"L10h", "L10rh", "L10mh", "L10mrh", "life_h"});

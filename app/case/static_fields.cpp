@@ -28,6 +28,12 @@ Condition where_oil_is_stated() {
                       "life.viscosity_ratio", "lubricant.kinematic_viscosity"});
 }
 
+// With the least number of laminae, which whole contacts have too, both are one formula.
+bool laminae_are_not_the_least(const ResolvedCase& in, std::string_view set) {
+  const std::string path = set.empty() ? "bearing.laminae" : "sets." + std::string(set) + ".bearing.laminae";
+  return in.has(path) && in.integer(path) > 0 && in.integer(path) != bearing::rating::kLeastRatedLaminae;
+}
+
 Condition where_balls_turn_with_effect() {
   return where_true(
       [](const ResolvedCase& in, std::string_view) {
@@ -119,7 +125,8 @@ void add_life(std::vector<Field>& fields) {
           "stress at the ends of rollers in L10rh and L10mrh. position: a function of the position along "
           "the roller, equal to the formula of ISO/TS 16281 for 30 laminae; standard: its formula for the "
           "laminae of the case, on whose number lives of straight rollers then depend",
-          by_life, choices_of<bearing::rating::StressRiser>())
+          by_life.when(where_true(laminae_are_not_the_least, "where bearing.laminae is not 30")),
+          choices_of<bearing::rating::StressRiser>())
       .by_default("position", "lives do not depend on the number of laminae");
   planets.number(
       kMinimumLoadPath,

@@ -57,7 +57,8 @@ Derivatives by_inputs(const Group& group, const std::vector<Row>& rows) {
   for (const Row& row : rows) options.paths.push_back(row.input.substr(0, row.input.find('[')));
   // Of one bearing; the carrier as a body has lives of its own.
   const bool planets = in.model() == planetary_drivetrain;
-  const ScalarResult life = planets ? scalar_result(in, "", governing_life_key(in)) : scalar_result(in);
+  const ScalarResult life = scalar_result(
+      in, "", planets ? governing_life_key(in) : bearing::rating::revolutions_key(governing_life(in)));
   return derivatives(in, life, value_here(in, life), options);
 }
 

@@ -16,7 +16,7 @@ namespace {
 
 PlanetaryDrivetrain tilting_reducer() {
   PlanetaryDrivetrain drivetrain = example::reducer();
-  drivetrain.bearing.rollers().laminae = 20;
+  drivetrain.bearing.rollers().laminae = 30;
   drivetrain.seats.tilt = TiltState::computed;
   drivetrain.cage_positions = 4;
   gearset::dynamics::SetParameters set;

@@ -37,6 +37,7 @@ const std::vector<std::string> promised = {"input_speed_rpm",
                                            "sun_thrust_N",
                                            "contact_pressure_max_MPa",
                                            "operating_clearance_um",
+                                           "rim_over_module",
                                            "rim_ovality_um",
                                            "life_Mrev",
                                            "L10h",
@@ -168,6 +169,7 @@ TEST(ResultRow, EveryNumberStandsUnderItsNameInItsUnit) {
   result.cage_slip = 16.0;
   result.contact_pressure = 20e6;
   result.radial_clearance = 67e-6;
+  result.rim_over_module = 68.0;
   result.distribution.race_form = {-1e-6, 2.5e-6, 0.0};
   result.life = 102e6;
   result.rating = {.lives = {.dynamic_capacity = 160.0,
@@ -220,18 +222,19 @@ TEST(ResultRow, EveryNumberStandsUnderItsNameInItsUnit) {
     const double slip = caged ? 16.0 : not_given, pockets = caged ? 32.0 : not_given,
                  guidance = caged ? 64.0 : not_given, neighbours = caged ? not_given : 256.0;
     const std::vector<double> expected = {
-        0,          1,         2,         3,         4,         6,         7,         10,        11,
-        8,          12,        14,        15,        slip,      9,         13,        -1,        5,
-        72,         73,        74,        20,        67,        3.5,       102,       94,        95,
-        96,         97,        98,        99,        100,       101,       90,        91,        92,
-        93,         65,        66,        160,       243,       82,        80,        81,        2,
-        3,          60,        61,        62,        62.5,      40000,     18,        75,        76,
-        19,         511,       1,         2,         4,         8,         16,        pockets,   guidance,
-        neighbours, 128,       1,         21,        114,       113,       116,       115,       2,
-        1.5,        5,         1,         23,        24,        40,        1,         41,        42,
-        43,         43.5,      44,        45,        46,        47,        48,        49,        50,
-        51,         52,        53,        not_given, not_given, not_given, not_given, not_given, not_given,
-        not_given,  not_given, not_given, not_given, -1,        17};
+        0,         1,          2,         3,         4,         6,         7,         10,        11,
+        8,         12,         14,        15,        slip,      9,         13,        -1,        5,
+        72,        73,         74,        20,        67,        68,        3.5,       102,       94,
+        95,        96,         97,        98,        99,        100,       101,       90,        91,
+        92,        93,         65,        66,        160,       243,       82,        80,        81,
+        2,         3,          60,        61,        62,        62.5,      40000,     18,        75,
+        76,        19,         511,       1,         2,         4,         8,         16,        pockets,
+        guidance,  neighbours, 128,       1,         21,        114,       113,       116,       115,
+        2,         1.5,        5,         1,         23,        24,        40,        1,         41,
+        42,        43,         43.5,      44,        45,        46,        47,        48,        49,
+        50,        51,         52,        53,        not_given, not_given, not_given, not_given, not_given,
+        not_given, not_given,  not_given, not_given, not_given, not_given, not_given, not_given, -1,
+        17};
     ASSERT_EQ(expected.size(), head.names.size());
     for (std::size_t i = 0; i < expected.size(); ++i)
       if (i != head.status_location && i != head.refined_location) {
