@@ -281,11 +281,12 @@ Use with_carrier(const Use& use, std::string_view path) {
   // Between the root of its teeth and its bearings.
   const bool of_rim = is_one_of(path, {"gearset.addendum", "gearset.clearance", "gearset.addendum_of.planet",
                                        "gearset.clearance_of.planet", "bearing.outside_diameter"});
-  return (of_rim ? use.used_too(use::quasi_static, std::vector<Condition>{}) : use)
-      .limited(use::rollers_at_rest,
-               {where_true(planet_counts_at_rest,
-                           rotating + ", or the planet bends, tilts or is pressed on a seat")})
-      .used_too(use::quasi_static, where_planets_carry_unlike_loads());
+  const Use as_mass =
+      use.limited(use::rollers_at_rest,
+                  {where_true(planet_counts_at_rest,
+                              rotating + ", or the planet bends, tilts or is pressed on a seat")})
+          .used_too(use::quasi_static, where_planets_carry_unlike_loads());
+  return of_rim ? as_mass.used_too(use::quasi_static, std::vector<Condition>{}) : as_mass;
 }
 
 // A member that is held does not move, unless a spring holds it.

@@ -93,7 +93,9 @@ Use with_carrier_body(Use use, std::string_view path) {
     put(use, use::carrier, &Use::not_modelled_by);
     if (path == "bearing.axial_places") return use.used_too(use::carrier, std::vector<Condition>{});
     if (!links_rows(path)) return use;
-    return use.used_too(use::carrier, {where_held_at_one_end(), where_tilts_are_computed()});
+    std::vector<Condition> linked{where_held_at_one_end(), where_tilts_are_computed()};
+    if (path == "support.pin_diameter") linked.push_back(where("support.pin_ends", {"flexpin"}));
+    return use.used_too(use::carrier, std::move(linked));
   }
   if ((use.refused_by & use::quasi_static) != 0)
     put(use, use::carrier, &Use::refused_by);

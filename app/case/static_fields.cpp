@@ -125,7 +125,8 @@ void add_life(std::vector<Field>& fields) {
           "stress at the ends of rollers in L10rh and L10mrh. position: a function of the position along "
           "the roller, equal to the formula of ISO/TS 16281 for 30 laminae; standard: its formula for the "
           "laminae of the case, on whose number lives of straight rollers then depend",
-          by_life.when(where_true(laminae_are_not_the_least, "where bearing.laminae is not 30")),
+          by_life.when(where_true(laminae_are_not_the_least, "where bearing.laminae is not 30"))
+              .used_too(use::crown, where_absent("bearing.laminae")),  // which takes 40 then
           choices_of<bearing::rating::StressRiser>())
       .by_default("position", "lives do not depend on the number of laminae");
   planets.number(

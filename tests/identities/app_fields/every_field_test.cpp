@@ -230,8 +230,12 @@ TEST_P(EveryField, ChangesTheResultOrIsReported) {
     if (stays_as_it_is(*input.field, plain)) continue;
     if (is_label(*input.field)) continue;
     if (set_prefix_length(input.path) > 0 && !input.path.starts_with(set_prefix(base().set))) continue;
-    const Change change = change_of(*input.field, plain, input.path);
+    Change change = change_of(*input.field, plain, input.path);
+    if (GetParam().analysis == use::fmu_bearing)  // heats no inlet of the film
+      std::erase(change.beside, "film.inlet_heating=gupta");
     SCOPED_TRACE(input.path + "=" + change.value + ", " + analysis_name(GetParam().analysis));
+    // What rollers alone have is absent beside balls; the bases of rollers change it.
+    if (change.value.empty() && base().name == "planets_on_balls" && !plain.has(input.path)) continue;
     ASSERT_FALSE(change.value.empty()) << "no other value is known; add one to stated_changes()";
     if (base().reader_may_refuse && !are_cases(input, beside(change), change)) {
       ++count.refused;

@@ -69,14 +69,13 @@ std::string text_of(bool several_sets, double power, double speed) {
 }
 
 Values values_of(const Features& features) {
-  Values values;
   const auto has = [&](Feature one) { return features.contains(one); };
+  Values values{{"bearing.profile.kind", has(laminae) ? "table" : "straight"}};
   if (has(uneven)) values["gearset.dynamics.pin_error.tangential"] = "[3 um, 0 um, 1 um, 0 um]";
   if (has(helical)) values["gearset.helix_angle"] = "12 deg";
   if (has(oil)) values.insert({{"lubricant.grade", "ISO VG 220"}, {"life.cleanliness", "high"}});
   if (has(laminae))
     values.insert({{"bearing.laminae", "10"},
-                   {"bearing.profile.kind", "table"},
                    {"bearing.profile.x", "[-2.8 mm, 0 mm, 2.8 mm]"},
                    {"bearing.profile.drops", "[8 um, 0 um, 3 um]"}});
   if (has(laminae) && !has(tilt)) values["bearing.misalignment.planet_tilt"] = "0.4 mrad";
@@ -293,9 +292,9 @@ void check_rim(const Values& values) {
 // Straight laminae at no tilt bear as the whole contact does.
 void check_laminae(Values values) {
   if (values.contains("bearing.tilt_state")) return;  // which has no effect on whole contacts
-  for (const char* path : {"bearing.profile.kind", "bearing.profile.x", "bearing.profile.drops",
-                           "bearing.misalignment.planet_tilt"})
+  for (const char* path : {"bearing.profile.x", "bearing.profile.drops", "bearing.misalignment.planet_tilt"})
     values.erase(path);
+  values["bearing.profile.kind"] = "straight";
   const study::PointResult cut = point(resolved(values));
   values.erase("bearing.laminae");
   const study::PointResult whole = point(resolved(values));

@@ -574,7 +574,7 @@ inline const std::map<std::string, Change>& stated_changes() {
       {"response.position", {"40 mm"}},
       {"life.minimum_load", {"0.03", {"spectrum=[{power: 140 kW, speed: 17000 rpm, share: 1}]"}}},
       {"requirements.life", {"1000 h"}},
-      {"requirements.life_key", {"L10rh", {"requirements.life=1000 h"}}},
+      {"requirements.life_key", {"L10h", {"requirements.life=1000 h"}}},
       {"requirements.contact_pressure_max", {"1500 MPa"}},
       {"requirements.S0", {"3"}},
       {"requirements.kappa", {"0.4"}},
@@ -664,6 +664,8 @@ inline Change change_of(const Field& field, const ResolvedCase& in, const std::s
   if (field.path == "traction.starvation" && in.model() == planetary_drivetrain) return {"skf"};
   if (field.path == "heat.viscosity_slope" && in.model() == planetary_drivetrain)
     return {"0.02 K-1", {"film.inlet_heating=gupta", "traction.inlet_heating=goksem-hargreaves"}};
+  if (field.path == "life.method" && !in.shape().several && in.has("bearing.balls"))
+    return {"iso-281"};  // of balls in planets the default gives the life of iso-16281
   if (const auto stated = stated_changes().find(field.path); stated != stated_changes().end())
     return stated->second;
   if (field.path.find(".out_of_roundness.") != std::string::npos ||
