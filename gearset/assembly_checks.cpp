@@ -67,12 +67,17 @@ void check_rack(const BasicRack& rack, const std::string& block, Warnings& probl
   check_fillet(rack, block, problems);
 }
 
-Warnings single_value_problems(const PlanetarySet& set) {
+Warnings count_problems(const PlanetarySet& set) {
   Warnings problems;
   check_count(set.sun_teeth, "gearset.teeth.sun", problems);
   check_count(set.planet_teeth, "gearset.teeth.planet", problems);
   check_count(set.ring_teeth, "gearset.teeth.ring", problems);
   check_count(set.planets, "gearset.planets", problems);
+  return problems;
+}
+
+Warnings single_value_problems(const PlanetarySet& set) {
+  Warnings problems = count_problems(set);
   check_positive(set.module, "gearset.module", problems);
   check_positive(set.face_width, "gearset.face_width", problems);
   check_shift(set.sun_shift, "gearset.profile_shift.sun", problems);
@@ -183,11 +188,7 @@ Warnings rack_problems(const BasicRack& rack, const std::string& block) {
 }
 
 Warnings spacing_problems(const PlanetarySet& set) {
-  Warnings problems;
-  check_count(set.sun_teeth, "gearset.teeth.sun", problems);
-  check_count(set.planet_teeth, "gearset.teeth.planet", problems);
-  check_count(set.ring_teeth, "gearset.teeth.ring", problems);
-  check_count(set.planets, "gearset.planets", problems);
+  Warnings problems = count_problems(set);
   if (problems.empty()) check_spacing(set, problems);
   return problems;
 }

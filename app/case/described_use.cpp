@@ -136,8 +136,8 @@ const Condition& where_filmed() {
 // A pin that is held at one end makes the support's stiffness where none is stated.
 Use with_pins(const Use& use, std::string_view path) {
   if (!links_rows(path)) return use;
-  return use.used_too(use::bearings_as_springs, {where_absent("support.stiffness"), where_held_at_one_end(),
-                                                 where_tilts_are_computed()});
+  return use.used_too(use::bearings_as_springs,
+                      {where_absent("support.stiffness"), where_pin_links(path), where_tilts_are_computed()});
 }
 
 Use with_meshes(Use use, std::string_view path) {
@@ -447,7 +447,7 @@ Use with_carrier_beside(const Use& use, std::string_view path) {
                        "gearset.dynamics.sun.axial_stiffness", "gearset.dynamics.planet.axial_stiffness"}))
     more = more.used_too(use::modes, body);
   if (links_rows(path))
-    more = more.used_too(use::modes, {body, where_held_at_one_end(), where_tilts_are_computed()});
+    more = more.used_too(use::modes, {body, where_pin_links(path), where_tilts_are_computed()});
   return more;
 }
 

@@ -93,9 +93,7 @@ Use with_carrier_body(Use use, std::string_view path) {
     put(use, use::carrier, &Use::not_modelled_by);
     if (path == "bearing.axial_places") return use.used_too(use::carrier, std::vector<Condition>{});
     if (!links_rows(path)) return use;
-    std::vector<Condition> linked{where_held_at_one_end(), where_tilts_are_computed()};
-    if (path == "support.pin_diameter") linked.push_back(where("support.pin_ends", {"flexpin"}));
-    return use.used_too(use::carrier, std::move(linked));
+    return use.used_too(use::carrier, {where_pin_links(path), where_tilts_are_computed()});
   }
   if ((use.refused_by & use::quasi_static) != 0)
     put(use, use::carrier, &Use::refused_by);
@@ -127,7 +125,8 @@ Condition where_planets_carry_unlike_loads() {
                       "gearset.planet_angles"});
 }
 
-Condition where_held_at_one_end() {
+Condition where_pin_links(std::string_view path) {
+  if (path == "support.pin_diameter") return where("support.pin_ends", {"flexpin"});
   return where("support.pin_ends", {"one", "flexpin"});
 }
 

@@ -96,8 +96,9 @@ Condition where_absent(std::string path);
 Condition where_true(bool (*holds)(const ResolvedCase&, std::string_view set), std::string text);
 /// Pins off their places: loads at rest then follow from what gives way under the planets.
 Condition where_planets_carry_unlike_loads();
-/// Pins that one wall of the carrier holds; they count where tilts are computed.
-Condition where_held_at_one_end();
+/// Pins that one wall of the carrier holds; they count where tilts are computed. A flexpin alone has a
+/// diameter of its own.
+Condition where_pin_links(std::string_view path);
 Condition where_tilts_are_computed();
 /// Whether a field makes the pin that links the bearings on it in three dimensions, if one wall holds it.
 bool links_rows(std::string_view path);
