@@ -6,7 +6,6 @@
 
 N points each; prints one line of JSON for each comparison: seconds, the ratio of throughputs (threads / Dask in time, and in time of the processors), seconds to the first result, workers
 killed, how often each point stands in the journal, and whether both stores are the same to the last byte. Needs Dask (Debian: python3-distributed).
-Issue 18, Build 2 and 3.
 """
 
 import argparse

@@ -1,6 +1,6 @@
 # cmake -DPYTHON=<python3> -DCHECK=<check_circles.py> -DWORK=<folder> -P circles.cmake
 #
-# Issue 13, Build 9. The check for circles itself: each small tree must be accepted, or refused with the circle and the includes
+# The check for circles itself: each small tree must be accepted, or refused with the circle and the includes
 # that make it.
 cmake_minimum_required(VERSION 3.25)
 
@@ -71,7 +71,7 @@ verdict(pairs
   "  gearset/kinds.cpp includes gearset/modes.hpp"
   "  gearset/modes.cpp includes gearset/kinds.hpp")
 
-# Issue 45, Build 12. Modules of the Python package, one of which asks for the other within a function.
+# Modules of the Python package, one of which asks for the other within a function.
 file(WRITE "${WORK}/modules/python/orbearing/case.py" "import os\nfrom orbearing.results import Result\n")
 file(WRITE "${WORK}/modules/python/orbearing/results.py"
      "from orbearing import units\ndef case():\n    import orbearing.case\n")

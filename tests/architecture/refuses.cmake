@@ -37,7 +37,7 @@ verdict(coupling/system/a.cpp "\"bearing/b.hpp\"" accepted)
 verdict(gearset/a.hpp "\"bearing/b.hpp\"" refused)
 verdict(coupling/cosim/a.cpp "\"coupling/study/b.hpp\"" refused)
 verdict(coupling/integration/a.cpp "\"coupling/cosim/b.hpp\"" refused)
-# Issue 13, Build 3: steppers include no bearing.
+# Steppers include no bearing.
 verdict(coupling/integration/a.cpp "\"bearing/b.hpp\"" refused)
 verdict(coupling/system/a.cpp "\"coupling/cosim/b.hpp\"" refused)
 verdict(coupling/study/a.cpp "\"coupling/fmu/b.hpp\"" refused)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Issue 44, Build 4(a): the page that plays a bearing's motion: the data it holds, and what its script draws of them at one instant.
+"""The page that plays a bearing's motion: the data it holds, and what its script draws of them at one instant.
 
 The script runs in a JavaScript engine (node) on a canvas that records each stroke; where there is none this part is skipped and says so.
 Exit code 77 (skipped) where numpy or matplotlib is missing.

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Issue 47, item 6: requirements of a case get verdicts, and an assessor's page shows them, in HTML and as PDF of at most 8 pages.
+"""Requirements of a case get verdicts, and an assessor's page shows them, in HTML and as PDF of at most 8 pages.
 
 Exit code 77 (skipped) where matplotlib is missing; what concerns the PDF is skipped without WeasyPrint or poppler-utils.
 """
@@ -224,7 +224,7 @@ class Page(unittest.TestCase):
                 "life_h": "life_h", "S0": "S0", "p_max": "contact_pressure_max_MPa", "kappa": "kappa", "e_C": "e_C", "a_ISO": "a_ISO"}
         by_symbol = {row[0].split(" [")[0]: row for row in rows}
         point, spectrum = self.found["points"][0], self.found["spectrum"]
-        # Issue 47, "Done when": every number that is shown is that of --json.
+        # Every number that is shown is that of --json.
         self.assertEqual(set(by_symbol), {*keys, "K_gamma"})
         worst = {"S0": min, "contact_pressure_max_MPa": max, "kappa": min}
         for symbol, key in keys.items():
@@ -363,7 +363,7 @@ def pdf_text(path):
 
 class Sweep(unittest.TestCase):
     def test_the_operating_point_of_the_case_is_shown_where_the_sweep_has_none(self):
-        """Issue 47, "Done when": what stumbled when it was tried. Speeds without the case's own, a torque, another reliability and another life."""
+        """What stumbled when it was tried. Speeds without the case's own, a torque, another reliability and another life."""
         case = ["input.torque=240 N.m", "life.reliability=0.95", "life.method=iso-281", *BRIEF_GEARS, *OIL, *required(life="20000 h", life_key="L10rh", S0="2")]
         with tempfile.TemporaryDirectory() as place:
             found = answer("sweep", REDUCER, "sweep={input.speed: [7000 rpm, 12000 rpm]}", *case, options=["-o", f"{place}/out", "--grid-only"])

@@ -250,7 +250,7 @@ class BadInput(unittest.TestCase):
                     self.expect_message(result, r"^--set: input\.power: ")
                     self.assertFalse(output.exists())
 
-    # Issue 44, items 5, 17 and 52, item 11: every text that comes in is UTF-8, or refused with its place.
+    # Every text that comes in is UTF-8, or refused with its place.
     def test_bytes_that_are_not_utf8(self):
         command = os.environ["ORBEARING"].encode()
         case = os.fsencode(SHIPPED)
@@ -275,7 +275,6 @@ class BadInput(unittest.TestCase):
             self.assertEqual(done.returncode, 2, done.stderr)
             self.assertRegex(done.stderr, r"expected.yaml:2:14: .*a byte that is not UTF-8")
 
-    # Issue 52, item 11.
     def test_a_moving_bearing_without_load_has_a_place(self):
         text = (SOURCE / "cases" / "deep_groove_motor" / "case.yaml").read_text(encoding="utf-8")
         with tempfile.TemporaryDirectory() as folder:

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Issue 17, Build 6: what the benchmarks in Python and tools/bench promise, without timing anything that matters.
+"""What the benchmarks in Python and tools/bench promise, without timing anything that matters.
 
 Needs the program's path in ORBEARING and the source folder in ORBEARING_SOURCE_DIR. Where the benchmarks are built beside the
 program (ORBEARING_BUILD_BENCHMARKS), their orbearing_pace is asked, too.

@@ -1,6 +1,6 @@
 """The C interface of the shared library, and Python's module over it: the answers of the command line, stops and refusals.
 
-Issue 51, Build 6: one wheel for every Python. Needs ORBEARING and ORBEARING_SOURCE_DIR.
+One wheel for every Python. Needs ORBEARING and ORBEARING_SOURCE_DIR.
 """
 
 import json

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Issue 48, Build 4: what each planet bearing carries over a revolution of a carrier that sags and tilts in its own bearings."""
+"""What each planet bearing carries over a revolution of a carrier that sags and tilts in its own bearings."""
 
 import json
 import math

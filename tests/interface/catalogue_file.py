@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Bearings out of catalogues, from outside: makers named, a user's own file, ratings beside a designation.
 
-Issue 47, item 4. Needs the program's path in ORBEARING and the source folder in ORBEARING_SOURCE_DIR.
+Needs the program's path in ORBEARING and the source folder in ORBEARING_SOURCE_DIR.
 """
 
 import json
@@ -53,7 +53,7 @@ class Catalogue(unittest.TestCase):
         self.assertEqual(done.returncode, 2, done.stderr)
         return done.stderr
 
-    # Issue 47, item 4: "the product says which maker its ratings are".
+    # "the product says which maker its ratings are".
     def test_check_names_the_maker_of_the_ratings(self):
         for text, name, maker in ((ROLLERS, "NUP 204", "NSK NUP 204 ET ([NSKE1102] B84)"), (BALLS, "6305", "NSK 6305 ([NSKE1102] B10)"),
                                   (ROLLERS, "K 20x24x10", "NTN K 20x24x10 S ([NTN2300] B-")):
@@ -131,7 +131,7 @@ class Catalogue(unittest.TestCase):
                 self.assertIn(words, message)
                 self.assertNotIn("designation: ", message)
 
-    # Issue 47, "Done when": what stumbled when it was tried, a maker's bearing beyond the usual.
+    # What stumbled when it was tried, a maker's bearing beyond the usual.
     def test_a_bearing_with_long_rollers_beyond_the_table_of_classes(self):
         head = OWN.splitlines()[1].replace(" [kN]", "_kN").replace(", ", ";")
         self.own(f"{head}\nPRB 220;cylindrical-roller;220;385;155;262,5;2100;3650;310;ACME;\n")  # as a spreadsheet writes it

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Issue 48, item 1: which features of a planetary case work together, at rest, in motion and in an FMU.
+"""Which features of a planetary case work together, at rest, in motion and in an FMU.
 
 Every pair of features goes through the program's own commands. What it accepts must count: a feature that changes the
 result by itself changes it beside another one too. `docs/combinations.md` shows what was found; it is written by

@@ -70,7 +70,7 @@ class RangeOfDrops(unittest.TestCase):
 
 
 class ComputedTilt(unittest.TestCase):
-    """Issue 16, Build 9: tilts are computed where none are stated."""
+    """Tilts are computed where none are stated."""
 
     @classmethod
     def setUpClass(cls):

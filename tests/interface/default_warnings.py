@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Issue 47, item 5: `check` warns where a life hangs on a default, and of what load sharing costs."""
+"""`check` warns where a life hangs on a default, and of what load sharing costs."""
 
 import re
 import unittest

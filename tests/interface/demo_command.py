@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""`orbearing demo` (issue 51, Build 7): a first result with its report in a new folder; what it prints is true of its files.
+"""`orbearing demo`: a first result with its report in a new folder; what it prints is true of its files.
 
 Exit code 77 (skipped) where matplotlib is missing.
 """

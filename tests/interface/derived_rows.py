@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Issue 44, item 16: what `check` derives, beside closed forms: gears (working angles, contact and overlap ratios), speeds, forces, races.
+"""What `check` derives, beside closed forms: gears (working angles, contact and overlap ratios), speeds, forces, races.
 
 Needs ORBEARING and ORBEARING_SOURCE_DIR.
 """
@@ -169,7 +169,7 @@ class Derived(unittest.TestCase):
                 self.close(case, "operation.thrust.ring", -planets * axial, "N", 1e-6)
 
     def test_cost_of_one_pin_off(self):
-        """Issue 47, item 5: K_gamma and the shortest life with one pin off by js7, as a run with that error gives them."""
+        """K_gamma and the shortest life with one pin off by js7, as a run with that error gives them."""
         rows = Case(REDUCER).rows
         size = 1e3 * Case(REDUCER).row("gearset.centre_distance")
         error = 0.5 * 16 * (0.45 * size ** (1 / 3) + 0.001 * size)  # [um]

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """tools/site: the documentation site builds without a warning, has its tutorials with outputs, and fetches nothing.
 
-Issue 18, Build 7: documentation site. Issue 51, Build 1 and 2: front page and guide. What README and guide say of values and
+Documentation site. Front page and guide. What README and guide say of values and
 commands is tried every day, the pages by tools/test --full: tutorials.py runs what they run every day. Skipped where Sphinx or its reader of Markdown is missing. Needs
 ORBEARING and ORBEARING_SOURCE_DIR.
 """

@@ -1,4 +1,4 @@
-"""Issue 15, Build 2: a shaft on a duplex pair: five modes in their order, both columns of the source by one key, what run writes, what is refused."""
+"""A shaft on a duplex pair: five modes in their order, both columns of the source by one key, what run writes, what is refused."""
 import csv
 import json
 import os

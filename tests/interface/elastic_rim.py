@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Issue 16, Build 1 and "Done when": the reducer's planet by finite elements of another program (GetFEM).
+"""The reducer's planet by finite elements of another program (GetFEM).
 
 All teeth, tooth form generated anew from the rack, triangles of second order, no symmetry used: influence functions,
 displacement of the race at the rollers, load of each roller and life over speed beside those of orbearing.

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Issue 44, Build 4(a) and item 16: what each figure draws, read from matplotlib's objects, is what the results say, in the unit of its label.
+"""What each figure draws, read from matplotlib's objects, is what the results say, in the unit of its label.
 
 Every artist of every picture has to be expected here, and everything expected has to be drawn: a figure that is not covered fails.
 Exit code 77 (skipped) where matplotlib or netCDF4 is missing.

@@ -52,7 +52,7 @@ class FmuCommand(unittest.TestCase):
                     for name in ("resources/model.txt", "documentation/index.html",
                                  "documentation/licenses/license.txt"):
                         self.assertIn(name, archive.namelist())
-                    # Issue 47, public case fmu_glibc: the FMU states the oldest C library.
+                    # The FMU states the oldest C library.
                     page = archive.read("documentation/index.html").decode()
                     self.assertIn("glibc {}.{} or newer".format(*OLDEST_GLIBC), page)
                     self.assertEqual(answer["inputs"], len(root.findall(".//*[@causality='input']")))

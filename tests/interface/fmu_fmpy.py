@@ -128,7 +128,7 @@ class InFmpy(unittest.TestCase):
             self.assertLess(worst, ROUND_OFF)
 
     def test_a_package_is_read_and_simulated(self):
-        """Issue 47, item 8. FMPy knows no LinearTransformation, so that a planet has one bearing here."""
+        """FMPy knows no LinearTransformation, so that a planet has one bearing here."""
         file = pathlib.Path(self.place.name, "one.ssp")
         subprocess.run([os.environ["ORBEARING"], "fmu", CASE, "-o", file, "--quiet", "--set", "bearing.per_planet=1"], check=True)
         system = fmpy.ssp.ssd.read_ssd(str(file)).system

@@ -1,4 +1,4 @@
-"""Issue 16, Build 3: helical teeth in every command; parallel stages."""
+"""Helical teeth in every command; parallel stages."""
 
 import json
 import math

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What the program says of the use of inputs and options is true (issue 52, items 5 and 7; issue 44, item 17): what changes nothing is
+"""What the program says of the use of inputs and options is true: what changes nothing is
 named, what is named without effect changes nothing, and an option that no analysis can follow is refused."""
 
 import json

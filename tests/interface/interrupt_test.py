@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Issue 18, Build 1: Ctrl-C ends every long computation with exit code 1, long before its end; of a sweep it keeps the points that
+"""Ctrl-C ends every long computation with exit code 1, long before its end; of a sweep it keeps the points that
 are finished and no other, and --resume continues to the bytes of an undisturbed one."""
 
 import os
@@ -96,7 +96,7 @@ class Interrupted(unittest.TestCase):
                 self.assertIn("interrupted", words)
 
     def test_a_parent_that_ignores_it_is_respected(self):
-        """Issue 44, item 15: as `nohup` does for work in the background."""
+        """As `nohup` does for work in the background."""
         def ignore():
             signal.signal(signal.SIGINT, signal.SIG_IGN)
 

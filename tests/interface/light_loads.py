@@ -1,4 +1,4 @@
-"""Issue 49, Build 3 and 4: lightly loaded bearings slip as drag and traction say, from two starts; rollers without a cage move with their gears.
+"""Lightly loaded bearings slip as drag and traction say, from two starts; rollers without a cage move with their gears.
 
 Random bearings of a fixed seed, on a set whose carrier is held. 30 of them, 4 in the ordinary test.
 """
@@ -12,7 +12,7 @@ from program import LEFT_TO_FULL, REDUCER, answer, run, settings
 HELD = ("gearset.fixed=carrier", "gearset.mesh_variation=false", "traction.rolling_resistance=false", "bearing.cage.guidance=inner",
         "bearing.cage.guide_land_diameter=32.5 mm")
 BEARINGS, SEED = (2 if LEFT_TO_FULL else 30), 49
-TOLERANCE = 0.15  # [-]  of the slip by drag: issue 49
+TOLERANCE = 0.15  # [-]  of the slip by drag
 CREEP = 0.003  # [-]  by which a cage is ahead or behind at any load, its centre being displaced
 NEEDLES = REDUCER.parents[1] / "reducer_needles" / "case.yaml"
 SHORT = ("simulation.observed_revolutions=6", "simulation.most_revolutions=20")
@@ -112,7 +112,7 @@ class FullComplement(unittest.TestCase):
         one_way, said = point_of(*free, case=NEEDLES)
         one_system, _ = point_of(*free, case=NEEDLES, fidelity="monolithic")
         self.assertIn("solved as one system", said)
-        self.assertAlmostEqual(one_way["life_h"] / one_system["life_h"], 1.0, delta=0.05)  # issue 49
+        self.assertAlmostEqual(one_way["life_h"] / one_system["life_h"], 1.0, delta=0.05)
 
     def test_it_has_no_state_to_continue_from(self):
         sweep = run("sweep", NEEDLES, "--json", "--fidelity", "dynamic", "--continue", "up")
@@ -121,7 +121,7 @@ class FullComplement(unittest.TestCase):
 
 
 class Rim(unittest.TestCase):
-    """Build 5: the gain of an elastic rim has a maximum over its stiffness."""
+    """The gain of an elastic rim has a maximum over its stiffness."""
 
     def lives(self, modulus):
         result = answer("run", REDUCER, "gearset.planet_rim=elastic", f"material.youngs_modulus={modulus} GPa")

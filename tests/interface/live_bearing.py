@@ -4,7 +4,7 @@
 The first part needs no more than the Python package; that in Exudyn and beside FMPy is skipped where these cannot be had.
 """
 
-# Issue 18, Build 1: the live machine; its examples run as tests.
+# The live machine; its examples run as tests.
 import json
 import os
 import pathlib

@@ -1,4 +1,4 @@
-"""Issue 44, Build 1 and items 1 to 3: all lives of five bearings beside those of a second program (tests/reference/rating_lives.py)."""
+"""All lives of five bearings beside those of a second program (tests/reference/rating_lives.py)."""
 
 import importlib.util
 import json
@@ -275,12 +275,12 @@ class Lives(unittest.TestCase):
         mass = 0.25 * math.pi * 5.24e-3**2 * 5.7e-3 * 7850.0
         row = self.planet("reducer, 12,000 rpm", REDUCER, settings, given, found, mass=mass,
                           oil=lambda bearing: (kappa, HAND.contamination_factor(kappa, 35.64, "-/15/12")))
-        # Issue 44, item 1: by hand C0 16,815 N, C_u 2,051 N, P 2,781 N.
+        # By hand C0 16,815 N, C_u 2,051 N, P 2,781 N.
         for key, value in (("C0_N", 16815.0), ("Cu_N", 2051.0), ("P_N", 2781.0), ("e_C", 0.551), ("a_ISO", 3.77), ("L10h", 500.0), ("L10mh", 1883.0)):
             self.assertAlmostEqual(row[key] / value, 1.0, delta=0.002, msg=key)
 
     def test_one_bearing_has_one_set_of_lives_alone_and_in_a_planet(self):
-        # Issue 44, item 2. The planet's rollers pass all angles, the bearing by itself has them where the standard has them.
+        # The planet's rollers pass all angles, the bearing by itself has them where the standard has them.
         alone, planet = answer("run", EX5), answer("run", EX5_PLANET)["points"][0]
         for key in ("L10_Mrev", "L10m_Mrev", "C_N", "C0_N", "Cu_N", "P_N", "P0_N", "C_over_P", "S0", "kappa", "e_C", "a_ISO"):
             self.assertAlmostEqual(planet[key] / alone[key], 1.0, delta=1e-6, msg=key)
@@ -288,7 +288,7 @@ class Lives(unittest.TestCase):
             self.assertAlmostEqual(planet[key] / alone[key], 1.0, delta=0.01, msg=key)
 
     def test_a_iso_of_a_catalogue_example(self):
-        # Issue 44, item 2: C_u 81.5 kN, e_C 0.8; values of ISO 281's equation by hand.
+        # C_u 81.5 kN, e_C 0.8; values of ISO 281's equation by hand.
         given = ["bearing.dynamic_capacity=540 kN", "bearing.fatigue_load_limit=81.5 kN", "operation.turning_race=inner"]
         for load, kappa, a_iso in ((200, 1.0, 1.030), (125, 2.3, 3.739), (75, 3.0, 15.00), (50, 2.0, 27.30)):
             found = answer("run", EX5, *given, f"load.radial={load} kN", f"life.viscosity_ratio={kappa}")
@@ -297,7 +297,7 @@ class Lives(unittest.TestCase):
             self.assertAlmostEqual(found["L10m_Mrev"] / (found["a_ISO"] * found["L10_Mrev"]), 1.0, delta=1e-9)
 
     def test_hours_follow_the_speed_of_a_single_bearing(self):
-        # Issue 44, item 3: rated with a stated C, whose hours were not printed though the speed is stated.
+        # Rated with a stated C, whose hours were not printed though the speed is stated.
         case = EX5.replace(", outer_speed: 1000 rpm", "")
         self.assertTrue(all(answer("run", case)[key] is None for key in HOURS))
         turning = answer("run", case, "operation.shaft_speed=39.859 rpm")

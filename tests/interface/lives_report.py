@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Issue 44, Build 1 and item 3: text and report begin with the table of lives and say which to design by.
+"""Text and report begin with the table of lives and say which to design by.
 
 Exit code 77 (skipped) where matplotlib is missing.
 """

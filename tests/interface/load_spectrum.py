@@ -96,7 +96,7 @@ class LoadSpectrum(unittest.TestCase):
         page = (out / "report.html").read_text(encoding="utf-8")
         self.assertIn("Load spectrum and what it uses up", page)
         self.assertIn("load-spectrum-map", page)
-        self.assertIn("Skid risk, P/C below 0.02 (life.minimum_load): ", page)  # issue 47, item 2
+        self.assertIn("Skid risk, P/C below 0.02 (life.minimum_load): ", page)
 
     def test_crown(self):
         found = self.answer("crown", CASE, *settings(SHIPPED, "bearing.rollers=7"), "--drops", "0 um, 3 um, 6 um", "--tilts", "0 mrad, 1 mrad", "--starts", 1)
@@ -125,7 +125,7 @@ class LoadSpectrum(unittest.TestCase):
         self.assertEqual(call("check", CASE, *settings("spectrum={file: loads.csv}"), folder=self.place).returncode, 0)
 
     def test_few_bins_never_lengthen_a_life(self):
-        # Issue 44, item 7: bins by the power 10/3 gave lives by the power 4 that were 12 % too long in one bin.
+        # Bins by the power 10/3 gave lives by the power 4 that were 12 % too long in one bin.
         record = self.place / "uneven.csv"
         torques = [60.0, 400.0, 120.0, 300.0, 200.0, 80.0, 350.0, 250.0, 150.0]
         record.write_text("time_s,speed_rpm,torque_N_m\n" + "".join(f"{t},3000,{torque}\n" for t, torque in enumerate(torques)))

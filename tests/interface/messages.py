@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Every warning, refusal and error message is provoked by a test that asserts all of its text and numbers.
 
-Issue 44, Build 4 (b). The id of a message is the file that makes it and its words, as in
+The id of a message is the file that makes it and its words, as in
 'app/study/sweep_warnings.cpp: contact: pressure above'; words are what stands between its numbers and names. This test
 draws all ids from the sources, but for those of a std::logic_error, and fails for one whose words stand in no answer that a test expects:
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Issue 50, Build 2: progress within a motion, its estimate before the start, and --budget.
+"""Progress within a motion, its estimate before the start, and --budget.
 
 Needs ORBEARING and ORBEARING_SOURCE_DIR.
 """

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Issue 19, Build 6, and issue 44, Build 5: what tools/mutation draws and how it writes an error beside the right statement; nothing is built.
+"""What tools/mutation draws and how it writes an error beside the right statement; nothing is built.
 
 Needs the source folder in ORBEARING_SOURCE_DIR.
 """

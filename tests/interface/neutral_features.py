@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Issue 48: a metamorphic test of each pair of features that works.
+"""A metamorphic test of each pair of features that works.
 
 A feature of neutral strength beside another feature gives what the other one gives alone. Pairs and features are those of
 `combinations.py`; here each feature has its neutral strength, and the tolerance that follows from it. Where planets carry

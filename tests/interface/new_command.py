@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""`orbearing new TEMPLATE FILE` (issue 46, item 4): commented cases to begin from, each sound, none written over another file."""
+"""`orbearing new TEMPLATE FILE`: commented cases to begin from, each sound, none written over another file."""
 
 import json
 import os

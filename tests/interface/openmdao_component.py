@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Issue 47, item 8: a run as a component of OpenMDAO, its values and derivatives; the component itself where that package can be had (PyPI)."""
+"""A run as a component of OpenMDAO, its values and derivatives; the component itself where that package can be had (PyPI)."""
 
 import json
 import os

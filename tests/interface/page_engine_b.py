@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Issue 46, items 3 and 4: engine B, the core as WebAssembly in a worker of the browser, beside the program itself, and the whole page with it.
+"""Engine B, the core as WebAssembly in a worker of the browser, beside the program itself, and the whole page with it.
 
 The page stands in build/site/html/explorer, where tools/site builds it (ORBEARING_EXPLORER names another folder); here it is
 served as plain files and asked in Debian's Chromium. Skipped where the folder, Chromium or selenium is missing. Needs

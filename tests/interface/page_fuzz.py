@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Random requests to the server of `orbearing open` (issue 46, Done when: hostile requests): HTTP, JSON, cases and settings that are wrong
+"""Random requests to the server of `orbearing open`: HTTP, JSON, cases and settings that are wrong
 in every way. The server goes on, answers a sound request right, and neither it nor its processes crash, stay behind or fill the memory.
 
 By hand and in tools/test --full, which gives it a program with sanitizers:

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Issue 46, items 1 and 4: the page in Debian's Chromium, with the engine that `orbearing open` serves.
+"""The page in Debian's Chromium, with the engine that `orbearing open` serves.
 
 A template is opened; clearance, speed and oil are changed; two mistakes are shown at their fields and mended; a sweep is run, stopped and continued; two
 variants are pinned and compared; the rollers are played and moved; a result is exported. Every number equals that of the command line, no request leaves
@@ -534,7 +534,7 @@ class PageSteps:
             self.assert_same(drawn[speed], slip, f"cage slip at {speed} rpm", self.allowed_in_motion)
 
     def assert_drawn_while_computed(self, card):
-        """Issue 46: rollers and cage of a bearing in motion move while it is computed, beside the pace of the computation."""
+        """Rollers and cage of a bearing in motion move while it is computed, beside the pace of the computation."""
         live = lambda selector: card.find_element(By.CSS_SELECTOR, f".live {selector}")  # noqa: E731
         self.until(lambda: live("svg").is_displayed(), "the bearing in motion is drawn")
         place = lambda: live(".element.first").get_attribute("transform")  # noqa: E731

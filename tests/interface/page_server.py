@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""`orbearing open` over HTTP (issue 46, items 2, 5 and 6): who may ask, what is answered, jobs, folders, how it ends."""
+"""`orbearing open` over HTTP: who may ask, what is answered, jobs, folders, how it ends."""
 
 import concurrent.futures
 import contextlib

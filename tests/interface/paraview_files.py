@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Issue 47, item 8: files that ParaView opens, read as their format states: loads of laminae, rollers in motion."""
+"""Files that ParaView opens, read as their format states: loads of laminae, rollers in motion."""
 
 import base64
 import contextlib

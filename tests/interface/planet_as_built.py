@@ -1,4 +1,4 @@
-"""Issue 16, Build 3: planets at unequal angles in every command. Build 2: a computed tilt in motion. Build 8: seats by class, full complements."""
+"""Planets at unequal angles in every command. A computed tilt in motion. Seats by class, full complements."""
 
 import json
 import math

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Issue 48, Build 2: tapered, spherical and ball bearings in planets, at rest."""
+"""Tapered, spherical and ball bearings in planets, at rest."""
 
 import math
 import tempfile

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Issue 48, Build 3: planets in pairs, in mesh with each other, at rest."""
+"""Planets in pairs, in mesh with each other, at rest."""
 
 import math
 import tempfile

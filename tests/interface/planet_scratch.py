@@ -1,4 +1,4 @@
-"""`orbearing run` of a gear set with a scratched planet bearing, from outside (issue 14, Build 7 and 9)."""
+"""`orbearing run` of a gear set with a scratched planet bearing, from outside."""
 
 import json
 import os

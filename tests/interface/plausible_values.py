@@ -1,7 +1,6 @@
 #!/usr/bin/env python3
 """Values that no machine has: a warning beside rare ones, the status of the point where they are impossible, in every analysis."""
 
-# Issue 44, Build 3 and item 10.
 import json
 import os
 import pathlib

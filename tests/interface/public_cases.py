@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Issue 47, done when: cases that people tried elsewhere, with the right figure or the refusal.
+"""Cases that people tried elsewhere, with the right figure or the refusal.
 
 Facts and figures of public sources stand in the cases below. Cases that other tests hold:
 

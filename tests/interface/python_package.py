@@ -1,7 +1,7 @@
 """The Python package beside the command line: the same numbers, errors with file, line and key, results that do not
 change, a bearing that a script moves, Ctrl-C."""
 
-# Issue 18, Build 1: the package `orbearing`.
+# The package `orbearing`.
 import copy
 import gc
 import json
@@ -26,7 +26,7 @@ orbearing = program.package()
 CASES = pathlib.Path(os.environ["ORBEARING_SOURCE_DIR"]) / "cases"
 REDUCER = CASES / "reducer_150kW" / "case.yaml"
 COMMAND = os.environ["ORBEARING"]
-# Issue 44, item 15: a parent that ignores SIGINT would pass that on to the programs below.
+# A parent that ignores SIGINT would pass that on to the programs below.
 signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
@@ -68,7 +68,7 @@ class TheSameNumbers(unittest.TestCase):
         self.assertEqual(set(status), {"ok"})
 
     def test_variants_in_motion_have_the_same_bits_in_any_order_on_any_threads(self):
-        """Issue 17, Build 3: neighbouring speeds and clearances, one way and as one system, with oil on races and in pockets."""
+        """Neighbouring speeds and clearances, one way and as one system, with oil on races and in pockets."""
         case = orbearing.load(REDUCER)
         for path, value in {"film.enabled": "true", "contact.squeeze": "true", "bearing.cage.pocket_film": "hydrodynamic",
                             "simulation.observed_revolutions": "1", "simulation.most_revolutions": "2", "simulation.length_error": "2e-6 mm"}.items():
@@ -97,7 +97,7 @@ class TheSameNumbers(unittest.TestCase):
         self.assertTrue((np.diff(life[:, 5]) < 0).all())  # less life by more clearance
 
 
-# Issue 44, item 9: what is read is round, and may be written back.
+# What is read is round, and may be written back.
 class WhatIsReadMayBeWritten(unittest.TestCase):
     def test_values_are_round(self):
         case = orbearing.load(REDUCER)
@@ -136,7 +136,7 @@ class WhatIsReadMayBeWritten(unittest.TestCase):
         self.assertGreater(count, 1000)
 
 
-# Issue 44, item 6: a host with a decimal comma (Qt, GTK and R set it), before the first case and after it.
+# A host with a decimal comma (Qt, GTK and R set it), before the first case and after it.
 class UnderADecimalComma(unittest.TestCase):
     SCRIPT = """
 import json, locale, sys, orbearing

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Issue 47, item 2: several records with shares or hours, lives and damage by file with --case, time in skid risk, the exponent of the life in use."""
+"""Several records with shares or hours, lives and damage by file with --case, time in skid risk, the exponent of the life in use."""
 
 import csv
 import json
@@ -168,7 +168,7 @@ class RatedRecords(unittest.TestCase):
             self.assertEqual(lines[2], f"skid risk: {'yes' if at_risk else 'no'}: P/C {moving['P_over_C']:.3g}, minimum load 0.02")
 
     def test_the_mean_torque_of_a_bin_is_that_of_the_life_in_use_and_never_lengthens_it(self):
-        """Issue 47, item 3: bins by the exponent of the life that is used, their mean conservative."""
+        """Bins by the exponent of the life that is used, their mean conservative."""
         uneven = self.record("uneven", [(torque, 3000.0) for torque in (60.0, 400.0, 120.0, 300.0, 200.0, 80.0, 350.0, 250.0, 150.0)])
         plain = (*NO_INERTIA, "gearset.mesh_variation=false")
         for values, life, exponent in (((), "life_h", 4.0), (("life.method=iso-281",), "L10h", 10 / 3), (("life.method=iso-16281",), "L10rh", 4.0),

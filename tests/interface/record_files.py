@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Records of other programs as load spectra (issue 47, item 2): OpenFAST as text and in its binary forms, CSV of spreadsheets."""
+"""Records of other programs as load spectra: OpenFAST as text and in its binary forms, CSV of spreadsheets."""
 
 import json
 import os
@@ -91,7 +91,7 @@ class RecordFiles(unittest.TestCase):
                 self.assertAlmostEqual(bin_of_one[key] / bin_of_other[key], 1.0, delta=tolerance)
 
     def test_one_simulation_as_text_and_in_each_binary_form_gives_the_same_bins(self):
-        """Issue 47, done when: one simulation in text and in each binary form gives the same bins."""
+        """One simulation in text and in each binary form gives the same bins."""
         times, rows = simulation()
         text = self.spectrum(self.written("a.out", as_text(times, rows)), *CHOICE, "--bins", "4x2")
         self.assertEqual((text["samples"], len(text["bins"])), (SAMPLES, 8))
@@ -320,7 +320,7 @@ class RecordFiles(unittest.TestCase):
 
     @NEEDS_REFERENCE
     def test_files_of_others(self):
-        """Issue 47, done when: ../shared/reference/openfast and public_cases openfast_out, german_excel_csv, powershell_utf16."""
+        """../shared/reference/openfast and public_cases openfast_out, german_excel_csv, powershell_utf16."""
         cases = REFERENCE / "public_cases"
         text = self.spectrum(cases / "openfast_like.out", *CHOICE, "--bins", "1x1")
         self.assertAlmostEqual(text["bins"][0]["torque_N_m"], 3955671.0, delta=1000.0)  # N m

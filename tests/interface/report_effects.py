@@ -1,6 +1,5 @@
 """Single effects that a report switches are data: each one does something, a switch undoes itself, and what does not fit the case is left out."""
 
-# Issue 13, Build 6.
 import os
 import pathlib
 import tempfile
@@ -100,7 +99,7 @@ class Points(unittest.TestCase):
 
 
 class Published(unittest.TestCase):
-    """Issue 52, item 1: 10,504 h were printed for 49,356 h where a line between 3000 and 9000 rpm passes 6000 rpm."""
+    """10,504 h were printed for 49,356 h where a line between 3000 and 9000 rpm passes 6000 rpm."""
 
     def test_the_point_is_computed_and_nothing_interpolated(self):
         folder = tempfile.TemporaryDirectory()

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Issue 44, Build 4(a) and item 16: each column of the reports' tables holds what its head says, in the unit that stands there.
+"""Each column of the reports' tables holds what its head says, in the unit that stands there.
 
 Every table below a figure has to be expected here. Exit code 77 (skipped) where matplotlib or netCDF4 is missing.
 """
@@ -435,7 +435,7 @@ class OfPages(unittest.TestCase):
         self.assertIn("at 6,500 rpm input speed: 61,234 hours", summary.headline(Report(content)))
 
     def test_summary_of_what_is_missing_or_changed(self):
-        """Issue 52, items 1 and 4: nothing is interpolated, a part is told as one, a changed case is not compared."""
+        """Nothing is interpolated, a part is told as one, a changed case is not compared."""
         content = made.moving()
         content["published"][0]["speed_rpm"] = 1500.0
         found = dict(summary.summary_table(Report(content)).rows)

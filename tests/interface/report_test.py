@@ -328,7 +328,7 @@ class Numbers(unittest.TestCase):
             self.assertAlmostEqual(np.degrees(derived - stored), 0.0, delta=24 / 4)
 
     def test_change_of_life_on_unlike_grids(self):
-        """Issue 52, item 1: where one of both was not computed there is no change."""
+        """Where one of both was not computed there is no change."""
         reference = {"speed_rpm": [1000, 2000, 3000], "life_h": [10.0, 20.0, 40.0]}
         entry = {"speed_rpm": [4000, 2500, 2000], "life_h": [1.0, 2 * (20.0 * 40.0) ** 0.5, 10.0]}
         speed, change = change_percent(entry, reference)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Issue 44, Build 4(a) and item 16: plots of results, of studies and of the validation guide, and the moving bearing, beside the results.
+"""Plots of results, of studies and of the validation guide, and the moving bearing, beside the results.
 
 As figures_test.py, whose comparison is used. Exit code 77 (skipped) where matplotlib or netCDF4 is missing.
 """

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""cases/result.schema.json (issue 45, Build 1): what every command prints of every shipped case fits it, key by key and unit by unit.
+"""cases/result.schema.json: what every command prints of every shipped case fits it, key by key and unit by unit.
 
 Needs the source folder in ORBEARING_SOURCE_DIR and the program in ORBEARING. Exit code 77 (skipped) where jsonschema is missing.
 """

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Issue 44, Build 4(a) and item 16: the unit that the Python package gives each number of the program's JSON.
+"""The unit that the Python package gives each number of the program's JSON.
 
 Three ways: a table by hand of what the commands print, every key that the program's sources write, read by a grammar of its own, and results that
 scale with their inputs.
@@ -122,7 +122,7 @@ def stated_unit(units, path):
 
 
 class Scaled(unittest.TestCase):
-    """Issue 45, Build 1: computed with units of length, force and time scaled, each result scales as its unit says."""
+    """Computed with units of length, force and time scaled, each result scales as its unit says."""
 
     CASES = ((ANY, "modes", "lin_parker_1999"), (ANY, "mesh", "mesh_62_62"), (ANY, "mesh", "wind_stage_750kW"), (ANY, "run", "jones_218"),
              (ANY, "run", "duplex_7020"), (ANY, "stiffness", "jones_218"), (ANY, "run", "reducer_150kW"),

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""`orbearing convert`: REXS files as cases, and results back into them (issue 47, item 1).
+"""`orbearing convert`: REXS files as cases, and results back into them.
 
 The files are made here (rexs_files.py); the published ones and the schemas are tried where ORBEARING_REFERENCE names their folder.
 """
@@ -68,7 +68,7 @@ class Converting(unittest.TestCase):
 
 
 class Stage(Converting):
-    """Issue 47, item 1: a planetary stage with its bearings."""
+    """A planetary stage with its bearings."""
 
     def test_all_forms_give_one_case(self):
         texts = set()
@@ -256,7 +256,7 @@ class Stage(Converting):
 
 
 class Traps(Converting):
-    """Issue 47, item 1: spellings on which readers of the format broke."""
+    """Spellings on which readers of the format broke."""
 
     def test_the_sign_of_degrees_and_its_word(self):
         for degree in ("\u00b0", "deg"):
@@ -341,7 +341,7 @@ class Traps(Converting):
 
 
 class WithoutStage(Converting):
-    """Issue 47, item 1: a file without a planetary stage ends with 2; its pairs and bearings become cases."""
+    """A file without a planetary stage ends with 2; its pairs and bearings become cases."""
 
     def test_pair_and_bearings(self):
         report = self.convert(self.made(rexs_files.gearbox()), code=2)
@@ -400,7 +400,7 @@ class WithoutStage(Converting):
 
 
 class Results(Converting):
-    """Issue 47, item 1: lives, loads and lamina loads written back as REXS results."""
+    """Lives, loads and lamina loads written back as REXS results."""
 
     def run_case(self, name=STAGE):
         folder = self.place / f"run{self.count}"
@@ -483,7 +483,7 @@ class Results(Converting):
 
 
 class Refusals(Converting):
-    """Issue 47, item 1: what is no REXS file, and a REXS file given to other commands."""
+    """What is no REXS file, and a REXS file given to other commands."""
 
     def write(self, name, content):
         file = self.place / name
@@ -543,7 +543,7 @@ class Refusals(Converting):
 
 @unittest.skipUnless(REFERENCE.is_dir(), NO_REFERENCE)
 class Published(Converting):
-    """Issue 47, "Done when": the published files, and the schemas that the format publishes."""
+    """The published files, and the schemas that the format publishes."""
 
     def test_the_planetary_stage_in_all_forms(self):
         for form in FORMS:

@@ -1,4 +1,4 @@
-"""Issue 50, Build 1 and 3: motions that a case can state complete, soon: needles on a pin at any speed, designs drawn at random, and errors of
+"""Motions that a case can state complete, soon: needles on a pin at any speed, designs drawn at random, and errors of
 steps that follow the load. A motion that cannot be computed names the part and the input."""
 
 import pathlib

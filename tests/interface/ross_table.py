@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Issue 15, Build 3: ROSS reads our table of stiffness, and a rotor on it has the critical speeds that the table says; releases 2 and 3.
+"""ROSS reads our table of stiffness, and a rotor on it has the critical speeds that the table says; releases 2 and 3.
 
 Skipped where ross-rotordynamics cannot be had from PyPI, each release with its reason. Needs ORBEARING and ORBEARING_SOURCE_DIR.
 """
@@ -91,7 +91,7 @@ class Ross(unittest.TestCase):
         for axis in (0, 1):
             for speed, read in zip((0, 300, 800), found["read"][axis]):
                 self.assertAlmostEqual(read / points[speed][axis][axis], 1, delta=1e-4)
-        self.assertLess(found["live"], 1e-4)  # the package's own element has the same stiffness (Issue 18, Build 1)
+        self.assertLess(found["live"], 1e-4)  # the package's own element has the same stiffness
         # Both directions stand alike under thrust, but for what gyroscopes part: two critical speeds of the first bending.
         self.assertEqual(len(found["ours"]), 2)
         rigid = sum(found["rigid"]) / 2

@@ -1,4 +1,4 @@
-"""Issue 18, Build 5, and issue 45, Build 6: `orbearing sensitivities` from outside."""
+"""`orbearing sensitivities` from outside."""
 
 import csv
 import functools
@@ -72,7 +72,7 @@ class Contract(unittest.TestCase):
         self.assertAlmostEqual(found["L10r_Mrev"], loaded("run", case("ball_6305_iso16281"))["L10r_Mrev"], places=6)
 
     def test_of_the_life_that_life_method_chooses(self):
-        # Issue 44, Build 1: by (C/P)^(10/3) the capacity has the elasticity 10/3.
+        # By (C/P)^(10/3) the capacity has the elasticity 10/3.
         found = loaded("sensitivities", case("reducer_150kW"), "--set", "life.method=iso-281", "--set", "bearing.dynamic_capacity=17 kN")
         self.assertEqual(found["quantity"], "L10h")
         rows = {row["path"]: row["elasticity"] for row in found["inputs"]}

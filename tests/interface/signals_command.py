@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""`orbearing signals` from outside (issue 14, Build 9): labelled signals of a grid of scratches, the same whatever the order."""
+"""`orbearing signals` from outside: labelled signals of a grid of scratches, the same whatever the order."""
 
 import csv
 import json

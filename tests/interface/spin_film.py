@@ -1,4 +1,4 @@
-"""Issue 15, Build 4 and 5: `orbearing run` and `check` of a contact that rolls and spins, and of a ball bearing on such films, from outside."""
+"""`orbearing run` and `check` of a contact that rolls and spins, and of a ball bearing on such films, from outside."""
 
 import csv
 import json

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Issue 47, item 8: gear set, planet bearings and parameters as a package of SSP 1.0 [SSP1], by what the format requires, and simulated.
+"""Gear set, planet bearings and parameters as a package of SSP 1.0 [SSP1], by what the format requires, and simulated.
 
 The master here is made for this test: it takes elements, connections and parameters from the package alone and calls the C functions of FMI 2.0.
 """

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Issue 47, items 3 and 7: duty as engineers state it, and single runs that keep nothing."""
+"""Duty as engineers state it, and single runs that keep nothing."""
 
 import math
 import os
@@ -21,8 +21,6 @@ def torque(factor=1.0):
 
 
 class Duty(unittest.TestCase):
-    """Issue 47, item 3."""
-
     def assert_near(self, found, right):
         self.assertLess(abs(found / right - 1.0), SAME, (found, right))
 
@@ -101,7 +99,7 @@ class Duty(unittest.TestCase):
 
 
 class SpeedOfAnyMember(unittest.TestCase):
-    """Issue 47, item 3: input.speed_of."""
+    """`input.speed_of`."""
 
     assert_near = Duty.assert_near
 
@@ -177,8 +175,6 @@ class SpeedOfAnyMember(unittest.TestCase):
 
 
 class SingleRuns(unittest.TestCase):
-    """Issue 47, item 7."""
-
     def test_run_without_a_folder_prints_and_keeps_nothing(self):
         with tempfile.TemporaryDirectory() as folder:
             before = os.getcwd()

@@ -1,4 +1,4 @@
-"""Issue 15, Build 1: `orbearing run`, `check` and `validate` of single bearings under a static load, from outside."""
+"""`orbearing run`, `check` and `validate` of single bearings under a static load, from outside."""
 
 import json
 import math
@@ -48,7 +48,7 @@ class Rollers(unittest.TestCase):
             self.assertIsInstance(found[key], float, key)
         self.assertEqual(len(found["contact_loads_N"]), 14)
         self.assertEqual(max(found["contact_loads_N"]), found["contact_load_max_N"])
-        # Issue 44, Build 1: all lives and what they rest on have the same keys everywhere; no oil, no speed: null.
+        # All lives and what they rest on have the same keys everywhere; no oil, no speed: null.
         for key in ("C_N", "C0_N", "Cu_N", "P_N", "P0_N", "C_over_P", "S0", "contact_pressure_max_MPa"):
             self.assertIsInstance(found[key], float, key)
         for key in ("L10m_Mrev", "L10mr_Mrev", "L10h", "L10rh", "L10mh", "L10mrh", "life_h", "kappa", "e_C", "a_ISO", "a_ISO_r"):
@@ -57,7 +57,7 @@ class Rollers(unittest.TestCase):
         self.assertNotEqual(found["life_Mrev"], found["L10r_Mrev"])
 
     def test_life_of_lundberg_and_palmgren_falls_with_the_fourth_power(self):
-        # Issue 44, item 3. Straight rollers without clearance: loads keep their distribution.
+        # Straight rollers without clearance: loads keep their distribution.
         one, two = (run(PLANET, f"load.radial={load} N")["life_Mrev"] for load in (3000, 6000))
         self.assertAlmostEqual(one / two, 16.0, delta=1e-3)
         weaker = run(PLANET, "load.radial=3000 N", "life.reduction_factor=0.415")["life_Mrev"]
@@ -67,7 +67,6 @@ class Rollers(unittest.TestCase):
         self.assertEqual(ball[0]["life_Mrev"], ball[0]["L10r_Mrev"])
 
     def test_text_begins_with_the_lives_and_says_which_to_design_by(self):
-        # Issue 44, Build 1 and item 3.
         with tempfile.TemporaryDirectory() as folder:
             plain = call("run", HARRIS, "-o", pathlib.Path(folder) / "out").stdout.splitlines()
         self.assertTrue(plain[0].startswith("life of one bearing"), plain[0])
@@ -197,7 +196,7 @@ class Balls(unittest.TestCase):
                 self.assertGreater(found["L10r_Mrev"], 0.0)
         self.assertIsNone(run(BALL, "bearing.contact_angle=22 deg", "load.axial=1500 N")["L10_Mrev"])
 
-    # Issue 47, "Done when": a 7210 pair, from dimensions to an assessor's page.
+    # A 7210 pair, from dimensions to an assessor's page.
     def test_equivalent_loads_of_angular_contact(self):
         """By hand with the factors of makers' catalogues, which are those of ISO 281 and ISO 76, one row."""
         held = ["load.tilt=0 mrad", "operation.shaft_speed=3000 rpm"]
@@ -242,7 +241,7 @@ class Commands(unittest.TestCase):
         result = call("validate", CASES / "harris_209", CASES / "planet_bearing_iso16281",
                       CASES / "ball_6305_iso16281", "--json")
         rows = json.loads(result.stdout)["rows"]
-        # Issue 44, item 14: tilts of a commercial program, and a life by them, that take another arm; all else is met.
+        # Tilts of a commercial program, and a life by them, that take another arm; all else is met.
         missed = [row for row in rows if row["verdict"] != "reproduced"]
         self.assertEqual(len(missed), 4, missed)
         for row in missed:

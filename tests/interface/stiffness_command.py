@@ -1,4 +1,4 @@
-"""Issue 15, Build 3: `orbearing stiffness` of ball, roller and planet bearings, from outside."""
+"""`orbearing stiffness` of ball, roller and planet bearings, from outside."""
 
 import csv
 import json

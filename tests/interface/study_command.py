@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""`orbearing study` and `orbearing.study` with a bearing (issue 18, Build 2): the numbers of sweeps, kills at any moment, what is refused.
+"""`orbearing study` and `orbearing.study` with a bearing: the numbers of sweeps, kills at any moment, what is refused.
 
 KILLS (default 3) sets how many times it is killed, SEED the moments.
 """
@@ -28,7 +28,7 @@ from orbearing.studies.folder import DATASET, finished_counts  # noqa: E402
 
 CASE, PROGRAM = str(program.REDUCER), os.environ["ORBEARING"]
 KILLS = int(os.environ.get("KILLS", "3"))
-# Issue 44, item 15: a parent that ignores SIGINT would pass that on to the program.
+# A parent that ignores SIGINT would pass that on to the program.
 signal.signal(signal.SIGINT, signal.default_int_handler)
 SEED = int(os.environ.get("SEED", str(time.time_ns() % 1_000_000)))
 VARY = ("--vary", "bearing.radial_clearance=[0 um, 10 um, 0.02 mm]", "--vary", "film.enabled=[false, true]")
@@ -117,7 +117,6 @@ class Study(unittest.TestCase):
         self.assertEqual([(v["bearing.rollers"], v["bearing.roller_diameter"]) for v in found["variants"]], [(15.0, 5.24), (14.0, 5.5)])
         self.assertEqual(found["variants"][0]["peak_life_h"], float(self.stored.peak_life_h[0, 0]))
 
-    # Issue 44, item 5, and issue 52, items 10 and 11.
     def test_tables_that_are_none_are_refused_with_their_place(self):
         head = "bearing.radial_clearance (um),input.speed (rpm)\n"
         for content, pattern in ((head + "10,5,6000\n", r"rows\.csv:2:6: found 3 values \(a decimal comma"),

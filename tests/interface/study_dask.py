@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A study on the workers of a Dask cluster (issue 18, Build 3): workers and scheduler killed at any moment, the same store as by one process.
+"""A study on the workers of a Dask cluster: workers and scheduler killed at any moment, the same store as by one process.
 
 KILLS (default 3; 20 with ORBEARING_FULL=yes) sets how many workers are killed, SEED the moments.
 """

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Studies without a bearing (issue 18, Build 2): designs, the journal cut or damaged anywhere, resume, the same store whatever computes it."""
+"""Studies without a bearing: designs, the journal cut or damaged anywhere, resume, the same store whatever computes it."""
 
 import contextlib
 import io

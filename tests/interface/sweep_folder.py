@@ -62,7 +62,7 @@ class SweepFolder(unittest.TestCase):
         self.expect_refused(sweep("/proc/results"), "/proc/results")
 
     def test_damaged_manifest_is_named_by_line_and_computed_again(self):
-        """Issue 52, item 3: a changed digit, or a line that is none of ours."""
+        """A changed digit, or a line that is none of ours."""
         finished = self.finished()
         whole, file = table(finished), finished / "manifest.jsonl"
         lines = file.read_text().splitlines(keepends=True)
@@ -76,7 +76,6 @@ class SweepFolder(unittest.TestCase):
         self.assertNotIn("differs", run([part for part in sweep_call(finished, "--resume") if part != "--quiet"]).stderr)
 
     def test_changed_digit_of_a_shard_is_not_merged(self):
-        """Issue 52, item 3."""
         first, second = self.finished("s1", "--shard", "1/2"), self.finished("s2", "--shard", "2/2")
         file = first / "manifest.jsonl"
         file.write_text(file.read_text().replace('"life_h":', '"life_h":1', 1))
@@ -84,7 +83,6 @@ class SweepFolder(unittest.TestCase):
         self.assertFalse((self.place / "merged").exists())
 
     def test_links_are_not_written_through(self):
-        """Issue 44, item 17."""
         finished = self.finished()
         (finished / "points" / "00000.nc").unlink()
         (finished / "points").rename(self.place / "elsewhere")
@@ -94,7 +92,6 @@ class SweepFolder(unittest.TestCase):
         self.assertEqual(snapshot(self.place), before)
 
     def test_shards_of_the_grid_alone_are_merged_without_more(self):
-        """Issue 44, item 17."""
         shards = [self.finished(f"s{i}", "--shard", f"{i}/2", "--grid-only") for i in (1, 2)]
         self.assertEqual(self.merge(*shards).returncode, 0)
         self.assertEqual(table(self.place / "merged"), table(self.finished("grid", "--grid-only")))

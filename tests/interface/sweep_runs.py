@@ -12,7 +12,7 @@ CASE = ROOT / "cases" / "reducer_150kW" / "case.yaml"
 STEP = os.environ.get("FINE_STEP", "50 rpm")  # tools/test --full: 2 rpm
 FINE = f"sweep.input.speed={{from: 1000 rpm, to: 12000 rpm, step: {STEP}}}"
 COARSE = "sweep.input.speed={from: 1000 rpm, to: 12000 rpm, step: 500 rpm}"
-# Issue 44, item 15: a parent that ignores SIGINT, as nohup does, would pass that on to every program that is started here.
+# A parent that ignores SIGINT, as nohup does, would pass that on to every program that is started here.
 signal.signal(signal.SIGINT, signal.default_int_handler)
 WAIT = 600  # [s] far beyond any run here; a program that hangs must not hang the tests
 

@@ -1,4 +1,4 @@
-"""Issue 16, Build 4: teeth under load in `mesh`, `modes`, `run --gears` and `check`."""
+"""Teeth under load in `mesh`, `modes`, `run --gears` and `check`."""
 
 import unittest
 

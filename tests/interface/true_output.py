@@ -56,7 +56,7 @@ class InAFolder(unittest.TestCase):
 
 
 class FullDisk(InAFolder):
-    """Issue 52, item 9; issue 44, item 17: output that cannot be written ends with exit 1 and a message."""
+    """Output that cannot be written ends with exit 1 and a message."""
 
     def onto_a_full_disk(self, *arguments):
         with open("/dev/full", "w", encoding="ascii") as full:
@@ -174,7 +174,7 @@ class FilesThatEnd(InAFolder):
 
 
 class ForeignCode(InAFolder):
-    """Issue 52, item 10: files of the working folder are data and no code."""
+    """Files of the working folder are data and no code."""
 
     NAMES = ("json", "numpy", "orbearing", "matplotlib", "argparse", "runpy", "site", "sitecustomize", "usercustomize")
 
@@ -212,7 +212,7 @@ class Reports(InAFolder):
 
     @unittest.skipUnless(PLOTS, "numpy and matplotlib are required")
     def test_nothing_is_interpolated(self):
-        """Issue 52, item 1: 10,504 h were printed for the 49,356 h that are computed at 6000 rpm."""
+        """10,504 h were printed for the 49,356 h that are computed at 6000 rpm."""
         folder = self.sweep("two", "--grid-only", "--set", "sweep={input.speed: [3000 rpm, 9000 rpm]}")
         text, data, _ = self.page_of(folder)
         life = program.answer("run", REDUCER, "input.speed=6000 rpm")["points"][0]["life_h"]
@@ -221,7 +221,6 @@ class Reports(InAFolder):
 
     @unittest.skipUnless(PLOTS, "numpy and matplotlib are required")
     def test_a_changed_case_is_not_the_published_one(self):
-        """Issue 52, item 1."""
         text, data, _ = self.page_of(self.sweep("changed", "--set", ONE, "--set", "input.power=75 kW", "--set", "bearing.rollers=12"))
         self.assertEqual(data["changed_inputs"], ["input.power: 75 kW (published: 150 kW)", "bearing.rollers: 12 (published: 15)"])
         self.assertEqual((data["published"], data["validation"]), ([], []))
@@ -230,7 +229,6 @@ class Reports(InAFolder):
 
     @unittest.skipUnless(PLOTS, "numpy and matplotlib are required")
     def test_a_part_of_a_sweep_is_told_as_one(self):
-        """Issue 52, item 4."""
         brief = program.settings((THREE, *program.BRIEF_GEARS))  # gears at forty speeds, which nothing here asks for
         shard = self.sweep("shard", "--shard", "1/2", *brief)
         text, data, result = self.page_of(shard)
@@ -249,14 +247,14 @@ class Reports(InAFolder):
         self.assertIn("found no finished point", self.done("report", whole, code=2).stderr)
 
     def test_damaged_results_have_no_report(self):
-        """Issue 52, item 3: what a report reads is what was written."""
+        """What a report reads is what was written."""
         folder = self.sweep("damaged", "--set", THREE)
         file = folder / "case.resolved.yaml"
         file.write_text(file.read_text().replace("150 kW", "151 kW"))
         self.assertIn("case.resolved.yaml: differs from what its run wrote", self.done("report", folder, code=2).stderr)
 
     def test_results_without_a_page(self):
-        """Issue 52, item 11: a crowning study that was interrupted, and results of other commands."""
+        """A crowning study that was interrupted, and results of other commands."""
         crown = self.place / "crown"
         few = ("--tilts", "0 mrad", "--drops", "0 um, 2 um", "--starts", "1")
         self.done("crown", REDUCER, "-o", crown, "--quiet", *few)
@@ -277,7 +275,7 @@ class Reports(InAFolder):
 
     @unittest.skipUnless(PLOTS, "numpy and matplotlib are required")
     def test_two_at_once(self):
-        """Issue 44, item 17: one of them writes, the other says so at once."""
+        """One of them writes, the other says so at once."""
         folder = self.sweep("two_reports", "--set", ONE)
         both = [subprocess.Popen([PROGRAM, "report", str(folder)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) for _ in range(2)]
         ends = [(process.communicate(timeout=program.SECONDS)[1], process.returncode) for process in both]
@@ -288,7 +286,6 @@ class Reports(InAFolder):
                 self.assertIn("another command is writing here", words)
 
     def test_links_are_not_written_through(self):
-        """Issue 44, item 17."""
         self.assertTrue(PLOTS or True)
         folder = self.sweep("linked", "--set", THREE)
         (self.place / "elsewhere").mkdir()
@@ -304,8 +301,6 @@ class Reports(InAFolder):
 
 @unittest.skipUnless(SAMPLES, "numpy, matplotlib, OpenTURNS, xarray and netCDF4 are required")
 class Uncertainty(InAFolder):
-    """Issue 52, item 9."""
-
     def start(self, folder, *options):
         return subprocess.Popen([PROGRAM, "uncertainty", str(UNCERTAIN), "-o", str(folder), "--quiet", *FEW, *options], stdout=subprocess.PIPE,
                                 stderr=subprocess.PIPE, text=True)
@@ -344,7 +339,7 @@ class Uncertainty(InAFolder):
 
 
 class Sizes(InAFolder):
-    """Issue 52, item 12: what would take years is refused at once, with the reason."""
+    """What would take years is refused at once, with the reason."""
 
     @unittest.skipUnless(STORES, "numpy and netCDF4 are required")
     def test_variants_are_counted_before_they_are_made(self):
@@ -362,7 +357,7 @@ class Sizes(InAFolder):
 
 
 class Messages(InAFolder):
-    """Issue 52, item 13: values as they were written."""
+    """Values as they were written."""
 
     def test_lists_of_a_crowning_study(self):
         for option, value, words in (("--tilts", "0 mrad, 1000 mrad", "--tilts: found '1000 mrad'; required: tilts from 0 to 100 mrad"),
@@ -371,7 +366,7 @@ class Messages(InAFolder):
             self.assertIn(words, self.done("crown", REDUCER, "--json", f"{option}={value}", code=2).stderr)
 
     def test_a_band_that_is_open_is_told(self):
-        """Issue 52, item 8: the band ended at 2.00 for 2.28 um where 2 um was the greatest drop studied."""
+        """The band ended at 2.00 for 2.28 um where 2 um was the greatest drop studied."""
         few = ("--tilts", "0 mrad, 1 mrad", "--starts", "1", "--json")
         narrow = json.loads(self.done("crown", REDUCER, *few, "--drops", "0 um, 2 um").stdout)
         self.assertTrue(narrow["recommended"]["most_is_greatest_studied"])
@@ -380,7 +375,6 @@ class Messages(InAFolder):
 
 class Stiffness(InAFolder):
     def test_the_resolved_case_gives_the_points_of_the_run(self):
-        """Issue 44, item 17."""
         for name, settings in (("reducer_150kW", ("--set", THREE)), ("spin_bearing_7210", ())):
             folder = self.place / name
             first = json.loads(self.done("stiffness", CASES / name / "case.yaml", "-o", folder, "--json", *settings).stdout)

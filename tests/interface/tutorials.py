@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """docs/tutorials: every block of every tutorial runs, and what the text says of its outputs holds.
 
-Issue 18, Build 7: tutorials as notebooks that run in the tests. Skipped where matplotlib is missing, single tutorials where a
+Tutorials as notebooks that run in the tests. Skipped where matplotlib is missing, single tutorials where a
 module that they name is. Needs ORBEARING and ORBEARING_SOURCE_DIR.
 """
 

@@ -1,4 +1,4 @@
-"""Typical conditions of an operating record: planted ones are found again (issue 14, Build 8)."""
+"""Typical conditions of an operating record: planted ones are found again."""
 
 import json
 import pathlib

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """`orbearing uncertainty` and `orbearing.uncertainty(...)`: bands, files, the same bits, messages, beside a sweep and Monte Carlo."""
 
-# Issue 18, Build 4: uncertainty of a case.
+# Uncertainty of a case.
 import importlib
 import importlib.util
 import json
@@ -96,7 +96,7 @@ class Command(unittest.TestCase):
             self.assertLess(both["percentiles"]["5"], both["L10"])
             self.assertLess(both["L10"], both["percentiles"]["25"])
 
-    def test_names_a_spectrum_that_it_leaves_out(self):  # issue 52, item 7
+    def test_names_a_spectrum_that_it_leaves_out(self):
         few = ("--samples", "16", "--curves", "2", "--index-samples", "4")
         spectrum = program.settings(("spectrum=[{power: 150 kW, speed: 6000 rpm, share: 1}]",))
         done = program.within(main, program.REDUCER, *few, *SETTINGS, *spectrum, "--json")

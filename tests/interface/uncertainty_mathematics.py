@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Uncertain lives against analysis: designs, distributions, Sobol indices, chaos expansions, Weibull's scatter, peaks."""
 
-# Issue 18, Build 4: uncertainty, on lives in closed form.
+# Uncertainty, on lives in closed form.
 import importlib.util
 import math
 import sys
@@ -202,7 +202,7 @@ class ChaosExpansions(unittest.TestCase):
                 np.testing.assert_allclose(found.indices.total, total, atol=2e-3)
 
     def test_error_at_results_left_out_is_that_of_leaving_each_out(self):
-        """Issue 44, item 16: by the hat matrix as by a fit of all others, for each number of terms."""
+        """By the hat matrix as by a fit of all others, for each number of terms."""
         generator = np.random.default_rng(3)
         terms = np.column_stack([np.ones(12), generator.normal(size=(12, 3))])
         results = terms @ [2.0, 1.0, 0.3, 0.0] + 0.2 * generator.normal(size=12)

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The validation guide: its statistics, its page, and verdicts beside those recorded.
 
-Issue 19, Build 1 to 4. Verdicts of all cases: tools/test --full; else of all but signals in time.
+Verdicts of all cases: tools/test --full; else of all but signals in time.
 Needs ORBEARING and ORBEARING_SOURCE_DIR.
 """
 
@@ -49,7 +49,7 @@ class Numbers(unittest.TestCase):
         self.assertEqual(len(validation.distinct(rows)), 4)
 
     def test_lines_of_passing_elements_count_once_a_bearing(self):
-        """Issue 49, Build 6: the line of the median deviation, of each case and kind."""
+        """The line of the median deviation, of each case and kind."""
         line = replace(ROW, of="characteristic frequency", published=100.0)
         rows = [ROW, replace(line, ours=101.0, meaning="a"), replace(line, ours=100.1, meaning="b"), replace(line, ours=107.0, meaning="c"),
                 replace(line, case="other bearing", ours=100.0), replace(line, kind="program", ours=100.0)]
@@ -99,7 +99,7 @@ class Page(unittest.TestCase):
 
 
 class Tables(unittest.TestCase):
-    """Issue 44, item 16: each column of the guide's tables holds what its head says."""
+    """Each column of the guide's tables holds what its head says."""
 
     ROWS = [replace(ROW, meaning="load", published=2.0, ours=2.2, tolerance=0.0525, scatter=0.031, band=band(1.9, 2.1, 2.3, 2.45), why="thermal", reading="a=1"),
             replace(ROW, case="d", source="[B]", kind="program", published=4.0, ours=3.9, scatter=None, verdict="reproduced")]
@@ -127,7 +127,7 @@ class Tables(unittest.TestCase):
         self.assertEqual((found["program"]["bias"], found["program"]["missed"]), ("-2.5 %", "0"))
 
     def test_what_is_asked_first(self):
-        """Issue 49, Build 6: friction, heat, slip, loads, share, stiffness and vibration, in this order."""
+        """Friction, heat, slip, loads, share, stiffness and vibration, in this order."""
         rows = [replace(ROW, of="friction", ours=2.0 * math.exp(x), meaning=str(x)) for x in (0.1, 0.3)] + [replace(ROW, of="stiffness", kind="recomputed")]
         found = self.lines(first_table(rows))
         self.assertEqual([row["quantity"] for row in found], ["friction", "heat", "slip", "loads", "load sharing", "stiffness", "vibration"])
@@ -174,7 +174,7 @@ class Verdicts(unittest.TestCase):
         self.assertEqual(len(names), len(set(names)))
 
     def test_sources_are_many_and_some_of_them_measured(self):
-        """Issue 19, Build 2; each bracketed key is an entry of REFERENCES.md."""
+        """Each bracketed key is an entry of REFERENCES.md."""
         counted = [row for row in validation.distinct(validation.read([RECORDED])) if row.counts]
         references = (SOURCE / "REFERENCES.md").read_text(encoding="utf-8")
         measured = [row for row in counted if row.kind == "measurement"]

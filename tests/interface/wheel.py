@@ -1,6 +1,6 @@
 """The wheel that tools/wheel made: its tags, versions of symbols, and the demo in an empty environment of each Python that is there.
 
-Issue 51, Build 6 and 7. Skipped where there is no wheel of this version in dist.
+Skipped where there is no wheel of this version in dist.
 """
 
 import os

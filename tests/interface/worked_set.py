@@ -1,4 +1,4 @@
-"""Issue 19, Build 5: the worked set for ISO/TS 16281 is what the program computes, and what a second program finds."""
+"""The worked set for ISO/TS 16281 is what the program computes, and what a second program finds."""
 
 import copy
 import importlib.machinery

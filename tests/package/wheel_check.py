@@ -5,7 +5,7 @@ Uncertainty wants OpenTURNS, which is an extra: without, it must say so.
     python wheel_check.py FOLDER      FOLDER is made and filled
 """
 
-# Issue 18, Build 1 and "Done when": the wheel alone.
+# The wheel alone.
 import importlib.util
 import json
 import pathlib

@@ -1,4 +1,4 @@
-"""What a release is made of agrees with the sources (issue 51, Build 6): one version everywhere, a changelog in its form, packages with the
+"""What a release is made of agrees with the sources: one version everywhere, a changelog in its form, packages with the
 libraries that the build requires, a paper with the counts of the last validation, and names that stay.
 
     release.py --record      writes the names that are there into stable_names.txt; a name that is gone needs the next major version

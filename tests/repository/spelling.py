@@ -1,4 +1,4 @@
-"""Words of sources and documents are spelt as codespell has them, but for those of words.txt (issue 51, Build 3).
+"""Words of sources and documents are spelt as codespell has them, but for those of words.txt.
 
 Exit code 77 (skipped) where codespell is missing (Debian: codespell).
 """
