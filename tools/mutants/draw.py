@@ -112,11 +112,12 @@ class Subject:
     def mutants_of(self, name: str, text: str) -> list[Mutant]:
         """All errors that one file can have."""
         found, seen = [], {}
+        kinds = [(kind, re.compile(pattern).finditer, fresh, where) for kind, pattern, fresh, *where in self.kinds[pathlib.PurePosixPath(name).suffix]]
         for number, (bare, searched) in enumerate(self.lines(name, text)):
             if not bare:
                 continue
-            for kind, pattern, fresh, *where in self.kinds[pathlib.PurePosixPath(name).suffix]:
-                for match in re.finditer(pattern, bare if where else searched):
+            for kind, matches, fresh, where in kinds:
+                for match in matches(bare if where else searched):
                     if where and not where[0](match, searched):
                         continue
                     made = fresh(match) if callable(fresh) else match.expand(fresh)
