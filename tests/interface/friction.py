@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Issue 49, Build 2: friction of single bearings, by formulas of others, and at thermal reference speeds."""
+"""Friction of single bearings, by formulas of others, and at thermal reference speeds."""
 
 import importlib.machinery
 import importlib.util
@@ -82,6 +82,16 @@ class Friction(unittest.TestCase):
         at_70 = run_json(ROLLERS, *oil, f"heat.inlet={inlet} degC")["friction"]
         self.assertAlmostEqual(at_70["oil_temperature_degC"], 70.0, delta=0.01)
         self.assertAlmostEqual(at_70["power_W"], stated["power_W"], delta=1e-3 * stated["power_W"])
+
+    def test_heated_oil_starves_by_its_own_viscosity(self):
+        """The rolling part is that of all oil times the factor of SKF at the viscosity of the heated oil, as the formula beside it states it."""
+        heated = ["heat.enabled=true", "heat.model=oil", "lubricant.flow=0.3 L/min", "heat.inlet=30 degC", "traction.starvation=skf"]
+        hot, stated = (run_json(ROLLERS, *values) for values in (heated, ["lubricant.flow=0.3 L/min", "traction.starvation=skf"]))
+        factors = []
+        for found in (hot, stated):
+            factors.append(found["friction_by_standards"]["skf"]["starvation"])
+            self.assertAlmostEqual(found["friction"]["rolling_W"] / found["friction"]["flooded_rolling_W"], factors[-1], delta=1e-9)
+        self.assertGreater(abs(factors[0] / factors[1] - 1.0), 0.01)
 
     def test_a_ball_bearing_in_time_has_them_too(self):
         found = run_json(CASES / "deep_groove_motor", "bearing.outside_diameter=52 mm", "simulation.duration=20 ms")

@@ -105,6 +105,18 @@ TEST(PinBeam, ThinTubeShearsAsOne) {
               1.0, 1e-5);
 }
 
+// A bore of half the diameter by hand, (2) with nu = 0.3: 1/kappa = 7.8 x 1.5625/(8.8 x 1.5625 + 23.6/4).
+TEST(PinBeam, HalfBoredPinShearsByBothPartsOfItsCoefficient) {
+  PinBeam pin = kPinInWalls;
+  pin.bore = 0.5 * pin.diameter;
+  ASSERT_EQ(pin.material.poisson_ratio, 0.3);
+  const double l = pin.span, area = 0.1875 * pi * pin.diameter * pin.diameter;
+  const double shear = 12.1875 / 19.65 * pin.material.shear_modulus() * area;
+  EXPECT_NEAR(pin_compliance(pin, {0.0})(0, 0) /
+                  (std::pow(l, 3) / (48.0 * bending_stiffness(pin)) + l / (4.0 * shear)),
+              1.0, 1e-8);
+}
+
 TEST(PinBeam, RefusesAPositionBeyondItsSupports) {
   EXPECT_REFUSED(std::invalid_argument, "pin_beam 1", pin_compliance(kPinInWalls, {0.02}));
 }
