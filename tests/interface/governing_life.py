@@ -1,11 +1,17 @@
 #!/usr/bin/env python3
-"""One governing life: key and number of it by every command and by Python are the same to the digit, in ten cases."""
+"""One governing life: key and number of it by every command, by Python and by the page are the same to the digit, in ten cases."""
 
 import importlib.util
+import json
 import math
+import pathlib
+import shutil
+import subprocess
+import tempfile
 import unittest
 
 import program
+from page import page
 
 orbearing = program.package()
 
@@ -25,9 +31,19 @@ DRIVETRAINS = {
     "industrial, 95 %": (TEMPLATES / "industrial.yaml", {"life.reliability": "0.95"}, "L10mrh"),
 }
 SINGLE = {"roller-bearing": "L10mrh", "ball-bearing": "L10mrh"}
+CROWNED = ("reducer_150kW with a requirement", "reducer_nu204 by ISO 281", "wind_stage_750kW", "wind_stage_tapered with a requirement", "industrial, 95 %")  # every day
 UNCERTAIN = {"uncertain": {"input.power": {"normal": {"relative_standard_deviation": 0.01}}}}
 A_1_OF_95 = 0.95 * (math.log(0.95) / math.log(0.9)) ** (2.0 / 3.0) + 0.05  # ISO 281: 0.638
 ROUND_OFF = 1e-12  # speeds and powers go to SI and back
+NODE = shutil.which("node") or shutil.which("nodejs")
+# The chief tile of the page by its own script, of the results that the page's server has sent.
+TILES = """
+import fs from 'node:fs';
+const {tilesOf} = await import(process.argv[1]);
+const meanings = {of: () => ({}), label: (key) => key};
+const chief = (run) => tilesOf({run, point: run.points[0], overSpeed: true, meanings, sweptSpeeds: () => [0]}).find((one) => one.chief);
+process.stdout.write(JSON.stringify(JSON.parse(fs.readFileSync(0, 'utf8')).map((run) => [chief(run).key, chief(run).value])));
+"""
 
 
 def worst_of(row, key):
@@ -127,6 +143,59 @@ class Drivetrains(unittest.TestCase):
             l10 = self.runs["industrial"]["points"][0][worst] if name == "industrial, 95 %" else row[worst]
             self.assertAlmostEqual(data["weibull"]["a_1"], a_1, delta=ROUND_OFF)
             self.assertAlmostEqual(data["operating_point"]["of_single_bearings_at_the_case"]["L10"] / l10, 1.0, delta=ROUND_OFF)
+
+        self.each(test)
+
+    def test_table(self):
+        """The computed value of the point to the digit; an interpolated one within the error that is stated with it."""
+        def test(name, _, row, key):
+            speed = row["input_speed_rpm"]
+            with tempfile.TemporaryDirectory() as place:
+                found = self.answer("table", name, options=("--over", f"input.speed={0.999 * speed!r} rpm..{1.001 * speed!r} rpm", "--points", 13, "-o", f"{place}/table"))
+                table = orbearing.Table(f"{place}/table")
+                self.assertEqual(([one["name"] for one in found["results"]], table.results), ([key], (key,)))
+                exact, near = table.answer(key, bound=1e-15), table.answer(key)
+                self.assertTrue(exact.computed)
+                self.assertEqual(float(exact.value), row[key])
+                self.assertLessEqual(abs(float(near.value) - row[key]), float(near.error))
+
+        self.each(test)
+
+    def test_crown(self):
+        """`in_run` is the life of the case as it is, of the bearing by which a requirement is judged."""
+        def test(name, _, row, key):
+            if program.LEFT_TO_FULL and name not in CROWNED:
+                return
+            tilts = ("--tilts", "0 mrad") if worst_of(row, key) == key else ()
+            options = ("--drops", "4 um", "--starts", "1", *tilts)
+            if name.startswith("wind_stage_tapered"):
+                file, values, _ = DRIVETRAINS[name]
+                refused = program.run("crown", file, "--json", *options, *program.settings(f"{path}={value}" for path, value in values.items()))
+                self.assertEqual(refused.returncode, 2)
+                self.assertIn("bearing.type", refused.stderr)
+                return
+            found = self.answer("crown", name, options=options)
+            self.assertEqual((found["in_run"]["life_key"], found["in_run"]["case_h"]), (worst_of(row, key), row[worst_of(row, key)]))
+            # L10h takes no account of a profile: a crown is chosen by the life that does.
+            self.assertEqual(found["life_key"], "life_h" if key == "L10h" else key)
+
+        self.each(test)
+
+    @unittest.skipIf(NODE is None, "node is missing (Debian: nodejs)")
+    def test_tile_of_the_page(self):
+        results = []
+        with page() as server:
+            for file, values, _ in DRIVETRAINS.values():
+                status, _, data = server.request("run", pathlib.Path(file).read_text(encoding="utf-8"), [f"{path}={value}" for path, value in values.items()])
+                self.assertEqual(status, 200, data)
+                results.append(json.loads(data))
+        script = (program.CASES.parent / "app" / "page" / "web" / "tiles.js").resolve().as_uri()
+        done = subprocess.run([NODE, "--input-type=module", "-e", TILES, script], input=json.dumps(results), capture_output=True, text=True, check=False, timeout=program.SECONDS)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        tiles = dict(zip(DRIVETRAINS, json.loads(done.stdout), strict=True))
+
+        def test(name, _, row, key):
+            self.assertEqual(tiles[name], [key, row[worst_of(row, key)]])
 
         self.each(test)
 
