@@ -244,3 +244,168 @@ def gearbox():
             model.relate("side", assembly=number, inner_part=shaft, outer_part=CASING)
     model.relate("stage", stage=10, gear_1=7, gear_2=8)
     return model
+
+
+def _gear(model, number, shaft, teeth, module, width, helix, shift, along, **more):
+    """A cylindrical gear with its middle at `along` of its shaft, both flanks with the same shift."""
+    model.add(number, "cylindrical_gear", f"Gear {number}", number_of_teeth=teeth, normal_module=(module, "mm"), face_width=(width, "mm"),
+              helix_angle_reference_diameter=model.degrees(helix), u_coordinate_on_shaft=(along, "mm"), **more)
+    for side in (1, 2):
+        model.add(10 * number + side, "cylindrical_gear_flank", "", normal_pressure_angle=model.degrees(20.0), addendum_modification_coefficient=shift)
+    model.relate("flank", gear=number, left=10 * number + 1, right=10 * number + 2)
+    model.relate("assembly", assembly=shaft, part=number)
+
+
+def _sections(model, shaft, number, *pieces):
+    """Length and outside diameter [mm] of each piece of a shaft, one after the other."""
+    along = 0.0
+    for i, (length, diameter) in enumerate(pieces):
+        model.add(number + i, "shaft_section", "", u_coordinate_on_shaft=(along, "mm"), length=(length, "mm"), outer_diameter_begin=(diameter, "mm"),
+                  outer_diameter_end=(diameter, "mm"))
+        model.relate("assembly", assembly=shaft, part=number + i)
+        along += length
+
+
+# share [%], input speed [rpm] and torque [N m], forces on the input shaft (v) and on the output shaft (u, v) [N]
+COAXIAL_LOADS = ((20.0, 543.0, 567.0, 456.0, 0.0, 123.0), (30.0, 3456.0, 345.0, 678.0, 123.0, 0.0), (35.0, 1234.0, 456.0, 876.0, 0.0, 345.0),
+                 (15.0, 789.0, 789.0, 1233.0, 567.0, 0.0))
+
+
+def coaxial_gearbox(version="1.6", places=True):
+    """Two stages, 27/51 and 23/34, whose input and output shafts are in line, a needle cage between both; four load cases. `places`: of gears in space."""
+    model = Rexs(version)
+    model.add(UNIT, "gear_unit", "Unit", u_axis_vector=([1.0, 0.0, 0.0], "mm"))
+    model.add(CASING, "gear_casing", "Casing", temperature_lubricant=(70.0, "C"))
+    model.add(3, "lubricant", "Oil", viscosity_at_40_degree_celsius=(100.0, "mm^2 / s"), viscosity_at_100_degree_celsius=(11.0, "mm^2 / s"))
+    model.relate("reference", origin=CASING, referenced=3)
+    entry, middle, leaving = 5, 6, 7
+    for shaft, name, place in ((entry, "Input", [-70.0, 0.0, 0.0]), (middle, "Middle", [-25.0, 0.0, -190.0]), (leaving, "Output", [90.0, 0.0, 0.0])):
+        model.add(shaft, "shaft", name, support_vector=(place, "mm"), u_axis_vector=([1.0, 0.0, 0.0], "mm"), w_axis_vector=([0.0, 0.0, 1.0], "mm"),
+                  defines_speed=shaft == entry)
+    _sections(model, entry, 20, (80.0, 50.0), (80.0, 60.0), (30.0, 50.0))
+    _sections(model, middle, 25, (45.0, 80.0), (60.0, 90.0), (165.0, 80.0))
+    _sections(model, leaving, 30, (113.0, 70.0), (10.0, 80.0), (100.0, 60.0))
+    def at(*place):
+        return {"support_vector": (list(place), "mm")} if places else {}
+
+    _gear(model, 11, entry, 27, 4.5, 50.0, 21.0, 0.231415, 117.0, **at(47.0, 0.0, 0.0))
+    _gear(model, 12, middle, 51, 4.5, 50.0, -21.0, 0.231415, 72.0, **at(47.0, 0.0, -190.0))
+    _gear(model, 13, middle, 23, 6.5, 74.0, -10.0, 0.15074, 180.0, tip_diameter=(1.0, "mm"), **at(155.0, 0.0, -190.0))
+    _gear(model, 14, leaving, 34, 6.5, 74.0, 10.0, 0.15074, 65.0, **at(155.0, 0.0, 0.0))
+    for number, first, second in ((8, 11, 12), (9, 13, 14)):
+        model.add(number, "cylindrical_stage", f"Stage {number}", center_distance=(190.0, "mm"))
+        model.relate("stage", stage=number, gear_1=first, gear_2=second)
+    size = {"radial_force_absorption": True}
+    model.add(40, "rolling_bearing_with_catalog_geometry", "6210-2Z front", catalogue_designation="6210-2Z", bearing_type="radial_grooved_ball_bearing", manufacturer="FAG",
+              contamination_factor_according_to_iso_281_2007=0.5, axial_force_absorption="both_directions", u_coordinate_on_shaft_inner_side=(65.0, "mm"),
+              u_coordinate_on_shaft_outer_side=(65.0, "mm"), **size)
+    for number, kind, along, way in ((41, "33014", 15.2204, "negative"), (42, "33012", 137.958, "positive")):
+        model.add(number, "rolling_bearing_with_catalog_geometry", f"{kind} tapered", catalogue_designation=kind, bearing_type="radial_tapered_roller_bearing",
+                  axial_force_absorption=way, u_coordinate_on_shaft_inner_side=(along, "mm"), u_coordinate_on_shaft_outer_side=(along + 160.0, "mm"), **size)
+    model.add(43, "concept_bearing", "K 50x58x25 cage", axial_force_absorption="no_direction", u_coordinate_on_shaft_inner_side=(175.0, "mm"),
+              u_coordinate_on_shaft_outer_side=(15.0, "mm"), **size)
+    for number, along, way in ((44, 20.0, "negative"), (45, 250.0, "positive")):
+        model.add(number, "concept_bearing", f"33016 at {along:g}", axial_force_absorption=way, u_coordinate_on_shaft_inner_side=(along, "mm"),
+                  u_coordinate_on_shaft_outer_side=(along, "mm"), **size)
+    for number, inner, outer in ((40, entry, CASING), (41, leaving, CASING), (42, leaving, CASING), (43, entry, leaving), (44, middle, CASING), (45, middle, CASING)):
+        model.relate("side", assembly=number, inner_part=inner, outer_part=outer)
+    for number, shaft, along, torque in ((50, entry, 0.0, True), (51, leaving, 170.0, True), (52, entry, 0.0, False), (53, leaving, 170.0, False)):
+        model.add(number, "external_load", f"Load {number}", u_coordinate_on_shaft=(along, "mm"), transmits_torque=torque, defines_torque=number == 50)
+        model.relate("assembly", assembly=shaft, part=number)
+    for i, (share, speed, torque, front, along, across) in enumerate(COAXIAL_LOADS):
+        model.load_case(i + 1, [(UNIT, "gear_unit", [("operating_time_fraction", share, "%")]), (entry, "shaft", [("rotational_speed", speed, "1 / min")]),
+                                (50, "external_load", [("torque_around_u_axis", torque, "N m")]),
+                                (52, "external_load", [("force_u_direction", 0.0, "N"), ("force_v_direction", front, "N"), ("force_w_direction", 0.0, "N")]),
+                                (53, "external_load", [("force_u_direction", along, "N"), ("force_v_direction", across, "N"), ("force_w_direction", 0.0, "N")])])
+    return model
+
+
+def powered_planets():
+    """A stage of 17/22/61 teeth whose sun states power and speed and no torque; the ring is held by switchable couplings."""
+    model = Rexs("1.4")
+    model.add(UNIT, "gear_unit", "Unit", u_axis_vector=([1.0, 0.0, 0.0], "mm"))
+    model.add(CASING, "gear_casing", "Casing", temperature_lubricant=(80.0, "C"))
+    model.add(3, "lubricant", "ISO-VG-100", viscosity_at_40_degree_celsius=(100.0, "mm^2 / s"), viscosity_at_100_degree_celsius=(11.0, "mm^2 / s"))
+    model.relate("reference", origin=CASING, referenced=3)
+    model.add(STAGE, "planetary_stage", "Planetary stage [9]")
+    model.add(CARRIER, "planet_carrier", "Carrier")
+    for number, name, more in ((13, "Sun shaft", {"rotational_speed": (1500.0, "1 / min"), "defines_speed": True}), (14, "Ring shaft", {}), (15, "Carrier shaft", {})):
+        model.add(number, "shaft", name, support_vector=([0.0, 0.0, 0.0], "mm"), **more)
+    model.add(5, "external_load", "Motor", power=(100.0, "kW"), transmits_torque=True, defines_torque=True)
+    model.add(6, "external_load", "Machine", transmits_torque=True)
+    for number in (16, 17):
+        model.add(number, "switchable_coupling", "Coupling", is_engaged=[True], rotational_stiffness=(1e20, "N mm / rad"))
+        model.relate("side", assembly=number, inner_part=14, outer_part=CASING)
+    for whole, part in ((13, 5), (15, 6), (STAGE, CARRIER), (CARRIER, 15)):
+        model.relate("assembly", assembly=whole, part=part)
+    for shaft in (13, 14):
+        model.relate("central_shaft", planetary_stage=STAGE, shaft=shaft)
+    model.relate("planet_carrier_shaft", planetary_stage=STAGE, shaft=15)
+    _gear(model, 18, 13, 17, 4.0, 50.0, 0.0, 0.0, 25.0)
+    model.add(19, "ring_gear", "Ring", number_of_teeth=61, normal_module=(4.0, "mm"), face_width=(50.0, "mm"), helix_angle_reference_diameter=(0.0, "deg"))
+    for side in (1, 2):
+        model.add(190 + side, "cylindrical_gear_flank", "", normal_pressure_angle=(20.0, "deg"))
+    model.relate("flank", gear=19, left=191, right=192)
+    model.relate("assembly", assembly=14, part=19)
+    for i in range(PLANETS):
+        model.add(41 + i, "shaft", f"Planet shaft {i + 1}", support_vector=([0.0, 0.0, 78.0], "mm"))
+        model.relate("planet_shaft", planetary_stage=STAGE, shaft=41 + i)
+        _gear(model, 21 + i, 41 + i, 22, 4.0, 50.0, -0.0, 0.0, 25.0)
+        for offset, central in ((61, 18), (71, 19)):
+            model.add(offset + i, "cylindrical_stage", "", center_distance=(78.0, "mm"))
+            model.relate("assembly", assembly=STAGE, part=offset + i)
+            model.relate("stage", stage=offset + i, gear_1=central, gear_2=21 + i)
+    return model
+
+
+def shelf_bearing():
+    """A spherical roller bearing of a library, with sizes and ratings: 22206 E, component 60."""
+    library = Rexs("1.5")
+    library.add(60, "rolling_bearing_with_catalog_geometry", "of the shelf", catalogue_designation="22206 E", bearing_type="radial_self_aligning_roller_bearing",
+                inner_diameter=(30.0, "mm"), outer_diameter=(62.0, "mm"), width=(20.0, "mm"), number_of_bearing_rows=2, radial_dynamic_load_rating=(66.1, "kN"),
+                radial_static_load_rating=(60.0, "kN"), fatigue_limit_load=(6.4, "kN"), contamination_factor_according_to_iso_281_2007=0.5, catalogue_value_e=0.31,
+                axial_factor_y_1=2.2, axial_factor_y_2=3.3)
+    for number in (80, 90):
+        library.add(number, "rolling_bearing_row", "", pressure_angle=(11.68, "deg"))
+        library.relate("ordered_assembly", assembly=60, part=number)
+    return library
+
+
+def shelf_shaft():
+    """A shaft of two sections of a library: component 30, of the material 50."""
+    library = Rexs("1.5")
+    library.add(30, "shaft", "of the shelf")
+    library.add(50, "material", "Steel", elastic_modulus=(210000.0, "N / mm^2"))
+    library.relate("reference", origin=30, referenced=50)
+    _sections(library, 30, 100, (50.0, 30.0), (50.0, 50.0))
+    return library
+
+
+def on_the_shelf(bearing="./bearings.rexs", bearing_id=60, shaft="./shafts.rexs", shaft_id=30):
+    """A shaft and its bearing that are in other files."""
+    model = Rexs("1.5")
+    model.add(UNIT, "gear_unit", "Unit")
+    model.add(CASING, "gear_casing", "Casing")
+    model.add(3, "shaft", "Shaft [3]", data_source=shaft, referenced_component_id=shaft_id, support_vector=([0.0, 0.0, 0.0], "mm"))
+    model.add(6, "rolling_bearing_with_catalog_geometry", "Rolling bearing [6]", data_source=bearing, referenced_component_id=bearing_id,
+              axial_force_absorption="negative", u_coordinate_on_shaft_inner_side=(40.0, "mm"))
+    model.relate("side", assembly=6, inner_part=3, outer_part=CASING)
+    return model
+
+
+def worm_gearbox():
+    """A worm and its wheel on two shafts, each in two bearings without an inside."""
+    model = Rexs("1.4")
+    model.add(UNIT, "gear_unit", "Getriebe größer")
+    model.add(CASING, "gear_casing", "Gehäuse")
+    model.add(3, "worm_stage", "Schneckenstufe [3]")
+    for i, kind in enumerate(("worm_gear", "worm_wheel")):
+        model.add(4 + i, "shaft", f"Welle [{4 + i}]")
+        model.add(8 + i, kind, f"Rad [{8 + i}]", number_of_teeth=(2, 40)[i])
+        model.relate("assembly", assembly=4 + i, part=8 + i)
+        for j in range(2):
+            model.add(14 + 2 * i + j, "concept_bearing", f"Wälzlager [{14 + 2 * i + j}]")
+            model.relate("side", assembly=14 + 2 * i + j, inner_part=4 + i, outer_part=CASING)
+    model.relate("stage", stage=3, gear_1=8, gear_2=9)
+    model.load_case(1, [(UNIT, "gear_unit", [("load_duration_fraction", "30.0", "none")])])
+    return model

@@ -117,10 +117,14 @@ def _longest(points: list[LoadPoint]) -> LoadPoint:
 
 
 def _shares(parts: Source, notes: list[str]) -> Optional[list[float]]:
-    """Share of time of each load case; None where one states none."""
+    """Share of time of each load case, 0 for one that never acts; None where one states none."""
     for name in ("share", "duration"):
-        stated = [max((number_of(unit, name).number or 0.0 for unit in model.of_type("gear_unit")), default=0.0) for _, model in parts.load_cases]
-        if stated and min(stated) > 0.0:
+        found = [[number_of(unit, name).number for unit in model.of_type("gear_unit")] for _, model in parts.load_cases]
+        stated = [max((one for one in numbers if one is not None), default=None) for numbers in found]
+        missing = [str(one.id) for (one, _), number in zip(parts.load_cases, stated) if number is None]
+        if 0 < len(missing) < len(stated):
+            notes.append(f"no {'share of time' if name == 'share' else 'duration'} is stated of load case {', '.join(missing)}: lives under all load cases together are left out")
+        if stated and not missing and min(stated) >= 0.0 and sum(stated) > 0.0:
             total = sum(stated)
             if name == "share" and abs(total - 1.0) > SAME_SHARE:
                 notes.append(f"the shares of the load cases add up to {total:.6g}; scaled to 1")
@@ -200,8 +204,11 @@ def _lives(text: Optional[str], name: str) -> dict[str, float]:
 
 
 def _lives_together(rows: list[tuple[Optional[float], dict[str, float]]]) -> dict[str, float]:
-    """Palmgren and Miner: 1/L is the sum of share/L, of the lives that all loads have; none without shares."""
-    if not rows or any(share is None for share, _ in rows):
+    """Palmgren and Miner: 1/L is the sum of share/L, of the lives that all loads have; none without shares. A load that never acts does no damage."""
+    if any(share is None for share, _ in rows):
+        return {}
+    rows = [row for row in rows if row[0]]
+    if not rows:
         return {}
     common = [life for life in LIVES if all(life in lives for _, lives in rows)]
     return {life: rounded(1.0 / sum(share / lives[life] for share, lives in rows)) for life in common}

@@ -46,7 +46,7 @@ def _mesh_forces(drive: Drive, places: Places, model: Model) -> Iterator[Optiona
 
 def _gear_force(drive: Drive, places: Places, model: Model, mesh: Component, gear: Component, mate: Component) -> Optional[Force]:
     torque, shaft = drive.mesh_torque(mesh, gear), shaft_of(model, gear)
-    here, there = place_of(gear), place_of(mate)
+    here, there = (_axis_of(model, one) for one in (gear, mate))
     numbers = {name: number_of(gear, name).number for name in ("teeth", "module", "helix")}
     place = places.along(gear, shaft, "gear_place")
     if torque is None or shaft is None or not here or not there or place is None or None in numbers.values():
@@ -72,6 +72,12 @@ def _gear_force(drive: Drive, places: Places, model: Model, mesh: Component, gea
     v, w = tangential * around - radial * towards
     # The axial force acts at the pitch point: r x F = (v r, w r) x (F along u).
     return Force(shaft.id, place, axial, float(v), float(w), pitch_radius * towards[1] * axial, -pitch_radius * towards[0] * axial)
+
+
+def _axis_of(model: Model, gear: Component) -> Optional[list[float]]:
+    """A point of the gear's axis: its own place, else that of its shaft."""
+    shaft = shaft_of(model, gear)
+    return place_of(gear) or (place_of(shaft) if shaft is not None else None)
 
 
 def _angle(model: Model, gear: Component) -> float:

@@ -61,7 +61,7 @@ class StageCase:
         rows = [(one, self._at(model)) for one, model in self.source.load_cases]
         rows = [(one, members) for one, members in rows if members]
         if not base and rows:
-            operating, base = max(rows, key=lambda row: self._share(row[0])[1])
+            operating, base = max(rows, key=lambda row: self._share(row[0])[1] or 0.0)
             if len(rows) > 1:
                 self.source.ledger.miss(self.draft.name, "input.power", "torque", None, "the file states loads by load case alone",
                                         f"load case {operating.id}, the longest")
@@ -120,8 +120,8 @@ class StageCase:
                     found.append((load_case.id, component, attribute))
         return found
 
-    def _share(self, load_case: Any) -> tuple[str, float]:
-        """How long a load acts: share [-] or hours [s], and the number; share 0 where it is not stated."""
+    def _share(self, load_case: Any) -> tuple[str, Optional[float]]:
+        """How long a load acts: share [-] or hours [s], and the number; None where it is not stated."""
         for component in load_case.components:
             if component.id in self.model.components and self.model.components[component.id].type == "gear_unit":
                 share = number_of(component, "share").number
@@ -130,12 +130,16 @@ class StageCase:
                 duration = number_of(component, "duration").number
                 if duration is not None:
                     return "hours", duration
-        return "share", 0.0
+        return "share", None
 
     def _put_spectrum(self, driving: str, rows: list[tuple]) -> None:
         times = [self._share(one) for one, _ in rows]
-        if len({kind for kind, _ in times}) > 1 or not all(time > 0.0 for _, time in times):
+        rows = [row for row, (_, time) in zip(rows, times) if time != 0.0]  # one that never acts does no damage
+        times = [one for one in times if one[1] != 0.0]
+        if len({kind for kind, _ in times}) > 1 or any(time is None or time < 0.0 for _, time in times):
             self.source.ledger.miss(self.draft.name, "spectrum", "share", None, "some load cases state no duration")
+            return
+        if not rows:
             return
         total = sum(time for _, time in times)
         shares = [time / total if kind == "share" else in_unit(time, "h") for kind, time in times]
