@@ -672,6 +672,39 @@ def uncertain(result):
     return found
 
 
+# Columns of the data under a figure that are neither drawn nor in the result, by figure and head: tested in report_dynamic_test, counts, or times.
+OF_THEIR_OWN = {"dynamic-polar": ("inner, quasi-static (N)", "outer, quasi-static (N)"), "roller-history": ("place (deg)",), "cage-orbit": ("time (ms)",),
+                "power-loss": ("sum (W)",), "load-spectrum": ("bin",)}
+
+
+def is_number(value):
+    return isinstance(value, (int, float, np.number)) and not isinstance(value, bool)
+
+
+def numbers_in(value):
+    """All numbers of a result, however deep."""
+    if isinstance(value, np.ndarray):
+        return value.ravel().tolist() if value.dtype.kind in "fi" else []
+    if isinstance(value, (dict, list, tuple)):
+        return [one for part in (value.values() if isinstance(value, dict) else value) for one in numbers_in(part)]
+    return [float(value)] if is_number(value) else []
+
+
+def faults_of_data(block, of_result):
+    """The data under a figure are those that it draws or that the result has, and no two columns are the same."""
+    drawn = [number for picture in block.pictures for panel in picture.panels for series in panel.series for column in series.columns
+             for number in numbers_in(np.asarray(column))]
+    known = {f"{number:.5g}" for number in [*drawn, *of_result] if np.isfinite(number)}
+    found, columns = [], {}
+    for head, cells in zip(block.data.head, zip(*block.data.rows)):
+        values = tuple(f"{cell:.5g}" for cell in cells if is_number(cell) and np.isfinite(cell))
+        if head not in OF_THEIR_OWN.get(block.slug, ()) and not known.issuperset(values):
+            found.append(f"{block.slug}, {head}: {sorted(set(values) - known)[:3]} is neither drawn nor in the result")
+        if values and columns.setdefault(values, head) != head and block.slug != "slip-traces":  # all rollers of the fixture spin alike
+            found.append(f"{block.slug}: {head} has the numbers of {columns[values]}")
+    return found
+
+
 def pictures_of(content, write=None, values=None):
     """Pictures by name, as the report draws them; `values` are the variables of the only point's file."""
     with tempfile.TemporaryDirectory() as folder:
@@ -682,6 +715,9 @@ def pictures_of(content, write=None, values=None):
         else:
             with unittest.mock.patch("orbearing.point_file.read_only_point", lambda folder: PointFile(values or {})):
                 found = report.blocks_of(Report(content, None))
+    of_result = numbers_in(content) + numbers_in(values or {})
+    faults_in_data = [fault for block in found if block.data for fault in faults_of_data(block, of_result)]
+    assert not faults_in_data, faults_in_data
     return {picture.name: picture.panels for block in found for picture in block.pictures}
 
 
