@@ -47,15 +47,17 @@ class PackageCopies:
         return folder
 
     def tests(self, mutant: Mutant) -> list[pathlib.Path]:
-        """Those that use the package; first those that need no program, of these those that name the error's module or folder, and the quick ones."""
+        """Those that use the package: first those with a name like the error's module or folder, then those that name them; the quick ones first."""
         path = pathlib.PurePosixPath(mutant.file)
-        names = re.compile(rf"\b({path.stem}|{path.parent.name})\b" if path.parent.name != "orbearing" else rf"\b{path.stem}\b")
+        words = [path.stem.split("_")[0]] + ([path.parent.name] if path.parent.name != "orbearing" else [])
         found = []
         for test in sorted((self.root / "tests" / "interface").glob("*.py")):
             text = test.read_text(encoding="utf-8")
             if re.search(r"^if __name__ == .__main__.:", text, re.M) and USES.search(text):
                 seconds = self.times.get(test.name, 30.0)
-                found.append((CALLS.search(text) is not None, not names.search(text), seconds, test))
+                unlike = sum(not test.name.startswith(word[:8].removesuffix("s")) for word in words)
+                unnamed = sum(re.search(rf"\b{word}", text) is None for word in words)
+                found.append((unlike, unnamed, CALLS.search(text) is not None, seconds, test))
         return [test for *_, test in sorted(found)]
 
     def ask(self, test: pathlib.Path, folder: pathlib.Path, seconds: float) -> tuple[int, str]:
@@ -107,8 +109,10 @@ class PackageCopies:
         try:
             for test in self.tests(mutant):
                 place.write_text(wrong, encoding="utf-8")
+                begin = time.monotonic()
                 code, output = self.ask(test, folder, LEAST_PATIENCE + PATIENCE * self.times.get(test.name, 60.0))
                 if code in SKIPPED:
+                    self.times.setdefault(test.name, time.monotonic() - begin)
                     continue
                 place.write_text(whole, encoding="utf-8")
                 if self.passes(test, folder, tell):
