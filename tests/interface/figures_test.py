@@ -728,6 +728,19 @@ def faults_of_data(block, of_result):
     return found
 
 
+TEXTS = Path(__file__).with_name("figures_texts.txt")
+seen = set()  # texts of this run, for --record
+
+
+def texts_of(block):
+    """A line for the caption of a figure and for each row of its table, heads included: what a reader finds in words and numbers beside the picture."""
+    def cell(value):
+        return f"{value:.4g}" if is_number(value) else str(value)
+    rows = [block.summary.head, *block.summary.rows] if block.summary else []
+    rows += [block.data.head] if block.data else []
+    return [f"{block.slug}: {line}" for line in (block.caption or "", *(" | ".join(map(cell, row)) for row in rows)) if line]
+
+
 def pictures_of(content, write=None, values=None):
     """Pictures by name, as the report draws them; `values` are the variables of the only point's file."""
     with tempfile.TemporaryDirectory() as folder:
@@ -741,6 +754,9 @@ def pictures_of(content, write=None, values=None):
     of_result = numbers_in(content) + numbers_in(values or {})
     wrong = [fault for block in found if block.data for fault in faults_of_data(block, of_result)]
     wrong += [fault for block in found for table in (block.data, block.summary) if table for fault in faults_of_table(block.slug, table, of_result)]
+    texts = {text.replace("\n", " ") for block in found for text in texts_of(block)}
+    seen.update(texts)
+    wrong += sorted(texts.difference(TEXTS.read_text(encoding="utf-8").splitlines())) if "--record" not in sys.argv else []
     assert not wrong, wrong
     return {picture.name: picture.panels for block in found for picture in block.pictures}
 
@@ -855,4 +871,7 @@ class Figures(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    record = "--record" in sys.argv
+    done = unittest.main(argv=[one for one in sys.argv if one != "--record"], exit=not record)
+    if record and done.result.wasSuccessful():
+        TEXTS.write_text("\n".join(sorted(seen)) + "\n", encoding="utf-8")
