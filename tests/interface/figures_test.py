@@ -30,7 +30,7 @@ import report_dynamic_fixture as dynamic  # noqa: E402
 import report_fixture as fixture  # noqa: E402
 from orbearing import report, style  # noqa: E402
 from orbearing.drawn import Panel, panels_of  # noqa: E402
-from orbearing.figures import cage_orbit as orbit_figure, roller_pressure  # noqa: E402
+from orbearing.figures import cage_orbit as orbit_figure, roller_pressure, static_loads  # noqa: E402
 from orbearing.point_file import PointFile  # noqa: E402
 from orbearing.result_folder import Report, read_report  # noqa: E402
 
@@ -868,6 +868,65 @@ class Figures(unittest.TestCase):
         from orbearing.uncertainties.figures import figures
         result = made.uncertainty()
         self.check({name: panels_of(figure) for name, figure in figures(result).items()}, uncertain(result))
+
+    def test_of_the_elements_of_a_bearing_at_rest(self):
+        """Bars by their angle from the line of the load, from -180 to 180 degrees; of a pair those of the first row, half of the numbers."""
+        angles, loads = [200.0, 10.0, 100.0, 300.0], [0.0, 700.0, 40.0, 250.0]
+        for kind, more, said in (("static", [], "by its angle from the line of the radial load"), ("pair", [11.0, 12.0, 13.0, 14.0], "of the first row under the preload")):
+            block = static_loads.block(Report({kind: {"contact_loads_N": loads + more, "steps": {"element_angles_deg": angles}}}, None), kind)
+            (bars,) = [one for one in block.pictures[0].panels[0].series if one.kind == "bars"]
+            self.assertEqual([list(column) for column in bars.columns[:2]], [[-160.0, -60.0, 10.0, 100.0], [0.0, 250.0, 700.0, 40.0]])
+            self.assertEqual([tuple(row) for row in block.data.rows], [(-160.0, 0.0), (-60.0, 250.0), (10.0, 700.0), (100.0, 40.0)])
+            self.assertEqual(block.data.head, ("angle (deg)", "load (N)"))
+            self.assertEqual(block.caption, f"Load of each rolling element on the inner race {said}. Largest load: 700 N. 3 of 4 elements carry load.")
+        even = static_loads.block(Report({"static": {"contact_loads_N": loads}}, None))
+        self.assertEqual([row[0] for row in even.data.rows], [-180.0, -90.0, 0.0, 90.0])
+
+    def test_time_of_an_orbit_begins_with_it(self):
+        time, path = 0.75 + 1e-3 * np.arange(21), 1e-6 * np.array([np.arange(21.0), 2.0 + np.arange(21.0) ** 2])
+        point = types.SimpleNamespace(problem="", get=lambda *names: (time, path) if names == ("time", "cage_position") else None)
+        report_of_one = Report({"points": [{"input_speed_rpm": 500.0, "life_h": 10.0, "status": "ok"}]}, None)
+        with unittest.mock.patch("orbearing.figures.cage_orbit.read_point", lambda *_: point):
+            rows = orbit_figure.block(report_of_one).data.rows
+        np.testing.assert_allclose(rows, [(500.0, 0.0, 0.0, 2.0), (500.0, 10.0, 10.0, 102.0), (500.0, 20.0, 20.0, 402.0)], atol=1e-9)
+
+
+class Words(unittest.TestCase):
+    """What results say of themselves in a line."""
+
+    def test_speeds_that_are_shown_have_a_life(self):
+        """Both ends of the sweep failed: the lowest and the highest speed are those with a life, and one without a speed has no place."""
+        points = [{"input_speed_rpm": speed, "life_h": life, "status": "ok" if life else "failed"}
+                  for speed, life in ((1000.0, None), (2000.0, 50.0), (3000.0, 90.0), (4000.0, 70.0), (5000.0, None), (None, 99.0))]
+        shown = Report({"points": points, "peak": {"speed_rpm": 3000.0, "life_h": 90.0}}, None)
+        self.assertEqual(shown.shown_speeds, [2000.0, 3000.0, 4000.0])
+        self.assertEqual([point["input_speed_rpm"] for point in shown.failed_points], [1000.0, 5000.0])
+
+    def test_an_uncertain_life_prints_its_band(self):
+        from orbearing.uncertainties.result import UncertaintyResult
+        result = made.uncertainty()
+        point = result.data["operating_point"]
+        low, high = (f"{point['of_uncertain_inputs']['percentiles'][percent]:,.0f}" for percent in ("5", "95"))
+        self.assertNotEqual(low, high)
+        self.assertEqual(UncertaintyResult.__repr__(types.SimpleNamespace(_data=result.data)), f"UncertaintyResult({result.data['case']}: {result.data['life']} at {point['speed_rpm']:g} rpm, 5 to 95 %: {low} to {high} h)")
+
+    def test_a_study_names_its_best_variant(self):
+        from orbearing.studies.pictures import headline
+        from orbearing.studies.result import StudyResult
+
+        def of(lives, over_speed=True):
+            key = "peak_life_h" if over_speed else "life_h"
+            variants = [{"bearing.width": 10.0 + i, "bearing.kind": f"kind {i}", key: life} for i, life in enumerate(lives)]
+            parameters = [types.SimpleNamespace(path="bearing.width", unit="mm"), types.SimpleNamespace(path="bearing.kind", unit=""),
+                          types.SimpleNamespace(path="input.speed", unit="rpm")]
+            design = types.SimpleNamespace(parameters=parameters, variants=len(lives), dimensions=(("bearing.width", 2), ("input.speed", 3)))
+            return types.SimpleNamespace(life_key="life_h", points=6, failed=2, missing=1, design=design, variants=lambda: variants,
+                                         header={"case": "reducer", "fidelity": "quasi-static"})
+        for over_speed in (True, False):
+            self.assertEqual(headline(of([300.0, None, 900.0, 120.0], over_speed)), "Of 4 variants the longest life is 900 h (bearing.width 12 mm, bearing.kind kind 2), "
+                             "the shortest 120 h.")
+        self.assertEqual(headline(of([None, None])), "None of 6 points has a life.")
+        self.assertEqual(StudyResult.__repr__(of([1.0])), "StudyResult(reducer, quasi-static: bearing.width 2 x input.speed 3 = 6 points, 2 failed, 1 not computed)")
 
 
 if __name__ == "__main__":
