@@ -21,4 +21,15 @@ struct BoreMotion {
 /// exert on the bore.
 using BoreReaction = Wrench;
 
+/// How a bearing and its bore exchange power at one instant.
+struct BorePort {
+  double speed = 0.0;   // [rad/s]  of the bore relative to the carrier
+  double moment = 0.0;  // [N m]    of the bearing on the bore
+  double travel = 0.0;  // [W]      force of the bearing on the bore times the velocity of the bore's axis
+};
+
+inline BorePort bore_port(const BoreReaction& on_bore, double speed, const Vector2& velocity) {
+  return {speed, on_bore.moment, on_bore.force.dot(velocity)};
+}
+
 }  // namespace orbearing::bearing::motion

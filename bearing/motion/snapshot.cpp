@@ -353,6 +353,7 @@ void take(const BearingModel& model, const Surroundings& surroundings,
   into.cage_position = now.cage.position;
   into.cage_eccentricity = now.guidance.eccentricity;
   into.on_bore = now.on_ring(Race::outer);
+  into.port = bore_port(into.on_bore, now.bore.speed, now.bore.velocity);
 }
 
 Eigen::VectorXd with_bore(const BearingModel& model, const BoreMotion& motion,

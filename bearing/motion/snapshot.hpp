@@ -81,6 +81,7 @@ struct Snapshot {
   Vector2 cage_position = Vector2::Zero();  // [m]
   double cage_eccentricity = 0.0;           // [-]  of the land's clearance
   BoreReaction on_bore;                     // of rollers, film and, where the outer ring guides it, the cage
+  BorePort port;
   RaceSpeeds race_speeds;
   /// Where the contacts stand [m] (rollers), and the laminae; empty and none where contacts are not cut.
   Eigen::ArrayXd inner_approach, outer_approach, end_displacement;

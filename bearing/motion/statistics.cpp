@@ -41,6 +41,7 @@ void StatisticsCollector::begin(double time, const Snapshot& at_start) {
              .least_film = std::numeric_limits<double>::infinity()};
   damage_ = DamageSums(bins_, laminae_);
   weight_ = 0.0;
+  bore_ = {};
   sums_ = {};
   begin_time_ = time;
   begin_orbit_angle_ = end_orbit_angle_ = at_start.orbit_angle;
@@ -76,7 +77,6 @@ void StatisticsCollector::add_state(double time, const Snapshot& sample) {
   sums_.mean_cage_eccentricity += sample.cage_eccentricity;
   sums_.largest_cage_eccentricity = std::max(sums_.largest_cage_eccentricity, sample.cage_eccentricity);
   sums_.mean_cage_position += sample.cage_position;
-  sums_.bore_friction_moment += sample.on_bore.moment;
   sums_.loss += sample.loss;
   if (sums_.mean_waves.size() == 0)
     sums_.mean_waves = sample.waves;
@@ -84,8 +84,16 @@ void StatisticsCollector::add_state(double time, const Snapshot& sample) {
     sums_.mean_waves += sample.waves;
 }
 
+void StatisticsCollector::add_bore(double weight, const BorePort& port) {
+  bore_.weight += weight;
+  bore_.speed += weight * port.speed;
+  bore_.moment += weight * port.moment;
+  bore_.power += weight * (port.moment * port.speed + port.travel);
+}
+
 void StatisticsCollector::add(double time, const Snapshot& sample) {
   add_loads(1.0, loads_of(sample));
+  add_bore(1.0, sample.port);
   add_state(time, sample);
 }
 
@@ -113,7 +121,11 @@ WindowStatistics StatisticsCollector::means() const {
   result.mean_spin /= samples;
   result.mean_cage_eccentricity /= samples;
   result.mean_cage_position /= samples;
-  result.bore_friction_moment /= samples;
+  if (bore_.weight > 0.0) {
+    result.bore_friction_moment = bore_.moment / bore_.weight;
+    result.vibration_power =
+        result.bore_friction_moment * bore_.speed / bore_.weight - bore_.power / bore_.weight;
+  }
   result.loss = sums_.loss / samples;
   result.mean_waves /= samples;
   return result;

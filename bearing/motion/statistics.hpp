@@ -39,6 +39,7 @@ struct WindowStatistics {
   double largest_cage_eccentricity = 0.0;        // [-]
   Vector2 mean_cage_position = Vector2::Zero();  // [m]
   double bore_friction_moment = 0.0;             // [N m]
+  double vibration_power = 0.0;                  // [W]  that the bore's vibration brings into the bearing
   Eigen::VectorXd mean_waves;                    // [m]  of an elastic race; none: rigid
   PowerLoss loss;                                // [W]
 };
@@ -55,6 +56,10 @@ class StatisticsCollector {
   /// As add(), in two parts: loads that count for `weight` (any unit), also in `other`, and all the rest.
   void add_loads(double weight, const RollerLoads& loads, DamageSums* other = nullptr);
   void add_state(double time, const Snapshot& sample);
+  /// What bearing and bore exchange, for `weight` (any unit). The mean of -moment speed - travel is what the
+  /// bearing takes; mean friction moment times mean speed is that of a bore that turns evenly about a fixed
+  /// axis, and the rest the power of its vibration.
+  void add_bore(double weight, const BorePort& port);
   /// Means over all samples since begin(); at least one sample.
   WindowStatistics means() const;
 
@@ -75,6 +80,13 @@ class StatisticsCollector {
   RaceSums outer_;
   DamageSums damage_;
   double weight_ = 0.0;  // of all loads
+  struct BoreSums {
+    double weight = 0.0;
+    double speed = 0.0;   // [rad/s]
+    double moment = 0.0;  // [N m]
+    double power = 0.0;   // [W]  of the bearing on the bore
+  };
+  BoreSums bore_;
   WindowStatistics sums_;
   double begin_time_ = 0.0;        // [s]
   double begin_orbit_angle_ = 0.0;  // [rad]

@@ -15,6 +15,7 @@ struct LoadsAtStep {
   std::vector<double> inner_approach, outer_approach, end_displacement;  // [m]  (rollers) or none
   const bearing::motion::LaminaRaces* laminae = nullptr;                 // where they are counted one by one
   bearing::motion::RaceSpeeds races;
+  bearing::motion::BorePort port;
   double step_before = 0.0;                                   // [s]
   bearing::motion::StatisticsCollector* collector = nullptr;  // gets them, where there is one
 
@@ -40,6 +41,8 @@ struct LoadsAtStep {
     const bearing::vectorised::Surroundings& now = bearing.surroundings();
     const bearing::motion::RaceSpeeds speeds =
         bearing::motion::race_speeds(bearing.model().geometry, now.pin.speed, now.bore.speed);
+    const double* velocity = x + bearing.layout().bore() + 2;
+    port = bearing::motion::bore_port(bearing.reaction(), now.bore.speed, {velocity[0], velocity[1]});
     take({x + lanes, x + 3 * lanes, loads.inner, loads.outer, speeds, cut_races(bearing.model()),
           loads.inner_approach, loads.outer_approach, loads.end_displacement});
   }
@@ -54,10 +57,12 @@ struct LoadsAtStep {
   double count(double length, bearing::motion::DamageSums* sums = nullptr) {
     const double time = 0.5 * (step_before + length);
     step_before = length;
-    if (collector)
+    if (collector) {
       collector->add_loads(time, loads(), sums);
-    else if (sums)
+      collector->add_bore(time, port);
+    } else if (sums) {
       sums->add(time, static_cast<Eigen::Index>(angle.size()), loads());
+    }
     return time;
   }
 };

@@ -271,6 +271,7 @@ WindowStatistics pooled(const std::vector<WindowStatistics>& bearings) {
     all.largest_cage_eccentricity = std::max(all.largest_cage_eccentricity, one.largest_cage_eccentricity);
     all.mean_cage_position += one.mean_cage_position / number;
     all.bore_friction_moment += one.bore_friction_moment / number;
+    all.vibration_power += one.vibration_power / number;
     all.mean_waves += one.mean_waves / number;
     all.loss += one.loss / number;
   }
