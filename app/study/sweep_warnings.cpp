@@ -135,35 +135,28 @@ void warn_of_free_bores(const ResolvedCase& resolved, const SweepOutcome& outcom
   const auto together = [&](const ResultRow& row) { return column(row, "interface_window_us") == 0.0; };
   const std::string why = fmt::format(
       "the motion of the bore depends on the meshes that hold it where a bearing has no cage, or "
-      "is lightly loaded (column drag_slip above {:g} %)",
-      100.0 * study::kLightSlip);
+      "is lightly loaded (column drag_over_traction above {:g})",
+      study::kLightLoad);
   warn_where(outcome,
              fmt::format("--fidelity dynamic: {}. Gears and bearings are solved as one system there, as by "
                          "--fidelity monolithic",
                          why),
              together, warnings);
-  // Another state than the closed form has: as close as the two come where oil is squeezed.
-  constexpr double share = 0.15, creep = 0.003;
   const bool squeezed = resolved.has("contact.squeeze") && resolved.flag("contact.squeeze");
-  // Rolling resistance of a bore that turns carries rollers along: then less slip is no other state.
-  const bool carried =
-      resolved.has("traction.rolling_resistance") && resolved.flag("traction.rolling_resistance");
-  const char* advice = squeezed ? "The closed form takes loads at rest and no friction in the pockets: use "
-                                  "cage_slip"
+  const char* advice = squeezed ? "drag_slip takes loads at rest: use cage_slip"
                                 : "Compare with contact.squeeze: true";
   warn_where(
       outcome,
-      fmt::format("cage_slip differs by more than {:g} % from the slip by drag against traction (drag_slip). "
-                  "Rollers that bounce, or a bore that whirls, may hold such a state up. {}",
-                  100.0 * share, advice),
+      fmt::format("cage_slip differs by more than {:g} from drag_slip, that of the loads at rest. Rollers that "
+                  "bounce, or a bore that whirls, may hold such a state up. {}",
+                  study::kDragSlipError, advice),
       [&](const ResultRow& row) {
-        const double slip = column(row, "drag_slip");
-        const double more = column(row, "cage_slip") - slip;
-        return slip > study::kLightSlip && (carried ? more : std::abs(more)) > share * slip + creep;
+        return column(row, "drag_over_traction") > study::kLightLoad &&
+               std::abs(column(row, "cage_slip") - column(row, "drag_slip")) > study::kDragSlipError;
       },
       warnings);
   const auto free = [&](const ResultRow& row) {
-    return row.ok() && !together(row) && (full || column(row, "drag_slip") > study::kLightSlip);
+    return row.ok() && !together(row) && (full || column(row, "drag_over_traction") > study::kLightLoad);
   };
   if (std::ranges::none_of(rows_of(outcome, true), [&](const ResultRow* row) { return free(*row); })) return;
   const bool tried =

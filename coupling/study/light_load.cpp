@@ -26,21 +26,44 @@ MeansAtRest means_at_rest(const PlanetaryDrivetrain& drivetrain, const Drivetrai
   return all;
 }
 
-std::optional<double> slip_by_drag(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
-                                   const BearingDuty& duty, const std::optional<WindowStatistics>& at_rest) {
+namespace {
+
+// `of` a bearing's model and its loads, where drag and traction can be compared.
+template <class Function>
+std::optional<double> under_loads_at_rest(const PlanetaryDrivetrain& drivetrain,
+                                          const DrivetrainGeometry& geometry, const BearingDuty& duty,
+                                          const std::optional<WindowStatistics>& at_rest,
+                                          const Function& of) {
   const bearing::motion::DynamicsParameters parameters = bearing_dynamics(drivetrain, geometry);
   if (!at_rest || parameters.race.traction != bearing::motion::TractionLaw::regularised_coulomb ||
       parameters.race.lubrication != bearing::motion::Lubrication::full ||
       duty.point.inner_speed == duty.point.outer_speed)
     return std::nullopt;
   try {
-    const Eigen::ArrayXd both = (at_rest->inner.mean_load * at_rest->inner.passages)
-                                    .min(at_rest->outer.mean_load * at_rest->outer.passages);
-    return drag_slip(bearing_model(drivetrain.bearing, duty.point, parameters),
-                     drivetrain.bearing.rollers().count * both.mean());
+    return of(bearing_model(drivetrain.bearing, duty.point, parameters),
+              bearing::motion::LoadsOfOrbit{at_rest->inner.mean_load * at_rest->inner.passages,
+                                            at_rest->outer.mean_load * at_rest->outer.passages});
   } catch (const std::exception&) {  // as above
     return std::nullopt;
   }
+}
+
+}  // namespace
+
+std::optional<double> drag_over_traction(const PlanetaryDrivetrain& drivetrain,
+                                         const DrivetrainGeometry& geometry, const BearingDuty& duty,
+                                         const std::optional<WindowStatistics>& at_rest) {
+  return under_loads_at_rest(drivetrain, geometry, duty, at_rest, [](const auto& model, const auto& loads) {
+    return bearing::motion::drag_over_traction(model, loads);
+  });
+}
+
+std::optional<double> slip_by_drag(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                                   const BearingDuty& duty, const std::optional<WindowStatistics>& at_rest) {
+  if (!drivetrain.bearing.has_cage()) return std::nullopt;
+  return under_loads_at_rest(drivetrain, geometry, duty, at_rest, [](const auto& model, const auto& loads) {
+    return bearing::motion::drag_slip(model, loads);
+  });
 }
 
 PlanetaryDrivetrain with_error_of_load(PlanetaryDrivetrain drivetrain, const MeansAtRest& at_rest) {

@@ -14,8 +14,13 @@ using MeansAtRest = std::vector<std::optional<bearing::motion::WindowStatistics>
 MeansAtRest means_at_rest(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                           const std::vector<BearingDuty>& duties);
 
-/// Slip [-] by drag (bearing/motion/drag_slip.hpp) under the loads at rest; none where traction has no closed
-/// form, or the bearing at rest no balance.
+/// Drag over traction [-] (bearing/motion/drag_slip.hpp) under the loads at rest; none where traction is not
+/// that of regularised Coulomb alone, or the bearing at rest has no balance.
+std::optional<double> drag_over_traction(const PlanetaryDrivetrain& drivetrain,
+                                         const DrivetrainGeometry& geometry, const BearingDuty& duty,
+                                         const std::optional<bearing::motion::WindowStatistics>& at_rest);
+
+/// Slip [-] of the cage by the same source; none also where it finds no balance of the cage, or there is none.
 std::optional<double> slip_by_drag(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                                    const BearingDuty& duty,
                                    const std::optional<bearing::motion::WindowStatistics>& at_rest);

@@ -166,8 +166,8 @@ MotionWork work_of(const NamedSet& named, Fidelity fidelity) {
   const bool gears = static_cast<bool>(drivetrain.gear_set);
   const bool coupled =
       fidelity != Fidelity::dynamic ||
-      moves_with_its_gears(drivetrain,
-                           slip_by_drag(drivetrain, named.geometry, duty, at_rest.front()).value_or(0.0));
+      moves_with_its_gears(
+          drivetrain, drag_over_traction(drivetrain, named.geometry, duty, at_rest.front()).value_or(0.0));
   const SetMotion set{
       drivetrain, model, gears && drivetrain.mesh_variation,
       gears ? gearset::dynamics::operation_of(drivetrain.set, drivetrain.drive).mesh_frequency : 0.0,

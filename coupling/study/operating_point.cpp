@@ -247,6 +247,7 @@ DynamicRecord record_of(const system::SteadyStateResult& run) {
   return {.steady = run.steady,
           .roller_slip = 1.0 - run.statistics.mean_spin / run.rolling.spin,
           .friction_moment = run.statistics.bore_friction_moment,
+          .vibration_power = run.statistics.vibration_power,
           .loss = run.statistics.loss,
           .series = run.series,
           .run = run.report,
@@ -416,17 +417,19 @@ PointResult moving_point(const PlanetaryDrivetrain& stated, const DrivetrainGeom
                          const std::vector<BearingDuty>& duties, Fidelity fidelity) {
   const MeansAtRest at_rest = means_at_rest(stated, geometry, duties);
   const PlanetaryDrivetrain drivetrain = with_error_of_load(stated, at_rest);
-  const std::optional<double> slip = slip_by_drag(drivetrain, geometry, duties.front(), at_rest.front());
+  const std::optional<double> drag =
+      drag_over_traction(drivetrain, geometry, duties.front(), at_rest.front());
   const auto point = [&]() -> PointResult {
     if (fidelity != Fidelity::dynamic) return coupled_point(drivetrain, geometry, duties.front(), fidelity);
-    if (moves_with_its_gears(drivetrain, slip.value_or(0.0))) try {
+    if (moves_with_its_gears(drivetrain, drag.value_or(0.0))) try {
         return coupled_point(drivetrain, geometry, duties.front(), Fidelity::monolithic);
       } catch (const std::runtime_error&) {  // its row says which of both it is
       }
     return one_way_point(drivetrain, geometry, duties);
   };
   PointResult result = point();
-  result.dynamic->drag_slip = slip;
+  result.dynamic->drag_over_traction = drag;
+  result.dynamic->drag_slip = slip_by_drag(drivetrain, geometry, duties.front(), at_rest.front());
   return result;
 }
 
@@ -465,6 +468,15 @@ PointResult completed(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeo
   result.radial_clearance = drivetrain.bearing.radial_clearance;
   result.rim_over_module = geometry.rim_over_module;
   result.caged = drivetrain.bearing.has_cage();
+  return result;
+}
+
+PointResult completed_in_motion(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                                const std::vector<BearingDuty>& duties, PointResult result) {
+  result = completed(drivetrain, geometry, duties, std::move(result));
+  if (is_rated_on_laminae(drivetrain))
+    result.contact_pressure =
+        pressure_along_the_roller(drivetrain, geometry, result.inner.load_max, result.outer.load_max);
   return result;
 }
 
@@ -512,10 +524,10 @@ void require_cylindrical_beyond_rest(const PlanetaryDrivetrain& drivetrain, Fide
 
 }  // namespace
 
-bool moves_with_its_gears(const PlanetaryDrivetrain& drivetrain, double slip) {
+bool moves_with_its_gears(const PlanetaryDrivetrain& drivetrain, double drag_over_traction) {
   const bool moving = drivetrain.gear_set && !drivetrain.in_arrangement &&
                       drivetrain.run_up.acceleration == 0.0 && drivetrain.seats.tilt != TiltState::computed;
-  return moving && (!drivetrain.bearing.has_cage() || slip > kLightSlip);
+  return moving && (!drivetrain.bearing.has_cage() || drag_over_traction > kLightLoad);
 }
 
 double governing_hours(const PointResult& result) {
@@ -544,7 +556,8 @@ PointResult evaluate(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeom
   }
   const std::vector<BearingDuty> duties = planet_duties(drivetrain, geometry);
   if (fidelity != Fidelity::quasi_static)
-    return completed(drivetrain, geometry, duties, moving_point(drivetrain, geometry, duties, fidelity));
+    return completed_in_motion(drivetrain, geometry, duties,
+                               moving_point(drivetrain, geometry, duties, fidelity));
   PointResult at_rest = cylindrical_at_rest_rated(drivetrain, geometry, duties);
   if (drivetrain.carrier_mounting) at_rest.carrier = carrier_revolution(drivetrain, geometry);
   return at_rest;
@@ -584,8 +597,9 @@ PointResult evaluate_from(const PlanetaryDrivetrain& drivetrain, const Drivetrai
   const BearingDuty duty = bearing_duty(drivetrain, geometry);
   const PlanetaryDrivetrain following =
       with_error_of_load(drivetrain, means_at_rest(drivetrain, geometry, {duty}));
-  return completed(following, geometry, {duty},
-                   driven_point(following, geometry, duty, motion_from(start, following, geometry, duty)));
+  return completed_in_motion(
+      following, geometry, {duty},
+      driven_point(following, geometry, duty, motion_from(start, following, geometry, duty)));
 }
 
 }  // namespace orbearing::study

@@ -9,6 +9,7 @@
 #include "coupling/study/carrier_revolution.hpp"
 #include "coupling/study/drivetrain.hpp"
 #include "coupling/study/one_way.hpp"
+#include "coupling/study/worst_bearing.hpp"
 
 namespace orbearing::described {
 class Record;
@@ -62,6 +63,7 @@ struct DynamicRecord {
   double roller_slip = 0.0;          // [-]  1 - mean roller spin / spin at pure rolling
   std::optional<double> orbit_slip;  // [-]  1 - mean orbital speed of rollers without cage / at pure rolling
   double friction_moment = 0.0;      // [N m]  of the bearing on the bore
+  double vibration_power = 0.0;      // [W]    that the bearing takes from the bore beyond that
   bearing::motion::PowerLoss loss;   // [W]  by cause
   system::BearingSeries series;      // of the last cage revolution
   integration::IntegrationReport run;   // what it took
@@ -69,7 +71,8 @@ struct DynamicRecord {
   bearing::motion::StateLayout layout;  // of that state
   std::optional<OneWayRecord> one_way;  // what stood for the bearings in gears that drive one of them
   std::optional<double> one_way_load_difference = std::nullopt;  // [-]  also where only mean loads drive it
-  std::optional<double> drag_slip = std::nullopt;  // [-]  by drag against traction, in closed form
+  std::optional<double> drag_over_traction = std::nullopt;  // [-]  how lightly the bearing is loaded
+  std::optional<double> drag_slip = std::nullopt;           // [-]  of the cage, under the loads at rest
 };
 
 /// What only gears and bearings that act on each other tell.
@@ -116,6 +119,7 @@ struct SetResult {
   RatingRecord rating{};
   double contact_pressure = 0.0;                                      // [Pa]  as of a point
   double rim_over_module = std::numeric_limits<double>::quiet_NaN();  // [-]  as of a point
+  UnlikeBearings unlike{};
 };
 
 /// What one operating point gives. Loads and lives are those of one bearing: of several sets, of the one
@@ -183,16 +187,18 @@ bearing::motion::DynamicsParameters dynamics_parameters(const PlanetaryDrivetrai
                                                         const DrivetrainGeometry& geometry,
                                                         const BearingDuty& duty, const GearsOnTangent& gears);
 
-/// Slip by drag (bearing/motion/drag_slip.hpp) above which a bearing is lightly loaded.
-inline constexpr double kLightSlip = 0.05;  // [-]
+/// Drag over traction (bearing/motion/drag_slip.hpp) above which a bearing is lightly loaded.
+inline constexpr double kLightLoad = 1.0;  // [-]
+
+/// By how much drag_slip() and the slip of a cage in motion differ: docs/slip_and_branches.md.
+inline constexpr double kDragSlipError = 0.03;  // [-]
 
 /// Whether a point asked for one way is solved as one system with its gears. Driven one way the bore is free
 /// under a stated force, while meshes as stiff as the bearing hold it in fact. Rollers without a cage strike
 /// each other and the races: lives on a free bore are up to an eighth too short. A lightly loaded bearing
 /// whirls on a free bore, and its own whirl gives it the load not to skid. False where gears and bearings
 /// have no common motion in time: several sets, a run-up, a computed tilt.
-/// @param slip [-] by drag
-bool moves_with_its_gears(const PlanetaryDrivetrain& drivetrain, double slip);
+bool moves_with_its_gears(const PlanetaryDrivetrain& drivetrain, double drag_over_traction);
 
 /// Computes one point. Throws std::runtime_error with the solver's reason where it finds no balance or the
 /// motion could not be followed.

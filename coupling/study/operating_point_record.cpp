@@ -150,37 +150,28 @@ void describe_motion(Record& record, const PointResult& point) {
                "1 minus mean orbital speed of the rollers divided by that at pure rolling, without a cage",
                moving([](const DynamicRecord& d) { return d.orbit_slip.value_or(kAbsent); }));
   record.value(
+      "drag_over_traction", dimension::ratio,
+      "drag of the oil on rollers and cage at pure rolling over the largest traction of the loaded rollers; "
+      "above 1 the bearing is lightly loaded",
+      moving([](const DynamicRecord& d) { return d.drag_over_traction.value_or(kAbsent); }));
+  record.value(
       "drag_slip", dimension::ratio,
-      "slip of the orbit by drag of the oil against traction of the loaded rollers, in closed form, to "
-      "compare with that of the motion",
+      "cage_slip that the loads at rest give by traction, rolling resistance, drag and guidance of the cage; "
+      "within 0.03 of cage_slip where rollers do not bounce",
       moving([](const DynamicRecord& d) { return d.drag_slip.value_or(kAbsent); }));
   record.value(
       "friction_moment_N_m", dimension::torque,
-      "friction moment of the bearing on the bore; times the planet's speed it is the loss but for what "
-      "the vibration of the planet brings",
+      "mean friction moment of the bearing on the bore. Times the planet's speed relative to the carrier, "
+      "plus vibration_power_W, it is power_loss_W",
       moving([](const DynamicRecord& d) { return d.friction_moment; }));
+  record.value(
+      "vibration_power_W", dimension::heat,
+      "power that vibration of the planet brings into the bearing, beyond mean friction moment times "
+      "mean speed",
+      moving([](const DynamicRecord& d) { return d.vibration_power; }));
   describe_losses(record, point);
   record.value("steady", dimension::ratio, "1: the means were steady; 0: they drifted to the end",
                moving([](const DynamicRecord& d) { return d.steady ? 1.0 : 0.0; }));
-}
-
-std::vector<PlanetResult>::const_iterator shortest_lived(const PointResult& point) {
-  return std::ranges::min_element(point.planets, {}, &PlanetResult::life_hours);
-}
-
-double shortest_life(const PointResult& point) {
-  if (point.coupled) return std::ranges::min(point.coupled->bearing_life_hours);
-  if (!point.seats.empty())
-    return std::ranges::min_element(point.seats, {}, &SeatResult::life_hours)->life_hours;
-  return point.planets.empty() ? kAbsent : shortest_lived(point)->life_hours;
-}
-
-// The same of a life of the standards.
-double shortest_rated_life(const PointResult& point, double bearing::rating::RatedHours::*hours) {
-  double least = kAbsent;
-  for (const SeatResult& seat : point.seats) least = std::fmin(least, seat.rated_hours.*hours);
-  for (const PlanetResult& planet : point.planets) least = std::fmin(least, planet.rated_hours.*hours);
-  return least;
 }
 
 template <class Items, class Value>
@@ -205,26 +196,28 @@ double largest_bearing_share(const PointResult& point) {
   return most;
 }
 
-// Where planets or their bearings are unlike.
-void describe_sharing(Record& record, const PointResult& point) {
+void describe(Record& record, const UnlikeBearings& unlike) {
   record.value("shortest_life_h", dimension::hours,
                "shortest life of a bearing, where planets load unevenly, their tilt is computed or bearings "
                "act on the gears",
-               shortest_life(point));
+               unlike.shortest_hours);
   for (const bearing::rating::RatedLife& life : bearing::rating::kRatedLives)
     record.value(std::string("shortest_") + life.name, dimension::hours,
                  std::string(life.name) +
                      ", shortest of all bearings, where planets load unevenly or their tilt is computed",
-                 shortest_rated_life(point, life.hours));
+                 unlike.shortest_rated.*life.hours);
   record.value("shortest_life_planet", dimension::ratio,
                "planet with the shortest bearing life, counted from 1, where life_h is that of unlike "
                "planets together",
-               point.planets.empty()
-                   ? kAbsent
-                   : static_cast<double>(shortest_lived(point) - point.planets.begin() + 1));
+               unlike.planet);
   record.value("largest_load_share", dimension::ratio,
                "mean tangential load of the most loaded planet, divided by the mean of all planets",
-               largest_of(point.planets, [](const PlanetResult& planet) { return planet.load_share; }));
+               unlike.load_share);
+}
+
+// Where planets or their bearings are unlike.
+void describe_sharing(Record& record, const PointResult& point) {
+  describe(record, unlike_bearings(point));
   record.value("largest_bearing_tilt_mrad", dimension::small_angle,
                "largest tilt of a bore against its pin, where the tilt of planets is computed",
                largest_of(point.seats, [](const SeatResult& seat) { return seat.tilt.norm(); }));
@@ -497,6 +490,7 @@ void describe(Record& record, const SetResult& set) {
                "largest pressure of roller and race, after Hertz", set.contact_pressure);
   describe_factors(record, set.rating.lives);
   record.value("rim_over_module", dimension::ratio, kRimMeaning, set.rim_over_module);
+  describe(record, set.unlike);
 }
 
 }  // namespace orbearing::study

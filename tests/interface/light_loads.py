@@ -36,6 +36,7 @@ HELD = ("gearset.fixed=carrier", "gearset.mesh_variation=false", "traction.rolli
 BEARINGS, SEED = (2 if LEFT_TO_FULL else 30), 49
 TOLERANCE = 0.15  # [-]  of the slip by drag
 CREEP = 0.003  # [-]  by which a cage is ahead or behind at any load, its centre being displaced
+STATED = 0.03  # [-]  by which drag_slip differs from cage_slip: docs/slip_and_branches.md
 NEEDLES = REDUCER.parents[1] / "reducer_needles" / "case.yaml"
 SHORT = ("simulation.observed_revolutions=6", "simulation.most_revolutions=20")
 
@@ -66,11 +67,11 @@ def point_of_text(text, *values):
 class LightLoads(unittest.TestCase):
     @unittest.skipIf(LEFT_TO_FULL, "left to tools/test --full")
     def test_rolling_resistance_carries_rollers_along(self):
-        """Figures of docs/slip_and_branches.md: drag_slip 0.33; in motion 0.24 without and 0.04 with rolling resistance."""
+        """Figures of docs/slip_and_branches.md: in motion 0.24 without and 0.04 with rolling resistance, and drag_slip with it."""
         for values, slip in (((), 0.04), (("traction.rolling_resistance=false",), 0.24)):
             point = point_of_text(ROLLERS_70, *values)
-            self.assertAlmostEqual(point["drag_slip"], 0.33, delta=0.005)
             self.assertAlmostEqual(point["cage_slip"], slip, delta=0.005)
+            self.assertAlmostEqual(point["drag_slip"], point["cage_slip"], delta=STATED)
 
     def test_slip_is_that_of_drag_against_traction_from_two_starts(self):
         compared = 0
@@ -86,24 +87,25 @@ class LightLoads(unittest.TestCase):
                 self.assertIn("solved as one system", said)
                 self.assertEqual(point["interface_window_us"], 0.0)
                 # Without squeezed oil rollers may bounce so that they do not skid: a state that is told, with the slip by drag beside it.
-                near = abs(point["cage_slip"] - expected) <= TOLERANCE * expected + CREEP
-                self.assertEqual(near, "differs by more than 15 %" not in said)
+                near = abs(point["cage_slip"] - expected) <= STATED
+                self.assertEqual(near, "differs by more than 0.03" not in said)
                 squeezed, _ = point_of(*HELD, *values, "contact.squeeze=true")
-                self.assertAlmostEqual(squeezed["cage_slip"], expected, delta=TOLERANCE * expected + CREEP)
+                self.assertAlmostEqual(squeezed["cage_slip"], expected, delta=min(STATED, TOLERANCE * expected + CREEP))
 
     def test_a_loaded_bearing_is_driven_one_way(self):
         point, said = point_of("gearset.mesh_variation=false", *SHORT)
-        self.assertLess(point["drag_slip"], 0.05)
+        self.assertLess(point["drag_over_traction"], 0.05)
+        self.assertAlmostEqual(point["drag_slip"], point["cage_slip"], delta=STATED)
         self.assertIsNone(point["interface_window_us"])
         self.assertNotIn("one system", said)
         self.assertLess(point["one_way_load_difference"], 0.002)  # of the gears at rest
 
     def test_rollers_and_races_that_are_not_alike_have_it_too(self):
-        """The closed form takes the bearing at rest, which equal rollers and standing forms alone have."""
+        """It takes the bearing at rest, which equal rollers and standing forms alone have."""
         for unlike in ("bearing.roller_diameter_deviation=[0 um, 2 um]", "bearing.outer_race.waviness={order: [11], amplitude: [0.3 um]}"):
             point, _ = point_of("gearset.mesh_variation=false", unlike, *SHORT)
             self.assertEqual(point["status"], "ok")
-            self.assertLess(point["drag_slip"], 0.05)
+            self.assertLess(point["drag_over_traction"], 0.05)
 
     def test_back_flanks_show_without_mesh_variation(self):
         """Displaced planets use up the backlash: the bearing has not the load of the gears."""

@@ -73,6 +73,7 @@ KNOWN = (
     Known("numerics.cage_positions", r"/stiffness/", 0.05,
           "a roller that comes into contact adds its stiffness at once: the mean over N positions converges as 1/N"),
     Known("numerics.cage_positions", r"/roller_loads/", math.inf, "the list of the positions themselves"),
+    Known("numerics.cage_positions", r"/points/\d+/drag_slip", 0.0, "a cage that its land holds stands where loads by position put it", floor=0.005),
     Known("numerics.cage_positions", r"/points/\d+/rim_ovality_um", 5e-3, "a difference of two deflections"),
     Known("numerics.cage_positions", r"/", 2e-3, "rollers enter and leave the load zone within a pitch: means and maxima over 16 positions converge as 1/N^2"),
     Known("bearing.laminae", r"/lamina_loads_N/|/roller_loads/", math.inf, "of each lamina, whose number it is"),
@@ -91,7 +92,7 @@ KNOWN = (
     # In motion: docs/motion_time.md has the scatter of means over revolutions, and what steps change.
     Known(MOTION, r"/points/\d+/(one_way_|interface_|steady)", math.inf, "how gears and bearings were brought together, not a result of theirs", moving=True),
     Known(MOTION, r"/points/\d+/(cage|roller|orbit)_slip", 0.0, "slip scatters by 0.2 % of the speed from revolution to revolution", floor=0.005, moving=True),
-    Known(MOTION, r"/points/\d+/(power_loss|friction_moment)", 0.15, "losses by cause scatter with impacts in pockets", floor=0.5, moving=True),
+    Known(MOTION, r"/points/\d+/(power_loss|friction_moment|vibration_power)", 0.15, "losses by cause scatter with impacts in pockets", floor=0.5, moving=True),
     Known(MOTION, r"/", 0.03, "lives scatter by up to 0.85 % between revolutions, and steps change them by up to 2 %", moving=True),
     Known("gearset.dynamics..*", r"/", 1e-3, "means over mesh periods of a steady vibration"),
 )

@@ -68,8 +68,10 @@ const std::vector<std::string> promised = {"input_speed_rpm",
                                            "static_safety",
                                            "roller_slip",
                                            "orbit_slip",
+                                           "drag_over_traction",
                                            "drag_slip",
                                            "friction_moment_N_m",
+                                           "vibration_power_W",
                                            "power_loss_W",
                                            "power_loss_race_damping_W",
                                            "power_loss_inner_traction_W",
@@ -190,6 +192,7 @@ TEST(ResultRow, EveryNumberStandsUnderItsNameInItsUnit) {
                                         .roller_slip = 18.0,
                                         .orbit_slip = 75.0,
                                         .friction_moment = 19.0,
+                                        .vibration_power = 78.0,
                                         .loss = {.race_damping = 1.0,
                                                  .inner_traction = 2.0,
                                                  .outer_traction = 4.0,
@@ -199,6 +202,7 @@ TEST(ResultRow, EveryNumberStandsUnderItsNameInItsUnit) {
                                                  .neighbours = 256.0,
                                                  .guidance = 64.0,
                                                  .support = 128.0}};
+  result.dynamic->drag_over_traction = 77.0;
   result.dynamic->drag_slip = 76.0;
   result.dynamic->one_way_load_difference = 43.5;
   study::OneWayRecord fit{.fitted = {.residual = 41.0, .stiffness_change = 42.0, .damping_change = 43.0},
@@ -222,19 +226,19 @@ TEST(ResultRow, EveryNumberStandsUnderItsNameInItsUnit) {
     const double slip = caged ? 16.0 : not_given, pockets = caged ? 32.0 : not_given,
                  guidance = caged ? 64.0 : not_given, neighbours = caged ? not_given : 256.0;
     const std::vector<double> expected = {
-        0,         1,          2,         3,         4,         6,         7,         10,        11,
-        8,         12,         14,        15,        slip,      9,         13,        -1,        5,
-        72,        73,         74,        20,        67,        68,        3.5,       102,       94,
-        95,        96,         97,        98,        99,        100,       101,       90,        91,
-        92,        93,         65,        66,        160,       243,       82,        80,        81,
-        2,         3,          60,        61,        62,        62.5,      40000,     18,        75,
-        76,        19,         511,       1,         2,         4,         8,         16,        pockets,
-        guidance,  neighbours, 128,       1,         21,        114,       113,       116,       115,
-        2,         1.5,        5,         1,         23,        24,        40,        1,         41,
-        42,        43,         43.5,      44,        45,        46,        47,        48,        49,
-        50,        51,         52,        53,        not_given, not_given, not_given, not_given, not_given,
-        not_given, not_given,  not_given, not_given, not_given, not_given, not_given, not_given, -1,
-        17};
+        0,         1,         2,         3,          4,         6,         7,         10,        11,
+        8,         12,        14,        15,         slip,      9,         13,        -1,        5,
+        72,        73,        74,        20,         67,        68,        3.5,       102,       94,
+        95,        96,        97,        98,         99,        100,       101,       90,        91,
+        92,        93,        65,        66,         160,       243,       82,        80,        81,
+        2,         3,         60,        61,         62,        62.5,      40000,     18,        75,
+        77,        76,        19,        78,         511,       1,         2,         4,         8,
+        16,        pockets,   guidance,  neighbours, 128,       1,         21,        114,       113,
+        116,       115,       2,         1.5,        5,         1,         23,        24,        40,
+        1,         41,        42,        43,         43.5,      44,        45,        46,        47,
+        48,        49,        50,        51,         52,        53,        not_given, not_given, not_given,
+        not_given, not_given, not_given, not_given,  not_given, not_given, not_given, not_given, not_given,
+        not_given, -1,        17};
     ASSERT_EQ(expected.size(), head.names.size());
     for (std::size_t i = 0; i < expected.size(); ++i)
       if (i != head.status_location && i != head.refined_location) {
