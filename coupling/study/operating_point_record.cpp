@@ -162,7 +162,7 @@ void describe_motion(Record& record, const PointResult& point) {
   record.value(
       "friction_moment_N_m", dimension::torque,
       "mean friction moment of the bearing on the bore. Times the planet's speed relative to the carrier, "
-      "plus vibration_power_W, it is power_loss_W",
+      "plus vibration_power_W, it is power_loss_W within 3 %",
       moving([](const DynamicRecord& d) { return d.friction_moment; }));
   record.value(
       "vibration_power_W", dimension::heat,
