@@ -85,9 +85,6 @@ void check_planet_surface(CheckedCase& in) {
   if (in.choice("defect.form") == "as-printed")
     in.add_error_at("defect.form", "'as-printed', which jumps at both edges",
                     "a continuous form is required where all of the bearing moves");
-  if (in.has("defect.also") && in.choice("defect.also") == "ball")
-    in.add_error_at("defect.also", "'ball' in a bearing of rollers",
-                    "outer, inner, roller or none is required");
 }
 
 // Of the set with the scratched bearing, whose inputs have `prefix` in the case.

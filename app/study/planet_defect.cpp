@@ -39,8 +39,8 @@ std::vector<system::ScratchedPlanet> scratched_planets_of(const ResolvedCase& in
   };
   system::ScratchedPlanet planet{
       .planet = position.planet - 1, .bearing = position.bearing - 1, .scratches = {turned(first)}};
-  if (position.also != Scratched::none) {
-    first.race = position.also;
+  if (position.also != study::SecondScratched::none) {
+    first.race = scratched_part(position.also);
     first.angle = position.also_angle;
     first.more_angles.clear();
     planet.scratches.push_back(turned(first));

@@ -32,32 +32,56 @@ struct PlanetSampling {
 template <class Visitor>
 void describe(Visitor& visit, PlanetSampling& m) {
   using namespace described;
-  members(
-      visit, m,
-      field(m.rate, "signal.sampling_rate", Physics::defect, "sampling rate of the vibration",
-            {.models = scratched_bearings, .dimension = dimension::frequency}),
-      field(m.revolutions, "signal.carrier_revolutions", Physics::defect,
-            "sampled revolutions of the carrier; frequency resolution: its speed divided by this number",
-            {.models = planetary_drivetrain,
-             .range = positive(1e4),
-             .reason = "side bands of the carrier sixteen lines apart",
-             .numerical = true}),
-      field(
-          m.settling_revolutions, "signal.carrier_settling", Physics::defect,
-          "revolutions of the carrier before sampling, in which the start transient decays",
-          {.models = planetary_drivetrain,
-           .range = {0.0, 1e4},
-           .reason = "some turns of planets and cages",
-           .numerical = true}),
-      field(m.run_up_from, "signal.run_up_from", Physics::defect,
-            "share of the speed at which the motion begins", {.models = scratched_bearings}));
+  members(visit, m,
+          field(m.rate, "signal.sampling_rate", Physics::defect, "sampling rate of the vibration",
+                {.models = scratched_bearings, .dimension = dimension::frequency}),
+          field(m.revolutions, "signal.carrier_revolutions", Physics::defect,
+                "sampled revolutions of the carrier; frequency resolution: its speed divided by this number",
+                {.models = planetary_drivetrain,
+                 .range = positive(1e4),
+                 .reason = "side bands of the carrier sixteen lines apart",
+                 .numerical = true}),
+          field(m.settling_revolutions, "signal.carrier_settling", Physics::defect,
+                "revolutions of the carrier before sampling, in which the start transient decays",
+                {.models = planetary_drivetrain,
+                 .range = {0.0, 1e4},
+                 .reason = "some turns of planets and cages",
+                 .numerical = true}),
+          field(m.run_up_from, "signal.run_up_from", Physics::defect,
+                "share of the speed at which the motion begins", {.models = scratched_bearings}));
+}
+
+/// A second scratched part of a planet bearing, which has rollers.
+enum class SecondScratched { none, outer, inner, roller };
+
+constexpr described::Names<SecondScratched, 4> names_of(SecondScratched) {
+  return {{{SecondScratched::outer, "outer"},
+           {SecondScratched::inner, "inner"},
+           {SecondScratched::roller, "roller"},
+           {SecondScratched::none, "none"}}};
+}
+
+/// Part with such a scratch.
+constexpr bearing::defect::Scratched scratched_part(SecondScratched part) {
+  using bearing::defect::Scratched;
+  switch (part) {
+    case SecondScratched::outer:
+      return Scratched::outer;
+    case SecondScratched::inner:
+      return Scratched::inner;
+    case SecondScratched::roller:
+      return Scratched::roller;
+    case SecondScratched::none:
+      break;
+  }
+  return Scratched::none;
 }
 
 /// Which bearing is scratched, and what of it besides.
 struct ScratchedPosition {
   int planet = 1;   // from 1
   int bearing = 1;  // of the planet, from 1
-  bearing::defect::Scratched also = bearing::defect::Scratched::none;
+  SecondScratched also = SecondScratched::none;
   double also_angle = 0.0;  // [rad]
 };
 
