@@ -386,6 +386,7 @@ class Tiles(Drawn):
         texts = {one["key"]: (one["verdict"], one["text"]) for one in tiles}
         at = {key: value_of(key, SPEED) for key in KEYS}
         self.assertEqual(texts["S0"], ("failed", "S07.25passed here: at least 1.5failed at 17 of 60 speeds, worst 1.125"))
+        self.assertEqual(next(one["classes"] for one in tiles if one["key"] == "S0"), "tile failed elsewhere")
         self.assertEqual(texts["largest_load_share"], ("not judged", f"load share{readable(at['largest_load_share'])}not judged: at most 1.3all planets carry the same load"))
         for key, name, unit in (("L10h", "L10h", "h"), ("kappa", "kappa", ""), ("contact_pressure_max_MPa", "pressure", "MPa"), ("rim_over_module", "rim / module", ""),
                                 ("L10rh", "L10rh", "h"), ("life_h", "Lundberg-Palmgren", "h"), ("planet_load_N", "planet load", "N"), ("carrier_speed_rpm", "carrier", "rpm")):
@@ -411,13 +412,23 @@ class Tiles(Drawn):
             tiles, _ = self.tiles(results={"run": {**RUN, "verdicts": [], **run_more}, "sweep": {**SWEEP, "verdicts": []}})
             self.assertEqual((tiles[0]["key"], "chief" in tiles[0]["classes"]), (key, True))
         self.assertIn("Governing life, L10rh, load spectrum4 321 h".replace(" 321", "\u202f321"), tiles[0]["text"])
+        near = {"planet_load_N": 1e6, "tangential_load_N": 5e5, "centrifugal_load_N": 10.0, "radial_mesh_load_N": 5.0}
+        at_end = {**SWEEP, "peak": {"life_key": "L10rh", "speed_rpm": HIGH, "life_h": 77.0}}
+        tiles, found = self.tiles(results={"nulls": {"limiting_set": "second", **near}, "run": {**RUN, "roller_loads": []}, "sweep": at_end})
+        self.assertIn("Governing life, L10mrh, set second", tiles[0]["text"])
+        cards = found["cards"]
+        self.assertIn("The results have no pressure along a roller of this bearing", cards["pressure"]["text"])
+        self.assertIn("No bars: the results have no load of each roller.", cards["bearing"]["text"])
+        self.assertEqual(cards["life"]["charts"][0]["marks"][0][-1], "longest L10rh of these speeds")
+        self.assertIn("radial mesh loadat this scale the same curve as centrifugal load",
+                      [one["text"] for one in cards["loads"]["charts"][0]["legend"]])
 
     def test_hours_are_whole_and_what_is_missing_says_why(self):
         nulls = {"L10h": 1234567.8, "kappa": None, "L10mh": None, "carrier_L10mrh": None, "shortest_L10mrh": None}
         tiles, _ = self.tiles(results={"nulls": nulls, "run": {**RUN, "verdicts": []}})
         texts = {one["key"]: one for one in tiles}
         self.assertEqual(texts["L10h"]["text"], "L10h1\u202f234\u202f568 h")
-        self.assertEqual((texts["kappa"]["text"], texts["kappa"]["classes"]), ("kappa–", "tile none"))
+        self.assertEqual((texts["kappa"]["text"], texts["kappa"]["classes"]), ("kappa–an oil grade is required", "tile none"))
         self.assertTrue(texts["kappa"]["title"].endswith("not computed: an oil grade is required"))
         self.assertTrue(texts["L10mh"]["title"].endswith("not computed: oil grade and cleanliness are required"))
         self.assertEqual(texts["L10mrh"]["value"], repr(value_of("L10mrh", SPEED)).removesuffix(".0"))
@@ -443,7 +454,7 @@ class AtTheCursor(Drawn):
                  dump("cursor"), put("#mode-choice", "translational 1"), put("#card-bearing input", "250", "input"), dump("turned"),
                  cursor_put(8600), dump("further"), cursor_put(8400), dump("back"), text_put(OTHER), dump("other")]
         rest = {"rest_a": 12345.678, "rest_b": {"inner": 0.00012346}, "rest_list": [1.5, None, 2.5], "rest_rows": [{"name": "one", "force_N": 3.25}, {"name": "two", "force_N": 4.75}],
-                "rest_words": ["x", "y"], "rest_matrix": [[1.25, 2.25], [3.25, None]], "rest_text": "words"}
+                "rest_lists": [{"set": "", "loads_N": [1.5, 2.5]}], "rest_words": ["x", "y"], "rest_matrix": [[1.25, 2.25], [3.25, None]], "rest_text": "words"}
         cls.page = page(steps, (CASE, OTHER), results={"nulls": nulls, "run": {**RUN, **rest}})
         cls.dumps = cls.page["dumps"]
         cls.nulls = nulls
@@ -482,6 +493,8 @@ class AtTheCursor(Drawn):
         self.assertIn([["1.25", "2.25"], ["3.25", "–"]], tables)
         self.assertIn("rest list: 3 values", text)
         self.assertIn("rest words: 2 rows", text)
+        self.assertIn("rest lists: 1 row loads: 2 values", text)
+        self.assertNotIn([["set"], [""]], tables)
 
     def test_crown_and_effects_are_of_the_cursor(self):
         asked = {one["command"]: one for one in self.page["requests"] if one["command"] in ("crown", "sensitivities")}
@@ -495,10 +508,11 @@ class AtTheCursor(Drawn):
             ["Rollers", "crowned"], ["L10mrh there, by laminae", "40\u202f123 h"], ["of straight rollers", "30\u202f123 h"], ["Peak pressure there", "1\u202f717 MPa"],
             ["Peak pressure of straight rollers", "1\u202f919 MPa"]])
         self.assertIn("Design by the tile: L10mrh is 21,234 h now and 22,345 h with this drop.", card["text"].replace("\u202f", ","))
+        self.assertNotIn("shortens this life", card["text"])
         known = sorted((one["drop_um"], one["governing_life_h"], one["peak_pressure_MPa"]) for one in CROWN["points"] if one["governing_life_h"])
         half, lives, pressures = card["charts"]
         drop = "drop at the end of a roller (µm)"
-        self.assert_chart(half, [("life_share", "life by half-space pressures, which the recommendation goes by", [(0.0, 70.0), (6.5, 100.0), (12.0, 80.0)])], [drop, "of the longest (%)"])
+        self.assert_chart(half, [("life_share", "life by half-space pressures, which the recommendation goes by", [(0.0, 70.0), (6.5, 100.0), (12.0, 80.0)])], [drop, "share of the longest life (%)"])
         for chart, key, label, i, unit in ((lives, "governing_life_h", "L10mrh by laminae", 1, "L10mrh (h)"), (pressures, "peak_pressure_MPa", "peak pressure", 2, "pressure (MPa)")):
             points = [(one[0], one[i]) for one in known]
             read = self.assert_chart(chart, [(key, label, points)], [drop, unit])
@@ -1062,6 +1076,7 @@ class Form(Drawn):
     def test_a_value_is_taken_out_and_put_in_place(self):
         found = page([click("[data-key='gearset.face_width'] .reset"), dump(), put("[id='in-bearing.laminae']", "30"), dump("put")], (CASE,))["dumps"]
         self.assertEqual(found["end"]["text"], CASE.replace("  face_width: 28 mm\n", ""))
+        self.assertEqual(self.row(found["end"], "gearset.face_width")["value"], "")  # no default
         self.assertEqual([line for line in found["put"]["text"].splitlines() if "laminae" in line], ["  laminae: 30"])
 
     def test_what_can_be_chosen_is_found_and_what_cannot_is_said(self):
@@ -1203,8 +1218,9 @@ class Single(Drawn):
         cls.lives = {key: 1000.0 + 137 * i for i, key in enumerate(("L10h", "L10rh", "L10mh", "L10mrh", "life_h"))}
         cls.loads = {"contact_loads_N": [500.0 + 7 * j for j in range(cls.count)], "lamina_loads_N": [[10.0 * j + i for i in range(4)] for j in range(cls.count)],
                      "steps": {"gamma": 0.125, "lamina_places_mm": [-3.0, -1.0, 1.0, 3.0]}}
-        cls.found = {**cls.lives, "life_key": "L10mh", "S0": 2.5, "kappa": 3.5, "contact_pressure_max_MPa": 1234.0, **cls.loads, "displacement": {"radial_um": 4.25, "axial_um": 0.5},
-                   "verdicts": [{**VERDICTS[0], "key": "L10mh", "value": 1274.0, "limit": 1274.5}, {**VERDICTS[1], "value": 2.5, "limit": 2.0}], "units": {"steps/gamma": "1"}, "warnings": ["of the run"]}
+        cls.key = cls.check["governing_life"]["key"]
+        cls.found = {**cls.lives, "S0": 2.5, "kappa": 3.5, "contact_pressure_max_MPa": 1234.0, **cls.loads, "displacement": {"radial_um": 4.25, "axial_um": 0.5},
+                   "verdicts": [{**VERDICTS[0], "key": cls.key, "value": 1274.0, "limit": 1274.5}, {**VERDICTS[1], "value": 2.5, "limit": 2.0}], "units": {"steps/gamma": "1"}, "warnings": ["of the run"]}
         cls.page = page([dump()], ({"text": ROLLER_CASE, **check_of(ROLLER_CASE), "results": {"run": cls.found}},), results={"run": {}},
                         opened={"kind": "case", "name": "x", "file": "x.yaml", "text": ROLLER_CASE, "checksum": "1", "writable": False, "folder": ""})
         cls.end = cls.page["dumps"]["end"]
@@ -1212,9 +1228,11 @@ class Single(Drawn):
     def test_tiles(self):
         tiles = self.end["tiles"]
         self.assertEqual([(one["key"], one["verdict"], one["text"]) for one in tiles[:4]], [
-            ("L10mh", "failed", "Governing life, L10mh1\u202f274 hfailed: at least 1\u202f275 h"), ("L10h", None, "L10h1\u202f000 h"), ("S0", "passed", "S02.5passed: at least 2"), ("kappa", None, "kappa3.5")])
+            (self.key, "failed", f"Governing life, {self.key}1\u202f274 hfailed: at least 1\u202f275 h"), ("L10h", None, "L10h1\u202f000 h"),
+            ("S0", "passed", "S02.5passed: at least 2"), ("kappa", None, "kappa3.5")])
         self.assertEqual({one["key"]: one["text"] for one in tiles[4:]}, {
-            "contact_pressure_max_MPa": "pressure1\u202f234 MPa", **{key: f"{'Lundberg-Palmgren' if key == 'life_h' else key}{figure_of(self.lives[key], 'h')}" for key in ("L10rh", "L10mrh", "life_h")}})
+            "contact_pressure_max_MPa": "pressure1\u202f234 MPa", **{key: f"{'Lundberg-Palmgren' if key == 'life_h' else key}{figure_of(self.lives[key], 'h')}"
+                                                                  for key in ("L10rh", "L10mh", "L10mrh", "life_h") if key != self.key}})
 
     def test_the_result_as_tables(self):
         card = self.end["cards"]["result"]

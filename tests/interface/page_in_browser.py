@@ -47,6 +47,7 @@ SEARCHED = 1e-6  # roots and best values of an iteration that ends at a toleranc
 LEAST_PACE = 0.1  # revolutions of the cage a second, shown while they are computed
 LIVES = ("life_h", "L10h", "L10rh", "L10mh", "L10mrh")
 WIDTHS = (360, 1000, 1600)
+LISTED = (360, 800, 1600)
 TOUCHED = 44  # px, of what is pressed by a finger
 NARROW = 860  # px, below which a page is for a finger
 REQUIRED = "requirements: {life: 100000 h, life_key: L10mrh, S0: 1.5, kappa: 1, contact_pressure_max: 1500 MPa}\n"
@@ -124,14 +125,31 @@ for (const text of document.querySelectorAll("svg text")) {
   if (box.left < room.left - 1 || box.right > room.right + 1 || box.top < room.top - 1 || box.bottom > room.bottom + 1) found.push(`cut: ${text.textContent}`);
 }
 for (const one of document.querySelectorAll("main *, header *"))
-  if (one.checkVisibility() && !one.closest("#yaml") && [...one.childNodes].some((node) => node.nodeType === 3 && /\\d\\.\\d{7}/.test(node.data))) found.push(`digits: ${one.textContent.slice(0, 60)}`);
+  if (one.checkVisibility() && !one.closest("#yaml") && [...one.childNodes].some((node) => node.nodeType === 3 && /[1-9]\\d*\\.\\d{7}|\\b0\\.0*[1-9]\\d{6}/.test(node.data))) found.push(`digits: ${one.textContent.slice(0, 60)}`);
 for (const one of document.querySelectorAll("input:not([type=range], [type=file], [type=checkbox])"))
-  if (one.checkVisibility() && /\\d\\.\\d{7}/.test(one.value)) found.push(`digits: ${one.id} ${one.value}`);
+  if (one.checkVisibility() && /[1-9]\\d*\\.\\d{7}|\\b0\\.0*[1-9]\\d{6}/.test(one.value)) found.push(`digits: ${one.id} ${one.value}`);
 return found;
 """
 SMALL = """
 return [...document.querySelectorAll("button, .button, select, input:not([type=range], [type=file], [type=checkbox]), summary, nav a")].filter((one) => one.checkVisibility() && !one.closest(".skip"))
   .map((one) => [one.getBoundingClientRect(), one]).filter(([box]) => box.height < arguments[0] - 0.5).map(([box, one]) => `${one.tagName} ${one.id} ${one.textContent.trim().slice(0, 20)}: ${Math.round(box.height)} px`);
+"""
+# Words of tables that are broken within, at neither a dot nor an underscore, and figures with more than five digits.
+BROKEN = """
+const found = [];
+for (const cell of document.querySelectorAll("#results table :is(th, .figure)")) {
+  if (!cell.checkVisibility()) continue;
+  const digits = cell.textContent.split(" ")[0].replace(/^[0.]+|[^\\d]/g, "").replace(/0+$/, "");
+  if (cell.matches(".variants .figure") && digits.length > 5) found.push(`digits: ${cell.textContent}`);
+  for (const node of [...cell.childNodes].flatMap((one) => one.nodeType === 3 ? [one] : [...one.childNodes].filter((inner) => inner.nodeType === 3)))
+    for (const word of node.data.matchAll(/[^\\s._(),-]+/g)) {
+      const range = document.createRange();
+      range.setStart(node, word.index);
+      range.setEnd(node, word.index + word[0].length);
+      if (new Set([...range.getClientRects()].map((box) => Math.round(box.top))).size > 1) found.push(`broken: ${word[0]} of ${cell.textContent}`);
+    }
+}
+return found;
 """
 # From the beginning of a label to its field, and from the label's last letter to it.
 LABELS = """
@@ -354,6 +372,10 @@ class PageSteps:
                 self.computed()
                 self.assertFalse(self.all("#errors .error"))
                 self.assertTrue(any(card.is_displayed() for card in self.all("#card-life, #card-result")))
+                governing = self.answer("check").get("governing_life")
+                if governing:
+                    tile = self.all("#tiles .tile")[0]
+                    self.assertEqual((tile.get_attribute("data-key"), "chief" in tile.get_attribute("class")), (governing["key"], True))
 
     def test_clearance_speed_and_oil_are_changed(self):
         self.open_template("wind-stage")
@@ -516,6 +538,7 @@ class PageSteps:
         self.assertTrue(1 <= kept < 3, told())
         self.assertIn("revolutions of the cage", card.find_element(By.CSS_SELECTOR, ".live").text)
         stopped = told()
+        self.assert_the_run_fits_at_every_width(card)
         self.enter("input.power", "151")
         self.assertEqual((told(), proceed.is_enabled()), (f"{stopped} Of another case: input.power 150 kW there, 151 kW here.", False))
         self.assertFalse(any(one.is_displayed() for one in self.all("#card-motion .live, #card-motion circle[data-x]")))
@@ -532,6 +555,13 @@ class PageSteps:
         self.assertEqual(sorted(expected), again)
         for speed, slip in expected.items():
             self.assert_same(drawn[speed], slip, f"cage slip at {speed} rpm", self.allowed_in_motion)
+
+    def assert_the_run_fits_at_every_width(self, card):
+        for pixels in LISTED:
+            self.width(pixels)
+            self.assertEqual(self.script(OUTSIDE), [], pixels)
+            for one in card.find_elements(By.CSS_SELECTOR, ".player button"):
+                self.assertTrue(one.is_displayed() and (pixels > NARROW or one.size["height"] >= TOUCHED), pixels)
 
     def assert_drawn_while_computed(self, card):
         """Rollers and cage of a bearing in motion move while it is computed, beside the pace of the computation."""
@@ -705,7 +735,7 @@ class PageSteps:
 
     def test_the_list_at_three_widths(self):
         """The verdict first and before the inputs; a wrong unit, a mistake by another field; nothing cut, far away or too small for a finger."""
-        for pixels in (360, 800, 1600):
+        for pixels in LISTED:
             with self.subTest(width=pixels):
                 self.width(pixels)
                 self.driver.get(self.address)
@@ -724,6 +754,7 @@ class PageSteps:
                 self.assertLess(self.script("return document.getElementById('card-pressure').getBoundingClientRect().height"), 120)  # there is nothing to draw
                 self.find("#search").send_keys("power")
                 self.assert_a_wrong_unit_does_not_stay()
+                self.assert_variants_are_readable(pixels)
                 self.find("#search").clear()
                 self.find("#search").send_keys("bearing")
                 self.assertTrue(all(gap <= 260 for _, gap in self.script(LABELS)), self.script(LABELS))
@@ -763,6 +794,14 @@ class PageSteps:
         self.assertEqual(self.text, before)
         self.assertFalse(self.all(".row.bad"))
 
+    def assert_variants_are_readable(self, pixels):
+        self.script("document.querySelector('[data-pin=A]').click(); document.getElementById('card-assumptions').open = true")
+        self.enter("bearing.fit.inner_interference", "6.123456789")
+        self.until(lambda: self.all(".inputs-differ td"), "the variants differ")
+        self.assertEqual(self.script(BROKEN), [], pixels)
+        self.assertEqual([one for one in self.script(OUTSIDE) if "in-bearing.fit.inner_interference" not in one], [])  # the field has what was typed
+        self.enter("bearing.fit.inner_interference", "5")
+
     def assert_a_mistake_is_at_the_changed_field(self):
         self.enter("bearing.designation", "NU 2307")
         wrong = {row.get_attribute("data-key"): row.find_element(By.CSS_SELECTOR, ".error").text for row in self.all(".row.bad")}
@@ -776,13 +815,30 @@ class PageSteps:
         self.open_text((CASES / "reducer_needles" / "case.yaml").read_text())
         self.assertIn("rings: none", self.text)
         self.assertEqual([len(self.all(f"#card-bearing svg .{name}")) for name in ("ring", "raceway", "pin")], [0, 1, 1])
-        for word, key in (("grease", "life.lubrication"), ("pairing", "bearing.rows.arrangement"), ("spherical", "bearing.designation")):
-            search = self.find("#search")
-            search.clear()
-            search.send_keys(word)
-            self.assertTrue(self.find(f"[data-key='{key}']").is_displayed(), word)
-        self.script("arguments[0].focus()", self.find("[id='in-bearing.designation']"))
-        self.assertIn("tapered roller bearings and spherical roller bearings cannot be chosen", self.find("[data-key='bearing.designation'] .meaning").text)
+        for pixels in LISTED:
+            self.width(pixels)
+            for word, key in (("grease", "life.lubrication"), ("pairing", "bearing.rows.arrangement"), ("spherical", "bearing.designation")):
+                search = self.find("#search")
+                search.clear()
+                search.send_keys(word)
+                self.assertTrue(self.find(f"[data-key='{key}']").is_displayed(), word)
+            self.script("arguments[0].focus()", self.find("[id='in-bearing.designation']"))
+            self.assertIn("tapered roller bearings and spherical roller bearings cannot be chosen",
+                          self.find("[data-key='bearing.designation'] .meaning").text)
+
+    def test_several_sets(self):
+        """Tiles and drawings are of the set with the shortest life; a set without a bearing has none to draw; no field of a single set is empty."""
+        self.open_text((CASES / "three_sets_150kW" / "case.yaml").read_text())
+        limiting = self.answer("run", "--set", f"input.speed={self.cursor()!r} rpm")["points"][0]["limiting_set"]
+        inputs = {one["path"] for one in self.answer("check")["inputs"]}
+        self.assertIn(f"set {limiting}", self.all("#tiles .tile")[0].text)
+        sets = {card: Select(self.find(f"#card-{card} select[aria-label='planetary set']")) for card in ("bearing", "gears")}
+        with_bearing = [name for name in ("reduction", "coupling", "transmission") if f"sets.{name}.bearing.rollers" in inputs]
+        self.assertEqual([one.get_attribute("value") for one in sets["bearing"].options], with_bearing)
+        self.assertEqual([one.first_selected_option.get_attribute("value") for one in sets.values()], [limiting] * 2)
+        self.assertEqual(self.all("#form .row.missing"), [])
+        self.write((CASES / "lin_parker_1999" / "case.yaml").read_text())  # by masses and stiffnesses, without teeth
+        self.assertEqual(self.all("#form .row.missing"), [])
 
     def test_contrast_names_and_width(self):
         self.open_template("industrial")

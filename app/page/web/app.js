@@ -208,6 +208,7 @@ class Page {
   showText(by) {
     const {session} = this;
     if (by !== 'text') at('yaml').value = session.text;
+    if (by === 'opened') at('yaml').setSelectionRange(0, 0);
     const read = this.form.show(session.text, by === 'form');
     at('form').inert = !read;
     this.unreadable = read ? '' : this.form.problem;

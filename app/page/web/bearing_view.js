@@ -224,7 +224,9 @@ export class BearingView {
       const slowed = Math.abs(speeds.cage) / 60 * Number(this.pace.value);
       parts.push(
           'Cage ', figure(speeds.cage, 'rpm'),
-          this.scene.planet ? ' in the carrier, outer ring ' : ', inner ring ',
+          !this.scene.planet                   ? ', inner ring ' :
+              this.scene.size.rings === 'none' ? ' in the carrier, planet ' :
+                                                 ' in the carrier, outer ring ',
           figure(this.scene.planet ? speeds.outer : speeds.inner, 'rpm'),
           `, ${this.scene.ball ? 'balls' : 'rollers'} about their axes `, figure(speeds.spin, 'rpm'),
           `. Slowed ${readable(slowed, 3)} times. `);
@@ -235,9 +237,11 @@ export class BearingView {
       outer: 'Rollers run on the pin. '
     };
     parts.push(seats[this.scene.size.rings] ?? '');
+    const one = this.scene.ball ? 'ball' : 'roller';
     parts.push(
-        'Bars: load of each ', this.scene.ball ? 'ball' : 'roller',
-        ', outward on the outer race, inward on the inner race.');
+        this.scene.loads.none ?
+            `No bars: the results have no load of each ${one}.` :
+            `Bars: load of each ${one}, outward on the outer race, inward on the inner race.`);
     this.told.replaceChildren(...parts);
   }
 }

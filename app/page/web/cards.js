@@ -1,11 +1,12 @@
 // The parts of the results, each a card that shows what the session holds.
 import {BearingView} from './bearing_view.js';
 import {Chart} from './charts.js';
-import {element, figure, readable, shortened} from './dom.js';
+import {breakable, counted, element, figure, readable, shortened} from './dom.js';
 import {GearsView} from './gears_view.js';
 import {LiveMotion} from './live_motion.js';
 import {nameOf, pointTable, resultTable} from './results.js';
 import {gearSet, planetBearing, singleBearing} from './scene.js';
+import {COARSE, errorOf} from './session.js';
 import {ShapeView} from './shape_view.js';
 
 const COLOURS = ['c1', 'c2', 'c3', 'c4', 'c5', 'c6', 'c7', 'c8'];
@@ -17,6 +18,11 @@ const LOSSES = /^power_loss/;
 const isNumber = (value) => typeof value === 'number' && Number.isFinite(value);
 const columnOf = (points, key) =>
     points.filter((point) => point.status === 'ok').map((point) => [point.input_speed_rpm, point[key]]);
+// Messages of the program, one in a line.
+const linesOf = (error) =>
+    (error.errors?.map(errorOf).map(({key, text}) => [key, text].filter(Boolean).join(': ')) ?? [
+      error.message
+    ]).join('\n');
 const isKnown = (points, key) => points.some((point) => isNumber(point[key]));
 
 /** A card; `fits(session)` says whether it has anything to show. */
@@ -78,7 +84,14 @@ class CurveCard extends Card {
       const colour = COLOURS[i % COLOURS.length],
             title = `${meanings.label(key)}: ${meanings.of(key).description ?? ''}`;
       if (!this.onlyMotion && isKnown(still, key))
-        series.push({key, label: meanings.label(key), title, colour, points: columnOf(still, key)});
+        series.push({
+          key,
+          label: meanings.label(key),
+          title,
+          colour,
+          points: columnOf(still, key),
+          dots: still.length <= COARSE
+        });
       if (isKnown(moving, key))
         series.push({
           key: `${key} dynamic`,
@@ -124,11 +137,15 @@ export class LifeCard extends CurveCard {
     this.empty = 'No life: see the messages at the inputs';
   }
 
+  // At either end of the speeds there may be a longer life beyond them.
   marks({sweep, meanings}) {
-    const peak = sweep?.peak;
-    return peak && isNumber(peak.speed_rpm) ?
-        [{x: peak.speed_rpm, label: `longest ${meanings.label(peak.life_key)}`}] :
-        [];
+    const peak = sweep?.peak, ends = [sweep?.points.at(0), sweep?.points.at(-1)],
+          atEnd = ends.some((point) => point?.input_speed_rpm === peak?.speed_rpm);
+    return peak && isNumber(peak.speed_rpm) ? [{
+      x: peak.speed_rpm,
+      label: `longest ${meanings.label(peak.life_key)}${atEnd ? ' of these speeds' : ''}`
+    }] :
+                                              [];
   }
 
   overlaid({variants}, known) {
@@ -281,8 +298,10 @@ export class MotionCard extends Card {
     this.back.hidden = !other;
     this.bar.value = (own ?? other)?.done ?? 0;
     this.told.textContent = [
-      own?.told, other && `${other.told} Of another case: ${session.differences(other.mark)}.`
+      own?.told,
+      other && `${other.told.replace(/[^.…]$/, '$&.')} Of another case: ${session.differences(other.mark)}.`
     ].filter(Boolean).join(' ');
+    this.told.classList.toggle('error', Boolean(own?.failed));
     this.live.setOwn(Boolean(own) && own === this.latest);
   }
 
@@ -307,7 +326,7 @@ export class MotionCard extends Card {
       this.state();
     };
     this.running = this.latest = run;
-    run.proceeds = false;
+    run.proceeds = run.failed = false;
     this.live.begin(session);
     tell('Starting …');
     run.handle = session.engine.start(
@@ -327,10 +346,11 @@ export class MotionCard extends Card {
       if (result.points) put(result.points);
       run.proceeds = Boolean(result.stopped);
       run.told = result.stopped ? `Stopped: ${run.points.length}${all ? ` of ${all}` : ''} points kept.` :
-                                                                        `Done: ${run.points.length} points.`;
+                                                                        `Done: ${counted(run.points.length, 'point')}.`;
     } catch (error) {
       run.proceeds = run.points.length > 0;
-      run.told = (error.errors ?? [error.message]).join(' ');
+      run.told = linesOf(error);
+      run.failed = true;
     }
     this.live.end();
     this.running = null;
@@ -350,8 +370,9 @@ export class MachineCard extends Card {
   fits(session) { return this.sceneOf(session) !== null; }
 
   sceneOf(session) {
-    return session.overSpeed ?
-        planetBearing(session.known, session.point, session.run?.roller_loads, chosen(this.sets, session)) :
+    return session.overSpeed ? planetBearing(
+                                   session.known, session.point, session.run?.roller_loads,
+                                   chosen(this.sets, session, session.known.setsWithBearing)) :
         session.model === 'planetary-drivetrain' ? null :
                                                    singleBearing(session.known, session.run);
   }
@@ -362,10 +383,13 @@ export class MachineCard extends Card {
   }
 }
 
-function chosen(select, session) {
-  const names = session.known.sets;
-  if (select.options.length !== names.length)
+// Of several sets at first the one whose bearing has the shortest life, as the tiles have it.
+function chosen(select, session, names = session.known.sets) {
+  if ([...select.options].map((one) => one.value).join() !== names.join()) {
     select.replaceChildren(...names.map((name) => element('option', {value: name}, `set ${name}`)));
+    const limiting = session.point?.limiting_set;
+    if (names.includes(limiting)) select.value = limiting;
+  }
   select.hidden = names.length === 0;
   return names.length ? select.value : '';
 }
@@ -434,7 +458,9 @@ export class PressureCard extends Card {
         `${pressure ? 'Pressure' : 'Load'} along the most loaded roller`;
     this.chart.set({
       series: laminae ?? series,
-      empty: 'No slices of a roller: state bearing · laminae, such as 30',
+      empty: session.run?.roller_loads?.length ?
+          'No slices of a roller: state bearing · laminae, such as 30' :
+          'The results have no pressure along a roller of this bearing',
       x: {label: 'position along the roller', unit: 'mm'},
       y: pressure ? {label: 'pressure', unit: 'MPa'} : {label: 'load of a lamina', unit: 'N'}
     });
@@ -520,7 +546,7 @@ class AskedCard extends Card {
       this.put(session, mark, await this.request(session));
     } catch (error) {
       this.failed = mark.key;
-      this.told.textContent = (error.errors ?? [error.message]).join(' ');
+      this.told.textContent = linesOf(error);
       if (!error.errors) throw error;
     } finally {
       this.asking = false;
@@ -651,7 +677,7 @@ export class ModesCard extends AskedCard {
       this.drawShape(session);
     } catch (error) {
       if (!error.errors) throw error;
-      this.told.textContent = error.errors.join(' ');
+      this.told.textContent = linesOf(error);
     } finally {
       this.shaping = false;
     }
@@ -769,12 +795,14 @@ export class CrownCard extends AskedCard {
             'The drop is chosen by half-space pressures, which contain the peaks at the ends of the rollers. ' +
                 'Laminae have the stress riser of the standard instead. ' +
                 (inRun ? `Design by the tile: ${inRun.life_key} is ${readable(inRun.case_h)} h now and ` +
-                         `${readable(inRun.recommended_h)} h with this drop.` :
+                         `${readable(inRun.recommended_h)} h with this drop.${
+                             inRun.recommended_h < inRun.case_h ? ' The drop shortens this life.' : ''}` :
                          `Design by ${life} of the tile.`)) :
-        '';
+                         '';
     this.shown.replaceChildren(table, told, take, charts);
     const drops = [
-      ...new Map(points.filter((point) => isNumber(point.governing_life_h)).map((point) => [point.drop_um, point]))
+      ...new Map(
+          points.filter((point) => isNumber(point.governing_life_h)).map((point) => [point.drop_um, point]))
           .values()
     ].sort((a, b) => a.drop_um - b.drop_um);
     const series = (key) => [{
@@ -796,7 +824,7 @@ export class CrownCard extends AskedCard {
             colour: 'c3',
             points: best.curve.map((point) => [point.drop_um, 100 * point.life_share])
           }],
-          ['of the longest', '%']);
+          ['share of the longest life', '%']);
     chart(`${life} by laminae over the crown's drop`, series('governing_life_h'), [life, 'h']);
     chart('Peak pressure over the crown\'s drop', series('peak_pressure_MPa'), ['pressure', 'MPa']);
   }
@@ -885,7 +913,7 @@ export class AssumptionsCard extends AskedCard {
           size = (input) => Math.abs(effects?.get(input.path)?.elasticity ?? 0);
     if (effects) assumed.sort((one, other) => size(other) - size(one));
     const jump = (path) => {
-      const link = element('a', {href: '#inputs'}, path);
+      const link = element('a', {href: '#inputs'}, ...breakable(path));
       link.addEventListener('click', (event) => {
         event.preventDefault();
         this.focus(path);
@@ -904,7 +932,7 @@ export class AssumptionsCard extends AskedCard {
                   element('ul', {class: 'warnings'}, ...warnings.map((text) => element('li', {}, text)))
                 ] :
                 []),
-        element('h4', {}, `${assumed.length} assumed inputs`),
+        element('h4', {}, counted(assumed.length, 'assumed input')),
         element(
             'div', {class: 'scroll tall', tabindex: 0, role: 'region', 'aria-label': 'assumed inputs'},
             element(
@@ -998,7 +1026,7 @@ export class ResultCard extends Card {
       this.told.textContent = result.stopped ? 'Stopped.' : whose() && `Done.${whose()}`;
     } catch (error) {
       if (!error.errors) throw error;
-      this.told.textContent = error.errors.join(' ');
+      this.told.textContent = linesOf(error);
     } finally {
       this.running = false;
       this.button.disabled = false;

@@ -10,6 +10,7 @@ const MARGIN = {
 const HEIGHT = 250;
 const LETTER = 6.6, LINE = 16;  // mean width of a letter and height of a line [px]
 const COVERS = 2, MUCH = 0.5;   // px, within which one curve hides another; share of it that is much
+const ALIKE = 0.01;             // of a value, within which two are the same
 const DASHES_OF_EQUAL = ['6 6', '2 10'];
 
 /** Round values from `low` to `high`, about `count` of them. */
@@ -40,6 +41,12 @@ const covered = (some, others) => some.length !== others.length ?
     0 :
     some.filter(([x, y], i) => Math.hypot(x - others[i][0], y - others[i][1]) < COVERS).length /
         (some.length || 1);
+
+// Whether two curves have the same values, which on a wide scale lie on one another before.
+const equalValues = (some, others) => some.length === others.length &&
+    some.every(
+        ([, y], i) => y === others[i][1] ||
+            Math.abs(y - others[i][1]) <= ALIKE * Math.max(Math.abs(y), Math.abs(others[i][1])));
 
 /**
  * A chart in `root`. set({series, x, y, cursor, marks}) draws: series [{key, label, points: [[x, y]], colour
@@ -151,7 +158,7 @@ export class Chart {
       axes.append(drawn(
           'text', {x: MARGIN.left - 6, y: this.atY(value) + 4, 'text-anchor': 'end'}, this.short(value)));
     }
-    for (const value of ticks(spans.x.low, spans.x.high, Math.max(2, Math.floor(width / 90)))) {
+    for (const value of this.ticksOfX(spans.x, right - MARGIN.left)) {
       axes.append(drawn('line', {x1: this.atX(value), x2: this.atX(value), y1: this.top, y2: bottom}));
       axes.append(
           drawn('text', {x: this.atX(value), y: bottom + 16, 'text-anchor': 'middle'}, this.short(value)));
@@ -180,6 +187,15 @@ export class Chart {
     this.drawLegend(series);
   }
 
+  // About one in 90 pixels; where that leaves one or two, as many as have room for their labels.
+  ticksOfX({low, high}, room) {
+    const few = ticks(low, high, Math.max(2, Math.floor(this.width / 90)));
+    if (few.length > 2) return few;
+    const more = ticks(low, high, room / (2 * LINE)),
+          widest = LETTER * Math.max(...more.map((value) => this.short(value).length));
+    return (room * (more[1] - more[0])) / (high - low) > widest + LINE / 2 ? more : few;
+  }
+
   short(value) { return readable(value, Math.abs(value) >= 1e7 ? 2 : 3); }
 
   placesOf(points) {
@@ -191,9 +207,10 @@ export class Chart {
   curve(one) {
     const {points, colour, dots, title, label, key, only} = one, at = this.placesOf(points);
     const under = this.places.filter((other) => covered(at, other.at) > MUCH),
-          equal = under.find((other) => covered(at, other.at) === 1)?.one;
+          equal = under.find((other) => covered(at, other.at) === 1)?.one,
+          same = Boolean(equal) && equalValues(points, equal.points);
     const dash = one.dash ?? DASHES_OF_EQUAL[Math.min(under.length, DASHES_OF_EQUAL.length) - 1];
-    this.places.push({at, one, dash, equal});
+    this.places.push({at, one, dash, equal, same});
     const group = drawn('g', {
       class: `curve ${colour ?? 'c1'}`,
       'data-series': key ?? label,
@@ -240,10 +257,12 @@ export class Chart {
 
   // Of which earlier curve a series is the same; of a group that has one label: where all of it are.
   sameAs({group}, i) {
-    const {equal} = this.places[i];
-    if (group === undefined) return equal?.label ? `same curve as ${equal.label}` : '';
-    const all = this.places.every((other) => other.one.group !== group || other.equal);
-    return all ? 'same curves as the case' : '';
+    const {equal, same} = this.places[i], here = (all) => all ? '' : 'at this scale the ';
+    if (group === undefined) return equal?.label ? `${here(same)}same curve as ${equal.label}` : '';
+    const own = this.places.filter((other) => other.one.group === group);
+    return own.every((other) => other.equal) ?
+        `${here(own.every((other) => other.same))}same curves as the case` :
+        '';
   }
 
   drawLegend(series) {
@@ -256,8 +275,8 @@ export class Chart {
                        drawn('path', {d: 'M1,5L25,5', 'stroke-dasharray': dash ?? null})),
             same = this.sameAs(one, i);
       this.legend.append(element(
-          'span', {class: 'key', title: title ?? '', 'data-series': key ?? label}, sample, label,
-          same ? element('span', {class: 'hint'}, same) : null));
+          'span', {class: 'key', title: title ?? '', 'data-series': key ?? label}, sample,
+          element('span', {}, label, same ? element('span', {class: 'hint'}, same) : null)));
     });
   }
 }

@@ -54,6 +54,7 @@ const UNIT_SIGNS = {
   1: '',
   um: 'µm',
   'N.m': 'N m',
+  's-1': 's⁻¹',
   degree: '°',
   deg: '°'
 };
@@ -82,4 +83,11 @@ export function download(name, content, type) {
 }
 
 /** How many there are, in words. */
-export const errorCount = (count) => `${count} ${count === 1 ? 'error' : 'errors'}`;
+export const counted = (count, one, many = `${one}s`) => `${count} ${count === 1 ? one : many}`;
+export const errorCount = (count) => counted(count, 'error');
+
+/**
+ * The path of an input or a name with underscores, which a line may end in behind its dots and underscores.
+ */
+export const breakable = (text) =>
+    String(text).split(/(?<=[._])/).flatMap((part, i) => (i ? [element('wbr'), part] : [part]));

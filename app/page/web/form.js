@@ -59,7 +59,7 @@ export class Form {
     this.instead = instead;
     this.save = save;
     this.closed = closed;
-    this.text = '';
+    this.text = this.judged = '';
     this.rows = new Map();
     this.shape = '';
     this.inputs = new Map();
@@ -114,6 +114,7 @@ export class Form {
     const fields = fieldsOf(this.schema, this.model, this.tree);
     const shape = `${this.model}|${fields.map((field) => field.key).join()}`;
     if (shape !== this.shape) this.build(fields, shape);
+    for (const {key, required} of fields) this.rows.get(key).field.required = required;
     for (const row of this.rows.values()) this.fill(row);
     this.settle();
     return true;
@@ -128,7 +129,10 @@ export class Form {
     this.fidelity = fidelity;
     this.errors = new Map();
     this.attribute(errors);
-    if (valid) this.edited.clear();
+    if (valid) {
+      this.edited.clear();
+      this.judged = this.text;  // which the inputs are of
+    }
     const elsewhere = [];
     for (const error of errors) {
       const key = this.placeOf(error);
@@ -317,13 +321,20 @@ export class Form {
     return this.inputs.get(field.key)?.given ?? '';
   }
 
+  // Of inputs that are not those of the text yet, what a default says stays; a stated value was taken out.
+  hasDefault(input) {
+    return Boolean(input) && (this.judged === this.text || input.reason.startsWith('default'));
+  }
+
   fill(row) {
     const {field} = row, node = this.stated(field), input = this.inputs.get(field.key),
           errors = this.errors.get(field.key) ?? [];
     // A resolved case, which stands in a folder of results, states its defaults as such.
-    const isDefault = node ? this.reasonOf(field).startsWith('default: ') : Boolean(input);
+    const isDefault = node ? this.reasonOf(field).startsWith('default: ') : this.hasDefault(input);
     row.state = isDefault ? 'default' : node ? 'stated' : field.required ? 'missing' : 'absent';
-    const value = node ? this.valueOf(field) : shortened(this.valueOf(field)),
+    const value = node ? this.valueOf(field) :
+        isDefault      ? shortened(this.valueOf(field)) :
+                         '',
           busy = document.activeElement === row.control && row.dirty;
     const unused = Boolean(this.fidelity && input?.not_modelled_by?.includes(`--fidelity ${this.fidelity}`)),
           reason = node ? this.reasonOf(field) : (input?.reason ?? '');
@@ -341,7 +352,7 @@ export class Form {
         ...errors.map((text) => element('p', {class: 'error'}, text)), ...this.nearestOf(row, errors),
         ...this.othersOf(row, node),
         ...(unused ? [element('p', {class: 'unused-note'}, `Not used by ${this.fidelity}`)] : []),
-        ...(reason && (node || input) ?
+        ...(reason && (node || isDefault) ?
                 [element('p', {class: 'reason'}, node ? `Assumed: ${reason}` : reason)] :
                 []));
   }

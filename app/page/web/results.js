@@ -1,5 +1,5 @@
 // What the schema of results says of each number, and results as tables.
-import {element, figure, readable, unitSign} from './dom.js';
+import {breakable, counted, element, figure, readable, unitSign} from './dom.js';
 
 export class Meanings {
   constructor(schema) {
@@ -40,7 +40,7 @@ export function nameOf(key, unit = '') {
   const end = `_${unit.replaceAll('.', '_').replaceAll('/', '_per_')}`;
   const stem = unit && unit !== '1' && key.endsWith(end) ?
       key.slice(0, -end.length) :
-      key.replace(/_(rpm|N|h|um|mm|MPa|Mrev|W|Hz|mrad|deg|us|N_m|N_per_m|N_s_per_m|kg|kW|s|m_s2)$/, '');
+      key.replace(/_(rpm|N|h|um|mm|MPa|Mrev|W|Hz|mrad|deg|us|N_m|N_per_m|N_s_per_m|kg|kW|per_s|s|m_s2)$/, '');
   return stem.replaceAll('_', ' ');
 }
 
@@ -89,7 +89,7 @@ function listOf(key, values, unit, title) {
   return element(
       'details', {},
       element(
-          'summary', {}, `${nameOf(key, unit)}: ${values.length} values`,
+          'summary', {}, `${nameOf(key, unit)}: ${counted(values.length, 'value')}`,
           title ? element('span', {class: 'meaning'}, ` – ${title}`) : null),
       element(
           'p', {class: 'numbers'}, ...values.flatMap((value, i) => [i ? ', ' : '', figure(value)]),
@@ -98,7 +98,7 @@ function listOf(key, values, unit, title) {
 
 function manyOf(key, list, about, unit, title, units, path) {
   const summary = element(
-      'summary', {}, `${nameOf(key, unit)}: ${list.length} rows`,
+      'summary', {}, `${nameOf(key, unit)}: ${counted(list.length, 'row')}`,
       title ? element('span', {class: 'meaning'}, ` – ${title}`) : null);
   const first = list[0];
   if (first === null || typeof first !== 'object')
@@ -108,12 +108,14 @@ function manyOf(key, list, about, unit, title, units, path) {
       element('p', {class: 'hint'}, `${list.length - shown.length} more rows are in the JSON.`) :
       null;
   const open = path === '' && list.length <= FEW_ROWS && !Array.isArray(first);
-  const table = (head, body) => element(
+  const table = (head, body, ...below) => element(
       'details', {open}, summary,
-      element(
-          'div', {class: 'scroll', tabindex: 0, role: 'region', 'aria-label': nameOf(key)},
-          element('table', {class: 'grid'}, head, element('tbody', {}, ...body))),
-      more);
+      body[0].children.length ?
+          element(
+              'div', {class: 'scroll', tabindex: 0, role: 'region', 'aria-label': nameOf(key)},
+              element('table', {class: 'grid list'}, head, element('tbody', {}, ...body))) :
+          null,
+      more, ...below);
   if (Array.isArray(first))
     return table(
         null,
@@ -124,16 +126,29 @@ function manyOf(key, list, about, unit, title, units, path) {
                     (one) => element(
                         'td', {}, typeof one === 'number' || one === null ? figure(one) : String(one))),
                 row.length > 12 ? element('td', {}, '…') : null)));
+  // Columns of words begin at the left; one without any is left out. Lists of a row are below the table.
   const inner = about.items?.properties ?? {},
-        columns =
-            Object.keys(first).filter((name) => first[name] === null || typeof first[name] !== 'object');
+        isWord = (value) => value !== null && typeof value !== 'number',
+        has = (row, name) => row[name] !== '' && row[name] !== undefined,
+        columns = Object.keys(first).filter(
+            (name) => (first[name] === null || typeof first[name] !== 'object') &&
+                list.some((row) => has(row, name))),
+        kind = (name) => list.some((row) => has(row, name) && isWord(row[name])) ? 'word' : null;
+  const lists = shown.flatMap(
+      (row, i) =>
+          Object.entries(row)
+              .filter(([, value]) => isNumbers(value))
+              .map(
+                  ([name, value]) => listOf(
+                      [list.length > 1 && (row.set ?? row.name ?? i + 1), name].filter(Boolean).join(' '),
+                      value, inner[name]?.unit ?? '', inner[name]?.description ?? '')));
   const head = element(
       'thead', {},
       element(
           'tr', {},
           ...columns.map(
               (name) => element(
-                  'th', {scope: 'col', title: inner[name]?.description ?? ''},
+                  'th', {scope: 'col', class: kind(name), title: inner[name]?.description ?? ''},
                   inner[name]?.symbol ?? nameOf(name, inner[name]?.unit),
                   unitSign(inner[name]?.unit) ? ` (${unitSign(inner[name].unit)})` : ''))));
   return table(
@@ -143,9 +158,9 @@ function manyOf(key, list, about, unit, title, units, path) {
               'tr', {},
               ...columns.map(
                   (name) => element(
-                      'td', {},
-                      typeof row[name] === 'number' || row[name] === null ? figure(row[name]) :
-                                                                            String(row[name]))))));
+                      'td', {class: kind(name)},
+                      ...(isWord(row[name]) ? breakable(row[name]) : [figure(row[name])]))))),
+      ...lists);
 }
 
 /** All numbers of a point as a table; `others` beside it, with headings. */

@@ -24,6 +24,8 @@ export class Known {
                            .filter((path) => path.startsWith('sets.'))
                            .map((path) => path.split('.')[1]))];
   }
+
+  get setsWithBearing() { return this.sets.filter((name) => bearingSize(this, prefixOf(name)) !== null); }
 }
 
 const prefixOf = (set) => (set ? `sets.${set}.` : '');
@@ -65,7 +67,7 @@ const spread = (count, first = 0) => Array.from({length: count}, (_, j) => first
 export function planetBearing(known, point, loads, set) {
   const found = bearingSize(known, prefixOf(set));
   if (!found) return null;
-  const own = (loads ?? []).find((one) => (one.set ?? '') === (set ?? '')) ?? loads?.[0];
+  const own = (loads ?? []).find((one) => (one.set ?? '') === (set ?? ''));
   const rpm = point?.input_speed_rpm, planet = planetSpeed(known, point, set);
   const speeds = rollingSpeeds(found.size, 0, planet ?? 1, point?.cage_slip ?? 0);
   return {
@@ -76,7 +78,8 @@ export function planetBearing(known, point, loads, set) {
     loads: own ? {angles: own.angle_deg, inner: own.inner_load_N, outer: own.outer_load_N} : {
       angles: spread(found.size.count),
       inner: Array(found.size.count).fill(0),
-      outer: Array(found.size.count).fill(0)
+      outer: Array(found.size.count).fill(0),
+      none: true
     }
   };
 }
@@ -100,14 +103,14 @@ export function singleBearing(known, run) {
       spread(count, (known.input('bearing.first_element_angle') ?? 0) / DEGREE);
   const first = (loads) =>
       (loads?.length >= count ? loads.slice(0, count) : null);  // of several rows the first
-  const inner = first(run?.contact_loads_N) ?? Array(count).fill(0);
+  const given = first(run?.contact_loads_N), inner = given ?? Array(count).fill(0);
   const speed = rpm || 1;
   return {
     ...found,
     planet: false,
     known: rpm !== 0,
     speeds: rollingSpeeds(found.size, outer ? 0 : speed, outer ? speed : 0),
-    loads: {angles, inner, outer: first(run?.outer_contact_loads_N) ?? inner},
+    loads: {angles, inner, outer: first(run?.outer_contact_loads_N) ?? inner, none: !given},
     loaded: known.input('load.radial') > 0
   };
 }

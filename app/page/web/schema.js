@@ -71,8 +71,10 @@ function* walk(part, path, tree, required) {
     const repeated = REPEATS_OTHERS.includes(path[0]);
     if (repeated && !below(tree, key) && key !== SPEED_OF_SWEEP) continue;
     const inner = one.properties || one.patternProperties;
+    // What a part requires counts where the case states the part, or is to state it.
+    const counts = below(tree, key) || required.includes(key);
     if (inner && !repeated)
-      yield* walk(one, [...path, key], below(tree, key), one.required ?? []);
+      yield* walk(one, [...path, key], below(tree, key), counts ? (one.required ?? []) : []);
     else
       yield fieldOf([...path, key], one, required.includes(key));
   }

@@ -6,9 +6,9 @@ import {quantityOf} from './schema.js';
 import * as yaml from './yaml_text.js';
 
 const RPM = 30 / Math.PI;
-export const FINE = 60;  // speeds of a life curve
-const COARSE = 9;        // of one whose points take long
-const LONG = 1500;       // ms that a life curve may take
+export const FINE = 60;   // speeds of a life curve
+export const COARSE = 9;  // of one whose points take long
+const LONG = 1500;        // ms that a life curve may take
 const TEXT_FILE = 'case.yaml';
 const WORDS = ['name', 'source'];  // inputs that change no result
 const FEW = 3;                     // differences of two cases that are listed

@@ -23,14 +23,19 @@ const MISSING = {
 // Of one bearing of all, where planets or their bearings are loaded unevenly: over a revolution of a carrier
 // that is a body, else the shortest.
 const OF_THE_WORST = ['carrier_', 'shortest_'];
+// Of several sets: the one whose bearing has the shortest life.
+const SET = 'limiting_set';
 const isNumber = (value) => typeof value === 'number' && Number.isFinite(value);
 const wordOf = ({passed}) => (passed === true ? 'passed' : passed === false ? 'failed' : 'not judged');
 
 /** The lives that results go by: those of the load spectrum where the case has one. */
-function livesOf({run, point}) {
+function livesOf({run, point, check}) {
   const spectrum = Array.isArray(run?.spectrum) ? run.spectrum[0] : run?.spectrum;
-  return spectrum ? {of: 'load spectrum', values: spectrum, key: spectrum.life_key} :
-                    {of: '', values: point ?? run, key: run?.life_key ?? run?.peak?.life_key};
+  return spectrum ? {of: 'load spectrum', values: spectrum, key: spectrum.life_key} : {
+    of: point?.[SET] ? `set ${point[SET]}` : '',
+    values: point ?? run,
+    key: run?.life_key ?? run?.peak?.life_key ?? check?.governing_life?.key
+  };
 }
 
 /** Verdicts of the result at the cursor, with those of the speeds that the case sweeps beside them. */
@@ -64,7 +69,7 @@ export function tilesOf(session) {
     };
   };
   const lives = livesOf(session), found = [];
-  if (lives.key) {
+  if (lives.key in lives.values) {
     const worst = OF_THE_WORST.map((prefix) => prefix + lives.key).find((key) => isNumber(lives.values[key])),
           own = tile(lives.key);
     found.push({
@@ -78,40 +83,54 @@ export function tilesOf(session) {
       chief: true
     });
   }
-  const judged = [...JUDGED.filter((key) => key in values), ...verdicts.map((one) => one.key)],
-        further = FURTHER.filter((key) => key in values);
+  const why = (key) => withOil(session) ? MISSING[key] : undefined;
+  const seen = (key) => isNumber(values[key]) || (key in values && why(key));
+  const judged = [...JUDGED.filter(seen), ...verdicts.map((one) => one.key)], further = FURTHER.filter(seen);
   for (const key of [...judged, ...further])
-    if (!found.some((one) => one.key === key)) found.push(tile(key, {further: !judged.includes(key)}));
+    if (!found.some((one) => one.key === key))
+      found.push(tile(key, {further: !judged.includes(key), reason: isNumber(values[key]) ? '' : why(key)}));
   return found;
 }
+
+// Whether the model has oil at all.
+const withOil = ({check}) => Boolean(check?.inputs.some(({path}) => path.startsWith('lubricant.')));
 
 /** The tiles: those that are judged, and a line of the others. */
 export function tileElements(session) {
   const tiles = tilesOf(session), further = tiles.filter((tile) => tile.further);
   return [
     ...tiles.filter((tile) => !tile.further).map(tileElement),
-    further.length ? element('div', {class: 'further'}, ...further.map(tileElement)) : null
+    further.length ? element('div', {class: 'further'}, ...further.map(tileElement), ...missing(further)) :
+                     null
   ].filter(Boolean);
 }
+
+// Why lives are not there, once for all that have the same reason.
+const missing = (tiles) => [...new Set(tiles.map(({reason}) => reason).filter(Boolean))].map(
+    (reason) => element(
+        'span', {class: 'hint'},
+        `${tiles.filter((tile) => tile.reason === reason).map(({name}) => name).join(', ')}: ${reason}`));
 
 const limitOf = ({limit, bound, unit}) =>
     `${bound} ${[readable(limit), unitSign(unit)].filter(Boolean).join(' ')}`;
 
-function verdictLines({verdict, required, chief, unit}) {
+function verdictLines({verdict, required, chief, unit, reason, further}) {
+  const line = (word, ...texts) =>
+      element('span', {class: `verdict ${word.replace(' ', '-')}`.trim()}, ...texts);
   if (!verdict && chief)
-    return [element(
-        'span', {class: 'verdict'},
+    return [line(
+        '',
         required ? `not limited: the case requires ${required.key}` :
                    'not judged: the case requires no life')];
-  if (!verdict) return [];
-  const {over} = verdict,
-        lines = [element(
-            'span', {class: 'verdict'}, `${wordOf(verdict)}${over ? ' here' : ''}: ${limitOf(verdict)}`)];
+  if (!verdict) return reason && !further ? [line('', reason)] : [];
+  const {over} = verdict, word = wordOf(verdict),
+        lines = [line(
+            word, `${word}${over ? ' here' : ''}: `, element('span', {class: 'limit'}, limitOf(verdict)))];
   if (over)
-    lines.push(element(
-        'span', {class: 'verdict'}, `failed at ${over.points_failed} of ${over.points} speeds, worst `,
+    lines.push(line(
+        'failed', `failed at ${over.points_failed} of ${over.points} speeds, worst `,
         figure(over.value, unit)));
-  if (wordOf(verdict) === 'not judged') lines.push(element('span', {class: 'verdict'}, verdict.reason));
+  if (word === 'not judged') lines.push(line(word, verdict.reason));
   return lines;
 }
 
@@ -123,11 +142,14 @@ function tileElement(tile) {
       '',
                                                  hours = unit === 'h' && isNumber(value) && value >= 1,
                                                  none = !isNumber(value);
-  const why = none && MISSING[key] ? `; not computed: ${MISSING[key]}` : '',
+  const why = tile.reason ? `; not computed: ${tile.reason}` : '',
         where = verdict?.at ? `; worst at ${verdict.at}` : '';
   return element(
       'div', {
-        class: ['tile', chief && 'chief', none && 'none', word.replace(' ', '-')].filter(Boolean).join(' '),
+        class:
+            ['tile', chief && 'chief', none && 'none', word.replace(' ', '-'), verdict?.over && 'elsewhere']
+                .filter(Boolean)
+                .join(' '),
         'data-key': key,
         'data-verdict': word || null,
         title: `${key}: ${about}${why}${where}`

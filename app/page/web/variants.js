@@ -1,8 +1,9 @@
 // Pinned variants: their curves lie over those of the case, and a table has the inputs and results that
 // differ.
-import {element, figure, readable, shortened} from './dom.js';
+import {breakable, element, figure, readable, shortened} from './dom.js';
 
 const NAMES = ['A', 'B', 'C'];
+const LEAST_CHANGE = 0.05;  // % of a result: less is not shown in its digits
 const TOLD =
     /^(life_h|L10|system_life_h|planet_load_N|inner_load_max_N|contact_pressure_max_MPa|C_over_P|S0|kappa|a_ISO|operating_clearance_um|film_inner_um|cage_slip|power_loss_W)/;
 
@@ -13,7 +14,8 @@ export function withoutEffect(check) {
 
 /** Whether two maps of inputs hold the same values. */
 function sameInputs(one, other) {
-  return one.size === other.size && [...one].every(([path, given]) => path === 'name' || other.get(path) === given);
+  return one.size === other.size &&
+      [...one].every(([path, given]) => path === 'name' || other.get(path) === given);
 }
 
 export class Variants {
@@ -49,8 +51,9 @@ export class Variants {
     };
     // A change that another input replaces makes no other variant: it is refused before it is compared.
     const idle = withoutEffect(check),
-          same = this.session.variants.find((one) => one.name !== name && sameInputs(one.inputs, variant.inputs));
-    this.refusal = same && idle.length && same.text !== text ?
+          same = this.session.variants.find(
+              (one) => one.name !== name && sameInputs(one.inputs, variant.inputs));
+    this.refusal = same && idle.length && same.text !== validText ?
         `Not pinned as ${name}: no input differs from ${same.name}. ${idle.join('. ')}` :
         '';
     if (this.refusal) {
@@ -83,10 +86,12 @@ export class Variants {
       return [element('span', {class: 'pin'}, pin, take, drop)];
     }));
     const refusal = this.refusal ? [element('p', {class: 'hint', role: 'alert'}, this.refusal)] : [];
-    this.table.replaceChildren(...refusal, ...(variants.length && this.session.check ? [this.compared()] : [
-      element(
-          'p', {class: 'hint'}, 'Pin the case, change it, and compare: curves of pinned variants are dashed.')
-    ]));
+    this.table.replaceChildren(
+        ...refusal, ...(variants.length && this.session.check ? [this.compared()] : [
+          element(
+              'p', {class: 'hint'},
+              'Pin the case, change it, and compare: curves of pinned variants are dashed.')
+        ]));
   }
 
   compared() {
@@ -104,11 +109,13 @@ export class Variants {
     const change = (value, key) => {
       if (typeof value !== 'number' || typeof result[key] !== 'number' || !result[key]) return '';
       const percent = 100 * (value / result[key] - 1);
-      return Math.abs(percent) < 0.005 ? '' :
-                                         ` (${percent > 0 ? '+' : '−'}${readable(Math.abs(percent), 2)} %)`;
+      return Math.abs(percent) < LEAST_CHANGE ?
+          '' :
+          ` (${percent > 0 ? '+' : '−'}${readable(Math.abs(percent), 2)} %)`;
     };
     const line = (title, cells) => element(
-        'tr', {}, element('th', {scope: 'row'}, title), ...cells.map((cell) => element('td', {}, cell)));
+        'tr', {}, element('th', {scope: 'row'}, ...breakable(title)),
+        ...cells.map((cell) => element('td', {}, cell)));
     const other = variants.find((one) => one.cursor !== this.session.cursor && one.cursor !== null);
     return element(
         'div', {class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'variants side by side'},
