@@ -412,7 +412,7 @@ for (const step of fixture.steps) {
       groups: page.querySelectorAll('.group').map((one) => ({name: one.dataset.group, open: one.open, mark: one.querySelector('.mark').textContent, chips: one.querySelectorAll('.chip').filter(isShown).map((chip) => chip.textContent)})),
       drawings: page.querySelectorAll('svg').filter((one) => one.classList.contains('machine')).map(drawingOf),
       buttons: Object.fromEntries(page.querySelectorAll('button').filter((one) => !one.closest('.row')).map((one) => [one.id || one.dataset.pin || one.textContent, {disabled: one.disabled, shown: isShown(one)}])),
-      text: find('#yaml').value, errors: clean(find('#errors').textContent), mend: isShown(find('#mend')) ? clean(find('#mend').querySelector('span').textContent) : '', header: clean(seenText(find('header'))),
+      text: find('#yaml').value, errors: clean(find('#errors').textContent), fidelity_hidden: find('#fidelity').parentElement.hidden, mend: isShown(find('#mend')) ? clean(find('#mend').querySelector('span').textContent) : '', header: clean(seenText(find('header'))),
       cursor: clean(find('#cursor-value').textContent), take: find('#take').open ? {text: clean(seenText(find('#take'))), areas: Object.fromEntries(find('#take').querySelectorAll('textarea').map((one) => [one.id, one.value]))} : null,
       title: document.title, start: clean(seenText(find('#start'))), options: Object.fromEntries(page.querySelectorAll('select').filter((one) => one.id).map((one) => [one.id, one.options.map((option) => option.value)])),
       choices: Object.fromEntries(page.querySelectorAll('select').filter((one) => one.id).map((one) => [one.id, one.options.map((option) => option.textContent)])),

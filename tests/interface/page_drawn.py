@@ -423,6 +423,18 @@ class Tiles(Drawn):
         self.assertIn("radial mesh loadat this scale the same curve as centrifugal load",
                       [one["text"] for one in cards["loads"]["charts"][0]["legend"]])
 
+    def test_each_set_has_its_line_and_numbers_say_whose_they_are(self):
+        sets = {"first": {"L10mrh": 15000.0, "shortest_L10mrh": 7448.0, "S0": 4.5, "kappa": 1.25}, "second": {"L10mrh": 90000.0, "S0": 3.5, "kappa": 2.25, "contact_pressure_max_MPa": 1234.0}}
+        nulls = {"limiting_set": "first", "carrier_L10mrh": None, "shortest_L10mrh": 7448.0, **{f"sets.{name}.{key}": value for name, of in sets.items() for key, value in of.items()}}
+        judged = [{**VERDICTS[0], "value": 7448.0, "result": "shortest_L10mrh", "of_set": "first"}, {**VERDICTS[1], "value": 3.5, "of_set": "second"}]
+        tiles, _ = self.tiles(results={"nulls": nulls, "run": {**RUN, "verdicts": judged}, "sweep": {**SWEEP, "verdicts": []}})
+        texts = {one["key"]: one["text"] for one in tiles}
+        self.assertEqual(tiles[0]["text"], "Governing life, L10mrh, set first7\u202f448 hfailed: at least 100 h")
+        self.assertEqual((texts["S0"], texts["kappa"].startswith("kappa, set first")), ("S0, set second3.5passed: at least 1.5", True))
+        self.assertEqual({key: text for key, text in texts.items() if key.startswith("sets.")}, {
+            "sets.first.shortest_L10mrh": "shortest L10mrh7\u202f448 h", "sets.first.S0": "S04.5", "sets.first.kappa": "kappa1.25", "sets.second.L10mrh": "L10mrh90\u202f000 h",
+            "sets.second.S0": "S03.5", "sets.second.kappa": "kappa2.25", "sets.second.contact_pressure_max_MPa": "pressure1\u202f234 MPa"})
+
     def test_hours_are_whole_and_what_is_missing_says_why(self):
         nulls = {"L10h": 1234567.8, "kappa": None, "L10mh": None, "carrier_L10mrh": None, "shortest_L10mrh": None}
         tiles, _ = self.tiles(results={"nulls": nulls, "run": {**RUN, "verdicts": []}})
@@ -1043,6 +1055,19 @@ class Form(Drawn):
         self.assertFalse([row["key"] for row in found["mended"]["rows"] if "bad" in row["state"]])
         self.assertEqual([row["key"] for row in found["by text"]["rows"] if "bad" in row["state"]], ["bearing.per_planet"])
 
+    def test_a_faulty_file_has_no_results_and_no_fidelity(self):
+        wrong = CASE.replace("module: 3 mm", "module: 3,5 mm")
+        opened = {"kind": "case", "name": "x", "file": "x.yaml", "text": wrong, "checksum": "1", "writable": False, "folder": ""}
+        found = page([dump()], ({"text": wrong, "errors": ["case.yaml:10:11: gearset.module: found 3,5 mm; required: more"]},), opened=opened)["dumps"]["end"]
+        self.assertEqual(found["mend"], "1 error: there are no results yet")
+        self.assertTrue(found["fidelity_hidden"])
+
+    def test_several_sets_have_no_fields_of_a_single_one(self):
+        text = (CASES / "three_sets_150kW" / "case.yaml").read_text(encoding="utf-8")
+        keys = {row["key"] for row in page([dump()], (text,))["dumps"]["end"]["rows"]}
+        self.assertFalse([key for key in keys if key.startswith(("gearset.", "bearing."))])
+        self.assertIn("sets.reduction.gearset.planets", keys)
+
     def test_values_units_and_defaults(self):
         found = page([dump(), click("[data-group=Oil] [data-state=default]"), dump("defaults")])["dumps"]
         rows = {row["key"]: row for row in found["end"]["rows"]}
@@ -1337,13 +1362,17 @@ class Opened(Drawn):
             self.assertIn("case.resolved.yaml: differs from what its run wrote", one["errors"])
 
     def test_the_bins_of_a_spectrum(self):
-        bins = [{"bin": i + 1, "power_kW": 150.5 - i, "torque_N_m": 160.25 - 3 * i, "speed_rpm": 9000.0 - 7 * i, "share": 0.25 + 0.5 * i, "damage_share": 0.875 - 0.75 * i, "life_h": 4321.0 + 11 * i} for i in range(2)]
-        for spectrum in ({"bins": bins, "life_h": 5432.0}, [{"bins": bins, "life_h": 5432.0}, {"bins": bins[:1], "life_h": 1.0}]):
-            card = page([dump()], results={"sweep": {**SWEEP, "spectrum": spectrum}})["dumps"]["end"]["cards"]["spectrum"]
+        bins = [{"bin": i + 1, "power_kW": 150.5 - i, "torque_N_m": 160.25 - 3 * i, "speed_rpm": 9000.0 - 7 * i, "share": 0.25 + 0.5 * i, "damage_share": 0.875 - 0.75 * i, "life_h": 1.0, "L10mrh": 2.0,
+                 "worst_bearing_h": 4321.0 + 11 * i} for i in range(2)]
+        whole = {"bins": bins, "life_h": 1.0, "life_key": "L10mrh", "L10mrh": 2.0, "shortest_L10mrh": 5432.0, "worst_bearing_key": "shortest_L10mrh", "worst_bearing_h": 5432.0, "limiting_set": "second"}
+        for spectrum in (whole, [whole, {**whole, "bins": bins[:1], "worst_bearing_h": 1.0}]):
+            found = page([dump()], results={"sweep": {**SWEEP, "spectrum": spectrum}, "run": {**RUN, "spectrum": spectrum, "verdicts": []}})["dumps"]["end"]
+            card = found["cards"]["spectrum"]
+            self.assertEqual((found["tiles"][0]["value"], found["tiles"][0]["text"].startswith("Governing life, L10mrh, load spectrum, set second5")), ("5432", True))
             self.assertEqual(card["tables"][0], [
-                ["bin", "power (kW)", "torque (N m)", "speed (rpm)", "share of time", "share of damage", "life (h)"],
+                ["bin", "power (kW)", "torque (N m)", "speed (rpm)", "share of time", "share of damage", "shortest L10mrh (h)"],
                 ["1", "150.5", "160.3", "9\u202f000", "25 %", "87.5 %", "4\u202f321"], ["2", "149.5", "157.3", "8\u202f993", "75 %", "12.5 %", "4\u202f332"]])
-            self.assertIn("Life under the spectrum: 5\u202f432 h.", card["text"])
+            self.assertIn("shortest L10mrh under the spectrum, set second: 5\u202f432 h.", card["text"])
 
     def test_rings(self):
         for rings, parts in (("none", {"raceway": 1, "pin": 1, "ring": 0}), ("outer", {"raceway": 0, "pin": 1, "ring": 1}), ("both", {"raceway": 0, "pin": 0, "ring": 2})):

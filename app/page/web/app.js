@@ -223,7 +223,7 @@ class Page {
     if (what === 'busy') return void (at('state').textContent = '');
     if (what === 'cursor') this.showCursor();
     if (['check', 'failed', 'fidelity', 'idle'].includes(what)) this.showErrors();
-    if (what === 'check') this.showFidelities();
+    if (what === 'check' || (what === 'failed' && !session.check)) this.showFidelities();
     if (['results', 'point', 'motion', 'variants', 'fidelity', 'cursor'].includes(what)) {
       for (const card of this.cards) card.update(session, what);
       this.variants.update(what);
@@ -233,7 +233,8 @@ class Page {
       for (const card of this.cards) card.session = session;
     document.body.classList.toggle('stale', session.errors.length > 0 || Boolean(session.failure));
     const mend = session.errors.length ?
-        `${errorCount(session.errors.length)}: the results are those of the last valid case` :
+        `${errorCount(session.errors.length)}: ${
+            session.check ? 'the results are those of the last valid case' : 'there are no results yet'}` :
         '';
     at('mend').hidden = !mend;
     at('mend').querySelector('span').textContent = mend;

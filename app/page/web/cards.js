@@ -792,6 +792,7 @@ export class CrownCard extends AskedCard {
     const told = best ?
         element(
             'p', {class: 'told'},
+            (best.shortens_governing_life ? `Before you take this drop: ${best.status}. ` : '') +
             'The drop is chosen by half-space pressures, which contain the peaks at the ends of the rollers. ' +
                 'Laminae have the stress riser of the standard instead. ' +
                 (inRun ? `Design by the tile: ${inRun.life_key} is ${readable(inRun.case_h)} h now and ` +
@@ -833,10 +834,9 @@ export class CrownCard extends AskedCard {
 export class SpectrumCard extends Card {
   constructor() { super('spectrum', 'Load spectrum: share of time and of damage'); }
 
-  bins({sweep}) {
-    const spectrum = sweep?.spectrum;
-    return (Array.isArray(spectrum) ? spectrum[0] : spectrum)?.bins ?? [];
-  }
+  spectrum({sweep}) { return (Array.isArray(sweep?.spectrum) ? sweep.spectrum[0] : sweep?.spectrum) ?? {}; }
+
+  bins(session) { return this.spectrum(session).bins ?? []; }
 
   fits(session) { return session.overSpeed && this.bins(session).length > 0; }
 
@@ -845,8 +845,12 @@ export class SpectrumCard extends Card {
     const bar = (share, kind) => element(
         'span', {class: `share ${kind}`, style: `--share: ${Math.min(1, share ?? 0)}`},
         figure(100 * (share ?? NaN) || 0, '%', 3));
-    const heads =
-        ['bin', 'power (kW)', 'torque (N m)', 'speed (rpm)', 'share of time', 'share of damage', 'life (h)'];
+    // The life that requirements are judged by, as the tile has it.
+    const {worst_bearing_key: key, worst_bearing_h: life, limiting_set: set} = this.spectrum(session),
+          name = session.meanings.label(key);
+    const heads = [
+      'bin', 'power (kW)', 'torque (N m)', 'speed (rpm)', 'share of time', 'share of damage', `${name} (h)`
+    ];
     this.body.replaceChildren(
         element(
             'div', {class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'load spectrum'},
@@ -864,14 +868,10 @@ export class SpectrumCard extends Card {
                                 (key) => element('td', {}, figure(bin[key]))),
                             element('td', {}, bar(bin.share, 'time')),
                             element('td', {}, bar(bin.damage_share, 'damage')),
-                            element('td', {}, figure(bin.life_h))))))),
+                            element('td', {}, figure(bin.worst_bearing_h))))))),
         element(
-            'p', {class: 'told'}, 'Life under the spectrum: ',
-            figure(
-                (Array.isArray(session.sweep.spectrum) ? session.sweep.spectrum[0] : session.sweep.spectrum)
-                    .life_h,
-                'h'),
-            '.'));
+            'p', {class: 'told'}, `${name} under the spectrum${set ? `, set ${set}` : ''}: `,
+            figure(life, 'h'), '.'));
   }
 }
 

@@ -80,10 +80,14 @@ function* walk(part, path, tree, required) {
   }
 }
 
+// Blocks that a case of several sets has in each of its sets.
+const OF_ONE_SET = ['gearset', 'bearing'];
+
 /** Inputs of a model in the order of the schema; of named parts those that the case names. */
 export function fieldsOf(schema, model, tree) {
-  const part = schema.$defs[model];
-  return part?.properties ? [...walk(part, [], tree, part.required ?? [])] : [];
+  const part = schema.$defs[model], several = Boolean(below(tree, 'sets'));
+  const taken = ({path}) => !several || !OF_ONE_SET.includes(path[0]) || below(tree, path[0]);
+  return part?.properties ? [...walk(part, [], tree, part.required ?? [])].filter(taken) : [];
 }
 
 /** Keys below a path in the order of the schema. */

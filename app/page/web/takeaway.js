@@ -72,7 +72,8 @@ export class TakeAway {
           name = element('input', {type: 'text', id: 'save-name', value: session.file});
     this.told = element('p', {class: 'told', role: 'status'});
     if (session.errors.length)
-      this.told.textContent = 'The case has errors: numbers are those of the last valid case.';
+      this.told.textContent = `The case has errors: ${
+          session.check ? 'numbers are those of the last valid case' : 'there are no numbers yet'}.`;
     this.replace =
         button('Replace the file', () => this.save(name.value, this.found), {id: 'replace', hidden: true});
     // Verdicts on requirements are those of what the report covers.

@@ -23,7 +23,7 @@ const MISSING = {
 // Of one bearing of all, where planets or their bearings are loaded unevenly: over a revolution of a carrier
 // that is a body, else the shortest.
 const OF_THE_WORST = ['carrier_', 'shortest_'];
-// Of several sets: the one whose bearing has the shortest life.
+// Of several sets: the one with the worst bearing.
 const SET = 'limiting_set';
 const isNumber = (value) => typeof value === 'number' && Number.isFinite(value);
 const wordOf = ({passed}) => (passed === true ? 'passed' : passed === false ? 'failed' : 'not judged');
@@ -31,7 +31,11 @@ const wordOf = ({passed}) => (passed === true ? 'passed' : passed === false ? 'f
 /** The lives that results go by: those of the load spectrum where the case has one. */
 function livesOf({run, point, check}) {
   const spectrum = Array.isArray(run?.spectrum) ? run.spectrum[0] : run?.spectrum;
-  return spectrum ? {of: 'load spectrum', values: spectrum, key: spectrum.life_key} : {
+  return spectrum ? {
+    of: ['load spectrum', spectrum[SET] && `set ${spectrum[SET]}`].filter(Boolean).join(', '),
+    values: spectrum,
+    key: spectrum.life_key
+  } : {
     of: point?.[SET] ? `set ${point[SET]}` : '',
     values: point ?? run,
     key: run?.life_key ?? run?.peak?.life_key ?? check?.governing_life?.key
@@ -57,10 +61,11 @@ export function tilesOf(session) {
   const verdicts = verdictsOf({run, sweep, overSpeed, sweeps: overSpeed && session.sweptSpeeds().length > 1});
   const about = (key) => (overSpeed ? meanings.of(key) : meanings.partOf('run', run).properties[key]) ?? {};
   const tile = (key, more = {}) => {
-    const verdict = verdicts.find((one) => one.key === key), {unit, description} = about(key);
+    const verdict = verdicts.find((one) => one.key === key), {unit, description} = about(key),
+          set = verdict?.of_set || (/^(system_|carrier_speed)/.test(key) ? '' : values[SET]);
     return {
       key,
-      name: NAMES[key] ?? meanings.label(key),
+      name: [NAMES[key] ?? meanings.label(key), !more.chief && set && `set ${set}`].filter(Boolean).join(', '),
       value: verdict && isNumber(verdict.value) ? verdict.value : values[key],
       unit: unit ?? verdict?.unit ?? '',
       about: description ?? '',
@@ -71,7 +76,7 @@ export function tilesOf(session) {
   const lives = livesOf(session), found = [];
   if (lives.key in lives.values) {
     const worst = OF_THE_WORST.map((prefix) => prefix + lives.key).find((key) => isNumber(lives.values[key])),
-          own = tile(lives.key);
+          own = tile(lives.key, {chief: true});
     found.push({
       ...own,
       name: ['Governing life', own.name, lives.of].filter(Boolean).join(', '),
@@ -79,8 +84,7 @@ export function tilesOf(session) {
                                                           lives.values[worst ?? lives.key],
       unit: 'h',
       about: `${own.about}${worst ? ', of the bearing with the shortest' : ''}`,
-      required: verdicts.find((one) => one.requirement === 'life'),
-      chief: true
+      required: verdicts.find((one) => one.requirement === 'life')
     });
   }
   const why = (key) => withOil(session) ? MISSING[key] : undefined;
@@ -95,11 +99,40 @@ export function tilesOf(session) {
 // Whether the model has oil at all.
 const withOil = ({check}) => Boolean(check?.inputs.some(({path}) => path.startsWith('lubricant.')));
 
-/** The tiles: those that are judged, and a line of the others. */
+const OF_SETS = ['S0', 'kappa', 'contact_pressure_max_MPa', 'planet_load_N'];
+
+/** Of several sets: a line of each, {set, limiting, figures: [{key, name, value, unit}]}; else none. */
+export function setsOf(session) {
+  const {point, meanings} = session, life = livesOf(session).key;
+  const names = session.overSpeed && point?.[SET] ?
+      [...new Set(Object.keys(point).map((key) => /^sets\.([^.]+)\./.exec(key)?.[1]).filter(Boolean))] :
+      [];
+  const figure = (set, key) => {
+    const worst = OF_THE_WORST.map((prefix) => prefix + key).find((one) => isNumber(point[`sets.${set}.${one}`]));
+    return {
+      key: worst ?? key,
+      name: NAMES[key] ?? meanings.label(worst ?? key),
+      value: point[`sets.${set}.${worst ?? key}`],
+      unit: meanings.of(key).unit ?? ''
+    };
+  };
+  return names.map((set) => ({
+                     set,
+                     limiting: set === point[SET],
+                     figures: [life, ...OF_SETS].map((key) => figure(set, key)).filter(({value}) => isNumber(value))
+                   }));
+}
+
+const setElement = ({set, limiting, figures}) => element(
+    'div', {class: 'further', 'data-set': set},
+    element('span', {class: 'hint'}, `Set ${set}${limiting ? ', with the worst bearing' : ''}`),
+    ...figures.map((one) => tileElement({...one, key: `sets.${set}.${one.key}`, about: one.name})));
+
+/** The tiles: those that are judged, a line of each of several sets, and a line of the others. */
 export function tileElements(session) {
   const tiles = tilesOf(session), further = tiles.filter((tile) => tile.further);
   return [
-    ...tiles.filter((tile) => !tile.further).map(tileElement),
+    ...tiles.filter((tile) => !tile.further).map(tileElement), ...setsOf(session).map(setElement),
     further.length ? element('div', {class: 'further'}, ...further.map(tileElement), ...missing(further)) :
                      null
   ].filter(Boolean);
