@@ -16,10 +16,38 @@ from file_units import gearbox, of_clearance, of_load_cases, stage, stated_beari
 orbearing = program.package()
 
 from orbearing.errors import CaseError  # noqa: E402
-from orbearing.rexs import convert, reading, results  # noqa: E402
+from orbearing.rexs import convert, names, reading, results  # noqa: E402
+from orbearing.rexs.model import Attribute, Component  # noqa: E402
 
 STAGE, BEARING = "planetenstufe_9", rexs_files.BEARING
 RPM, DEGREE = math.pi / 30.0, math.pi / 180.0
+
+
+# Components of the format that have attributes which are read.
+COMPONENTS = {"concept_bearing", "coupling", "cutter_wheel_tool", "cylindrical_gear", "cylindrical_gear_flank", "cylindrical_stage", "external_load",
+              "flank_geometry", "gear_casing", "gear_unit", "lubricant", "material", "planet_carrier", "rack_shaped_tool", "ring_gear",
+              "rolling_bearing_row", "rolling_bearing_with_catalog_geometry", "rolling_bearing_with_detailed_geometry", "rolling_element", "shaft",
+              "shaft_section"}
+
+
+class Names(unittest.TestCase):
+    def test_each_attribute_has_a_unit_and_components_of_the_format(self):
+        for name, known in names.KNOWN.items():
+            self.assertIsNotNone(names.unit_of(known.unit), name)
+            self.assertEqual((set(known.components) - COMPONENTS, len(set(known.names))), (set(), len(known.names)), name)
+        self.assertEqual({one for known in names.KNOWN.values() for one in known.components}, COMPONENTS)
+
+    def test_numbers_and_counts_come_in_every_unit_of_their_quantity(self):
+        count = next(name for name, known in names.KNOWN.items() if known.whole)
+        for name, unit, stated, wanted in (("duration", "h", 2.0, 7200.0), ("duration", "s", 90.0, 90.0), ("load_force_u", "kN", 1.5, 1500.0),
+                                           ("load_place", "mm", 40.0, 0.04), ("share", "%", 25.0, 0.25), ("oil_temperature", "C", 60.0, 60.0),
+                                           ("oil_temperature", "K", 333.15, 60.0), (count, "none", 3.0, 3), (count, "%", 300.0, 3)):
+            known = names.KNOWN[name]
+
+            def read(unit, known=known, name=name, stated=stated):
+                return names.number_of(Component(1, known.components[0], "", {known.names[0]: Attribute(known.names[0], unit, stated)}), name).number
+            self.assertAlmostEqual(read(unit), wanted, delta=1e-9 * wanted, msg=f"{name} [{unit}]")
+            self.assertIsNone(read("rad"), name)
 
 
 class ReadBack(unittest.TestCase):
