@@ -231,6 +231,11 @@ TEST(TiltingPlanet, FeelsTheTwistOfItsCarrier) {
   const double change = (twisted.tilt - rigid.tilt).norm();
   EXPECT_GT(change, 1e-6);
   EXPECT_LT((twisted.tilt - inclined.tilt).norm(), 1e-3 * change);
+  // Where planets carry unlike loads, each stands on pins that their mean load inclines so.
+  const PlanetSeat unlike = unlike_planet_seat(drivetrain, duty);
+  EXPECT_EQ(unlike.tangential_compliance.size(), 0);
+  EXPECT_EQ(unlike.pin_inclination.x(), 0.0);
+  EXPECT_NEAR(unlike.pin_inclination.y() / stated.seats.tangential_inclination, 1.0, 1e-9);
 }
 
 // Issue 16, Build 2, in motion: each bearing goes on with the load, the clearance and the tilt that it has at
