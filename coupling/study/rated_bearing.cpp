@@ -136,8 +136,12 @@ PlanetaryDrivetrain cut_for_rating(PlanetaryDrivetrain drivetrain) {
 
 namespace {
 
-// Loads of laminae in motion, whose contacts are whole: that of each bin lies along the roller as its profile
-// has it in static equilibrium of one contact.
+// [N]  (laminae)  of a whole contact under `load` [N], as its profile has it in static equilibrium.
+Eigen::ArrayXd distributed(const bearing::laminae::LaminaContact& contact, double load) {
+  return contact.loads(bearing::laminae::approach_under(contact, load), 0.0);
+}
+
+// Loads of laminae in motion, whose contacts are whole: that of each bin is distributed along the roller.
 bearing::life::LaminaMeans along_the_roller(const bearing::laminae::LaminaBearing& bearing,
                                             const bearing::RaceMotions& motions,
                                             const WindowStatistics& means) {
@@ -145,8 +149,7 @@ bearing::life::LaminaMeans along_the_roller(const bearing::laminae::LaminaBearin
     const bearing::laminae::LaminaContact& contact = bearing.contact(race);
     Eigen::ArrayXXd powers(contact.laminae(), loads.damage.size());
     for (Eigen::Index bin = 0; bin < loads.damage.size(); ++bin) {
-      const double load = std::pow(loads.damage[bin], 0.25);
-      powers.col(bin) = contact.loads(bearing::laminae::approach_under(contact, load), 0.0).pow(4);
+      powers.col(bin) = distributed(contact, std::pow(loads.damage[bin], 0.25)).pow(4);
     }
     return powers;
   };
@@ -155,6 +158,17 @@ bearing::life::LaminaMeans along_the_roller(const bearing::laminae::LaminaBearin
 }
 
 }  // namespace
+
+double pressure_along_the_roller(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                                 double inner_load, double outer_load) {
+  const bearing::laminae::LaminaBearing cut(cut_for_rating(drivetrain).bearing);
+  const auto even_load = [&](bearing::Race race, double load) {
+    const bearing::laminae::LaminaContact& contact = cut.contact(race);
+    return load > 0.0 ? static_cast<double>(contact.laminae()) * distributed(contact, load).maxCoeff() : 0.0;
+  };
+  return largest_hertz_pressure(drivetrain, geometry, even_load(bearing::Race::inner, inner_load),
+                                even_load(bearing::Race::outer, outer_load));
+}
 
 bearing::rating::RatedHours hours_at(const bearing::rating::RatingLives& lives, double speed) {
   using bearing::kInfinity;

@@ -62,6 +62,11 @@ double least_film_at_rest(const PlanetaryDrivetrain& drivetrain, const Drivetrai
 double largest_hertz_pressure(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                               double inner_load, double outer_load);
 
+/// The same in motion, of whole contacts with a profile (is_rated_on_laminae()): the largest load [N] on each
+/// race is distributed along the roller as its profile has it in static equilibrium of one contact.
+double pressure_along_the_roller(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                                 double inner_load, double outer_load);
+
 /// Load [N] on the bore of one bearing with what reaches it through its cages, whatever its type.
 Eigen::Vector2d bore_load_with_cage(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                                     const bearing::OperatingPoint& point);

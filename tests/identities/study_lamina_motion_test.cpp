@@ -3,6 +3,7 @@
 
 #include "coupling/study/crowning/crown_problem.hpp"
 #include "coupling/study/operating_point.hpp"
+#include "coupling/study/rated_bearing.hpp"
 #include "tests/coupled_reducer.hpp"
 
 namespace orbearing::study::study_lamina_motion_test {
@@ -44,6 +45,17 @@ TEST(LaminaMotion, LivesOneWayAsAtRest) {
       EXPECT_NEAR(moving.life_hours / still.life_hours, 1.0, kMotion) << drop << ' ' << tilt;
       EXPECT_NEAR(moving.contact_pressure / still.contact_pressure, 1.0, kMotion) << drop << ' ' << tilt;
     }
+}
+
+// Rollers that are not cut have a profile all the same: the largest load is distributed along it.
+TEST(LaminaMotion, PressureOfWholeRollersAsAtRest) {
+  PlanetaryDrivetrain drivetrain = crowned(4e-6, 0.0);
+  drivetrain.bearing.rollers().laminae = 0;
+  const PointResult still = point(drivetrain), moving = point(drivetrain, Fidelity::dynamic);
+  EXPECT_NEAR(moving.contact_pressure / still.contact_pressure, 1.0, kMotion);
+  const double even =
+      largest_hertz_pressure(drivetrain, derive(drivetrain), moving.inner.load_max, moving.outer.load_max);
+  EXPECT_GT(moving.contact_pressure, 1.1 * even);  // or the profile would not be seen
 }
 
 TEST(LaminaMotion, LivesInOneSystemAsAtRest) {
