@@ -1036,6 +1036,12 @@ class Form(Drawn):
         self.assertEqual((self.row(found["odd"], "input.power")["value"], self.row(found["odd"], "input.power")["unit"]), ("150000", "J/s"))
         self.assertIn("power: 151000 J/s", found["kept"]["text"])
 
+    def test_a_text_that_names_a_file_is_taken_out_where_it_is_emptied(self):
+        named = CASE.replace("bearing:\n", "bearing:\n  catalogue: own.csv\n", 1)
+        self.assertNotEqual(named, CASE)
+        found = page([put("[id='in-bearing.catalogue']", ""), dump("emptied")], (named, CASE))["dumps"]
+        self.assertEqual(found["emptied"]["text"], CASE)
+
     def test_a_mistake_is_shown_at_the_field_that_was_changed(self):
         named = CASE[:CASE.index("  rollers: 15\n")] + "  designation: NU 204\n  clearance_class: CN\n  cage: {material: polyamide}\n" + CASE[CASE.index("lubricant:"):]
         wrong = named.replace("NU 204", "NU 2307")
