@@ -172,6 +172,14 @@ class Units(unittest.TestCase):
     def test_by_hand(self):
         self.assertEqual({key: units_of(key) for key in BY_HAND}, BY_HAND)
 
+    def test_each_end_of_a_name_is_a_unit_of_its_own(self):
+        """load_kN is in kN and speed_m_s in m/s; without the line before it an end states no unit."""
+        for end, unit in (("N", "N"), ("kN", "kN"), ("W", "W"), ("kW", "kW"), ("N_m", "N m"), ("N_mm", "N mm"), ("m", "m"), ("mm", "mm"), ("um", "um"),
+                          ("m_s", "m s-1"), ("m_s2", "m s-2"), ("s", "s"), ("ms", "ms"), ("us", "us"), ("h", "h"), ("K", "K"), ("rad", "rad"),
+                          ("mrad", "mrad"), ("rad_s", "rad s-1"), ("deg", "degree"), ("kg", "kg"), ("rpm", "rpm"), ("Hz", "Hz"), ("MPa", "MPa"),
+                          ("Mrev", "megarevolution"), ("percent", "percent"), ("N_per_m", "N m-1"), ("m_per_N", "m N-1")):
+            self.assertEqual((units_of(f"x_{end}"), units_of(f"x{end}") == unit), (unit, False), end)
+
     def test_of_every_key_that_the_program_writes(self):
         """Ends of names that are put together, as "_Mrev", count too."""
         sources = [path for folder in ("study", "results", "commands") for path in sorted((ROOT / "app" / folder).rglob("*.[ch]pp"))]
