@@ -411,24 +411,26 @@ class CatalogueCase {
 
 namespace {
 
-// Types of which no catalogue holds a line, by their basic numbers as ISO and DIN 623 write them: five digits
-// that begin with 30 to 33, or with 21 to 24. Null for others.
+// Types of which no catalogue holds a line, by their basic numbers as ISO and DIN 623 write them.
 struct OtherType {
-  const char *words, *type;
+  std::size_t digits;
+  std::string_view letters, begin;  // letters "*": any but those of cylindrical bearings, NU, NJ, NUP and N
+  const char *words, *type;         // of planet bearings; null: not computed
 };
 
 const OtherType* other_type(std::string_view name) {
-  static constexpr OtherType tapered{"a tapered roller bearing", "tapered-roller"},
-      spherical{"a spherical roller bearing", "spherical-roller"};
   const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
   const auto begin = std::ranges::find_if(name, is_digit);
   const auto end = std::find_if_not(begin, name.end(), is_digit);
-  constexpr std::ptrdiff_t digits = 5;
-  if (end - begin != digits || name.front() == 'N') return nullptr;  // cylindrical: NU, NJ, NUP, N
-  const char first = *begin, second = *std::next(begin);
-  if (first == '3' && second >= '0' && second <= '3') return &tapered;
-  if (first == '2' && second >= '1' && second <= '4') return &spherical;
-  return nullptr;
+  const std::string_view digits =
+      name.substr(static_cast<std::size_t>(begin - name.begin()), static_cast<std::size_t>(end - begin));
+  std::string_view letters = name.substr(0, static_cast<std::size_t>(begin - name.begin()));
+  while (!letters.empty() && letters.back() == ' ') letters.remove_suffix(1);
+  const auto found = std::ranges::find_if(kOtherTypes, [&](const OtherType& one) {
+    const bool fits = one.letters == "*" ? !name.starts_with('N') : one.letters == letters;
+    return fits && one.digits == digits.size() && digits.starts_with(one.begin);
+  });
+  return found == kOtherTypes.end() ? nullptr : found;
 }
 
 // "NCF 2207", "SL 18 2207", "NJG 2307": series of several makers.
@@ -445,7 +447,10 @@ std::optional<ConsistencyMessage> unknown_designation(const std::string& name, c
   if (const OtherType* other = other_type(name))
     return ConsistencyMessage{
         fmt::format("{}, {}, of which no catalogue has a line", quote(name), other->words),
-        (model & planetary_drivetrain) != 0
+        other->type == nullptr
+            ? std::string("a cylindrical, needle, tapered or spherical roller bearing, or a deep groove or "
+                          "angular contact ball bearing, is required: others are not computed")
+        : (model & planetary_drivetrain) != 0
             ? fmt::format("bearing.type: {} with bearing.rows.contact_angle and number, diameter, length and "
                           "pitch diameter of its rollers is required instead of the designation",
                           other->type)
@@ -470,6 +475,34 @@ std::optional<ConsistencyMessage> unknown_designation(const std::string& name, c
           "state your own row (bearing.catalogue: FILE), or number, diameter and pitch diameter of its {}",
           fmt::join(catalogue::nearest(designations_of(table, rollers), name, shown), ", "),
           rollers ? "rollers" : "balls")};
+constexpr std::array<OtherType, 24> kOtherTypes{{
+    {5, "*", "30", "a tapered roller bearing", "tapered-roller"},
+    {5, "*", "31", "a tapered roller bearing", "tapered-roller"},
+    {5, "*", "32", "a tapered roller bearing", "tapered-roller"},
+    {5, "*", "33", "a tapered roller bearing", "tapered-roller"},
+    {5, "", "292", "a spherical roller thrust bearing", nullptr},
+    {5, "", "293", "a spherical roller thrust bearing", nullptr},
+    {5, "", "294", "a spherical roller thrust bearing", nullptr},
+    {5, "*", "21", "a spherical roller bearing", "spherical-roller"},
+    {5, "*", "22", "a spherical roller bearing", "spherical-roller"},
+    {5, "*", "23", "a spherical roller bearing", "spherical-roller"},
+    {5, "*", "24", "a spherical roller bearing", "spherical-roller"},
+    {5, "", "51", "a thrust ball bearing", nullptr},
+    {5, "", "52", "a thrust ball bearing", nullptr},
+    {5, "", "53", "a thrust ball bearing", nullptr},
+    {5, "", "54", "a thrust ball bearing", nullptr},
+    {5, "", "81", "a cylindrical roller thrust bearing", nullptr},
+    {5, "", "89", "a cylindrical roller thrust bearing", nullptr},
+    {4, "", "12", "a self-aligning ball bearing", nullptr},
+    {4, "", "13", "a self-aligning ball bearing", nullptr},
+    {4, "", "22", "a self-aligning ball bearing", nullptr},
+    {4, "", "23", "a self-aligning ball bearing", nullptr},
+    {4, "", "3", "a double-row angular contact ball bearing", nullptr},
+    {3, "QJ", "", "a four-point contact ball bearing", nullptr},
+    {4, "C", "", "a toroidal roller bearing", nullptr},
+}};
+
+// Null for types with lines, and for names that are none of these.
 }
 
 namespace {

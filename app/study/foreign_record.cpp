@@ -24,7 +24,7 @@ constexpr const char* kByToolbox =
     "openfast_toolbox.io.read(FILE).toDataFrame().to_csv('record.csv', index=False)";
 
 using namespace std::string_view_literals;
-constexpr std::array<Signature, 9> kSignatures{{
+constexpr std::array<Signature, 12> kSignatures{{
     {"PK\x03\x04"sv, "a ZIP file, as an Excel workbook (.xlsx) is one", "save the sheet as CSV"},
     {"\xd0\xcf\x11\xe0"sv, "an Excel workbook (.xls)", "save the sheet as CSV"},
     {"PAR1"sv, "a Parquet file",
@@ -42,6 +42,11 @@ constexpr std::array<Signature, 9> kSignatures{{
      "write it as CSV, for example by asammdf in Python: asammdf.MDF(FILE).export('csv', 'record.csv')"},
     {"\x1f\x8b"sv, "a compressed file (gzip)", "unpack it"},
     {"BZh"sv, "a compressed file (bzip2)", "unpack it"},
+    {"7z\xbc\xaf\x27\x1c"sv, "a compressed file (7z)", "unpack it"},
+    {"\xfd"
+     "7zXZ"sv,
+     "a compressed file (xz)", "unpack it"},
+    {"Rar!"sv, "a compressed file (rar)", "unpack it"},
 }};
 
 std::string beginning_of(const fs::path& file) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <fstream>
 #include <optional>
 
@@ -58,7 +59,11 @@ std::optional<std::string> unit_of(const ColumnHead& head, const Quantity& quant
   if (!stated.empty() && head.name == stated)
     return head.unit.empty() ? unit_at_end(head.name, quantity) : header_cell({"x", head.unit}, {"x"}).unit;
   std::vector<std::string> names{stated.empty() ? quantity.name : stated};
-  if (names.front() == "time") names.emplace_back("Time");
+  if (stated.empty() || stated == "time") {  // "Torque [N m]" as well
+    std::string capital = names.front();
+    capital.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(capital.front())));
+    names.push_back(capital);
+  }
   if (whole_names && std::find(names.begin(), names.end(), head.name) == names.end()) return std::nullopt;
   const HeaderCell cell = header_cell(head, names);
   return cell.name.empty() ? std::nullopt : std::optional(cell.unit);

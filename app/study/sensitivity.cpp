@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <optional>
 
 #include "app/case/set_case.hpp"
 #include "app/case/unused_inputs.hpp"
@@ -50,8 +51,9 @@ constexpr double kWorthKnowing = 0.1;  // [-]  of a life
 constexpr double kMore = 0.1;          // [-]  of a default
 constexpr std::size_t kMostWarnings = 3;
 
-/// With parts that take seconds replaced by those that take none.
-ResolvedCase simplified(const ResolvedCase& in) {
+/// With parts that take seconds replaced by those that take none. Empty where the case requires these parts:
+/// two gears on each planet require computed tilts.
+std::optional<ResolvedCase> simplified(const ResolvedCase& in) {
   std::vector<Setting> settings;
   for (const Input& input : in.inputs()) {
     if (!in.has(input.path)) continue;
@@ -61,7 +63,12 @@ ResolvedCase simplified(const ResolvedCase& in) {
       settings.push_back({input.path, "stated"});
   }
   const ResolvedCase one = in.without_sweep();
-  return settings.empty() ? one : one.with(settings);
+  if (settings.empty()) return one;
+  try {
+    return one.with(settings);
+  } catch (const BadInput&) {
+    return std::nullopt;
+  }
 }
 
 /// NaN where there is none.
@@ -213,8 +220,9 @@ bool is_assumption(const ResolvedCase& in, const Input& input, use::Analysis ana
 }  // namespace
 
 std::vector<AssumedEffect> assumed_effects(const ResolvedCase& resolved) {
-  const ResolvedCase in = simplified(resolved);
-  if (!uneven_planets_by(in).empty()) return {};  // the gears of each change would take seconds
+  const std::optional<ResolvedCase> simple = simplified(resolved);
+  if (!simple || !uneven_planets_by(*simple).empty()) return {};  // each change would take seconds
+  const ResolvedCase& in = *simple;
   const Lives here = lives_at_rest(in);
   std::vector<std::pair<double, AssumedEffect>> found;
   if (here.empty()) return {};
@@ -252,11 +260,12 @@ std::string assumed_effects_text(const ResolvedCase& resolved, const std::vector
 std::vector<std::string> default_warnings(const ResolvedCase& resolved, const std::vector<Derived>& derived) {
   std::vector<std::string> warnings;
   try {
-    const ResolvedCase in = simplified(resolved);
-    const ScalarResult life = scalar_result(in);
+    const std::optional<ResolvedCase> in = simplified(resolved);
+    if (!in) return {};
+    const ScalarResult life = scalar_result(*in);
     if (!life.is_at_rest()) return {};
-    warn_of_load_sharing(in, derived, warnings);
-    warn_of_defaults(in, life, warnings);
+    warn_of_load_sharing(*in, derived, warnings);
+    warn_of_defaults(*in, life, warnings);
   } catch (const BadInput&) {  // a case without a life
   }
   return warnings;

@@ -7,7 +7,9 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <stdexcept>
+#include <string>
 
 #include "app/case/static_case.hpp"
 #include "app/errors.hpp"
@@ -55,6 +57,25 @@ StiffnessPoint single_point(const bearing::Bearing& bearing, const equilibrium::
   return point;
 }
 
+// Effect of a profile that the case does not state, on the first point.
+std::optional<std::string> warning_of_profile(const ResolvedCase& in, bearing::Bearing bearing,
+                                              const equilibrium::RowMotion& motion,
+                                              const StiffnessPoint& point) {
+  const char* path = "bearing.profile.kind";
+  if (!in.has(path) || in.origin(path) != "default" || !point.stiffness) return std::nullopt;
+  bearing.rollers().profile = {};
+  const double factor = list_or(in, "operation.load_factors", 1.0).front();
+  const StiffnessPoint straight = single_point(bearing, motion, scaled(ring_load_of(in), factor));
+  if (!straight.stiffness) return std::nullopt;
+  const auto change = [&](int axis) {
+    return 100.0 * ((*straight.stiffness)(axis, axis) / (*point.stiffness)(axis, axis) - 1.0);
+  };
+  return fmt::format(
+      "{}: not given; {} is used. Straight rollers change the stiffness along the load by {:+.0f} % and "
+      "across it by {:+.0f} %",
+      path, in.choice(path), change(0), change(1));
+}
+
 StiffnessStudy single_stiffness(const ResolvedCase& in) {
   const bearing::Bearing bearing = bearing_of(in);
   equilibrium::RowMotion motion = row_motion_of(in);
@@ -78,6 +99,11 @@ StiffnessStudy single_stiffness(const ResolvedCase& in) {
   if (in.model() == roller_bearing && !in.has("bearing.laminae"))
     study.warnings.push_back(fmt::format(
         "bearing.laminae: not given; {} are used, and stiffness depends on their number", default_laminae));
+  if (in.model() == roller_bearing) {
+    motion.speeds.inner = speeds.front();
+    if (const auto warning = warning_of_profile(in, bearing, motion, study.points.front()))
+      study.warnings.push_back(*warning);
+  }
   return study;
 }
 

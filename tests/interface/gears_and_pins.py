@@ -84,6 +84,21 @@ gearset:
   module: 0.8 mm
   face_width: 8 mm
 """
+STEPPED_BEARINGS = """name: two_gears_on_bearings
+source: own
+model: planetary-drivetrain
+input: {member: sun, power: 60 kW, speed: 1500 rpm}
+gearset:
+  planets: 3
+  teeth: {sun: 24, planet: 50, ring: 84}
+  stepped_planet: {teeth: 18, module: 4.5 mm, face_width: 36 mm, offset: 45 mm, profile_shift: 0.2}
+  profile_shift: {sun: 0.1, ring: 0.25}
+  module: 4 mm
+  face_width: 40 mm
+bearing: {type: cylindrical-roller, per_planet: 2, rollers: 14, roller_diameter: 7 mm, roller_length: 16 mm, pitch_diameter: 42 mm, radial_clearance: 20 um, bore: 30 mm,
+          outside_diameter: 55 mm, width: 25 mm, laminae: 30, tilt_state: computed, axial_places: [-28 mm, 28 mm],
+          cage: {inner_diameter: 38 mm, outer_diameter: 46 mm, width: 20 mm, density: 8500 kg/m3}}
+"""
 PAIR = """name: helical_12_60
 source: own
 model: gear-pair
@@ -165,6 +180,21 @@ class GearsAndPins(unittest.TestCase):
         found = run("check", self.case(PAIRS))
         self.assertEqual(found.returncode, 0, found.stderr)
         self.assertIn("the tips of the ring reach below the second planet's form circle", found.stdout + found.stderr)
+        path = "sets.second_planet.gearset.ring_mesh.contact_ratio"
+        for fillet, right in ((0.38, 1.737), (0.0, 1.778)):  # where the involutes end, and of whole involutes
+            rows = {row["path"]: row["value"] for row in answer("check", self.case(PAIRS), f"gearset.root_fillet_radius={fillet}")["derived"]}
+            self.assertAlmostEqual(rows[path], right, delta=5e-4)
+
+    def test_two_gears_on_each_planet_run(self):
+        """Their bearings hold a couple, so that tilts are computed: effects of assumed values, which take stated tilts, are left out."""
+        case = self.case(STEPPED_BEARINGS)
+        for command, options in (("run", ()), ("sweep", ("--grid-only",))):
+            found = answer(command, case, "sweep={input.speed: [1500 rpm]}", options=options) if command == "sweep" else answer(command, case)
+            (point,) = found["points"]
+            self.assertEqual(point["status"], "ok")
+            self.assertGreater(point["life_h"], 0.0)
+        text = run("run", case, "-o", pathlib.Path(self.folder.name) / "out")
+        self.assertEqual(text.returncode, 0, text.stderr)
 
     def test_what_cannot_be_stated_is_said_in_one_line(self):
         wolfrom = run("check", self.case(STEPPED % ", ring: 90"))

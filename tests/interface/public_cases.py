@@ -1,18 +1,72 @@
 #!/usr/bin/env python3
 """Cases that people tried elsewhere, with the right figure or the refusal.
 
-Facts and figures of public sources stand in the cases below. Cases that other tests hold:
+Facts and figures of public sources are in the cases below and in public_cases_second.py. Each case of both collections, each case of an independent
+examination, and the first tries of new users are held by these tests (paths from tests/; `::` names what is in the file):
 
-| case | test |
-|---|---|
-| REXS files and their traps | rexs_convert.py |
-| OpenFAST output, German and UTF-16 tables | record_files.py |
-| ratings of another maker, of a planet bearing | catalogue_file.py |
-| a_ISO of a catalogue's spectrum | lives_by_hand.py |
-| lives of several bearings together, e = 9/8 | multi_stage.py |
-| table for ROSS | stiffness_command.py, ross_table.py |
-| decimal commas of a locale | tests/unit/app_case/units_test.cpp, python_package.py |
-| C library of the FMUs | fmu_library.py |
+| collection | case | tests |
+|---|---|---|
+| first | rexs_fva_planetary | interface/public_cases.py::test_planetary_stage_of_17_22_61_teeth interface/rexs_convert.py::test_the_planetary_stage_in_all_forms |
+| first | rexs_traps | interface/rexs_convert.py::test_the_sign_of_degrees_and_its_word interface/rexs_convert.py::test_a_rexs_file_is_no_case |
+| first | dtu10_stage1 | interface/public_cases.py::test_first_stage_of_10_MW |
+| first | dtu10_whole | interface/public_cases.py::test_three_stages_of_10_MW |
+| first | grc_profile_shifts | interface/public_cases.py::test_wind_stage_of_750_kW |
+| first | grc_loads | interface/public_cases.py::test_wind_stage_of_750_kW |
+| first | grc_chain | interface/public_cases.py::test_gearbox_of_750_kW |
+| first | planet_bearing_catalogue_C | interface/public_cases.py::test_planet_bearing_by_the_makers_rating |
+| first | nearly_equal_planets | interface/public_cases.py::test_four_planets_that_do_not_stand_at_right_angles |
+| first | internal_pair_KHK | interface/public_cases.py::test_pair_with_an_internal_gear unit/mesh/internal_pair_test.cpp |
+| first | iko_full_complement | interface/public_cases.py::test_as_many_rollers_as_touch |
+| first | out_of_round_planet | interface/public_cases.py::test_an_out_of_round_race |
+| first | skf_example5_spectrum | interface/public_cases.py::test_spectrum_of_a_catalogue interface/lives_by_hand.py::test_a_iso_of_a_catalogue_example |
+| first | ntn_examples_3_4 | interface/public_cases.py::test_rating_for_a_required_life interface/multi_stage.py |
+| first | nup204_other_maker | interface/catalogue_file.py::test_stated_ratings_replace_those_of_the_designation |
+| first | ross3_table | interface/stiffness_command.py::test_files_hold_the_same interface/ross_table.py::test_release_3 |
+| first | exudyn_6010 | interface/public_cases.py::test_balls_in_grooves_that_no_bearing_has |
+| first | openfast_out | interface/public_cases.py::test_openfast_heads interface/record_files.py::test_files_of_others |
+| first | german_excel_csv | interface/public_cases.py::test_tables_of_spreadsheets |
+| first | powershell_utf16 | interface/public_cases.py::test_tables_of_spreadsheets |
+| first | unicode_units | interface/public_cases.py::test_pasted_units_and_numbers |
+| first | locale_comma | unit/app_case/units_test.cpp interface/python_package.py::test_numbers_are_those_of_a_point |
+| first | fmu_glibc | interface/fmu_library.py::test_floor_of_the_c_library |
+| second | zf_8hp_coupled_sets | interface/public_cases_second.py::CoupledSets interface/planet_bearing_inputs.py::Sets |
+| second | pgs_stepped_and_wolfrom | interface/public_cases_second.py::test_two_gears_on_each_planet interface/gears_and_pins.py::test_what_cannot_be_stated_is_said_in_one_line |
+| second | rblo_planet_speed | interface/public_cases_second.py::test_life_by_a_record_is_that_of_the_point |
+| second | bearinx_two_stage_1_6 | interface/rexs_public_cases.py::test_two_stages_with_a_load_spectrum |
+| second | rexs_external_database | interface/rexs_public_cases.py::Beside |
+| second | rexs_planetary_power_1_4 | interface/rexs_public_cases.py::test_power_in_place_of_torque |
+| second | rexs_wrong_contents | interface/rexs_public_cases.py::Refused |
+| second | nke_fit_table | interface/public_cases_second.py::test_worked_rows_of_a_table_of_fits unit/bearing/seat_class_test.cpp::AgreesWithAPrintedTableOfFits |
+| second | helical_shift_x_mn | interface/public_cases_second.py::test_a_helical_pair_with_a_normal_shift interface/gears_and_pins.py::test_a_wheel_has_a_bore_of_its_own |
+| second | foreign_series_files | interface/record_files.py::test_files_of_other_programs_are_named interface/record_files.py::test_bladed_as_text_and_binary |
+| second | eritenel_parker_3d | interface/gears_and_pins.py::test_what_cannot_be_stated_is_said_in_one_line interface/public_cases_second.py::test_helical_modes_in_the_plane |
+| second | one_pin_off_pattern | interface/public_cases_second.py::test_one_pin_off |
+| second | across_over_along | interface/public_cases_second.py::test_across_over_along identities/bearing_stiffness_test.cpp::AcrossOverAlongIsThatOfTheSum |
+| second | nsk_tapered_pair_example5 | interface/public_cases_second.py::test_a_tapered_bearing_alone literature/tapered_ratings_test.cpp |
+| second | ukf_k50_pair | interface/public_cases_second.py::test_factors_of_one_row |
+| second | skf_example5_kappa | interface/public_cases_second.py::test_viscosity_ratio |
+| second | fmu_late_start | unit/fmu/fmi2_test.cpp::ALateStartIsTheSameRun interface/fmu_fmpy.py::test_no_problem_is_found |
+| examined | flexpin | interface/gears_and_pins.py::test_a_flexpin_carries_any_number_of_bearings |
+| examined | carrier_own | interface/gears_and_pins.py::test_the_shaft_of_the_sun_loads_one_end_of_its_teeth interface/gears_and_pins.py::test_planets_and_sun_that_slide_have_no_axial_frequency |
+| examined | rexs (6207, 6308) | interface/rexs_public_cases.py::test_gears_of_version_1_0_are_where_they_are_in_space interface/rexs_read_back.py::Places |
+| examined | drag_slip | interface/light_loads.py::test_rolling_resistance_carries_rollers_along |
+| examined | needle_slow | interface/light_loads.py::test_needles_of_a_slow_set |
+| examined | ac_own | interface/static_bearing.py::test_formulas_of_the_page |
+| examined | spherical_own, sph_pair | unit/life/rating_lives_test.cpp::LaminaOfTwoRowsStandsForTheLoadOfBoth interface/planet_bearing_types.py::test_standard_lives |
+| examined | nu210 | interface/static_bearing.py::test_friction_does_not_depend_on_the_position |
+| examined | pair_own | interface/gears_and_pins.py::test_teeth_of_paired_planets_warn_as_others |
+| examined | stepped_own | interface/gears_and_pins.py::test_two_gears_on_each_planet_run |
+| examined | tapered_own | interface/planet_bearing_types.py::test_standard_lives |
+| examined | ball_own, ball6210 | interface/planet_bearing_types.py::test_balls interface/lives_by_hand.py::test_6208 |
+| examined | cyl_own, unc_own | interface/governing_life.py::test_uncertainty |
+| examined | internal | interface/public_cases.py::test_pair_with_an_internal_gear |
+| examined | scratch_own | interface/planet_scratch.py::PlanetScratch |
+| examined | two_sets | interface/multi_stage.py::test_power_flow_balances_in_every_set_and_shaft |
+| new users | wind5_caged, wind5_full | interface/planet_bearing_inputs.py::test_a_full_complement_has_its_own_ratings |
+| new users | mine, mineclr, eaxle, wind | interface/planet_bearing_inputs.py::test_a_thin_rim_is_a_result_a_warning_and_a_status interface/varied_without_effect.py |
+| new users | eaxle_a | interface/true_output.py::test_a_band_that_is_open_is_told |
+| new users | b6309 | interface/planet_bearing_inputs.py::PUMP |
+| new users | hand16281 | interface/one_life.py::Standard |
 """
 
 import json
@@ -156,6 +210,16 @@ class PublicCases(unittest.TestCase):
         result = run(command, self.case(text), *settings(values))
         self.assertEqual(result.returncode, 2, result.stdout)
         return result.stderr
+
+
+class Table(unittest.TestCase):
+    def test_each_case_names_tests_that_exist(self):
+        tests, rows = CASES.parent / "tests", [line.strip("| ").split(" | ") for line in __doc__.splitlines() if line.startswith("| ")][1:]
+        self.assertEqual([sum(row[0] == one for row in rows) for one in ("first", "second")], [23, 17])
+        for _, case, held in rows:
+            for test in held.split():
+                file, _, name = test.partition("::")
+                self.assertIn(name, (tests / file).read_text(encoding="utf-8"), case)
 
 
 class Gears(PublicCases):

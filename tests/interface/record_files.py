@@ -123,6 +123,13 @@ class RecordFiles(unittest.TestCase):
             text = "\n".join([f"Time_[s],n_rpm,P ({unit})"] + [f"{t},{n},{p * factor}" for t, n, p in power])
             self.assert_same_bins(self.spectrum(self.written("p.csv", text), "--power", "P", "--speed", "n", "--bins", "2x2"), expected, 1e-9)
 
+    def test_names_with_a_capital(self):
+        lower = self.written("a.csv", "time_s,speed_rpm,torque_N_m\n0,1500,100\n1,1500,120\n2,1500,120\n")
+        capital = self.written("b.csv", "Time [s],Speed [rpm],Torque [Nm]\n0,1500,100\n1,1500,120\n2,1500,120\n")
+        rows = self.written("c.csv", "Time;Speed;Torque\ns;1/min;Nm\n0;1500;100\n1;1500;120\n2;1500;120\n")
+        for file in (capital, rows):
+            self.assertEqual(self.spectrum(file)["bins"], self.spectrum(lower)["bins"])
+
     def test_units_are_never_guessed(self):
         file = self.written("n.csv", "Time,RotSpeed,RotTorq\n0,1,2\n1,1,2\n")
         self.assertIn("n.csv:1:1: found time without a unit", self.refusal(file, *CHOICE))
@@ -262,7 +269,8 @@ class RecordFiles(unittest.TestCase):
                 ("a.xls", b"\xd0\xcf\x11\xe0\0", "an Excel workbook (.xls)"), ("a.parquet", b"PAR1\0", "a Parquet file"),
                 ("a.feather", b"ARROW1\0", "a Feather file"), ("a.tdms", b"TDSm\0", "a TDMS file of LabVIEW"), ("a.mat", b"MATLAB 5.0 MAT-file, \0", "a MAT-file"),
                 ("a.mf4", b"MDF     4.10\0", "a measurement file MDF"), ("a.csv.gz", b"\x1f\x8b\0", "a compressed file (gzip)"),
-                ("a.csv.bz2", b"BZh91AY", "a compressed file (bzip2)"), ("a.res", b"\x48\0\0\0\x09\0", "binary data (.res), as FLEX writes them"),
+                ("a.csv.bz2", b"BZh91AY", "a compressed file (bzip2)"), ("a.7z", b"7z\xbc\xaf\x27\x1c\0", "a compressed file (7z)"),
+                ("a.csv.xz", b"\xfd7zXZ\0", "a compressed file (xz)"), ("a.rar", b"Rar!\x1a\x07", "a compressed file (rar)"), ("a.res", b"\x48\0\0\0\x09\0", "binary data (.res), as FLEX writes them"),
                 ("h.sel", b"____\n  Version ID : HAWC2MB 11.8\n", "names of channels of HAWC2 (.sel), whose data are in the .dat file of that name"),
                 ("h.dat", b"0 1 2\n", "data of HAWC2 without names, which are in h.sel")):
             message = self.refusal(self.written(name, content))

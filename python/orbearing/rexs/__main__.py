@@ -89,8 +89,11 @@ def print_summary(report: dict, folder: Path) -> None:
             if kind == "bearings":
                 _say_of_bearing(entry)
     for entry in report["shafts"]:
-        speed = f": {entry['figures']['speed_rpm']:.6g} rpm" if "speed_rpm" in entry["figures"] else ""
-        _say(f"  {entry['type']} {entry['component']} '{entry['name']}'{speed}")
+        figures = entry["figures"]
+        parts = [f"{figures['speed_rpm']:.6g} rpm"] if "speed_rpm" in figures else []
+        if figures.get("outside_diameters_mm"):
+            parts.append("outside diameters " + ", ".join(f"{one:.6g}" for one in figures["outside_diameters_mm"]) + " mm")
+        _say(f"  {entry['type']} {entry['component']} '{entry['name']}'" + (": " + ", ".join(parts) if parts else ""))
     _say(f"{len(report['taken'])} attributes taken, {len(report['missing'])} keys missing in the file, {len(report['left_out'])} attributes left out")
     for entry in report["missing"]:
         instead = f"; taken instead: {entry['instead']}" if entry["instead"] is not None else ""
@@ -100,8 +103,22 @@ def print_summary(report: dict, folder: Path) -> None:
     _say(str(folder / "conversion.json"))
 
 
+def _catalogue_text(figures: dict) -> str:
+    """Sizes, ratings and factors of a bearing as its file states them."""
+    sizes = [f"{figures[name]:.6g}" if name in figures else "?" for name in ("bore_mm", "outside_diameter_mm", "width_mm")]
+    parts = [" x ".join(sizes) + " mm"] if set(sizes) != {"?"} else []
+    rows = [f"{figures['rows']:.6g} rows"] if figures.get("rows", 1) > 1 else []
+    rows += [f"contact angle {figures['contact_angle_deg']:.6g} deg"] if "contact_angle_deg" in figures else []
+    parts += rows + [f"{name.removesuffix('_kN')} {figures[name]:.6g}{' kN' if name.endswith('_kN') else ''}" for name in
+                     ("C_kN", "C0_kN", "C_u_kN", "e_C", "e", "Y1", "Y2") if name in figures]
+    return ", ".join(parts)
+
+
 def _say_of_bearing(entry: dict) -> None:
-    """Forces of a bearing at each load, and its lives under all of them together."""
+    """What is known of a bearing without a case, forces of a bearing at each load, and its lives under all of them together."""
+    catalogue = "" if entry["case"] else _catalogue_text(entry.get("figures", {}))
+    if catalogue:
+        _say(f"    {catalogue}")
     loads = entry.get("load_cases") or [{"load_case": "", "share": None, "figures": entry.get("figures", {})}]
     for load in loads:
         figures = load["figures"]

@@ -7,6 +7,10 @@
 
 #include <fmt/format.h>
 
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "app/case/catalogue_file.hpp"
 #include "app/case/resolved_writer.hpp"
 #include "app/case/unused_inputs.hpp"
@@ -372,8 +376,21 @@ TEST(CatalogueBearing, OtherTypesAreNamed) {
         << name;
   EXPECT_THAT(mistakes(kByDesignation, {"bearing.designation=22310 E"}),
               ElementsAre(HasSubstr("a spherical roller bearing")));
-  EXPECT_THAT(mistakes(kByDesignation, {"bearing.designation=NU 22310"}),
-              ElementsAre(HasSubstr("nearest: NU")));
+  for (const char* name : {"NU 22310", "RNU 2210", "HK 3020"})
+    EXPECT_THAT(mistakes(kByDesignation, {std::string("bearing.designation=") + name}),
+                ElementsAre(HasSubstr("nearest: NU")))
+        << name;
+  for (const auto& [name, words] :
+       std::vector<std::pair<const char*, const char*>>{{"51210", "a thrust ball bearing"},
+                                                        {"29420 E", "a spherical roller thrust bearing"},
+                                                        {"81210", "a cylindrical roller thrust bearing"},
+                                                        {"2210-TVH", "a self-aligning ball bearing"},
+                                                        {"3210", "a double-row angular contact ball bearing"},
+                                                        {"QJ 210", "a four-point contact ball bearing"},
+                                                        {"C 2210", "a toroidal roller bearing"}})
+    EXPECT_THAT(mistakes(kByDesignation, {std::string("bearing.designation=") + name}),
+                ElementsAre(AllOf(HasSubstr(words), HasSubstr("others are not computed"))))
+        << name;
 }
 
 // Outside the catalogue a cage is the typical one of such a section too.
