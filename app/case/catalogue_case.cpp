@@ -418,6 +418,34 @@ struct OtherType {
   const char *words, *type;         // of planet bearings; null: not computed
 };
 
+constexpr std::array<OtherType, 24> kOtherTypes{{
+    {5, "*", "30", "a tapered roller bearing", "tapered-roller"},
+    {5, "*", "31", "a tapered roller bearing", "tapered-roller"},
+    {5, "*", "32", "a tapered roller bearing", "tapered-roller"},
+    {5, "*", "33", "a tapered roller bearing", "tapered-roller"},
+    {5, "", "292", "a spherical roller thrust bearing", nullptr},
+    {5, "", "293", "a spherical roller thrust bearing", nullptr},
+    {5, "", "294", "a spherical roller thrust bearing", nullptr},
+    {5, "*", "21", "a spherical roller bearing", "spherical-roller"},
+    {5, "*", "22", "a spherical roller bearing", "spherical-roller"},
+    {5, "*", "23", "a spherical roller bearing", "spherical-roller"},
+    {5, "*", "24", "a spherical roller bearing", "spherical-roller"},
+    {5, "", "51", "a thrust ball bearing", nullptr},
+    {5, "", "52", "a thrust ball bearing", nullptr},
+    {5, "", "53", "a thrust ball bearing", nullptr},
+    {5, "", "54", "a thrust ball bearing", nullptr},
+    {5, "", "81", "a cylindrical roller thrust bearing", nullptr},
+    {5, "", "89", "a cylindrical roller thrust bearing", nullptr},
+    {4, "", "12", "a self-aligning ball bearing", nullptr},
+    {4, "", "13", "a self-aligning ball bearing", nullptr},
+    {4, "", "22", "a self-aligning ball bearing", nullptr},
+    {4, "", "23", "a self-aligning ball bearing", nullptr},
+    {4, "", "3", "a double-row angular contact ball bearing", nullptr},
+    {3, "QJ", "", "a four-point contact ball bearing", nullptr},
+    {4, "C", "", "a toroidal roller bearing", nullptr},
+}};
+
+// Null for types with lines, and for names that are none of these.
 const OtherType* other_type(std::string_view name) {
   const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
   const auto begin = std::ranges::find_if(name, is_digit);
@@ -475,34 +503,6 @@ std::optional<ConsistencyMessage> unknown_designation(const std::string& name, c
           "state your own row (bearing.catalogue: FILE), or number, diameter and pitch diameter of its {}",
           fmt::join(catalogue::nearest(designations_of(table, rollers), name, shown), ", "),
           rollers ? "rollers" : "balls")};
-constexpr std::array<OtherType, 24> kOtherTypes{{
-    {5, "*", "30", "a tapered roller bearing", "tapered-roller"},
-    {5, "*", "31", "a tapered roller bearing", "tapered-roller"},
-    {5, "*", "32", "a tapered roller bearing", "tapered-roller"},
-    {5, "*", "33", "a tapered roller bearing", "tapered-roller"},
-    {5, "", "292", "a spherical roller thrust bearing", nullptr},
-    {5, "", "293", "a spherical roller thrust bearing", nullptr},
-    {5, "", "294", "a spherical roller thrust bearing", nullptr},
-    {5, "*", "21", "a spherical roller bearing", "spherical-roller"},
-    {5, "*", "22", "a spherical roller bearing", "spherical-roller"},
-    {5, "*", "23", "a spherical roller bearing", "spherical-roller"},
-    {5, "*", "24", "a spherical roller bearing", "spherical-roller"},
-    {5, "", "51", "a thrust ball bearing", nullptr},
-    {5, "", "52", "a thrust ball bearing", nullptr},
-    {5, "", "53", "a thrust ball bearing", nullptr},
-    {5, "", "54", "a thrust ball bearing", nullptr},
-    {5, "", "81", "a cylindrical roller thrust bearing", nullptr},
-    {5, "", "89", "a cylindrical roller thrust bearing", nullptr},
-    {4, "", "12", "a self-aligning ball bearing", nullptr},
-    {4, "", "13", "a self-aligning ball bearing", nullptr},
-    {4, "", "22", "a self-aligning ball bearing", nullptr},
-    {4, "", "23", "a self-aligning ball bearing", nullptr},
-    {4, "", "3", "a double-row angular contact ball bearing", nullptr},
-    {3, "QJ", "", "a four-point contact ball bearing", nullptr},
-    {4, "C", "", "a toroidal roller bearing", nullptr},
-}};
-
-// Null for types with lines, and for names that are none of these.
 }
 
 namespace {
