@@ -446,8 +446,7 @@ Use with_carrier_beside(const Use& use, std::string_view path) {
                        "gearset.dynamics.ring.equivalent_mass", "gearset.dynamics.sun.tilt_stiffness",
                        "gearset.dynamics.sun.axial_stiffness", "gearset.dynamics.planet.axial_stiffness"}))
     more = more.used_too(use::modes, body);
-  if (links_rows(path))
-    more = more.used_too(use::modes, {body, where_pin_links(path), where_tilts_are_computed()});
+  if (links_rows(path)) more = more.used_too(use::modes, with_body(where_body_has_pin(path)));
   return more;
 }
 

@@ -4,6 +4,8 @@
 #include <iterator>
 #include <utility>
 
+#include "app/case/use_conditions.hpp"
+
 namespace orbearing::app {
 
 namespace {
@@ -93,7 +95,7 @@ Use with_carrier_body(Use use, std::string_view path) {
     put(use, use::carrier, &Use::not_modelled_by);
     if (path == "bearing.axial_places") return use.used_too(use::carrier, std::vector<Condition>{});
     if (!links_rows(path)) return use;
-    return use.used_too(use::carrier, {where_pin_links(path), where_tilts_are_computed()});
+    return use.used_too(use::carrier, where_body_has_pin(path));
   }
   if ((use.refused_by & use::quasi_static) != 0)
     put(use, use::carrier, &Use::refused_by);
@@ -128,6 +130,13 @@ Condition where_planets_carry_unlike_loads() {
 Condition where_pin_links(std::string_view path) {
   if (path == "support.pin_diameter") return where("support.pin_ends", {"flexpin"});
   return where("support.pin_ends", {"one", "flexpin"});
+}
+
+std::vector<Condition> where_body_has_pin(std::string_view path) {
+  if (path == "support.pin_diameter") return {where_pin_links(path), where_tilts_are_computed()};
+  return {where_true(pin_links_rows,
+                     "where support.pin_ends is one or flexpin, or bearing.per_planet is above 2"),
+          where_tilts_are_computed()};
 }
 
 Condition where_tilts_are_computed() {

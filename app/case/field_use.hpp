@@ -100,7 +100,8 @@ Condition where_planets_carry_unlike_loads();
 /// diameter of its own.
 Condition where_pin_links(std::string_view path);
 Condition where_tilts_are_computed();
-/// Whether a field makes the pin that links the bearings on it in three dimensions, if one wall holds it.
+/// Whether a field makes the pin that links the bearings on it in three dimensions, and where it does so.
+std::vector<Condition> where_body_has_pin(std::string_view path);
 bool links_rows(std::string_view path);
 /// Gears on springs that follow from their bearings.
 Condition where_bearings_make_springs();

@@ -83,6 +83,11 @@ bool bearings_tilt(const ResolvedCase& in, std::string_view set) {
   return planets_tilt(in, set) || (in.has("bearing.per_planet") && in.integer("bearing.per_planet") > 1);
 }
 
+bool pin_links_rows(const ResolvedCase& in, std::string_view) {
+  return is_chosen(in, "support.pin_ends", "one") || is_chosen(in, "support.pin_ends", "flexpin") ||
+         (in.has("bearing.per_planet") && in.integer("bearing.per_planet") > 2);
+}
+
 bool pair_has_linear_column(const ResolvedCase& in, std::string_view) {
   return in.has("arrangement") && in.choice("arrangement") != "back-to-back" &&
          !is_nonzero(in, "operation.shaft_speed");

@@ -15,6 +15,9 @@ bool makes_meshes(std::string_view path);
 bool planets_tilt(const ResolvedCase& in, std::string_view set);
 /// Whether bearings whose tilt is computed have one: beside each other they tilt with the bent pin.
 bool bearings_tilt(const ResolvedCase& in, std::string_view set);
+/// Whether the pin of a planet links the bearings on it, if tilts are computed: two on a pin that both walls
+/// hold bend it alike.
+bool pin_links_rows(const ResolvedCase& in, std::string_view set);
 /// Whether the linear formulas of a duplex pair have a column: a shaft at rest, rows that do not part.
 bool pair_has_linear_column(const ResolvedCase& in, std::string_view set);
 /// The same, or measured pairs from which they are identified.

@@ -78,6 +78,21 @@ void present(const ResolvedCase& resolved, const Options& options, const Outcome
   print_warnings(outcome.warnings);
 }
 
+// Its life_used is by the loads alone: what that is beside the life that the case goes by.
+std::vector<std::string> life_warnings(const ResolvedCase& resolved) try {
+  namespace rating = bearing::rating;
+  const study::PointResult point = study::evaluate(bearing_sets(resolved));
+  const rating::Life life = rating::governing_life(point.life_method, point.rating.lives.oil.has_value());
+  const double governing = study::governing_hours(point);
+  if (life == rating::Life::lundberg_palmgren || !(governing > 0.0)) return {};
+  return {fmt::format(
+      "life_used: by the life of Lundberg and Palmgren, without oil and profile: {:.5g} h at the case's "
+      "point. The governing life there is {} {:.5g} h, so that the bearing is used up {:.3g} times as fast",
+      point.life_hours, rating::hours_key(life), governing, point.life_hours / governing)};
+} catch (const std::runtime_error&) {  // a case whose point finds no balance at rest
+  return {};
+}
+
 // Makes the folder of `file` where it is missing; nothing is computed for a file that cannot be written.
 void require_folder_of(const fs::path& file) {
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
@@ -138,9 +153,9 @@ int fmu_command(const Options& options) {
   present(resolved, options,
           {facts.inputs.size(), facts.outputs.size(), facts.shown.parameters.size(), content.size(),
            fmu::token_of(numbers), platforms_of(libraries),
-           joined(gear_warnings(resolved),
-                  options.model == "gearset" ? planar_warnings(resolved) : overturning_warnings(resolved),
-                  unused)});
+           options.model == "gearset" ? joined(gear_warnings(resolved), planar_warnings(resolved), unused)
+                                      : joined(gear_warnings(resolved), overturning_warnings(resolved),
+                                               life_warnings(resolved), unused)});
   return 0;
 }
 

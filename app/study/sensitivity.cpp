@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "app/case/set_case.hpp"
+#include "app/case/static_case.hpp"
 #include "app/case/unused_inputs.hpp"
 #include "app/errors.hpp"
 #include "app/results/record_writers.hpp"
@@ -103,6 +104,21 @@ double effect_of_more(const ResolvedCase& in, const std::string& path, const Sca
   }
 }
 
+// "the default, 0.83", or whose it is: "12 kN of ACME K 20x26x17 (own drawing)".
+std::string default_text(const ResolvedCase& in, const std::string& path) {
+  const Field& field = *find_field(path);
+  const auto reason = in.assumed().find(path);
+  const std::string own = "default: ";
+  if (reason == in.assumed().end() || reason->second == own + field.default_reason ||
+      !reason->second.starts_with(own))
+    return "the default, " + in.given(path);
+  const std::string whose = reason->second.substr(own.size());
+  if (is_one_of(field.path,
+                {"bearing.dynamic_capacity", "bearing.static_capacity", "bearing.fatigue_load_limit"}))
+    return fmt::format("{} of {}", in.given(path), whose);
+  return fmt::format("the default, {} ({})", in.given(path), whose);
+}
+
 void warn_of_defaults(const ResolvedCase& in, const ScalarResult& life, std::vector<std::string>& warnings) {
   const double here = life_at_rest(life, in);
   std::vector<std::pair<double, std::string>> effects;
@@ -116,9 +132,8 @@ void warn_of_defaults(const ResolvedCase& in, const ScalarResult& life, std::vec
                            [](const auto& one) { return std::abs(one.first); });
   if (effects.size() > kMostWarnings) effects.resize(kMostWarnings);
   for (const auto& [effect, path] : effects)
-    warnings.push_back(
-        fmt::format("{}: not stated; with {:g} % more than the default, {}, {} changes by {:+.0f} %", path,
-                    100.0 * kMore, in.given(path), life.quantity, 100.0 * effect));
+    warnings.push_back(fmt::format("{}: not stated; with {:g} % more than {}, {} changes by {:+.0f} %", path,
+                                   100.0 * kMore, default_text(in, path), life.quantity, 100.0 * effect));
 }
 
 void warn_of_load_sharing(const ResolvedCase& in, const std::vector<Derived>& derived,
@@ -192,16 +207,22 @@ Effect effect_on(const Lives& here, const Lives& there) {
   return effect;
 }
 
-// Other values of an assumed input, as a case writes them.
-std::vector<Setting> alternatives(const ResolvedCase& in, const Input& input) {
+// Other values of an assumed input, as a case writes them; each with what it requires besides.
+std::vector<std::vector<Setting>> alternatives(const ResolvedCase& in, const Input& input) {
   const Field& field = *input.field;
-  std::vector<Setting> others;
+  std::vector<std::vector<Setting>> others;
   if (field.kind == Kind::choice)
     for (const std::string& other : field.choices)
-      if (other != in.choice(input.path)) others.push_back({input.path, other});
-  if (field.kind == Kind::flag) others.push_back({input.path, in.flag(input.path) ? "false" : "true"});
+      if (other != in.choice(input.path)) others.push_back({{input.path, other}});
+  if (field.path == "bearing.tilt_state")
+    for (std::vector<Setting>& other : others) {
+      const std::string laminae =
+          input.path.substr(0, input.path.size() - field.path.size()) + "bearing.laminae";
+      if (!in.has(laminae)) other.push_back({laminae, std::to_string(default_laminae)});
+    }
+  if (field.kind == Kind::flag) others.push_back({{input.path, in.flag(input.path) ? "false" : "true"}});
   if ((field.kind == Kind::quantity || field.kind == Kind::number) && in.value(input.path).number != 0.0)
-    others.push_back({input.path, "", (1.0 + kMore) * in.value(input.path).number});
+    others.push_back({{input.path, "", (1.0 + kMore) * in.value(input.path).number}});
   return others;
 }
 
@@ -210,8 +231,8 @@ std::vector<Setting> alternatives(const ResolvedCase& in, const Input& input) {
 bool is_assumption(const ResolvedCase& in, const Input& input, use::Analysis analysis) {
   return in.has(input.path) && in.origin(input.path) == "default" &&
          !is_one_of(input.field->path,
-                    {"life.reliability", "life.method", "gearset.planet_rim", "bearing.tilt_state",
-                     "gearset.fixed", "bearing.complement", "bearing.clearance_state", "lubricant.grade",
+                    {"life.reliability", "life.method", "gearset.planet_rim", "gearset.fixed",
+                     "bearing.complement", "bearing.clearance_state", "lubricant.grade",
                      "bearing.dynamic_capacity", "bearing.static_capacity", "bearing.fatigue_load_limit"}) &&
          !input.field->path.starts_with("input.") &&
          use_status_in_row(in, input, analysis) == UseStatus::used;
@@ -231,13 +252,13 @@ std::vector<AssumedEffect> assumed_effects(const ResolvedCase& resolved) {
     if (!is_assumption(in, input, analysis)) continue;
     std::string text;
     double largest = 0.0;
-    for (const Setting& other : alternatives(in, input)) try {
-        const ResolvedCase changed = in.with({other});
+    for (const std::vector<Setting>& other : alternatives(in, input)) try {
+        const ResolvedCase changed = in.with(other);
         if (changed.given(input.path) == in.given(input.path)) continue;  // another input decides it
         const Effect effect = effect_on(here, lives_at_rest(changed));
         if (effect.text.empty()) continue;
         text += fmt::format("{}{}: {}", text.empty() ? "" : "; ",
-                            other.number ? "10 % more" : changed.given(input.path), effect.text);
+                            other.front().number ? "10 % more" : changed.given(input.path), effect.text);
         largest = std::max(largest, effect.largest);
       } catch (const BadInput&) {  // no such case
       }

@@ -399,24 +399,33 @@ void require_sound(const spatial::CarrierMounting& mounting) {
 
 namespace {
 
-// Pins that are held at one end link the rows on them. Their compliance is that of the beam, in proportion so
-// that its mean over the rows is that of support.stiffness, which the springs of the rows contain.
+// Two bearings on a pin that both walls hold bend it alike: that is in their stiffness.
+bool pin_links_rows(const PlanetaryDrivetrain& drivetrain) {
+  return drivetrain.seats.tilt == TiltState::computed &&
+         (drivetrain.seats.ends != bearing::PinEnds::both || drivetrain.bearings_per_planet > 2);
+}
+
+// A pin links the rows on it: rows in the middle of one that both walls hold give way further, and carry
+// less. Its compliance is that of the beam, in proportion so that its mean over the rows is that of
+// support.stiffness, which the springs of the rows contain.
 void put_pins(const PlanetaryDrivetrain& drivetrain, spatial::SpatialSet& set) {
+  const bearing::PinBeam beam = planet_pin(drivetrain);
+  const double end = beam.ends == bearing::PinEnds::both ? 0.5 * beam.span  // the wall holds what is beyond
+                                                         : std::numeric_limits<double>::infinity();
   std::vector<double> positions;
   double rows = 0.0;  // [N/m]  with their pin
   for (const spatial::PlanetBearing& row : set.planet_bearings) {
-    positions.push_back(row.position);
+    positions.push_back(std::clamp(row.position, -end, end));
     rows += row.radial_stiffness;
   }
   const double pin = drivetrain.bearings_per_planet * drivetrain.dynamics.support.stiffness;  // [N/m]
   std::ostringstream less;
-  less << "less than that of its pin, " << pin << " N/m by support.stiffness, since support.pin_ends is "
-       << described::text_of(drivetrain.seats.ends);
+  less << "less than that of its pin, " << pin
+       << " N/m by support.stiffness, where bearing.tilt_state is computed";
   mechanics::require(rows < pin, "gearset.dynamics.planet.bearing_stiffness [N/m]", rows, less.str());
   const auto count = static_cast<Index>(positions.size());
-  const Eigen::MatrixXd beam =
-      bearing::pin_compliance(planet_pin(drivetrain), positions).topLeftCorner(count, count);
-  set.pin_compliance = beam / (beam.mean() * pin);
+  const Eigen::MatrixXd compliance = bearing::pin_compliance(beam, positions).topLeftCorner(count, count);
+  set.pin_compliance = compliance / (compliance.mean() * pin);
   for (spatial::PlanetBearing& row : set.planet_bearings) row.radial_stiffness *= pin / (pin - rows);
 }
 
@@ -453,8 +462,7 @@ spatial::SpatialSet spatial_set(const PlanetaryDrivetrain& drivetrain, const Set
       set.planet_bearings.push_back(
           {.position = position + ((i + 0.5) * part - 0.5) * length,
            .radial_stiffness = part * bodies.planet.bearing_stiffness / drivetrain.bearings_per_planet});
-  if (drivetrain.seats.tilt == TiltState::computed && drivetrain.seats.ends != bearing::PinEnds::both)
-    put_pins(drivetrain, set);
+  if (pin_links_rows(drivetrain)) put_pins(drivetrain, set);
   return set;
 }
 
@@ -521,9 +529,12 @@ CarrierRevolution carrier_revolution(const PlanetaryDrivetrain& drivetrain,
     const std::vector<BearingDuty> duties = duties_of(even, history.load[b], history.tilt[planet]);
     std::vector<double> loads, same_loads;
     BearingOverRevolution over = over_revolution(rating, at_rest, duties, options.life_step, loads);
-    if (is_rated_on_laminae(tilted))
-      over.rated_hours =
-          over_revolution(cut_rating, cut_at_rest, duties, options.life_step, same_loads).rated_hours;
+    if (is_rated_on_laminae(tilted)) {
+      const BearingOverRevolution rated =
+          over_revolution(cut_rating, cut_at_rest, duties, options.life_step, same_loads);
+      over.rated_hours = rated.rated_hours;
+      over.largest_pressure = rated.largest_pressure;
+    }
     over.position = row_position(set, row);
     const auto first = static_cast<Index>(planet), last = angles.step > 0 ? turned.planets() : first + 1;
     for (Index p = first; p < last; ++p) {
