@@ -81,11 +81,12 @@ void VectorBearing::add_weight_slope(double carrier_angle, double carrier_speed,
     rate[2 * lanes + j] += by_x * outward.x() + by_y * outward.y();
     rate[3 * lanes + j] += (by_y * outward.x() - by_x * outward.y()) / x[j];
   }
-  for (const int velocity : {layout().cage() + 3, layout().pin() + 2}) {
-    if (velocity < layout().bore() && !layout().caged) continue;
+  const auto add = [&](int velocity) {
     rate[velocity] += by_x;
     rate[velocity + 1] += by_y;
-  }
+  };
+  if (layout().caged) add(layout().cage() + 3);
+  add(layout().pin() + 2);
 }
 
 void VectorBearing::derivative(double time, const Eigen::Ref<const Eigen::VectorXd>& x,
