@@ -54,7 +54,7 @@ namespace {
 
 // Of no use without a bearing; without teeth.
 bool is_of_bearing(const Field& field) {
-  return is_one_of(field.path, {"inertia.own_orbit", "input.acceleration", "spectrum"}) ||
+  return is_one_of(field.path, {"inertia.own_orbit", "inertia.gravity", "input.acceleration", "spectrum"}) ||
          begins_with_one_of(field.path, {"bearing.", "contact.", "traction.", "lubricant.", "film.", "life.",
                                          "drag.", "heat.", "support.", "simulation.", "numerics."});
 }

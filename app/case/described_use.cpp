@@ -93,6 +93,11 @@ const Exception exceptions[] = {
     // Stops hold planets and sun under a load; their stiffness counts in small vibration alone.
     {{"gearset.dynamics.sun.axial_stiffness", "gearset.dynamics.planet.axial_stiffness"}, 0, use::carrier},
     {{"load.tilt"}, use::ball_run},
+    // At rest and in gears alone planets are without weight; an FMU knows no angle of its carrier.
+    {{"inertia.gravity"},
+     use::fmu_bearing | use::fmu_gearset,
+     0,
+     use::quasi_static | use::crown | use::gears},
     {{"traction.starvation"}, use::fmu_bearing},  // whose speeds change
     {{"film.inlet_heating"}, use::fmu_bearing},
     // Rows of other bearings than cylindrical ones are known at rest alone.

@@ -214,9 +214,10 @@ void warn_of_carrier(const ResolvedCase& resolved, const SweepOutcome& outcome, 
       [&](const ResultRow& row) { return column(row, "carrier_back_flank_load_N") > 0.0; }, warnings);
 }
 
-// Sets so slow that rollers and cage follow gravity, which motion leaves out: where weight is beside the
+// Sets so slow that rollers and cage follow gravity, which a case does not state: where weight is beside the
 // field of the carrier and that of the rollers' own orbit.
 void warn_of_weight(const ResolvedCase& resolved, const SweepOutcome& outcome, Texts& warnings) {
+  if (is_stated(resolved, "inertia.gravity")) return;
   constexpr double gravity = 9.80665, share = 0.3;  // [m/s2], [-]  of the larger field
   const ResolvedCase at_point = resolved.without_sweep();
   for (const study::NamedSet& set : bearing_sets(at_point)) {
@@ -231,9 +232,10 @@ void warn_of_weight(const ResolvedCase& resolved, const SweepOutcome& outcome, T
     };
     warn_where(
         outcome,
-        fmt::format("gravity: {}motion leaves it out, and it is more than {:g} of the inertial fields of "
-                    "carrier and rollers there. Slip, impacts and unloaded rollers of sets as slow follow "
-                    "gravity; loads of the meshes and lives do not",
+        fmt::format("inertia.gravity: {}not stated, so motion leaves weight out, and gravity is more than "
+                    "{:g} of the inertial fields of carrier and rollers there. Slip, impacts and unloaded "
+                    "rollers of sets as slow follow gravity; loads of the meshes and lives hardly do. State "
+                    "inertia.gravity: 9.81 m/s2 for a horizontal axis, or 0 m/s2 for a vertical one",
                     set.name.empty() ? "" : set.name + ": ", share),
         [&](const ResultRow& row) { return row.ok() && at(row) * share < gravity; }, warnings);
   }

@@ -99,18 +99,20 @@ PinProblem pin_problem(const Bearing& bearing, const BearingModel& model,
   point.outer_speed = motion.speed;
   point.outer_race = model.point.outer_race;
   const Vector2 none = Vector2::Zero();
+  Vector2 on_pin =
+      model.pin_mass * inertial_acceleration(vectorised::surroundings_of(model, motion).frame, none, none);
+  if (model.gravity.acts()) on_pin += model.pin_mass * gravity_at(model, motion.carrier_angle);
   const auto of_waves = [&](double vectorised::RimWave::*number) {
     Eigen::VectorXd all(model.layout.waves);
     std::transform(model.rim.begin(), model.rim.end(), all.begin(), std::mem_fn(number));
     return all;
   };
-  return {
-      quasi_static_problem(bearing, model.geometry, point, start_options(parameters), first_roller),
-      motion.position,
-      model.pin_mass * inertial_acceleration(vectorised::surroundings_of(model, motion).frame, none, none),
-      model.support.stiffness,
-      of_waves(&vectorised::RimWave::stiffness),
-      of_waves(&vectorised::RimWave::at_rest)};
+  return {quasi_static_problem(bearing, model.geometry, point, start_options(parameters), first_roller),
+          motion.position,
+          on_pin,
+          model.support.stiffness,
+          of_waves(&vectorised::RimWave::stiffness),
+          of_waves(&vectorised::RimWave::at_rest)};
 }
 
 template <int N>

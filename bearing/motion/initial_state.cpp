@@ -99,6 +99,7 @@ InitialState initial_state(const Bearing& bearing, const BearingModel& model,
                            const DynamicsParameters& parameters, double first_roller) {
   OperatingPoint point = model.point;
   if (model.driving.ramp != 0.0) point.carrier.acceleration = 0.0;  // the load on the bore lacks its share
+  if (model.gravity.acts()) point.bore_load += weight_on_bore(model, 0.0);
   const QuasiStaticOptions options = start_options(parameters);
   const QuasiStaticState balance = quasi_static_state(bearing, point, options, first_roller);
   const double cage_speed = model.kinematic_cage_speed;

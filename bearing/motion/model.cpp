@@ -346,6 +346,12 @@ Vector2 growing_load(const BearingModel& model, double time) {
   return meshes / ratio + model.bore_loads.centrifugal * ratio * ratio + model.bore_loads.euler;
 }
 
+Vector2 loads_beside_weight(const BearingModel& model, double time) {
+  if (model.driving.ramp != 0.0) return growing_load(model, time);
+  if (model.excitation.harmonics.empty()) return model.point.bore_load;
+  return model.point.bore_load + excitation_load(model.excitation, model.excitation.angular_frequency * time);
+}
+
 }  // namespace
 
 BearingModel bearing_model(const Bearing& bearing, const OperatingPoint& point,
@@ -366,6 +372,7 @@ BearingModel bearing_model(const Bearing& bearing, const OperatingPoint& point,
       .point = moving,
       .frame = carrier_frame(point.carrier, parameters.inertia),
       .inertia = parameters.inertia,
+      .gravity = parameters.gravity,
       .roller = {geometry.element_mass, geometry.element_inertia},
       .cage = {geometry.cage_mass, geometry.cage_inertia},
       .bore_mass = bore_mass,
@@ -397,21 +404,35 @@ BearingModel bearing_model(const Bearing& bearing, const OperatingPoint& point,
   return model;
 }
 
+Vector2 gravity_at(const BearingModel& model, double angle) {
+  const double turned = model.gravity.angle + angle;
+  return -model.gravity.across * Vector2(std::sin(turned), std::cos(turned));
+}
+
+Vector2 weight_on_bore(const BearingModel& model, double time) {
+  const double planet = model.gravity.planet_mass;
+  return (planet > 0.0 ? planet : model.bore_mass) * gravity_at(model, carrier_angle(model, time));
+}
+
 Vector2 bore_load(const BearingModel& model, double time) {
-  if (model.driving.ramp != 0.0) return growing_load(model, time);
-  if (model.excitation.harmonics.empty()) return model.point.bore_load;
-  return model.point.bore_load + excitation_load(model.excitation, model.excitation.angular_frequency * time);
+  if (model.gravity.acts()) return loads_beside_weight(model, time) + weight_on_bore(model, time);
+  return loads_beside_weight(model, time);
 }
 
 Vector2 bore_load_slope(const BearingModel& model, double time) {
   Vector2 slope = Vector2::Zero();
+  if (model.gravity.acts()) {  // gravity turns against the carrier
+    const Vector2 weight = weight_on_bore(model, time);
+    slope = model.point.carrier.speed * Vector2(weight.y(), -weight.x());
+  }
   if (model.excitation.harmonics.empty()) return slope;
+  Vector2 of_teeth = Vector2::Zero();
   Multiples multiples(model.excitation.angular_frequency * time);
   for (const LoadHarmonic& harmonic : model.excitation.harmonics) {
     const Vector2& turned = multiples.of(harmonic.order);
-    slope += harmonic.order * (turned.x() * harmonic.sine - turned.y() * harmonic.cosine);
+    of_teeth += harmonic.order * (turned.x() * harmonic.sine - turned.y() * harmonic.cosine);
   }
-  return model.excitation.angular_frequency * slope;
+  return slope + model.excitation.angular_frequency * of_teeth;
 }
 
 }  // namespace orbearing::bearing::motion

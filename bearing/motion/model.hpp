@@ -118,6 +118,7 @@ struct BearingModel {
   OperatingPoint point;
   CarrierFrame frame;
   InertiaSwitches inertia;  // what the frame was made with
+  Gravity gravity;
   BodyInertia roller;
   BodyInertia cage;
   double bore_mass = 0.0;  // [kg]
@@ -160,7 +161,17 @@ inline const LaminaRaces* cut_races(const BearingModel& model) {
   return model.laminae ? &*model.laminae : nullptr;
 }
 
-/// External load on the bore [N] at `time` [s], excitation included; in a run-up
+/// Gravity [m/s^2] in the frame of a carrier that has turned by `angle` [rad] since the start.
+Vector2 gravity_at(const BearingModel& model, double angle);
+/// The carrier's angle [rad] since the start at `time` [s].
+inline double carrier_angle(const BearingModel& model, double time) {
+  return model.point.carrier.speed * equivalent_time(model.driving, time);
+}
+
+/// Weight of the planet [N] on the bore at `time` [s].
+Vector2 weight_on_bore(const BearingModel& model, double time);
+
+/// External load on the bore [N] at `time` [s], excitation and the planet's weight included; in a run-up
 ///   meshes / s + centrifugal s^2 + euler,   s = 1 + ramp t,
 /// the excitation falling and quickening with the meshes.
 Vector2 bore_load(const BearingModel& model, double time);

@@ -31,6 +31,12 @@ LaminaConstants lamina_constants(const motion::LaminaRaces& races) {
           .upright = races.upright()};
 }
 
+PlaneAcceleration plane_gravity(const motion::BearingModel& model, double angle) {
+  if (!model.gravity.acts()) return {0.0, 0.0};
+  const Vector2 gravity = gravity_at(model, angle);
+  return {gravity.x(), gravity.y()};
+}
+
 Constants constants_of(const motion::BearingModel& model) {
   Constants c;
   c.rollers = static_cast<int>(model.layout.rollers);
@@ -72,18 +78,22 @@ Surroundings surroundings_at(const motion::BearingModel& model, double time) {
   return {.frame = frame_at(model, time),
           .pin = {model.point.inner_speed * ratio, model.point.inner_speed * turned},
           .bore = {model.point.outer_speed * ratio, model.point.outer_speed * turned},
-          .meshes = mesh_ratio(model.driving, time)};
+          .meshes = mesh_ratio(model.driving, time),
+          .gravity = plane_gravity(model, carrier_angle(model, time))};
 }
 
 Surroundings surroundings_of(const motion::BearingModel& model, const motion::BoreMotion& motion) {
   return {.frame = carrier_frame(
               {motion.carrier_speed, motion.carrier_acceleration, model.frame.orbit_radius}, model.inertia),
           .pin = {},
-          .bore = {motion.speed, motion.angle}};
+          .bore = {motion.speed, motion.angle},
+          .gravity = plane_gravity(model, motion.carrier_angle)};
 }
 
 bool surroundings_change(const motion::BearingModel& model) {
-  return model.driving.ramp != 0.0 || turns_unevenly(model.inner) || turns_unevenly(model.outer);
+  const bool gravity_turns = model.gravity.acts() && model.point.carrier.speed != 0.0;
+  return model.driving.ramp != 0.0 || gravity_turns || turns_unevenly(model.inner) ||
+         turns_unevenly(model.outer);
 }
 
 ModelConstants::ModelConstants(const motion::BearingModel& model)

@@ -506,6 +506,30 @@ struct Driving {
   double ramp = 0.0;  // [1/s]  0: steady speeds
 };
 
+/// Weight in the plane of the bearing. In the frame of the carrier gravity turns against the carrier.
+struct Gravity {
+  double across = 0.0;       // [m/s^2]  across the axis of the carrier
+  double angle = 0.0;        // [rad]    of the pin from the horizontal at the start, in the sense of rotation
+  double planet_mass = 0.0;  // [kg]     whose weight is on the bore; 0: that of the bore
+
+  bool acts() const { return across != 0.0; }
+};
+
+template <class Visitor>
+void describe(Visitor& visit, Gravity& m) {
+  using namespace described;
+  constexpr Dimension acceleration{"acceleration", "m/s2", "m/s2", "9.81 m/s2"};
+  members(visit, m,
+          field(m.across, "inertia.gravity", Physics::run,
+                "acceleration of gravity across the axis of the carrier, on rollers, cage, pin and planet in "
+                "motion; 0: without weight, as with a vertical axis",
+                {.models = planetary_drivetrain,
+                 .dimension = acceleration,
+                 .range = {0.0, 100.0},
+                 .reason = "left out: small compared with the inertial fields, except in slow sets"}),
+          apart(m.angle), apart(m.planet_mass));
+}
+
 /// All that the roller dynamics adds to Bearing.
 struct DynamicsParameters {
   RaceContactParameters race;
@@ -517,6 +541,7 @@ struct DynamicsParameters {
   MeshExcitation excitation;
   Driving driving;
   InertiaSwitches inertia;
+  Gravity gravity;
   Lubricant lubricant{.viscosity = 0.01, .pressure_viscosity = 1.5e-8};
   double bore_mass = 0.0;  // [kg]  planet mass per bearing; 0: that of the outer ring
 };
@@ -529,7 +554,8 @@ void describe(Visitor& visit, DynamicsParameters& m) {
               m.bore_mass, "planet.mass_per_bearing",
               "planet mass per bearing, by which support.damping_ratio counts; its inertia is not in the FMU",
               {.dimension = dimension::mass, .range = {.least = 0.0}, .fmu = InFmu::parameter}),
-          part(m.inertia), part(m.cage), part(m.neighbours), apart(m.excitation), apart(m.driving));
+          part(m.inertia), part(m.gravity), part(m.cage), part(m.neighbours), apart(m.excitation),
+          apart(m.driving));
 }
 
 }  // namespace orbearing::bearing::motion

@@ -260,6 +260,13 @@ double euler_power(const BearingModel& model, const Instant& now) {
   return power;
 }
 
+double weight_power(const BearingModel& model, const Instant& now, const Vector2& gravity) {
+  Vector2 momentum = model.cage.mass * now.cage.velocity + model.pin_mass * now.pin.velocity;
+  for (Eigen::Index j = 0; j < model.layout.rollers; ++j)
+    momentum += model.roller.mass * now.roller(j).velocity;
+  return gravity.dot(momentum);
+}
+
 // What is prescribed a little before, now and a little after.
 using ThreeTimes = std::array<Surroundings, 3>;
 
@@ -318,7 +325,8 @@ PowerInput power_of(const BearingModel& model, const ThreeTimes& times, const Ve
           .changing_film = changing_film_power(model, times, x, dx),
           .out_of_roundness = holding_power(model, now),
           .changing_frame = 2.0 * growth * energy_of(model, now, meshes).centrifugal,
-          .teeth = teeth_power(model, now.state, meshes, -growth * meshes)};
+          .teeth = teeth_power(model, now.state, meshes, -growth * meshes),
+          .weight = weight_power(model, now, {times[1].gravity.x, times[1].gravity.y})};
 }
 
 void take(const BearingModel& model, const Surroundings& surroundings,

@@ -60,9 +60,10 @@ struct PowerInput {
   double out_of_roundness = 0.0;  // of what holds a form or a tilt while race or rollers turn through it
   double changing_frame = 0.0;  // of the centrifugal field as the carrier's speed changes
   double teeth = 0.0;           // of their forces on an elastic rim, as they change
+  double weight = 0.0;          // of rollers, cage and pin ring; that of the planet is part of bore_load
 
   double total() const {
-    return bore_load + rotations + euler + changing_film + out_of_roundness + changing_frame + teeth;
+    return bore_load + rotations + euler + changing_film + out_of_roundness + changing_frame + teeth + weight;
   }
 };
 

@@ -49,7 +49,7 @@ void VectorBearing::linearise(double time, const double* x, double* dx) {
   const mechanics::Vector2 load = motion::bore_load(model_, time);
   if (changes_) set(surroundings_at(model_, time));
   engine_->linearise(x, load.x(), load.y(), dx);
-  if (model_.driving.ramp == 0.0) return;
+  if (model_.driving.ramp == 0.0 && !model_.gravity.acts()) return;
   std::copy_n(x, last_state_.size(), last_state_.begin());
   std::copy_n(dx, last_rate_.size(), last_rate_.begin());
 }
@@ -66,6 +66,27 @@ void VectorBearing::time_slope(double time, double* rate) {
   const mechanics::Vector2 slope = motion::bore_load_slope(model_, time);
   rate[layout().bore() + 2] = slope.x() / model_.bore_mass;
   rate[layout().bore() + 3] = slope.y() / model_.bore_mass;
+  if (model_.gravity.acts())
+    add_weight_slope(carrier_angle(model_, time), model_.point.carrier.speed, last_state_.data(), rate);
+}
+
+// Gravity turns against the carrier.
+void VectorBearing::add_weight_slope(double carrier_angle, double carrier_speed, const double* x,
+                                     double* rate) const {
+  const mechanics::Vector2 gravity = gravity_at(model_, carrier_angle);
+  const double by_x = carrier_speed * gravity.y(), by_y = -carrier_speed * gravity.x();
+  const int lanes = layout().lanes();
+  for (int j = 0; j < layout().rollers; ++j) {
+    const mechanics::Vector2 outward = mechanics::direction(x[lanes + j]);
+    rate[2 * lanes + j] += by_x * outward.x() + by_y * outward.y();
+    rate[3 * lanes + j] += (by_y * outward.x() - by_x * outward.y()) / x[j];
+  }
+  const auto add = [&](int velocity) {
+    rate[velocity] += by_x;
+    rate[velocity + 1] += by_y;
+  };
+  if (layout().caged) add(layout().cage() + 3);
+  add(layout().pin() + 2);
 }
 
 void VectorBearing::derivative(double time, const Eigen::Ref<const Eigen::VectorXd>& x,

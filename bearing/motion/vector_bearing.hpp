@@ -31,6 +31,9 @@ class VectorBearing {
   /// through all that it changes, into `rate` (padded), where it was linearised last. That of waves and
   /// scratches that turn with a race at a steady speed is left out: the order does not ask for it.
   void time_slope(double time, double* rate);
+  /// What gravity adds to such a slope in the padded state `x`, but for the planet's weight; the carrier has
+  /// turned by `carrier_angle` [rad].
+  void add_weight_slope(double carrier_angle, double carrier_speed, const double* x, double* rate) const;
   bool factor(double g) { return engine_->factor(g); }
   void solve(const double* rhs, double* k) const { engine_->solve(rhs, k); }
   ContactLoads loads() const { return engine_->loads(); }
@@ -77,7 +80,8 @@ class VectorBearing {
   Surroundings now_;
   std::unique_ptr<Engine> engine_;
   std::vector<double> flat_state_, flat_rate_;  // padded, of a flat state
-  std::vector<double> last_state_, last_rate_;  // padded, of the last linearisation in a run-up
+  std::vector<double> last_state_,
+      last_rate_;  // padded, of the last linearisation in a run-up or with weight
 };
 
 }  // namespace orbearing::bearing::vectorised

@@ -68,6 +68,7 @@ system::DrivenGearsSetup driven_gears_setup(const PlanetaryDrivetrain& drivetrai
   if (!drivetrain.mesh_variation)
     setup.set = gearset::dynamics::averaged(gearset::dynamics::set_model(setup.set, operation)).parameters;
   setup.set.planet.coupled_bearing = true;
+  setup.set.gravity = drivetrain.dynamics.gravity.across;
   return setup;
 }
 

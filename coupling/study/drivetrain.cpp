@@ -8,6 +8,7 @@
 #include "bearing/equilibrium/inclined_rows.hpp"
 #include "bearing/friction/oil_supply.hpp"
 #include "bearing/life/inclined_rating.hpp"
+#include "gearset/planet_angles.hpp"
 #include "mechanics/constants.hpp"
 
 namespace orbearing::study {
@@ -111,11 +112,22 @@ bearing::motion::DynamicsParameters bearing_dynamics(const PlanetaryDrivetrain& 
                                                      const DrivetrainGeometry& geometry) {
   bearing::motion::DynamicsParameters parameters = drivetrain.dynamics;
   parameters.bore_mass = geometry.planet_mass / drivetrain.bearings_per_planet;
+  parameters.gravity.planet_mass = parameters.bore_mass;
   if (parameters.race.starvation == bearing::motion::Starvation::none ||
       drivetrain.run_up.acceleration != 0.0)  // at speeds that grow
     return parameters;
   return bearing::friction::supplied(drivetrain.bearing, parameters,
                                      bearing_duty(drivetrain, geometry).gears.planet_speed_relative);
+}
+
+bearing::motion::DynamicsParameters bearing_dynamics_of(const BearingDuty& duty,
+                                                        const PlanetaryDrivetrain& drivetrain,
+                                                        const DrivetrainGeometry& geometry) {
+  bearing::motion::DynamicsParameters parameters = bearing_dynamics(drivetrain, geometry);
+  if (parameters.gravity.acts())
+    parameters.gravity.angle =
+        gearset::angles_of_planets(drivetrain.set)[static_cast<std::size_t>(duty.planet)];
+  return parameters;
 }
 
 Eigen::Vector2d bore_tilt(const Misalignment& misalignment, const Eigen::Vector2d& load) {

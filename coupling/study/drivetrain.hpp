@@ -318,6 +318,11 @@ bearing::QuasiStaticOptions quasi_static_options(const PlanetaryDrivetrain& driv
 bearing::motion::DynamicsParameters bearing_dynamics(const PlanetaryDrivetrain& drivetrain,
                                                      const DrivetrainGeometry& geometry);
 
+/// The same of the bearing of one planet, which gravity finds where the planet is on its carrier.
+bearing::motion::DynamicsParameters bearing_dynamics_of(const BearingDuty& duty,
+                                                        const PlanetaryDrivetrain& drivetrain,
+                                                        const DrivetrainGeometry& geometry);
+
 /// Inclination of the bore's axis against the pin's [rad], (x, y): the planet's tilt along `load` [N], the
 /// wind-up along y.
 Eigen::Vector2d bore_tilt(const Misalignment& misalignment, const Eigen::Vector2d& load);

@@ -173,7 +173,8 @@ MotionWork work_of(const NamedSet& named, Fidelity fidelity) {
       gears ? gearset::dynamics::operation_of(drivetrain.set, drivetrain.drive).mesh_frequency : 0.0,
       drivetrain.set.planets * drivetrain.bearings_per_planet};
   MotionWork work{.settling = model.layout.caged ? kCagedSettling : kUncagedSettling,
-                  .turn = constants::two_pi / std::abs(cage),
+                  .turn = window_length({cage, 0.0}, with_window(drivetrain.steady_state, model.gravity,
+                                                                 duty.point.carrier.speed)),
                   .load_error = error_of_load(drivetrain, at_rest),
                   .run_up = drivetrain.run_up.acceleration != 0.0 ? drivetrain.run_up.duration : 0.0};
   put_steps(set, work);

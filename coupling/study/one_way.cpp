@@ -163,15 +163,15 @@ class OneWay {
         geometry_(geometry),
         duty_(duty),
         options_(options),
-        parameters_(on_its_ring(drivetrain, geometry, bearing_dynamics(drivetrain, geometry))),
+        parameters_(on_its_ring(drivetrain, geometry, bearing_dynamics_of(duty, drivetrain, geometry))),
         bearing_state_(start) {}
 
   /// Until a run agrees with the law that it was driven on, or there is no better law to go to.
   OneWayRun run(const GearsOnTangent& gears) {
     tangent_ = gears.tangent;
     if (!drive(tangent_, gears.run))
-      return {run_bearing(bearing_dynamics(drivetrain_, geometry_), drivetrain_.steady_state), std::nullopt,
-              difference_at_rest()};
+      return {run_bearing(bearing_dynamics_of(duty_, drivetrain_, geometry_), drivetrain_.steady_state),
+              std::nullopt, difference_at_rest()};
     OneWayRun result;
     do {
       last_ = ++record_.runs >= options_.most_runs || last_;

@@ -373,14 +373,15 @@ system::SteadyStateResult run_coupled(const PlanetaryDrivetrain& drivetrain,
   const system::RollingSpeeds rolling{bearing::kinematic_cage_speed(geometry.bearing, inner, outer),
                                       bearing::kinematic_roller_spin(geometry.bearing, inner, outer)};
   const system::CoupledSetup setup = coupled_setup(drivetrain, geometry);
+  const system::SteadyStateOptions options =
+      with_window(drivetrain.steady_state, drivetrain.dynamics.gravity, point.carrier.speed);
   if (fidelity == Fidelity::monolithic) {
     system::Monolithic motion(setup);
     motion.initialize(0.0);
-    return run_to_steady_state(motion, rolling, drivetrain.steady_state);
+    return run_to_steady_state(motion, rolling, options);
   }
-  cosim::CoSimulatedMotion motion(setup, drivetrain.exchange,
-                                  sample_interval(rolling, drivetrain.steady_state));
-  const system::SteadyStateResult run = run_to_steady_state(motion, rolling, drivetrain.steady_state);
+  cosim::CoSimulatedMotion motion(setup, drivetrain.exchange, sample_interval(rolling, options));
+  const system::SteadyStateResult run = run_to_steady_state(motion, rolling, options);
   record.energy_residual = motion.exchange().absolute_residual / motion.exchange().passed;
   record.window = run.duration / static_cast<double>(motion.exchange().windows);
   return run;
@@ -540,7 +541,7 @@ bearing::motion::DynamicsParameters dynamics_parameters(const PlanetaryDrivetrai
                                                         const DrivetrainGeometry& geometry,
                                                         const BearingDuty& duty,
                                                         const GearsOnTangent& gears) {
-  bearing::motion::DynamicsParameters parameters = bearing_dynamics(drivetrain, geometry);
+  bearing::motion::DynamicsParameters parameters = bearing_dynamics_of(duty, drivetrain, geometry);
   parameters.excitation = excitation_of(gears.run, drivetrain, duty, gears.tangent, parameters.bore_mass);
   parameters.driving.ramp = drivetrain.run_up.acceleration / drivetrain.drive.speed;
   return parameters;

@@ -19,8 +19,9 @@ using bearing::motion::BoreMotion;
 using constants::two_pi;
 using gearset::dynamics::PlanetBearing;
 
-PlanetPort port_of(const PlanetBearing& bearing) {
+PlanetPort port_of(const PlanetBearing& bearing, double planet_angle) {
   PlanetPort port;
+  port.planet_angle = planet_angle;
   port.planet_index = bearing.planet_index;
   port.of_carrier << -bearing.radial.central.transpose(), -bearing.tangential.central.transpose(),
       bearing.rotation.central.transpose();
@@ -38,8 +39,9 @@ void put_seats(const CoupledSetup& setup, CoupledModel& model) {
   mechanics::require(static_cast<int>(setup.seats.size()) == model.bearings(), "seats of bearings",
                      static_cast<double>(setup.seats.size()), "one for each bearing of all planets");
   for (int b = 0; b < model.bearings(); ++b) {
-    model.seated.push_back(
-        driven_model(bearing_of_planet(setup, b / model.per_planet, b % model.per_planet)));
+    DrivenBearingSetup own = bearing_of_planet(setup, b / model.per_planet, b % model.per_planet);
+    own.dynamics.gravity.angle = setup.bearing.dynamics.gravity.angle;  // its port adds that of the planet
+    model.seated.push_back(driven_model(own));
     model.pin_offset.push_back(setup.seats[static_cast<std::size_t>(b)].pin_offset);
   }
 }
@@ -101,6 +103,9 @@ DrivenBearingSetup bearing_of_planet(const CoupledSetup& setup, int planet, int 
   }
   const double pitch = two_pi / own.bearing.rollers().count;
   own.first_roller += pitch * bearing / setup.bearings_per_planet;
+  const std::vector<double>& angles = setup.gears.set.planet_angles;
+  own.dynamics.gravity.angle +=
+      angles.empty() ? two_pi * planet / setup.gears.set.planets : angles[static_cast<std::size_t>(planet)];
   return own;
 }
 
@@ -116,7 +121,8 @@ CoupledModel coupled_model(const CoupledSetup& setup) {
                      driven_model(setup.bearing),
                      {},
                      setup.bearings_per_planet};
-  for (const PlanetBearing& bearing : model.gears.bearings) model.ports.push_back(port_of(bearing));
+  for (std::size_t i = 0; i < model.gears.bearings.size(); ++i)
+    model.ports.push_back(port_of(model.gears.bearings[i], model.gears.planet_angles[i]));
   put_seats(setup, model);
   put_scratched(setup, model);
   return model;
@@ -135,6 +141,7 @@ BoreMotion bore_motion(const CoupledModel& model, const PlanetPort& port, double
   motion.velocity = port.along(v);
   motion.speed = operation.speeds.planet_relative * speed.factor + port.turn(v);
   motion.angle = operation.speeds.planet_relative * passed + port.turn(q);
+  motion.carrier_angle = carrier_angle(operation, time) + port.planet_angle;
   motion.carrier_speed = operation.speeds.carrier * speed.factor;
   motion.carrier_acceleration = operation.speeds.carrier * speed.rate;
   return motion;

@@ -49,6 +49,7 @@ DrivenBearingSetup bearing_of_planet(const CoupledSetup& setup, int planet, int 
 /// of its pin.
 struct PlanetPort {
   Eigen::Index planet_index = 0;  // of the planet in the layout
+  double planet_angle = 0.0;      // [rad]  on the carrier
   // Rows: position x and y [-], rotation of the planet relative to the carrier [1/m].
   Eigen::Matrix3d of_carrier, of_planet;
   Eigen::Vector2d pin_error;  // [m]

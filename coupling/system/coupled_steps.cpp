@@ -88,6 +88,7 @@ void CoupledSystem::derivative(double time, const double* x, double* dx) {
 void CoupledSystem::linearise(double time, const double* x, double* dx) {
   evaluate<true>(time, x, dx);
   linear_gears_ = Vector(x, 2 * freedoms());
+  if (model_.bearing.gravity.acts()) linear_.assign(x, x + size());
   force_slopes(model_.gears, true_time(time), linear_gears_, slopes_);
 }
 
@@ -104,6 +105,12 @@ void CoupledSystem::mesh_slope(double time, double* dx) {
   gears = (gear_rate_after_ - gear_rate_) / span;
   std::fill(dx + 2 * n, dx + size(), 0.0);
   for (int b = 0; b < bearings(); ++b) put_acceleration(b, gears.tail(n), of_bearing(dx, b));
+  if (!model_.bearing.gravity.acts()) return;
+  const gearset::dynamics::Operation& operation = model_.gears.operation;
+  for (int b = 0; b < bearings(); ++b)
+    bearing(b).add_weight_slope(carrier_angle(operation, now) + model_.port_of(b).planet_angle,
+                                operation.speeds.carrier * speed_at(operation, now).factor,
+                                of_bearing(linear_.data(), b), of_bearing(dx, b));
 }
 
 // That of the bore of bearing `b`, from the `rate` of the gears' velocities, into its part of the rate.
@@ -324,7 +331,8 @@ bearing::motion::BoreReaction CoupledSteps::substep(CoupledSystem& system, int b
   const BoreMotion from = motion_at(before, t);
   const BoreInputs polynomial = polynomial_between(from, motion_at(x, t + h), h);
   const auto position = static_cast<std::size_t>(b);
-  DrivenSystem driven(system.bearing(b), polynomial, from.angle, system.loads[position]);
+  DrivenSystem driven(system.bearing(b), polynomial, {from.angle, from.carrier_angle},
+                      system.loads[position]);
   std::copy_n(system.of_bearing(before.data(), b), bearing_.size(), bearing_.begin());
   driven.resume(all_.slope().data() + system.offset(b), system.begin_reaction(b));
   double step = h * integration::StepControl::share(errors_[position]);

@@ -105,6 +105,7 @@ class CoupledSystem {
   gearset::dynamics::StageMatrix matrix_;
   Eigen::VectorXd right_, rate_;
   Eigen::VectorXd linear_gears_;                 // (2 freedoms)  at the last linearisation
+  std::vector<double> linear_;                   // all of the state there, where gravity acts
   Eigen::VectorXd gear_rate_, gear_rate_after_;  // (2 freedoms)
   std::ptrdiff_t gear_size_ = 0;
   std::ptrdiff_t bearing_size_ = 0;

@@ -23,6 +23,7 @@ struct DrivenState {
   std::vector<double> x;                // padded
   double step = 1e-6;                   // [s]    to try next
   double angle = 0.0;                   // [rad]  of the bore
+  double carrier_angle = 0.0;           // [rad]  turned by the carrier
   double turned = 0.0;                  // [rad]  there and back
   double step_before = 0.0;             // [s]    half of it is not counted yet
   double start_x = 0.0, start_y = 0.0;  // [m]  of the bore under the start load
@@ -31,7 +32,8 @@ struct DrivenState {
   // Every number in turn, for `visit(double* first, size)`.
   template <class Visit>
   void each(Visit visit) {
-    for (double* one : {&step, &angle, &turned, &step_before, &start_x, &start_y}) visit(one, 1);
+    for (double* one : {&step, &angle, &carrier_angle, &turned, &step_before, &start_x, &start_y})
+      visit(one, 1);
     visit(x.data(), static_cast<long>(x.size()));
     sums.each(visit);
   }
@@ -177,7 +179,7 @@ std::vector<Output> bearing_outputs(int rollers, bool caged) {
   return outputs;
 }
 
-constexpr double kVersion = 5.0;
+constexpr double kVersion = 6.0;
 
 DrivenBearingSetup without_start(DrivenBearingSetup setup) {
   setup.start_load.setZero();
@@ -244,6 +246,7 @@ struct DrivenBearing::Inside {
 
   BoreMotion here(BoreMotion motion) const {
     motion.angle = state.angle;
+    motion.carrier_angle = state.carrier_angle;
     return motion;
   }
 
@@ -251,12 +254,13 @@ struct DrivenBearing::Inside {
     const InputPolynomial angle = integral(state.angle, inputs.speed);
     const integration::WindowLimits limits{.most_steps = setup.most_steps};
     loads.step_before = state.step_before;
-    DrivenSystem system(vectorised, inputs, state.angle, loads, &state.sums);
+    DrivenSystem system(vectorised, inputs, {state.angle, state.carrier_angle}, loads, &state.sums);
     system.settle(0.0, state.x);
     integration::through_window(stepper, system, state.x, length, limits, state.step);
     state.step_before = loads.step_before;
     state.turned += std::abs(angle.at(length) - state.angle);
     state.angle = angle.at(length);
+    state.carrier_angle = integral(state.carrier_angle, inputs.carrier_speed).at(length);
     const std::string reason = system::out_of_place(model, flat());
     if (!reason.empty()) throw std::runtime_error("driven bearing: " + reason);
   }

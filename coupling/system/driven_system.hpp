@@ -38,22 +38,30 @@ class StageReactions {
   bearing::motion::BoreReaction now_, sum_;
 };
 
+/// Turned [rad] since the start, where a window begins.
+struct BoreAngles {
+  double bore = 0.0;  // relative to the carrier
+  double carrier = 0.0;
+};
+
 /// Times count from the beginning of the window. The rate of the bore's velocity is given, so its row in the
 /// matrix is that of the unit matrix.
 class DrivenSystem {
  public:
   /// `sums` take the loads, where they are given.
-  DrivenSystem(bearing::vectorised::VectorBearing& bearing, const BoreInputs& inputs, double angle,
-               LoadsAtStep& loads, bearing::motion::DamageSums* sums = nullptr)
+  DrivenSystem(bearing::vectorised::VectorBearing& bearing, const BoreInputs& inputs,
+               const BoreAngles& angles, LoadsAtStep& loads, bearing::motion::DamageSums* sums = nullptr)
       : bearing_(bearing),
         inputs_(inputs),
-        angle_(integral(angle, inputs.speed)),
+        angle_(integral(angles.bore, inputs.speed)),
+        carrier_angle_(integral(angles.carrier, inputs.carrier_speed)),
         loads_(loads),
         sums_(sums) {}
 
   bearing::motion::BoreMotion at(double time) const {
     bearing::motion::BoreMotion motion = inputs_.at(time);
     motion.angle = angle_.at(time);
+    motion.carrier_angle = carrier_angle_.at(time);
     return motion;
   }
 
@@ -78,8 +86,8 @@ class DrivenSystem {
     bearing_.derivative(at(time), x, dx);
     reactions_.evaluated(bearing_.reaction());
   }
-  /// That of the bore's acceleration; speeds and frame change little in a step, and the order does not ask
-  /// for theirs.
+  /// That of the bore's acceleration; speeds, frame and gravity in it change little in a step, and the order
+  /// does not ask for theirs.
   void time_slope(double time, double* rate) const {
     const int bore = bearing_.layout().bore();
     std::fill_n(rate, bearing_.layout().size(), 0.0);
@@ -127,7 +135,7 @@ class DrivenSystem {
 
   bearing::vectorised::VectorBearing& bearing_;
   const BoreInputs& inputs_;
-  InputPolynomial angle_;
+  InputPolynomial angle_, carrier_angle_;
   LoadsAtStep& loads_;
   bearing::motion::DamageSums* sums_;
   bearing::vectorised::PortMatrix port_;

@@ -70,7 +70,7 @@ struct BoreInputs {
   InputPolynomial carrier_speed;         // [rad/s]
   InputPolynomial carrier_acceleration;  // [rad/s^2]
 
-  /// All but the angle of the bore, which the bearing itself sums up.
+  /// All but the angles of bore and carrier, which the bearing itself sums up.
   bearing::motion::BoreMotion at(double since) const {
     bearing::motion::BoreMotion motion;
     motion.position = {x.at(since), y.at(since)};

@@ -177,13 +177,13 @@ class Observation {
 };
 
 // Windows in turn. One lasts a revolution of the cage: at the speed that it had in the window before, or at
-// the kinematic one where one interval holds for all.
+// the kinematic one where one interval holds for all; or as long as is asked for.
 class Windows {
  public:
   Windows(Motion& motion, const RollingSpeeds& rolling, const SteadyStateOptions& options)
       : motion_(motion),
         options_(options),
-        revolution_(two_pi / std::abs(rolling.cage)),
+        revolution_(window_length(rolling, options)),
         observation_(motion, options, revolution_ * (options.most_windows + options.observed_windows),
                      rolling.cage),
         per_window_(motion.shows_steps() ? options.series_samples : options.samples_per_window) {
@@ -198,7 +198,7 @@ class Windows {
                         times_.interval * static_cast<double>(per_window_) *
                             (settling + (series ? 0 : options_.observed_windows)));
     std::vector<WindowStatistics> means = observation_.through(times_, per_window_, series);
-    if (motion_.keeps_to_interval()) {
+    if (motion_.keeps_to_interval() || options_.window > 0.0) {
       times_.passed += times_.samples;
     } else {
       const double turn = two_pi / std::max(std::abs(pooled(means).orbit_speed), 1e-300);
@@ -212,7 +212,7 @@ class Windows {
  private:
   Motion& motion_;
   const SteadyStateOptions& options_;
-  double revolution_;  // [s]  of the cage at its kinematic speed
+  double revolution_;  // [s]  of the cage at its kinematic speed, or of a window that is asked for
   Observation observation_;
   long per_window_;  // samples
   int begun_ = 0;    // windows on the way to the steady state
@@ -291,8 +291,12 @@ bool is_steady(const WindowStatistics& before, const WindowStatistics& now, doub
              options.cage_drift * std::abs(kinematic_cage_speed);
 }
 
+double window_length(const RollingSpeeds& rolling, const SteadyStateOptions& options) {
+  return options.window > 0.0 ? options.window : two_pi / std::abs(rolling.cage);
+}
+
 double sample_interval(const RollingSpeeds& rolling, const SteadyStateOptions& options) {
-  return two_pi / std::abs(rolling.cage) / static_cast<double>(options.series_samples);
+  return window_length(rolling, options) / static_cast<double>(options.series_samples);
 }
 
 SteadyStateResult run_to_steady_state(Motion& motion, const RollingSpeeds& rolling,
@@ -359,7 +363,8 @@ SteadyStateResult run_to_steady_state(const bearing::Bearing& bearing, const bea
   FreeBearing motion(model,
                      start ? *start : initial_state(bearing, model, parameters, options.first_roller).x,
                      options.allowed_length_error, options.integration);
-  SteadyStateResult result = run_to_steady_state(motion, rolling_speeds(model), options);
+  SteadyStateResult result = run_to_steady_state(
+      motion, rolling_speeds(model), with_window(options, model.gravity, model.point.carrier.speed));
   result.final_state = motion.state();
   result.layout = model.layout;
   return result;

@@ -1,6 +1,7 @@
 // Bearings in motion, run in time until their means stand still, then observed over whole cage revolutions.
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "bearing/motion/layout.hpp"
 #include "bearing/motion/parameters.hpp"
 #include "coupling/system/motion.hpp"
+#include "mechanics/constants.hpp"
 
 namespace orbearing::system {
 
@@ -17,7 +19,8 @@ struct Look {
   std::function<bool()> goes_on = {};  // false: the run ends there with the means so far; its series is void
 };
 
-/// What belongs to the method. A window is one revolution of the cage relative to the carrier.
+/// What belongs to the method. A window is one revolution of the cage relative to the carrier, where gravity
+/// turns in its frame one of the carrier.
 struct SteadyStateOptions {
   double first_roller = 0.0;            // [rad]  angle of the first roller at the start
   double load_drift = 2e-3;             // [-]  steady: rms loads of two windows in turn differ by no more
@@ -34,7 +37,15 @@ struct SteadyStateOptions {
   integration::IntegrationOptions integration;  // of a bearing by itself; allowed_error is filled in
   BoreObserver on_bore = {};  // sees the observed windows of a bearing by itself, step by step; may be empty
   Look look = {};
+  double window = 0.0;  // [s]  of a window; 0: a revolution of the cage
 };
+
+/// The same where gravity acts: windows of whole turns of the carrier, if it rotates at all.
+inline SteadyStateOptions with_window(SteadyStateOptions options, const bearing::motion::Gravity& gravity,
+                                      double carrier_speed) {
+  if (gravity.acts() && carrier_speed != 0.0) options.window = constants::two_pi / std::abs(carrier_speed);
+  return options;
+}
 
 /// Of a bearing that is driven too.
 inline described::Row<double> length_error_row(double& allowed_length_error) {
@@ -60,13 +71,15 @@ void describe(Visitor& visit, SteadyStateOptions& m) {
               .reason = "the same means in a fraction of the time",
               .numerical = true}),
        field(m.observed_windows, "simulation.observed_revolutions", Physics::run,
-             "number of cage revolutions for the means of the steady state",
+             "number of cage revolutions for the means of the steady state; with inertia.gravity of the "
+             "carrier",
              {.models = planetary_drivetrain,
               .range = {1, 100000},
               .reason = "enough for maxima",
               .numerical = true}),
        field(m.most_windows, "simulation.most_revolutions", Physics::run,
-             "maximum number of cage revolutions to reach a steady state",
+             "maximum number of cage revolutions to reach a steady state; with inertia.gravity of the "
+             "carrier",
              {.models = planetary_drivetrain,
               .range = {2, 100000},
               .reason = "bearings settle in a few",
@@ -148,10 +161,13 @@ bearing::motion::WindowStatistics pooled(const std::vector<bearing::motion::Wind
 bool is_steady(const bearing::motion::WindowStatistics& before, const bearing::motion::WindowStatistics& now,
                double kinematic_cage_speed, const SteadyStateOptions& options);
 
+/// Length [s] of a window.
+double window_length(const RollingSpeeds& rolling, const SteadyStateOptions& options);
+
 /// Time [s] between two samples of a motion that keeps to one interval.
 double sample_interval(const RollingSpeeds& rolling, const SteadyStateOptions& options);
 
-/// Runs `motion` from where it stands in windows of one cage revolution until the pooled loads and the cage
+/// Runs `motion` from where it stands in windows until the pooled loads and the cage
 /// stand still, then observes `options.observed_windows` of them. Throws std::invalid_argument where the cage
 /// does not turn; what goes wrong later is in the result.
 SteadyStateResult run_to_steady_state(Motion& motion, const RollingSpeeds& rolling,

@@ -131,6 +131,11 @@ PowerFlow power_flow(const SetModel& model, double time, const State& x) {
   add_bearing_loss(model, q, v, flow);
   add_support_powers(model, turn, q, v, flow);
   add_frame_powers(model, speed, turn, q, v, flow);
+  if (model.parameters.gravity != 0.0) {
+    Eigen::VectorXd weight = Eigen::VectorXd::Zero(n);
+    add_weights(model, time, weight);
+    flow.frame += weight.dot(v);
+  }
   return flow;
 }
 

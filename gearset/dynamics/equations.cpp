@@ -93,6 +93,7 @@ void add_forces(const SetModel& model, double time, const Positions& x, Forces f
   add_supports(model, turn, q, v, force);
   add_drive(model, speed, v, force);
   add_frame_forces(model, turn, q, v, force);
+  if (model.parameters.gravity != 0.0) add_weights(model, time, force);
   if (speed.rate != 0.0) add_run_up_forces(model, speed, force);
 }
 

@@ -1,5 +1,7 @@
 #include "gearset/dynamics/frame_force.hpp"
 
+#include <cmath>
+
 namespace orbearing::gearset::dynamics {
 
 namespace {
@@ -10,6 +12,15 @@ double planet_speed(const Speeds& speeds) {
 }
 
 }  // namespace
+
+void add_weights(const SetModel& model, double time, Eigen::Ref<Eigen::VectorXd> force) {
+  const double turned = carrier_angle(model.operation, time);
+  for (Eigen::Index n = 0; n < model.layout.planets; ++n) {
+    const double angle = turned + model.planet_angles[static_cast<std::size_t>(n)];
+    const double weight = model.parameters.gravity * model.parameters.planet.mass;
+    force.segment<2>(SetLayout::planet(n)) -= weight * Eigen::Vector2d(std::sin(angle), std::cos(angle));
+  }
+}
 
 void add_run_up_forces(const SetModel& model, const SpeedState& speed, Eigen::Ref<Eigen::VectorXd> force) {
   const SetParameters& set = model.parameters;

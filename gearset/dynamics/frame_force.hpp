@@ -56,6 +56,9 @@ inline void add_frame_forces(const SetModel& model, const CarrierTurn& turn,
         model.mass[index] * planet_frame_acceleration(turn, radius, q[index], v.segment<2>(index));
 }
 
+/// Weight [N] of the planets. Gravity turns against the carrier; the first planet begins on the horizontal.
+void add_weights(const SetModel& model, double time, Eigen::Ref<Eigen::VectorXd> force);
+
 /// Forces [N] on the rotations as their nominal speeds rise; planets are carried round as well.
 void add_run_up_forces(const SetModel& model, const SpeedState& speed, Eigen::Ref<Eigen::VectorXd> force);
 

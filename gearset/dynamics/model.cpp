@@ -229,13 +229,20 @@ SpeedState speed_at(const Operation& operation, double time) {
   return {run_up.from + rate * time, rate};
 }
 
-double mesh_periods(const Operation& operation, double time) {
+double nominal_time(const Operation& operation, double time) {
   const RunUp& run_up = operation.run_up;
-  if (run_up.duration <= 0.0) return operation.mesh_frequency * time;
+  if (run_up.duration <= 0.0) return time;
   const double rate = (1.0 - run_up.from) / run_up.duration;
   const double slow = std::min(time, run_up.duration);
-  return operation.mesh_frequency *
-         (slow * (run_up.from + 0.5 * rate * slow) + std::max(0.0, time - run_up.duration));
+  return slow * (run_up.from + 0.5 * rate * slow) + std::max(0.0, time - run_up.duration);
+}
+
+double mesh_periods(const Operation& operation, double time) {
+  return operation.mesh_frequency * nominal_time(operation, time);
+}
+
+double carrier_angle(const Operation& operation, double time) {
+  return operation.speeds.carrier * nominal_time(operation, time);
 }
 
 double time_of_periods(const Operation& operation, double periods) {

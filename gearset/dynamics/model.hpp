@@ -137,6 +137,12 @@ SpeedState speed_at(const Operation& operation, double time);
 /// Mesh periods since time zero.
 double mesh_periods(const Operation& operation, double time);
 
+/// The time [s] in which the nominal speeds would give the angles turned by `time` [s].
+double nominal_time(const Operation& operation, double time);
+
+/// The carrier's nominal angle [rad] since time zero.
+double carrier_angle(const Operation& operation, double time);
+
 /// The time [s] at which so many mesh periods have passed; inverse of `mesh_periods`.
 double time_of_periods(const Operation& operation, double periods);
 

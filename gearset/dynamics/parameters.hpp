@@ -222,6 +222,7 @@ struct SetParameters {
   std::vector<double> ring_phase;  // [mesh period]  (planets)
   Eigen::Matrix2Xd pin_error;  // [m]  (radial and tangential, planets)  of the pin in the carrier; or empty
   FrameSwitches frame;
+  double gravity = 0.0;    // [m/s^2]  across the axis, on planets alone; 0: without weight
   bool separation = true;  // teeth push only, beyond half the backlash; false: they also pull
 };
 
@@ -238,7 +239,7 @@ void describe(Visitor& visit, SetParameters& m) {
           part(m.sun_mesh, [&] { describe(visit, m.sun_mesh, "sun"); }),
           part(m.ring_mesh, [&] { describe(visit, m.ring_mesh, "ring"); }),
           internal(m.sun_phase, "gearset.sun_phase"), internal(m.ring_phase, "gearset.ring_phase"),
-          internal(m.pin_error, "gearset.dynamics.pin_error"), part(m.frame),
+          internal(m.pin_error, "gearset.dynamics.pin_error"), part(m.frame), apart(m.gravity),
           internal(m.separation, "gearset.dynamics.separation"));
 }
 

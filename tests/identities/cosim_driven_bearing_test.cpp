@@ -84,7 +84,7 @@ TEST(DrivenBearingPath, HasOrderTwo) {
         vectorised.padded(driven_start(setup.bearing, model, setup.dynamics, inputs.at(0.0), 0.3));
     integration::Rosenbrock2 stepper(std::vector<double>(x.size(), 0.0), h);
     LoadsAtStep loads(setup.bearing.rollers().count);
-    DrivenSystem system(vectorised, inputs, 0.0, loads);
+    DrivenSystem system(vectorised, inputs, {}, loads);
     double step = h;
     integration::through_window(stepper, system, x, kLength, {}, step);
     Eigen::VectorXd flat(model.layout.size());

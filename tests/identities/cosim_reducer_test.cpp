@@ -119,6 +119,23 @@ INSTANTIATE_TEST_SUITE_P(
                       Scheme{"iterated_1", ExchangeOrder::gauss_seidel, 1, true, 3.0}),
     [](const ::testing::TestParamInfo<Scheme>& scheme) { return scheme.param.name; });
 
+// Gravity in the frame of the carrier: bearings that sum up its angle in windows fall as those of one system.
+TEST(CosimReducer, WeightActsAsInOneSystem) {
+  PlanetaryDrivetrain drivetrain = smooth_reducer();
+  drivetrain.dynamics.gravity.across = 1e5;  // [m/s^2]  so that it shows within the path
+  system::Monolithic one(setup_of(drivetrain, kTight));
+  one.initialize(0.0);
+  one.advance({0.0, kPath});
+  ReducerRun exchanging(drivetrain, kTight,
+                        {.order = ExchangeOrder::gauss_seidel, .extrapolation = 2, .window = 0.5 * kWindow});
+  ASSERT_TRUE(exchanging.run.advance(std::lround(kPath / (0.5 * kWindow))).completed);
+  const Eigen::Matrix2Xd heavy = displacements(one.gears()),
+                         found = displacements(exchanging.parts.gears->output());
+  const double effect = (heavy - solved_as_one()).cwiseAbs().maxCoeff();
+  EXPECT_GT(effect, 1e-7);  // [m]
+  EXPECT_LT((found - heavy).cwiseAbs().maxCoeff(), 1e-3 * effect);
+}
+
 CoupledOptions default_value(double window) {
   return {.extrapolation = 1, .window = window};
 }

@@ -208,7 +208,7 @@ TEST(DrivenSystem, ResumesFromWhatIsKnown) {
   const auto run = [&](bool resumes) {
     LoadsAtStep loads(setup.bearing.rollers().count);
     bearing::motion::DamageSums sums(72);
-    DrivenSystem system(vectorised, inputs, 0.0, loads, &sums);
+    DrivenSystem system(vectorised, inputs, {}, loads, &sums);
     std::vector<double> x = start, rate(start.size());
     if (resumes) {
       system.linearise(0.0, x.data(), rate.data());

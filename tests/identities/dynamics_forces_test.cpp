@@ -25,6 +25,7 @@ enum class Refinement {
   full_complement,
   rim,
   squeeze,
+  weight,
 };
 
 struct Variant {
@@ -81,6 +82,9 @@ class DynamicsIdentity : public testing::TestWithParam<Variant> {
       case Refinement::squeeze:  // Issue 17, Build 1: oil that is pressed out
         parameters.race.squeeze = true;
         break;
+      case Refinement::weight:  // so heavy that it shows beside the contacts
+        parameters.gravity = {.across = 5e3, .angle = 0.7};
+        break;
       case Refinement::full_complement:  // Issue 16, Build 8: rollers that touch one another
         bearing = test::full_complement_bearing();
         bearing.rollers().diameter_deviation = {1e-6, -2e-6, 0.0, 1e-6};
@@ -111,6 +115,7 @@ class DynamicsIdentity : public testing::TestWithParam<Variant> {
 TEST_P(DynamicsIdentity, ForcesAreTheSlopeOfTheEnergy) {
   point.outer_speed = point.inner_speed = 0.0;
   parameters.driving = {};  // Euler's terms have no potential
+  parameters.gravity = {};  // nor has gravity in a frame that turns
   const BearingModel model = model_now();
   vectorised::VectorBearing equations(model);
   const StateLayout& layout = model.layout;
@@ -196,6 +201,7 @@ TEST_P(DynamicsIdentity, InnerForcesAndMomentsCancel) {
   const BearingModel model = model_now();
   vectorised::VectorBearing equations(model);
   const CarrierFrame frame = frame_at(model, 0.0);
+  const Vector2 gravity = gravity_at(model, 0.0);
   for (int k = 0; k < kStates; ++k) {
     const Eigen::VectorXd x = test::shaken_state(model, bearing, parameters, 3e-5, kSpeed, random);
     Eigen::VectorXd dx(x.size());
@@ -215,7 +221,7 @@ TEST_P(DynamicsIdentity, InnerForcesAndMomentsCancel) {
       const double along = r * rate.orbital_speed[j] + 2.0 * at.radial_speed[j] * orbital -
                            tangential_inertial_acceleration(frame, r, theta, at.radial_speed[j]);
       const Vector2 out = direction(theta);
-      add(model.roller.mass * radial * out +
+      add(model.roller.mass * (radial * out - gravity) +
               (model.roller.mass * along - model.orbit_drag.force(r * orbital)) * across(out),
           model.roller.inertia * (rate.spin[j] + frame.euler) - model.spin_drag.force(at.spin[j]), r * out);
     }
@@ -224,7 +230,7 @@ TEST_P(DynamicsIdentity, InnerForcesAndMomentsCancel) {
       return acceleration - inertial_acceleration(in, position, velocity);
     };
     if (model.layout.caged)
-      add(model.cage.mass * beyond(rate.cage_velocity, frame, at.cage_position, at.cage_velocity),
+      add(model.cage.mass * (beyond(rate.cage_velocity, frame, at.cage_position, at.cage_velocity) - gravity),
           model.cage.inertia * (rate.cage_speed + frame.euler) - model.cage_drag.force(at.cage_speed),
           at.cage_position);
     CarrierFrame centred = frame;
@@ -234,7 +240,7 @@ TEST_P(DynamicsIdentity, InnerForcesAndMomentsCancel) {
             bore_load(model, 0.0),
         on_bore, at.bore_position);
     const double holding = power_input(model, 0.0, x, dx).rotations;
-    add(model.pin_mass * beyond(rate.pin_velocity, frame, at.pin_position, at.pin_velocity) -
+    add(model.pin_mass * (beyond(rate.pin_velocity, frame, at.pin_position, at.pin_velocity) - gravity) -
             model.support.force(at.pin_position, at.pin_velocity),
         -(holding + on_bore * model.point.outer_speed) / model.point.inner_speed, at.pin_position);
     const double round_off = 1e-11 * scale;  // accelerations are those of the carrier, too
@@ -313,6 +319,7 @@ INSTANTIATE_TEST_SUITE_P(
         Variant{"rim", true, false, TractionLaw::regularised_coulomb, Refinement::rim},
         Variant{"squeeze", false, false, TractionLaw::regularised_coulomb, Refinement::squeeze},
         Variant{"squeeze_film", true, false, TractionLaw::limiting_shear, Refinement::squeeze},
+        Variant{"weight", false, false, TractionLaw::regularised_coulomb, Refinement::weight},
         Variant{"run_up", false, false, TractionLaw::regularised_coulomb, Refinement::run_up},
         Variant{"full_complement", true, false, TractionLaw::regularised_coulomb,
                 Refinement::full_complement},

@@ -27,6 +27,7 @@ struct Seen {
   bool rim = false;             // bends
   bool caged = true;
   bool squeeze = false;
+  double gravity = 0.0;  // [m/s^2]
 };
 
 void PrintTo(const Seen& seen, std::ostream* out) {
@@ -80,7 +81,8 @@ reference::BearingNumbers numbers_of(const Bearing& bearing, const DynamicsParam
           .caged = bearing.cage.width > 0.0,
           .neighbour_friction = given.neighbours.friction,
           .squeeze = given.race.squeeze,
-          .roughness = given.race.roughness};
+          .roughness = given.race.roughness,
+          .gravity = given.gravity.across};
 }
 
 Plane plane(const Eigen::Ref<const Eigen::Vector2d>& v) {
@@ -207,6 +209,7 @@ class InertialFrame : public testing::TestWithParam<Seen> {
     parameters.race.film_in_approach = GetParam().film;
     parameters.race.squeeze = GetParam().squeeze;
     point.carrier.acceleration = GetParam().carrier_acceleration;
+    parameters.gravity.across = GetParam().gravity;
     if (GetParam().rim) point.outer_race = test::bending_race();
   }
   Bearing bearing = test::reducer_bearing();
@@ -236,8 +239,9 @@ TEST_P(InertialFrame, SeesTheSameMotion) {
     const Eigen::VectorXd x =
         test::shaken_state(model, bearing, parameters, length, GetParam().shaken, random);
     Eigen::VectorXd dx(x.size());
-    equations.derivative(0.0, x, dx);
-    const ReferenceRates reference = reference_rates(numbers, point, layout, x, 3.0 * random());
+    const double carrier_angle = 3.0 * random(), time = carrier_angle / point.carrier.speed;
+    equations.derivative(time, x, dx);
+    const ReferenceRates reference = reference_rates(numbers, point, layout, x, carrier_angle);
     const Eigen::VectorXd& rates = reference.of_state;
     const auto compare = [&](Eigen::Index begin, Eigen::Index count, const char* what) {
       const double scale = dx.segment(begin, count).cwiseAbs().maxCoeff();
@@ -282,7 +286,12 @@ INSTANTIATE_TEST_SUITE_P(
                     // Issue 17, Build 1: oil that is pressed out.
                     Seen{"squeeze_dry", 6000.0, 0.0, false, 0.0, 0.02, false, true, true},
                     Seen{"squeeze_film", 1000.0, 0.0, true, 0.0, 0.02, false, true, true},
-                    Seen{"squeeze_clearance", 12000.0, 37e-6, true, 300.0, 0.02, true, true, true}),
+                    Seen{"squeeze_clearance", 12000.0, 37e-6, true, 300.0, 0.02, true, true, true},
+                    // So heavy that weight shows to the last of the digits that are compared.
+                    Seen{"weight", 1000.0, 20e-6, false, 0.0, 0.02, false, true, false, 500.0},
+                    Seen{"weight_run_up", 6000.0, 37e-6, true, 300.0, 0.02, true, true, false, 500.0},
+                    Seen{"weight_full_complement", 6000.0, 20e-6, true, 0.0, 0.02, false, false, false,
+                         500.0}),
     [](const testing::TestParamInfo<Seen>& seen) { return seen.param.name; });
 
 }  // namespace

@@ -114,6 +114,13 @@ INSTANTIATE_TEST_SUITE_P(
         // Issue 16, Build 1: what bends the rim is stored in its waves, moves with them or is lost by them.
         AuditedVariant{"rim", [](Bearing&, Parameters& p) { p.driving.ramp = 200.0; }, 0.0, true},
         // A tenth more speed within that time.
+        // Weight that turns against the carrier.
+        AuditedVariant{"weight", [](Bearing&, Parameters& p) { p.gravity = {.across = 1e3, .angle = 0.4}; }},
+        AuditedVariant{"run_up_with_weight",
+                       [](Bearing&, Parameters& p) {
+                         p.driving.ramp = 200.0;
+                         p.gravity = {.across = 1e3, .angle = 0.4};
+                       }},
         AuditedVariant{"run_up", [](Bearing&, Parameters& p) { p.driving.ramp = 200.0; }},
         AuditedVariant{"run_up_of_waves",
                        [](Bearing& b, Parameters& p) {

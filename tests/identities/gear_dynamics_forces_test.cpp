@@ -120,6 +120,7 @@ TEST_P(GearDynamicsIdentity, SlopesAreThoseOfTheForces) {
 
 // Along the motion the energy changes by what enters less what is lost, in any state whatever.
 TEST_P(GearDynamicsIdentity, PowerBalancesInEveryState) {
+  parameters.gravity = 2e3;  // [m/s^2]  so that weight shows
   const SetModel model = set_model(parameters, operation);
   const PlanetarySetEquations equations(model);
   const Index n = model.layout.freedoms();

@@ -291,6 +291,7 @@ Accelerations accelerations(const BearingNumbers& b, const Carrier& carrier, con
            std::abs(rotating);
   };
 
+  const Plane falling{0.0, -b.gravity};
   Accelerations result;
   Load on_cage, on_bore, on_pin;
   const Rim rim{b, carrier, bodies};
@@ -315,15 +316,15 @@ Accelerations accelerations(const BearingNumbers& b, const Carrier& carrier, con
     load.force -=
         0.5 * b.cylinder_drag * b.mixture_density * 2.0 * a * length * passing * std::abs(passing) * way;
     load.moment += churned(a, length, roller.speed);
-    result.rollers.push_back({load.force / b.roller_mass, load.moment / b.roller_inertia});
+    result.rollers.push_back({load.force / b.roller_mass + falling, load.moment / b.roller_inertia});
   }
   if (b.caged) guide(b, bodies.cage, bodies.bore, on_cage, on_bore);
   on_cage.moment += churned(b.cage_mean_radius, b.cage_width, bodies.cage.speed);
   on_pin.force -= b.support_stiffness * (bodies.pin.position - pin_axis) +
                   b.support_damping * (bodies.pin.velocity - carrier_velocity(bodies.pin.position));
-  if (b.caged) result.cage = {on_cage.force / b.cage_mass, on_cage.moment / b.cage_inertia};
-  result.bore = {(on_bore.force + bore_force) / b.bore_mass, 0.0};
-  result.pin = {on_pin.force / b.pin_mass, 0.0};
+  if (b.caged) result.cage = {on_cage.force / b.cage_mass + falling, on_cage.moment / b.cage_inertia};
+  result.bore = {(on_bore.force + bore_force) / b.bore_mass + falling, 0.0};
+  result.pin = {on_pin.force / b.pin_mass + falling, 0.0};
   for (std::size_t i = 0; i < b.rim.size(); ++i) {
     const RimWave& wave = b.rim[i];
     Plane force =

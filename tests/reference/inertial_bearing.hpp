@@ -48,6 +48,7 @@ struct BearingNumbers {
   double neighbour_friction = 0.0;  // [-]
   bool squeeze = false;             // oil is pressed out between rollers and races
   double roughness = 0.0;           // [m]  where asperities hold the film
+  double gravity = 0.0;             // [m/s^2]  downward, against the second axis
 };
 
 /// The carrier turns about the origin; the undeformed axis of the pin is at orbit_radius on its arm.

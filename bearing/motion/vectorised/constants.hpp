@@ -115,8 +115,9 @@ struct Constants {
   double spin_drag = 0.0;       // [N m s^2/rad^2]
   double cage_drag = 0.0;       // [N m s^2/rad^2]
 
-  CarrierFrame frame;   // now
-  double meshes = 1.0;  // [-]  forces of the teeth on the waves of a rim now, over their means
+  CarrierFrame frame;               // now
+  PlaneAcceleration gravity{0, 0};  // [m/s^2]  now
+  double meshes = 1.0;              // [-]  forces of the teeth on the waves of a rim now, over their means
 
   RaceConstants inner;
   RaceConstants outer;

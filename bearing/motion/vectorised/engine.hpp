@@ -69,7 +69,8 @@ struct Surroundings {
   CarrierFrame frame;
   RaceTurn pin;
   RaceTurn bore;
-  double meshes = 1.0;  // [-]  Constants::meshes
+  double meshes = 1.0;              // [-]  Constants::meshes
+  PlaneAcceleration gravity{0, 0};  // [m/s^2]
 };
 
 [[gnu::always_inline]] inline void put_surroundings(const Surroundings& now, Constants& constants) {
@@ -79,6 +80,7 @@ struct Surroundings {
   constants.outer.speed = now.bore.speed;
   constants.outer.turned = now.bore.turned;
   constants.meshes = now.meshes;
+  constants.gravity = now.gravity;
 }
 
 /// What rollers and land do to the bore.

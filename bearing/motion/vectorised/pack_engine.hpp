@@ -171,6 +171,8 @@ class PackEngine final : public Engine {
   template <bool WithSlopes, bool Caged>
   void evaluate_rollers(int p, const double* x, double* dx, RingLoads& sums);
   template <bool WithSlopes>
+  [[gnu::noinline, gnu::flatten]] void add_weight_of_rollers(const double* x, double* dx);
+  template <bool WithSlopes>
   bool push_neighbours(int p, const RollerMotion& own, ContactForce<Pack>& pushed);
   template <bool WithSlopes>
   LandForce<double> evaluate_land(const double* x);
@@ -389,6 +391,26 @@ void PackEngine::evaluate_rollers(int p, const double* x, double* dx, RingLoads&
   }
 }
 
+/// Apart, so that bearings without weight do not carry it.
+template <bool WithSlopes>
+void PackEngine::add_weight_of_rollers(const double* x, double* dx) {
+  for (int p = 0; p < packs_; ++p) {
+    const SineCosine turn = sine_cosine(load(entry(x, 1, p)));
+    const Mask here = present(p);
+    const Pack per_r = 1.0 / load(entry(x, 0, p));
+    const Pack outward = only(here, c_.gravity.x * turn.cosine + c_.gravity.y * turn.sine);
+    const Pack ahead = only(here, c_.gravity.y * turn.cosine - c_.gravity.x * turn.sine);
+    store(load(entry(dx, 2, p)) + outward, entry(dx, 2, p));
+    store(load(entry(dx, 3, p)) + ahead * per_r, entry(dx, 3, p));
+    if constexpr (WithSlopes) {
+      FreeSlopes& free = linear_[p].free;
+      free.radial_by_theta += ahead;
+      free.orbital_by_theta -= outward * per_r;
+      free.orbital_by_r -= ahead * per_r * per_r;
+    }
+  }
+}
+
 template <bool WithSlopes, bool Caged>
 void PackEngine::evaluate(const double* x, double load_x, double load_y, double* dx) {
   RingLoads sums;
@@ -407,6 +429,7 @@ void PackEngine::evaluate(const double* x, double load_x, double load_y, double*
   }
   for (int i = 0; i < layout_.waves; ++i) wave_force_[i] = Pack{};
   for (int p = 0; p < packs_; ++p) evaluate_rollers<WithSlopes, Caged>(p, x, dx, sums);
+  if (c_.gravity.x != 0.0 || c_.gravity.y != 0.0) add_weight_of_rollers<WithSlopes>(x, dx);
   for (int i = layout_.wave(); i < layout_.size(); ++i) dx[i] = 0.0;
   for (const RollerScratch& scratch : c_.roller_scratches)
     dx[layout_.turned() + scratch.followed] = x[4 * layout_.lanes() + scratch.roller];

@@ -57,13 +57,14 @@ void PackEngine::evaluate_rings(const double* x, double load_x, double load_y, c
     cage_rate[0] = cage[3];
     cage_rate[1] = cage[4];
     cage_rate[2] = cage[5];
-    cage_rate[3] = (cage_x + land_x) / c_.cage_mass + added.x;
-    cage_rate[4] = (cage_y + land_y) / c_.cage_mass + added.y;
+    cage_rate[3] = (cage_x + land_x) / c_.cage_mass + added.x + c_.gravity.x;
+    cage_rate[4] = (cage_y + land_y) / c_.cage_mass + added.y + c_.gravity.y;
     cage_rate[5] =
         (cage_moment + guided.on_cage - c_.cage_drag * cage[5] * __builtin_fabs(cage[5])) / c_.cage_inertia -
         frame.euler;
   }
-  // The load on the bore holds the planet's inertial load at the origin: here only what displacement adds.
+  // The load on the bore holds the planet's weight, and its inertial load at the origin: here only what
+  // displacement adds.
   on_bore_ = {bore_x - on_bore * land_x, bore_y - on_bore * land_y,
               bore_moment - (bore[0] * bore_y - bore[1] * bore_x) -
                   on_bore * (guided.on_cage + (cage[0] - land[0]) * land_y - (cage[1] - land[1]) * land_x)};
@@ -80,10 +81,10 @@ void PackEngine::evaluate_rings(const double* x, double load_x, double load_y, c
   pin_rate[1] = pin[3];
   pin_rate[2] =
       (pin_x - on_pin * land_x - c_.support_stiffness * pin[0] - c_.support_damping * pin[2]) / c_.pin_mass +
-      to_pin.x;
+      to_pin.x + c_.gravity.x;
   pin_rate[3] =
       (pin_y - on_pin * land_y - c_.support_stiffness * pin[1] - c_.support_damping * pin[3]) / c_.pin_mass +
-      to_pin.y;
+      to_pin.y + c_.gravity.y;
 }
 
 inline void PackEngine::set_surroundings(const Surroundings& now) {

@@ -370,6 +370,7 @@ inline const std::map<std::string, Change>& stated_changes() {
       {"input.acceleration", {"1100 rpm/s", run_up}},
       {"simulation.run_up_time", {"0.004 s", run_up}},
       {"inertia.euler", {"false", both}},
+      {"inertia.gravity", {"9.81 m/s2"}},
       {"gearset.fixed", {"sun", {"input.member=carrier"}}},
       {"gearset.planets", {"4"}},
       {"gearset.planet_angles", {"[0 deg, 170.6897 deg]"}},

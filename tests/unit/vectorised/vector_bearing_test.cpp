@@ -35,6 +35,7 @@ struct Variant {
   bool full = false;  // no cage
   bool squeeze = false;
   bool pocket_film = false;
+  double gravity = 0.0;  // [m/s^2]
 };
 
 class VectorBearingTest : public testing::TestWithParam<Variant> {
@@ -65,6 +66,7 @@ class VectorBearingTest : public testing::TestWithParam<Variant> {
                              .harmonics = {{.order = 1, .cosine = {0.0, 10.0}, .sine = {20.0, 49.0}},
                                            {.order = 3, .cosine = {5.0, 0.0}, .sine = {0.0, 0.0}}}};
     if (GetParam().rim) point.outer_race = test::bending_race();
+    parameters.gravity = {.across = GetParam().gravity, .angle = 0.7};
     point.carrier.acceleration = 300.0;
   }
 
@@ -213,6 +215,25 @@ TEST_P(VectorBearingTest, SolvesWithTheTrueJacobian) {
   EXPECT_LT(kinked, compared / (GetParam().full ? 2 : 3));
 }
 
+// The slope by time alone: of the load on the bore and of gravity, which turns.
+TEST_P(VectorBearingTest, KnowsItsSlopeByTime) {
+  if (GetParam().rough || GetParam().scratched || GetParam().rim)
+    GTEST_SKIP() << "the slope of what turns with a race is left out";
+  const BearingModel model = model_now();
+  VectorBearing vectorised(model);
+  constexpr double kTime = 1e-3, kStep = 1e-8;  // [s]
+  const std::vector<double> x = vectorised.padded(shaken(model, 2e-6));
+  std::vector<double> before(x.size()), after(x.size()), slope(x.size());
+  vectorised.derivative(kTime - kStep, x.data(), before.data());
+  vectorised.derivative(kTime + kStep, x.data(), after.data());
+  vectorised.linearise(kTime, x.data(), slope.data());
+  vectorised.time_slope(kTime, slope.data());
+  double largest = 0.0;
+  for (const double one : slope) largest = std::max(largest, std::abs(one));
+  for (std::size_t i = 0; i < x.size(); ++i)
+    EXPECT_NEAR(slope[i], (after[i] - before[i]) / (2.0 * kStep), 1.0 + 1e-4 * largest) << "entry " << i;
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Variants, VectorBearingTest,
     testing::Values(
@@ -252,7 +273,12 @@ INSTANTIATE_TEST_SUITE_P(
         Variant{"squeeze_and_pocket_film", true, true, TractionLaw::limiting_shear, 17, true, 0, 0.0, false,
                 false, false, true, true},
         Variant{"squeeze_full_complement", true, false, TractionLaw::regularised_coulomb, 21, true, 7, 0.0,
-                false, false, true, true}),
+                false, false, true, true},
+        // So heavy that weight shows beside the contacts.
+        Variant{"weight", false, false, TractionLaw::regularised_coulomb, 17, false, 0, 0.0, false, false,
+                false, false, false, 2e4},
+        Variant{"weight_full_complement", true, false, TractionLaw::regularised_coulomb, 21, false, 0, 0.0,
+                false, false, true, false, false, 2e4}),
     [](const testing::TestParamInfo<Variant>& variant) { return variant.param.name; });
 
 }  // namespace
