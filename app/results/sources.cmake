@@ -16,4 +16,5 @@ set(ORBEARING_RESULTS_SOURCES
   results/spectrum_life.cpp
   results/sweep_run.cpp
   results/terminal_chart.cpp
-  results/verdicts.cpp)
+  results/verdicts.cpp
+  results/worst_bearing.cpp)

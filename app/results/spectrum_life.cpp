@@ -30,6 +30,7 @@ struct LifeColumn {
   std::string name;
   std::string beside;
   bool in_revolutions = false;
+  std::string alike{};  // column of bins in which all bearings carry alike, where those of other bins do not
 };
 
 /// Lives of one bearing in hours: of rows, of sets and, with "system_" before them, of all bearings together.
@@ -40,7 +41,7 @@ std::vector<LifeColumn> life_columns(const ManifestHeader& header) {
   for (const std::string hours : kHours) {
     columns.push_back({hours, "life_h"});
     columns.push_back({"system_" + hours, "system_life_h"});
-    columns.push_back({"shortest_" + hours, "life_h"});
+    columns.push_back({"shortest_" + hours, "life_h", false, hours});
     columns.push_back({"carrier_" + hours, "life_h"});
   }
   for (const char* revolutions : {"life_Mrev", "L10_Mrev", "L10r_Mrev", "L10m_Mrev", "L10mr_Mrev"})
@@ -50,8 +51,9 @@ std::vector<LifeColumn> life_columns(const ManifestHeader& header) {
       columns.push_back({race + life, race + "_life_Mrev", true});
   for (const std::string& set : header.sets)
     for (const std::string hours : kHours) {
-      const std::string of = "sets." + set + ".";
+      const std::string of = column_prefix(set);
       columns.push_back({of + hours, of + "life_h"});
+      columns.push_back({of + "shortest_" + hours, of + "life_h", false, of + hours});
     }
   return columns;
 }
@@ -64,10 +66,18 @@ double life_in_row(const TableHead& head, const ResultRow& row, const LifeColumn
 
 Eigen::ArrayXd lives_in_bins(const TableHead& head, const std::vector<SpectrumBin>& bins,
                              const LifeColumn& column) {
+  const auto has_own = [&](const SpectrumBin& bin) {
+    return bin.row && std::isfinite(value_of(head, *bin.row, column.name));
+  };
+  const bool unlike = !column.alike.empty() && std::ranges::any_of(bins, has_own);
   Eigen::ArrayXd lives(static_cast<Eigen::Index>(bins.size()));
-  for (std::size_t i = 0; i < bins.size(); ++i)
+  for (std::size_t i = 0; i < bins.size(); ++i) {
+    const bool alike = unlike && !has_own(bins[i]);
     lives[static_cast<Eigen::Index>(i)] =
-        bins[i].row ? life_in_row(head, *bins[i].row, column) : infinite_life;
+        bins[i].row
+            ? life_in_row(head, *bins[i].row, alike ? LifeColumn{column.alike, column.beside} : column)
+            : infinite_life;
+  }
   return lives;
 }
 
@@ -96,40 +106,44 @@ Eigen::ArrayXd damage_shares(const Eigen::ArrayXd& shares, const Eigen::ArrayXd&
   return life * shares / lives_that_count(shares, lives);
 }
 
-// The set whose bearings live shortest under the spectrum; its lives are those of one bearing, as in the
-// rows.
-void take_limiting_set(const ManifestHeader& header, SpectrumResult& result) {
+// The worst bearing under the spectrum. Lives of one bearing are those of its set, as in the rows.
+void take_worst_bearing(const ManifestHeader& header, SpectrumResult& result) {
+  result.worst =
+      worst_bearing(header.life, header.sets, [&](const std::string& name) { return life_of(result, name); });
   if (header.sets.empty()) return;
-  double shortest = infinite_life;
-  result.limiting_set = header.sets.front();
-  for (const std::string& set : header.sets) {
-    const double life = life_of(result, "sets." + set + "." + header.life);
-    if (!(life < shortest)) continue;
-    shortest = life;
-    result.limiting_set = set;
-  }
   for (auto& [name, life] : result.lives) {
-    if (std::find(kHours.begin(), kHours.end(), name) != kHours.end())
-      life = life_of(result, "sets." + result.limiting_set + "." + name);
-    // Rows give those of the set that limits each point.
-    if (name.ends_with("_Mrev")) life = not_given;
+    if (name.ends_with("_Mrev")) life = not_given;  // rows give those of the set that limits each point
+    const std::string key = name.starts_with("shortest_") ? name.substr(name.find('_') + 1) : name;
+    if (std::ranges::find(kHours, key) != kHours.end())
+      life = life_of(result, column_prefix(result.worst.set) + name);
   }
+}
+
+// The life of that name of the worst bearing, bin by bin.
+LifeColumn column_of_worst(const SpectrumResult& result, const std::string& life) {
+  WorstBearing worst = worst_bearing(life, {}, [&](const std::string& name) {
+    return life_of(result, column_prefix(result.worst.set) + name);
+  });
+  worst.set = result.worst.set;
+  const std::string of = column_prefix(worst.set);
+  return {worst.column(), of + "life_h", false, worst.key.starts_with("shortest_") ? of + life : ""};
 }
 
 void put_lives(const ManifestHeader& header, const TableHead& head, SpectrumResult& result) {
   for (const LifeColumn& column : life_columns(header))
     result.lives.emplace_back(column.name, life_by_miner(shares_of(result.bins, column.in_revolutions),
                                                          lives_in_bins(head, result.bins, column)));
-  take_limiting_set(header, result);
-  const std::string of = header.sets.empty() ? "" : "sets." + result.limiting_set + ".";
+  take_worst_bearing(header, result);
   const Eigen::ArrayXd shares = shares_of(result.bins, false);
-  const Eigen::ArrayXd damage =
-      damage_shares(shares, lives_in_bins(head, result.bins, {of + header.life, of + "life_h"}));
+  const Eigen::ArrayXd lives = lives_in_bins(head, result.bins, column_of_worst(result, header.life));
+  const Eigen::ArrayXd damage = damage_shares(shares, lives);
   const Eigen::ArrayXd modified =
-      damage_shares(shares, lives_in_bins(head, result.bins, {of + "L10mh", of + "life_h"}));
+      damage_shares(shares, lives_in_bins(head, result.bins, column_of_worst(result, "L10mh")));
   for (std::size_t i = 0; i < result.bins.size(); ++i) {
-    result.bins[i].damage_share = damage[static_cast<Eigen::Index>(i)];
-    result.bins[i].modified_damage_share = modified[static_cast<Eigen::Index>(i)];
+    const auto bin = static_cast<Eigen::Index>(i);
+    if (result.bins[i].row) result.bins[i].worst_life = lives[bin];
+    result.bins[i].damage_share = damage[bin];
+    result.bins[i].modified_damage_share = modified[bin];
   }
 }
 
@@ -203,8 +217,7 @@ void describe_file(Record& record, const LoadSpectrum& spectrum, const std::stri
                    const BinSums& sums) {
   record.value("file", "record that the bins were made of", file);
   describe_time(record, spectrum, "", "of its bins", sums.share);
-  record.value("damage_share", dimension::ratio, "of the life of one bearing that results go by",
-               sums.damage_share);
+  record.value("damage_share", dimension::ratio, "of the life of the worst bearing", sums.damage_share);
   record.value("damage_share_L10mh", dimension::ratio, "the same of L10mh", sums.modified_damage_share);
   describe_time(record, spectrum, "skid_risk_", "with P/C below the minimum load", sums.skid_risk_share);
 }
@@ -216,8 +229,10 @@ void describe_bin(Record& row, const TableHead& head, const NumberedBin& numbere
   row.value("torque_N_m", dimension::torque, "of the shaft whose speed is input.speed", bin.bin.torque());
   row.value("speed_rpm", dimension::angular_speed, "input.speed of the bin", bin.bin.speed);
   row.value("share", dimension::ratio, "of time", bin.bin.share);
-  row.value("damage_share", dimension::ratio, "of the life of one bearing that results go by",
-            bin.damage_share);
+  row.value("worst_bearing_h", dimension::hours,
+            "life, in this bin alone, of the bearing that requirements are judged by",
+            std::isfinite(bin.worst_life) ? bin.worst_life : not_given);
+  row.value("damage_share", dimension::ratio, "of the life of that bearing", bin.damage_share);
   row.value("damage_share_L10mh", dimension::ratio, "the same of L10mh", bin.modified_damage_share);
   describe_risk(row, bin.skid_risk);
   if (!bin.bin.file.empty()) row.value("file", "record that it was made of", bin.bin.file);
@@ -238,12 +253,15 @@ void describe_result(Record& record, const ManifestHeader& header, const TableHe
     record.value(name, name.ends_with("_Mrev") ? in_million_revolutions : dimension::hours,
                  "under the spectrum", life);
   record.value("life_key", "life that results go by", header.life);
-  if (!result.limiting_set.empty())
-    record.value("limiting_set", "the one with the shortest bearing life", result.limiting_set);
+  record.value("worst_bearing_key", "the same of the bearing that requirements are judged by",
+               result.worst.key);
+  record.value("worst_bearing_h", dimension::hours, "life of that bearing under the spectrum",
+               result.worst.value);
+  if (!result.worst.set.empty()) record.value("limiting_set", "the one with that bearing", result.worst.set);
   if (header.spectrum.hours > 0.0) {
     record.value("hours", dimension::hours, "required", header.spectrum.hours);
-    record.value("used_up", dimension::ratio, "of the life in these hours",
-                 header.spectrum.hours / life_of(result, header.life));
+    record.value("used_up", dimension::ratio, "of the life of that bearing in these hours",
+                 header.spectrum.hours / result.worst.value);
   }
   record.value("minimum_load", dimension::ratio, "P/C below which rolling elements may skid",
                minimum_load_of(header, head, result));
@@ -275,13 +293,36 @@ std::string hours_text(double hours) {
   return std::isfinite(hours) ? fmt::format("{:.5g}", hours) : "-";
 }
 
-std::string lives_under_spectrum(const SpectrumResult& result, const std::string& chosen) {
-  std::string text = fmt::format("{:<8} {:>16} {:>18}\n", "life", "one bearing [h]", "all bearings [h]");
+std::string shortest_text(double hours) {
+  return std::isfinite(hours) ? fmt::format(", shortest {} h", hours_text(hours)) : "";
+}
+
+// Of several sets, of the one with the worst bearing; then those of each set by the life that results go by.
+std::string lives_under_spectrum(const ManifestHeader& header, const SpectrumResult& result) {
+  const bool unlike = std::isfinite(life_of(result, "shortest_life_h"));
+  const auto shortest = [&](const std::string& name) {
+    return unlike ? fmt::format(" {:>14}", hours_text(life_of(result, "shortest_" + name))) : "";
+  };
+  const std::string head = unlike ? fmt::format(" {:>14}", "shortest [h]") : "";
+  std::string text =
+      fmt::format("{:<8} {:>16}{} {:>18}\n", "life", "one bearing [h]", head, "all bearings [h]");
   for (const std::string name : kHours)
-    text += fmt::format("{:<8} {:>16} {:>18}{}\n", name, hours_text(life_of(result, name)),
+    text += fmt::format("{:<8} {:>16}{} {:>18}{}\n", name, hours_text(life_of(result, name)), shortest(name),
                         hours_text(life_of(result, "system_" + name)),
-                        name == chosen ? "  results go by this life (life.method)" : "");
+                        name == header.life ? "  results go by this life (life.method)" : "");
+  if (header.sets.empty()) return text;
+  text += fmt::format("lives of one bearing: set {}, which has the worst bearing\n", result.worst.set);
+  for (const std::string& set : header.sets)
+    text += fmt::format("{} of set {}: {} h{}\n", header.life, set,
+                        hours_text(life_of(result, column_prefix(set) + header.life)),
+                        shortest_text(life_of(result, column_prefix(set) + "shortest_" + header.life)));
   return text;
+}
+
+// "shortest L10mrh" of shortest_L10mrh.
+std::string spaced(std::string key) {
+  if (key.starts_with("shortest_") || key.starts_with("carrier_")) key[key.find('_')] = ' ';
+  return key;
 }
 
 std::string percent_text(double share) {
@@ -386,22 +427,22 @@ std::string spectrum_text(const ManifestHeader& header, const std::vector<Spectr
   for (const SpectrumResult& result : results) {
     text +=
         fmt::format("\nload spectrum of {} bins, by the rule of Palmgren and Miner\n", result.bins.size()) +
-        lives_under_spectrum(result, header.life) +
+        lives_under_spectrum(header, result) +
         risk_text(header.spectrum, minimum_load_of(header, head, result), result) +
         files_text(header.spectrum, result);
     for (const std::size_t i : own_axes(head))
       if (i < result.axis_values.size())
         text += fmt::format("{} = {:.10g}\n", head.names[head.first_axis + i], result.axis_values[i]);
-    text += fmt::format("{:>5} {:>11} {:>11} {:>12} {:>9} {:>12} {:>9}\n", "bin", "power [kW]", "speed [rpm]",
-                        "torque [N.m]", "time [%]", header.life, "uses [%]");
+    text += fmt::format("{:>5} {:>11} {:>11} {:>12} {:>9} {:>15} {:>9}\n", "bin", "power [kW]", "speed [rpm]",
+                        "torque [N.m]", "time [%]", spaced(result.worst.key), "uses [%]");
     const std::vector<std::size_t> order = by_damage(result);
     for (std::size_t i = 0; i < std::min(order.size(), most_bins); ++i) {
       const SpectrumBin& bin = result.bins[order[i]];
-      const double life = bin.row ? governing_life_in(head, *bin.row) : not_given;
-      text += fmt::format("{:>5} {:>11.5g} {:>11.5g} {:>12.5g} {:>9.3g} {:>12} {:>9}\n", order[i] + 1,
-                          per_kilo * bin.bin.power, kRpm * bin.bin.speed, bin.bin.torque(),
-                          100.0 * bin.bin.share, std::isfinite(life) ? fmt::format("{:.5g}", life) : "-",
-                          percent_text(bin.damage_share));
+      text +=
+          fmt::format("{:>5} {:>11.5g} {:>11.5g} {:>12.5g} {:>9.3g} {:>15} {:>9}\n", order[i] + 1,
+                      per_kilo * bin.bin.power, kRpm * bin.bin.speed, bin.bin.torque(), 100.0 * bin.bin.share,
+                      std::isfinite(bin.worst_life) ? fmt::format("{:.5g}", bin.worst_life) : "-",
+                      percent_text(bin.damage_share));
     }
     if (order.size() > most_bins)
       text += fmt::format("{} more bins are not shown\n", order.size() - most_bins);

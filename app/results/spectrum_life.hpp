@@ -16,14 +16,16 @@
 #include <vector>
 
 #include "app/results/manifest.hpp"
+#include "app/results/worst_bearing.hpp"
 
 namespace orbearing::app {
 
 /// One bin with what it gave.
 struct SpectrumBin {
   LoadBin bin;
-  std::optional<ResultRow> row;  // none: at rest
-  double damage_share = 0.0;  // [-]  of the life of one bearing that results go by; NaN where it is not known
+  std::optional<ResultRow> row;   // none: at rest
+  double worst_life = not_given;  // [h]  in this bin alone, of the bearing that requirements are judged by
+  double damage_share = 0.0;      // [-]  of the life of that bearing; NaN where it is not known
   double modified_damage_share = 0.0;  // [-]  the same of L10mh; NaN without an oil
   std::optional<bool> skid_risk{};     // of any set's bearing; none: the load is not known
 };
@@ -42,9 +44,9 @@ struct SpectrumResult {
   std::vector<double> axis_values;  // as in the rows
   std::vector<SpectrumBin> bins;    // as stated
   std::vector<std::pair<std::string, double>>
-      lives;                   // by name of the column; NaN where not known, infinite without load
-  std::string limiting_set{};  // of several sets, the one whose bearings live shortest
-  std::size_t failed = 0;      // bins without result: then no life is known
+      lives;               // by name of the column; NaN where not known, infinite without load
+  WorstBearing worst{};    // its life that results go by; of several sets in the limiting one
+  std::size_t failed = 0;  // bins without result: then no life is known
 };
 
 /// All combinations, in the order of the sweep; none where the case states no spectrum or `entries` lack a
@@ -55,9 +57,9 @@ std::vector<SpectrumResult> spectrum_results(const ManifestHeader& header,
 /// Life called `name`; NaN where there is none of that name.
 double life_of(const SpectrumResult& result, const std::string& name);
 
-/// An object with lives, `hours` where they were stated, `used_up` of them, time in skid risk, `files` where
-/// rows name such, and `bins`; a list of such objects, each with the values of its other axes first, where
-/// there are such.
+/// An object with lives, that of the worst bearing, `hours` where they were stated, `used_up` of them, time
+/// in skid risk, `files` where rows name such, and `bins`; a list of such objects, each with the values of
+/// its other axes first, where there are such.
 nlohmann::ordered_json spectrum_json(const ManifestHeader& header,
                                      const std::vector<SpectrumResult>& results);
 

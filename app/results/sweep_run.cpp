@@ -335,7 +335,7 @@ Record sweep_form(const LifePeak& peak) {
                  study::describe_row(row, point);
                  row.value(std::string(refined_column), "whether it was added around the peak", false);
                  row.value(std::string(limiting_set_column),
-                           "of several sets, the one with the shortest bearing life", point.limiting_set);
+                           "of several sets, the one with the worst bearing", point.limiting_set);
                  describe(row, Resonance{});
                  row.table("planets", "planet", "planets one by one, where they carry unlike loads",
                            point.planets, study::describe_planet);

@@ -1,12 +1,15 @@
 #include "app/results/terminal_chart.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
 #include <string_view>
 #include <utility>
+
+#include "app/results/worst_bearing.hpp"
 
 namespace orbearing::app {
 
@@ -310,8 +313,38 @@ ShownRows shown_rows(const TableHead& head, const std::vector<ResultRow>& rows) 
 
 }  // namespace
 
+std::string sets_table(const TableHead& head, const std::vector<std::string>& sets, const ResultRow& row) {
+  if (sets.empty() || !row.ok()) return "";
+  const auto value = [&](const std::string& set, const std::string& name) {
+    return value_of(head, row, column_prefix(set) + name);
+  };
+  std::size_t set_width = std::string_view("set").size();
+  for (const std::string& set : sets) set_width = std::max(set_width, set.size());
+  std::vector<std::string> lines{fmt::format("{:<{}}", "set", set_width)};
+  for (const std::string& set : sets) lines.push_back(fmt::format("{:<{}}", set, set_width));
+  for (const auto& [name, words] :
+       std::array<std::pair<std::string, std::string>, 7>{{{"planet_load_N", "planet load [N]"},
+                                                           {head.life, head.life + " [h]"},
+                                                           {"shortest_" + head.life, "shortest [h]"},
+                                                           {"S0", "S0"},
+                                                           {"kappa", "kappa"},
+                                                           {"contact_pressure_max_MPa", "pressure [MPa]"},
+                                                           {"largest_load_share", "load share"}}}) {
+    if (std::ranges::none_of(sets, [&](const auto& set) { return std::isfinite(value(set, name)); }))
+      continue;
+    const std::size_t width = std::max<std::size_t>(words.size(), 8);
+    lines.front() += fmt::format("  {:>{}}", words, width);
+    for (std::size_t i = 0; i < sets.size(); ++i)
+      lines[i + 1] += fmt::format("  {:>{}}", number(value(sets[i], name)), width);
+  }
+  for (std::size_t i = 0; i < sets.size(); ++i)
+    if (sets[i] == row.limiting_set) lines[i + 1] += "  limiting set: it has the worst bearing";
+  return fmt::format("{}\n\n", fmt::join(lines, "\n"));
+}
+
 std::string sweep_table(const TableHead& head, const std::vector<ResultRow>& rows) {
   constexpr int resonance_width = 20;
+  constexpr std::string_view heading_of_sets = "limiting set";
   const std::vector<std::string> names = shown_columns(head);
   const auto width = [](const std::string& name) {
     return std::max<std::size_t>(heading(name).first.size(), 8);
@@ -323,14 +356,17 @@ std::string sweep_table(const TableHead& head, const std::vector<ResultRow>& row
     units += fmt::format("{:>{}}  ", heading(name).second, width(name));
   }
   if (head.first_resonance) words += fmt::format("{:<{}}  ", "nearest resonance", resonance_width);
-  const std::string last = head.set_place ? "limiting set: status\n" : "status\n";
-  std::string text = words + last + units + '\n';
   const ShownRows shown = shown_rows(head, rows);
+  std::size_t set_width = head.set_place ? heading_of_sets.size() : 0;
+  for (const ResultRow* row : shown.rows) set_width = std::max(set_width, row->limiting_set.size());
+  if (head.set_place) words += fmt::format("{:<{}}  ", heading_of_sets, set_width);
+  std::string text = words + "status\n" + units + '\n';
   for (const ResultRow* row : shown.rows) {
     for (const std::string& name : names)
       text += fmt::format("{:>{}}  ", number(value_of(head, *row, name)), width(name));
     if (head.first_resonance) text += fmt::format("{:<{}}  ", resonance_text(head, *row), resonance_width);
-    text += (row->limiting_set.empty() ? "" : row->limiting_set + ": ") + row->status;
+    if (head.set_place) text += fmt::format("{:<{}}  ", row->limiting_set, set_width);
+    text += row->status;
     text += row->refined ? ", added\n" : "\n";
   }
   if (!shown.note.empty()) text += fmt::format("({}; all of them stand in sweep.csv)\n", shown.note);

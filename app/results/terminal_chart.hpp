@@ -60,4 +60,7 @@ std::string life_chart(const TableHead& head, const std::vector<ResultRow>& rows
 /// and the longest life, which a last line then says.
 std::string sweep_table(const TableHead& head, const std::vector<ResultRow>& rows);
 
+/// Loads, lives, safety and pressure of each of several sets at one point; nothing of one set.
+std::string sets_table(const TableHead& head, const std::vector<std::string>& sets, const ResultRow& row);
+
 }  // namespace orbearing::app

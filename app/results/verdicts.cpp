@@ -14,11 +14,16 @@ namespace orbearing::app {
 
 namespace {
 
+// The result of that name of the worst bearing.
+using ValueOfWorst = std::function<WorstBearing(const std::string& key)>;
+
 /// Where a requirement is judged: an operating point, a bin or a whole spectrum.
 struct Sample {
-  LifeValue value;
+  ValueOfWorst of_worst;
   std::string at;
   std::string failure{};  // of a point that was not computed
+
+  double value(const std::string& key) const { return of_worst(key).value; }
 };
 
 const char* bound_text(const Requirement& requirement) {
@@ -33,10 +38,6 @@ bool is_worse(const Requirement& requirement, double value, double other) {
   return requirement.at_most ? value > other : value < other;
 }
 
-bool is_life(const std::string& key) {
-  return key == "life_h" || (key.starts_with("L10") && key.ends_with("h"));
-}
-
 // "L10mr_Mrev" of "L10mrh".
 std::string in_revolutions(const std::string& life) {
   return (life == "life_h" ? "life" : life.substr(0, life.size() - 1)) + "_Mrev";
@@ -46,14 +47,14 @@ bool needs_oil(const std::string& key) {
   return key == "L10mh" || key == "L10mrh" || key == "kappa";
 }
 
-std::string missing_reason(const std::string& key, const LifeValue& value) {
-  const double kappa = value("kappa");
+std::string missing_reason(const std::string& key, const Sample& sample) {
+  const double kappa = sample.value("kappa");
   if (needs_oil(key) && std::isnan(kappa))
     return "the case states no oil; state lubricant.grade, lubricant.temperature and life.cleanliness";
   if (needs_oil(key) && kappa < bearing::rating::kLeastViscosityRatio)
     return fmt::format("kappa is {:.3g}; a_ISO of ISO 281 begins at {:g}", kappa,
                        bearing::rating::kLeastViscosityRatio);
-  if (is_life(key) && !std::isnan(value(in_revolutions(key))))
+  if (is_life(key) && !std::isnan(sample.value(in_revolutions(key))))
     return "the rings do not rotate; state operation.shaft_speed";
   if (key == "largest_load_share")
     return "all planets carry the same load in this case; state errors of the pins, as "
@@ -63,23 +64,22 @@ std::string missing_reason(const std::string& key, const LifeValue& value) {
 }
 
 Verdict verdict_of(const Requirement& requirement, const std::vector<Sample>& samples) {
-  Verdict verdict{.requirement = requirement, .points = samples.size()};
+  Verdict verdict{.requirement = requirement, .result = requirement.key, .points = samples.size()};
   for (const Sample& sample : samples) {
-    const double value = sample.failure.empty() ? sample.value(requirement.key) : described::kAbsent;
-    if (std::isnan(value)) {
+    const WorstBearing worst = sample.failure.empty() ? sample.of_worst(requirement.key) : WorstBearing{};
+    if (std::isnan(worst.value)) {
       if (!verdict.reason.empty()) continue;
-      verdict.reason = sample.failure.empty() ? missing_reason(requirement.key, sample.value)
+      verdict.reason = sample.failure.empty() ? missing_reason(requirement.key, sample)
                                               : "a point was not computed: " + sample.failure;
       if (samples.size() > 1) verdict.reason = sample.at + ": " + verdict.reason;
       continue;
     }
-    if (!is_met(requirement, value)) ++verdict.points_failed;
-    if (!std::isnan(verdict.value) && !is_worse(requirement, value, verdict.value)) continue;
-    verdict.value = value;
+    if (!is_met(requirement, worst.value)) ++verdict.points_failed;
+    if (!std::isnan(verdict.value) && !is_worse(requirement, worst.value, verdict.value)) continue;
+    verdict.value = worst.value;
+    verdict.result = worst.key;
+    verdict.of_set = worst.set;
     verdict.at = sample.at;
-    verdict.of_shortest =
-        is_life(requirement.key) && (std::isfinite(sample.value("shortest_" + requirement.key)) ||
-                                     std::isfinite(sample.value("carrier_" + requirement.key)));
   }
   // One point that fails decides; that all pass can be said of all points alone.
   if (verdict.points_failed > 0)
@@ -114,38 +114,18 @@ const SpectrumBin* of_largest_torque(const SpectrumResult& result) {
   return largest;
 }
 
-// Of one bearing in all sets the worst; `in` gives that of one set by its prefix.
-double worst_of_sets(const std::vector<std::string>& sets, bool at_most,
-                     const std::function<double(const std::string& prefix)>& in) {
-  if (sets.empty()) return in("");
-  std::vector<double> values;
-  for (const std::string& set : sets) values.push_back(in("sets." + set + "."));
-  if (std::ranges::any_of(values, [](double value) { return std::isnan(value); })) return described::kAbsent;
-  return at_most ? std::ranges::max(values) : std::ranges::min(values);
-}
-
-// The first of the names that has a number, by `value`.
-double value_of_worst_bearing(const std::string& key, const LifeValue& value) {
-  double found = described::kAbsent;
-  for (const std::string& name : keys_of_worst_bearing(key)) {
-    found = value(name);
-    if (std::isfinite(found)) return found;
-  }
-  return found;
-}
-
 // In a row a life without load has no number, as that by Lundberg and Palmgren beside it.
-LifeValue values_in_row(const SweepOutcome& outcome, const ResultRow& row) {
-  return [&outcome, &row](const std::string& key) {
-    const auto in = [&](const std::string& prefix) {
-      const double value = value_of_worst_bearing(
-          key, [&](const std::string& name) { return value_of(outcome.head, row, prefix + name); });
-      const bool unloaded =
-          is_life(key) && std::isnan(value) && std::isnan(value_of(outcome.head, row, prefix + "life_h"));
-      return unloaded ? std::numeric_limits<double>::infinity() : value;
-    };
-    if (key.ends_with("_Mrev") || key == "largest_load_share") return in("");
-    return worst_of_sets(outcome.header.sets, key == "contact_pressure_max_MPa", in);
+ValueOfWorst values_in_row(const SweepOutcome& outcome, const ResultRow& row) {
+  const auto column = [&outcome, &row](const std::string& name) {
+    const double value = value_of(outcome.head, row, name);
+    const std::size_t begin = name.rfind('.') + 1;  // behind that of a set
+    const bool unloaded = std::isnan(value) && is_life(name.substr(begin)) &&
+                          std::isnan(value_of(outcome.head, row, name.substr(0, begin) + "life_h"));
+    return unloaded ? std::numeric_limits<double>::infinity() : value;
+  };
+  return [&outcome, column](const std::string& key) {
+    return worst_bearing(key, key.ends_with("_Mrev") ? std::vector<std::string>{} : outcome.header.sets,
+                         column);
   };
 }
 
@@ -164,16 +144,14 @@ Sample sample_of(const SweepOutcome& outcome, const ResultRow& row, const std::s
 }
 
 // Lives under a spectrum, and the least viscosity ratio of its bins, which says why a life is missing.
-LifeValue values_under_spectrum(const SweepOutcome& outcome, const SpectrumResult& result) {
+ValueOfWorst values_under_spectrum(const SweepOutcome& outcome, const SpectrumResult& result) {
   return [&outcome, &result](const std::string& key) {
     if (key != "kappa")
-      return worst_of_sets(outcome.header.sets, false, [&](const std::string& prefix) {
-        return value_of_worst_bearing(
-            key, [&](const std::string& name) { return life_of(result, prefix + name); });
-      });
-    double least = described::kAbsent;
+      return worst_bearing(key, outcome.header.sets,
+                           [&](const std::string& name) { return life_of(result, name); });
+    WorstBearing least{.key = key};
     for (const SpectrumBin& bin : result.bins)
-      if (bin.row) least = std::fmin(least, values_in_row(outcome, *bin.row)(key));
+      if (bin.row) least.value = std::fmin(least.value, values_in_row(outcome, *bin.row)(key).value);
     return least;
   };
 }
@@ -190,12 +168,6 @@ Sample sample_of(const SweepOutcome& outcome, const SpectrumResult& result) {
 
 }  // namespace
 
-std::vector<std::string> keys_of_worst_bearing(const std::string& key) {
-  if (key == "largest_load_share") return {"carrier_K_gamma", key};
-  if (key == "P0_N" || key == "S0" || key == "contact_pressure_max_MPa") return {"carrier_" + key, key};
-  return is_life(key) ? std::vector{"carrier_" + key, "shortest_" + key, key} : std::vector{key};
-}
-
 void describe(Record& record, const Verdict& verdict) {
   const Requirement& requirement = verdict.requirement;
   record.value("requirement", "key of the block requirements", requirement.name);
@@ -206,6 +178,11 @@ void describe(Record& record, const Verdict& verdict) {
   else
     record.nothing("passed", "whether the requirement is met");
   record.value("key", "name among the results", requirement.key);
+  record.value(
+      "result",
+      "column of that value: of the bearing with the shortest life where bearings carry unlike loads",
+      verdict.result);
+  record.value("of_set", "of several sets, the one with that value", verdict.of_set);
   record.value("unit", "of value and limit", requirement.unit);
   record.value("bound", "at least or at most", bound_text(requirement));
   record.value("at", "operating point or bin of the worst result", verdict.at);
@@ -225,22 +202,22 @@ std::string verdicts_text(const std::vector<Verdict>& verdicts) {
                                  "unit", "verdict");
   for (const Verdict& one : verdicts) {
     const Requirement& requirement = one.requirement;
-    const bool named = requirement.name == "life";
+    const bool named = requirement.name == "life", shortest = one.result != requirement.key;
     const std::string value = std::isfinite(one.value) ? fmt::format("{:.6g}", one.value) : "-";
     const char* judged = !one.passed ? "not judged" : *one.passed ? "passed" : "FAILED";
-    text +=
-        fmt::format("{:<26} {:>12} {:>8} {:>12.6g} {:<4} {}{}{}\n",
-                    named ? fmt::format("life ({}{})", one.of_shortest ? "shortest " : "", requirement.key)
-                          : requirement.name,
-                    value, bound_text(requirement), requirement.limit, requirement.unit, judged,
-                    one.at.empty() ? "" : (one.points > 1 ? ", worst at " : ", at ") + one.at,
-                    one.reason.empty() ? "" : ": " + one.reason);
+    text += fmt::format(
+        "{:<26} {:>12} {:>8} {:>12.6g} {:<4} {}{}{}{}\n",
+        named ? fmt::format("life ({}{})", shortest ? "shortest " : "", requirement.key) : requirement.name,
+        value, bound_text(requirement), requirement.limit, requirement.unit, judged,
+        one.of_set.empty() ? "" : ", set " + one.of_set,
+        one.at.empty() ? "" : (one.points > 1 ? ", worst at " : ", at ") + one.at,
+        one.reason.empty() ? "" : ": " + one.reason);
   }
   return text;
 }
 
 std::vector<Verdict> verdicts_of(const std::vector<Requirement>& requirements, const LifeValue& value) {
-  const std::vector<Sample> only{{value, ""}};
+  const std::vector<Sample> only{{[&](const std::string& key) { return worst_bearing(key, {}, value); }, ""}};
   return verdicts_at(requirements, {only, only, only});
 }
 

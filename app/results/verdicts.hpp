@@ -8,6 +8,7 @@
 #include "app/case/requirements_case.hpp"
 #include "app/results/life_table.hpp"
 #include "app/results/sweep_run.hpp"
+#include "app/results/worst_bearing.hpp"
 #include "mechanics/record.hpp"
 
 namespace orbearing::app {
@@ -19,15 +20,11 @@ struct Verdict {
   std::optional<bool> passed;         // none: not computed
   std::string at;                     // operating point or bin of that value; empty: the only one
   std::string reason;                 // why there is no value, or none that is finite; else empty
-  bool of_shortest = false;           // of bearings that carry unlike loads, that with the shortest life
+  std::string result{};               // name of that value among those of one set: shortest_L10mrh
+  std::string of_set{};               // of several sets, the one with that value
   std::size_t points = 1;             // that were judged
   std::size_t points_failed = 0;      // of them, those that do not meet the requirement
 };
-
-/// Names under which a row has the result `key` of the bearing that a requirement is judged by, the first that
-/// has a number before the others: over a revolution of the carrier where that is a body, of the shortest
-/// life where bearings carry unlike loads, else of any bearing. What planets share is K_gamma of their meshes.
-std::vector<std::string> keys_of_worst_bearing(const std::string& key);
 
 void describe(described::Record& record, const Verdict& verdict);
 /// The table `verdicts`; nothing where there are none.
@@ -39,7 +36,7 @@ std::string verdicts_text(const std::vector<Verdict>& verdicts);
 std::vector<Verdict> verdicts_of(const std::vector<Requirement>& requirements, const LifeValue& value);
 
 /// Of a run or sweep. Under a load spectrum: life of the whole spectrum, all else in its worst bin. Without:
-/// all in the worst of the operating points. Of several sets the worst.
+/// all in the worst of the operating points. Of the worst bearing of all sets.
 std::vector<Verdict> verdicts_of(const std::vector<Requirement>& requirements, const SweepOutcome& outcome);
 
 }  // namespace orbearing::app

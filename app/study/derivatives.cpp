@@ -13,11 +13,10 @@
 #include "app/case/defect_case.hpp"
 #include "app/case/set_case.hpp"
 #include "app/case/unused_inputs.hpp"
-#include "app/case/use_conditions.hpp"
 #include "app/errors.hpp"
 #include "app/results/record_writers.hpp"
 #include "app/results/result_row.hpp"
-#include "app/results/verdicts.hpp"
+#include "app/results/worst_bearing.hpp"
 #include "app/study/ball_study.hpp"
 #include "app/study/drivetrain_case.hpp"
 #include "app/study/fidelity.hpp"
@@ -71,18 +70,6 @@ Run run_of(const ResolvedCase& in, const std::string& fidelity) {
   throw BadInput(in.origin(path) + ": " + path + ": found " + found + "; required: " + required);
 }
 
-// The life of the bearing by which a requirement is judged; in motion bearings are taken together.
-std::string of_worst_bearing(const ResolvedCase& in, const std::string& life, use::Analysis analysis) {
-  const std::vector<std::string> names = keys_of_worst_bearing(life);
-  if (analysis != use::quasi_static || in.shape().several || names.size() < 3) return life;
-  if (carrier_is_body(in, "")) return names[0];
-  // Bearings of other types than cylindrical rollers are computed one by one.
-  const bool unlike = !uneven_planets_by(in).empty() ||
-                      (in.has("bearing.type") && in.choice("bearing.type") != "cylindrical-roller") ||
-                      (in.has("bearing.tilt_state") && in.choice("bearing.tilt_state") == "computed");
-  return unlike ? names[1] : life;
-}
-
 // Key and unit of the governing life.
 std::pair<std::string, std::string> life_key(const ResolvedCase& in) {
   if (is_static_bearing(in) && in.quantity("operation.shaft_speed") == in.quantity("operation.outer_speed"))
@@ -115,15 +102,17 @@ ScalarResult scalar_result(const ResolvedCase& in, const std::string& fidelity, 
   ScalarResult result{.quantity = key, .unit = ""};
   if (key.empty()) std::tie(result.quantity, result.unit) = life_key(in);
   Run run = run_of(in, fidelity);
-  if (key.empty() && is_of_planet_bearings(in))
-    result.quantity = of_worst_bearing(in, result.quantity, run.analysis);
   result.analysis = run.analysis;
   result.scatter = run.scatter;
   const std::string set = std::string(limiting_set_column);
-  result.compute = [compute = std::move(run.compute), quantity = result.quantity,
+  // Of several sets, the row is that of the set with the worst bearing.
+  result.compute = [compute = std::move(run.compute), quantity = result.quantity, named = !key.empty(),
                     set](const ResolvedCase& changed) -> ScalarResult::Value {
     const Json object = compute(changed);
-    return {number_of(object, quantity), object.value(set, "")};
+    const auto number = [&](const std::string& name) { return number_of(object, name); };
+    const WorstBearing worst =
+        named ? WorstBearing{number(quantity), quantity} : worst_bearing(quantity, {}, number);
+    return {worst.value, worst.key, object.value(set, "")};
   };
   return result;
 }
@@ -351,7 +340,7 @@ Derivatives derivatives(const ResolvedCase& resolved, const ScalarResult& result
                         const ScalarResult::Value& here, const DerivativeOptions& options) {
   const ResolvedCase in = resolved.without_sweep();
   Derivatives found{
-      .quantity = result.quantity, .unit = result.unit, .value = here.number, .of_set = here.of_set};
+      .quantity = here.key, .unit = result.unit, .value = here.number, .of_set = here.of_set};
   std::vector<Candidate> candidates = candidates_of(in, result, options.paths);
   compute(candidates, result, options);
   for (Candidate& candidate : candidates) {
@@ -414,7 +403,7 @@ void describe(described::Record& record, const Derivatives& d) {
   result.variable = d.quantity;
   std::ranges::replace(*result.variable, '/', '_');
   record.value("unit", "of the result; that of another one than a life is in its key", d.unit);
-  if (!d.of_set.empty()) record.value("of_set", "the one with the shortest bearing life", d.of_set);
+  if (!d.of_set.empty()) record.value("of_set", "the one with the worst bearing", d.of_set);
   record.table("inputs", "input", "derivatives by inputs, the largest elasticity first", d.inputs).variable =
       "";
   record.table("not_differentiable", "other_input", "inputs without a derivative", d.not_differentiable);

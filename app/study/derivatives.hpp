@@ -27,10 +27,11 @@ namespace orbearing::app {
 struct ScalarResult {
   struct Value {
     double number = 0.0;  // [unit]  NaN where the run gives none
-    std::string of_set;   // of several sets, the one whose bearings live shortest; else empty
+    std::string key;      // that of the quantity; of a life, that of the worst bearing
+    std::string of_set;   // of several sets, the one with the worst bearing; else empty
   };
 
-  std::string quantity;  // its key: "life_h", "displacement/radial_um"
+  std::string quantity;  // its key: "life_h", "displacement/radial_um"; of a life, that of one bearing
   std::string unit;      // of a life, "h" or "Mrev"; else empty: the key ends with it
   use::Analysis analysis = use::quasi_static;
   double scatter = scatter::at_rest;
@@ -41,8 +42,8 @@ struct ScalarResult {
 };
 
 /// The number at `key`, parts of a path joined by '/', of the run of the case at its operating point; without
-/// a key the life that results go by. `fidelity`: empty where the user named none. Throws BadInput where the
-/// case has none.
+/// a key the life that results go by, of the worst bearing. `fidelity`: empty where the user named none.
+/// Throws BadInput where the case has none.
 ScalarResult scalar_result(const ResolvedCase& resolved, const std::string& fidelity = "",
                            const std::string& key = "");
 
@@ -87,7 +88,7 @@ struct Derivatives {
   std::string quantity;            // "life_h", "L10r_Mrev" or what was asked for
   std::string unit;                // "h", "Mrev" or empty
   double value = 0.0;              // [unit]
-  std::string of_set;              // of several sets, the one whose bearings live shortest; else empty
+  std::string of_set;              // of several sets, the one with the worst bearing; else empty
   std::vector<Derivative> inputs;  // the largest elasticity first
   std::vector<NoDerivative> not_differentiable;  // used by the run
   std::vector<std::string> without_effect;       // the result does not follow them

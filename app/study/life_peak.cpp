@@ -13,6 +13,7 @@
 #include "app/results/life_table.hpp"
 #include "app/results/record_writers.hpp"
 #include "app/results/result_row.hpp"
+#include "app/results/terminal_chart.hpp"
 #include "app/study/drivetrain_case.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/study/resonance_lines.hpp"
@@ -264,7 +265,10 @@ std::string carrier_text(const SweepOutcome& outcome, const ResultRow& row) {
 std::string lives_text_of(const ResolvedCase& resolved, const SweepOutcome& outcome) {
   const ResultRow* row = longest_lived(outcome.head, outcome.rows);
   if (row == nullptr) return "";
-  const std::string table = carrier_text(outcome, *row) + lives_text(table_at(outcome, *row, resolved));
+  const std::string of_set = row->limiting_set.empty() ? "" : fmt::format("set {}:\n", row->limiting_set);
+  const std::string table = sets_table(outcome.head, outcome.header.sets, *row) +
+                            carrier_text(outcome, *row) + of_set +
+                            lives_text(table_at(outcome, *row, resolved));
   if (outcome.rows.size() == 1) return table + "\n";
   return fmt::format("at {:.6g} rpm, where {} is longest:\n{}\n",
                      value_of(outcome.head, *row, "input_speed_rpm"), outcome.head.life, table);

@@ -19,12 +19,13 @@ SetResult summary(const std::string& name, const PointResult& point) {
           .life_hours = point.life_hours,
           .rating = point.rating,
           .contact_pressure = point.contact_pressure,
-          .rim_over_module = point.rim_over_module};
+          .rim_over_module = point.rim_over_module,
+          .unlike = unlike_bearings(point)};
 }
 
 // What is not known, as with kappa below 0.1, is no better than the shortest.
 double life(const PointResult& point) {
-  const double hours = governing_hours(point);
+  const double hours = worst_governing_hours(point);
   return std::isnan(hours) ? 0.0 : hours;
 }
 

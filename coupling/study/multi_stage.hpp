@@ -1,4 +1,4 @@
-// Several planetary sets at one operating point of their drivetrain: whose bearings live shortest.
+// Several planetary sets at one operating point of their drivetrain: which has the worst bearing.
 #pragma once
 
 #include <string>
@@ -15,9 +15,9 @@ struct NamedSet {
   DrivetrainGeometry geometry;
 };
 
-/// The point of the set whose bearing lives shortest, with all sets' results and the life of all bearings
-/// together, Eq. (4) of coupling/README.md; a set that is alone, as `evaluate` gives it. Throws
-/// std::runtime_error that names the set where one has no result, std::invalid_argument for no sets.
+/// The point of the set with the worst bearing, by worst_governing_hours(), with all sets' results and the
+/// life of all bearings together, Eq. (4) of coupling/README.md; a set that is alone, as `evaluate` gives it.
+/// Throws std::runtime_error that names the set where one has no result, std::invalid_argument for no sets.
 PointResult evaluate(const std::vector<NamedSet>& sets, Fidelity fidelity = Fidelity::quasi_static);
 
 /// Copies of the sets with another speed of the motor [rad/s].

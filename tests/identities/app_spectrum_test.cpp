@@ -141,8 +141,8 @@ TEST(LoadSpectra, OfSeveralSetsIsOneForEach) {
     const double own = value_of(outcome.head, outcome.rows.at(0), "sets." + set + ".life_h");
     EXPECT_NEAR(life_of(found, "sets." + set + ".life_h"), own, kSame * own);
   }
-  EXPECT_EQ(found.limiting_set, outcome.rows.at(0).limiting_set);
-  EXPECT_EQ(life_of(found, "life_h"), life_of(found, "sets." + found.limiting_set + ".life_h"));
+  EXPECT_EQ(found.worst.set, outcome.rows.at(0).limiting_set);
+  EXPECT_EQ(life_of(found, "life_h"), life_of(found, "sets." + found.worst.set + ".life_h"));
 }
 
 // One mechanism: the life of a crown under the spectrum is Miner's sum of its lives at the bins.

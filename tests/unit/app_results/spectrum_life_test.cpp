@@ -117,6 +117,32 @@ TEST(SpectrumLife, SumsDamageAndSkidRiskByFile) {
   EXPECT_TRUE(std::isnan(sums_of(results().bins).skid_risk_share));
 }
 
+// One planet carries more in the first bin, all alike in the second: its bearing is the worst, and damage is
+// its damage. Of two sets the one with that bearing limits, though its mean life is the longer one.
+TEST(SpectrumLife, IsJudgedByTheWorstBearing) {
+  ManifestHeader header = fake_sweep::fake_header(0);
+  header.spectrum = {.bins = {{4e4, 100.0, 0.5}, {3e4, 100.0, 0.5}}, .hours = 100.0, .lines = 1};
+  header.points = 2;
+  header.sets = {"even", "uneven"};
+  study::SetResult even, uneven, alike;
+  even.life_hours = 900.0;
+  uneven.life_hours = 1000.0;
+  uneven.unlike.shortest_hours = 500.0;
+  alike.life_hours = 5000.0;
+  std::map<std::size_t, ManifestEntry> entries;
+  entries[0].row = result_row({.life_hours = 1000.0, .sets = {even, uneven}}, {}, header.sets);
+  entries[1].row = result_row({.life_hours = 900.0, .sets = {even, alike}}, {}, header.sets);
+  const SpectrumResult found = spectrum_results(header, entries).front();
+  const double life = 1.0 / (0.5 / 500.0 + 0.5 / 5000.0);
+  EXPECT_EQ(found.worst.column(), "sets.uneven.shortest_life_h");
+  EXPECT_NEAR(found.worst.value, life, kRoundOff * life);
+  EXPECT_EQ(life_of(found, "shortest_life_h"), found.worst.value);
+  EXPECT_NEAR(life_of(found, "life_h"), 1.0 / (0.5 / 1000.0 + 0.5 / 5000.0), kRoundOff * life * 2.0);
+  EXPECT_NEAR(found.bins[0].damage_share, 0.5 / 500.0 * life, kRoundOff);
+  EXPECT_EQ(found.bins[1].worst_life, 5000.0);
+  EXPECT_NEAR(spectrum_json(header, {found})["used_up"], 100.0 / life, kRoundOff);
+}
+
 TEST(SpectrumLife, NeedsAllPointsAsAShardHasNot) {
   ManifestHeader header = fake_sweep::fake_header(2);
   header.spectrum = {.bins = {{4e4, 100.0, 0.5}, {4e4, 200.0, 0.5}}, .lines = 1};
