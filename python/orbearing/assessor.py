@@ -111,15 +111,16 @@ def verdict_in_words(report: Report) -> str:
 def _judged(html: str) -> str:
     """Verdicts in a table as a style sheet finds them."""
     for word, name in ((VERDICTS[True], "passed"), (VERDICTS[False], "failed")):
-        html = re.sub(rf'<td( class="short)?"?>({word}(?:: [^<]*)?)</td>', lambda found, name=name: f'<td class="{"short " if found[1] else ""}{name}">{found[2]}</td>', html)
+        html = re.sub(rf'<td( class="short)?"?>({word}(?:[:,] [^<]*)?)</td>', lambda found, name=name: f'<td class="{"short " if found[1] else ""}{name}">{found[2]}</td>', html)
     return html
 
 
 def _verdict(verdict: dict | None, shown: list) -> str:
-    """The verdict; where the value that decides is none of those beside it, that value with its speed, bin or bearing."""
+    """The verdict, with the set that decides; where the value that decides is none of those beside it, that value with its speed, bin or bearing."""
     if not verdict:
         return " "
     word, value, place = VERDICTS[verdict.get("passed")], verdict.get("value"), _place(str(verdict.get("at") or ""))
+    word += f", set {verdict['of_set']}" if verdict.get("of_set") else ""
     beside = {format_number(number) for number in shown if is_number(number)}
     return f"{word}: {format_number(value)} at {place}" if is_number(value) and place and format_number(value) not in beside else word
 
@@ -186,7 +187,9 @@ def _given(report: Report) -> str:
 
 def _judged_at(verdict: dict) -> str:
     points, failed = verdict.get("points"), verdict.get("points_failed")
-    parts = [str(verdict.get("at") or ""), str(verdict.get("reason") or "")]
+    shortest = str(verdict.get("result") or "") not in ("", str(verdict.get("key"))) and verdict.get("requirement") == "life"
+    parts = ["bearing with the shortest life" if shortest else "", f"set {verdict['of_set']}" if verdict.get("of_set") else "",
+             str(verdict.get("at") or ""), str(verdict.get("reason") or "")]
     if is_number(points) and points > 1:
         parts.append(f"{format_number(failed)} of {format_number(points)} points fail")
     return "; ".join(part for part in parts if part) or " "
@@ -203,18 +206,22 @@ def _columns(report: Report) -> list[Column]:
         return []
     speed = f"{format_number(row.get('input_speed_rpm'))} rpm"
     named = [(f"One bearing of set {name}", f"sets.{name}.") for name in sets] or [("One bearing", "")]
-    columns = [] if spectrum and sets else [Column(f"{words}, {speed}", lambda key, before=before: row.get(before + key)) for words, before in named]
-    if any(is_number(_worst(row, life)) for life in LIVES[:4]):
-        columns = [Column(one.head.replace("One bearing", "Mean of bearings"), one.number) for one in columns]
-        columns.append(Column(f"Worst bearing, {speed}", lambda key: _worst(row, key)))
+    columns: list[Column] = []
+    for words, before in named if not (spectrum and sets) else []:
+        columns += _mean_and_worst(words, speed, row, before, lambda key, before=before: row.get(before + key), lambda key, before=before: _worst(row, key, before))
     if not spectrum:
         return [*columns, Column(f"All bearings, {speed}", lambda key: _of_all(row, key))]
-    unlike = any(is_number(_worst(spectrum, life)) for life in LIVES[:4])
-    columns += [Column(f"{words.replace('One bearing', 'Mean of bearings') if unlike else words}, load spectrum", lambda key, before=before: _under(spectrum, before, key))
-                for words, before in named]
-    if unlike:
-        columns.append(Column("Worst bearing, load spectrum", lambda key: _worst_under(spectrum, key)))
+    for words, before in named:
+        columns += _mean_and_worst(words, "load spectrum", spectrum, before, lambda key, before=before: _under(spectrum, before, key),
+                                   lambda key, before=before: _worst_under(spectrum, key, before))
     return [*columns, Column("All bearings, load spectrum", lambda key: _of_all(spectrum, key))]
+
+
+def _mean_and_worst(words: str, where: str, lives: dict, before: str, one: Callable, worst: Callable) -> list[Column]:
+    """One bearing of a set; where its bearings carry unlike loads, their mean and the worst of them."""
+    if not any(is_number(_worst(lives, life, before)) for life in LIVES[:4]):
+        return [Column(f"{words}, {where}", one)]
+    return [Column(f"{words.replace('One bearing', 'Mean of bearings')}, {where}", one), Column(f"{words.replace('One bearing', 'Worst bearing')}, {where}", worst)]
 
 
 def _of_all(row: dict, key: str) -> float | str | None:
@@ -224,18 +231,18 @@ def _of_all(row: dict, key: str) -> float | str | None:
     return row.get(f"system_{key}")
 
 
-def _worst(row: dict, key: str) -> float | str | None:
+def _worst(row: dict, key: str, before: str = "") -> float | str | None:
     """Of the bearing that requirements are judged by: over a revolution of the carrier where that is computed, else the one with the shortest life."""
     names = WORST_BY_CARRIER.get(key, (f"carrier_{key}", f"shortest_{key}") if key in LIVES else ())
     blank = None if key in LIVES else " "
-    return next((row[name] for name in names if is_number(row.get(name))), blank)
+    return next((row[before + name] for name in names if is_number(row.get(before + name))), blank)
 
 
-def _worst_under(spectrum: dict, key: str) -> float | str | None:
+def _worst_under(spectrum: dict, key: str, before: str = "") -> float | str | None:
     """The same under the spectrum: a life of the whole of it, else the worst of its bins that take time."""
     if key in LIVES or key not in WORST_OF_BINS:
-        return _worst(spectrum, key)
-    numbers = [number for number in (_worst(one, key) for one in records(spectrum.get("bins")) if one.get("share")) if is_number(number)]
+        return _worst(spectrum, key, before)
+    numbers = [number for number in (_worst(one, key, before) for one in records(spectrum.get("bins")) if one.get("share")) if is_number(number)]
     return (max if key in LARGER_IS_WORSE else min)(numbers, default=" ")
 
 
@@ -312,22 +319,22 @@ def _bearings(report: Report) -> str:
 
 
 def _damage(report: Report, most: Most) -> str:
-    from orbearing.figures.load_spectrum import damage_columns, files_table, skid_text
+    from orbearing.figures.load_spectrum import damage_columns, files_table, in_words, life_in_bin, of_set, skid_text, worst_key, worst_life
 
     spectrum = _spectrum(report)
     bins = records(spectrum.get("bins"))
     if not bins:
         return ""
-    life = spectrum.get("life_key") or "life_h"
+    life, worst = spectrum.get("life_key") or "life_h", in_words(worst_key(spectrum))
     order = sorted(bins, key=lambda one: -(one.get("damage_share") or 0.0))
-    rows = [(f"{one.get('bin')}", one.get("power_kW"), one.get("torque_N_m"), one.get("speed_rpm"), _percent(one.get("share")), one.get(life),
-             *(_percent(one.get(name)) for name in damage_columns(life).values())) for one in order[:most.bins]]
-    head = ("Bin", "Power [kW]", "Torque [N m]", "Speed [rpm]", "Time [%]", f"{life} [h]", *damage_columns(life))
+    rows = [(f"{one.get('bin')}", one.get("power_kW"), one.get("torque_N_m"), one.get("speed_rpm"), _percent(one.get("share")), life_in_bin(one, spectrum),
+             *(_percent(one.get(name)) for name in damage_columns(worst).values())) for one in order[:most.bins]]
+    head = ("Bin", "Power [kW]", "Torque [N m]", "Speed [rpm]", "Time [%]", f"{worst} [h]", *damage_columns(worst))
     left = f"<p>{len(order) - most.bins} more bins with less damage are in spectrum.csv.</p>" if len(order) > most.bins else ""
     hours = spectrum.get("hours")
     used = f" In {format_number(hours)} h the spectrum uses {format_number(100 * spectrum['used_up'])} % of the life." if is_number(hours) and is_number(spectrum.get("used_up")) else ""
     note = (f"<p>{len(bins)} bins, largest damage first. Torque and speed of the driving member. The governing life is {escape(life)} (life.method): "
-            f"{format_number(spectrum.get(life))} h for one bearing, {format_number(spectrum.get('system_' + life))} h for all bearings.{used} {escape(skid_text(spectrum))}</p>")
+            f"{worst}{of_set(spectrum)} {format_number(worst_life(spectrum))} h, {format_number(spectrum.get('system_' + life))} h for all bearings together.{used} {escape(skid_text(spectrum))}</p>")
     by_file, more = files_table(spectrum, most.bins), len(records(spectrum.get("files"))) - most.bins
     left += table(by_file) if by_file else ""
     left += f"<p>{more} more records with less damage are in --json.</p>" if more > 0 else ""
@@ -339,6 +346,8 @@ def _percent(share: object) -> float | None:
 
 
 def _influences(report: Report, most: Most) -> str:
+    from orbearing.figures.load_spectrum import in_words
+
     found = report.record("influences")
     rows = records(found.get("inputs"))
     reasons = {row.get("key"): row for row in report.records("assumptions")}
@@ -346,7 +355,7 @@ def _influences(report: Report, most: Most) -> str:
         in_time = "Not computed for a bearing in time; orbearing sensitivities --by INPUT gives the effect of a single input."
         why = str(found.get("problem") or ("No assumption has a number." if "influences" in report.content else in_time))
         return section("influences", "Assumptions by influence", f"<p>{escape(why)}</p>")
-    result, unit = found.get("quantity"), found.get("unit") or ""
+    result, unit = in_words(str(found.get("quantity"))), found.get("unit") or ""
     ordered = sorted((row for row in rows if not _is_stated(record(reasons.get(row.get("path")))) and row.get("path") != RELIABILITY), key=_influence, reverse=True)
     shown = [row for row in ordered if abs(_relative(row, found) or 0.0) >= LEAST_INFLUENCE]
     cells = [(row.get("path"), _short(record(reasons.get(row.get("path"))).get("value") or row.get("value")), f"{row.get('step')}", _signed(row.get("change"), unit),

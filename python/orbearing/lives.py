@@ -33,6 +33,13 @@ def governing_number(content: dict) -> tuple[str, float, str] | None:
     return next(((name, content[column], unit) for name, column, unit in names if is_number(content.get(column))), None)
 
 
+def name_of_worst(row: dict, life: str, before: str = "") -> str:
+    """Key of that life in a row of the bearing that requirements are judged by: over a revolution of the carrier where that is computed, else the one with
+    the shortest life where bearings carry unlike loads. `before`: what columns of one of several sets begin with."""
+    names = (f"{before}carrier_{life}", f"{before}shortest_{life}")
+    return next((name for name in names if is_number(row.get(name))), before + life)
+
+
 def revolutions_of(key: str) -> str:
     """Key of the same life in million revolutions."""
     return f"{key.removesuffix('h').removesuffix('_')}_Mrev"

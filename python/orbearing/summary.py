@@ -6,7 +6,8 @@ import numpy as np
 
 from orbearing.blocks import MISSING, Table, format_change, format_number, format_quantity, is_number
 from orbearing.figures.carrier_revolution import shortest_life
-from orbearing.lives import LUNDBERG_PALMGREN
+from orbearing.figures.load_spectrum import in_words, of_set, spectrum_of, worst_key, worst_life
+from orbearing.lives import LUNDBERG_PALMGREN, name_of_worst
 from orbearing.result_folder import Report, curve
 from orbearing.style import a_life, life_name
 
@@ -42,15 +43,19 @@ def headline(report: Report) -> str:
     if speed is None:
         return f"No point of this sweep gave {a_life(report.life_key)}, so there is no peak to report."
     where = f"at {format_number(speed, 4)} rpm input speed{others}"
-    missing = report.record("missing")
+    missing, spectrum = report.record("missing"), spectrum_of(report)
     if missing.get("points"):
         shard = f", shard {missing['shard']}" if missing.get("shard") else ""
         return (f"Incomplete sweep, {missing.get('found')} of {missing.get('of')} points{shard}: the longest {life_name(report.life_key)} of these points is {format_number(life, 3)} hours, "
                 f"{where}; the missing points may have longer ones.")
     if missing:
         return f"Peak not yet refined: the longest {life_name(report.life_key)} of the points so far is {format_number(life, 3)} hours, {where}{HOW.get(report.fidelity, '')}."
+    if is_number(worst_life(spectrum)):
+        return f"Load spectrum{others}: {in_words(worst_key(spectrum))} of the planet bearing{of_set(spectrum)}: {format_number(worst_life(spectrum), 3)} hours{HOW.get(report.fidelity, '')}."
     if len(report.records("points")) == 1:
-        return f"Operating point: {report.life_key} of the planet bearing {where}: {format_number(life, 3)} hours (a single point, no peak)."
+        point = report.records("points")[0]
+        key = name_of_worst(point, report.life_key)
+        return (f"Operating point: {in_words(key)} of the planet bearing{of_set(point)} {where}: {format_number(point.get(key, life), 3)} hours (a single point, no peak).")
     return f"Longest {report.life_key} of the planet bearing {where}: {format_number(life, 3)} hours{HOW.get(report.fidelity, '')}."
 
 
@@ -67,6 +72,7 @@ def summary_table(report: Report) -> Table:
         *([("Missing", _capital(str(report.record("missing").get("text"))))] if report.record("missing") else []),
         *([("Shown over speed", f"the points with {line}, nearest to the case's own")] if line else []),
         ("Governing life", report.life_key),
+        *_spectrum_rows(report),
         ("Peak of the grid", _speed_and_life(peak.get("speed_rpm"), peak.get("life_h"))),
         ("Peak of all points", _speed_and_life(*best(report)) + _edge_note(report)),
         *_published_rows(report),
@@ -75,6 +81,14 @@ def summary_table(report: Report) -> Table:
         ("Assumptions and warnings", f"{len(report.records('assumptions'))} and {_count(report.content.get('warnings'))}, listed below"),
     ]
     return Table(("Result", "Value"), rows)
+
+
+def _spectrum_rows(report: Report) -> list[tuple[str, str]]:
+    """The life that requirements are judged by where the case has a load spectrum."""
+    spectrum = spectrum_of(report)
+    if not is_number(worst_life(spectrum)):
+        return []
+    return [("Life under the load spectrum", f"{in_words(worst_key(spectrum))}{of_set(spectrum)} {format_quantity(worst_life(spectrum), 'h')}")]
 
 
 def _carrier_rows(report: Report) -> list[tuple[str, str]]:

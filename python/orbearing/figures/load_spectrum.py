@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import numpy as np
 
 from orbearing import style
@@ -19,9 +21,10 @@ def block(report: Report) -> FigureBlock:
     """Circles over speed and torque, bars of time and damage."""
     result = spectrum_of(report)
     bins = [one for one in records(result.get("bins")) if one.get("speed_rpm")]
-    key = life_key(result)
-    names = ("speed_rpm", "torque_N_m", "share", "damage_share", key)
-    speed, torque, share, damage, life = (numbers([one.get(name) for one in bins]) for name in names)
+    key = in_words(worst_key(result))
+    names = ("speed_rpm", "torque_N_m", "share", "damage_share")
+    speed, torque, share, damage = (numbers([one.get(name) for one in bins]) for name in names)
+    life = numbers([life_in_bin(one, result) for one in bins])
     if not len(speed):
         return FigureBlock(SLUG, TITLE, missing="The spectrum has no bin that turns.")
     uses = np.nan_to_num(damage)
@@ -33,8 +36,33 @@ def block(report: Report) -> FigureBlock:
 
 
 def life_key(result: dict) -> str:
-    """The governing life (`life.method`), by which damage is summed."""
+    """The governing life (`life.method`)."""
     return result.get("life_key") or "life_h"
+
+
+def worst_key(result: dict) -> str:
+    """The same of the bearing that requirements are judged by, of which the damage is summed."""
+    return result.get("worst_bearing_key") or life_key(result)
+
+
+def worst_life(result: dict) -> float | None:
+    """Life of that bearing under the spectrum [h]."""
+    return result.get("worst_bearing_h", result.get(life_key(result)))
+
+
+def life_in_bin(one: dict, result: dict) -> float | None:
+    """The same in one bin alone [h]."""
+    return one.get("worst_bearing_h", one.get(life_key(result)))
+
+
+def in_words(key: str) -> str:
+    """"shortest L10mrh" of `shortest_L10mrh`."""
+    return re.sub("^(shortest|carrier)_", "shortest ", key)
+
+
+def of_set(result: dict) -> str:
+    """Of several sets, the one with that bearing; else empty."""
+    return f" of set {result['limiting_set']}" if result.get("limiting_set") else ""
 
 
 def skid_text(result: dict) -> str:
@@ -49,7 +77,7 @@ def skid_text(result: dict) -> str:
 def files_table(result: dict, most: int | None = None) -> Table | None:
     """Time, damage and skid risk of the records that the rows name, largest damage first."""
     files = sorted(records(result.get("files")), key=lambda one: -(one.get("damage_share") or 0.0))[:most]
-    columns = {"Time [%]": "share", **damage_columns(life_key(result)), "Skid risk [% of time]": "skid_risk_share"}
+    columns = {"Time [%]": "share", **damage_columns(worst_key(result)), "Skid risk [% of time]": "skid_risk_share"}
     percent = [[100 * one[name] if is_number(one.get(name)) else None for name in columns.values()] for one in files]
     head = ("Record", *columns, "Skid risk [h]")
     rows = [(str(one.get("file")), *shares, one.get("skid_risk_hours")) for one, shares in zip(files, percent)]
@@ -58,7 +86,7 @@ def files_table(result: dict, most: int | None = None) -> Table | None:
 
 def damage_columns(life: str) -> dict[str, str]:
     """Heads of columns with the name of their share: of the governing life, and of L10mh, which is often the same."""
-    return {f"Damage by {life} [%]": "damage_share"} | ({} if life == "L10mh" else {"Damage by L10mh [%]": "damage_share_L10mh"})
+    return {f"Damage by {in_words(life)} [%]": "damage_share"} | ({} if life == "L10mh" else {"Damage by L10mh [%]": "damage_share_L10mh"})
 
 
 def spectrum_of(report: Report) -> dict:
@@ -101,9 +129,9 @@ def _bars(bins: list[int], share: np.ndarray, damage: np.ndarray) -> str:
 def _caption(result: dict, bins: list[int], share: np.ndarray, damage: np.ndarray) -> str:
     worst, key = int(np.argmax(damage)), life_key(result)
     text = (f"Left: each circle is a bin, its area the share of time, its colour the share of the damage by the rule of Palmgren and Miner. Right: "
-            f"the bins that use up most. By {key} one bearing reaches {format_quantity(result.get(key), 'h')} under the spectrum, all together "
-            f"{format_quantity(result.get('system_' + key), 'h')}; bin {bins[worst]} takes {format_number(100 * share[worst], 3)} % of the "
+            f"the bins that use up most. By {in_words(worst_key(result))} one bearing{of_set(result)} reaches {format_quantity(worst_life(result), 'h')} "
+            f"under the spectrum, all together {format_quantity(result.get('system_' + key), 'h')}; bin {bins[worst]} takes {format_number(100 * share[worst], 3)} % of the "
             f"time and {format_number(100 * damage[worst], 3)} % of the life.")
-    others = [f"{name} {format_quantity(result.get(name), 'h')}" for name in LIVES if name != key and is_number(result.get(name))]
+    others = [f"{name} {format_quantity(result.get(name), 'h')}" for name in LIVES if name != worst_key(result) and is_number(result.get(name))]
     text += f" The other lives of one bearing under the spectrum: {', '.join(others)}." if others else ""
     return f"{text} {skid_text(result)}".rstrip()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Callable, Sequence
+from typing import Callable, Mapping, Sequence
 
 import numpy as np
 
@@ -31,6 +31,15 @@ def of_worst_bearing(life: str, known: Sequence[str]) -> str:
     """The column of that life of the bearing by which a requirement is judged: over a revolution of the carrier where that is
     computed, else of the bearing with the shortest life where bearings carry unlike loads."""
     return next((name for name in (f"carrier_{life}", f"shortest_{life}") if name in known), life)
+
+
+def lives_of_worst_bearing(life: str, columns: Mapping[str, np.ndarray]) -> np.ndarray:
+    """The same point by point [h]: of several sets the limiting one may be another at each, with bearings that carry alike."""
+    lives = np.asarray(columns[life], dtype=float)
+    for name in (f"shortest_{life}", f"carrier_{life}"):
+        own = np.asarray(columns.get(name, np.nan), dtype=float)
+        lives = np.where(np.isfinite(own), own, lives)
+    return lives
 
 
 def refined_peaks(speeds_rpm: np.ndarray, lives: np.ndarray, lives_at: Callable[[np.ndarray, np.ndarray], np.ndarray]) -> Peaks:

@@ -11,7 +11,7 @@ from orbearing.errors import CaseError
 from orbearing.lives import LIVES, governing_life
 from orbearing.uncertainties import chaos, design, indices, scatter
 from orbearing.uncertainties.inputs import UncertainInputs
-from orbearing.uncertainties.lives import RPM, SPEED, Evaluate, Peaks, of_worst_bearing, refined_peaks
+from orbearing.uncertainties.lives import RPM, SPEED, Evaluate, Peaks, lives_of_worst_bearing, of_worst_bearing, refined_peaks
 from orbearing.uncertainties.result import UncertaintyResult
 from orbearing.uncertainties.settings import Settings
 from orbearing.uncertainties.store import Store, header_of
@@ -62,9 +62,12 @@ class Study:
     def _rated_lives(self, values: np.ndarray, speed_rpm, fidelity: str = REST) -> tuple[np.ndarray, np.ndarray, list[str]]:
         """The same, with the factors a_1 that the lives hold."""
         columns, status = self._evaluate((*self.inputs.paths, SPEED), self._rows(values, speed_rpm), fidelity)
-        # In motion the carrier is no body.
-        life = self.life if fidelity == REST else self.life.removeprefix("carrier_")
-        lives = np.asarray(columns[life], dtype=float)
+        life = self.settings.life or self.case["governing_life"]["key"]
+        if self.settings.life:
+            life = life if fidelity == REST else life.removeprefix("carrier_")  # in motion the carrier is no body
+            lives = np.asarray(columns[life], dtype=float)
+        else:
+            lives = lives_of_worst_bearing(life, columns)
         return np.where(lives > 0.0, lives, np.nan), scatter.reliability_factors(life, columns), list(status)
 
     def _life_column(self) -> str:
