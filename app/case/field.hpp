@@ -99,6 +99,16 @@ inline bool is_numeric(const Field& field) {
   return field.kind == Kind::quantity || field.kind == Kind::number || field.kind == Kind::integer;
 }
 
+/// A limit that results are judged by, which changes none of them.
+inline bool is_limit(const Field& field) {
+  return field.path.starts_with("requirements.") && is_numeric(field);
+}
+
+/// Whether a sweep can go through its values.
+inline bool can_be_swept(const Field& field) {
+  return is_numeric(field) && !is_limit(field);
+}
+
 /// Either a value, or what was found and what is required.
 struct FieldReading {
   bool good = false;

@@ -230,7 +230,7 @@ Json by_path(Model model, const char* key, const char* description, bool (*takes
 }
 
 Json sweep_schema(Model model) {
-  return by_path(model, "sweep", "values that are varied; several axes make every combination", is_numeric,
+  return by_path(model, "sweep", "values that are varied; several axes make every combination", can_be_swept,
                  axis_schema);
 }
 

@@ -182,7 +182,7 @@ std::string path_hint(const FieldsByPath& fields, const std::string& key, unsign
 }
 
 constexpr FieldsByPath swept_fields{.block = "sweep",
-                                    .takes = is_numeric,
+                                    .takes = can_be_swept,
                                     .kind = "a numeric field",
                                     .example = ", as in 'input.speed',",
                                     .wrong_kind = "a field that is no number"};
@@ -205,10 +205,12 @@ const Field* field_by_path(const FieldsByPath& fields, const Member& member, uns
   const Field* field = find_field(member.key);
   const bool known = field != nullptr && (field->models & model) != 0 && belongs(shape, member.key);
   if (known && fields.takes(*field)) return field;
+  const std::string found = !known             ? "unknown path"
+                            : is_limit(*field) ? "a limit, which judges results and changes none"
+                                               : std::string(fields.wrong_kind);
   mistakes.push_back({member.location,
                       fmt::format("{}.{}", fields.block, member.key),
-                      {known ? std::string(fields.wrong_kind) : "unknown path",
-                       path_hint(fields, member.key, model, shape)}});
+                      {found, path_hint(fields, member.key, model, shape)}});
   return nullptr;
 }
 

@@ -503,6 +503,7 @@ std::vector<std::vector<double>> all_correlations(const StatedCorrelations& stat
 }  // namespace
 
 bool can_be_uncertain(const Field& field) {
+  if (is_limit(field)) return false;
   if (field.kind == Kind::list)
     return field.columns.empty() && (field.element == Kind::quantity || field.element == Kind::number);
   return field.kind == Kind::quantity || field.kind == Kind::number;

@@ -429,7 +429,14 @@ std::map<std::string, std::string> varied_without_effect(const ResolvedCase& res
   std::map<std::string, std::string> messages;
   for (std::size_t i = 0; i < varied.size(); ++i) {
     const Input input{fields[i], find_field(fields[i])};
-    if (input.field == nullptr || may_be_used(resolved, input, analysis, fields)) continue;
+    if (input.field == nullptr) continue;
+    if (is_limit(*input.field) || is_one_of(fields[i], {"name", "source"})) {
+      messages[varied[i]] = fmt::format(
+          "{}: {}: found a varied input with which no result changes; required: an input that has an effect",
+          resolved.file(), varied[i]);
+      continue;
+    }
+    if (may_be_used(resolved, input, analysis, fields)) continue;
     const bool idle = use_status_in_row(resolved, input, analysis) == UseStatus::used;
     const std::string why = idle ? idle_text(resolved, input, analysis) : "";
     const std::string found =

@@ -45,6 +45,27 @@ class VariedWithoutEffect(unittest.TestCase):
         self.refused(program.within(uncertainty_main, REDUCER, "-o", self.folder / "u", "--samples", "8", "--set", "uncertain={bearing.cage.pocket_clearance: {normal: {standard_deviation: 10 um}}}"),
                      "bearing.cage.pocket_clearance: found a varied input that has no effect on --fidelity quasi-static; used by --fidelity dynamic")
 
+    def test_limits_and_names_change_no_result(self):
+        """A requirement judges results: none differs by it, nor by what the case is called. By each command that varies inputs, and in Python."""
+        limit, text = "requirements.life", "found a varied input with which no result changes; required: an input that has an effect"
+        axis = f"sweep={{{limit}: [1 h, 2 h]}}"
+        for command in ("check", "run", "sweep"):
+            self.refused(run(command, REDUCER, "--json", "--set", axis), f"--set: sweep.{limit}: a limit, which judges results and changes none; ")
+        self.refused(run("table", REDUCER, "-o", self.folder / "t", "--over", f"{limit}=1 h..2 h"), f"--over: {limit}: a limit, which judges results")
+        self.refused(run("check", REDUCER, "--json", "--set", f"{limit}=5 h", "--set", f"uncertain={{{limit}: {{uniform: {{from: 1 h, to: 9 h}}}}}}"),
+                     f"--set: uncertain.{limit}: a limit, which judges results and changes none; ")
+        self.refused(run("sensitivities", REDUCER, "--by", limit, "--set", f"{limit}=5 h"), f"{limit}: {text}")
+        self.refused(run("sensitivities", REDUCER, "--by", "name"), f"name: {text}")
+        self.refused(run("signals", CASES / "scratch_defect", "-o", self.folder / "x", "--vary", "source=[a, b]"), f"source: {text}")
+        for path, values in ((limit, "[1 h, 2 h]"), ("name", "[a, b]"), ("source", "[a, b]"), ("requirements.S0", "[1, 2]")):
+            self.refused(program.within(study_main, REDUCER, "-o", self.folder / "s", "--vary", f"{path}={values}"), f"{path}: {text}")
+        case = orbearing.load(REDUCER)
+        for call in (lambda: case.study({limit: ["1 h", "2 h"]}, progress=False), lambda: case.evaluate([limit], [[3600.0]]),
+            lambda: case.sensitivities(by=["name"])):
+            with self.assertRaises(orbearing.CaseError) as caught:
+                call()
+            self.assertIn(text, str(caught.exception))
+
     def test_an_input_that_this_fidelity_does_not_take(self):
         done = program.within(study_main, REDUCER, "-o", self.folder / "s", "--vary", "bearing.cage.pocket_clearance=[0.1 mm, 0.2 mm]")
         self.refused(done, "bearing.cage.pocket_clearance: found a varied input that has no effect on --fidelity quasi-static; used by --fidelity dynamic")
