@@ -3,9 +3,11 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "app/case/printable.hpp"
+#include "app/errors.hpp"
 
 namespace orbearing::app {
 
@@ -31,6 +33,24 @@ struct Mistake {
 /// One line: `FILE:LINE:COLUMN: key.path: found; required`, or `--set: key.path: found; required`. Whatever
 /// of the user's stands in it is printable; the path is shortened.
 std::string describe(const Mistake& mistake, const std::string& file);
+
+/// Result of `change`. The lines with which it refuses a changed case name --set. Those that begin with the
+/// first text of a pair, as {"--set: input.speed: ", "--speed: "}, begin with the second text instead.
+template <class Change>
+auto named_by_option(const std::vector<std::pair<std::string, std::string>>& names, const Change& change) {
+  try {
+    return change();
+  } catch (const BadInput& error) {
+    std::vector<std::string> lines = error.messages;
+    for (std::string& line : lines)
+      for (const auto& [setting, option] : names)
+        if (line.starts_with(setting)) {
+          line.replace(0, setting.size(), option);
+          break;
+        }
+    throw BadInput(std::move(lines));
+  }
+}
 
 /// Throws BadInput (app/errors.hpp) with one line for each mistake, in the order of the file, options last.
 [[noreturn]] void throw_mistakes(const std::string& file, std::vector<Mistake> mistakes);

@@ -15,6 +15,7 @@
 
 #include "app/case/field_table.hpp"
 #include "app/case/printable.hpp"
+#include "app/case/units.hpp"
 #include "app/commands/python_part.hpp"
 #include "app/errors.hpp"
 #include "app/resources.hpp"
@@ -485,17 +486,31 @@ void print_error(std::string_view text) {
   }
 }
 
-// An empty text would be read as 0.
-void require_numbers(const CLI::App& program) {
+// Up to 18 digits, which every type of a count holds.
+bool is_whole(std::string_view text, bool natural) {
+  if (text.starts_with('+') || (!natural && text.starts_with('-'))) text.remove_prefix(1);
+  return !text.empty() && text.size() <= 18 && text.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+// What is wrong with a value of an option. An empty text, as of a shell's variable that is not set, would
+// choose a default; nan is in every range, and a seed of -1 becomes another one.
+std::string required_of(const CLI::Option& option, const std::string& given) {
+  const std::string type = option.get_type_name(), text = trimmed(given);
+  const bool natural = type.starts_with("UINT"), whole = natural || type.starts_with("INT");
+  const bool numeric = whole || type.starts_with("FLOAT");
+  if (text.empty()) return numeric ? "a number" : "a value";
+  if (whole && !is_whole(text, natural))
+    return natural ? "a whole number from 0, of at most 18 digits" : "a whole number of at most 18 digits";
+  return numeric && !read_number(text).value ? "a finite number" : "";
+}
+
+void require_values(const CLI::App& program) {
   for (const CLI::App* command : program.get_subcommands())
-    for (const CLI::Option* option : command->get_options()) {
-      const std::string type = option->get_type_name();
-      const bool numeric = type.starts_with("FLOAT") || type.starts_with("INT") || type.starts_with("UINT");
-      if (numeric && std::ranges::any_of(option->results(), [](const std::string& text) {
-            return text.find_first_not_of(" \t") == std::string::npos;
-          }))
-        throw BadInput(fmt::format("{}: found an empty text; required: a number", option->get_name()));
-    }
+    for (const CLI::Option* option : command->get_options())
+      for (const std::string& given : option->results())
+        if (const std::string required = required_of(*option, given); !required.empty())
+          throw BadInput(fmt::format("{}: found {}; required: {}", option->get_name(),
+                                     trimmed(given).empty() ? "an empty text" : quote(given), required));
 }
 
 // A line for each option that was not expected and resembles one of its command.
@@ -547,13 +562,13 @@ int parse_and_run(int argc, char** argv) {
     std::ostringstream answer;
     const int code = program.exit(error, answer, answer);
     if (code != 0) {
-      print_to_standard_error(std::string_view(answer.str()));
+      print_error(answer.view().substr(0, answer.view().find_last_not_of('\n') + 1));
       return kBadInput;
     }
     fmt::print("{}", answer.str());
     return kDone;
   }
-  require_numbers(program);
+  require_values(program);
   return asked.command(asked.options);
 }
 
@@ -589,7 +604,7 @@ Asked asked_by(const std::vector<std::string>& words) {
   } catch (const CLI::ParseError& error) {
     throw BadInput(error.what() + proposals(reader.program()));
   }
-  require_numbers(reader.program());
+  require_values(reader.program());
   return asked;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/case/mistake.hpp"
 #include "app/case/set_case.hpp"
 #include "app/case/units.hpp"
 #include "app/case/unused_inputs.hpp"
@@ -26,16 +27,9 @@ double speed_option(const std::string& text) {
 
 // The case with the speed of that option in place of the one at `path`.
 ResolvedCase with_speed(const ResolvedCase& resolved, const std::string& path, const std::string& speed) {
-  const std::string from_setting = "--set: " + path + ": ";  // how a case that is changed names the option
   speed_option(speed);
-  try {
-    return resolved.with(path, speed);
-  } catch (const BadInput& error) {
-    std::vector<std::string> lines = error.messages;
-    for (std::string& line : lines)
-      if (line.starts_with(from_setting)) line.replace(0, from_setting.size(), "--speed: ");
-    throw BadInput(lines);
-  }
+  return named_by_option({{"--set: " + path + ": ", "--speed: "}},
+                         [&] { return resolved.with(path, speed); });
 }
 
 // The set at rest, or turning at a speed of its driven member (of its carrier where it has no teeth).

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include "app/case/mistake.hpp"
 #include "app/case/resolved_writer.hpp"
 #include "app/case/unused_inputs.hpp"
 #include "app/commands/kept_result.hpp"
@@ -27,6 +28,8 @@ namespace orbearing::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kMostSignals = 100000;
 
 // A path of the case and the texts of its values.
 struct SignalAxis {
@@ -93,8 +96,15 @@ std::vector<SignalAxis> signal_axes(const std::vector<std::string>& options, con
 std::vector<SignalVariant> signal_variants(const ResolvedCase& resolved,
                                            const std::vector<SignalAxis>& axes) {
   std::size_t count = 1;
-  for (const SignalAxis& axis : axes) count *= axis.values.size();
+  for (const SignalAxis& axis : axes) {
+    count *= axis.values.size();
+    if (count > kMostSignals)
+      throw BadInput(
+          fmt::format("--vary: found more than {} combinations; required: at most as many", kMostSignals));
+  }
   std::vector<SignalVariant> variants;
+  std::vector<std::pair<std::string, std::string>> names;
+  for (const SignalAxis& axis : axes) names.emplace_back("--set: " + axis.path, "--vary: " + axis.path);
   for (std::size_t number = 0; number < count; ++number) {
     std::vector<Setting> settings;
     std::string race = resolved.choice("defect.race");
@@ -108,7 +118,8 @@ std::vector<SignalVariant> signal_variants(const ResolvedCase& resolved,
       if (used_by_scratches_alone(axis->path) && which > 0) first_of_defect = false;
     }
     if (race == "none" && !first_of_defect) continue;
-    (void)resolved.with(settings);  // refuses what cannot be, before the first is computed
+    // Refuses what cannot be, before the first is computed.
+    (void)named_by_option(names, [&] { return resolved.with(settings); });
     variants.push_back(std::move(settings));
   }
   return variants;

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "app/case/mistake.hpp"
 #include "app/case/requirements_case.hpp"
 #include "app/case/spectrum_case.hpp"
 #include "app/commands/presentation.hpp"
@@ -208,7 +209,9 @@ int spectrum_command(const Options& options) {
   BinnedRecords binned = read_records(options);
   put_bins(options, of_case ? exponent_of_case(of_case->resolved) : kLineExponent, binned);
   if (of_case)
-    of_case->resolved = of_case->resolved.with(kSpectrumPath, spectrum_rows(binned.found.spectrum));
+    of_case->resolved = named_by_option({{"--set: " + kSpectrumPath, "records"}}, [&] {
+      return of_case->resolved.with(kSpectrumPath, spectrum_rows(binned.found.spectrum));
+    });
   if (keeps_rows(options)) write_rows(options, binned.found.spectrum);
   return of_case ? present_lives(*of_case, binned, options) : present_bins(binned, options);
 }

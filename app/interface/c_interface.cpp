@@ -167,8 +167,7 @@ Json in_si(const app::Input& input, const Json& text) {
   }
   const app::FieldReading reading = app::read_field_text(*input.field, text.get<std::string>());
   if (!reading.good)
-    throw BadInput(fmt::format("{}: found {}; required: {}", input.path, reading.message.found,
-                               app::requirement(*input.field)));
+    throw BadInput(fmt::format("{}: {}; {}", input.path, reading.message.found, reading.message.required));
   return reading.value.number;
 }
 

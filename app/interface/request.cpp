@@ -30,7 +30,9 @@ void add_option(const std::string& name, const Json& value, std::vector<std::str
   }
   std::string option = "--" + name;
   std::replace(option.begin(), option.end(), '_', '-');
-  words.push_back(value == true ? option : option + "=" + word_of(value));
+  const std::string word = word_of(value);
+  if (word.empty()) throw BadInput(option + ": found an empty text; required: a value");
+  words.push_back(option + "=" + word);
 }
 
 // The same as a user would type it.

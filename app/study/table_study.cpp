@@ -11,6 +11,7 @@
 
 #include "app/case/case_file.hpp"
 #include "app/case/field_table.hpp"
+#include "app/case/mistake.hpp"
 #include "app/case/resolved_writer.hpp"
 #include "app/errors.hpp"
 #include "app/results/durable_file.hpp"
@@ -180,14 +181,9 @@ ResolvedCase over_box(const ResolvedCase& resolved, const std::vector<std::strin
                            one.substr(equals + 1, dots - equals - 1), one.substr(dots + 2));
   }
   if (!mistakes.empty()) throw BadInput(mistakes);
-  try {
+  return named_by_option({{"--set: sweep.", "--over: "}}, [&] {
     return parse_case(write_resolved(resolved), resolved.file(), {"sweep={" + sweep + "}"});
-  } catch (BadInput& error) {
-    const std::string as_setting = "--set: sweep.";  // how a case that is changed names the option
-    for (std::string& line : error.messages)
-      if (line.starts_with(as_setting)) line.replace(0, as_setting.size(), "--over: ");
-    throw BadInput(std::move(error.messages));
-  }
+  });
 }
 
 // A table in progress. Rows of a resumed folder are gone through again, so that each round follows from the

@@ -78,7 +78,11 @@ _free = _library.orbearing_free
 
 
 def _bytes(text) -> bytes:
-    return os.fsencode(text)
+    """With the bytes of names of files that are not UTF-8."""
+    try:
+        return os.fsencode(text)
+    except UnicodeEncodeError as error:
+        raise CaseError(f"found the character {ascii(error.object[error.start])}; required: text in UTF-8") from None
 
 
 def _taken(pointer: c_void_p) -> str:
@@ -326,8 +330,7 @@ class Machine:
 
 
 def _json(value) -> bytes:
-    """With the bytes of names of files that are not UTF-8."""
-    return os.fsencode(json.dumps(value, ensure_ascii=False))
+    return _bytes(json.dumps(value, ensure_ascii=False))
 
 
 def _query(handle, **query):

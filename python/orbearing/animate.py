@@ -6,14 +6,13 @@ keeps the first one's place and load: the others stand one pocket apart, and eac
 
 from __future__ import annotations
 
-import argparse
 import sys
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from orbearing.terminal import finished
+from orbearing.terminal import Parser, finite, finished, whole_number
 
 STEEL, BALL, CAGE, MARK = "0.82", "#1f4e79", "#b5651d", "#c0392b"
 NEEDED = ("time", "first_ball_angle", "first_ball_inner_load", "inner_speed", "cage_x", "cage_y", "inner_x", "inner_y")
@@ -173,12 +172,12 @@ def animate(folder: Path, into: Path, begin: float, seconds: float, frames: int)
 
 
 def main(arguments: list[str] | None = None) -> int:
-    parser = argparse.ArgumentParser(prog="python3 -m orbearing.animate", description=__doc__.splitlines()[0])
+    parser = Parser(prog="python3 -m orbearing.animate", description=__doc__.splitlines()[0])
     parser.add_argument("folder", type=Path, help="of `orbearing run CASE -o DIR`")
     parser.add_argument("-o", dest="into", type=Path, required=True, help="FILE.gif, or FILE.png for a strip of six instants")
-    parser.add_argument("--begin", type=float, default=-1.0, help="time of the first picture [s]; left out: the end of the run is shown")
-    parser.add_argument("--seconds", type=float, default=0.05, help="time that is shown [s]")
-    parser.add_argument("--frames", type=int, default=60, help="pictures")
+    parser.add_argument("--begin", type=finite, default=-1.0, help="time of the first picture [s]; left out: the end of the run is shown")
+    parser.add_argument("--seconds", type=finite, default=0.05, help="time that is shown [s]")
+    parser.add_argument("--frames", type=whole_number(1), default=60, help="pictures")
     given = parser.parse_args(arguments)
     animate(given.folder, given.into, given.begin, given.seconds, given.frames)
     return 0

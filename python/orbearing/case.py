@@ -27,6 +27,8 @@ def load(path: PathLike, settings: Optional[Mapping[str, Any]] = None) -> "Case"
     settings: values in place of the file's, by path, as with case[path] = value.
     Raises CaseError with every mistake, each with file, line, column and key.
     """
+    if path == "":
+        raise CaseError("path: found an empty text; required: a case file or its folder")
     file = Path(path)
     file = file / "case.yaml" if file.is_dir() else file
     return Case(file=str(file), settings=settings)
@@ -72,6 +74,8 @@ class Case:
     def __init__(self, file: str, text: Optional[str] = None, settings: Optional[Mapping[str, Any]] = None):
         self._source: dict = {"name": file} if text is None else {"name": file, "text": text, "files": {}}
         self._settings: list[tuple[str, str]] = []
+        if not isinstance(settings or {}, Mapping):
+            raise CaseError(f"settings: found a value of type {type(settings).__name__}; required: a dict of values by their paths")
         for path, value in (settings or {}).items():
             self._replace_setting(path, value)
         self._take(self._settings)
@@ -120,11 +124,11 @@ class Case:
     def __getitem__(self, path: str):
         """The value at a path: a number in SI, a text, a switch, a list, or rows as lists or dicts; None where it has none.
         What is read may be written back."""
-        return self._core.value(path)
+        return self._core.value(_path(path))
 
     def given(self, path: str) -> Optional[str]:
         """The value as written, with its unit: "10 um"."""
-        return self._core.given(path)
+        return self._core.given(_path(path))
 
     def __setitem__(self, path: str, value) -> None:
         """Replaces an independent value, and all that follows from it: a text with its unit ("80 um"), a number in SI
@@ -134,7 +138,7 @@ class Case:
 
     def __delitem__(self, path: str) -> None:
         """Leaves a key, or a block of keys, out of the case: its default counts, if it has one. Raises KeyError where the case does not state it."""
-        if not self._states(path):
+        if not self._states(_path(path)):
             raise KeyError(f"{path}: not stated by the case")
         self._change({path: None})
 
@@ -273,7 +277,7 @@ class Case:
             (row["path"] == path or row["path"].startswith(path + ".")) and row["source"] in ("given", "assumed") for row in self.inputs)
 
     def _replace_setting(self, path: str, value) -> None:
-        text = _NOTHING if value is None else _as_text(path, value)
+        text = _NOTHING if value is None else _as_text(_path(path), value)
         # What stood within a block that is replaced would be put into the new one otherwise.
         kept = [one for one in self._settings if one[0] != path and not one[0].startswith(path + ".")]
         self._settings = [*kept, (path, text)]
@@ -305,12 +309,26 @@ class Case:
             if kept:
                 shutil.rmtree(kept, ignore_errors=True)
             raise
-        for line in failures:
+        found = json.loads(text)
+        for line in [*failures, *_implausible(found)]:
             python_warnings.warn(line, RuntimeWarning, stacklevel=3)
-        return kind(json.loads(text), command=command, case=self.copy(), options=given, folder=given.get("output"), kept=kept)
+        return kind(found, command=command, case=self.copy(), options=given, folder=given.get("output"), kept=kept)
 
 
 _NOTHING = "null"  # leaves a key out
+
+
+def _implausible(found) -> list[str]:
+    """Of numbers that no real machine has: the first reason, and how many points have one."""
+    points = found.get("points") if isinstance(found, dict) else None
+    reasons = [str(point["status"]) for point in points or () if isinstance(point, dict) and str(point.get("status", "")).startswith("implausible: ")]
+    return [f"{reasons[0]}; in {len(reasons)} of {len(points)} points. Numbers without a unit are in SI: 55 is 55 W"] if reasons else []
+
+
+def _path(path) -> str:
+    if isinstance(path, str):
+        return path
+    raise CaseError(f"found a path of type {type(path).__name__}; required: a text, as 'input.power'")
 
 
 def _as_text(path: str, value) -> str:

@@ -9,7 +9,6 @@ Exit codes: 0 done, 1 SciPy is missing, 2 bad input or usage.
 
 from __future__ import annotations
 
-import argparse
 import csv
 import json
 import sys
@@ -19,7 +18,7 @@ from pathlib import Path
 import numpy as np
 
 from orbearing.errors import CaseError
-from orbearing.terminal import finished
+from orbearing.terminal import Parser, finished, whole_number
 from orbearing.units import units_in
 
 COLUMNS = {"time": {"time_s": 1.0, "time_h": 3600.0}, "speed": {"speed_rpm": 1.0}, "load": {"load_N": 1.0, "load_kN": 1e3}}
@@ -108,14 +107,12 @@ def _condition(speed: np.ndarray, load: np.ndarray, samples: int) -> Condition:
 
 def main(arguments: list[str]) -> int:
     """Print the conditions; messages go to standard error."""
-    parser = argparse.ArgumentParser(prog="python3 -m orbearing.conditions", description="Typical conditions of an operating record.")
+    parser = Parser(prog="python3 -m orbearing.conditions", description="Typical conditions of an operating record.")
     parser.add_argument("record", type=Path, help="CSV with time_s, speed_rpm and load_N")
-    parser.add_argument("--conditions", type=int, default=4, help="how many; default: 4")
+    parser.add_argument("--conditions", type=whole_number(1), default=4, help="how many; default: 4")
     parser.add_argument("--json", action="store_true", help="print one JSON object and nothing else")
     options = parser.parse_args(arguments)
     try:
-        if options.conditions < 1:
-            raise CaseError(f"--conditions: found {options.conditions}; at least 1 is required")
         found = typical_conditions(*read_record(options.record), options.conditions)
     except CaseError as error:
         print(error, file=sys.stderr)

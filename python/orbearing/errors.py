@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+import operator
 import re
 from typing import NamedTuple, Optional
+
+
+MOST_THREADS = 4096
 
 
 class Mistake(NamedTuple):
@@ -47,6 +51,16 @@ class CaseError(ValueError):
 
     def __reduce__(self):
         return CaseError, (self.messages,)
+
+
+def require_whole(name: str, value, least: int, most: int = 10**8) -> None:
+    """Raises CaseError for what is no whole number in these bounds."""
+    try:
+        whole = not isinstance(value, bool) and least <= operator.index(value) <= most
+    except TypeError:
+        whole = False
+    if not whole:
+        raise CaseError(f"{name}: {value!r} found; a whole number of at least {least} and at most {most} is required")
 
 
 class ComputationError(RuntimeError):

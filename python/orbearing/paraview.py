@@ -7,7 +7,6 @@ PolyData with base64.
 
 from __future__ import annotations
 
-import argparse
 import base64
 import sys
 from dataclasses import dataclass, field
@@ -16,7 +15,7 @@ from pathlib import Path
 import numpy as np
 
 from orbearing.animate import length, resolved
-from orbearing.terminal import finished
+from orbearing.terminal import Parser, finished, whole_number
 from orbearing.whole_files import write_whole
 
 SIDES = 24  # of the prism that stands for a roller
@@ -123,14 +122,12 @@ def write_motion(folder: Folder, out: Path, frames: int) -> Path:
 
 
 def main(arguments: list[str] | None = None) -> int:
-    parser = argparse.ArgumentParser(prog="python3 -m orbearing.paraview", description="Rollers with loads and motion as files that ParaView opens.")
+    parser = Parser(prog="python3 -m orbearing.paraview", description="Rollers with loads and motion as files that ParaView opens.")
     parser.add_argument("folder", type=Path, metavar="DIR", help="folder of `orbearing run` or `sweep`")
     parser.add_argument("-o", "--output", type=Path, required=True, metavar="OUT", help="folder of the files; made where it is missing")
-    parser.add_argument("--point", type=int, default=0, help="point of a sweep, counted from 0 (0)")
-    parser.add_argument("--frames", type=int, default=100, help="most instants of a motion (100)")
+    parser.add_argument("--point", type=whole_number(0), default=0, help="point of a sweep, counted from 0 (0)")
+    parser.add_argument("--frames", type=whole_number(1), default=100, help="most instants of a motion (100)")
     options = parser.parse_args(arguments)
-    if options.frames < 1:
-        parser.error("--frames: at least 1 is required")
     folder = Folder(options.folder, options.point)
     options.output.mkdir(parents=True, exist_ok=True)
     if "roller_angle" in folder.data:

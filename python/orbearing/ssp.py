@@ -17,7 +17,7 @@ from pathlib import Path
 from orbearing import _core
 from orbearing.case import Case, PathLike, load
 from orbearing.errors import CaseError, ComputationError
-from orbearing.terminal import exit_code, finished, settings_of
+from orbearing.terminal import Parser, exit_code, finished, settings_of
 
 NAMESPACES = {name: f"http://ssp-standard.org/SSP1/SystemStructure{end}" for name, end in
               (("ssd", "Description"), ("ssc", "Common"), ("ssv", "ParameterValues"))}
@@ -195,7 +195,7 @@ def _store(file: Path, content: dict[str, bytes]) -> None:
 
 def main(arguments: list[str] | None = None) -> int:
     """The command; the exit code."""
-    parser = argparse.ArgumentParser(prog="orbearing fmu", allow_abbrev=False, description="A system structure package (SSP 1.0): gear set, planet bearings, parameters.")
+    parser = Parser(prog="orbearing fmu", allow_abbrev=False, description="A system structure package (SSP 1.0): gear set, planet bearings, parameters.")
     parser.add_argument("case", metavar="CASE", help="case file, or a folder with case.yaml")
     parser.add_argument("-o", "--output", metavar="FILE.ssp", required=True, help="the package; its folder is made where it is missing")
     parser.add_argument("--set", metavar="PATH=VALUE", action="append", default=[], help="replaces an input; repeatable")

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import argparse
+import math
 import os
 import re
 import sys
@@ -31,6 +33,39 @@ def settings_of(options: list[str]) -> list[tuple[str, str]]:
     if wrong:
         raise CaseError([f"--set: found '{option}'; required: path=value" for option in wrong])
     return [(path.strip(), value.strip()) for path, _, value in pairs]
+
+
+def stated(text: str) -> str:
+    """A text of an option, for argparse: not empty, as a shell makes it of a variable that is not set."""
+    if not text.strip():
+        raise argparse.ArgumentTypeError("found an empty text; a value is required")
+    return text
+
+
+def whole_number(least: int, most: int = 10**18 - 1) -> Callable[[str], int]:
+    """Reads a whole number in these bounds, for argparse; digits of ASCII alone, as the C++ commands do."""
+    def read(text: str) -> int:
+        found = re.fullmatch(r"[+-]?[0-9]{1,18}", text.strip(), re.ASCII)
+        if not found or not least <= int(found[0]) <= most:
+            above = f" and at most {most}" if most < 10**18 - 1 else ""
+            raise argparse.ArgumentTypeError(f"found {text!r}; a whole number of at least {least}{above} is required")
+        return int(found[0])
+    return read
+
+
+def finite(text: str) -> float:
+    """Reads a finite decimal number, for argparse."""
+    if not re.fullmatch(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?", text.strip(), re.ASCII) or not math.isfinite(float(text)):
+        raise argparse.ArgumentTypeError(f"found {text!r}; a finite number is required")
+    return float(text)
+
+
+class Parser(argparse.ArgumentParser):
+    """Of the package's commands: what the user wrote stands in its messages without what moves the cursor."""
+
+    def error(self, message: str):
+        """Prints the usage and the mistake; exit code 2."""
+        super().error(printable(message))
 
 
 def exit_code(name: str, run: Callable[[], int], packages: str, stays: str = "") -> int:

@@ -342,6 +342,42 @@ class BadInput(unittest.TestCase):
             self.assertEqual((said.returncode, said.stdout), (2, ""), words)
             self.assertIn(next(word for word in map(str, words) if word.startswith("--")).rstrip("="), said.stderr)
 
+    def test_values_of_options_are_what_they_seem(self):
+        """No value that every range holds, that becomes another one, or that a shell makes of a variable that is not set; by each command."""
+        scratch, reducer = SOURCE / "cases" / "scratch_defect", SOURCE / "cases" / "reducer_150kW"
+        natural, signed = "a whole number from 0, of at most 18 digits", "a whole number of at most 18 digits"
+        with tempfile.TemporaryDirectory() as folder:
+            record = pathlib.Path(folder) / "r.csv"
+            record.write_text("time_s,speed_rpm,torque_N_m\n0,1500,10\n1,1500,20\n", encoding="utf-8")
+            for words, said in ((("signals", scratch, "--json", "--noise", "nan"), "--noise: found 'nan'; required: a finite number"),
+                                (("signals", scratch, "--json", "--noise", "0x10"), "--noise: found '0x10'; required: a finite number"),
+                                (("signals", scratch, "--json", "--noise", "1", "--seed", "-1"), f"--seed: found '-1'; required: {natural}"),
+                                (("signals", scratch, "--json", "--noise", "1", "--seed", "9" * 20),
+                                    f"--seed: found '{'9' * 20}'; required: {natural}"),
+                                (("spectrum", record, "--json", "--exponent", "nan"), "--exponent: found 'nan'; required: a finite number"),
+                                (("table", reducer, "--json", "--bound", "nan"), "--bound: found 'nan'; required: a finite number"),
+                                (("sweep", reducer, "--json", "--jobs", "0x10"), f"--jobs: found '0x10'; required: {signed}"),
+                                (("open", "", "--no-browser"), "WHAT: found an empty text; required: a value"),
+                                (("check", ""), "CASE: found an empty text; required: a value"),
+                                (("crown", reducer, "--json", "--of", ""), "--of: found an empty text; required: a value"),
+                                (("modes", reducer, "--json", "--speed", " "), "--speed: found an empty text; required: a value"),
+                                (("signals", scratch, "--json", "--vary", "load.radial=[1e30 N]"), "--vary: load.radial: '1e30 N' is out of range"),
+                                (("signals", scratch, "--json", *(word for key in ("load.radial",
+                                    "bearing.radial_clearance") for word in ("--vary", f"{key}=[{'1 N,' * 400}1 N]"))),
+                                 "--vary: found more than 100000 combinations; required: at most as many"),
+                                (("run", reducer, "--fidelity", "\x1b[2J"), "--fidelity: \\x1b[2J not in {quasi-static"),
+                                (("run", reducer, "--nosuch\x1b[2J"), "\\x1b[2J")):
+                with self.subTest(words[:1] + words[2:]):
+                    done = subprocess.run([os.environ["ORBEARING"], *map(str, words)], capture_output=True, text=True, timeout=SECONDS, check=False)
+                    self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
+                    self.assertIn(said, done.stderr)
+                    self.assertNotIn("\x1b", done.stderr)
+            record.write_text("time_s,speed_rpm,torque_N_m\n0,1e9,1e3\n1,1e9,1e3\n", encoding="utf-8")
+            done = subprocess.run([os.environ["ORBEARING"], "spectrum", str(record), "--case", str(reducer), "--json"], capture_output=True,
+                text=True, timeout=SECONDS, check=False)
+            self.assertEqual(done.returncode, 2)
+            self.assertRegex(done.stderr, r"^records: speed: '1000000000 rpm' is out of range")
+
     def test_json_keeps_standard_output_clean(self):
         self.expect_message(run("check", SHIPPED, "--json", "--set", "input.power=0 kW"), r"^--set: input\.power: ")
 

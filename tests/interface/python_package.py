@@ -206,6 +206,65 @@ class ErrorsSayWhere(unittest.TestCase):
             with self.assertRaises(orbearing.CaseError):
                 call()
 
+    def test_what_is_no_text_and_no_number(self):
+        """Each value of another type, beyond UTF-8, empty or out of bounds is a mistake of the input, by each function."""
+        case = orbearing.load(REDUCER)
+        pair = {"input.power": ["1 kW", "2 kW"]}
+        sample = {"sampler": "lhs", "samples": 2}
+        whole = "found; a whole number of at least"
+        for call, said in ((lambda: case[None], "found a path of type NoneType; required: a text, as 'input.power'"),
+                           (lambda: case.given(3), "found a path of type int"), (lambda: case.__setitem__(3, "1"), "found a path of type int"),
+                           (lambda: case.__delitem__(b"x"), "found a path of type bytes"), (lambda: case.copy({3: "1"}), "found a path of type int"),
+                           (lambda: orbearing.load(REDUCER, [("input.power", "1 kW")]),
+                               "settings: found a value of type list; required: a dict of values by their paths"),
+                           (lambda: orbearing.load(""), "path: found an empty text; required: a case file or its folder"),
+                           (lambda: orbearing.load("\ud800"), "found the character '\\ud800'; required: text in UTF-8"),
+                           (lambda: case.__setitem__("input.power", "\ud800"), "found the character '\\ud800'"),
+                           (lambda: case["\ud800"], "found the character '\\ud800'"),
+                           (lambda: case.run(fidelity=""), "--fidelity: found an empty text; required: a value"),
+                           (lambda: case.sweep(jobs=True), "--jobs: Value true not in range"),
+                           (lambda: case.study(pair, jobs=-1), f"jobs: -1 {whole} 0 and at most 4096 is required"),
+                           (lambda: case.study(pair, jobs=1.5), f"jobs: 1.5 {whole} 0"),
+                           (lambda: case.study(pair, seed=-1, **sample), f"seed: -1 {whole} 0"),
+                           (lambda: case.study(pair, seed=1.5, **sample), f"seed: 1.5 {whole} 0"),
+                           (lambda: case.study(pair, sampler="lhs", samples=float("nan")), f"samples: nan {whole} 1"),
+                           (lambda: case.study(pair, sampler="lhs", samples=True), f"samples: True {whole} 1"),
+                           (lambda: case.study(pair, output=""), "output: found an empty name; required: a folder")):
+            with self.assertRaises(orbearing.CaseError) as caught:
+                call()
+            self.assertTrue(str(caught.exception).startswith(said), caught.exception)
+        self.assertEqual(case["input.power"], 150e3)
+
+
+class Options(unittest.TestCase):
+    """Of the commands that Python carries out, read as those of the others."""
+
+    def test_values_are_what_they_seem(self):
+        from orbearing.rexs.__main__ import main as convert
+        from orbearing.studies.__main__ import main as study
+        from orbearing.uncertainties.__main__ import main as uncertainty
+        whole = "a whole number of at least"
+        empty = "found an empty text; a value is required"
+        address = "the address that dask scheduler prints is required, as tcp://host:8786"
+        for main, words, said in ((study, ("--jobs", "1_0"), f"--jobs: found '1_0'; {whole} 1 and at most 4096 is required"),
+                                  (study, ("--jobs", "\u0663"), f"--jobs: found '\u0663'; {whole} 1"),
+                                  (study, ("--jobs", "99999"), f"--jobs: found '99999'; {whole} 1"),
+                                  (study, ("--seed", "-1"), f"--seed: found '-1'; {whole} 0 is required"),
+                                  (study, ("--samples", "nan"), f"--samples: found 'nan'; {whole} 1 is required"),
+                                  (study, ("--table", ""), f"--table: {empty}"),
+                                  (study, ("--scheduler", ""), f"--scheduler: {empty}"),
+                                  (study, ("--scheduler", "x"), f"--scheduler: found 'x'; {address}"),
+                                  (study, ("--scheduler", "tcp://h:99999"), f"--scheduler: found 'tcp://h:99999'; {address}"),
+                                  (study, ("--nosuch\x1b[2J",), "unrecognized arguments: --nosuch\\x1b[2J"),
+                                  (uncertainty, ("--curves", "1e3"), f"--curves: found '1e3'; {whole} 2 is required"),
+                                  (uncertainty, ("--life", ""), f"--life: {empty}"),
+                                  (uncertainty, ("--speeds", " "), f"--speeds: {empty}"),
+                                  (uncertainty, ("--motion", "-1"), f"--motion: found '-1'; {whole} 0 is required"),
+                                  (convert, ("--results", ""), f"--results: {empty}"), (convert, ("-o", ""), f"-o/--output: {empty}")):
+            done = program.within(main, REDUCER, *words)
+            self.assertEqual((done.returncode, done.stdout), (2, ""), (words, done.stderr))
+            self.assertIn(said, done.stderr)
+
 
 class Results(unittest.TestCase):
     def test_do_not_change(self):

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Optional
 
 from orbearing.errors import CaseError, ComputationError
-from orbearing.terminal import exit_code, finished, printable
+from orbearing.terminal import Parser, exit_code, finished, printable, stated
 
 if TYPE_CHECKING:
     from orbearing.rexs.convert import Conversion
@@ -19,13 +19,13 @@ if TYPE_CHECKING:
 
 def parser() -> argparse.ArgumentParser:
     """The options; their names are those of the other commands where they mean the same."""
-    made = argparse.ArgumentParser(prog="orbearing convert", allow_abbrev=False,
-                                   description="Convert a REXS file (.rexs, .rexsj, .rexsz; versions 1.0 to 2.0) to cases: DIR/cases/NAME/case.yaml for each "
-                                               "planetary stage, and DIR/conversion.json with the values taken, missing and not used. A file "
-                                               "without a planetary stage gives its gear pairs and bearings, and exit code 2.")
-    made.add_argument("file", metavar="FILE", help="REXS file")
-    made.add_argument("-o", "--output", metavar="DIR", help="folder of the cases; created if missing. Optional with --json: nothing is written without it")
-    made.add_argument("--results", metavar="RUN", action="append", default=[],
+    made = Parser(prog="orbearing convert", allow_abbrev=False,
+                  description="Convert a REXS file (.rexs, .rexsj, .rexsz; versions 1.0 to 2.0) to cases: DIR/cases/NAME/case.yaml for each "
+                              "planetary stage, and DIR/conversion.json with the values taken, missing and not used. A file "
+                              "without a planetary stage gives its gear pairs and bearings, and exit code 2.")
+    made.add_argument("file", metavar="FILE", type=stated, help="REXS file")
+    made.add_argument("-o", "--output", metavar="DIR", type=stated, help="folder of the cases; created if missing. Optional with --json: nothing is written without it")
+    made.add_argument("--results", metavar="RUN", type=stated, action="append", default=[],
                       help="folder of a run of one of these cases: the file is written again into DIR with lives and loads as REXS results; repeatable")
     made.add_argument("--json", action="store_true", help="print only the report, as one JSON object")
     made.add_argument("--quiet", action="store_true", help="print errors only")

@@ -13,30 +13,30 @@ import sys
 import time
 from pathlib import Path
 
-from orbearing.errors import CaseError
-from orbearing.terminal import StatusLine, exit_code, finished, settings_of
+from orbearing.errors import MOST_THREADS, CaseError
+from orbearing.terminal import Parser, StatusLine, exit_code, finished, settings_of, stated, whole_number
 
 MOST_ROWS = 40  # of variants on a terminal
 
 
 def parser() -> argparse.ArgumentParser:
     """The options; their names are those of the other commands where they mean the same."""
-    made = argparse.ArgumentParser(prog="orbearing study", allow_abbrev=False,
-                                   description="Compute many variants of a case, each over the speeds of its own sweep, into one file: DIR/study.nc.")
-    made.add_argument("case", metavar="CASE", help="case file")
+    made = Parser(prog="orbearing study", allow_abbrev=False,
+                  description="Compute many variants of a case, each over the speeds of its own sweep, into one file: DIR/study.nc.")
+    made.add_argument("case", metavar="CASE", type=stated, help="case file")
     made.add_argument("-o", "--output", metavar="DIR", help="folder of the study; created if missing. Optional with --json: nothing is written without it")
     made.add_argument("--vary", metavar="PATH=[...]", action="append", default=[],
                       help="path=[value, value] or path={from: ..., to: ..., step: ...} (or count: ...); for a sample path={from: ..., to: ...}, or a list of "
                            "equally likely values; repeatable")
-    made.add_argument("--table", metavar="ROWS.csv", help="rows of values that are varied together, in addition to --vary; the head names their paths: "
+    made.add_argument("--table", type=stated, metavar="ROWS.csv", help="rows of values that are varied together, in addition to --vary; the head names their paths: "
                                                           "\"path\" over values with their units, or \"path (unit)\" over numbers")
     made.add_argument("--sampler", choices=("grid", "sobol", "lhs"), default="grid", help="use of --vary: all combinations (grid, default), scrambled Sobol points, or a Latin hypercube")
-    made.add_argument("--samples", type=_count, help="number of samples of sobol (a power of two) and lhs")
-    made.add_argument("--seed", type=int, help="seed of sobol and lhs; default: 1")
+    made.add_argument("--samples", type=whole_number(1), help="number of samples of sobol (a power of two) and lhs")
+    made.add_argument("--seed", type=whole_number(0), help="seed of sobol and lhs; default: 1")
     made.add_argument("--points", choices=("none", "peak", "all"), default="none", help="points with a separate file DIR/points/*.nc; default: none")
     made.add_argument("--fidelity", choices=("quasi-static", "dynamic", "co-simulated", "monolithic"), default="quasi-static", help="as for sweep; default: quasi-static")
-    made.add_argument("--jobs", type=_count, help="threads; default: one for each core")
-    made.add_argument("--scheduler", metavar="tcp://HOST:PORT", help="Dask scheduler of the workers for the computation")
+    made.add_argument("--jobs", type=whole_number(1, MOST_THREADS), help="threads; default: one for each core")
+    made.add_argument("--scheduler", type=_address, metavar="tcp://HOST:PORT", help="Dask scheduler of the workers for the computation")
     made.add_argument("--resume", action="store_true", help="continue in DIR with the missing points")
     made.add_argument("--set", metavar="PATH=VALUE", dest="settings", action="append", default=[], help="replace one independent value; repeatable")
     made.add_argument("--json", action="store_true", help="print only the result, as one JSON object")
@@ -44,11 +44,12 @@ def parser() -> argparse.ArgumentParser:
     return made
 
 
-def _count(text: str) -> int:
-    count = int(text)
-    if count < 1:
-        raise argparse.ArgumentTypeError(f"found {text}; at least 1 is required")
-    return count
+def _address(text: str) -> str:
+    """HOST:PORT, with or without the protocol."""
+    found = re.fullmatch(r"(?:[a-z]+://)?[\w.\[\]:%-]+:([0-9]{1,5})", stated(text), re.ASCII)
+    if not found or not 0 < int(found[1]) < 65536:
+        raise argparse.ArgumentTypeError(f"found {text!r}; the address that dask scheduler prints is required, as tcp://host:8786")
+    return text
 
 
 def varied(options: list[str]) -> dict:

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from orbearing.errors import CaseError
+from orbearing.errors import MOST_THREADS, CaseError, require_whole
 from orbearing.studies.dataset import peaks
 from orbearing.studies.design import Design, design_of
 from orbearing.studies.engine import CoreEngine
@@ -53,6 +53,11 @@ def study(case, vary: Mapping[str, Any] | None = None, *, sampler: str = "grid",
     core = _core_of(case)
     if points not in POINT_FILES:
         raise CaseError(f"points: found '{points}'; required: none, peak or all")
+    for name, value, least, most in (("samples", samples, 1, 10**8), ("seed", seed, 0, 10**18), ("jobs", jobs, 0, MOST_THREADS)):
+        if value is not None:
+            require_whole(name, value, least, most)
+    if output is not None and not os.fspath(output):
+        raise CaseError("output: found an empty name; required: a folder")
     if output is None and (resume or points != "none"):
         raise CaseError(f"{'resume' if resume else 'points'}: found without a folder; required: output, the folder of the study")
     design = design_of(core, dict(vary or {}), sampler=sampler, samples=samples, seed=seed, paired=list(paired))

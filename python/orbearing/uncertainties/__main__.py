@@ -10,8 +10,8 @@ import signal
 import sys
 from pathlib import Path
 
-from orbearing.errors import CaseError
-from orbearing.terminal import StatusLine, exit_code, finished, settings_of
+from orbearing.errors import MOST_THREADS, CaseError
+from orbearing.terminal import Parser, StatusLine, exit_code, finished, settings_of, stated, whole_number
 from orbearing.uncertainties.design import METHODS
 from orbearing.uncertainties.settings import Settings
 
@@ -19,21 +19,21 @@ from orbearing.uncertainties.settings import Settings
 
 def parser() -> argparse.ArgumentParser:
     """The options; their names are those of the other commands where they mean the same."""
-    made = argparse.ArgumentParser(prog="orbearing uncertainty", allow_abbrev=False,
-                                   description="Uncertainty of the life of a case with uncertain inputs in its block 'uncertain:'. Results: bands of life over speed, speed and life of the peak, Sobol indices, and the value to measure first.")
-    made.add_argument("case", metavar="CASE", help="case file")
+    made = Parser(prog="orbearing uncertainty", allow_abbrev=False,
+                  description="Uncertainty of the life of a case with uncertain inputs in its block 'uncertain:'. Results: bands of life over speed, speed and life of the peak, Sobol indices, and the value to measure first.")
+    made.add_argument("case", metavar="CASE", type=stated, help="case file")
     made.add_argument("-o", "--output", metavar="DIR", help="folder of the results; created if missing. Optional with --json: nothing is written without it")
-    made.add_argument("--samples", type=int, default=Settings.samples, help="number of lives at the operating point; default: %(default)s")
-    made.add_argument("--curves", type=int, default=Settings.curves, help="number of curves of life over speed, each with its peak; default: %(default)s")
-    made.add_argument("--index-samples", type=int, default=Settings.index_samples,
+    made.add_argument("--samples", type=whole_number(2), default=Settings.samples, help="number of lives at the operating point; default: %(default)s")
+    made.add_argument("--curves", type=whole_number(2), default=Settings.curves, help="number of curves of life over speed, each with its peak; default: %(default)s")
+    made.add_argument("--index-samples", type=whole_number(2), default=Settings.index_samples,
                       help="number of rows of the design for the Sobol indices at the operating point, (inputs + 2) lives each; default: %(default)s")
     made.add_argument("--method", choices=METHODS, default=Settings.method,
                       help="independent points, a Latin hypercube, or Sobol's sequence shifted at random; default: %(default)s")
-    made.add_argument("--seed", type=int, default=Settings.seed, help="seed of all designs; default: %(default)s")
-    made.add_argument("--speeds", metavar="LIST", help="input speeds with their unit, separated by commas, e.g. \"3000 rpm, 6000 rpm\"; default: those of the case's sweep")
-    made.add_argument("--life", metavar="COLUMN", help="column of the life in the sweep's table; default: the governing life (life.method)")
-    made.add_argument("--motion", type=int, default=0, metavar="N", help="number of samples at percentiles of the life that are also computed in motion")
-    made.add_argument("--jobs", type=int, default=0, help="threads; default: one for each core")
+    made.add_argument("--seed", type=whole_number(0), default=Settings.seed, help="seed of all designs; default: %(default)s")
+    made.add_argument("--speeds", type=stated, metavar="LIST", help="input speeds with their unit, separated by commas, e.g. \"3000 rpm, 6000 rpm\"; default: those of the case's sweep")
+    made.add_argument("--life", type=stated, metavar="COLUMN", help="column of the life in the sweep's table; default: the governing life (life.method)")
+    made.add_argument("--motion", type=whole_number(0), default=0, metavar="N", help="number of samples at percentiles of the life that are also computed in motion")
+    made.add_argument("--jobs", type=whole_number(0, MOST_THREADS), default=0, help="threads; default: one for each core")
     made.add_argument("--resume", action="store_true", help="continue in DIR with the missing lives")
     made.add_argument("--set", metavar="PATH=VALUE", dest="settings", action="append", default=[], help="replace one independent value; repeatable")
     made.add_argument("--json", action="store_true", help="print only the result, as one JSON object")

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
-from orbearing.errors import CaseError
+from orbearing.errors import MOST_THREADS, CaseError, require_whole
 from orbearing.uncertainties.design import METHODS
 
 
@@ -24,13 +25,11 @@ class Settings:
 
     def __post_init__(self):
         for name, least in (("samples", 2), ("curves", 2), ("index_samples", 2), ("seed", 0), ("motion", 0), ("jobs", 0)):
-            value = getattr(self, name)
-            if isinstance(value, bool) or not isinstance(value, int) or value < least or value > 10**8:
-                raise CaseError(f"{name}: {value!r} found; a whole number of at least {least} is required")
+            require_whole(name, getattr(self, name), least, MOST_THREADS if name == "jobs" else 10**8)
         if self.method not in METHODS:
             raise CaseError(f"method: {self.method!r} found; one of {', '.join(METHODS)} is required")
         if self.speeds_rpm is not None:
             speeds = tuple(float(speed) for speed in self.speeds_rpm)
-            if not speeds or sorted(set(speeds)) != list(speeds) or not speeds[0] > 0.0:
+            if not speeds or sorted(set(speeds)) != list(speeds) or not speeds[0] > 0.0 or not math.isfinite(speeds[-1]):
                 raise CaseError(f"speeds: {list(speeds)} found; speeds above 0 rpm, each once and rising, are required")
             object.__setattr__(self, "speeds_rpm", speeds)

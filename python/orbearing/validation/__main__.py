@@ -7,18 +7,17 @@ Exit code: 0 done, 1 a verdict is another one.
 
 from __future__ import annotations
 
-import argparse
 import sys
 from pathlib import Path
 
-from orbearing.terminal import finished
+from orbearing.terminal import Parser, finished
 from orbearing.validation.guide import write_guide
 from orbearing.validation.record import write_record
 from orbearing.validation.rows import changed_verdicts, read
 
 
 def main(arguments: list[str]) -> int:
-    parser = argparse.ArgumentParser(prog="python3 -m orbearing.validation", description=__doc__.splitlines()[0])
+    parser = Parser(prog="python3 -m orbearing.validation", description=__doc__.splitlines()[0])
     parser.add_argument("rows", nargs="+", metavar="ROWS.json")
     parser.add_argument("-o", "--output", required=True, metavar="DIR")
     parser.add_argument("--references", metavar="FILE")
