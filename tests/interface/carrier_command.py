@@ -74,6 +74,9 @@ class Carrier(unittest.TestCase):
                 self.assertEqual(len(load), len(found["face_position_mm"]))
                 self.assertLessEqual(max(load) / (sum(load) / len(load)), row["K_Hbeta"] * (1 + 1e-9))
                 self.assertGreater(row["K_Hbeta"], 1.05)
+        slices = len(found["face_position_mm"])  # of 220 mm; middles, from the middle of the face
+        for k, place in enumerate(found["face_position_mm"]):
+            self.assertAlmostEqual(place, 220.0 * ((k + 0.5) / slices - 0.5), 9)
         self.assertEqual(found["back_flank_load_N"], 0)
 
     def test_a_sun_without_load_rests_on_back_flanks(self):

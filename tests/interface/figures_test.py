@@ -30,7 +30,7 @@ import report_dynamic_fixture as dynamic  # noqa: E402
 import report_fixture as fixture  # noqa: E402
 from orbearing import report, style  # noqa: E402
 from orbearing.drawn import Panel, panels_of  # noqa: E402
-from orbearing.figures import cage_orbit as orbit_figure, roller_pressure, static_loads  # noqa: E402
+from orbearing.figures import cage_orbit as orbit_figure, carrier_revolution, gear_modes, roller_pressure, static_loads  # noqa: E402
 from orbearing.point_file import PointFile  # noqa: E402
 from orbearing.result_folder import Report, read_report  # noqa: E402
 
@@ -881,6 +881,36 @@ class Figures(unittest.TestCase):
             self.assertEqual(block.caption, f"Load of each rolling element on the inner race {said}. Largest load: 700 N. 3 of 4 elements carry load.")
         even = static_loads.block(Report({"static": {"contact_loads_N": loads}}, None))
         self.assertEqual([row[0] for row in even.data.rows], [-180.0, -90.0, 0.0, 90.0])
+
+    def test_of_a_revolution_of_the_carrier(self):
+        """A line for each bearing; over the face, of each kind of mesh the one with the largest load per width."""
+        bearings = [{"planet": planet, "position_mm": place, "load_min_N": 1.0, "load_max_N": 2.0, "equivalent_load_N": 3.0, "tilt_max_mrad": 4.0, "L10h_h": life}
+                    for planet, place, life in ((1, -50.0, 900.0), (1, 50.0, 700.0), (2, -50.0, 800.0))]
+        meshes = [{"planet": planet, "with": wheel, "K_Hbeta": factor, "face_load_N_per_mm": load} for planet, wheel, factor, load in
+                  ((1, "sun", 1.11, [30.0, 80.0, 10.0]), (2, "sun", 1.22, [40.0, 50.0, 60.0]), (1, "ring", 1.33, [25.0, 35.0, 45.0]), (2, "ring", 1.44, [5.0, 20.0, 65.0]))]
+        carrier = {"bearings": bearings, "meshes": meshes, "carrier_angle_deg": [0.0, 120.0, 240.0], "face_position_mm": [-20.0, 0.0, 20.0],
+                   "bearing_loads_N": [[10.0, 20.0, 30.0], [11.0, 22.0, 33.0], [12.0, 24.0, 36.0]], "expected_load_N": 15.0, "largest_load_share": 2.4}
+        with style.context():
+            block = carrier_revolution.block(Report({"carrier": carrier, "peak": {"life_key": "L10h"}}, None))
+        over = [line(Q([0.0, 120.0, 240.0, 360.0], "deg"), Q([*loads, loads[0]], "N"), f"planet {planet}, at {place} mm")
+                for planet, place, loads in ((1, "−50", [10.0, 11.0, 12.0]), (1, "50", [20.0, 22.0, 24.0]), (2, "−50", [30.0, 33.0, 36.0]))]
+        face = [line(Q(carrier["face_position_mm"], "mm"), most, name) for most, name in (([30.0, 80.0, 10.0], "sun, K_Hβ 1.11"), ([5.0, 20.0, 65.0], "ring, K_Hβ 1.44"))]
+        expected = [Expected(*over, ("level", "torque shared evenly", (Q([15.0], "N"),)), x_label="angle of the carrier (deg)", y_label="load of the bearing (N)",
+                             x_limits=(0.0, 360.0)),
+                    Expected(*face, y="", x_label="position on the face (mm)", y_label="load per width (N/mm)")]
+        found = faults("carrier", [panel for picture in block.pictures for panel in picture.panels], expected)
+        self.assertEqual(found, [], "\n" + "\n".join(found))
+        self.assertIn("Largest load of one bearing: 36 N, 2.4 times the expected load of 15 N (torque shared evenly). Shortest L10h: 700 h, planet 1, at 50 mm.", block.caption)
+
+    def test_names_of_modes_stand_at_the_ends_of_their_lines(self):
+        """Of two lines with one name between both; a name is 3.2 % of the height above the one below it at least."""
+        from matplotlib.figure import Figure
+        ends = (("P1", [900.0, 1000.0]), ("R1", [1500.0, 1530.0]), ("P1", [1900.0, 2000.0]), ("T1", [100.0, 2500.0]), ("P2", [300.0, None]))
+        axes = Figure().add_subplot()
+        gear_modes._name_modes(axes, np.array([1.0, 2.0]), [{"name": name, "frequency_Hz": values} for name, values in ends], 3.0)
+        self.assertEqual([(text.get_text(), text.xy[1]) for text in axes.texts], [("P1", 1.5), ("R1", 1.53), ("T1", 2.5)])
+        for text, height in zip(axes.texts, (1.5, 1.5 + 0.032 * 3.0, 2.5)):
+            self.assertAlmostEqual(text.xyann[1], height, 12)
 
     def test_time_of_an_orbit_begins_with_it(self):
         time, path = 0.75 + 1e-3 * np.arange(21), 1e-6 * np.array([np.arange(21.0), 2.0 + np.arange(21.0) ** 2])

@@ -12,6 +12,7 @@ from pathlib import Path
 
 from figures_test import Expected, Q, faults, line, np, number, rows, speed_axes
 from matplotlib.figure import Figure
+from matplotlib.patches import Circle
 from orbearing import animate, results, style
 from orbearing.drawn import panels_of
 from orbearing.validation.pictures import scatter
@@ -208,6 +209,13 @@ class Studies(Compared):
         self.assertIn("Of 2 variants the longest L10mrh is 27,000 h (bearing.radial_clearance 20 um), the shortest 13,000 h.", page)
         self.assertIn("bearing.radial_clearance (um)</th>", page)
 
+    def test_speeds_in_another_unit_are_shown_in_rpm(self):
+        from orbearing.studies.dataset import in_rpm
+        from orbearing.studies.design import SPEED, Parameter
+        si = np.array([10.0, 200.0])
+        shown = in_rpm(Parameter(SPEED, SPEED, "rad/s", "", ("10 rad/s", "200 rad/s"), si, si))
+        np.testing.assert_allclose(shown, [300.0 / np.pi, 6000.0 / np.pi], rtol=1e-12)
+
 
 class Guide(Compared):
     def test_ours_over_theirs(self):
@@ -269,6 +277,22 @@ class Moving(Compared):
         angle = np.array([0.01, 0.02, 3.0, 6.2])
         loads = animate.load_by_place({"first_ball_angle": angle, "first_ball_inner_load": np.array([10.0, 30.0, 8.0, 4.0])})
         self.assertEqual([loads[0], loads[int(3.0 / (2 * np.pi) * 72)], loads[71], loads[5]], [20.0, 8.0, 4.0, 0.0])
+
+    def test_balls_are_as_dark_as_they_are_loaded(self):
+        """Three balls at three places where the first one had 10, 30 and 20 N: from 15 % without load to 100 % at the largest."""
+        angle = 0.2 + 2 * np.pi * np.arange(3) / 3
+        run = {"time": np.array([0.0, 1.0, 2.0]), "first_ball_angle": angle, "first_ball_inner_load": np.array([10.0, 30.0, 20.0]), "inner_speed": np.ones(3),
+               **{name: np.full(3, 1e-5) for name in ("cage_x", "cage_y", "inner_x", "inner_y")}}
+        figure = Figure()
+        animate.Drawing(figure, self.VALUES, run).show(0.0)
+        wanted = [0.15 + 0.85 * load / 30.0 for load in (10.0, 30.0, 20.0)]
+        front = [one.get_alpha() for one in figure.axes[0].patches if isinstance(one, Circle)]
+        np.testing.assert_allclose(front, wanted, rtol=1e-12)
+        height = {round(-0.02 * np.cos(place), 9): dark for place, dark in zip(angle, wanted)}  # of a ball's middle across the axis
+        side = [one for one in figure.axes[1].patches if isinstance(one, Circle)]
+        self.assertEqual(len(side), 2, "the third is behind the axis")
+        for one in side:
+            self.assertAlmostEqual(one.get_alpha(), height[round(one.center[1], 9)], 12)
 
     def test_lengths_of_the_resolved_case(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -428,6 +428,20 @@ class Contradictions(ReadBack):
         for model in (rexs_files.planetary(), rexs_files.planetary(load_cases=True), rexs_files.gearbox(), rexs_files.two_stages(), gearbox()):
             self.assertEqual(self.converted(model).report["notes"], [])
 
+    def test_digits_of_a_speed_that_is_rounded_contradict_nothing(self):
+        """22 rpm of the carrier are 125.714 rpm of the sun; the file states four digits."""
+        self.assertEqual(self.converted(with_attributes(rexs_files.planetary(), 13, rotational_speed=(125.7, "1 / min"))).report["notes"], [])
+
+    def test_a_coupling_is_no_bearing(self):
+        """One that joins a shaft and its gear carries no load of the shaft and is in no list."""
+        joined = gearbox()
+        joined.add(900, "coupling", "Nabe", u_coordinate_on_shaft_inner_side=(50.0, "mm"))
+        joined.relate("side", assembly=900, inner_part=5, outer_part=7)
+        found, plain = self.converted(joined), self.converted(gearbox())
+        self.assertEqual([entry["component"] for entry in plain.report["bearings"]], [30, 31, 40, 41])
+        self.assertEqual(found.report["bearings"], plain.report["bearings"])
+        self.assertEqual(found.cases, plain.cases)
+
     def test_modules_that_do_not_mesh_are_no_case(self):
         for number in (rexs_files.SUN, rexs_files.PLANET + 1, rexs_files.RING):
             found = self.converted(with_attributes(rexs_files.planetary(), number, normal_module=(8.0, "mm")))
