@@ -3,6 +3,7 @@
 
 import csv
 import json
+import re
 import tempfile
 import unittest
 from pathlib import Path
@@ -33,6 +34,11 @@ sets:
 """
 
 
+def example_of_the_document():
+    text = (ROOT / "docs" / "gear_sets.md").read_text(encoding="utf-8")
+    return re.search(r"^## Several sets on common shafts$.*?^```yaml\n(.*?)^```$", text, re.M | re.S)[1]
+
+
 def rows(folder):
     return list(csv.DictReader(table(folder).decode().splitlines()))
 
@@ -51,6 +57,23 @@ class SeveralSets(unittest.TestCase):
     def sweep(self, case, name, *options):
         self.done("sweep", case, "-o", self.place / name, "--quiet", *options)
         return self.place / name
+
+    def test_the_example_of_the_document_is_a_whole_case(self):
+        """docs/gear_sets.md: speeds by Willis' equation, what is refused beside shafts, a parallel stage behind the load's shaft."""
+        with tempfile.TemporaryDirectory() as place:
+            case = Path(place) / "two.yaml"
+            case.write_text(example_of_the_document(), encoding="utf-8")
+
+            def check(setting, *options):
+                return run([PROGRAM, "check", str(case), "--set", setting, *options])
+
+            result = json.loads(check("parallel_stage.behind=[25, 50]", "--json").stdout)
+            speeds = {(row["set"], row["member"]): row["speed_rpm"] for row in result["power_flow"]}
+            self.assertAlmostEqual(speeds["second", "carrier"], 1500 / ((1 + 90 / 24) * (1 + 84 / 28)), delta=1e-4)
+            load = next(row["value"] for row in result["derived"] if row["path"] == "operation.load_speed")
+            self.assertAlmostEqual(load, -25 / 50 * speeds["second", "carrier"], delta=1e-4)
+            self.assertIn("the shafts, which say where motor and ground are", check("input.member=carrier").stderr)
+            self.assertEqual(check("sets.first.bearing.radial_clearance=30 um").returncode, 0)
 
     def test_power_flow_balances_in_every_set_and_shaft(self):
         checked = json.loads(self.done("check", THREE, "--json"))
