@@ -84,10 +84,13 @@ def file(_, path: str, language: str = "text") -> str:
 
 
 def inputs(_) -> str:
-    """Every key of a case file, by the schema of case files."""
+    """Every key of a case file, by the schema of case files; then what an element of `uncertain` can be."""
     schema = json.loads((ROOT / "cases" / "case.schema.json").read_text(encoding="utf-8"))
     parts = []
     for model, described in schema["$defs"].items():
+        if "properties" not in described:
+            parts.append(f"## {model}\n\nAn element of `uncertain` is one of these.\n\n" + table(["key", "required", "optional"], _distributions(described)))
+            continue
         rows = [[f"`{path}`", cell(meaning), f"`{default}`" if default else ""] for path, meaning, default, _ in _keys(described, "")]
         parts.append(f"## {model}\n\n" + table(["key", "meaning, what it takes", "default"], rows))
     return "\n\n".join(['<p class="key-filter"></p>', *parts])  # static/key_filter.js
@@ -118,6 +121,20 @@ def _keys(described: dict, before: str):
             yield from _keys(one, path + ".")
     for one in described.get("patternProperties", {}).values():
         yield from _keys(one, before + "NAME.")
+
+
+def _distributions(described: dict):
+    """One row for each distribution that an uncertain number can have."""
+    for choice in described["oneOf"]:
+        (kind,) = choice["required"]
+        one = choice["properties"][kind]
+        groups = one.get("oneOf", [])
+        alternatives = [group["required"][0] for group in groups]
+        required = [f"`{name}`" for name in one.get("required", [])] + ([" or ".join(f"`{name}`" for name in alternatives)] if groups else [])
+        optional = [f"`{name}`" for name in one.get("properties", {}) if name not in (*one.get("required", []), *alternatives)]
+        if "enum" in one:
+            required = [" or ".join(one["enum"])]
+        yield [f"`{kind}`", ", ".join(required), ", ".join([*optional, *(f"`{name}` beside it" for name in choice["properties"] if name != kind)])]
 
 
 def assumptions(_) -> str:
